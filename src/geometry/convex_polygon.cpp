@@ -1,0 +1,106 @@
+#include "geometry/convex_polygon.hpp"
+
+#include <algorithm>
+
+#include "geometry/orientation.hpp"
+
+namespace manifuzz {
+namespace {
+
+using Vertices = std::span<const Vector2<float>>;
+
+const Vector2<float>& cyclic(Vertices v, std::size_t i) { return v[i % v.size()]; }
+
+bool all_finite(Vertices v) {
+  return std::all_of(v.begin(), v.end(), [](const auto& p) {
+    return std::isfinite(p.x()) && std::isfinite(p.y());
+  });
+}
+
+bool has_repeated_vertex(Vertices v) {
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    for (std::size_t j = i + 1; j < v.size(); ++j) {
+      if (v[i] == v[j]) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether an edge climbs: up, or level and to the left. Read off the coordinates, hence exact.
+bool climbs(const Vector2<float>& from, const Vector2<float>& to) {
+  return to.y() > from.y() || (to.y() == from.y() && to.x() < from.x());
+}
+
+/// A closed chain of left turns goes round as often as its edges start to climb.
+int turns_round(Vertices v) {
+  int starts = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const bool before = climbs(v[i], cyclic(v, i + 1));
+    const bool after = climbs(cyclic(v, i + 1), cyclic(v, i + 2));
+    if (!before && after) ++starts;
+  }
+  return starts;
+}
+
+}  // namespace
+
+std::optional<PolygonDefect> find_defect(Vertices v) {
+  if (v.size() < kMinVertices) return PolygonDefect::too_few;
+  if (v.size() > kMaxVertices) return PolygonDefect::too_many;
+  if (!all_finite(v)) return PolygonDefect::not_finite;
+  if (has_repeated_vertex(v)) return PolygonDefect::repeated_vertex;
+  std::size_t left = 0;
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const int turn = orientation(v[i], cyclic(v, i + 1), cyclic(v, i + 2));
+    if (turn > 0) ++left;
+    if (turn < 0) ++right;
+  }
+  if (right == v.size()) return PolygonDefect::clockwise;
+  if (left < v.size()) return PolygonDefect::not_strictly_convex;
+  if (turns_round(v) != 1) return PolygonDefect::winds_twice;
+  return std::nullopt;
+}
+
+std::string_view describe(PolygonDefect defect) {
+  switch (defect) {
+    case PolygonDefect::too_few:
+      return "too few vertices: a polygon has 3 to 8";
+    case PolygonDefect::too_many:
+      return "too many vertices: a polygon has 3 to 8";
+    case PolygonDefect::not_finite:
+      return "a coordinate is not finite as a float: its magnitude must be below 3.4e38";
+    case PolygonDefect::repeated_vertex:
+      return "a vertex is repeated: all vertices must differ as floats";
+    case PolygonDefect::clockwise:
+      return "the vertices run clockwise: list them counter-clockwise";
+    case PolygonDefect::not_strictly_convex:
+      return "not strictly convex as floats: every corner must turn left";
+    case PolygonDefect::winds_twice:
+      return "the vertices go round more than once: the outline must not cross itself";
+  }
+  return {};
+}
+
+double diameter(const ConvexPolygon<float>& polygon) {
+  double squared = 0;
+  for (int i = 0; i < polygon.count; ++i) {
+    for (int j = i + 1; j < polygon.count; ++j) {
+      const Vector2<double> d =
+          polygon.vertices[i].cast<double>() - polygon.vertices[j].cast<double>();
+      squared = std::max(squared, d.dot(d));
+    }
+  }
+  return std::sqrt(squared);
+}
+
+double reach(const ConvexPolygon<float>& polygon) {
+  double squared = 0;
+  for (const auto& vertex : polygon.corners()) {
+    const Vector2<double> v = vertex.cast<double>();
+    squared = std::max(squared, v.dot(v));
+  }
+  return std::sqrt(squared);
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+#include "geometry/vector.hpp"
+
+namespace manifuzz {
+
+inline constexpr int kMinVertices = 3;
+inline constexpr int kMaxVertices = 8;
+
+/// A convex polygon in its own frame: 3 to 8 vertices in counter-clockwise order, strictly convex.
+/// Face i runs from vertex i to vertex i + 1; `normals[i]` is its outward unit normal. The polygon
+/// is rounded by `radius` (a length, >= 0), as Box2D's skin is. Plain data: build it with
+/// `make_polygon`, or through `find_defect` first where the vertices are not trusted.
+template <class Scalar>
+struct ConvexPolygon {
+  std::array<Vector2<Scalar>, kMaxVertices> vertices;
+  std::array<Vector2<Scalar>, kMaxVertices> normals;
+  int count = 0;
+  Scalar radius = 0;
+
+  int next(int i) const { return i + 1 < count ? i + 1 : 0; }
+  int previous(int i) const { return i > 0 ? i - 1 : count - 1; }
+  std::span<const Vector2<Scalar>> corners() const {
+    return {vertices.data(), static_cast<std::size_t>(count)};
+  }
+};
+
+/// What can be wrong with vertices, in the order in which it is looked for.
+enum class PolygonDefect {
+  too_few,
+  too_many,
+  not_finite,
+  repeated_vertex,
+  clockwise,
+  not_strictly_convex,
+  winds_twice,
+};
+
+/// The first defect, or none. Decided exactly on the floats.
+std::optional<PolygonDefect> find_defect(std::span<const Vector2<float>> vertices);
+
+/// One clause for a person: what is wrong, and what would be right.
+std::string_view describe(PolygonDefect defect);
+
+/// The outward unit normal of the counter-clockwise edge from `from` to `to`, computed in double (or
+/// wider) and rounded once.
+template <class Scalar>
+Vector2<Scalar> outward_normal(const Vector2<Scalar>& from, const Vector2<Scalar>& to) {
+  const Vector2<double> edge = to.template cast<double>() - from.template cast<double>();
+  const double longest = edge.cwiseAbs().maxCoeff();
+  const Vector2<double> scaled = edge / longest;  // so that no square over- or underflows
+  return Vector2<double>(clockwise_quarter(scaled) / std::sqrt(scaled.dot(scaled)))
+      .template cast<Scalar>();
+}
+
+/// The polygon with these vertices, which must be free of defects.
+template <class Scalar>
+ConvexPolygon<Scalar> make_polygon(std::span<const Vector2<Scalar>> vertices, Scalar radius = 0) {
+  assert(vertices.size() >= kMinVertices && vertices.size() <= kMaxVertices);
+  assert(radius >= 0);
+  ConvexPolygon<Scalar> polygon;
+  polygon.count = static_cast<int>(vertices.size());
+  polygon.radius = radius;
+  for (int i = 0; i < polygon.count; ++i) polygon.vertices[i] = vertices[i];
+  for (int i = 0; i < polygon.count; ++i) {
+    polygon.normals[i] = outward_normal(polygon.vertices[i], polygon.vertices[polygon.next(i)]);
+  }
+  return polygon;
+}
+
+/// The same vertices in another scalar, the normals computed afresh in it.
+template <class To, class From>
+ConvexPolygon<To> polygon_cast(const ConvexPolygon<From>& polygon) {
+  std::array<Vector2<To>, kMaxVertices> vertices;
+  for (int i = 0; i < polygon.count; ++i) vertices[i] = polygon.vertices[i].template cast<To>();
+  return make_polygon<To>({vertices.data(), static_cast<std::size_t>(polygon.count)},
+                          static_cast<To>(polygon.radius));
+}
+
+/// Equal vertices in the same order, and equal radius.
+template <class Scalar>
+bool operator==(const ConvexPolygon<Scalar>& p, const ConvexPolygon<Scalar>& q) {
+  if (p.count != q.count || p.radius != q.radius) return false;
+  for (int i = 0; i < p.count; ++i) {
+    if (p.vertices[i] != q.vertices[i]) return false;
+  }
+  return true;
+}
+
+/// The largest distance between two vertices.
+double diameter(const ConvexPolygon<float>& polygon);
+
+/// The largest distance of a vertex from the polygon's own origin.
+double reach(const ConvexPolygon<float>& polygon);
+
+}  // namespace manifuzz

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+
+#include "geometry/pair_case.hpp"
+
+namespace manifuzz {
+
+/// A corner or a face of a polygon; face i runs from vertex i to vertex i + 1.
+struct Feature {
+  enum class Kind : unsigned char { vertex, face };
+  Kind kind = Kind::vertex;
+  unsigned char index = 0;
+
+  friend bool operator==(const Feature&, const Feature&) = default;
+};
+
+/// What makes a contact point: A's feature and B's. An unclipped end of the incident edge is the
+/// reference face and an incident vertex; a crossing is a reference vertex and the incident face.
+struct FeaturePair {
+  Feature a;
+  Feature b;
+
+  friend bool operator==(const FeaturePair&, const FeaturePair&) = default;
+};
+
+template <class Scalar>
+struct ContactPoint {
+  Vector2<Scalar> position{0, 0};  ///< on the incident edge, in A's frame
+  Scalar depth = 0;                ///< total radius - separation, a world length, >= 0
+  FeaturePair features;
+
+  friend bool operator==(const ContactPoint&, const ContactPoint&) = default;
+};
+
+/// How two polygons touch: 0, 1 or 2 contact points. This is the contract of every collider.
+///
+/// Frame: everything is in A's frame, so distance from the origin costs nothing; `to_world` maps.
+/// Normal: unit, the reference face's, turned to point from A to B.
+/// Points: the ends of the incident edge after clipping to the reference face's slab, kept where the
+/// separation is at most the total radius; ordered along the reference face's direction, so that
+/// equal manifolds compare equal. Lengths are world lengths: a rotation (cos, sin) that is not quite
+/// unit scales A's frame, and `depth` is measured outside it.
+template <class Scalar>
+struct Manifold {
+  int count = 0;
+  Side reference = Side::a;
+  Vector2<Scalar> normal{0, 0};
+  std::array<ContactPoint<Scalar>, 2> points;
+};
+
+/// Equal where it counts: manifolds without points are all equal.
+template <class Scalar>
+bool operator==(const Manifold<Scalar>& m, const Manifold<Scalar>& n) {
+  if (m.count != n.count) return false;
+  if (m.count == 0) return true;
+  return m.reference == n.reference && m.normal == n.normal && m.points[0] == n.points[0] &&
+         (m.count < 2 || m.points[1] == n.points[1]);
+}
+
+template <class To, class From>
+Manifold<To> manifold_cast(const Manifold<From>& from) {
+  Manifold<To> to;
+  to.count = from.count;
+  to.reference = from.reference;
+  to.normal = from.normal.template cast<To>();
+  for (int i = 0; i < from.count; ++i) {
+    to.points[i] = {from.points[i].position.template cast<To>(), static_cast<To>(from.points[i].depth),
+                    from.points[i].features};
+  }
+  return to;
+}
+
+/// A local point of A in the world, to double precision.
+inline Vector2<double> to_world(const PairCase& pair, const Vector2<double>& local) {
+  const Pose<double> pose{pair.a.pose.position.cast<double>(), pair.a.pose.rotation.cast<double>()};
+  return transform(pose, local);
+}
+
+/// The manifold's normal in the world: unit, from A to B.
+inline Vector2<double> world_normal(const PairCase& pair, const Vector2<double>& local) {
+  const Vector2<double> turned = rotate<double>(pair.a.pose.rotation.cast<double>(), local);
+  return turned / std::sqrt(turned.dot(turned));
+}
+
+/// A world point in A's frame: R^-1 (x - p), the transpose over cos^2 + sin^2.
+inline Vector2<double> to_local(const Pose<float>& pose, const Vector2<double>& world) {
+  const Vector2<double> rotation = pose.rotation.cast<double>();
+  return rotate_back<double>(rotation, world - pose.position.cast<double>()) /
+         rotation.dot(rotation);
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <algorithm>
+
+#include "geometry/convex_polygon.hpp"
+#include "geometry/pose.hpp"
+
+namespace manifuzz {
+
+enum class Side : unsigned char { a, b };
+
+constexpr Side other(Side side) { return side == Side::a ? Side::b : Side::a; }
+
+/// A polygon and where it stands in the world. Floats, the very ones that every collider gets.
+struct Body {
+  ConvexPolygon<float> polygon;
+  Pose<float> pose;
+
+  friend bool operator==(const Body&, const Body&) = default;
+};
+
+/// Two convex polygons with a pose each: the unit everything passes around.
+struct PairCase {
+  Body a;
+  Body b;
+
+  const Body& operator[](Side side) const { return side == Side::a ? a : b; }
+  Body& operator[](Side side) { return side == Side::a ? a : b; }
+  friend bool operator==(const PairCase&, const PairCase&) = default;
+};
+
+/// A plus B rounded: shapes touch while the separation is at most this.
+inline double total_radius(const PairCase& pair) {
+  return static_cast<double>(pair.a.polygon.radius) + static_cast<double>(pair.b.polygon.radius);
+}
+
+/// The smaller polygon's diameter: the yardstick of errors.
+inline double size(const PairCase& pair) {
+  return std::min(diameter(pair.a.polygon), diameter(pair.b.polygon));
+}
+
+/// E of the error bounds: the reach of both polygons plus the distance between their origins.
+inline double extent(const PairCase& pair) {
+  const Vector2<double> apart =
+      pair.b.pose.position.cast<double>() - pair.a.pose.position.cast<double>();
+  return reach(pair.a.polygon) + reach(pair.b.polygon) + std::sqrt(apart.dot(apart));
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cmath>
+
+#include "geometry/vector.hpp"
+
+namespace manifuzz {
+
+/// How far |cos^2 + sin^2 - 1| of a valid rotation may be from zero.
+inline constexpr double kRotationTolerance = 1e-5;
+
+/// A frame in the plane: a local point v lies at R v + position, R = [[cos, -sin], [sin, cos]].
+template <class Scalar>
+struct Pose {
+  Vector2<Scalar> position{0, 0};
+  Vector2<Scalar> rotation{1, 0};  ///< (cos, sin), of unit length within kRotationTolerance
+
+  friend bool operator==(const Pose&, const Pose&) = default;
+};
+
+/// R v.
+template <class Scalar>
+Vector2<Scalar> rotate(const Vector2<Scalar>& rotation, const Vector2<Scalar>& v) {
+  return {rotation.x() * v.x() - rotation.y() * v.y(), rotation.y() * v.x() + rotation.x() * v.y()};
+}
+
+/// R^T v: the inverse of `rotate`, up to the factor cos^2 + sin^2.
+template <class Scalar>
+Vector2<Scalar> rotate_back(const Vector2<Scalar>& rotation, const Vector2<Scalar>& v) {
+  return {rotation.x() * v.x() + rotation.y() * v.y(), rotation.x() * v.y() - rotation.y() * v.x()};
+}
+
+template <class Scalar>
+Vector2<Scalar> transform(const Pose<Scalar>& pose, const Vector2<Scalar>& v) {
+  return rotate(pose.rotation, v) + pose.position;
+}
+
+/// B's pose in A's frame. Subtracting the positions first keeps the distance from the origin out of
+/// everything that follows.
+template <class Scalar>
+Pose<Scalar> relative_pose(const Pose<Scalar>& a, const Pose<Scalar>& b) {
+  return {rotate_back<Scalar>(a.rotation, b.position - a.position),
+          rotate_back(a.rotation, b.rotation)};
+}
+
+template <class Scalar>
+bool is_unit_rotation(const Vector2<Scalar>& rotation) {
+  const double c = static_cast<double>(rotation.x());
+  const double s = static_cast<double>(rotation.y());
+  return std::abs(c * c + s * s - 1.0) <= kRotationTolerance;
+}
+
+}  // namespace manifuzz
