@@ -20,7 +20,7 @@ struct Declaration {
   std::string description;  ///< one line for `list colliders`
   ScalarType scalar = ScalarType::float32;
   RoundingFrame frame = RoundingFrame::local;
-  double tie_bias = 0;  ///< B's face is the reference only where its separation leads by more (length)
+  double tie_bias = 0;  ///< a length: B's face is the reference only where it leads by more
   int max_vertices = kMaxVertices;
 };
 

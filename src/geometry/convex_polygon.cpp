@@ -9,12 +9,13 @@ namespace {
 
 using Vertices = std::span<const Vector2<float>>;
 
-const Vector2<float>& cyclic(Vertices v, std::size_t i) { return v[i % v.size()]; }
+const Vector2<float>& cyclic(Vertices v, std::size_t i) {
+  return v[i % v.size()];
+}
 
 bool all_finite(Vertices v) {
-  return std::all_of(v.begin(), v.end(), [](const auto& p) {
-    return std::isfinite(p.x()) && std::isfinite(p.y());
-  });
+  return std::all_of(v.begin(), v.end(),
+                     [](const auto& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); });
 }
 
 bool has_repeated_vertex(Vertices v) {

@@ -6,9 +6,8 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <type_traits>
 
-#include "geometry/vector.hpp"
+#include "geometry/pose.hpp"
 
 namespace manifuzz {
 
@@ -50,8 +49,8 @@ std::optional<PolygonDefect> find_defect(std::span<const Vector2<float>> vertice
 /// One clause for a person: what is wrong, and what would be right.
 std::string_view describe(PolygonDefect defect);
 
-/// The outward unit normal of the counter-clockwise edge from `from` to `to`, computed in double (or
-/// wider) and rounded once.
+/// The outward unit normal of the counter-clockwise edge from `from` to `to`, computed in double
+/// and rounded once.
 template <class Scalar>
 Vector2<Scalar> outward_normal(const Vector2<Scalar>& from, const Vector2<Scalar>& to) {
   const Vector2<double> edge = to.template cast<double>() - from.template cast<double>();
@@ -83,6 +82,19 @@ ConvexPolygon<To> polygon_cast(const ConvexPolygon<From>& polygon) {
   for (int i = 0; i < polygon.count; ++i) vertices[i] = polygon.vertices[i].template cast<To>();
   return make_polygon<To>({vertices.data(), static_cast<std::size_t>(polygon.count)},
                           static_cast<To>(polygon.radius));
+}
+
+/// The polygon seen from the frame in which `pose` places it. The rotation is taken to be unit.
+template <class Scalar>
+ConvexPolygon<Scalar> transform(const Pose<Scalar>& pose, const ConvexPolygon<Scalar>& polygon) {
+  ConvexPolygon<Scalar> placed;
+  placed.count = polygon.count;
+  placed.radius = polygon.radius;
+  for (int i = 0; i < polygon.count; ++i) {
+    placed.vertices[i] = transform(pose, polygon.vertices[i]);
+    placed.normals[i] = rotate(pose.rotation, polygon.normals[i]);
+  }
+  return placed;
 }
 
 /// Equal vertices in the same order, and equal radius.

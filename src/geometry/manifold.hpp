@@ -37,10 +37,10 @@ struct ContactPoint {
 ///
 /// Frame: everything is in A's frame, so distance from the origin costs nothing; `to_world` maps.
 /// Normal: unit, the reference face's, turned to point from A to B.
-/// Points: the ends of the incident edge after clipping to the reference face's slab, kept where the
-/// separation is at most the total radius; ordered along the reference face's direction, so that
-/// equal manifolds compare equal. Lengths are world lengths: a rotation (cos, sin) that is not quite
-/// unit scales A's frame, and `depth` is measured outside it.
+/// Points: the ends of the incident edge after clipping to the reference face's slab, kept where
+/// the separation is at most the total radius; ordered along the reference face's direction, so
+/// that equal manifolds compare equal. Lengths are world lengths: a rotation (cos, sin) that is not
+/// quite unit scales A's frame, and `depth` is measured outside it.
 template <class Scalar>
 struct Manifold {
   int count = 0;
@@ -65,8 +65,8 @@ Manifold<To> manifold_cast(const Manifold<From>& from) {
   to.reference = from.reference;
   to.normal = from.normal.template cast<To>();
   for (int i = 0; i < from.count; ++i) {
-    to.points[i] = {from.points[i].position.template cast<To>(), static_cast<To>(from.points[i].depth),
-                    from.points[i].features};
+    to.points[i] = {from.points[i].position.template cast<To>(),
+                    static_cast<To>(from.points[i].depth), from.points[i].features};
   }
   return to;
 }

@@ -9,7 +9,9 @@ namespace manifuzz {
 
 enum class Side : unsigned char { a, b };
 
-constexpr Side other(Side side) { return side == Side::a ? Side::b : Side::a; }
+constexpr Side other(Side side) {
+  return side == Side::a ? Side::b : Side::a;
+}
 
 /// A polygon and where it stands in the world. Floats, the very ones that every collider gets.
 struct Body {

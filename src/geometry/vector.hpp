@@ -20,4 +20,10 @@ Vector2<Scalar> clockwise_quarter(const Vector2<Scalar>& v) {
   return {v.y(), -v.x()};
 }
 
+/// `v` turned by a quarter counter-clockwise: along an outward normal, the face's direction.
+template <class Scalar>
+Vector2<Scalar> counter_clockwise_quarter(const Vector2<Scalar>& v) {
+  return {-v.y(), v.x()};
+}
+
 }  // namespace manifuzz
