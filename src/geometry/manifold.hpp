@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include "geometry/pair_case.hpp"
 
@@ -56,6 +57,17 @@ bool operator==(const Manifold<Scalar>& m, const Manifold<Scalar>& n) {
   if (m.count == 0) return true;
   return m.reference == n.reference && m.normal == n.normal && m.points[0] == n.points[0] &&
          (m.count < 2 || m.points[1] == n.points[1]);
+}
+
+/// Puts two points in the order of the contract, along the reference face's direction.
+template <class Scalar>
+void order_points(Manifold<Scalar>& manifold) {
+  if (manifold.count < 2) return;
+  const Vector2<Scalar> from_a = counter_clockwise_quarter(manifold.normal);
+  const Vector2<Scalar> along = manifold.reference == Side::a ? from_a : Vector2<Scalar>(-from_a);
+  if (along.dot(manifold.points[1].position - manifold.points[0].position) < 0) {
+    std::swap(manifold.points[0], manifold.points[1]);
+  }
 }
 
 template <class To, class From>

@@ -1,0 +1,112 @@
+#include "oracle/box2d/box2d.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <box2d/b2_collision.h>
+#include <box2d/b2_common.h>
+#include <box2d/b2_polygon_shape.h>
+
+namespace manifuzz {
+namespace {
+
+b2Vec2 to_box2d(const Vector2<float>& v) {
+  return {v.x(), v.y()};
+}
+
+Vector2<double> from_box2d(const b2Vec2& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+
+b2Transform to_box2d(const Pose<float>& pose) {
+  b2Transform transform;
+  transform.p = to_box2d(pose.position);
+  transform.q.c = pose.rotation.x();
+  transform.q.s = pose.rotation.y();
+  return transform;
+}
+
+b2PolygonShape to_box2d(const ConvexPolygon<float>& polygon) {
+  b2PolygonShape shape;
+  for (int i = 0; i < polygon.count; ++i) {
+    shape.m_vertices[i] = to_box2d(polygon.vertices[i]);
+    shape.m_normals[i] = to_box2d(polygon.normals[i]);
+  }
+  shape.m_count = polygon.count;
+  shape.m_radius = polygon.radius;
+  return shape;
+}
+
+Feature to_feature(uint8 type, uint8 index) {
+  return {type == b2ContactFeature::e_face ? Feature::Kind::face : Feature::Kind::vertex, index};
+}
+
+double length(const Vector2<double>& v) {
+  return std::sqrt(v.dot(v));
+}
+
+/// A direction of the reference body as the unit normal from A to B in A's frame.
+Vector2<double> normal_in_a(const PairCase& pair, Side reference, const b2Vec2& local_normal) {
+  const Vector2<double> normal = from_box2d(local_normal);
+  if (reference == Side::a) return normal;
+  const Vector2<double> rotation_a = pair.a.pose.rotation.cast<double>();
+  const Vector2<double> rotation_b = pair.b.pose.rotation.cast<double>();
+  const Vector2<double> turned = rotate_back<double>(rotation_a, rotate(rotation_b, normal));
+  return -turned / (length(rotation_a) * length(rotation_b));
+}
+
+/// A local point of the incident body in A's frame.
+Vector2<double> point_in_a(const PairCase& pair, Side reference, const b2Vec2& local_point) {
+  const Vector2<double> point = from_box2d(local_point);
+  if (reference == Side::b) return point;
+  const Vector2<double> apart =
+      pair.b.pose.position.cast<double>() - pair.a.pose.position.cast<double>();
+  const Vector2<double> from_a = rotate<double>(pair.b.pose.rotation.cast<double>(), point) + apart;
+  const Vector2<double> rotation_a = pair.a.pose.rotation.cast<double>();
+  return rotate_back(rotation_a, from_a) / rotation_a.dot(rotation_a);
+}
+
+Answer collide(const PairCase& pair) {
+  const b2PolygonShape shape_a = to_box2d(pair.a.polygon);
+  const b2PolygonShape shape_b = to_box2d(pair.b.polygon);
+  const b2Transform transform_a = to_box2d(pair.a.pose);
+  const b2Transform transform_b = to_box2d(pair.b.pose);
+  b2Manifold found;
+  b2CollidePolygons(&found, &shape_a, transform_a, &shape_b, transform_b);
+  if (found.pointCount == 0) return Manifold<double>{};  // its other fields are then unset
+
+  b2WorldManifold world;
+  world.Initialize(&found, transform_a, shape_a.m_radius, transform_b, shape_b.m_radius);
+  Manifold<double> manifold;
+  manifold.count = found.pointCount;
+  manifold.reference = found.type == b2Manifold::e_faceA ? Side::a : Side::b;
+  manifold.normal = normal_in_a(pair, manifold.reference, found.localNormal);
+  for (int i = 0; i < found.pointCount; ++i) {
+    const b2ContactFeature& feature = found.points[i].id.cf;
+    manifold.points[i] = {
+        point_in_a(pair, manifold.reference, found.points[i].localPoint),
+        std::max(0.0, -static_cast<double>(world.separations[i])),
+        {to_feature(feature.typeA, feature.indexA), to_feature(feature.typeB, feature.indexB)}};
+  }
+  order_points(manifold);
+  return manifold;
+}
+
+}  // namespace
+
+Collider make_box2d() {
+  Collider collider;
+  collider.declaration = {
+      .name = "box2d",
+      .version = std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
+                 std::to_string(b2_version.revision),
+      .description = "Box2D's b2CollidePolygons on shapes filled from the stored floats",
+      .scalar = ScalarType::float32,
+      .frame = RoundingFrame::world,
+      .tie_bias = static_cast<double>(0.1f * b2_linearSlop),
+      .max_vertices = b2_maxPolygonVertices};
+  collider.collide = collide;
+  return collider;
+}
+
+}  // namespace manifuzz

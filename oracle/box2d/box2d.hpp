@@ -1,0 +1,12 @@
+#pragma once
+
+#include "geometry/collider.hpp"
+
+namespace manifuzz {
+
+/// Box2D's `b2CollidePolygons` (b2_collide_polygon.cpp), on shapes filled from the stored floats:
+/// `b2PolygonShape::Set` would weld, reorder and assert. Its answer is converted without rounding
+/// that counts: points from the incident body's frame in double, depths from `b2WorldManifold`.
+Collider make_box2d();
+
+}  // namespace manifuzz

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+
+#include "clipping/features.hpp"
+
+namespace manifuzz::clipping {
+
+/// An end of the incident edge, as far as it has been clipped, and the features that make it.
+template <class Scalar>
+struct ClipEnd {
+  Vector2<Scalar> position{0, 0};
+  Feature reference;
+  Feature incident;
+};
+
+/// The incident edge from its first vertex to its second.
+template <class Scalar>
+using ClipEdge = std::array<ClipEnd<Scalar>, 2>;
+
+inline Feature vertex(int index) {
+  return {Feature::Kind::vertex, static_cast<unsigned char>(index)};
+}
+
+inline Feature face(int index) {
+  return {Feature::Kind::face, static_cast<unsigned char>(index)};
+}
+
+/// One clip of the article: cuts off what lies behind the line through the reference face's vertex
+/// `corner`, widened by `margin`. `inward` points along the face, into its slab. False when the
+/// edge and the slab do not overlap: fewer than two points are left. A crossing is told by signs,
+/// since a product of offsets underflows.
+template <class Scalar>
+bool clip(ClipEdge<Scalar>& edge, const Vector2<Scalar>& inward, const Vector2<Scalar>& corner,
+          Scalar margin, int corner_index, int incident_index) {
+  const Scalar offset0 = inward.dot(edge[0].position - corner) + margin;
+  const Scalar offset1 = inward.dot(edge[1].position - corner) + margin;
+  if (offset0 >= 0 && offset1 >= 0) return true;
+  if (offset0 <= 0 && offset1 <= 0) return false;
+  const Scalar share = offset0 / (offset0 - offset1);
+  const Vector2<Scalar> crossing =
+      edge[0].position + share * (edge[1].position - edge[0].position);
+  edge[offset0 < 0 ? 0 : 1] = {crossing, vertex(corner_index), face(incident_index)};
+  return true;
+}
+
+/// The incident edge between the two side planes of the reference face, each widened by the total
+/// radius. Empty edges give false.
+template <class Scalar>
+bool clip_to_slab(ClipEdge<Scalar>& edge, const ConvexPolygon<Scalar>& reference, int face_index,
+                  int incident_index, Scalar total_radius) {
+  const Vector2<Scalar> along = counter_clockwise_quarter(reference.normals[face_index]);
+  const int first = face_index;
+  const int second = reference.next(face_index);
+  return clip<Scalar>(edge, along, reference.vertices[first], total_radius, first,
+                      incident_index) &&
+         clip<Scalar>(edge, -along, reference.vertices[second], total_radius, second,
+                      incident_index);
+}
+
+/// Keeps the ends that lie behind the reference face, each with its own depth; walks the incident
+/// edge backwards, which is along the reference face. (The article, last clip of "Clipping".)
+template <class Scalar>
+Manifold<Scalar> keep_behind_face(const ClipEdge<Scalar>& edge,
+                                  const ConvexPolygon<Scalar>& reference, int face_index,
+                                  Side reference_side, Scalar total_radius) {
+  Manifold<Scalar> manifold;
+  const Vector2<Scalar>& normal = reference.normals[face_index];
+  manifold.reference = reference_side;
+  manifold.normal = reference_side == Side::a ? normal : Vector2<Scalar>(-normal);
+  for (const int i : {1, 0}) {
+    const Scalar separation = normal.dot(edge[i].position - reference.vertices[face_index]);
+    if (separation > total_radius) continue;
+    FeaturePair features{edge[i].reference, edge[i].incident};
+    if (reference_side == Side::b) std::swap(features.a, features.b);
+    manifold.points[manifold.count++] = {edge[i].position, total_radius - separation, features};
+  }
+  return manifold;
+}
+
+/// All three clips: the manifold of a reference face and an incident edge, in the polygons' common
+/// frame. Empty where the edge misses the slab or lies in front of the face.
+template <class Scalar>
+Manifold<Scalar> clip_features(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                               const ContactFeatures& features) {
+  const bool from_a = features.reference_side == Side::a;
+  const ConvexPolygon<Scalar>& reference = from_a ? a : b;
+  const ConvexPolygon<Scalar>& incident = from_a ? b : a;
+  const Scalar total_radius = a.radius + b.radius;
+  const int first = features.incident;
+  const int second = incident.next(first);
+  ClipEdge<Scalar> edge{{{incident.vertices[first], face(features.reference), vertex(first)},
+                         {incident.vertices[second], face(features.reference), vertex(second)}}};
+  if (!clip_to_slab(edge, reference, features.reference, first, total_radius)) return {};
+  return keep_behind_face(edge, reference, features.reference, features.reference_side,
+                          total_radius);
+}
+
+}  // namespace manifuzz::clipping

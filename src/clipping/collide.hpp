@@ -1,0 +1,64 @@
+#pragma once
+
+#include "clipping/clip.hpp"
+#include "clipping/deepest_contact.hpp"
+#include "clipping/features.hpp"
+#include "clipping/separation.hpp"
+
+// Contact points by clipping, after "Contact Points Using Clipping" (dyn4j.org, 2011):
+//
+//   separation   the greatest over A's faces and over B's; stop at the first face that separates
+//   features     reference = the face of the greater; incident = the edge most opposed to it
+//   clip         the incident edge to the reference face's slab; keep what lies behind the face
+//
+// Everything happens in A's frame (geometry/manifold.hpp states the contract). Lengths are A's own:
+// rotations are taken to be unit. Rounded polygons touch up to the total radius, and side planes
+// are widened by it, as in Box2D 2.4 (b2_collide_polygon.cpp).
+
+namespace manifuzz::clipping {
+
+/// The manifold of two polygons that stand in one frame. B's face becomes the reference only where
+/// its separation leads by more than `tie_bias` (a length, 0 in the article). Polygons that overlap
+/// by more than rounding always get a contact.
+template <class Scalar>
+Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                  Scalar tie_bias = 0) {
+  const Scalar total_radius = a.radius + b.radius;
+  const FaceSeparation<Scalar> of_a = greatest_separation(a, b, total_radius);
+  if (of_a.separation > total_radius) return {};
+  const FaceSeparation<Scalar> of_b = greatest_separation(b, a, total_radius);
+  if (of_b.separation > total_radius) return {};
+
+  ContactFeatures features;
+  if (of_b.separation > of_a.separation + tie_bias) {
+    features = {Side::b, of_b.face, incident_edge(a, b.normals[of_b.face])};
+  } else {
+    features = {Side::a, of_a.face, incident_edge(b, a.normals[of_a.face])};
+  }
+  const Manifold<Scalar> manifold = clip_features(a, b, features);
+  if (manifold.count == 0 &&
+      std::max(of_a.separation, of_b.separation) < -separation_roundoff(a, b)) {
+    return deepest_contact(a, b);
+  }
+  return manifold;
+}
+
+/// The manifold of A and B, B standing at `b_in_a` in A's frame (see `relative_pose`).
+template <class Scalar>
+Manifold<Scalar> collide(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                         const Pose<Scalar>& b_in_a, Scalar tie_bias = 0) {
+  return collide_in_frame(a, transform(b_in_a, b), tie_bias);
+}
+
+/// The manifold for those who have their own separation search (SAT, GJK, EPA): the article from
+/// its first step. `normal` is unit, from A to B, in A's frame, and may be approximate; the
+/// manifold has the reference face's exact one, and each point its own depth behind that face.
+template <class Scalar>
+Manifold<Scalar> manifold_from_normal(const ConvexPolygon<Scalar>& a,
+                                      const ConvexPolygon<Scalar>& b, const Pose<Scalar>& b_in_a,
+                                      const Vector2<Scalar>& normal) {
+  const ConvexPolygon<Scalar> b_placed = transform(b_in_a, b);
+  return clip_features(a, b_placed, choose_features(a, b_placed, normal));
+}
+
+}  // namespace manifuzz::clipping

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <limits>
+
+#include "geometry/convex_polygon.hpp"
+
+namespace manifuzz::clipping {
+
+/// A face and how far the other polygon lies in front of it.
+template <class Scalar>
+struct FaceSeparation {
+  int face = 0;
+  Scalar separation = -std::numeric_limits<Scalar>::infinity();  ///< along the normal; < 0 overlaps
+  int deepest = 0;                                               ///< the other polygon's vertex
+};
+
+/// The signed distance from a face to the other polygon's deepest vertex. Both in one frame. The
+/// difference comes first: it is what keeps the rounding relative to the distance.
+template <class Scalar>
+FaceSeparation<Scalar> face_separation(const ConvexPolygon<Scalar>& polygon, int face,
+                                       const ConvexPolygon<Scalar>& other) {
+  const Vector2<Scalar>& normal = polygon.normals[face];
+  const Vector2<Scalar>& origin = polygon.vertices[face];
+  FaceSeparation<Scalar> result{face, std::numeric_limits<Scalar>::infinity(), 0};
+  for (int j = 0; j < other.count; ++j) {
+    const Scalar distance = normal.dot(other.vertices[j] - origin);
+    if (distance < result.separation) {
+      result.separation = distance;
+      result.deepest = j;
+    }
+  }
+  return result;
+}
+
+/// The face of greatest separation, the first of equals. Stops at the first face that separates by
+/// more than `limit`, which need not be the greatest. (Box2D: b2FindMaxSeparation.)
+template <class Scalar>
+FaceSeparation<Scalar> greatest_separation(const ConvexPolygon<Scalar>& polygon,
+                                           const ConvexPolygon<Scalar>& other, Scalar limit) {
+  FaceSeparation<Scalar> greatest;
+  for (int i = 0; i < polygon.count; ++i) {
+    const FaceSeparation<Scalar> candidate = face_separation(polygon, i, other);
+    if (candidate.separation > greatest.separation) greatest = candidate;
+    if (candidate.separation > limit) break;
+  }
+  return greatest;
+}
+
+}  // namespace manifuzz::clipping

@@ -1,0 +1,47 @@
+#include "judging/bounds.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace manifuzz {
+namespace {
+
+constexpr double kRoundings = 8;
+
+double roundoff(ScalarType scalar) {
+  return scalar == ScalarType::float32 ? std::numeric_limits<float>::epsilon() / 2.0
+                                       : std::numeric_limits<double>::epsilon() / 2.0;
+}
+
+double length(const Vector2<float>& v) {
+  const Vector2<double> wide = v.cast<double>();
+  return std::sqrt(wide.dot(wide));
+}
+
+double defect(const Body& body) {
+  const Vector2<double> rotation = body.pose.rotation.cast<double>();
+  return std::abs(rotation.dot(rotation) - 1);
+}
+
+}  // namespace
+
+Bounds bounds(const PairCase& pair, const Declaration& declaration) {
+  const bool narrow = declaration.scalar == ScalarType::float32;
+  const double u = roundoff(declaration.scalar);
+  double reach = extent(pair) + total_radius(pair);
+  const double rotation_defect = narrow ? defect(pair.a) + defect(pair.b) : 0;
+  const double of_rotation = rotation_defect * reach;
+  if (declaration.frame == RoundingFrame::world) {
+    reach += std::max(length(pair.a.pose.position), length(pair.b.pose.position));
+  }
+  return {.separation = kRoundings * u * reach + of_rotation,
+          .incident_dot = kRoundings * u + rotation_defect,
+          .normal = kRoundings * u + rotation_defect,
+          .length = kRoundings * u * reach + of_rotation};
+}
+
+bool is_ill_posed(const PairCase& pair, const Bounds& bounds) {
+  return bounds.separation > kIllPosedShare * size(pair);
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,58 @@
+#include "judging/bucket.hpp"
+
+namespace manifuzz {
+
+std::string to_string(const Bucket& bucket) {
+  std::string text;
+  for (const std::string_view part :
+       {name_of(bucket.fault, kFaultNames), name_of(bucket.verdict, kVerdictNames),
+        name_of(bucket.kind, kKindNames), name_of(bucket.tie_class, kTieClassNames),
+        name_of(bucket.reference, kSideNames)}) {
+    if (!text.empty()) text += '/';
+    text += part;
+  }
+  return text;
+}
+
+std::size_t index_of(const Bucket& bucket) {
+  std::size_t index = static_cast<std::size_t>(bucket.fault);
+  index = index * kVerdictNames.size() + static_cast<std::size_t>(bucket.verdict);
+  index = index * kKindNames.size() + static_cast<std::size_t>(bucket.kind);
+  index = index * kTieClassNames.size() + static_cast<std::size_t>(bucket.tie_class);
+  return index * kSideNames.size() + static_cast<std::size_t>(bucket.reference);
+}
+
+Bucket bucket_at(std::size_t index) {
+  const auto take = [&index](std::size_t base) {
+    const std::size_t digit = index % base;
+    index /= base;
+    return digit;
+  };
+  Bucket bucket;
+  bucket.reference = static_cast<Side>(take(kSideNames.size()));
+  bucket.tie_class = static_cast<TieClass>(take(kTieClassNames.size()));
+  bucket.kind = static_cast<Kind>(take(kKindNames.size()));
+  bucket.verdict = static_cast<Verdict>(take(kVerdictNames.size()));
+  bucket.fault = static_cast<Fault>(index);
+  return bucket;
+}
+
+bool is_unexplained(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::subject_wrong:
+    case Verdict::oracle_wrong:
+    case Verdict::both_wrong:
+    case Verdict::crashed:
+    case Verdict::timed_out:
+    case Verdict::malformed:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_failure(const Bucket& bucket) {
+  return is_unexplained(bucket.verdict) && bucket.verdict != Verdict::oracle_wrong;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "geometry/pair_case.hpp"
+
+namespace manifuzz {
+
+/// What a comparison of two colliders comes to.
+enum class Verdict {
+  agree,          ///< they match each other within bound
+  tie,            ///< they differ, and each is right by its own declaration
+  known,          ///< the oracle is wrong in a way the ledger names; the subject is right
+  subject_wrong,
+  oracle_wrong,
+  both_wrong,
+  ill_posed,      ///< the bound exceeds a set share of the size: float cannot say
+  unsupported,    ///< a collider declared that it cannot take this input
+  crashed,
+  timed_out,
+  malformed,      ///< a collider answered nonsense
+};
+inline constexpr std::array<std::string_view, 11> kVerdictNames{
+    "agree",      "tie",       "known",       "subject_wrong", "oracle_wrong", "both_wrong",
+    "ill_posed", "unsupported", "crashed", "timed_out", "malformed"};
+
+enum class Fault { none, subject, oracle, both };
+inline constexpr std::array<std::string_view, 4> kFaultNames{"none", "subject", "oracle", "both"};
+
+/// What is wrong with a manifold, or how two differ; the later, the closer it came to be right.
+enum class Kind {
+  none,
+  missed_contact,
+  phantom_contact,
+  normal,
+  position,
+  depth,
+  count,
+  features,
+};
+inline constexpr std::array<std::string_view, 8> kKindNames{
+    "none",     "missed_contact", "phantom_contact", "normal",
+    "position", "depth",          "count",           "features"};
+
+/// Which decision of the case lies within bound, so that several manifolds are right.
+enum class TieClass { none, reference, incident, contact_boundary, clip_boundary };
+inline constexpr std::array<std::string_view, 5> kTieClassNames{
+    "none", "reference", "incident", "contact_boundary", "clip_boundary"};
+
+inline constexpr std::array<std::string_view, 2> kSideNames{"a", "b"};
+
+/// One name for all findings with one look: `<at fault>/<verdict>/<kind>/<tie class>/<reference>`.
+struct Bucket {
+  Fault fault = Fault::none;
+  Verdict verdict = Verdict::agree;
+  Kind kind = Kind::none;
+  TieClass tie_class = TieClass::none;
+  Side reference = Side::a;  ///< of the true greatest separation
+
+  friend bool operator==(const Bucket&, const Bucket&) = default;
+};
+
+template <class Enum, std::size_t N>
+std::string_view name_of(Enum value, const std::array<std::string_view, N>& names) {
+  return names[static_cast<std::size_t>(value)];
+}
+
+inline std::string_view to_string(Verdict verdict) { return name_of(verdict, kVerdictNames); }
+
+std::string to_string(const Bucket& bucket);
+
+/// Buckets as small integers, for tables: 0 <= index < kBucketCount.
+inline constexpr std::size_t kBucketCount = kFaultNames.size() * kVerdictNames.size() *
+                                            kKindNames.size() * kTieClassNames.size() *
+                                            kSideNames.size();
+std::size_t index_of(const Bucket& bucket);
+Bucket bucket_at(std::size_t index);
+
+/// Counted as unexplained: somebody is wrong and no ledger entry says so.
+bool is_unexplained(Verdict verdict);
+
+/// A finding against the subject (or a broken run), seen before or not.
+bool is_failure(const Bucket& bucket);
+
+}  // namespace manifuzz
