@@ -4,8 +4,9 @@
 
 namespace manifuzz {
 
-/// How far a right collider's figures may lie from the truth, by its declaration. With u the roundoff
-/// of its scalar and E the extent (plus the larger |position| where it rounds in the world):
+/// How far a right collider's figures may lie from the truth, by its declaration. With u the
+/// roundoff of its scalar and E the extent (plus the larger |position| where it rounds in the
+/// world):
 ///
 ///   separation, reference, contact boundary   8 u E
 ///   incident dot, normal                      8 u
@@ -13,9 +14,9 @@ namespace manifuzz {
 ///   depth                                     8 u E (1 + tan)     face; the second term only at
 ///                                                                 ends that are clipped or nearly
 ///
-/// each plus the rotations' defect |c^2 + s^2 - 1| (times E) for a float collider, which may take the
-/// transpose for the inverse. The factor 8 covers the chains of at most seven roundings from input to
-/// result; the largest error seen in millions of cases is 6.9.
+/// each plus the rotations' defect |c^2 + s^2 - 1| (times E) for a float collider, which may take
+/// the transpose for the inverse. The factor 8 covers the chains of at most seven roundings from
+/// input to result; the largest error seen in millions of cases is 6.9.
 struct Bounds {
   double separation = 0;    ///< world length
   double incident_dot = 0;  ///< of two unit normals

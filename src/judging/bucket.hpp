@@ -10,21 +10,21 @@ namespace manifuzz {
 
 /// What a comparison of two colliders comes to.
 enum class Verdict {
-  agree,          ///< they match each other within bound
-  tie,            ///< they differ, and each is right by its own declaration
-  known,          ///< the oracle is wrong in a way the ledger names; the subject is right
+  agree,  ///< they match each other within bound
+  tie,    ///< they differ, and each is right by its own declaration
+  known,  ///< the oracle is wrong in a way the ledger names; the subject is right
   subject_wrong,
   oracle_wrong,
   both_wrong,
-  ill_posed,      ///< the bound exceeds a set share of the size: float cannot say
-  unsupported,    ///< a collider declared that it cannot take this input
+  ill_posed,    ///< the bound exceeds a set share of the size: float cannot say
+  unsupported,  ///< a collider declared that it cannot take this input
   crashed,
   timed_out,
-  malformed,      ///< a collider answered nonsense
+  malformed,  ///< a collider answered nonsense
 };
 inline constexpr std::array<std::string_view, 11> kVerdictNames{
-    "agree",      "tie",       "known",       "subject_wrong", "oracle_wrong", "both_wrong",
-    "ill_posed", "unsupported", "crashed", "timed_out", "malformed"};
+    "agree",     "tie",         "known",   "subject_wrong", "oracle_wrong", "both_wrong",
+    "ill_posed", "unsupported", "crashed", "timed_out",     "malformed"};
 
 enum class Fault { none, subject, oracle, both };
 inline constexpr std::array<std::string_view, 4> kFaultNames{"none", "subject", "oracle", "both"};
@@ -67,7 +67,9 @@ std::string_view name_of(Enum value, const std::array<std::string_view, N>& name
   return names[static_cast<std::size_t>(value)];
 }
 
-inline std::string_view to_string(Verdict verdict) { return name_of(verdict, kVerdictNames); }
+inline std::string_view to_string(Verdict verdict) {
+  return name_of(verdict, kVerdictNames);
+}
 
 std::string to_string(const Bucket& bucket);
 

@@ -1,0 +1,252 @@
+#include "judging/judge.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace manifuzz {
+namespace {
+
+using truth::Real;
+
+double distance(const Vector2<double>& p, const Vector2<double>& q) {
+  const Vector2<double> apart = p - q;
+  return std::sqrt(apart.dot(apart));
+}
+
+bool is_well_formed(const PairCase& pair, const Manifold<double>& m) {
+  if (m.count < 0 || m.count > 2) return false;
+  if (m.count > 0 && !m.normal.allFinite()) return false;
+  const auto exists = [](const Feature& feature, const Body& body) {
+    return feature.index < body.polygon.count;
+  };
+  return std::all_of(m.points.begin(), m.points.begin() + m.count, [&](const auto& point) {
+    return point.position.allFinite() && std::isfinite(point.depth) && point.depth >= 0 &&
+           exists(point.features.a, pair.a) && exists(point.features.b, pair.b);
+  });
+}
+
+bool matches_one(const Manifold<double>& manifold, const Candidate& candidate,
+                 const Admissible& right) {
+  return mismatch(manifold, candidate, right).kind == Kind::none;
+}
+
+/// Both match one candidate within their own bounds, hence each other within the sum.
+bool agree_within_bounds(const Manifold<double>& subject, const Admissible& right_for_subject,
+                         const Manifold<double>& oracle, const Admissible& right_for_oracle) {
+  if (subject.count != oracle.count) return false;
+  if (subject.count == 0) return true;
+  const auto& candidates = right_for_subject.candidates;
+  return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+    return matches_one(subject, candidate, right_for_subject) &&
+           matches_one(oracle, candidate, right_for_oracle);
+  });
+}
+
+/// How two right manifolds differ: the kind, and the magnitude as a world length.
+Mismatch difference(const Manifold<double>& subject, const Manifold<double>& oracle,
+                    double from_contact) {
+  if (subject.count == 0) return {Kind::missed_contact, from_contact};
+  if (oracle.count == 0) return {Kind::phantom_contact, from_contact};
+  double apart = 0;
+  double deeper = 0;
+  for (int i = 0; i < subject.count; ++i) {
+    const auto& point = subject.points[i];
+    const auto* nearest = &oracle.points[0];
+    for (int j = 1; j < oracle.count; ++j) {
+      if (distance(point.position, oracle.points[j].position) <
+          distance(point.position, nearest->position)) {
+        nearest = &oracle.points[j];
+      }
+    }
+    apart = std::max(apart, distance(point.position, nearest->position));
+    deeper = std::max(deeper, std::abs(point.depth - nearest->depth));
+  }
+  const double magnitude = std::max(apart, deeper);
+  if (subject.reference != oracle.reference || subject.normal != oracle.normal) {
+    return {Kind::normal, magnitude};
+  }
+  if (subject.count != oracle.count) return {Kind::count, magnitude};
+  return {apart >= deeper ? Kind::position : Kind::depth, magnitude};
+}
+
+int references_among(const std::vector<Candidate>& candidates) {
+  int distinct = 0;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const bool seen = std::any_of(candidates.begin(), candidates.begin() + static_cast<long>(i),
+                                  [&](const Candidate& c) {
+                                    return c.reference_side == candidates[i].reference_side &&
+                                           c.reference == candidates[i].reference;
+                                  });
+    if (!seen) ++distinct;
+  }
+  return distinct;
+}
+
+bool same_candidates(const Admissible& p, const Admissible& q) {
+  return std::equal(p.candidates.begin(), p.candidates.end(), q.candidates.begin(),
+                    q.candidates.end(), [](const Candidate& c, const Candidate& d) {
+                      return c.reference_side == d.reference_side && c.reference == d.reference &&
+                             c.incident == d.incident;
+                    });
+}
+
+bool contact_boundary(const Admissible& right) {
+  if (std::abs(right.separation() - right.total_radius) <= right.bounds.separation) return true;
+  const truth::Clip& clip = right.candidates.front().clip;
+  return std::any_of(clip.points.begin(), clip.points.begin() + clip.count, [&](const auto& point) {
+    return std::abs(point.depth) <= depth_bound(clip, point, right.bounds);
+  });
+}
+
+bool clip_boundary(const Admissible& right) {
+  const truth::Clip& clip = right.candidates.front().clip;
+  return clip.count < 2 || may_miss(right.candidates.front(), right.bounds) ||
+         std::any_of(clip.points.begin(), clip.points.begin() + clip.count,
+                     [&](const auto& point) { return point.margin <= right.bounds.length; });
+}
+
+/// The first decision that lies within the wider of both bounds.
+TieClass tie_class(const Admissible& subject, const Admissible& oracle) {
+  const Admissible& wider = subject.candidates.size() > oracle.candidates.size() ? subject : oracle;
+  if (wider.candidates.empty()) return TieClass::none;
+  if (references_among(wider.candidates) > 1 || !same_candidates(subject, oracle)) {
+    return TieClass::reference;
+  }
+  if (wider.candidates.size() > 1) return TieClass::incident;
+  const Admissible& coarser =
+      subject.bounds.separation > oracle.bounds.separation ? subject : oracle;
+  if (contact_boundary(coarser)) return TieClass::contact_boundary;
+  if (clip_boundary(coarser)) return TieClass::clip_boundary;
+  return TieClass::none;
+}
+
+/// A magnitude in world lengths as a share of the size; a normal's is a share already.
+double share(const Mismatch& mismatch, const PairCase& pair) {
+  return mismatch.kind == Kind::normal ? mismatch.magnitude : mismatch.magnitude / size(pair);
+}
+
+/// A verdict that needs no judging of manifolds, if it is one.
+std::optional<Bucket> without_judging(const PairCase& pair, const Testimony& subject,
+                                      const Testimony& oracle, const Bounds& for_subject,
+                                      const Bounds& for_oracle) {
+  const auto* of_subject = std::get_if<Manifold<double>>(&subject.answer);
+  const auto* of_oracle = std::get_if<Manifold<double>>(&oracle.answer);
+  if (of_subject && !is_well_formed(pair, *of_subject)) {
+    return Bucket{.fault = Fault::subject, .verdict = Verdict::malformed};
+  }
+  if (of_oracle && !is_well_formed(pair, *of_oracle)) {
+    return Bucket{.fault = Fault::oracle, .verdict = Verdict::malformed};
+  }
+  if (!of_subject || !of_oracle) return Bucket{.verdict = Verdict::unsupported};
+  if (is_ill_posed(pair, for_subject) || is_ill_posed(pair, for_oracle)) {
+    return Bucket{.verdict = Verdict::ill_posed};
+  }
+  return std::nullopt;
+}
+
+struct Wrongs {
+  Mismatch subject;
+  Mismatch oracle;
+
+  Fault fault() const {
+    const bool of_subject = subject.kind != Kind::none;
+    const bool of_oracle = oracle.kind != Kind::none;
+    if (of_subject && of_oracle) return Fault::both;
+    return of_subject ? Fault::subject : of_oracle ? Fault::oracle : Fault::none;
+  }
+};
+
+Verdict verdict_of(Fault fault) {
+  switch (fault) {
+    case Fault::subject:
+      return Verdict::subject_wrong;
+    case Fault::oracle:
+      return Verdict::oracle_wrong;
+    case Fault::both:
+      return Verdict::both_wrong;
+    default:
+      return Verdict::tie;
+  }
+}
+
+}  // namespace
+
+Standing standing(const PairCase& pair) {
+  Standing result;
+  result.separation = truth::separation(pair);
+  const double above = result.separation - total_radius(pair);
+  result.touching = above <= 0;
+  result.near = std::abs(above) <= kNearShare * size(pair);
+  return result;
+}
+
+bool plainly_agree(const PairCase& pair, const Standing& standing, const Testimony& subject,
+                   const Testimony& oracle) {
+  const auto* s = std::get_if<Manifold<double>>(&subject.answer);
+  const auto* o = std::get_if<Manifold<double>>(&oracle.answer);
+  if (!s || !o || s->count != o->count) return false;
+  const Bounds for_subject = bounds(pair, subject.declaration);
+  const Bounds for_oracle = bounds(pair, oracle.declaration);
+  if (is_ill_posed(pair, for_subject) || is_ill_posed(pair, for_oracle)) return false;
+  if (s->count == 0) return standing.separation > total_radius(pair) + for_subject.separation;
+  if (s->count < 0 || s->count > 2 || s->reference != o->reference ||
+      standing.separation > total_radius(pair)) {
+    return false;
+  }
+  if (!(distance(s->normal, o->normal) <= for_subject.normal + for_oracle.normal)) return false;
+  const double within = for_subject.length + for_oracle.length;
+  for (int i = 0; i < s->count; ++i) {
+    if (!(distance(s->points[i].position, o->points[i].position) <= within) ||
+        !(std::abs(s->points[i].depth - o->points[i].depth) <= within) ||
+        s->points[i].features != o->points[i].features) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Judgement judge(const PairCase& pair, const Testimony& subject, const Testimony& oracle) {
+  const Bounds for_subject = bounds(pair, subject.declaration);
+  const Bounds for_oracle = bounds(pair, oracle.declaration);
+  if (const auto bucket = without_judging(pair, subject, oracle, for_subject, for_oracle)) {
+    return {.bucket = *bucket};
+  }
+  const auto& of_subject = std::get<Manifold<double>>(subject.answer);
+  const auto& of_oracle = std::get<Manifold<double>>(oracle.answer);
+  const Admissible right_for_subject = admissible(pair, subject.declaration);
+  const Admissible right_for_oracle = admissible(pair, oracle.declaration);
+  const Wrongs wrongs{mismatch(of_subject, right_for_subject),
+                      mismatch(of_oracle, right_for_oracle)};
+
+  Judgement result;
+  result.bucket.reference = right_for_subject.reference();
+  result.bucket.fault = wrongs.fault();
+  if (result.bucket.fault == Fault::none &&
+      agree_within_bounds(of_subject, right_for_subject, of_oracle, right_for_oracle)) {
+    return result;
+  }
+  result.bucket.verdict = verdict_of(result.bucket.fault);
+  result.bucket.tie_class = tie_class(right_for_subject, right_for_oracle);
+  Mismatch worst;
+  if (result.bucket.fault == Fault::none) {
+    worst = difference(of_subject, of_oracle,
+                       static_cast<double>(std::abs(right_for_subject.separation() -
+                                                    right_for_subject.total_radius)));
+  } else {
+    worst = result.bucket.fault == Fault::oracle ? wrongs.oracle : wrongs.subject;
+  }
+  result.bucket.kind = worst.kind;
+  result.magnitude = share(worst, pair);
+  if (result.bucket.verdict == Verdict::oracle_wrong) {
+    result.explanation =
+        find_explanation(oracle.declaration.name, {pair, right_for_oracle, of_oracle});
+    if (result.explanation != nullptr) result.bucket.verdict = Verdict::known;
+  }
+  return result;
+}
+
+Bucket bucket_of_lost(Verdict verdict, Fault fault) {
+  return {.fault = fault, .verdict = verdict};
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "judging/admissible.hpp"
+#include "judging/ledger.hpp"
+
+namespace manifuzz {
+
+/// A collider's declaration and what it answered: one party of a comparison.
+struct Testimony {
+  const Declaration& declaration;
+  const Answer& answer;
+};
+
+/// What a case comes to between a subject and an oracle.
+struct Judgement {
+  Bucket bucket;
+  double magnitude = 0;                      ///< the finding's worst error as a share of the size
+  const LedgerEntry* explanation = nullptr;  ///< set where the verdict is known
+};
+
+/// Where a case stands by the truth alone.
+struct Standing {
+  double separation = 0;  ///< S, world length
+  bool touching = false;  ///< S <= total radius
+  bool near = false;      ///< S within 10% of the size from the total radius
+};
+
+inline constexpr double kNearShare = 0.1;
+
+Standing standing(const PairCase& pair);
+
+/// Whether they match each other within the sum of both bounds, on the cheap: what it says is so,
+/// but it leaves to `judge` every case in which anything has to be decided.
+bool plainly_agree(const PairCase& pair, const Standing& standing, const Testimony& subject,
+                   const Testimony& oracle);
+
+/// The full verdict.
+Judgement judge(const PairCase& pair, const Testimony& subject, const Testimony& oracle);
+
+/// A verdict that no answer decided: crashed or timed_out.
+Bucket bucket_of_lost(Verdict verdict, Fault fault);
+
+}  // namespace manifuzz

@@ -1,0 +1,83 @@
+#include "judging/ledger.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace manifuzz {
+namespace {
+
+bool misses_overlap(const Deviation& d) {
+  return d.got.count == 0 && d.right.must_touch();
+}
+
+bool may_miss_from(const Deviation& d, Side side) {
+  return std::any_of(d.right.candidates.begin(), d.right.candidates.end(), [&](const Candidate& c) {
+    return c.reference_side == side && may_miss(c, d.right.bounds);
+  });
+}
+
+bool no_contact_under_bias(const Deviation& d) {
+  return misses_overlap(d) && d.right.separation_b > d.right.separation_a &&
+         may_miss_from(d, Side::a);
+}
+
+bool no_contact_on_tied_features(const Deviation& d) {
+  return misses_overlap(d) && (may_miss_from(d, Side::a) || may_miss_from(d, Side::b));
+}
+
+/// b2Vec2::Normalize leaves a vector shorter than b2_epsilon as it is.
+bool tiny_reference_face(const Deviation& d) {
+  return std::any_of(d.right.candidates.begin(), d.right.candidates.end(), [&](const Candidate& c) {
+    const ConvexPolygon<float>& polygon = d.pair[c.reference_side].polygon;
+    const Vector2<float> face =
+        polygon.vertices[polygon.next(c.reference)] - polygon.vertices[c.reference];
+    return face.norm() <= 2 * std::numeric_limits<float>::epsilon();
+  });
+}
+
+constexpr std::array kLedger{
+    LedgerEntry{.id = "box2d-no-contact-under-bias",
+                .collider = "box2d",
+                .description =
+                    "no contact for overlapping polygons: the bias keeps A's shallower face, whose "
+                    "side planes the incident edge misses",
+                .source = "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2CollidePolygons: "
+                          "k_tol = 0.1f * b2_linearSlop, then `if (np < 2) return`",
+                .witness = "defects/box2d/no-contact-under-bias.json",
+                .explains = no_contact_under_bias},
+    LedgerEntry{.id = "box2d-no-contact-on-tied-features",
+                .collider = "box2d",
+                .description =
+                    "no contact for overlapping polygons: faces or edges tie in float, the wrong "
+                    "one is kept, and its slab misses the deepest vertex",
+                .source =
+                    "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2FindMaxSeparation and "
+                    "b2FindIncidentEdge: first of equals",
+                .witness = "defects/box2d/no-contact-on-tied-features.json",
+                .explains = no_contact_on_tied_features},
+    LedgerEntry{.id = "box2d-tiny-reference-face",
+                .collider = "box2d",
+                .description =
+                    "a normal that is not unit, hence wrong clips and depths: the reference face "
+                    "is shorter than b2_epsilon and is not normalised",
+                .source = "Box2D 2.4.1, include/box2d/b2_math.h, b2Vec2::Normalize: "
+                          "`if (length < b2_epsilon) return 0.0f`",
+                .witness = "defects/box2d/tiny-reference-face.json",
+                .explains = tiny_reference_face},
+};
+
+}  // namespace
+
+std::span<const LedgerEntry> ledger() {
+  return kLedger;
+}
+
+const LedgerEntry* find_explanation(std::string_view collider, const Deviation& deviation) {
+  for (const LedgerEntry& entry : kLedger) {
+    if (entry.collider == collider && entry.explains(deviation)) return &entry;
+  }
+  return nullptr;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "judging/admissible.hpp"
+
+namespace manifuzz {
+
+/// What an entry of the ledger may look at: the oracle's wrong answer, and what would be right.
+struct Deviation {
+  const PairCase& pair;
+  const Admissible& right;
+  const Manifold<double>& got;
+};
+
+/// A known deviation of an oracle: named, cited, and alive as long as its witness still shows it.
+struct LedgerEntry {
+  std::string_view id;
+  std::string_view collider;     ///< whose deviation it is
+  std::string_view description;  ///< one line for `list ledger`
+  std::string_view source;       ///< file and function, or issue, where it comes from
+  std::string_view witness;      ///< path in the corpus of a case that shows it
+  bool (*explains)(const Deviation& deviation);
+};
+
+/// Every known deviation. An entry is added here, with its witness, and nowhere else.
+std::span<const LedgerEntry> ledger();
+
+/// The first entry that explains what this collider did, or nullptr.
+const LedgerEntry* find_explanation(std::string_view collider, const Deviation& deviation);
+
+}  // namespace manifuzz
