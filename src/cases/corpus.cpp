@@ -1,0 +1,127 @@
+#include "cases/corpus.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "cases/random.hpp"
+#include "cases/text.hpp"
+#include "cases/user_error.hpp"
+
+namespace manifuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool holds_cases(const fs::path& path) {
+  return path.extension() == ".json" || path.extension() == ".jsonl";
+}
+
+std::string name_of(const fs::path& path) {
+  return printable(path.string(), 200);
+}
+
+/// Adds the files of cases in `folder` and below; a folder that cannot be read is an error line.
+void add_folder(const fs::path& folder, std::vector<fs::path>& files, Corpus& corpus) {
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    std::error_code unknown;
+    if (entry->is_directory(unknown) && !entry->is_symlink(unknown)) {
+      add_folder(entry->path(), files, corpus);
+    } else if (holds_cases(entry->path()) && !entry->is_other(unknown)) {
+      files.push_back(entry->path());
+    }
+  }
+  if (error) {
+    corpus.errors.push_back(
+        fmt::format("{}: cannot read the folder: {}", name_of(folder), error.message()));
+  }
+}
+
+std::vector<fs::path> find_files(std::span<const fs::path> paths, Corpus& corpus) {
+  std::vector<fs::path> files;
+  for (const auto& path : paths) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+      add_folder(path, files, corpus);
+    } else if (fs::exists(path, error) && !holds_cases(path)) {
+      corpus.errors.push_back(
+          fmt::format("{}: not a file of cases; *.json or *.jsonl is expected", name_of(path)));
+    } else {
+      files.push_back(path);
+    }
+  }
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  return files;
+}
+
+void read_lines_file(const std::string& path, Corpus& corpus) {
+  InputFile file(path);
+  LineReader lines(file);
+  std::size_t good = 0;
+  std::size_t bad = 0;
+  std::string first_error;
+  while (const auto line = lines.next()) {
+    if (line->is_blank()) continue;
+    try {
+      corpus.cases.push_back(parse_line(*line));
+      corpus.cases.back().path = fmt::format("{}:{}", path, line->number);
+      ++good;
+    } catch (const UserError& error) {
+      if (bad++ == 0)
+        first_error = fmt::format("{}:{}: {}", file.name(), line->number, error.what());
+    }
+  }
+  if (bad > 1) first_error += fmt::format(" (and {} more bad lines)", bad - 1);
+  if (bad > 0) throw UserError(first_error);
+  if (good == 0) throw UserError(file.name() + ": is empty; one case a line is expected");
+}
+
+/// What names a case's look: the first part of its file's name.
+std::string look_of(const CorpusCase& corpus_case) {
+  std::string look = "case";
+  if (!corpus_case.property.empty()) look = "property-" + corpus_case.property;
+  if (corpus_case.expect && !corpus_case.expect->bucket.empty()) look = corpus_case.expect->bucket;
+  constexpr std::size_t longest = 150;
+  look.resize(std::min(look.size(), longest));
+  std::replace_if(
+      look.begin(), look.end(),
+      [](unsigned char c) { return c >= 0x80 || (std::isalnum(c) == 0 && c != '_'); }, '-');
+  return look;
+}
+
+}  // namespace
+
+Corpus read_corpus(std::span<const fs::path> paths) {
+  Corpus corpus;
+  for (const auto& path : find_files(paths, corpus)) {
+    try {
+      if (path.extension() == ".jsonl") {
+        read_lines_file(path.string(), corpus);
+      } else {
+        corpus.cases.push_back(read_case_file(path.string()));
+      }
+    } catch (const UserError& error) {
+      corpus.errors.emplace_back(error.what());
+    }
+  }
+  return corpus;
+}
+
+std::string corpus_file_name(const CorpusCase& corpus_case) {
+  std::string text;
+  append_case_line(text, corpus_case.pair);
+  return fmt::format("{}-{:08x}.json", look_of(corpus_case), mix(hash_of(text)) >> 32);
+}
+
+fs::path write_corpus_case(const fs::path& folder, const CorpusCase& corpus_case) {
+  fs::path path = folder / corpus_file_name(corpus_case);
+  write_file(path, format_case(corpus_case));
+  return path;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/file.hpp"
+#include "cases/json.hpp"
+
+namespace manifuzz {
+
+/// Where a case came from: case `index` of `regime` under `seed`, before it was shrunk.
+struct Found {
+  std::uint64_t seed = 0;
+  std::string regime;
+  std::uint64_t index = 0;
+  std::map<std::string, std::string> versions;  ///< of the colliders that ran, by name
+};
+
+/// What was seen when the case was saved. Empty strings were not recorded.
+struct Expectation {
+  std::string subject;
+  std::string oracle;
+  std::string verdict;
+  std::string bucket;
+  std::vector<NamedAnswer> manifolds;
+};
+
+/// A case as corpus/README.md describes it; a bare pair case is one without the other keys.
+struct CorpusCase {
+  PairCase pair;
+  std::optional<Found> found;
+  std::optional<Expectation> expect;
+  std::string property;  ///< the property that failed on it, or empty
+  std::string note;      ///< a sentence of why it is kept, or empty
+  std::string path;  ///< the file it was read from, with :line for a line; for errors and reports
+};
+
+/// Whether the key "format" may be left out.
+enum class FormatKey { required, optional };
+
+/// Reads one case, the white space around it is free. Throws UserError that begins with a JSON path
+/// or a line and column; callers put the file's name before it.
+CorpusCase parse_case(std::string_view text, FormatKey format_key);
+
+/// The case on a line that is not blank; errors as `parse_case`.
+CorpusCase parse_line(const Line& line);
+
+/// The one case that a file, or the standard input ("-"), holds; errors begin with the file's name.
+/// Files named *.json must name the format.
+CorpusCase read_case_file(const std::string& path);
+
+/// The text of a corpus file: a line for each polygon and each manifold.
+std::string format_case(const CorpusCase& corpus_case);
+
+struct Corpus {
+  std::vector<CorpusCase> cases;
+  std::vector<std::string> errors;  ///< one line for each file or folder that is broken
+};
+
+/// Every case in these files (*.json: one case; *.jsonl: one a line) and folders (all such files in
+/// them and below), sorted by path. What is broken gives an error line, the rest is read all the
+/// same.
+Corpus read_corpus(std::span<const std::filesystem::path> paths);
+
+/// The name of a case's file: its bucket (or the property, or "case") with dashes for slashes, and
+/// a hash of its pair. Cases with equal pairs and equal buckets share it.
+std::string corpus_file_name(const CorpusCase& corpus_case);
+
+/// Writes the case into the folder, whole or not at all, over a file of the same name. Returns its
+/// path. Throws UserError.
+std::filesystem::path write_corpus_case(const std::filesystem::path& folder,
+                                        const CorpusCase& corpus_case);
+
+}  // namespace manifuzz

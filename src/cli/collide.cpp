@@ -1,0 +1,75 @@
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cases/json.hpp"
+#include "cases/user_error.hpp"
+#include "cli/answer_each.hpp"
+#include "cli/colliders.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+
+namespace manifuzz {
+namespace {
+
+struct Options {
+  std::string collider;
+  std::optional<double> tie_bias;
+  std::string file = "-";
+};
+
+bool is_finite(const Manifold<double>& manifold) {
+  for (int i = 0; i < manifold.count; ++i) {
+    const auto& point = manifold.points[i];
+    if (!point.position.allFinite() || !std::isfinite(point.depth)) return false;
+  }
+  return manifold.count == 0 || manifold.normal.allFinite();
+}
+
+/// JSON has no words for numbers that overflowed.
+void append_collision(std::string& line, const Collider& collider, const PairCase& pair) {
+  const Answer answer = collider.collide(pair);
+  const auto* const manifold = std::get_if<Manifold<double>>(&answer);
+  if (manifold != nullptr && !is_finite(*manifold)) {
+    throw UserError(
+        fmt::format("$: {} answers with a number that is not finite; smaller "
+                    "coordinates are expected",
+                    collider.declaration.name));
+  }
+  append_answer(line, pair, collider.declaration.name, answer);
+}
+
+int collide_cases(const Options& options) {
+  const Collider collider = find_collider(options.collider, options.tie_bias);
+  answer_each(options.file, [&collider](const PairCase& pair, std::string& line) {
+    append_collision(line, collider, pair);
+  });
+  return 0;
+}
+
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("--collider", options->collider, "which one; `manifuzz list colliders` names them")
+      ->type_name("C")
+      ->required();
+  add_length(app, "--tie-bias", options->tie_bias,
+             "by how much B's face must lead to be the reference");
+  app.add_option("FILE", options->file,
+                 "*.json: one case; else a case a line; - or nothing: stdin");
+  return [options] { return collide_cases(*options); };
+}
+
+}  // namespace
+
+extern const Command kCollide;
+const Command kCollide{
+    "collide", "Cases in, manifolds out, a JSON object a line.",
+    "manifuzz collide --collider clip cases.jsonl\n"
+    "manifuzz generate --regime boxes --cases 100 | manifuzz collide --collider box2d",
+    define};
+
+}  // namespace manifuzz

@@ -1,0 +1,48 @@
+#include "cli/input.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cases/text.hpp"
+#include "cases/user_error.hpp"
+
+namespace manifuzz {
+
+std::vector<const Regime*> choose_regimes(const std::vector<std::string>& names) {
+  std::vector<const Regime*> chosen;
+  std::vector<std::string_view> known;
+  for (const Regime& regime : regimes()) {
+    if (names.empty()) chosen.push_back(&regime);
+    known.push_back(regime.name);
+  }
+  for (const std::string& name : names) {
+    const Regime* const regime = find_regime(name);
+    if (regime == nullptr) {
+      throw UserError(fmt::format("--regime: there is no regime '{}'; there are {}",
+                                  printable(name), fmt::join(known, ", ")));
+    }
+    const bool again = std::find(chosen.begin(), chosen.end(), regime) != chosen.end();
+    if (!again) chosen.push_back(regime);
+  }
+  return chosen;
+}
+
+Corpus read_corpus_folder(const std::filesystem::path& folder) {
+  std::error_code unreadable;
+  if (!std::filesystem::exists(folder, unreadable) && !unreadable) return {};
+  Corpus corpus = read_corpus({&folder, 1});
+  if (!corpus.errors.empty()) throw UserError(corpus.errors.front());
+  return corpus;
+}
+
+std::vector<PairCase> pairs_of(const Corpus& corpus, std::uint64_t seed) {
+  std::vector<PairCase> pairs;
+  for (const CorpusCase& known : corpus.cases) {
+    if (!known.found || known.found->seed != seed) pairs.push_back(known.pair);
+  }
+  return pairs;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cases/corpus.hpp"
+#include "cases/regime.hpp"
+
+namespace manifuzz {
+
+/// The regimes of these names, or all of them for none. Throws UserError that lists the names.
+std::vector<const Regime*> choose_regimes(const std::vector<std::string>& names);
+
+/// A corpus folder, sorted by path; empty where there is no such folder. Throws UserError on the
+/// first broken file, for what is drawn from a corpus hangs on all of it.
+Corpus read_corpus_folder(const std::filesystem::path& folder);
+
+/// The pairs that a campaign with this seed may mutate: all but those that the seed itself found, so
+/// that saving a finding changes no case and its command repeats it.
+std::vector<PairCase> pairs_of(const Corpus& corpus, std::uint64_t seed);
+
+}  // namespace manifuzz

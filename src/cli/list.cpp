@@ -1,0 +1,72 @@
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cases/regime.hpp"
+#include "cases/text.hpp"
+#include "cases/user_error.hpp"
+#include "cli/colliders.hpp"
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+
+namespace manifuzz {
+namespace {
+
+std::string list_colliders() {
+  std::string lines;
+  for (const auto& entry : colliders()) {
+    const Declaration says = entry.make().declaration;
+    lines += fmt::format(
+        "{:<10} {} ({}, {}, rounds in the {} frame, tie bias {}, up to {} vertices)\n", says.name,
+        says.description, says.version, says.scalar == ScalarType::float32 ? "float" : "double",
+        says.frame == RoundingFrame::local ? "pair's" : "world's", says.tie_bias,
+        says.max_vertices);
+  }
+  return lines;
+}
+
+std::string list_regimes() {
+  std::string lines;
+  for (const Regime& regime : regimes()) {
+    lines += fmt::format("{:<16} {}\n", regime.name, regime.description);
+  }
+  return lines;
+}
+
+struct Catalogue {
+  std::string_view name;
+  std::string (*list)();
+};
+
+constexpr Catalogue kCatalogues[] = {{"colliders", list_colliders}, {"regimes", list_regimes}};
+
+int list(const std::string& what) {
+  std::string names;
+  for (const Catalogue& catalogue : kCatalogues) {
+    if (catalogue.name == what) {
+      Output out;
+      out.write(catalogue.list());
+      out.flush();
+      return 0;
+    }
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", catalogue.name);
+  }
+  throw UserError(
+      fmt::format("list: there is no '{}' to list; there are {}", printable(what), names));
+}
+
+Run define(CLI::App& app) {
+  const auto what = std::make_shared<std::string>();
+  app.add_option("WHAT", *what, "colliders or regimes")->required();
+  return [what] { return list(*what); };
+}
+
+}  // namespace
+
+extern const Command kList;
+const Command kList{"list", "What there is, a line each.",
+                    "manifuzz list colliders\nmanifuzz list regimes", define};
+
+}  // namespace manifuzz
