@@ -245,6 +245,12 @@ Judgement judge(const PairCase& pair, const Testimony& subject, const Testimony&
   return result;
 }
 
+Judgement judge(const PairCase& pair, const Collider& subject, const Collider& oracle) {
+  const Answer of_subject = subject.collide(pair);
+  const Answer of_oracle = oracle.collide(pair);
+  return judge(pair, {subject.declaration, of_subject}, {oracle.declaration, of_oracle});
+}
+
 Bucket bucket_of_lost(Verdict verdict, Fault fault) {
   return {.fault = fault, .verdict = verdict};
 }

@@ -37,6 +37,9 @@ bool plainly_agree(const PairCase& pair, const Standing& standing, const Testimo
 /// The full verdict.
 Judgement judge(const PairCase& pair, const Testimony& subject, const Testimony& oracle);
 
+/// The full verdict on what these two answer now.
+Judgement judge(const PairCase& pair, const Collider& subject, const Collider& oracle);
+
 /// A verdict that no answer decided: crashed or timed_out.
 Bucket bucket_of_lost(Verdict verdict, Fault fault);
 

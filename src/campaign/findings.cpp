@@ -1,0 +1,151 @@
+#include "campaign/findings.hpp"
+
+#include <fmt/format.h>
+
+#include "campaign/guarded.hpp"
+#include "cases/shrink.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// The bucket, with the names of those at fault.
+std::string key_of(std::string_view bucket, std::string_view subject, std::string_view oracle) {
+  const std::string_view fault = bucket.substr(0, bucket.find('/'));
+  return fmt::format("{}|{}|{}", bucket,
+                     fault == "subject" || fault == "both" ? subject : std::string_view(),
+                     fault == "oracle" || fault == "both" ? oracle : std::string_view());
+}
+
+bool is_lost(Verdict verdict) {
+  return verdict == Verdict::crashed || verdict == Verdict::timed_out;
+}
+
+bool alike(const Judgement& judgement, const Judgement& root) {
+  return judgement.bucket == root.bucket && judgement.explanation == root.explanation &&
+         judgement.magnitude >= kMagnitudeShareKept * root.magnitude;
+}
+
+/// What a shrinking child has found so far, where its parent can see it even if it dies.
+struct ShrinkSlot {
+  std::atomic<int> pulse{0};
+  std::atomic<int> accepted{0};
+  std::array<PairCase, 2> best;  ///< the one at `accepted` mod 2 is whole
+};
+
+void shrink_into(ShrinkSlot& slot, const PairCase& pair, const Judgement& root,
+                 const std::function<Judgement(const PairCase&)>& judge_it) {
+  shrink(pair, [&](const PairCase& candidate) {
+    ++slot.pulse;
+    if (!alike(judge_it(candidate), root)) return false;
+    slot.best[static_cast<std::size_t>(slot.accepted + 1) % 2] = candidate;
+    ++slot.accepted;
+    return true;
+  });
+}
+
+std::string note_of(const PairCase& pair, const Judgement& judgement, const Collider& subject,
+                    const Collider& oracle) {
+  if (judgement.explanation != nullptr) {
+    return fmt::format("{}: {}.", judgement.explanation->id, judgement.explanation->description);
+  }
+  const Bucket& bucket = judgement.bucket;
+  return fmt::format("{} against {}: {} ({}), the greatest separation being {:.3g}.",
+                     subject.declaration.name, oracle.declaration.name, to_string(bucket.verdict),
+                     name_of(bucket.kind, kKindNames), standing(pair).separation);
+}
+
+}  // namespace
+
+KnownBuckets::KnownBuckets(std::span<const CorpusCase> corpus) {
+  for (const CorpusCase& known : corpus) {
+    if (!known.expect) continue;
+    files_.emplace(key_of(known.expect->bucket, known.expect->subject, known.expect->oracle),
+                   known.path);
+  }
+}
+
+std::string KnownBuckets::file_of(const Bucket& bucket, const Collider& subject,
+                                  const Collider& oracle) const {
+  const auto found =
+      files_.find(key_of(to_string(bucket), subject.declaration.name, oracle.declaration.name));
+  return found == files_.end() ? std::string() : found->second;
+}
+
+std::vector<Finding> findings(const Tally& tally, const Plan& plan, const KnownBuckets& known) {
+  std::vector<Finding> found;
+  for (std::size_t i = 0; i < kBucketCount; ++i) {
+    if (tally.buckets[i].count == 0) continue;
+    Finding finding{bucket_at(i), tally.buckets[i], false, {}};
+    finding.file = known.file_of(finding.bucket, plan.subject, plan.oracle);
+    finding.is_new = finding.file.empty();
+    found.push_back(finding);
+  }
+  return found;
+}
+
+PairCase shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
+                        Interruption& interruption) {
+  const Judgement root = judge_guarded(pair, subject, oracle, interruption);
+  const auto judge_it = [&](const PairCase& candidate) {
+    return is_lost(root.bucket.verdict) ? judge_guarded(candidate, subject, oracle, interruption)
+                                        : judge(candidate, subject, oracle);
+  };
+  const Shared<ShrinkSlot> slot;
+  slot->best[0] = pair;
+  run_guarded([&] { shrink_into(*slot, pair, root, judge_it); }, slot->pulse, interruption);
+  return slot->best[static_cast<std::size_t>(slot->accepted) % 2];
+}
+
+std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& oracle) {
+  switch (bucket.verdict) {
+    case Verdict::tie:
+      return "ties";
+    case Verdict::known:
+    case Verdict::oracle_wrong:
+      return std::filesystem::path("defects") / oracle;
+    case Verdict::agree:
+    case Verdict::ill_posed:
+    case Verdict::unsupported:
+      return "seeds";
+    default:
+      return "regressions";
+  }
+}
+
+CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const Collider& subject,
+                         const Collider& oracle) {
+  CorpusCase recorded;
+  recorded.pair = pair;
+  recorded.expect = Expectation{.subject = subject.declaration.name,
+                                .oracle = oracle.declaration.name,
+                                .verdict = std::string(to_string(judgement.bucket.verdict)),
+                                .bucket = to_string(judgement.bucket),
+                                .manifolds = {}};
+  if (!is_lost(judgement.bucket.verdict)) {
+    for (const Collider* collider : {&subject, &oracle}) {
+      recorded.expect->manifolds.push_back({collider->declaration.name, collider->collide(pair)});
+    }
+  }
+  recorded.note = note_of(pair, judgement, subject, oracle);
+  return recorded;
+}
+
+void save_finding(Finding& finding, const Plan& plan, const std::filesystem::path& corpus,
+                  Interruption& interruption) {
+  const CaseNumber worst = finding.tally.worst;
+  const PairCase smallest =
+      shrink_finding(plan.pair(worst), plan.subject, plan.oracle, interruption);
+  const Judgement judgement = judge_guarded(smallest, plan.subject, plan.oracle, interruption);
+  CorpusCase saved = recorded_case(smallest, judgement, plan.subject, plan.oracle);
+  saved.found = Found{.seed = plan.seed,
+                      .regime = std::string(plan.regimes[plan.regime_of(worst)]->name),
+                      .index = plan.index_of(worst),
+                      .versions = {}};
+  for (const Collider* collider : {&plan.subject, &plan.oracle}) {
+    saved.found->versions[collider->declaration.name] = collider->declaration.version;
+  }
+  const std::string& oracle = plan.oracle.declaration.name;
+  finding.file = write_corpus_case(corpus / corpus_folder(finding.bucket, oracle), saved).string();
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/plan.hpp"
+#include "campaign/process.hpp"
+#include "cases/corpus.hpp"
+
+namespace manifuzz {
+
+/// A bucket that a campaign filled.
+struct Finding {
+  Bucket bucket;
+  BucketTally tally;
+  bool is_new = false;  ///< no file of the corpus has its bucket
+  std::string file;     ///< of the corpus, where one shows it; else empty
+};
+
+/// Which buckets a corpus shows already. Ties count whoever the colliders were; a fault counts for
+/// the collider at fault.
+class KnownBuckets {
+ public:
+  explicit KnownBuckets(std::span<const CorpusCase> corpus);
+  /// The file that shows this bucket, or empty.
+  std::string file_of(const Bucket& bucket, const Collider& subject, const Collider& oracle) const;
+
+ private:
+  std::map<std::string, std::string> files_;
+};
+
+/// Every bucket of the tally but agree, in the order of the bucket's index.
+std::vector<Finding> findings(const Tally& tally, const Plan& plan, const KnownBuckets& known);
+
+/// A shrunk case keeps at least this share of the magnitude.
+inline constexpr double kMagnitudeShareKept = 0.5;
+
+/// The smallest case like this one: same bucket, same ledger entry, enough of the magnitude. Runs
+/// in a child process, so that a collider that dies takes nothing along; stops early when
+/// interrupted.
+PairCase shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
+                        Interruption& interruption);
+
+/// Where the corpus keeps such cases: ties, defects/<oracle>, regressions or seeds.
+std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& oracle);
+
+/// The corpus case of a pair as these colliders see it: answers, verdict and a note.
+CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const Collider& subject,
+                         const Collider& oracle);
+
+/// Shrinks the finding's worst witness and writes it to the corpus; sets `file`. Throws UserError.
+void save_finding(Finding& finding, const Plan& plan, const std::filesystem::path& corpus,
+                  Interruption& interruption);
+
+}  // namespace manifuzz

@@ -1,0 +1,68 @@
+#include "campaign/guarded.hpp"
+
+#include <chrono>
+#include <sys/wait.h>
+
+namespace manifuzz {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What a child leaves behind. The ledger entry's address holds in its parent too.
+struct Slot {
+  std::atomic<Fault> at_work{Fault::none};
+  std::atomic<int> pulse{0};
+  Judgement judgement;
+};
+
+}  // namespace
+
+Ending run_guarded(const std::function<void()>& body, const std::atomic<int>& pulse,
+                   Interruption& interruption) {
+  const pid_t child = spawn(body);
+  int seen = pulse;
+  Clock::time_point seen_at = Clock::now();
+  for (;;) {
+    int status = 0;
+    if (waitpid(child, &status, WNOHANG) == child) {
+      return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Ending::well : Ending::crashed;
+    }
+    if (pulse != seen) {
+      seen = pulse;
+      seen_at = Clock::now();
+    }
+    if (interruption.requested()) {
+      kill_and_wait(child);
+      return Ending::interrupted;
+    }
+    if (std::chrono::duration<double>(Clock::now() - seen_at).count() > kCaseSecondsMax) {
+      kill_and_wait(child);
+      return Ending::hung;
+    }
+    interruption.wait(0.1);
+  }
+}
+
+Judgement judge_guarded(const PairCase& pair, const Collider& subject, const Collider& oracle,
+                        Interruption& interruption) {
+  const Shared<Slot> slot;
+  const auto body = [&] {
+    slot->at_work = Fault::subject;
+    const Answer of_subject = subject.collide(pair);
+    slot->at_work = Fault::oracle;
+    const Answer of_oracle = oracle.collide(pair);
+    slot->at_work = Fault::none;
+    slot->judgement =
+        judge(pair, {subject.declaration, of_subject}, {oracle.declaration, of_oracle});
+  };
+  switch (run_guarded(body, slot->pulse, interruption)) {
+    case Ending::crashed:
+      return {.bucket = bucket_of_lost(Verdict::crashed, slot->at_work)};
+    case Ending::hung:
+      return {.bucket = bucket_of_lost(Verdict::timed_out, slot->at_work)};
+    default:
+      return slot->judgement;
+  }
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "campaign/process.hpp"
+#include "judging/judge.hpp"
+
+namespace manifuzz {
+
+/// A case that takes longer than this has hung.
+inline constexpr double kCaseSecondsMax = 5;
+
+enum class Ending { well, crashed, hung, interrupted };
+
+/// Runs `body` in a child process for as long as `pulse` moves at least once in kCaseSecondsMax.
+Ending run_guarded(const std::function<void()>& body, const std::atomic<int>& pulse,
+                   Interruption& interruption);
+
+/// `judge` on what the two answer in a child process: a collider that dies or hangs is a verdict.
+Judgement judge_guarded(const PairCase& pair, const Collider& subject, const Collider& oracle,
+                        Interruption& interruption);
+
+}  // namespace manifuzz

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "campaign/guarded.hpp"
+#include "campaign/plan.hpp"
+#include "campaign/process.hpp"
+
+namespace manifuzz {
+
+/// What a campaign looks like while it runs.
+struct Progress {
+  const Tally& tally;
+  double seconds = 0;
+};
+
+struct JobsResult {
+  std::unique_ptr<Tally> tally;
+  double seconds = 0;
+  bool interrupted = false;  ///< somebody asked to stop before the plan was done
+};
+
+/// Runs every case of the plan, in as many child processes. A child that dies or hangs loses the
+/// case it was at, which becomes a finding, and another goes on behind it. `on_progress` runs a few
+/// times a second.
+JobsResult run_jobs(const Plan& plan, Interruption& interruption,
+                    const std::function<void(const Progress&)>& on_progress);
+
+}  // namespace manifuzz

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "campaign/tally.hpp"
+#include "cases/regime.hpp"
+#include "geometry/collider.hpp"
+
+namespace manifuzz {
+
+/// What a campaign runs: which cases, through which two colliders.
+struct Plan {
+  Collider subject;
+  Collider oracle;
+  std::vector<const Regime*> regimes;  ///< not empty, at most kRegimesMax
+  GenerationContext context;
+  std::uint64_t seed = 0;
+  std::uint64_t first = 0;             ///< index in each regime of its first case
+  std::optional<std::uint64_t> cases;  ///< of all regimes together; none: until time is up
+  std::optional<double> seconds;
+  int jobs = 1;
+
+  std::size_t regime_of(CaseNumber number) const { return number % regimes.size(); }
+  std::uint64_t index_of(CaseNumber number) const { return first + number / regimes.size(); }
+  PairCase pair(CaseNumber number) const {
+    return generate(seed, *regimes[regime_of(number)], index_of(number), context);
+  }
+};
+
+}  // namespace manifuzz

@@ -1,0 +1,91 @@
+#include "campaign/process.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace manifuzz {
+
+SharedMemory::SharedMemory(std::size_t bytes)
+    : data_(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)),
+      bytes_(bytes) {
+  if (data_ == MAP_FAILED) throw std::bad_alloc();
+}
+
+SharedMemory::~SharedMemory() {
+  munmap(data_, bytes_);
+}
+
+pid_t spawn(const std::function<void()>& body) {
+  std::fflush(nullptr);
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (child > 0) return child;
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(3);
+  try {
+    body();
+  } catch (...) {
+    _exit(3);
+  }
+  _exit(0);
+}
+
+bool wait_for(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+void kill_and_wait(pid_t child) {
+  kill(child, SIGKILL);
+  wait_for(child);
+}
+
+struct Interruption::Masks {
+  sigset_t held;
+  sigset_t before;
+  sigset_t stop;
+};
+
+Interruption::Interruption() : masks_(new Masks) {
+  sigemptyset(&masks_->stop);
+  sigaddset(&masks_->stop, SIGINT);
+  sigaddset(&masks_->stop, SIGTERM);
+  masks_->held = masks_->stop;
+  sigaddset(&masks_->held, SIGCHLD);
+  sigprocmask(SIG_BLOCK, &masks_->held, &masks_->before);
+}
+
+Interruption::~Interruption() {
+  requested();  // takes what is pending, lest it strike when the mask is lifted
+  sigprocmask(SIG_SETMASK, &masks_->before, nullptr);
+  delete masks_;
+}
+
+void Interruption::wait(double seconds) {
+  const auto whole = static_cast<time_t>(seconds);
+  const timespec timeout{whole, static_cast<long>((seconds - static_cast<double>(whole)) * 1e9)};
+  const int signal = sigtimedwait(&masks_->held, nullptr, &timeout);
+  if (signal == SIGINT || signal == SIGTERM) ++requests_;
+}
+
+bool Interruption::requested() {
+  return requests() > 0;
+}
+
+int Interruption::requests() {
+  const timespec at_once{0, 0};
+  while (sigtimedwait(&masks_->stop, nullptr, &at_once) > 0) ++requests_;
+  return requests_;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <new>
+#include <sys/types.h>
+
+namespace manifuzz {
+
+/// Zeroed memory that children share with their parent. Throws std::bad_alloc.
+class SharedMemory {
+ public:
+  explicit SharedMemory(std::size_t bytes);
+  ~SharedMemory();
+  SharedMemory(const SharedMemory&) = delete;
+  SharedMemory& operator=(const SharedMemory&) = delete;
+
+  void* data() const { return data_; }
+
+ private:
+  void* data_;
+  std::size_t bytes_;
+};
+
+/// A value in shared memory. T must hold no pointers and need no destructor.
+template <class T>
+class Shared {
+ public:
+  Shared() : memory_(sizeof(T)), value_(new (memory_.data()) T) {}
+  T& operator*() const { return *value_; }
+  T* operator->() const { return value_; }
+
+ private:
+  SharedMemory memory_;
+  T* value_;
+};
+
+/// Runs `body` in a child process, which dies with its parent and then exits with status 0, or 3
+/// where `body` throws. Throws std::system_error when no process is to be had.
+pid_t spawn(const std::function<void()>& body);
+
+/// Waits for a child to end; whether it ended well.
+bool wait_for(pid_t child);
+
+/// Ends a child at once and waits for it.
+void kill_and_wait(pid_t child);
+
+/// Holds SIGINT and SIGTERM back for as long as it lives, so that work can stop in good order.
+class Interruption {
+ public:
+  Interruption();
+  ~Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+  /// Waits until a signal or a child's end, at most so long.
+  void wait(double seconds);
+  /// Whether somebody asked to stop, since this lives.
+  bool requested();
+  /// How often.
+  int requests();
+
+ private:
+  struct Masks;
+  Masks* masks_;
+  int requests_ = 0;
+};
+
+}  // namespace manifuzz

@@ -1,0 +1,72 @@
+#include "campaign/tally.hpp"
+
+#include <numeric>
+
+namespace manifuzz {
+namespace {
+
+std::uint64_t sum(const Tally& tally, std::uint64_t RegimeTally::*field) {
+  return std::accumulate(
+      tally.regimes.begin(), tally.regimes.end(), std::uint64_t{0},
+      [field](std::uint64_t total, const RegimeTally& regime) { return total + regime.*field; });
+}
+
+}  // namespace
+
+void BucketTally::add(CaseNumber number, double finding_magnitude) {
+  add(BucketTally{1, number, number, finding_magnitude});
+}
+
+void BucketTally::add(const BucketTally& tally) {
+  if (tally.count == 0) return;
+  if (count == 0) {
+    *this = tally;
+    return;
+  }
+  count += tally.count;
+  first = std::min(first, tally.first);
+  if (tally.magnitude > magnitude || (tally.magnitude == magnitude && tally.worst < worst)) {
+    magnitude = tally.magnitude;
+    worst = tally.worst;
+  }
+}
+
+void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
+                const Bucket& bucket, double magnitude) {
+  RegimeTally& of_regime = regimes[regime];
+  ++of_regime.cases;
+  if (standing.touching) {
+    ++of_regime.touching;
+  } else if (standing.near) {
+    ++of_regime.near;
+  }
+  if (is_unexplained(bucket.verdict)) ++of_regime.unexplained;
+  ++verdicts[static_cast<std::size_t>(bucket.verdict)];
+  if (bucket.verdict != Verdict::agree) buckets[index_of(bucket)].add(number, magnitude);
+}
+
+void Tally::add(const Tally& tally) {
+  for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] += tally.verdicts[i];
+  for (std::size_t i = 0; i < regimes.size(); ++i) {
+    regimes[i].cases += tally.regimes[i].cases;
+    regimes[i].touching += tally.regimes[i].touching;
+    regimes[i].near += tally.regimes[i].near;
+    regimes[i].unexplained += tally.regimes[i].unexplained;
+  }
+  for (std::size_t i = 0; i < buckets.size(); ++i) buckets[i].add(tally.buckets[i]);
+}
+
+std::uint64_t Tally::cases() const {
+  return sum(*this, &RegimeTally::cases);
+}
+std::uint64_t Tally::touching() const {
+  return sum(*this, &RegimeTally::touching);
+}
+std::uint64_t Tally::near() const {
+  return sum(*this, &RegimeTally::near);
+}
+std::uint64_t Tally::unexplained() const {
+  return sum(*this, &RegimeTally::unexplained);
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,167 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cases/file.hpp"
+#include "cases/user_error.hpp"
+#include "cli/colliders.hpp"
+#include "cli/commands.hpp"
+#include "cli/fuzz_report.hpp"
+#include "cli/input.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr double kDefaultSeconds = 10;
+constexpr std::uint64_t kJobsMax = 256;
+
+struct Options {
+  std::string subject = "clip";
+  std::string oracle = "box2d";
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> cases;
+  std::optional<double> seconds;
+  std::optional<std::uint64_t> first;
+  std::optional<std::uint64_t> jobs;
+  std::vector<std::string> regimes;
+  std::optional<double> tie_bias;
+  std::optional<double> radius;
+  std::string corpus = "corpus";
+  std::string json;
+  bool no_save = false;
+};
+
+int jobs_of(const Options& options) {
+  if (options.jobs && *options.jobs > kJobsMax) {
+    throw UserError(fmt::format("--jobs: {} are too many; take 1 to {}", *options.jobs, kJobsMax));
+  }
+  return static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
+}
+
+Plan plan_of(const Options& options, std::uint64_t seed, std::span<const PairCase> corpus) {
+  Plan plan;
+  plan.subject = find_collider(options.subject, options.tie_bias);
+  plan.oracle = find_collider(options.oracle);
+  plan.regimes = choose_regimes(options.regimes);
+  plan.context.corpus = corpus;
+  if (options.radius) plan.context.radius = static_cast<float>(*options.radius);
+  plan.first = options.first.value_or(0);
+  plan.cases = options.cases;
+  if (!options.cases) plan.seconds = options.seconds.value_or(kDefaultSeconds);
+  plan.jobs = jobs_of(options);
+  plan.seed = seed;
+  return plan;
+}
+
+/// This program as it was called, relative to the working folder, so that a kept output holds no
+/// absolute path; then whatever a case hangs on besides regime, seed and index.
+std::string repeating_command(const Options& options) {
+  std::string program = "manifuzz";
+  std::error_code unknown;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  if (!unknown) program = std::filesystem::relative(self, unknown).string();
+  std::string command =
+      fmt::format("{} fuzz --subject {} --oracle {}", program, options.subject, options.oracle);
+  if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
+  if (options.radius) command += fmt::format(" --radius {}", *options.radius);
+  if (options.corpus != "corpus") command += fmt::format(" --corpus {}", options.corpus);
+  return command;
+}
+
+/// One line on a terminal, written over and over.
+class ProgressLine {
+ public:
+  void show(const std::string& text) {
+    if (terminal_) fmt::print(stderr, "\r{}\x1b[K", text);
+  }
+  ~ProgressLine() {
+    if (terminal_) fmt::print(stderr, "\r\x1b[K");
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) == 1;
+};
+
+void save_new(std::vector<Finding>& found, const Plan& plan, const Options& options,
+              Interruption& interruption) {
+  ProgressLine line;
+  for (Finding& finding : found) {
+    if (!finding.is_new) continue;
+    line.show("shrinking " + to_string(finding.bucket));
+    save_finding(finding, plan, options.corpus, interruption);
+  }
+}
+
+int fuzz(const Options& options) {
+  const Corpus corpus = read_corpus_folder(options.corpus);
+  const std::uint64_t seed = seed_or_draw(options.seed);
+  const std::vector<PairCase> pairs = pairs_of(corpus, seed);
+  const Plan plan = plan_of(options, seed, pairs);
+  Interruption interruption;
+  JobsResult run;
+  {
+    ProgressLine line;
+    run = run_jobs(plan, interruption,
+                   [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
+  }
+  std::vector<Finding> found = findings(*run.tally, plan, KnownBuckets(corpus.cases));
+  if (!options.no_save) save_new(found, plan, options, interruption);
+
+  const CampaignReport report{plan, run, found, repeating_command(options)};
+  Output out;
+  if (options.json != "-") out.write(summary_table(report));
+  if (options.json == "-") out.write(summary_json(report).dump(2) + '\n');
+  out.flush();
+  if (!options.json.empty() && options.json != "-") {
+    write_file(options.json, summary_json(report).dump(2) + '\n');
+  }
+  return has_failed(report) ? 1 : 0;
+}
+
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("--subject", options->subject, "the collider under test")
+      ->type_name("C")
+      ->capture_default_str();
+  app.add_option("--oracle", options->oracle, "the collider it is held against")
+      ->type_name("C")
+      ->capture_default_str();
+  add_whole_number(app, "--seed", options->seed,
+                   "what the cases hang on; drawn and printed if not given");
+  CLI::Option* const cases =
+      add_whole_number(app, "--cases", options->cases, "how many cases, all regimes together", 1);
+  add_length(app, "--seconds", options->seconds, "how long, all regimes together; 10 if not given")
+      ->excludes(cases);
+  add_whole_number(app, "--first", options->first, "the first index in each regime");
+  add_whole_number(app, "--jobs", options->jobs, "how many processes; one a core if not given", 1);
+  app.add_option("--regime", options->regimes,
+                 "a regime to draw from, again for more; all by turns if not given")
+      ->type_name("R")
+      ->allow_extra_args(false);
+  add_length(app, "--tie-bias", options->tie_bias, "the subject's tie bias");
+  add_length(app, "--radius", options->radius, "of each polygon; the regime's own if not given");
+  app.add_option("--corpus", options->corpus, "the folder of known cases, where new ones are saved")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_flag("--no-save", options->no_save, "shrink and save nothing");
+  app.add_option("--json", options->json, "the summary as JSON, to a file or - for stdout")
+      ->type_name("FILE");
+  return [options] { return fuzz(*options); };
+}
+
+}  // namespace
+
+extern const Command kFuzz;
+const Command kFuzz{
+    "fuzz", "A campaign: random cases to two colliders; what differs is judged, shrunk, saved.",
+    "manifuzz fuzz --regime sliver --seed 1 --cases 1000000", define};
+
+}  // namespace manifuzz

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "campaign/findings.hpp"
+#include "campaign/jobs.hpp"
+
+namespace manifuzz {
+
+/// A finished campaign, as its report needs it.
+struct CampaignReport {
+  const Plan& plan;
+  const JobsResult& run;
+  const std::vector<Finding>& findings;
+  std::string command;  ///< the beginning of a command that repeats a case, up to --regime
+};
+
+/// A run of so many cases outside the regime `separated` in which nothing touched proves nothing.
+inline constexpr std::uint64_t kVacuousCases = 1000;
+bool is_vacuous(const CampaignReport& report);
+
+/// Whether the campaign found what its status must tell: anything against the subject, a bucket of
+/// the oracle's that is new, or a vacuous run.
+bool has_failed(const CampaignReport& report);
+
+/// The command that repeats the first case of a finding.
+std::string command_of(const CampaignReport& report, const Finding& finding);
+
+/// For people: regimes, verdicts (zeros too), findings with their commands.
+std::string summary_table(const CampaignReport& report);
+
+nlohmann::ordered_json summary_json(const CampaignReport& report);
+
+/// One line of a running campaign: cases, rate, verdicts that count, time left.
+std::string progress_line(const Plan& plan, const Progress& progress);
+
+}  // namespace manifuzz
