@@ -98,8 +98,7 @@ Collider make_box2d() {
   Collider collider;
   collider.declaration = {
       .name = "box2d",
-      .version = std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
-                 std::to_string(b2_version.revision),
+      .version = MANIFUZZ_BOX2D_VERSION,  // b2_version still says 2.4.0
       .description = "Box2D's b2CollidePolygons on shapes filled from the stored floats",
       .scalar = ScalarType::float32,
       .frame = RoundingFrame::world,

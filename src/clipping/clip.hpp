@@ -38,8 +38,7 @@ bool clip(ClipEdge<Scalar>& edge, const Vector2<Scalar>& inward, const Vector2<S
   if (offset0 >= 0 && offset1 >= 0) return true;
   if (offset0 <= 0 && offset1 <= 0) return false;
   const Scalar share = offset0 / (offset0 - offset1);
-  const Vector2<Scalar> crossing =
-      edge[0].position + share * (edge[1].position - edge[0].position);
+  const Vector2<Scalar> crossing = edge[0].position + share * (edge[1].position - edge[0].position);
   edge[offset0 < 0 ? 0 : 1] = {crossing, vertex(corner_index), face(incident_index)};
   return true;
 }

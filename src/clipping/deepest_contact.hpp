@@ -5,16 +5,21 @@
 
 namespace manifuzz::clipping {
 
-/// What rounding can do to a separation: 8 u (reach of A + reach of B + distance of their origins).
+/// The farthest vertex's distance from the frame's origin.
+template <class Scalar>
+Scalar reach_in_frame(const ConvexPolygon<Scalar>& polygon) {
+  Scalar squared = 0;
+  for (const auto& v : polygon.corners()) squared = std::max(squared, v.dot(v));
+  return std::sqrt(squared);
+}
+
+/// Half the bound 8 u E on a separation's error, E being the extent: an overlap deeper than the
+/// bound is then computed deeper than this, and one computed deeper than this is not a gap in
+/// truth.
 template <class Scalar>
 Scalar separation_roundoff(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
-  Scalar squared_a = 0;
-  Scalar squared_b = 0;
-  for (const auto& v : a.corners()) squared_a = std::max(squared_a, v.dot(v));
-  for (const auto& v : b.corners()) squared_b = std::max(squared_b, v.dot(v));
-  // Seen from A, |v_b| already holds the distance of the origins, which may cost a factor of two.
   constexpr Scalar u = std::numeric_limits<Scalar>::epsilon() / 2;
-  return 8 * u * (std::sqrt(squared_a) + 2 * std::sqrt(squared_b));
+  return 4 * u * (reach_in_frame(a) + reach_in_frame(b));
 }
 
 /// Whether the slab of a face, widened by `margin`, holds a point.
@@ -26,60 +31,84 @@ bool slab_holds(const ConvexPolygon<Scalar>& polygon, int face_index, const Vect
          along.dot(polygon.vertices[polygon.next(face_index)] - point) >= -margin;
 }
 
-/// A face, and the vertex of the other polygon that is deepest behind it.
+/// The vertex of `opposing` that is deepest behind a face, as the only contact point.
 template <class Scalar>
-struct DeepestVertex {
-  Side side = Side::a;
-  FaceSeparation<Scalar> face;
-};
+Manifold<Scalar> lone_vertex(const ConvexPolygon<Scalar>& reference, Side side,
+                             const FaceSeparation<Scalar>& found,
+                             const ConvexPolygon<Scalar>& opposing) {
+  const ClipEnd<Scalar> end{opposing.vertices[found.deepest], face(found.face),
+                            vertex(found.deepest)};
+  Manifold<Scalar> manifold = keep_behind_face<Scalar>({end, end}, reference, found.face, side,
+                                                       reference.radius + opposing.radius);
+  manifold.count = 1;
+  return manifold;
+}
 
-/// The face of greatest separation, of either polygon, among those whose slab holds their deepest
-/// vertex, within rounding: the true one does, since the shortest way out of an overlap ends inside
-/// a face. Among all, should rounding leave none.
+/// The manifold of a face whose slab holds the deepest of the overlap; empty where it does not. The
+/// incident edge is the most opposed of those that reach as deep, and whose clip still does: within
+/// rounding there may be several, and one vertex may be as deep as the next.
 template <class Scalar>
-DeepestVertex<Scalar> deepest_vertex_held(const ConvexPolygon<Scalar>& a,
-                                          const ConvexPolygon<Scalar>& b) {
-  DeepestVertex<Scalar> held;
-  DeepestVertex<Scalar> any;
-  const Scalar margin = a.radius + b.radius + separation_roundoff(a, b);
-  for (const Side side : {Side::a, Side::b}) {
-    const ConvexPolygon<Scalar>& polygon = side == Side::a ? a : b;
-    const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
-    for (int i = 0; i < polygon.count; ++i) {
-      const FaceSeparation<Scalar> face = face_separation(polygon, i, opposing);
-      if (face.separation > any.face.separation) any = {side, face};
-      if (face.separation > held.face.separation &&
-          slab_holds<Scalar>(polygon, i, opposing.vertices[face.deepest], margin)) {
-        held = {side, face};
-      }
-    }
+Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                     Side side, const FaceSeparation<Scalar>& found,
+                                     Scalar roundoff) {
+  const ConvexPolygon<Scalar>& reference = side == Side::a ? a : b;
+  const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
+  const Vector2<Scalar>& normal = reference.normals[found.face];
+  const Vector2<Scalar>& origin = reference.vertices[found.face];
+  const auto reaches = [&](int v) {
+    return normal.dot(opposing.vertices[v] - origin) <= found.separation + roundoff;
+  };
+  const Scalar depth = a.radius + b.radius - found.separation - roundoff;
+
+  Manifold<Scalar> contact;
+  Scalar least = std::numeric_limits<Scalar>::infinity();
+  for (int j = 0; j < opposing.count; ++j) {
+    const Scalar dot = normal.dot(opposing.normals[j]);
+    if (dot >= least || !(reaches(j) || reaches(opposing.next(j)))) continue;
+    const Manifold<Scalar> clipped = clip_features<Scalar>(a, b, {side, found.face, j});
+    const bool as_deep = (clipped.count > 0 && clipped.points[0].depth >= depth) ||
+                         (clipped.count > 1 && clipped.points[1].depth >= depth);
+    if (!as_deep) continue;
+    least = dot;
+    contact = clipped;
   }
-  return std::isfinite(held.face.separation) ? held : any;
+  const Scalar margin = a.radius + b.radius + roundoff;
+  if (contact.count == 0 &&
+      slab_holds<Scalar>(reference, found.face, opposing.vertices[found.deepest], margin)) {
+    return lone_vertex(reference, side, found, opposing);
+  }
+  return contact;
 }
 
 /// The manifold of overlapping polygons whose features were chosen so that the clip kept nothing:
 /// by a tie bias, or because two faces or edges are nearer than rounding can tell, and the slab of
-/// the wrong one misses the deepest vertex. Never empty: the last resort is that vertex alone.
+/// the wrong one misses the deepest vertex. Takes the face of greatest separation, of either
+/// polygon, whose slab holds it: the true one does, since the shortest way out of an overlap ends
+/// inside a face. Never empty: the last resort is the deepest vertex alone.
 template <class Scalar>
 Manifold<Scalar> deepest_contact(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
-  const DeepestVertex<Scalar> deepest = deepest_vertex_held(a, b);
-  const bool from_a = deepest.side == Side::a;
-  const ConvexPolygon<Scalar>& reference = from_a ? a : b;
-  const ConvexPolygon<Scalar>& opposing = from_a ? b : a;
-  const int corner = deepest.face.deepest;
-  const int face_index = deepest.face.face;
-  const Vector2<Scalar>& normal = reference.normals[face_index];
-  const int previous = opposing.previous(corner);
-  const bool take_previous =
-      normal.dot(opposing.normals[previous]) <= normal.dot(opposing.normals[corner]);
-  const Manifold<Scalar> clipped =
-      clip_features<Scalar>(a, b, {deepest.side, face_index, take_previous ? previous : corner});
-  if (clipped.count > 0) return clipped;
-  const ClipEnd<Scalar> alone{opposing.vertices[corner], face(face_index), vertex(corner)};
-  Manifold<Scalar> manifold = keep_behind_face<Scalar>({alone, alone}, reference, face_index,
-                                                       deepest.side, a.radius + b.radius);
-  manifold.count = 1;
-  return manifold;
+  const Scalar roundoff = separation_roundoff(a, b);
+  Manifold<Scalar> contact;
+  Manifold<Scalar> last_resort;
+  Scalar greatest = -std::numeric_limits<Scalar>::infinity();
+  Scalar greatest_of_all = greatest;
+  for (const Side side : {Side::a, Side::b}) {
+    const ConvexPolygon<Scalar>& reference = side == Side::a ? a : b;
+    const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
+    for (int i = 0; i < reference.count; ++i) {
+      const FaceSeparation<Scalar> found = face_separation(reference, i, opposing);
+      if (found.separation > greatest_of_all) {
+        greatest_of_all = found.separation;
+        last_resort = lone_vertex(reference, side, found, opposing);
+      }
+      if (found.separation <= greatest) continue;
+      const Manifold<Scalar> behind = contact_behind_face(a, b, side, found, roundoff);
+      if (behind.count == 0) continue;
+      greatest = found.separation;
+      contact = behind;
+    }
+  }
+  return contact.count > 0 ? contact : last_resort;
 }
 
 }  // namespace manifuzz::clipping

@@ -81,9 +81,13 @@ const ClipPoint& nearest_point(const Clip& clip, const Vector2<double>& reported
   return clip.points[second ? 1 : 0];
 }
 
+/// Whether nothing that makes the point's features is within bound: one candidate, two ends that
+/// can be told apart, none of them at a side plane.
 bool features_decided(const Clip& clip, const ClipPoint& point, const Admissible& admissible) {
-  return admissible.candidates.size() == 1 && clip.count == 2 &&
-         point.margin > position_bound(clip, point, admissible.bounds);
+  if (admissible.candidates.size() > 1 || clip.count < 2) return false;
+  const double bound = position_bound(clip, point, admissible.bounds);
+  const truth::Vector apart = clip.points[1].position - clip.points[0].position;
+  return point.margin > bound && apart.dot(apart) > 4 * bound * bound;
 }
 
 Mismatch point_mismatch(const ContactPoint<double>& reported, const Candidate& candidate,
@@ -130,6 +134,12 @@ bool may_miss(const Candidate& candidate, const Bounds& bounds) {
   return candidate.clip.gap >= -bounds.length;
 }
 
+bool may_be_empty(const Candidate& candidate, const Bounds& bounds) {
+  const auto& points = candidate.clip.points;
+  return std::all_of(points.begin(), points.begin() + candidate.clip.count,
+                     [&](const ClipPoint& p) { return is_optional(candidate, p, bounds); });
+}
+
 Admissible admissible(const PairCase& pair, const Declaration& declaration) {
   const auto world = truth::place<Real>(pair);
   const std::array<Separations, 2> separations{truth::face_separations(world, Side::a),
@@ -141,10 +151,10 @@ Admissible admissible(const PairCase& pair, const Declaration& declaration) {
   result.separation_b = greatest(separations[1], world.b.count);
   if (!result.may_touch()) return result;
   add_references(pair, world, declaration.tie_bias, separations, result);
-  const bool may_be_empty =
+  const bool any_empty =
       std::any_of(result.candidates.begin(), result.candidates.end(),
-                  [&](const Candidate& c) { return may_miss(c, result.bounds); });
-  if (result.must_touch() && may_be_empty) add_references(pair, world, 0, separations, result);
+                  [&](const Candidate& c) { return may_be_empty(c, result.bounds); });
+  if (result.must_touch() && any_empty) add_references(pair, world, 0, separations, result);
   return result;
 }
 

@@ -43,8 +43,11 @@ Admissible admissible(const PairCase& pair, const Declaration& declaration);
 double position_bound(const truth::Clip& clip, const truth::ClipPoint& point, const Bounds& bounds);
 double depth_bound(const truth::Clip& clip, const truth::ClipPoint& point, const Bounds& bounds);
 
-/// Whether the clip may keep nothing: its edge misses the slab, or nearly.
+/// Whether the incident edge misses the slab, or nearly.
 bool may_miss(const Candidate& candidate, const Bounds& bounds);
+
+/// Whether the clip may keep nothing: it may miss, or lies in front of the face, or nearly.
+bool may_be_empty(const Candidate& candidate, const Bounds& bounds);
 
 /// How a manifold falls short of the right ones; `kind` none: it is one of them.
 struct Mismatch {

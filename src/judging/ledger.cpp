@@ -11,19 +11,19 @@ bool misses_overlap(const Deviation& d) {
   return d.got.count == 0 && d.right.must_touch();
 }
 
-bool may_miss_from(const Deviation& d, Side side) {
+bool may_be_empty_from(const Deviation& d, Side side) {
   return std::any_of(d.right.candidates.begin(), d.right.candidates.end(), [&](const Candidate& c) {
-    return c.reference_side == side && may_miss(c, d.right.bounds);
+    return c.reference_side == side && may_be_empty(c, d.right.bounds);
   });
 }
 
 bool no_contact_under_bias(const Deviation& d) {
   return misses_overlap(d) && d.right.separation_b > d.right.separation_a &&
-         may_miss_from(d, Side::a);
+         may_be_empty_from(d, Side::a);
 }
 
 bool no_contact_on_tied_features(const Deviation& d) {
-  return misses_overlap(d) && (may_miss_from(d, Side::a) || may_miss_from(d, Side::b));
+  return misses_overlap(d) && (may_be_empty_from(d, Side::a) || may_be_empty_from(d, Side::b));
 }
 
 /// b2Vec2::Normalize leaves a vector shorter than b2_epsilon as it is.
