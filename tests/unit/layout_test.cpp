@@ -47,6 +47,7 @@ std::vector<std::string> committed_paths() {
   }
   if (!paths.empty()) return paths;
   for (const char* folder : {"src", "oracle", "tests", "corpus", "scripts"}) {
+    if (!fs::exists(source_dir() / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(source_dir() / folder)) {
       paths.push_back(fs::relative(entry.path(), source_dir()).generic_string());
     }
