@@ -162,6 +162,7 @@ Clip clip(const PairCase& pair, const World<Real>& world, Side reference_side, i
     span.along[end] = reference.direction.dot(opposing.vertices[ends[end]] - reference.corner) +
                       world.total_radius;
   }
+  result.slab_width = span.width;
   result.gap = span.gap();
   const auto add = [&](int end, Real share) {
     const bool crossing = share != static_cast<Real>(end);

@@ -62,6 +62,7 @@ struct Clip {
   Vector normal;         ///< unit, A to B, in A's frame
   Real cosine = 0;       ///< of the angle between incident edge and reference face, >= 0
   Real edge_length = 0;  ///< of the incident edge
+  Real slab_width = 0;   ///< between the side planes
   Real gap = 0;          ///< by how much the edge misses the slab; negative: how far it reaches in
   int count = 0;         ///< 2, or 1 where the edge misses: then its nearest end, unclipped
   std::array<ClipPoint, 2> points;  ///< along the reference face's direction

@@ -45,8 +45,8 @@ Manifold<Scalar> lone_vertex(const ConvexPolygon<Scalar>& reference, Side side,
 }
 
 /// The manifold of a face whose slab holds the deepest of the overlap; empty where it does not. The
-/// incident edge is the most opposed of those that reach as deep, and whose clip still does: within
-/// rounding there may be several, and one vertex may be as deep as the next.
+/// incident edge is the most opposed one, or one that rounding cannot tell from it, whose clip is
+/// as deep as the face's separation; failing that, the deepest vertex alone if it lies in the slab.
 template <class Scalar>
 Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      Side side, const FaceSeparation<Scalar>& found,
@@ -54,30 +54,22 @@ Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const Conve
   const ConvexPolygon<Scalar>& reference = side == Side::a ? a : b;
   const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
   const Vector2<Scalar>& normal = reference.normals[found.face];
-  const Vector2<Scalar>& origin = reference.vertices[found.face];
-  const auto reaches = [&](int v) {
-    return normal.dot(opposing.vertices[v] - origin) <= found.separation + roundoff;
-  };
-  const Scalar depth = a.radius + b.radius - found.separation - roundoff;
-
-  Manifold<Scalar> contact;
-  Scalar least = std::numeric_limits<Scalar>::infinity();
+  const Scalar total_radius = a.radius + b.radius;
+  const Scalar depth = total_radius - found.separation - roundoff;
+  constexpr Scalar dot_roundoff = 4 * std::numeric_limits<Scalar>::epsilon();
+  const Scalar least = normal.dot(opposing.normals[incident_edge(opposing, normal)]);
   for (int j = 0; j < opposing.count; ++j) {
-    const Scalar dot = normal.dot(opposing.normals[j]);
-    if (dot >= least || !(reaches(j) || reaches(opposing.next(j)))) continue;
+    if (normal.dot(opposing.normals[j]) > least + dot_roundoff) continue;
     const Manifold<Scalar> clipped = clip_features<Scalar>(a, b, {side, found.face, j});
-    const bool as_deep = (clipped.count > 0 && clipped.points[0].depth >= depth) ||
-                         (clipped.count > 1 && clipped.points[1].depth >= depth);
-    if (!as_deep) continue;
-    least = dot;
-    contact = clipped;
+    for (int k = 0; k < clipped.count; ++k) {
+      if (clipped.points[k].depth >= depth) return clipped;
+    }
   }
-  const Scalar margin = a.radius + b.radius + roundoff;
-  if (contact.count == 0 &&
-      slab_holds<Scalar>(reference, found.face, opposing.vertices[found.deepest], margin)) {
+  const Vector2<Scalar>& deepest = opposing.vertices[found.deepest];
+  if (slab_holds<Scalar>(reference, found.face, deepest, total_radius + roundoff)) {
     return lone_vertex(reference, side, found, opposing);
   }
-  return contact;
+  return {};
 }
 
 /// The manifold of overlapping polygons whose features were chosen so that the clip kept nothing:

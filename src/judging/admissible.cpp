@@ -131,7 +131,7 @@ double depth_bound(const Clip& clip, const ClipPoint& point, const Bounds& bound
 }
 
 bool may_miss(const Candidate& candidate, const Bounds& bounds) {
-  return candidate.clip.gap >= -bounds.length;
+  return candidate.clip.gap >= -bounds.length || candidate.clip.slab_width <= bounds.length;
 }
 
 bool may_be_empty(const Candidate& candidate, const Bounds& bounds) {

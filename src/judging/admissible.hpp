@@ -43,7 +43,7 @@ Admissible admissible(const PairCase& pair, const Declaration& declaration);
 double position_bound(const truth::Clip& clip, const truth::ClipPoint& point, const Bounds& bounds);
 double depth_bound(const truth::Clip& clip, const truth::ClipPoint& point, const Bounds& bounds);
 
-/// Whether the incident edge misses the slab, or nearly.
+/// Whether the incident edge misses the slab, or nearly; or the slab is narrower than rounding.
 bool may_miss(const Candidate& candidate, const Bounds& bounds);
 
 /// Whether the clip may keep nothing: it may miss, or lies in front of the face, or nearly.
