@@ -6,9 +6,12 @@ extern const Command kCollide;
 extern const Command kFuzz;
 extern const Command kGenerate;
 extern const Command kList;
+extern const Command kProperty;
+extern const Command kReplay;
+extern const Command kShrink;
 
 std::span<const Command> commands() {
-  static const Command all[] = {kFuzz, kCollide, kGenerate, kList};
+  static const Command all[] = {kFuzz, kReplay, kProperty, kCollide, kGenerate, kShrink, kList};
   return all;
 }
 

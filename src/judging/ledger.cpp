@@ -26,17 +26,31 @@ bool no_contact_on_tied_features(const Deviation& d) {
   return misses_overlap(d) && (may_be_empty_from(d, Side::a) || may_be_empty_from(d, Side::b));
 }
 
-/// b2Vec2::Normalize leaves a vector shorter than b2_epsilon as it is.
+/// The reference face is too short for b2Vec2::Normalize, or shorter than world coordinates
+/// resolve.
 bool tiny_reference_face(const Deviation& d) {
+  const double unresolved =
+      std::max(d.right.bounds.length, 2.0 * std::numeric_limits<float>::epsilon());
   return std::any_of(d.right.candidates.begin(), d.right.candidates.end(), [&](const Candidate& c) {
     const ConvexPolygon<float>& polygon = d.pair[c.reference_side].polygon;
     const Vector2<float> face =
         polygon.vertices[polygon.next(c.reference)] - polygon.vertices[c.reference];
-    return face.norm() <= 2 * std::numeric_limits<float>::epsilon();
+    return static_cast<double>(face.norm()) <= unresolved;
   });
 }
 
 constexpr std::array kLedger{
+    LedgerEntry{.id = "box2d-tiny-reference-face",
+                .collider = "box2d",
+                .description =
+                    "a wrong normal or no contact: the reference face is shorter than b2_epsilon, "
+                    "so its direction is not normalised, or than world coordinates resolve",
+                .source =
+                    "Box2D 2.4.1, include/box2d/b2_math.h, b2Vec2::Normalize: "
+                    "`if (length < b2_epsilon) return 0.0f`; src/collision/b2_collide_polygon.cpp, "
+                    "b2CollidePolygons: side offsets of world vertices",
+                .witness = "defects/box2d/tiny-reference-face.json",
+                .explains = tiny_reference_face},
     LedgerEntry{.id = "box2d-no-contact-under-bias",
                 .collider = "box2d",
                 .description =
@@ -56,15 +70,6 @@ constexpr std::array kLedger{
                     "b2FindIncidentEdge: first of equals",
                 .witness = "defects/box2d/no-contact-on-tied-features.json",
                 .explains = no_contact_on_tied_features},
-    LedgerEntry{.id = "box2d-tiny-reference-face",
-                .collider = "box2d",
-                .description =
-                    "a normal that is not unit, hence wrong clips and depths: the reference face "
-                    "is shorter than b2_epsilon and is not normalised",
-                .source = "Box2D 2.4.1, include/box2d/b2_math.h, b2Vec2::Normalize: "
-                          "`if (length < b2_epsilon) return 0.0f`",
-                .witness = "defects/box2d/tiny-reference-face.json",
-                .explains = tiny_reference_face},
 };
 
 }  // namespace

@@ -1,0 +1,138 @@
+#include "campaign/property_run.hpp"
+
+#include <cstdlib>
+#include <memory>
+#include <ostream>
+#include <sstream>
+
+#include <rapidcheck.h>
+
+#include "cases/corpus.hpp"
+#include "cases/regime.hpp"
+#include "cases/shrink.hpp"
+#include "judging/judge.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// A case and the regime it was drawn from.
+struct Drawn {
+  std::string regime;
+  PairCase pair;
+};
+
+/// RapidCheck prints counterexamples with this; the line reads back bit for bit.
+void showValue(const Drawn& drawn, std::ostream& out) {
+  std::string line;
+  append_case_line(line, drawn.pair);
+  out << line;
+}
+
+bool fails_alike(const Outcome& outcome, const Outcome& root) {
+  constexpr double kMagnitudeShareKept = 0.5;
+  return outcome.kind == Outcome::Kind::fails && outcome.why == root.why &&
+         outcome.magnitude >= kMagnitudeShareKept * root.magnitude;
+}
+
+/// Simpler cases that fail in the root's way and no less: left alone, RapidCheck takes any failure,
+/// and slides a gross one to just above the tolerance.
+rc::Seq<Drawn> simpler(const Drawn& drawn, const Property& property, const Collider& collider,
+                       const Outcome& root) {
+  const auto alike = [&property, &collider, root](const PairCase& pair) {
+    return fails_alike(check(property, collider, pair), root);
+  };
+  return rc::seq::map(rc::seq::filter(simpler_cases(drawn.pair), alike),
+                      [regime = drawn.regime](PairCase&& pair) {
+                        return Drawn{regime, pair};
+                      });
+}
+
+/// Draws one seed and a regime, and lets the project's generator make the case of them.
+rc::Gen<Drawn> any_case(const Property& property, const Collider& collider,
+                        std::span<const PairCase> corpus) {
+  return [&property, &collider, corpus](const rc::Random& random, int) {
+    rc::Random stream = random;
+    const std::uint64_t seed = stream.next();
+    const Regime& regime = regimes()[stream.next() % regimes().size()];
+    Drawn root{std::string(regime.name), generate(seed, regime, 0, {corpus, {}})};
+    const auto outcome = std::make_shared<std::optional<Outcome>>();
+    const auto shrinks = [&property, &collider, outcome](const Drawn& drawn) {
+      if (!*outcome) *outcome = check(property, collider, drawn.pair);
+      return simpler(drawn, property, collider, **outcome);
+    };
+    return rc::shrinkable::shrinkRecur(root, shrinks);
+  };
+}
+
+std::string_view name_of(Outcome::Kind kind) {
+  switch (kind) {
+    case Outcome::Kind::holds:
+      return "holds";
+    case Outcome::Kind::not_applicable:
+      return "not applicable";
+    case Outcome::Kind::known:
+      return "known deviation";
+    default:
+      return "fails";
+  }
+}
+
+class Silence : public rc::detail::TestListener {
+ public:
+  void onTestCaseFinished(const rc::detail::CaseDescription&) override {}
+  void onShrinkTried(const rc::detail::CaseDescription&, bool) override {}
+  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+};
+
+/// Failures to repeat, from RC_PARAMS; RapidCheck prints a line of its own where that is unset.
+std::unordered_map<std::string, rc::detail::Reproduce> failures_to_repeat() {
+  if (std::getenv("RC_PARAMS") == nullptr) return {};
+  return rc::detail::configuration().reproduce;
+}
+
+void describe_failure(PropertyResult& result, const rc::detail::FailureResult& failure,
+                      const std::string& id, const Property& property, const Collider& collider) {
+  rc::detail::Configuration repeat;
+  repeat.reproduce[id] = failure.reproduce;
+  result.reproduce = rc::detail::configToMinimalString(repeat);
+  if (failure.counterExample.empty()) return;
+  const std::string& line = failure.counterExample.front().second;
+  result.failing = parse_case(line, FormatKey::optional).pair;
+  result.why = check(property, collider, *result.failing).why;
+}
+
+}  // namespace
+
+PropertyResult run_property(const Property& property, const Collider& collider,
+                            const PropertyPlan& plan) {
+  const auto testable = [&] {
+    const Drawn drawn = *any_case(property, collider, plan.corpus).as("case");
+    const Outcome outcome = check(property, collider, drawn.pair);
+    RC_TAG(drawn.regime, std::string(name_of(outcome.kind)));
+    const Standing where = standing(drawn.pair);
+    RC_CLASSIFY(where.touching, std::string("touching"));
+    if (outcome.kind == Outcome::Kind::fails) RC_FAIL(outcome.why);
+  };
+  rc::detail::TestParams params;
+  params.seed = plan.seed;
+  params.maxSuccess = plan.cases;
+  rc::detail::TestMetadata metadata;
+  metadata.id = collider.declaration.name + "/" + std::string(property.name);
+  metadata.description = std::string(property.sentence);
+  Silence silence;
+  const rc::detail::TestResult outcome = rc::detail::checkProperty(
+      rc::detail::toProperty(testable), metadata, params, silence, failures_to_repeat());
+
+  PropertyResult result;
+  result.passed = outcome.is<rc::detail::SuccessResult>();
+  std::ostringstream report;
+  rc::detail::printResultMessage(outcome, report);
+  result.report = report.str();
+  if (outcome.is<rc::detail::FailureResult>()) {
+    describe_failure(result, outcome.get<rc::detail::FailureResult>(), metadata.id, property,
+                     collider);
+  }
+  return result;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "geometry/collider.hpp"
+#include "judging/properties.hpp"
+
+namespace manifuzz {
+
+/// How to run a property: by RapidCheck, on the project's generator and shrink tree.
+struct PropertyPlan {
+  std::uint64_t seed = 0;
+  int cases = 1000;
+  std::span<const PairCase> corpus;  ///< what the regime `corpus` may mutate
+};
+
+struct PropertyResult {
+  bool passed = false;
+  std::string report;               ///< what RapidCheck says: the distribution, or the failure
+  std::optional<PairCase> failing;  ///< the smallest found
+  std::string why;
+  std::string reproduce;  ///< a value of RC_PARAMS that repeats the failure
+};
+
+PropertyResult run_property(const Property& property, const Collider& collider,
+                            const PropertyPlan& plan);
+
+}  // namespace manifuzz

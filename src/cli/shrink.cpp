@@ -1,0 +1,72 @@
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "campaign/findings.hpp"
+#include "campaign/guarded.hpp"
+#include "cases/file.hpp"
+#include "cases/user_error.hpp"
+#include "cli/colliders.hpp"
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+
+namespace manifuzz {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string subject = "clip";
+  std::string oracle = "box2d";
+  std::string output = "-";
+};
+
+int shrink_file(const Options& options) {
+  const Collider subject = find_collider(options.subject);
+  const Collider oracle = find_collider(options.oracle);
+  const CorpusCase given = read_case_file(options.file);
+  Interruption interruption;
+  const Judgement root = judge_guarded(given.pair, subject, oracle, interruption);
+  if (root.bucket.verdict == Verdict::agree) {
+    throw UserError(
+        fmt::format("{}: {} and {} agree on it; a case on which they differ is expected",
+                    options.file, options.subject, options.oracle));
+  }
+  const PairCase smallest = shrink_finding(given.pair, subject, oracle, interruption);
+  const Judgement judgement = judge_guarded(smallest, subject, oracle, interruption);
+  CorpusCase shrunk = recorded_case(smallest, judgement, subject, oracle);
+  shrunk.found = given.found;
+  if (options.output != "-") {
+    write_file(options.output, format_case(shrunk));
+    return 0;
+  }
+  Output out;
+  out.write(format_case(shrunk));
+  out.flush();
+  return 0;
+}
+
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("file", options->file, "a case, - for stdin")->type_name("FILE")->required();
+  app.add_option("--subject", options->subject, "the collider under test")
+      ->type_name("C")
+      ->capture_default_str();
+  app.add_option("--oracle", options->oracle, "the collider it is held against")
+      ->type_name("C")
+      ->capture_default_str();
+  app.add_option("--output", options->output, "where the smallest case goes, - for stdout")
+      ->type_name("FILE")
+      ->capture_default_str();
+  return [options] { return shrink_file(*options); };
+}
+
+}  // namespace
+
+extern const Command kShrink;
+const Command kShrink{"shrink",
+                      "The smallest case with the same verdict, bucket and half the magnitude.",
+                      "manifuzz shrink case.json --output smallest.json", define};
+
+}  // namespace manifuzz

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "judging/admissible.hpp"
+#include "judging/properties.hpp"
+
+namespace manifuzz {
+
+/// What a property asks of a collider, remembered so that the ledger can be asked in turn.
+class Inquiry {
+ public:
+  explicit Inquiry(const Collider& collider) : collider_(collider) {}
+
+  const Collider& collider() const { return collider_; }
+  const Declaration& declaration() const { return collider_.declaration; }
+  const std::vector<PairCase>& asked() const { return asked_; }
+
+  /// Its manifold, or none where it does not take the case.
+  std::optional<Manifold<double>> manifold(const PairCase& pair) {
+    asked_.push_back(pair);
+    const Answer answer = collider_.collide(pair);
+    const auto* found = std::get_if<Manifold<double>>(&answer);
+    return found ? std::optional(*found) : std::nullopt;
+  }
+
+ private:
+  const Collider& collider_;
+  std::vector<PairCase> asked_;
+};
+
+inline Outcome holds() {
+  return {};
+}
+inline Outcome not_applicable() {
+  return {.kind = Outcome::Kind::not_applicable, .why = {}};
+}
+inline Outcome fails(std::string why, double magnitude) {
+  return {.kind = Outcome::Kind::fails, .why = std::move(why), .magnitude = magnitude};
+}
+
+/// What is right for this collider, if nothing that decides it is within bound: one reference face
+/// by a clear lead, one incident edge, both ends clearly kept, clipped or dropped.
+std::optional<Admissible> decided(const PairCase& pair, const Declaration& declaration);
+
+/// How far two right manifolds of one case may lie apart: the sum of both bounds.
+struct Tolerance {
+  double normal = 0;
+  double position = 0;
+  double depth = 0;
+};
+Tolerance tolerance(const Admissible& right);
+
+enum class Features { compared, ignored };
+
+/// Holds where both manifolds, given in one frame, are the same within the tolerance.
+Outcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
+                      const Manifold<double>& got, const Tolerance& within, Features features);
+
+// The properties, by what they are about.
+Outcome swapping_mirrors(Inquiry& ask, const PairCase& pair);
+Outcome renumbering_changes_features_only(Inquiry& ask, const PairCase& pair);
+Outcome quarter_turns_move(Inquiry& ask, const PairCase& pair);
+Outcome translations_move(Inquiry& ask, const PairCase& pair);
+Outcome powers_of_two_scale(Inquiry& ask, const PairCase& pair);
+Outcome given_normal_agrees(Inquiry& ask, const PairCase& pair);
+Outcome points_lie_where_they_say(Inquiry& ask, const PairCase& pair);
+Outcome depth_is_the_overlap(Inquiry& ask, const PairCase& pair);
+Outcome depth_moves_apart(Inquiry& ask, const PairCase& pair);
+Outcome float_and_double_agree(Inquiry& ask, const PairCase& pair);
+Outcome overlap_is_never_empty(Inquiry& ask, const PairCase& pair);
+Outcome manifold_is_admissible(Inquiry& ask, const PairCase& pair);
+
+}  // namespace manifuzz

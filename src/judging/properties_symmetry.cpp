@@ -1,0 +1,162 @@
+#include <cmath>
+#include <optional>
+
+#include "judging/inquiry.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// A point of B's frame in A's, the positions subtracted first.
+Vector2<double> from_b_to_a(const PairCase& pair, const Vector2<double>& local_of_b) {
+  using truth::Real;
+  const Vector2<Real> rotation_a = pair.a.pose.rotation.cast<Real>();
+  const Vector2<Real> apart = pair.b.pose.position.cast<Real>() - pair.a.pose.position.cast<Real>();
+  const Vector2<Real> from_a =
+      rotate<Real>(pair.b.pose.rotation.cast<Real>(), local_of_b.cast<Real>()) + apart;
+  const Vector2<Real> local = rotate_back(rotation_a, from_a) / rotation_a.dot(rotation_a);
+  return local.cast<double>();
+}
+
+/// A unit direction of B's frame in A's.
+Vector2<double> turned_from_b_to_a(const PairCase& pair, const Vector2<double>& direction) {
+  const Vector2<double> world = rotate<double>(pair.b.pose.rotation.cast<double>(), direction);
+  const Vector2<double> local = rotate_back<double>(pair.a.pose.rotation.cast<double>(), world);
+  return local / local.norm();
+}
+
+/// A manifold of the swapped pair as one of the pair itself.
+Manifold<double> swapped_back(const PairCase& pair, Manifold<double> manifold) {
+  manifold.reference = other(manifold.reference);
+  manifold.normal = -turned_from_b_to_a(pair, manifold.normal);
+  for (int i = 0; i < manifold.count; ++i) {
+    auto& point = manifold.points[i];
+    point.position = from_b_to_a(pair, point.position);
+    std::swap(point.features.a, point.features.b);
+  }
+  return manifold;
+}
+
+ConvexPolygon<float> renumbered(const ConvexPolygon<float>& polygon) {
+  ConvexPolygon<float> shifted = polygon;
+  for (int i = 0; i < polygon.count; ++i) {
+    shifted.vertices[i] = polygon.vertices[polygon.next(i)];
+    shifted.normals[i] = polygon.normals[polygon.next(i)];
+  }
+  return shifted;
+}
+
+/// Asks for both, and compares what `back` makes of the second with the first.
+template <class Back>
+Outcome compare_moved(Inquiry& ask, const PairCase& pair, const PairCase& moved, Features features,
+                      Back back) {
+  const auto right = decided(pair, ask.declaration());
+  const auto right_moved = decided(moved, ask.declaration());
+  if (!right || !right_moved) return not_applicable();
+  const auto here = ask.manifold(pair);
+  const auto there = ask.manifold(moved);
+  if (!here || !there) return not_applicable();
+  const Tolerance p = tolerance(*right);
+  const Tolerance q = tolerance(*right_moved);
+  const Tolerance within{(p.normal + q.normal) / 2, (p.position + q.position) / 2,
+                         (p.depth + q.depth) / 2};
+  return same_manifold(pair, *here, back(*there), within, features);
+}
+
+Vector2<float> quarter_turned(const Vector2<float>& v) {
+  return counter_clockwise_quarter(v);
+}
+
+/// `by` added to both coordinates, if every bit of the sum fits a float.
+std::optional<Vector2<float>> translated(const Vector2<float>& v, float by) {
+  const Vector2<float> sum = v + Vector2<float>(by, by);
+  for (int i = 0; i < 2; ++i) {
+    const double exact = static_cast<double>(v[i]) + static_cast<double>(by);
+    if (static_cast<double>(sum[i]) != exact || !std::isfinite(sum[i])) return std::nullopt;
+  }
+  return sum;
+}
+
+Body scaled(const Body& body, float factor) {
+  Body result = body;
+  for (int i = 0; i < body.polygon.count; ++i) result.polygon.vertices[i] *= factor;
+  result.polygon.radius *= factor;
+  result.pose.position *= factor;
+  return result;
+}
+
+/// Far enough from the ends of the range that no product of two numbers leaves it when scaled.
+bool is_in_mid_range(const Body& body) {
+  const auto in_range = [](float x) {
+    const float magnitude = std::abs(x);
+    return magnitude == 0 || (magnitude > 0x1p-24F && magnitude < 0x1p24F);
+  };
+  const auto both = [&](const Vector2<float>& v) { return in_range(v.x()) && in_range(v.y()); };
+  const auto corners = body.polygon.corners();
+  return std::all_of(corners.begin(), corners.end(), both) && both(body.pose.position) &&
+         both(body.pose.rotation) && in_range(body.polygon.radius);
+}
+
+}  // namespace
+
+Outcome swapping_mirrors(Inquiry& ask, const PairCase& pair) {
+  return compare_moved(ask, pair, {pair.b, pair.a}, Features::compared,
+                       [&](const Manifold<double>& m) { return swapped_back(pair, m); });
+}
+
+Outcome renumbering_changes_features_only(Inquiry& ask, const PairCase& pair) {
+  PairCase other_numbers = pair;
+  other_numbers.a.polygon = renumbered(pair.a.polygon);
+  other_numbers.b.polygon = renumbered(pair.b.polygon);
+  return compare_moved(ask, pair, other_numbers, Features::ignored,
+                       [](const Manifold<double>& m) { return m; });
+}
+
+Outcome quarter_turns_move(Inquiry& ask, const PairCase& pair) {
+  PairCase turned = pair;
+  for (const Side side : {Side::a, Side::b}) {
+    turned[side].pose = {quarter_turned(pair[side].pose.position),
+                         quarter_turned(pair[side].pose.rotation)};
+  }
+  return compare_moved(ask, pair, turned, Features::compared,
+                       [](const Manifold<double>& m) { return m; });
+}
+
+Outcome translations_move(Inquiry& ask, const PairCase& pair) {
+  PairCase moved = pair;
+  for (const float by : {4096.0F, 64.0F, 1.0F, 0.015625F}) {
+    const auto a = translated(pair.a.pose.position, by);
+    const auto b = translated(pair.b.pose.position, by);
+    if (!a || !b) continue;
+    moved.a.pose.position = *a;
+    moved.b.pose.position = *b;
+    return compare_moved(ask, pair, moved, Features::compared,
+                         [](const Manifold<double>& m) { return m; });
+  }
+  return not_applicable();
+}
+
+Outcome powers_of_two_scale(Inquiry& ask, const PairCase& pair) {
+  const double bias = ask.declaration().tie_bias;
+  if (!is_in_mid_range(pair.a) || !is_in_mid_range(pair.b)) return not_applicable();
+  if (bias != 0 && !ask.collider().with_tie_bias) return not_applicable();
+  const auto here = ask.manifold(pair);
+  if (!here) return not_applicable();
+  for (const float factor : {0x1p-12F, 0x1p9F}) {
+    const double scale = static_cast<double>(factor);
+    const Collider collider =
+        bias == 0 ? ask.collider() : ask.collider().with_tie_bias(bias * scale);
+    const Answer there = collider.collide({scaled(pair.a, factor), scaled(pair.b, factor)});
+    Manifold<double> expected = *here;
+    for (int i = 0; i < expected.count; ++i) {
+      expected.points[i].position *= scale;
+      expected.points[i].depth *= scale;
+    }
+    if (!std::holds_alternative<Manifold<double>>(there)) return not_applicable();
+    if (std::get<Manifold<double>>(there) != expected) {
+      return fails("another manifold when scaled", 1);
+    }
+  }
+  return holds();
+}
+
+}  // namespace manifuzz
