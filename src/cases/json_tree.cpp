@@ -47,32 +47,41 @@ std::string path_of(const Json& root, const Json& value) {
   return fmt::format("${}", steps_to(root, &value).value_or(""));
 }
 
-/// "line 3, column 17" of the byte at `position`, counted from 1.
+/// "line 3, column 17" of the byte at `position`, counted from 1; "column 17" of a single line.
 std::string place_of(std::string_view text, std::size_t position) {
   const std::string_view before = text.substr(0, position > 0 ? position - 1 : 0);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::size_t last_end = before.rfind('\n');
   const std::size_t start = last_end == std::string_view::npos ? 0 : last_end + 1;
-  return fmt::format("line {}, column {}", line, before.size() - start + 1);
+  const std::size_t column = before.size() - start + 1;
+  if (line == 1 && text.find('\n') == std::string_view::npos)
+    return fmt::format("column {}", column);
+  return fmt::format("line {}, column {}", line, column);
 }
 
-bool is_no_number(std::string_view token) {
-  const std::size_t sign = token.starts_with('-') || token.starts_with('+') ? 1 : 0;
-  const std::string_view word = token.substr(sign);
-  return word.starts_with('N') || word.starts_with('I') || word.starts_with('i') ||
-         word.starts_with("na");
+/// The word around the byte at `position`, counted from 1.
+std::string_view word_at(std::string_view text, std::size_t position) {
+  constexpr std::string_view delimiters = " \t\r\n,:[]{}\"";
+  const std::string_view before = text.substr(0, position > 0 ? position - 1 : 0);
+  const std::size_t start = before.find_last_of(delimiters) + 1;  // npos + 1 is 0
+  return text.substr(start, text.find_first_of(delimiters, start) - start);
+}
+
+bool is_no_number(std::string_view word) {
+  const bool has_sign = word.starts_with('-') || word.starts_with('+');
+  const std::string_view name = word.substr(has_sign ? 1 : 0);
+  return name == "NaN" || name == "nan" || name.starts_with("Inf") || name.starts_with("inf");
 }
 
 /// What the parser says, without its own prefix and without the raw bytes it read last.
-std::string syntax_error(std::string_view token, std::string_view what) {
-  if (is_no_number(token)) return "not JSON: numbers must be finite, NaN and Infinity are not";
+std::string syntax_error(std::string_view word, std::string_view what) {
+  if (is_no_number(word)) return "not JSON: numbers must be finite, NaN and Infinity are not";
   const std::size_t start = what.find("syntax error");
-  std::string_view reason = start == std::string_view::npos ? what : what.substr(start);
+  const std::string_view reason = start == std::string_view::npos ? what : what.substr(start);
   const std::size_t raw = reason.find("; last read: ");
   if (raw == std::string_view::npos) return fmt::format("not JSON: {}", printable(reason, 200));
-  reason = reason.substr(0, raw);
   return fmt::format("not JSON: {} at '{}'; UTF-8 text with one JSON object is expected",
-                     printable(reason, 200), printable(token, 20));
+                     printable(reason.substr(0, raw), 200), printable(word, 20));
 }
 
 /// Builds the tree from the parser's events, and stops at what JSON would let pass.
@@ -113,7 +122,8 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
       error_ = fmt::format("{}: {} is beyond the largest number; magnitudes must be below 3.4e38",
                            next_path(), printable(token));
     } else {
-      error_ = fmt::format("{}: {}", place_of(text_, position), syntax_error(token, error.what()));
+      error_ = fmt::format("{}: {}", place_of(text_, position),
+                           syntax_error(word_at(text_, position), error.what()));
     }
     return false;
   }

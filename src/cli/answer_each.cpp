@@ -26,7 +26,10 @@ class AnswerWriter {
     try {
       answer_(read(), line_);
     } catch (const UserError& error) {
-      if (bad_++ == 0) first_error_ = fmt::format("{}: {}", line_number, error.what());
+      if (bad_++ == 0) {
+        first_bad_line_ = line_number;
+        first_error_ = error.what();
+      }
       line_ = "{\"error\": ";
       append_string(line_, error.what());
       fmt::format_to(std::back_inserter(line_), ", \"line\": {}}}", line_number);
@@ -36,13 +39,14 @@ class AnswerWriter {
 
   void flush() { out_.flush(); }
 
-  /// To be called once, at the end.
-  void finish(const std::string& file_name) {
+  /// To be called once, at the end; `numbered` where the line helps to find the error.
+  void finish(const std::string& file_name, bool numbered) {
     flush();
     if (lines_ == 0) throw UserError(file_name + ": is empty; one case a line is expected");
     if (bad_ == 0) return;
-    throw UserError(
-        fmt::format("{}:{} ({} of {} cases bad)", file_name, first_error_, bad_, lines_));
+    const std::string line = numbered ? fmt::format(":{}", first_bad_line_) : "";
+    const std::string count = numbered ? fmt::format(" ({} bad of {})", bad_, lines_) : "";
+    throw UserError(fmt::format("{}{}: {}{}", file_name, line, first_error_, count));
   }
 
  private:
@@ -51,6 +55,7 @@ class AnswerWriter {
   std::string line_;
   std::size_t lines_ = 0;
   std::size_t bad_ = 0;
+  std::size_t first_bad_line_ = 0;
   std::string first_error_;
 };
 
@@ -59,7 +64,8 @@ class AnswerWriter {
 void answer_each(const std::string& path, const AnswerCase& answer) {
   InputFile file(path);
   AnswerWriter answers(answer);
-  if (path.ends_with(".json")) {
+  const bool is_one_case = path.ends_with(".json");
+  if (is_one_case) {
     const std::string text = file.read_all();
     answers.write(1, [&] { return parse_case(text, FormatKey::required).pair; });
   } else {
@@ -68,7 +74,7 @@ void answer_each(const std::string& path, const AnswerCase& answer) {
       if (!line->is_blank()) answers.write(line->number, [&] { return parse_line(*line).pair; });
     }
   }
-  answers.finish(file.name());
+  answers.finish(file.name(), !is_one_case);
 }
 
 }  // namespace manifuzz

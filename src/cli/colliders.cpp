@@ -35,8 +35,8 @@ Collider find_collider(std::string_view name, std::optional<double> tie_bias) {
   Collider collider = entry->make();
   if (!tie_bias) return collider;
   if (!collider.with_tie_bias) {
-    throw UserError(
-        fmt::format("--tie-bias: that of {} is fixed at {}", name, collider.declaration.tie_bias));
+    throw UserError(fmt::format("--tie-bias: that of {} is fixed at {:g}", name,
+                                collider.declaration.tie_bias));
   }
   return collider.with_tie_bias(*tie_bias);
 }

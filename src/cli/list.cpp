@@ -19,7 +19,7 @@ std::string list_colliders() {
   for (const auto& entry : colliders()) {
     const Declaration says = entry.make().declaration;
     lines += fmt::format(
-        "{:<10} {} ({}, {}, rounds in the {} frame, tie bias {}, up to {} vertices)\n", says.name,
+        "{:<10} {} ({}, {}, rounds in the {} frame, tie bias {:g}, up to {} vertices)\n", says.name,
         says.description, says.version, says.scalar == ScalarType::float32 ? "float" : "double",
         says.frame == RoundingFrame::local ? "pair's" : "world's", says.tie_bias,
         says.max_vertices);

@@ -3,9 +3,12 @@
 #include <exception>
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
@@ -22,20 +25,41 @@ int complain(std::string_view what) {
   return kBadUsage;
 }
 
+int complain_of_command(const CLI::App& app) {
+  const auto words = app.remaining();
+  const bool is_word = !words.empty() && !words[0].starts_with('-');
+  const std::string wrong = words.empty() ? std::string("a command is missing")
+                            : is_word ? fmt::format("there is no command '{}'", printable(words[0]))
+                                      : fmt::format("there is no option '{}'", printable(words[0]));
+  std::vector<std::string_view> names;
+  for (const Command& command : commands()) names.push_back(command.name);
+  return complain(
+      fmt::format("{}; the commands are {}; try manifuzz --help", wrong, fmt::join(names, ", ")));
+}
+
 /// Help goes to stdout; what cannot be parsed gives one line on stderr.
 int answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
-  const auto used = app.get_subcommands();
   if (error.get_exit_code() == 0) {
     const bool is_version = dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr;
     Output out;
-    out.write(is_version ? error.what() + std::string("\n")
-                         : (used.empty() ? &app : used[0])->help());
+    out.write(is_version ? error.what() + std::string("\n") : app.help());
     out.flush();
     return 0;
   }
-  const std::string what = printable(error.what(), 300);
-  if (used.empty()) return complain(what + "; try manifuzz --help");
-  return complain(fmt::format("{0}: {1}; try manifuzz {0} --help", used[0]->get_name(), what));
+  const auto used = app.get_subcommands();
+  if (used.empty()) return complain_of_command(app);
+  return complain(fmt::format("{0}: {1}; try manifuzz {0} --help", used[0]->get_name(),
+                              printable(error.what(), 300)));
+}
+
+/// Indented, a command line each.
+std::string help_on_example(std::string_view example) {
+  std::string text = "Example:\n  ";
+  for (const char c : example) {
+    text += c;
+    if (c == '\n') text += "  ";
+  }
+  return text + "\n";
 }
 
 int run(int argc, char** argv) {
@@ -46,7 +70,7 @@ int run(int argc, char** argv) {
   for (const Command& command : commands()) {
     CLI::App* const sub =
         app.add_subcommand(std::string(command.name), std::string(command.summary));
-    sub->footer(fmt::format("Example:\n{}\n", command.example));
+    sub->footer(help_on_example(command.example));
     runs[sub] = command.define(*sub);
   }
   try {

@@ -1,0 +1,111 @@
+#include "support/run_program.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <spawn.h>
+#include <stdexcept>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace manifuzz::test {
+namespace {
+
+void check(bool done, const char* doing) {
+  if (!done) throw std::system_error(errno, std::generic_category(), doing);
+}
+
+/// A file without a name, so that nobody has to read while the other writes.
+class ScratchFile {
+ public:
+  ScratchFile() : descriptor_(memfd_create("scratch", MFD_CLOEXEC)) {
+    check(descriptor_ >= 0, "memfd_create");
+  }
+  ~ScratchFile() { close(descriptor_); }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+
+  int descriptor() const { return descriptor_; }
+
+  void fill(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t written = write(descriptor_, text.data(), text.size());
+      check(written >= 0, "write");
+      text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    rewind();
+  }
+
+  std::string content() {
+    rewind();
+    std::string text;
+    char chunk[4096];
+    while (true) {
+      const ssize_t count = read(descriptor_, chunk, sizeof chunk);
+      check(count >= 0, "read");
+      if (count == 0) return text;
+      text.append(chunk, static_cast<std::size_t>(count));
+    }
+  }
+
+ private:
+  void rewind() { check(lseek(descriptor_, 0, SEEK_SET) == 0, "lseek"); }
+
+  int descriptor_;
+};
+
+}  // namespace
+
+Outcome run_program(const std::vector<std::string>& command, std::string_view input) {
+  ScratchFile in;
+  ScratchFile out;
+  ScratchFile err;
+  in.fill(input);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, in.descriptor(), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, out.descriptor(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, err.descriptor(), STDERR_FILENO);
+  std::vector<char*> arguments;
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  pid_t child = 0;
+  errno = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  check(errno == 0, arguments[0]);
+  int status = 0;
+  check(waitpid(child, &status, 0) == child, "waitpid");
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), out.content(),
+          err.content()};
+}
+
+Outcome run_manifuzz(std::vector<std::string> arguments, std::string_view input) {
+  arguments.insert(arguments.begin(), manifuzz_path());
+  return run_program(arguments, input);
+}
+
+std::string manifuzz_path() {
+  return MANIFUZZ_PROGRAM;
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) throw std::invalid_argument("the last line has no end");
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  return lines;
+}
+
+bool is_one_clear_line(std::string_view text) {
+  if (text.size() < 2 || text.back() != '\n') return false;
+  text.remove_suffix(1);
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+}  // namespace manifuzz::test

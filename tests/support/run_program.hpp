@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace manifuzz::test {
+
+/// How a program ended and what it wrote.
+struct Outcome {
+  int status = 0;  ///< the exit status, or 128 + the signal that ended it
+  std::string out;
+  std::string err;
+};
+
+/// Runs a command (looked up in PATH unless it has a slash) with `input` on its standard input.
+Outcome run_program(const std::vector<std::string>& command, std::string_view input = {});
+
+/// Runs the built manifuzz.
+Outcome run_manifuzz(std::vector<std::string> arguments, std::string_view input = {});
+
+/// The path of the built manifuzz.
+std::string manifuzz_path();
+
+/// The lines of a text; each must have its end.
+std::vector<std::string> lines_of(std::string_view text);
+
+/// Whether `text` is one line of printable ASCII with its end: what an error looks like.
+bool is_one_clear_line(std::string_view text);
+
+}  // namespace manifuzz::test

@@ -1,0 +1,152 @@
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "support/bad_cases.hpp"
+#include "support/named_tests.hpp"
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace manifuzz::test;
+
+namespace {
+
+Outcome collide(const std::string& input) {
+  return run_manifuzz({"collide", "--collider", "clip"}, input);
+}
+
+Outcome collide_file(const std::string& path) {
+  return run_manifuzz({"collide", "--collider", "clip", path});
+}
+
+/// Nothing but one clear line on stderr, which contains `complaint`, and status 2.
+void check_refused(const Outcome& outcome, const std::string& complaint) {
+  INFO(outcome.err);
+  CHECK(outcome.status == 2);
+  CHECK(outcome.out.empty());
+  CHECK(is_one_clear_line(outcome.err));
+  CHECK(outcome.err.find(complaint) != std::string::npos);
+}
+
+/// The error's line stands for the bad case at `line`.
+void check_error_line(const std::string& text, int line, const std::string& complaint) {
+  INFO(text);
+  const auto answer = nlohmann::json::parse(text, nullptr, false);
+  REQUIRE(answer.is_object());
+  CHECK(answer.size() == 2);
+  CHECK(answer.value("error", "").find(complaint) != std::string::npos);
+  CHECK(answer.value("line", 0) == line);
+}
+
+void check_as_line(const BadCase& row) {
+  const Outcome plain = collide(good_case() + "\n");
+  REQUIRE(plain.status == 0);
+  const Outcome outcome = collide(good_case() + "\n" + row.text + "\n" + good_case() + "\n");
+  INFO(outcome.err);
+  CHECK(outcome.status == 2);
+  CHECK(is_one_clear_line(outcome.err));
+  CHECK(outcome.err.starts_with("manifuzz: stdin:2: "));
+  CHECK(outcome.err.find(row.complaint) != std::string::npos);
+  CHECK(outcome.err.find("(1 bad of 3)") != std::string::npos);
+  const auto lines = lines_of(outcome.out);
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[0] + "\n" == plain.out);
+  CHECK(lines[2] + "\n" == plain.out);
+  check_error_line(lines[1], 2, row.complaint);
+}
+
+void check_as_file(const BadCase& row) {
+  const TemporaryFolder folder;
+  const Outcome outcome = collide_file(folder.write("case.json", row.text));
+  INFO(outcome.err);
+  CHECK(outcome.status == 2);
+  CHECK(is_one_clear_line(outcome.err));
+  CHECK(outcome.err.find("/case.json: ") != std::string::npos);
+  CHECK(outcome.err.find(row.complaint) != std::string::npos);
+}
+
+[[maybe_unused]] const bool registered = [] {
+  for (const auto& row : bad_cases()) {
+    add_test("collide refuses " + row.name, "[bad-input]", [&row] {
+      check_as_line(row);
+      check_as_file(row);
+    });
+  }
+  return true;
+}();
+
+}  // namespace
+
+TEST_CASE("collide refuses an empty input", "[bad-input]") {
+  check_refused(collide(""), "stdin: is empty; one case a line is expected");
+}
+
+TEST_CASE("collide refuses blank lines alone", "[bad-input]") {
+  check_refused(collide("\n \t\n\r\n"), "is empty");
+}
+
+TEST_CASE("collide refuses an empty file", "[bad-input]") {
+  const TemporaryFolder folder;
+  check_refused(collide_file(folder.write("a.jsonl", "")), "a.jsonl: is empty");
+  const Outcome outcome = collide_file(folder.write("a.json", ""));
+  CHECK(outcome.status == 2);
+  CHECK(is_one_clear_line(outcome.err));
+}
+
+TEST_CASE("collide refuses a folder", "[bad-input]") {
+  const TemporaryFolder folder;
+  check_refused(collide_file(folder.path()), "is a folder; a file is expected");
+  std::filesystem::create_directory(folder.path() / "a.json");
+  check_refused(collide_file(folder.path() / "a.json"), "is a folder; a file is expected");
+}
+
+TEST_CASE("collide refuses a file that is not there", "[bad-input]") {
+  check_refused(collide_file("/nowhere/a.json"), "/nowhere/a.json: cannot open it: No such file");
+}
+
+TEST_CASE("collide refuses a file without permission", "[bad-input]") {
+  if (geteuid() == 0) {
+    WARN("skipped: root may read everything");
+    return;
+  }
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.jsonl", good_case());
+  chmod(path.c_str(), 0);
+  check_refused(collide_file(path), "Permission denied");
+}
+
+TEST_CASE("collide escapes the odd name of a file", "[bad-input]") {
+  check_refused(collide_file("/nowhere/\x1b[31m\n.json"), "\\x1b[31m\\x0a");
+}
+
+TEST_CASE("collide refuses a binary file of many lines", "[bad-input]") {
+  std::string noise;
+  for (unsigned i = 1; i < 100000; ++i) noise += static_cast<char>(i * 2654435761U >> 24);
+  const Outcome outcome = collide(noise);
+  CHECK(outcome.status == 2);
+  CHECK(is_one_clear_line(outcome.err));
+  for (const auto& line : lines_of(outcome.out)) CHECK(is_one_clear_line(line + "\n"));
+}
+
+TEST_CASE("collide refuses a case file that does not name its format", "[bad-input]") {
+  const std::string text =
+      R"({"a": {"vertices": [[0,0],[1,0],[0,1]]}, "b": {"vertices": [[0,0],[1,0],[0,1]]}})";
+  CHECK(collide(text).status == 0);
+  const TemporaryFolder folder;
+  const Outcome outcome = collide_file(folder.write("a.json", text));
+  CHECK(outcome.status == 2);
+  CHECK(is_one_clear_line(outcome.err));
+  CHECK(outcome.err.find("\"format\" is missing") != std::string::npos);
+}
+
+TEST_CASE("collide says where numbers overflow in the collider", "[bad-input]") {
+  const std::string huge = R"({"a": {"vertices": [[-3e38,-3e38],[3e38,-3e38],[0,3e38]]}, )"
+                           R"("b": {"vertices": [[-3e38,-3e38],[3e38,-3e38],[0,3e38]]}})";
+  const Outcome outcome = collide(huge);
+  INFO(outcome.out << outcome.err);
+  for (const auto& line : lines_of(outcome.out)) CHECK(line.find("null") == std::string::npos);
+  CHECK((outcome.status == 0 || outcome.err.find("not finite") != std::string::npos));
+}

@@ -1,0 +1,206 @@
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "cli/commands.hpp"
+#include "support/bad_cases.hpp"
+#include "support/named_tests.hpp"
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace manifuzz::test;
+
+namespace {
+
+struct BadUsage {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::string complaint;
+};
+
+const std::vector<BadUsage>& bad_usages() {
+  static const std::vector<BadUsage> all = {
+      {"no command", {}, "a command is missing; the commands are"},
+      {"an unknown command", {"colide"}, "there is no command 'colide'; the commands are"},
+      {"an unknown option before the command", {"--fast"}, "there is no option '--fast'"},
+      {"an unknown option", {"generate", "--fast"}, "--fast"},
+      {"a word too many", {"list", "regimes", "now"}, "now"},
+      {"list of nothing", {"list"}, "WHAT is required"},
+      {"list of an unknown thing", {"list", "wheels"}, "no 'wheels'"},
+      {"no collider", {"collide"}, "--collider is required"},
+      {"an unknown collider",
+       {"collide", "--collider", "clop"},
+       "no collider 'clop'; there are clip,"},
+      {"a negative tie bias",
+       {"collide", "--collider", "clip", "--tie-bias", "-1"},
+       "--tie-bias: '-1'"},
+      {"a tie bias beyond double",
+       {"collide", "--collider", "clip", "--tie-bias", "1e999"},
+       "'1e999'"},
+      {"a tie bias that is no number",
+       {"collide", "--collider", "clip", "--tie-bias", "nan"},
+       "'nan'"},
+      {"a tie bias for Box2D", {"collide", "--collider", "box2d", "--tie-bias", "0"}, "is fixed"},
+      {"two files", {"collide", "--collider", "clip", "a.jsonl", "b.jsonl"}, "b.jsonl"},
+      {"an unknown regime",
+       {"generate", "--regime", "genric"},
+       "no regime 'genric'; there are generic,"},
+      {"negative cases",
+       {"generate", "--cases", "-5"},
+       "--cases: '-5' is not a whole number from 1"},
+      {"no cases", {"generate", "--cases", "0"}, "--cases: '0'"},
+      {"fractional cases", {"generate", "--cases", "1.5"}, "--cases: '1.5'"},
+      {"cases in powers", {"generate", "--cases", "1e6"}, "--cases: '1e6'"},
+      {"an empty number", {"generate", "--cases", ""}, "--cases: ''"},
+      {"a seed of 2^64",
+       {"generate", "--seed", "18446744073709551616"},
+       "--seed: '184467440737095516"},
+      {"a negative seed", {"generate", "--seed", "-1"}, "--seed: '-1'"},
+      {"a seed in odd bytes", {"generate", "--seed", "\x1b[31m1\n"}, "\\x1b[31m1\\x0a"},
+      {"indices that pass 2^64",
+       {"generate", "--seed", "1", "--regime", "generic", "--first", "18446744073709551615",
+        "--cases", "2"},
+       "--first"},
+  };
+  return all;
+}
+
+[[maybe_unused]] const bool registered = [] {
+  for (const auto& row : bad_usages()) {
+    add_test("the command line refuses " + row.name, "[usage]", [&row] {
+      const Outcome outcome = run_manifuzz(row.arguments);
+      INFO(outcome.err);
+      CHECK(outcome.status == 2);
+      CHECK(outcome.out.empty());
+      CHECK(is_one_clear_line(outcome.err));
+      CHECK(outcome.err.find(row.complaint) != std::string::npos);
+    });
+  }
+  for (const auto& command : manifuzz::commands()) {
+    const std::string name(command.name);
+    add_test("help on " + name + " has an example", "[usage]", [name] {
+      const Outcome outcome = run_manifuzz({name, "--help"});
+      CHECK(outcome.status == 0);
+      CHECK(outcome.err.empty());
+      CHECK(outcome.out.find("Usage: manifuzz " + name) != std::string::npos);
+      CHECK(outcome.out.find("Example:\n  ") != std::string::npos);
+    });
+  }
+  return true;
+}();
+
+Outcome generate(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "generate");
+  return run_manifuzz(arguments);
+}
+
+Outcome shell(const std::string& script) {
+  return run_program({"/bin/sh", "-c", script, manifuzz_path()});
+}
+
+}  // namespace
+
+TEST_CASE("Help and version go to stdout") {
+  const Outcome help = run_manifuzz({"--help"});
+  CHECK(help.status == 0);
+  for (const auto& command : manifuzz::commands()) {
+    CHECK(help.out.find("\n  " + std::string(command.name) + " ") != std::string::npos);
+  }
+  CHECK(run_manifuzz({"--version"}).out.starts_with("manifuzz "));
+}
+
+TEST_CASE("list has a line for each collider and regime") {
+  const auto colliders = lines_of(run_manifuzz({"list", "colliders"}).out);
+  REQUIRE(colliders.size() >= 3);
+  CHECK(colliders[0].starts_with("clip "));
+  const auto regimes = lines_of(run_manifuzz({"list", "regimes"}).out);
+  REQUIRE(regimes.size() >= 2);
+  CHECK(regimes[0].starts_with("generic "));
+}
+
+TEST_CASE("A case is a function of seed, regime and index") {
+  const auto all = lines_of(generate({"--seed", "7", "--regime", "boxes", "--cases", "6"}).out);
+  REQUIRE(all.size() == 6);
+  CHECK(generate({"--seed", "7", "--regime", "boxes", "--first", "4", "--cases", "1"}).out ==
+        all[4] + "\n");
+  const auto turns = lines_of(
+      generate({"--seed", "7", "--regime", "generic", "--regime", "boxes", "--cases", "6"}).out);
+  REQUIRE(turns.size() == 6);
+  CHECK(turns[1] == all[0]);
+  CHECK(turns[5] == all[2]);
+  CHECK(turns[0] != all[0]);
+  CHECK(generate({"--seed", "8", "--regime", "boxes", "--cases", "1"}).out != all[0] + "\n");
+}
+
+TEST_CASE("Any 64-bit seed and index will do") {
+  const std::string most = "18446744073709551615";
+  CHECK(generate({"--seed", most, "--regime", "boxes", "--first", most, "--cases", "1"}).status ==
+        0);
+}
+
+TEST_CASE("A seed that is drawn is printed and reproduces") {
+  const Outcome drawn = generate({"--cases", "3"});
+  REQUIRE(drawn.err.starts_with("seed "));
+  const std::string seed = drawn.err.substr(5, drawn.err.size() - 6);
+  CHECK(generate({"--seed", seed, "--cases", "3"}).out == drawn.out);
+}
+
+TEST_CASE("What generate writes, collide reads") {
+  const Outcome cases = generate({"--seed", "3", "--cases", "500"});
+  const Outcome answers = run_manifuzz({"collide", "--collider", "clip"}, cases.out);
+  CHECK(answers.status == 0);
+  CHECK(answers.err.empty());
+  CHECK(lines_of(answers.out).size() == 500);
+}
+
+TEST_CASE("collide takes a file of any white space, lines, and standard input") {
+  const TemporaryFolder folder;
+  std::string spread = good_case();
+  spread.insert(1, "\n\n  ");
+  const std::string expected = run_manifuzz({"collide", "--collider", "clip"}, good_case()).out;
+  CHECK(lines_of(expected).size() == 1);
+  for (const auto& file :
+       {folder.write("a.json", spread + "\n"), folder.write("b.jsonl", good_case()),
+        folder.write("c.txt", "\n" + good_case() + "\r\n\r\n")}) {
+    const Outcome outcome = run_manifuzz({"collide", "--collider", "clip", file});
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out == expected);
+    CHECK(outcome.err.empty());
+  }
+  CHECK(run_manifuzz({"collide", "--collider", "clip", "-"}, good_case()).out == expected);
+}
+
+TEST_CASE("collide answers each case before it waits for the next") {
+  const Outcome outcome = shell(
+      "set -e; folder=$(mktemp -d); trap 'rm -r \"$folder\"' EXIT; cd \"$folder\"; mkfifo ask "
+      "answer;"
+      "\"$0\" collide --collider clip < ask > answer & exec 3> ask 4< answer;"
+      "for i in 1 2 3; do echo '" +
+      good_case() + "' >&3; read -r line <&4; echo \"$i $line\"; done; exec 3>&-; wait $!");
+  CHECK(outcome.status == 0);
+  const auto lines = lines_of(outcome.out);
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[2].starts_with("3 {\"collider\": \"clip\""));
+}
+
+TEST_CASE("A reader that leaves ends the program quietly") {
+  const Outcome outcome =
+      shell("{ \"$0\" generate --seed 1 --cases 1000000; echo status $? >&2; } | head -n 1");
+  CHECK(lines_of(outcome.out).size() == 1);
+  CHECK(outcome.err == "status 0\n");
+}
+
+TEST_CASE("A full disk is one clear line") {
+  const Outcome outcome = shell("\"$0\" list colliders > /dev/full");
+  CHECK(outcome.status == 2);
+  CHECK(outcome.err == "manifuzz: stdout: cannot write it: No space left on device\n");
+}
+
+TEST_CASE("A tie bias reaches the collider") {
+  const auto answers = [](const std::string& bias) {
+    return run_manifuzz({"collide", "--collider", "clip", "--tie-bias", bias}, good_case());
+  };
+  CHECK(answers("0").status == 0);
+  CHECK(answers("1e300").status == 0);
+}
