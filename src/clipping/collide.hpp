@@ -19,7 +19,7 @@ namespace manifuzz::clipping {
 
 /// The manifold of two polygons that stand in one frame. B's face becomes the reference only where
 /// its separation leads by more than `tie_bias` (a length, 0 in the article). Polygons that overlap
-/// by more than rounding always get a contact.
+/// by more than rounding always get a contact, and one of it is as deep as the overlap.
 template <class Scalar>
 Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                   Scalar tie_bias = 0) {
@@ -29,15 +29,13 @@ Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPo
   const FaceSeparation<Scalar> of_b = greatest_separation(b, a, total_radius);
   if (of_b.separation > total_radius) return {};
 
-  ContactFeatures features;
-  if (of_b.separation > of_a.separation + tie_bias) {
-    features = {Side::b, of_b.face, incident_edge(a, b.normals[of_b.face])};
-  } else {
-    features = {Side::a, of_a.face, incident_edge(b, a.normals[of_a.face])};
-  }
+  const bool take_b = of_b.separation > of_a.separation + tie_bias;
+  const FaceSeparation<Scalar>& chosen = take_b ? of_b : of_a;
+  const ContactFeatures features =
+      take_b ? ContactFeatures{Side::b, of_b.face, incident_edge(a, b.normals[of_b.face])}
+             : ContactFeatures{Side::a, of_a.face, incident_edge(b, a.normals[of_a.face])};
   const Manifold<Scalar> manifold = clip_features(a, b, features);
-  if (manifold.count == 0 &&
-      std::max(of_a.separation, of_b.separation) < -separation_roundoff(a, b)) {
+  if (chosen.separation < 0 && misses_deepest(a, b, manifold, chosen.separation)) {
     return deepest_contact(a, b);
   }
   return manifold;

@@ -22,6 +22,18 @@ Scalar separation_roundoff(const ConvexPolygon<Scalar>& a, const ConvexPolygon<S
   return 4 * u * (reach_in_frame(a) + reach_in_frame(b));
 }
 
+/// Whether a manifold is less deep than its face's separation, by more than rounding: the face's
+/// slab misses the deepest vertex. Overlaps within rounding are left alone.
+template <class Scalar>
+bool misses_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                    const Manifold<Scalar>& manifold, Scalar separation) {
+  Scalar deepest = a.radius + b.radius;  // the face itself, where there is no point
+  if (manifold.count > 0) deepest = manifold.points[0].depth;
+  if (manifold.count > 1) deepest = std::max(deepest, manifold.points[1].depth);
+  const Scalar missing = a.radius + b.radius - separation - deepest;
+  return missing > 0 && missing > separation_roundoff(a, b);
+}
+
 /// Whether the slab of a face, widened by `margin`, holds a point.
 template <class Scalar>
 bool slab_holds(const ConvexPolygon<Scalar>& polygon, int face_index, const Vector2<Scalar>& point,

@@ -81,6 +81,22 @@ const ClipPoint& nearest_point(const Clip& clip, const Vector2<double>& reported
   return clip.points[second ? 1 : 0];
 }
 
+/// Whether the clip may come out less deep than its face's separation: no end at that depth is
+/// safely inside the slab. The share is far below any collider's rounding, and far above the
+/// truth's.
+bool may_miss_deepest(const Candidate& candidate, const Admissible& result) {
+  const Clip& clip = candidate.clip;
+  const Real of_side =
+      candidate.reference_side == Side::a ? result.separation_a : result.separation_b;
+  const Real as_deep = result.total_radius - of_side - 0x1p-10 * result.bounds.separation;
+  if (may_miss(candidate, result.bounds)) return true;
+  return std::none_of(clip.points.begin(), clip.points.begin() + clip.count,
+                      [&](const ClipPoint& point) {
+                        const bool inside = point.crossing || point.margin > result.bounds.length;
+                        return inside && point.depth >= as_deep;
+                      });
+}
+
 /// Whether nothing that makes the point's features is within bound: one candidate, two ends that
 /// can be told apart, none of them at a side plane.
 bool features_decided(const Clip& clip, const ClipPoint& point, const Admissible& admissible) {
@@ -151,10 +167,10 @@ Admissible admissible(const PairCase& pair, const Declaration& declaration) {
   result.separation_b = greatest(separations[1], world.b.count);
   if (!result.may_touch()) return result;
   add_references(pair, world, declaration.tie_bias, separations, result);
-  const bool any_empty =
+  const bool any_misses =
       std::any_of(result.candidates.begin(), result.candidates.end(),
-                  [&](const Candidate& c) { return may_be_empty(c, result.bounds); });
-  if (result.must_touch() && any_empty) add_references(pair, world, 0, separations, result);
+                  [&](const Candidate& c) { return may_miss_deepest(c, result); });
+  if (result.must_touch() && any_misses) add_references(pair, world, 0, separations, result);
   return result;
 }
 

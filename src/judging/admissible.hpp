@@ -33,8 +33,8 @@ struct Admissible {
 
 /// What is right for a collider with this declaration:
 /// - A's faces within bound of S_A, unless S_B > S_A + bias + bound; B's within bound of S_B, if
-///   S_B > S_A + bias - bound. Where the polygons overlap and a clip of these may keep nothing, the
-///   same at bias 0 too, for an overlap without contact is never right.
+///   S_B > S_A + bias - bound. Where the polygons overlap and a clip of these may miss the deepest
+///   vertex, the same at bias 0 too: no bias forbids to report the overlap.
 /// - With each, the incident edges whose normal's dot is within bound of the least.
 Admissible admissible(const PairCase& pair, const Declaration& declaration);
 
