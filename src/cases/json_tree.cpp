@@ -76,8 +76,8 @@ bool is_no_number(std::string_view word) {
 /// What the parser says, without its own prefix and without the raw bytes it read last.
 std::string syntax_error(std::string_view word, std::string_view what) {
   if (is_no_number(word)) return "not JSON: numbers must be finite, NaN and Infinity are not";
-  const std::size_t start = what.find("syntax error");
-  const std::string_view reason = start == std::string_view::npos ? what : what.substr(start);
+  const std::size_t dash = what.find(" - ");
+  const std::string_view reason = dash == std::string_view::npos ? what : what.substr(dash + 3);
   const std::size_t raw = reason.find("; last read: ");
   if (raw == std::string_view::npos) return fmt::format("not JSON: {}", printable(reason, 200));
   return fmt::format("not JSON: {} at '{}'; UTF-8 text with one JSON object is expected",
@@ -214,7 +214,7 @@ std::optional<JsonView> JsonView::find(std::string_view key) const {
 
 JsonView JsonView::at(std::string_view key) const {
   const auto member = find(key);
-  if (!member) fail(fmt::format("the key \"{}\" is missing", key));
+  if (!member) fail(fmt::format("the key \"{}\" is missing; it is required", key));
   return *member;
 }
 

@@ -198,9 +198,14 @@ TEST_CASE("A full disk is one clear line") {
 }
 
 TEST_CASE("A tie bias reaches the collider") {
-  const auto answers = [](const std::string& bias) {
-    return run_manifuzz({"collide", "--collider", "clip", "--tie-bias", bias}, good_case());
+  // B lies on A, a little tilted: its face leads by 0.0036.
+  const std::string pair =
+      R"({"a": {"vertices": [[-1,-1],[1,-1],[1,1],[-1,1]]}, )"
+      R"("b": {"vertices": [[-1.2,-1],[1.2,-1],[1.2,1],[-1.2,1]], "position": [0,1.95], )"
+      R"("rotation": [0.9998,0.02]}})";
+  const auto answer = [&pair](const std::string& bias) {
+    return run_manifuzz({"collide", "--collider", "clip", "--tie-bias", bias}, pair).out;
   };
-  CHECK(answers("0").status == 0);
-  CHECK(answers("1e300").status == 0);
+  CHECK(answer("0.003").find(R"("reference": "b")") != std::string::npos);
+  CHECK(answer("0.004").find(R"("reference": "a")") != std::string::npos);
 }
