@@ -9,8 +9,9 @@ namespace {
 
 using Vertices = std::span<const Vector2<float>>;
 
+/// Vertex i, counted round; i is below twice the count.
 const Vector2<float>& cyclic(Vertices v, std::size_t i) {
-  return v[i % v.size()];
+  return v[i < v.size() ? i : i - v.size()];
 }
 
 bool all_finite(Vertices v) {
@@ -27,18 +28,22 @@ bool has_repeated_vertex(Vertices v) {
   return false;
 }
 
-/// Whether an edge climbs: up, or level and to the left. Read off the coordinates, hence exact.
+/// Whether an edge climbs: up, or level and to the left. Read off the coordinates, hence exact;
+/// without branches, which no processor could foretell here.
 bool climbs(const Vector2<float>& from, const Vector2<float>& to) {
-  return to.y() > from.y() || (to.y() == from.y() && to.x() < from.x());
+  const bool level_left =
+      static_cast<int>(to.y() == from.y()) & static_cast<int>(to.x() < from.x());
+  return static_cast<int>(to.y() > from.y()) | static_cast<int>(level_left);
 }
 
 /// A closed chain of left turns goes round as often as its edges start to climb.
 int turns_round(Vertices v) {
   int starts = 0;
+  bool before = climbs(v.back(), v.front());
   for (std::size_t i = 0; i < v.size(); ++i) {
-    const bool before = climbs(v[i], cyclic(v, i + 1));
-    const bool after = climbs(cyclic(v, i + 1), cyclic(v, i + 2));
-    if (!before && after) ++starts;
+    const bool after = climbs(v[i], cyclic(v, i + 1));
+    starts += static_cast<int>(after) & static_cast<int>(!before);
+    before = after;
   }
   return starts;
 }
@@ -49,7 +54,6 @@ std::optional<PolygonDefect> find_defect(Vertices v) {
   if (v.size() < kMinVertices) return PolygonDefect::too_few;
   if (v.size() > kMaxVertices) return PolygonDefect::too_many;
   if (!all_finite(v)) return PolygonDefect::not_finite;
-  if (has_repeated_vertex(v)) return PolygonDefect::repeated_vertex;
   std::size_t left = 0;
   std::size_t right = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
@@ -57,10 +61,12 @@ std::optional<PolygonDefect> find_defect(Vertices v) {
     if (turn > 0) ++left;
     if (turn < 0) ++right;
   }
+  const bool winds_once = turns_round(v) == 1;
+  if (left == v.size() && winds_once) return std::nullopt;
+  if (has_repeated_vertex(v)) return PolygonDefect::repeated_vertex;
   if (right == v.size()) return PolygonDefect::clockwise;
   if (left < v.size()) return PolygonDefect::not_strictly_convex;
-  if (turns_round(v) != 1) return PolygonDefect::winds_twice;
-  return std::nullopt;
+  return PolygonDefect::winds_twice;
 }
 
 std::string_view describe(PolygonDefect defect) {
