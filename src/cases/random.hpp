@@ -21,7 +21,9 @@ constexpr std::uint64_t hash_of(std::string_view text) {
 }
 
 /// Counter-based random numbers: draw n of a stream is a function of (key, n) alone. Everything is
-/// exact IEEE arithmetic, so the same draws come out of every compiler and processor.
+/// exact IEEE arithmetic, so the same draws come out of every compiler and processor. One
+/// expression may hold one draw, or nested ones: C++ leaves the order of operands and arguments to
+/// the compiler.
 class Random {
  public:
   Random(std::uint64_t seed, std::string_view stream, std::uint64_t index)
@@ -35,18 +37,22 @@ class Random {
   /// In [low, high).
   double uniform(double low, double high) { return low + (high - low) * unit(); }
 
-  /// In {low, ..., high}. The bias of the modulus, below 2^-32, does not matter here.
+  /// In {low, ..., high}. The bias, below 2^-32 times the width, does not matter here.
   int integer(int low, int high) {
     const auto width = static_cast<std::uint64_t>(high - low) + 1;
-    return low + static_cast<int>((bits() >> 32) % width);
+    return low + static_cast<int>(((bits() >> 32) * width) >> 32);
   }
 
   bool chance(double probability) { return unit() < probability; }
 
   /// 2^k times [1, 2), k in {low, ..., high - 1}: spread over magnitudes without a logarithm.
   double magnitude(int low, int high) {
-    return std::ldexp(uniform(1, 2), integer(low, high - 1));
+    const int exponent = integer(low, high - 1);
+    return std::ldexp(uniform(1, 2), exponent);
   }
+
+  /// x or -x.
+  double either_sign(double x) { return chance(0.5) ? x : -x; }
 
  private:
   static constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ULL;

@@ -20,7 +20,9 @@ struct GenerationContext {
 struct Regime {
   std::string_view name;
   std::string_view description;  ///< one line for `list regimes`
-  PairCase (*generate)(Random& random, const GenerationContext& context);
+  /// One attempt: none where rounding to floats spoilt a polygon. `generate` below makes cases of
+  /// it.
+  std::optional<PairCase> (*attempt)(Random& random, const GenerationContext& context);
 };
 
 /// Every regime, in the order of `list regimes`.
@@ -29,8 +31,8 @@ std::span<const Regime> regimes();
 /// The regime of that name, or nullptr.
 const Regime* find_regime(std::string_view name);
 
-/// Case `index` of a regime: a function of (seed, the regime's name, index) and, for the regimes that
-/// say so, of the corpus.
+/// Case `index` of a regime: a function of (seed, the regime's name, index) and, for the regimes
+/// that say so, of the corpus.
 PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,
                   const GenerationContext& context = {});
 
