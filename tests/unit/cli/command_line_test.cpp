@@ -198,10 +198,10 @@ TEST_CASE("A full disk is one clear line") {
 }
 
 TEST_CASE("A tie bias reaches the collider") {
-  // B lies on A, a little tilted: its face leads by 0.0036.
+  // B floats above A, a little tilted, and their skins touch: its face leads by 0.0036.
   const std::string pair =
-      R"({"a": {"vertices": [[-1,-1],[1,-1],[1,1],[-1,1]]}, )"
-      R"("b": {"vertices": [[-1.2,-1],[1.2,-1],[1.2,1],[-1.2,1]], "position": [0,1.95], )"
+      R"({"a": {"vertices": [[-1,-1],[1,-1],[1,1],[-1,1]], "radius": 0.1}, )"
+      R"("b": {"vertices": [[-1.2,-1],[1.2,-1],[1.2,1],[-1.2,1]], "position": [0,2.05], )"
       R"("rotation": [0.9998,0.02]}})";
   const auto answer = [&pair](const std::string& bias) {
     return run_manifuzz({"collide", "--collider", "clip", "--tie-bias", bias}, pair).out;
