@@ -35,10 +35,9 @@ Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPo
       take_b ? ContactFeatures{Side::b, of_b.face, incident_edge(a, b.normals[of_b.face])}
              : ContactFeatures{Side::a, of_a.face, incident_edge(b, a.normals[of_a.face])};
   const Manifold<Scalar> manifold = clip_features(a, b, features);
-  if (chosen.separation < 0 && misses_deepest(a, b, manifold, chosen.separation)) {
-    return deepest_contact(a, b);
-  }
-  return manifold;
+  const Scalar greatest = std::max(of_a.separation, of_b.separation);
+  return misses_deepest(a, b, manifold, chosen.separation, greatest) ? deepest_contact(a, b)
+                                                                     : manifold;
 }
 
 /// The manifold of A and B, B standing at `b_in_a` in A's frame (see `relative_pose`).

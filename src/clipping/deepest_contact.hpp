@@ -22,16 +22,18 @@ Scalar separation_roundoff(const ConvexPolygon<Scalar>& a, const ConvexPolygon<S
   return 4 * u * (reach_in_frame(a) + reach_in_frame(b));
 }
 
-/// Whether a manifold is less deep than its face's separation, by more than rounding: the face's
-/// slab misses the deepest vertex. Overlaps within rounding are left alone.
+/// Whether polygons overlap (`greatest` being the greatest separation) and the manifold is less
+/// deep than its own face's `separation`, both by more than rounding: the face's slab misses the
+/// deepest vertex.
 template <class Scalar>
 bool misses_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                    const Manifold<Scalar>& manifold, Scalar separation) {
+                    const Manifold<Scalar>& manifold, Scalar separation, Scalar greatest) {
   Scalar deepest = a.radius + b.radius;  // the face itself, where there is no point
   if (manifold.count > 0) deepest = manifold.points[0].depth;
   if (manifold.count > 1) deepest = std::max(deepest, manifold.points[1].depth);
   const Scalar missing = a.radius + b.radius - separation - deepest;
-  return missing > 0 && missing > separation_roundoff(a, b);
+  const Scalar least = std::min(missing, -greatest);
+  return least > 0 && least > separation_roundoff(a, b);
 }
 
 /// Whether the slab of a face, widened by `margin`, holds a point.
@@ -68,7 +70,7 @@ Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const Conve
   const Vector2<Scalar>& normal = reference.normals[found.face];
   const Scalar total_radius = a.radius + b.radius;
   const Scalar depth = total_radius - found.separation - roundoff;
-  constexpr Scalar dot_roundoff = 4 * std::numeric_limits<Scalar>::epsilon();
+  constexpr Scalar dot_roundoff = 2 * std::numeric_limits<Scalar>::epsilon();  // half of 8 u
   const Scalar least = normal.dot(opposing.normals[incident_edge(opposing, normal)]);
   for (int j = 0; j < opposing.count; ++j) {
     if (normal.dot(opposing.normals[j]) > least + dot_roundoff) continue;

@@ -170,7 +170,9 @@ Admissible admissible(const PairCase& pair, const Declaration& declaration) {
   const bool any_misses =
       std::any_of(result.candidates.begin(), result.candidates.end(),
                   [&](const Candidate& c) { return may_miss_deepest(c, result); });
-  if (result.must_touch() && any_misses) add_references(pair, world, 0, separations, result);
+  if (result.separation() < result.bounds.separation && any_misses) {
+    add_references(pair, world, 0, separations, result);
+  }
   return result;
 }
 

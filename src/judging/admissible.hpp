@@ -33,7 +33,7 @@ struct Admissible {
 
 /// What is right for a collider with this declaration:
 /// - A's faces within bound of S_A, unless S_B > S_A + bias + bound; B's within bound of S_B, if
-///   S_B > S_A + bias - bound. Where the polygons overlap and a clip of these may miss the deepest
+///   S_B > S_A + bias - bound. Where the polygons may overlap and a clip of these miss the deepest
 ///   vertex, the same at bias 0 too: no bias forbids to report the overlap.
 /// - With each, the incident edges whose normal's dot is within bound of the least.
 Admissible admissible(const PairCase& pair, const Declaration& declaration);

@@ -82,6 +82,40 @@ Outcome point_in_place(const PairCase& pair, const truth::World<Real>& world,
   return holds();
 }
 
+/// The article finds its edges by the farthest vertex, which is decided where the deepest vertex
+/// lies clearly below all others, the reference face clearly above all other vertices of its
+/// polygon, and is clearly more perpendicular to the normal than the edges next to it.
+bool farthest_vertices_decided(const PairCase& pair, const Admissible& right) {
+  const Candidate& only = right.candidates.front();
+  const auto world = truth::place<Real>(pair);
+  const auto& reference = world[only.reference_side];
+  const auto& incident = world[other(only.reference_side)];
+  const truth::Vector& normal = reference.normals[only.reference];
+  const Real clear_height = 2 * right.bounds.separation;
+  const Real clear_tilt = 2 * right.bounds.normal;
+
+  const auto is_clear = [&](const auto& polygon, Real sign, int v, int w) {
+    const truth::Vector below = polygon.vertices[v] - polygon.vertices[w];
+    return v == w || sign * normal.dot(below) > clear_height;
+  };
+  const auto tilted = [&](const auto& polygon, int edge) {
+    return std::abs(cross<Real>(polygon.normals[edge], normal)) > clear_tilt;
+  };
+  const int first = only.reference;
+  const int second = reference.next(first);
+  for (int i = 0; i < reference.count; ++i) {
+    if (i == first || i == second) continue;
+    if (!is_clear(reference, 1, first, i) || !tilted(reference, i)) return false;
+  }
+  const int end = incident.next(only.incident);
+  const Real fall = normal.dot(incident.vertices[end] - incident.vertices[only.incident]);
+  const int deepest = fall < 0 ? end : only.incident;
+  for (int i = 0; i < incident.count; ++i) {
+    if (!is_clear(incident, -1, deepest, i)) return false;
+  }
+  return tilted(incident, only.incident) && tilted(reference, second);
+}
+
 }  // namespace
 
 Outcome points_lie_where_they_say(Inquiry& ask, const PairCase& pair) {
@@ -126,9 +160,10 @@ Outcome depth_moves_apart(Inquiry& ask, const PairCase& pair) {
   for (const double further : {0.0, size(pair) / 4}) {
     const double by = largest_depth(*manifold) + further;
     PairCase moved = pair;
-    const Vector2<double> target = pair.b.pose.position.cast<double>() + by * normal;
-    moved.b.pose.position = target.cast<float>();
-    const double rounding = (moved.b.pose.position.cast<double>() - target).norm();
+    const Vector2<double> start = pair.b.pose.position.cast<double>();
+    moved.b.pose.position = Vector2<double>(start + by * normal).cast<float>();
+    const Vector2<double> shift = moved.b.pose.position.cast<double>() - start;
+    const double rounding = (shift - by * normal).norm();
     const Bounds after = bounds(moved, unbiased->declaration);
     const double bound =
         widest_depth_bound(right) + after.separation + rounding + right.bounds.normal * by;
@@ -173,33 +208,9 @@ Outcome manifold_is_admissible(Inquiry& ask, const PairCase& pair) {
 Outcome given_normal_agrees(Inquiry& ask, const PairCase& pair) {
   if (!ask.collider().from_normal) return not_applicable();
   const auto right = decided(pair, ask.declaration());
+  if (!right || !farthest_vertices_decided(pair, *right)) return not_applicable();
   const auto manifold = ask.manifold(pair);
-  if (!right || !manifold || manifold->count == 0) return not_applicable();
-
-  // The article finds its edges by the farthest vertex: they are decided only where the deepest
-  // vertex is, and where the reference edge is clearly the more perpendicular of those at hand.
-  const Candidate& only = right->candidates.front();
-  const auto world = truth::place<Real>(pair);
-  const auto& reference = world[only.reference_side];
-  const auto& incident = world[other(only.reference_side)];
-  const truth::Vector& normal = reference.normals[only.reference];
-  const auto height = [&](int i) {
-    return normal.dot(incident.vertices[i] - reference.vertices[only.reference]);
-  };
-  const auto tilt = [&](const auto& polygon, int edge) {
-    return std::abs(cross<Real>(polygon.normals[edge], normal));
-  };
-  const int first = only.incident;
-  const int second = incident.next(first);
-  if (std::abs(height(first) - height(second)) <= 2 * right->bounds.separation) {
-    return not_applicable();
-  }
-  const int previous = only.reference > 0 ? only.reference - 1 : reference.count - 1;
-  const double clear = 2 * right->bounds.normal;
-  if (tilt(incident, first) <= clear || tilt(reference, previous) <= clear ||
-      tilt(reference, reference.next(only.reference)) <= clear) {
-    return not_applicable();
-  }
+  if (!manifold || manifold->count == 0) return not_applicable();
   const Answer given = ask.collider().from_normal(pair, manifold->normal);
   return same_manifold(pair, *manifold, std::get<Manifold<double>>(given), tolerance(*right),
                        Features::compared);

@@ -70,8 +70,8 @@ Vector2<float> quarter_turned(const Vector2<float>& v) {
 std::optional<Vector2<float>> translated(const Vector2<float>& v, float by) {
   const Vector2<float> sum = v + Vector2<float>(by, by);
   for (int i = 0; i < 2; ++i) {
-    const double exact = static_cast<double>(v[i]) + static_cast<double>(by);
-    if (static_cast<double>(sum[i]) != exact || !std::isfinite(sum[i])) return std::nullopt;
+    const double back = static_cast<double>(sum[i]) - static_cast<double>(by);
+    if (back != static_cast<double>(v[i]) || !std::isfinite(sum[i])) return std::nullopt;
   }
   return sum;
 }
