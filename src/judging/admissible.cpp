@@ -88,7 +88,7 @@ bool may_miss_deepest(const Candidate& candidate, const Admissible& result) {
   const Clip& clip = candidate.clip;
   const Real of_side =
       candidate.reference_side == Side::a ? result.separation_a : result.separation_b;
-  const Real as_deep = result.total_radius - of_side - 0x1p-10 * result.bounds.separation;
+  const Real as_deep = result.total_radius - of_side - result.resolution;
   if (may_miss(candidate, result.bounds)) return true;
   return std::none_of(clip.points.begin(), clip.points.begin() + clip.count,
                       [&](const ClipPoint& point) {
@@ -162,6 +162,7 @@ Admissible admissible(const PairCase& pair, const Declaration& declaration) {
                                                truth::face_separations(world, Side::b)};
   Admissible result;
   result.bounds = bounds(pair, declaration);
+  result.resolution = 0x1p-58L * extent(pair);
   result.total_radius = world.total_radius;
   result.separation_a = greatest(separations[0], world.a.count);
   result.separation_b = greatest(separations[1], world.b.count);

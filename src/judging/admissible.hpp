@@ -21,6 +21,7 @@ struct Candidate {
 struct Admissible {
   Bounds bounds;
   truth::Real total_radius = 0;
+  truth::Real resolution = 0;    ///< world lengths nearer than this are equal to the truth
   truth::Real separation_a = 0;  ///< S_A: the greatest over A's faces, in world lengths
   truth::Real separation_b = 0;
   std::vector<Candidate> candidates;  ///< empty where the polygons are apart, beyond the bound
