@@ -1,15 +1,13 @@
 #include "unit/layout.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <memory>
 
 #include <catch2/catch.hpp>
 
+#include "support/run_program.hpp"
 #include "support/source_tree.hpp"
 
 using namespace manifuzz::test;
@@ -22,23 +20,13 @@ std::string read(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-std::string output_of(const std::string& command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  std::string output;
-  std::array<char, 4096> buffer;
-  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe.get())) {
-    output.append(buffer.data(), n);
-  }
-  return output;
-}
-
 /// The paths git keeps; in a tree without git, every file of the folders that hold sources.
 std::vector<std::string> committed_paths() {
-  const std::string top = source_dir().string();
   std::vector<std::string> paths;
   std::string listed;
   if (fs::exists(source_dir() / ".git")) {
-    listed = output_of("git -c safe.directory='*' -C '" + top + "' ls-files -z");
+    const std::string top = source_dir().string();
+    listed = run_program({"env", "git", "-c", "safe.directory=*", "-C", top, "ls-files", "-z"}).out;
   }
   for (std::size_t begin = 0; begin < listed.size();) {
     const std::size_t end = listed.find('\0', begin);
