@@ -28,20 +28,14 @@ bool has_repeated_vertex(Vertices v) {
   return false;
 }
 
-/// Whether an edge climbs: up, or level and to the left. Read off the coordinates, hence exact;
-/// without branches, which no processor could foretell here.
-bool climbs(const Vector2<float>& from, const Vector2<float>& to) {
-  const bool level_left =
-      static_cast<int>(to.y() == from.y()) & static_cast<int>(to.x() < from.x());
-  return static_cast<int>(to.y() > from.y()) | static_cast<int>(level_left);
-}
-
-/// A closed chain of left turns goes round as often as its edges start to climb.
+/// A closed chain of left turns goes round as often as its edges start to climb: none of the turns
+/// is wide enough to pass over all the climbing directions. Without branches, which no processor
+/// could foretell here.
 int turns_round(Vertices v) {
   int starts = 0;
-  bool before = climbs(v.back(), v.front());
+  bool before = v.front().y() > v.back().y();
   for (std::size_t i = 0; i < v.size(); ++i) {
-    const bool after = climbs(v[i], cyclic(v, i + 1));
+    const bool after = cyclic(v, i + 1).y() > v[i].y();
     starts += static_cast<int>(after) & static_cast<int>(!before);
     before = after;
   }
