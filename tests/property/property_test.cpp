@@ -1,0 +1,79 @@
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "campaign/property_run.hpp"
+#include "cli/colliders.hpp"
+#include "support/named_tests.hpp"
+
+// Every property of every built-in collider is a test of its own. Seeded by MANIFUZZ_SEED, so that
+// each commit looks elsewhere; a failure prints the RC_PARAMS that repeat it.
+
+using namespace manifuzz;
+
+namespace {
+
+std::uint64_t seed() {
+  const char* const text = std::getenv("MANIFUZZ_SEED");
+  return text == nullptr ? 1 : std::strtoull(text, nullptr, 10);
+}
+
+int cases() {
+  const char* const text = std::getenv("MANIFUZZ_PROPERTY_CASES");
+  return text == nullptr ? 4000 : std::atoi(text);
+}
+
+void run(const Property& property, const Collider& collider) {
+  const PropertyResult result = run_property(property, collider, {seed(), cases(), {}});
+  std::cout << property.sentence << "\n" << result.report << "\n";
+  INFO(result.report << "\n" << result.why << "\nRC_PARAMS=\"" << result.reproduce << "\"");
+  CHECK(result.passed);
+}
+
+[[maybe_unused]] const bool registered = [] {
+  for (const ColliderEntry& entry : colliders()) {
+    for (const Property& property : properties()) {
+      test::add_test(std::string(entry.name) + ": " + std::string(property.sentence), "[property]",
+                     [&property, &entry] { run(property, entry.make()); });
+    }
+  }
+  return true;
+}();
+
+/// A collider that answers as clip does, but each depth as much too large as the point is off
+/// centre.
+Collider wrong_depths() {
+  Collider collider = find_collider("clip");
+  const auto right = collider.collide;
+  collider.collide = [right](const PairCase& pair) {
+    auto manifold = std::get<Manifold<double>>(right(pair));
+    for (int i = 0; i < manifold.count; ++i) manifold.points[i].depth *= 1.01;
+    return Answer(manifold);
+  };
+  return collider;
+}
+
+}  // namespace
+
+TEST_CASE("a failing property is shrunk, says why, and repeats from its string") {
+  const Property* const property = find_property("depth-is-overlap");
+  REQUIRE(property != nullptr);
+  const Collider broken = wrong_depths();
+  const PropertyResult result = run_property(*property, broken, {7, 2000, {}});
+  REQUIRE_FALSE(result.passed);
+  REQUIRE(result.failing.has_value());
+  CHECK(result.failing->a.polygon.count + result.failing->b.polygon.count <= 7);
+  CHECK(check(*property, broken, *result.failing).kind == Outcome::Kind::fails);
+  CHECK_THAT(result.reproduce, Catch::Matchers::Contains("reproduce="));
+}
+
+TEST_CASE("the same seed gives the same report") {
+  const Property* const property = find_property("never-empty");
+  REQUIRE(property != nullptr);
+  const Collider clip = find_collider("clip");
+  const std::string once = run_property(*property, clip, {3, 500, {}}).report;
+  CHECK(run_property(*property, clip, {3, 500, {}}).report == once);
+  CHECK(run_property(*property, clip, {4, 500, {}}).report != once);
+}

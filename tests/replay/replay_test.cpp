@@ -1,0 +1,66 @@
+#include "campaign/replay.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "cli/colliders.hpp"
+
+using namespace manifuzz;
+
+namespace {
+
+CorpusCase boxes(const std::string& bucket) {
+  CorpusCase recorded;
+  const std::vector<Vector2<float>> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  recorded.pair.a.polygon = make_polygon<float>(square);
+  recorded.pair.b.polygon = make_polygon<float>(square);
+  recorded.pair.b.pose.position = {1.5F, 0.25F};
+  recorded.expect = Expectation{"clip", "box2d", "", bucket, {}};
+  return recorded;
+}
+
+Collider blind() {
+  Collider collider = find_collider("clip");
+  collider.collide = [](const PairCase&) { return Answer(Manifold<double>{}); };
+  return collider;
+}
+
+Replayed replay(const CorpusCase& recorded, const Collider& subject) {
+  Interruption interruption;
+  return replay_case(recorded, subject, find_collider("box2d"), interruption);
+}
+
+}  // namespace
+
+TEST_CASE("a case passes when the subject is right and the bucket is the recorded one") {
+  CHECK(replay(boxes("none/agree/none/none/a"), find_collider("clip")).passed);
+}
+
+TEST_CASE("another bucket than the recorded one fails, and is named") {
+  const Replayed replayed = replay(boxes("none/tie/count/incident/b"), find_collider("clip"));
+  CHECK_FALSE(replayed.passed);
+  CHECK(replayed.expected == "none/tie/count/incident/b");
+  CHECK(replayed.got == "none/agree/none/none/a");
+}
+
+TEST_CASE("the recorded bucket is not asked of another subject") {
+  CHECK(replay(boxes("none/tie/count/incident/b"), find_collider("clip64")).passed);
+}
+
+TEST_CASE("a wrong subject fails whatever was recorded") {
+  CHECK_FALSE(replay(boxes("none/agree/none/none/a"), blind()).passed);
+  CHECK_FALSE(replay(boxes("subject/subject_wrong/missed_contact/none/a"), blind()).passed);
+}
+
+TEST_CASE("a regression passes once the subject is right") {
+  CHECK(replay(boxes("subject/subject_wrong/missed_contact/none/a"), find_collider("clip")).passed);
+}
+
+TEST_CASE("a case of a property must pass that property") {
+  CorpusCase recorded = boxes("");
+  recorded.expect.reset();
+  recorded.property = "never-empty";
+  CHECK(replay(recorded, find_collider("clip")).passed);
+  CHECK_FALSE(replay(recorded, blind()).passed);
+  recorded.property = "no-such-property";
+  CHECK_FALSE(replay(recorded, find_collider("clip")).passed);
+}

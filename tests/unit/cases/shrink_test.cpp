@@ -1,0 +1,125 @@
+#include "cases/shrink.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "cases/regime.hpp"
+#include "cases/simplicity.hpp"
+
+using namespace manifuzz;
+
+namespace {
+
+PairCase messy() {
+  return generate(1, *find_regime("generic"), 3);
+}
+
+std::vector<float> xs(const ConvexPolygon<float>& polygon) {
+  std::vector<float> values;
+  for (const auto& v : polygon.corners()) values.push_back(v.x());
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("digits are those of the shortest decimal") {
+  CHECK(significant_digits(0) == 0);
+  CHECK(significant_digits(1) == 1);
+  CHECK(significant_digits(-0.25F) == 2);
+  CHECK(significant_digits(1200) == 2);
+  CHECK(significant_digits(0.1F) == 1);
+  CHECK(significant_digits(1e-20F) == 1);
+}
+
+TEST_CASE("rounding and stepping go by significant digits") {
+  CHECK(rounded_to_digits(0.123456F, 2) == 0.12F);
+  CHECK(rounded_to_digits(-987.6F, 1) == -1000);
+  CHECK(nearer_to_zero(7) == 6);
+  CHECK(nearer_to_zero(-0.25F) == -0.24F);
+  CHECK(nearer_to_zero(1) == 0);
+  CHECK(nearer_to_zero(3e-12F) == 2e-12F);
+}
+
+TEST_CASE("every simpler case is valid and simpler") {
+  int count = 0;
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    const PairCase pair = generate(2, regimes()[index % regimes().size()], index);
+    rc::seq::forEach(simpler_cases(pair), [&](const PairCase& simpler) {
+      ++count;
+      CHECK(complexity(simpler) < complexity(pair));
+      CHECK(revalidated(simpler).has_value());
+    });
+  }
+  CHECK(count > 1000);
+}
+
+TEST_CASE("anything shrinks to two triangles at the origin") {
+  const Shrunk shrunk = shrink(messy(), [](const PairCase&) { return true; });
+  CHECK(shrunk.complete);
+  const Complexity least = complexity(shrunk.pair);
+  CHECK(least.vertices == 6);
+  CHECK(least.placements == 0);
+  CHECK(least.digits <= 6);
+}
+
+TEST_CASE("what the predicate needs is kept, and nothing else") {
+  SECTION("five vertices of A") {
+    PairCase start = messy();
+    start.a = generate(1, *find_regime("regular"), 0).a;
+    for (std::uint64_t i = 0; start.a.polygon.count < 6; ++i) {
+      start.a = generate(1, *find_regime("generic"), i).a;
+    }
+    const auto five = [](const PairCase& p) { return p.a.polygon.count >= 5; };
+    const Shrunk shrunk = shrink(start, five);
+    CHECK(shrunk.pair.a.polygon.count == 5);
+    CHECK(shrunk.pair.b.polygon.count == 3);
+    CHECK(complexity(shrunk.pair).placements == 0);
+  }
+  SECTION("a position beyond 2 along x") {
+    PairCase start = messy();
+    start.b.pose.position = {7.654321F, -3.25F};
+    const auto beyond = [](const PairCase& p) { return p.b.pose.position.x() > 2; };
+    const Shrunk shrunk = shrink(start, beyond);
+    CHECK(shrunk.pair.b.pose.position == Vector2<float>(3, 0));
+    CHECK(complexity(shrunk.pair).placements == 1);
+  }
+  SECTION("a radius of at least a tenth") {
+    PairCase start = messy();
+    start.a.polygon.radius = 0.7654321F;
+    const auto rounded = [](const PairCase& p) { return p.a.polygon.radius >= 0.1F; };
+    const Shrunk shrunk = shrink(start, rounded);
+    CHECK(shrunk.pair.a.polygon.radius == 0.1F);
+    CHECK(shrunk.pair.b.polygon.radius == 0);
+  }
+}
+
+TEST_CASE("shrinking is deterministic and keeps to its limit") {
+  const auto wide = [](const PairCase& p) { return diameter(p.a.polygon) > 1; };
+  const Shrunk once = shrink(messy(), wide);
+  const Shrunk again = shrink(messy(), wide);
+  CHECK(once.pair == again.pair);
+  CHECK(once.evaluations == again.evaluations);
+  const Shrunk stopped = shrink(messy(), wide, 5);
+  CHECK(stopped.evaluations == 5);
+  CHECK_FALSE(stopped.complete);
+  CHECK(wide(stopped.pair));
+}
+
+TEST_CASE("no case is tried twice") {
+  std::vector<std::vector<float>> tried;
+  shrink(messy(), [&](const PairCase& p) {
+    std::vector<float> key = xs(p.a.polygon);
+    const std::vector<float> of_b = xs(p.b.polygon);
+    key.insert(key.end(), of_b.begin(), of_b.end());
+    for (const Side side : {Side::a, Side::b}) {
+      for (const auto& v : p[side].polygon.corners()) key.push_back(v.y());
+      key.insert(key.end(),
+                 {p[side].polygon.radius, p[side].pose.position.x(), p[side].pose.position.y(),
+                  p[side].pose.rotation.x(), p[side].pose.rotation.y()});
+    }
+    tried.push_back(key);
+    return false;
+  });
+  const std::size_t all = tried.size();
+  std::sort(tried.begin(), tried.end());
+  CHECK(std::unique(tried.begin(), tried.end()) - tried.begin() == static_cast<long>(all));
+}

@@ -1,0 +1,100 @@
+#include <catch2/catch.hpp>
+
+#include "clipping/collide.hpp"
+
+using namespace manifuzz;
+using namespace manifuzz::clipping;
+
+namespace {
+
+ConvexPolygon<float> polygon(std::vector<Vector2<float>> vertices) {
+  return make_polygon<float>(vertices);
+}
+
+ConvexPolygon<float> square() {
+  return polygon({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
+}
+
+ConvexPolygon<float> moved(ConvexPolygon<float> p, float x, float y) {
+  return transform<float>({{x, y}, {1, 0}}, p);
+}
+
+ClipEdge<float> edge(Vector2<float> from, Vector2<float> to) {
+  return {{{from, face(0), vertex(3)}, {to, face(0), vertex(4)}}};
+}
+
+}  // namespace
+
+TEST_CASE("a face separation is the distance of the deepest vertex") {
+  const auto above = moved(square(), 0.25F, 2.5F);
+  const auto top = face_separation(square(), 2, above);
+  CHECK(top.separation == 0.5F);
+  CHECK(above.vertices[top.deepest].y() == 1.5F);
+  CHECK(face_separation(square(), 0, above).separation == -4.5F);
+}
+
+TEST_CASE("the greatest separation stops at the first face beyond the limit") {
+  const auto far = moved(square(), 10, 20);
+  const auto found = greatest_separation<float>(square(), far, 0);
+  CHECK(found.face == 1);
+  CHECK(found.separation == 8);
+  CHECK(greatest_separation<float>(square(), far, 100).face == 2);
+}
+
+TEST_CASE("equal separations keep the first face") {
+  CHECK(greatest_separation<float>(square(), square(), 0).face == 0);
+}
+
+TEST_CASE("the best edge takes the previous one of equals, as the article does") {
+  const auto diamond = polygon({{0, -1}, {1, 0}, {0, 1}, {-1, 0}});
+  CHECK(best_edge<float>(diamond, {0, 1}) == 1);
+  CHECK(best_edge<float>(diamond, {0.1F, 0.9F}) == 1);
+  CHECK(best_edge<float>(diamond, {-0.1F, 0.9F}) == 2);
+}
+
+TEST_CASE("the incident edge is the most opposed, the first of equals") {
+  CHECK(incident_edge<float>(square(), {0, 1}) == 0);
+  CHECK(incident_edge<float>(square(), {0.8F, 0.6F}) == 3);
+  const auto diamond = polygon({{0, -1}, {1, 0}, {0, 1}, {-1, 0}});
+  CHECK(incident_edge<float>(diamond, {0, 1}) == 0);
+}
+
+TEST_CASE("a clip keeps what lies ahead and replaces the end behind by the crossing") {
+  auto e = edge({-1, 0}, {3, 2});
+  REQUIRE(clip<float>(e, {1, 0}, {0, 0}, 0, 7, 5));
+  CHECK(e[0].position == Vector2<float>(0, 0.5F));
+  CHECK(e[0].reference == vertex(7));
+  CHECK(e[0].incident == face(5));
+  CHECK(e[1].position == Vector2<float>(3, 2));
+  CHECK(e[1].incident == vertex(4));
+}
+
+TEST_CASE("a clip widened by a margin keeps that much more") {
+  auto e = edge({-1, 0}, {3, 0});
+  REQUIRE(clip<float>(e, {1, 0}, {0, 0}, 0.5F, 7, 5));
+  CHECK(e[0].position == Vector2<float>(-0.5F, 0));
+}
+
+TEST_CASE("fewer than two points after a clip: the features do not overlap") {
+  auto behind = edge({-2, 0}, {-1, 0});
+  CHECK_FALSE(clip<float>(behind, {1, 0}, {0, 0}, 0, 7, 5));
+  auto touching = edge({-2, 0}, {0, 0});
+  CHECK_FALSE(clip<float>(touching, {1, 0}, {0, 0}, 0, 7, 5));
+  auto on_the_line = edge({0, -2}, {0, 2});
+  CHECK(clip<float>(on_the_line, {1, 0}, {0, 0}, 0, 7, 5));
+}
+
+TEST_CASE("offsets whose product underflows are still of opposite sign") {
+  auto e = edge({-1e-30F, 0}, {1e-30F, 0});
+  REQUIRE(clip<float>(e, {1, 0}, {0, 0}, 0, 7, 5));
+  CHECK(e[0].position.x() == 0);
+  CHECK(e[0].incident == face(5));
+}
+
+TEST_CASE("points in front of the face go, each of the others has its own depth") {
+  const auto kept =
+      keep_behind_face<float>(edge({0.5F, 0.75F}, {-0.5F, 1.25F}), square(), 2, Side::a, 0);
+  REQUIRE(kept.count == 1);
+  CHECK(kept.points[0].position == Vector2<float>(0.5F, 0.75F));
+  CHECK(kept.points[0].depth == 0.25F);
+}
