@@ -17,10 +17,11 @@ void reframe(Sketch& sketch, const Pose<double>& inner) {
 
 /// A point around the middle, up to a few spans away.
 Vector2<double> random_origin(Random& random, const Outline& outline) {
-  const Vector2<double> centre = middle(outline);
-  if (random.chance(0.5)) return centre;
+  Vector2<double> origin = middle(outline);
+  if (random.chance(0.5)) return origin;
   const double far = random.uniform(0, random.chance(0.8) ? 0.6 : 3) * span(outline);
-  return centre + far * random_direction(random);
+  origin += far * random_direction(random);
+  return origin;
 }
 
 Vector2<double> quarter_turn(Random& random) {
@@ -132,10 +133,10 @@ void draw_radii(Random& random, const GenerationContext& context, Draft& draft, 
 double draw_gap(Random& random, double beyond) {
   const double kind = random.unit();
   if (kind < beyond) return random.uniform(0.1, 0.3);
-  if (kind < 0.3) return -0.25 * random.unit();
-  if (kind < 0.55) return -random.magnitude(-24, -3);
-  if (kind < 0.58) return 0;
-  if (kind < 0.8) return 0.098 * random.unit();
+  if (kind < 0.33) return -0.25 * random.unit();
+  if (kind < 0.6) return -random.magnitude(-24, -3);
+  if (kind < 0.63) return 0;
+  if (kind < 0.82) return 0.098 * random.unit();
   return random.magnitude(-24, -4);
 }
 

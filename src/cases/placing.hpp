@@ -35,8 +35,9 @@ Draft swapped(const Draft& draft);
 /// The faces of both polygons as half planes of B's place: with B's origin at p from A's, both
 /// turned as in the world, face k separates by normals[k] . p - offsets[k]. A's faces come first.
 struct Faces {
-  std::array<Vector2<double>, 2 * kMaxVertices> normals;
-  std::array<double, 2 * kMaxVertices> offsets;
+  static constexpr std::size_t kMost = 2UL * kMaxVertices;
+  std::array<Vector2<double>, kMost> normals;
+  std::array<double, kMost> offsets;
   int count = 0;
   int count_a = 0;
 

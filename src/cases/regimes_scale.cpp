@@ -37,7 +37,7 @@ std::optional<PairCase> off_unit(Random& random, const GenerationContext& contex
     const double share = random.chance(0.3) ? 0.99 : random.unit();
     sketch->pose.rotation *= std::sqrt(1 + share * limit);
   }
-  const auto pair = settle(draft);
+  auto pair = settle(draft);
   if (!pair || !is_unit_rotation(pair->a.pose.rotation) ||
       !is_unit_rotation(pair->b.pose.rotation)) {
     return std::nullopt;

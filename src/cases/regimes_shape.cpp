@@ -50,7 +50,7 @@ Outline grid_hull(Random& random) {
   }
   std::sort(points.begin(), points.begin() + count,
             [](const auto& p, const auto& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
-  std::array<GridPoint, 2 * most> hull;
+  std::array<GridPoint, 2UL * most> hull;
   int corners = 0;
   const auto extend = [&](const GridPoint& point, int keep) {
     while (corners >= keep && area(hull[corners - 2], hull[corners - 1], point) <= 0) --corners;
@@ -109,11 +109,12 @@ Vector2<double> grid_contact(Random& random, const Outline& a, const Outline& b)
   return a.vertices[face] + share * a.face(face) - farthest(b, -outward);
 }
 
-/// A step on the half-integer grid, often none.
+/// A small step on the half-integer grid, often none.
 Vector2<double> grid_step(Random& random) {
   if (random.chance(0.4)) return {0, 0};
-  const double x = 0.5 * random.integer(-2, 2);
-  const double y = 0.5 * random.integer(-2, 2);
+  const int most = random.chance(0.7) ? 1 : 2;
+  const double x = 0.5 * random.integer(-most, most);
+  const double y = 0.5 * random.integer(-most, most);
   return {x, y};
 }
 
