@@ -135,11 +135,25 @@ Cases with_fewer_digits(const PairCase& pair) {
   });
 }
 
-/// One number changed: to zero, to fewer digits, or one unit of its last digit nearer to zero.
+/// All lengths multiplied by a power of ten, digits kept: sizes near 1 read best.
+Cases with_plainer_size(const PairCase& pair) {
+  constexpr std::array kFactors{1e16F, 1e8F, 1e4F, 1e2F, 1e1F, 1e-1F, 1e-2F, 1e-4F, 1e-8F};
+  return each(static_cast<int>(kFactors.size()), [pair, kFactors](int i) -> MaybeCase {
+    PairCase scaled = pair;
+    for (float* number : free_numbers(scaled)) {
+      const int digits = significant_digits(*number);
+      if (digits > 0) *number = rounded_to_digits(*number * kFactors[i], digits);
+    }
+    return scaled;
+  });
+}
+
+/// One number changed: to zero, to fewer digits, to ten times or half of it, or one unit of its
+/// last digit nearer to zero.
 Cases with_one_number_simpler(const PairCase& pair) {
   PairCase copy = pair;
   const int numbers = static_cast<int>(free_numbers(copy).size());
-  constexpr int kChanges = kDigitsMax + 3;
+  constexpr int kChanges = kDigitsMax + 4;
   return each(numbers * kChanges, [pair](int i) -> MaybeCase {
     PairCase changed = pair;
     float& number = *free_numbers(changed)[static_cast<std::size_t>(i / kChanges)];
@@ -150,6 +164,8 @@ Cases with_one_number_simpler(const PairCase& pair) {
     } else if (change <= kDigitsMax) {
       number = rounded_to_digits(number, change);
     } else if (change == kDigitsMax + 1) {
+      number = rounded_to_digits(number * 10, significant_digits(number));
+    } else if (change == kDigitsMax + 2) {
       number = rounded_to_digits(number / 2, significant_digits(number));
     } else {
       number = nearer_to_zero(number);
@@ -162,9 +178,9 @@ Cases with_one_number_simpler(const PairCase& pair) {
 
 rc::Seq<PairCase> simpler_cases(const PairCase& pair) {
   const Complexity limit = complexity(pair);
-  Cases proposals =
-      rc::seq::concat(without_a_vertex(pair), with_plainer_poses(pair), with_fewer_digits(pair),
-                      with_a_vertex_at_zero(pair), with_one_number_simpler(pair));
+  Cases proposals = rc::seq::concat(without_a_vertex(pair), with_plainer_poses(pair),
+                                    with_fewer_digits(pair), with_a_vertex_at_zero(pair),
+                                    with_plainer_size(pair), with_one_number_simpler(pair));
   return rc::seq::mapMaybe(std::move(proposals), [limit](const PairCase& proposal) {
     const MaybeCase valid = revalidated(proposal);
     return valid && complexity(*valid) < limit ? rc::Maybe<PairCase>(*valid)

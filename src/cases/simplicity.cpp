@@ -97,7 +97,8 @@ Complexity complexity(const PairCase& pair) {
   PairCase copy = pair;
   for (const float* number : free_numbers(copy)) {
     result.digits += significant_digits(*number);
-    result.size += std::abs(static_cast<double>(*number));
+    const double magnitude = std::abs(static_cast<double>(*number));
+    if (magnitude > 0) result.size += std::max(magnitude, 1 / magnitude);
   }
   for (const Side side : {Side::a, Side::b}) {
     const Body& body = pair[side];

@@ -13,7 +13,7 @@ struct Complexity {
   int vertices = 0;    ///< of both polygons
   int placements = 0;  ///< positions, rotations and radii that are not zero or the identity
   int digits = 0;      ///< significant decimal digits of all numbers, 0 has none
-  double size = 0;     ///< sum of all magnitudes
+  double size = 0;     ///< sum of max(|x|, 1/|x|): large numbers and tiny ones are hard to read
 
   friend auto operator<=>(const Complexity&, const Complexity&) = default;
 };

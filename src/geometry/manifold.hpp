@@ -89,10 +89,10 @@ inline Vector2<double> to_world(const PairCase& pair, const Vector2<double>& loc
   return transform(pose, local);
 }
 
-/// The manifold's normal in the world: unit, from A to B.
+/// The manifold's normal in the world: from A to B, as long as the local one, hence unit.
 inline Vector2<double> world_normal(const PairCase& pair, const Vector2<double>& local) {
-  const Vector2<double> turned = rotate<double>(pair.a.pose.rotation.cast<double>(), local);
-  return turned / std::sqrt(turned.dot(turned));
+  const Vector2<double> rotation = pair.a.pose.rotation.cast<double>();
+  return rotate<double>(rotation, local) / std::sqrt(rotation.dot(rotation));
 }
 
 /// A world point in A's frame: R^-1 (x - p), the transpose over cos^2 + sin^2.
