@@ -23,7 +23,7 @@ void check_format(const JsonView& root, FormatKey format_key) {
 /// The string of that name, or empty.
 std::string read_string(const JsonView& object, std::string_view key) {
   const auto member = object.find(key);
-  return member ? member->string() : std::string();
+  return std::string(member ? member->string() : "");
 }
 
 Found read_found(const JsonView& object) {
@@ -33,8 +33,8 @@ Found read_found(const JsonView& object) {
   found.regime = object.at("regime").string();
   found.index = object.at("index").whole_number();
   if (const auto versions = object.find("versions")) {
-    for (const auto& [name, version] : versions->members()) {
-      found.versions[name] = versions->at(name).string();
+    for (const std::string_view name : versions->keys()) {
+      found.versions[std::string(name)] = versions->at(name).string();
     }
   }
   return found;
@@ -103,7 +103,7 @@ void append_expectation(std::string& out, const PairCase& pair, const Expectatio
 
 CorpusCase parse_case(std::string_view text, FormatKey format_key) {
   if (is_blank(text)) throw UserError("is empty; one case is expected");
-  const Json tree = parse_json(text);
+  const JsonTree tree = parse_json(text);
   const JsonView root(tree);
   root.expect_keys({"format", "a", "b", "found", "expect", "property", "note"});
   check_format(root, format_key);

@@ -105,7 +105,7 @@ Vector2<double> read_answered_vector(const JsonView& array) {
 
 /// A recorded answer may be nonsense, so any index that a feature can hold is read.
 Feature read_feature(const JsonView& value) {
-  const std::string& text = value.string();
+  const std::string_view text = value.string();
   const char* const end = text.data() + text.size();
   unsigned char index = 0;
   const bool named = text.starts_with('f') || text.starts_with('v');
@@ -134,7 +134,7 @@ Manifold<double> read_manifold(const JsonView& object, const PairCase& pair) {
   }
   manifold.count = static_cast<int>(points.length());
   if (manifold.count == 0) return manifold;
-  const std::string& reference = object.at("reference").string();
+  const std::string_view reference = object.at("reference").string();
   if (reference != "a" && reference != "b") {
     object.at("reference").fail("the reference is \"a\" or \"b\"");
   }
@@ -200,9 +200,9 @@ void append_answer(std::string& out, const PairCase& pair, std::string_view coll
 
 NamedAnswer read_answer(const JsonView& object, const PairCase& pair) {
   object.expect_keys({"collider", "unsupported", "normal", "reference", "points"});
-  const std::string& collider = object.at("collider").string();
+  const std::string collider(object.at("collider").string());
   if (const auto unsupported = object.find("unsupported")) {
-    return {collider, Unsupported{unsupported->string()}};
+    return {collider, Unsupported{std::string(unsupported->string())}};
   }
   return {collider, read_manifold(object, pair)};
 }

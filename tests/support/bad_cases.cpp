@@ -41,6 +41,16 @@ std::string repeat(const std::string& text, int times) {
   return out;
 }
 
+/// `"k0": 0, "k1": 1, ...`
+std::string numbered_keys(int count) {
+  std::string out;
+  for (int i = 0; i < count; ++i) {
+    const std::string number = std::to_string(i);
+    out += (i > 0 ? ", " : "") + ("\"k" + number) + "\": " + number;
+  }
+  return out;
+}
+
 Rows text_rows() {
   const std::string good = good_case();
   return {
@@ -180,6 +190,8 @@ Rows key_rows() {
       {"unknown key with odd bytes", with_more("\"\\u001b[31m\\u00e9\": 1"), "\\x1b[31m\\xc3\\xa9"},
       {"unknown key of 100 kB", with_more("\"" + std::string(100000, 'k') + "\": 1"), "kkk..."},
       {"empty key", with_more(R"("": 1)"), "unknown key \"\""},
+      {"a hundred keys", with_more(R"("found": {)" + numbered_keys(100) + "}"),
+       "$.found: has more than 64 keys"},
       {"repeated key", with_more(R"("a": )" + body), "$: the key \"a\" is repeated"},
       {"repeated key of a body", with_member(R"("radius": 0, "radius": 0)"),
        "$.a: the key \"radius\" is repeated"},

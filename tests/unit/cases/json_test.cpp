@@ -4,7 +4,6 @@
 #include <limits>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include "cases/corpus.hpp"
 #include "cases/json_tree.hpp"
@@ -27,7 +26,7 @@ std::string written(Scalar value) {
 }
 
 float read_back(float value) {
-  const Json tree = parse_json(written(value));
+  const JsonTree tree = parse_json(written(value));
   return JsonView(tree).number_as_float();
 }
 
@@ -65,7 +64,7 @@ Manifold<double> sample_manifold() {
 NamedAnswer read_back(const PairCase& pair, const Answer& answer) {
   std::string line;
   append_answer(line, pair, "clip", answer);
-  const Json tree = parse_json(line);
+  const JsonTree tree = parse_json(line);
   return read_answer(JsonView(tree), pair);
 }
 
