@@ -139,9 +139,9 @@ Manifold<double> read_manifold(const JsonView& object, const PairCase& pair) {
     object.at("reference").fail("the reference is \"a\" or \"b\"");
   }
   manifold.reference = reference == "a" ? Side::a : Side::b;
-  const Vector2<double> normal = rotate_back<double>(pair.a.pose.rotation.cast<double>(),
-                                                     read_answered_vector(object.at("normal")));
-  manifold.normal = normal / std::sqrt(normal.dot(normal));
+  const Vector2<double> rotation = pair.a.pose.rotation.cast<double>();
+  manifold.normal = rotate_back<double>(rotation, read_answered_vector(object.at("normal"))) /
+                    std::sqrt(rotation.dot(rotation));  // undoes `world_normal`
   for (int i = 0; i < manifold.count; ++i) {
     manifold.points[i] = read_point(points[static_cast<std::size_t>(i)]);
   }

@@ -226,6 +226,16 @@ TEST_CASE("Answers read back") {
   CHECK(std::get<Unsupported>(read_back(pair, Unsupported{"why"}).answer).why == "why");
 }
 
+TEST_CASE("A normal that is not unit is recorded and read as it is") {
+  PairCase pair = turned_pair();
+  pair.a.pose.rotation = {0.600003F, 0.800003F};
+  Manifold<double> manifold = sample_manifold();
+  manifold.normal *= 3;
+  const NamedAnswer answer = read_back(pair, manifold);
+  const auto& read = std::get<Manifold<double>>(answer.answer);
+  CHECK((read.normal - manifold.normal).norm() < 1e-15);
+}
+
 TEST_CASE("An answer that is not finite is recorded as null and read as NaN") {
   Manifold<double> manifold = sample_manifold();
   manifold.points[0].depth = std::numeric_limits<double>::infinity();
