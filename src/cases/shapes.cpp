@@ -1,7 +1,6 @@
 #include "cases/shapes.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace manifuzz {
 namespace {
@@ -38,10 +37,6 @@ Vector2<double> face_normal(const Outline& outline, int face) {
 }
 
 }  // namespace
-
-Vector2<double> unit(const Vector2<double>& v) {
-  return v / std::sqrt(v.dot(v));
-}
 
 Vector2<double> random_direction(Random& random) {
   return circle_point(4 * random.unit());

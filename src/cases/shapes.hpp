@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "cases/random.hpp"
 #include "geometry/convex_polygon.hpp"
@@ -19,7 +20,9 @@ struct Outline {
 };
 
 /// `v` made of unit length.
-Vector2<double> unit(const Vector2<double>& v);
+inline Vector2<double> unit(const Vector2<double>& v) {
+  return v / std::sqrt(v.dot(v));
+}
 
 /// A rational point of the unit circle, (1 - t^2, 2t) / (1 + t^2) in a random quadrant: a
 /// direction, or a rotation as (cos, sin). All the way round, not quite evenly.
