@@ -276,7 +276,7 @@ TEST_CASE("a grid case is made of halves, and often of exact ties") {
   CHECK(exact > 200);
 }
 
-TEST_CASE("without a corpus, its regime still has cases; with one, they are near its own") {
+TEST_CASE("without a corpus, its regime still has cases, and with one, they are near its own") {
   const Regime& regime = *find_regime("corpus");
   CHECK_FALSE(find_defect(generate(8, regime, 0).a.polygon.corners()));
   const auto corpus = small_corpus();
