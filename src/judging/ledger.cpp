@@ -49,7 +49,7 @@ constexpr std::array kLedger{
                     "Box2D 2.4.1, include/box2d/b2_math.h, b2Vec2::Normalize: "
                     "`if (length < b2_epsilon) return 0.0f`; src/collision/b2_collide_polygon.cpp, "
                     "b2CollidePolygons: side offsets of world vertices",
-                .witness = "defects/box2d/tiny-reference-face.json",
+                .witness = "defects/box2d/oracle-known-normal-none-a-63d5e17c.json",
                 .explains = tiny_reference_face},
     LedgerEntry{.id = "box2d-no-contact-under-bias",
                 .collider = "box2d",
@@ -58,7 +58,7 @@ constexpr std::array kLedger{
                     "side planes the incident edge misses",
                 .source = "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2CollidePolygons: "
                           "k_tol = 0.1f * b2_linearSlop, then `if (np < 2) return`",
-                .witness = "defects/box2d/no-contact-under-bias.json",
+                .witness = "defects/box2d/oracle-known-missed_contact-reference-b-90766052.json",
                 .explains = no_contact_under_bias},
     LedgerEntry{.id = "box2d-no-contact-on-tied-features",
                 .collider = "box2d",
@@ -68,7 +68,7 @@ constexpr std::array kLedger{
                 .source =
                     "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2FindMaxSeparation and "
                     "b2FindIncidentEdge: first of equals",
-                .witness = "defects/box2d/no-contact-on-tied-features.json",
+                .witness = "defects/box2d/oracle-known-missed_contact-reference-a-f2b840dd.json",
                 .explains = no_contact_on_tied_features},
 };
 
