@@ -58,7 +58,7 @@ constexpr std::array kLedger{
                     "side planes the incident edge misses",
                 .source = "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2CollidePolygons: "
                           "k_tol = 0.1f * b2_linearSlop, then `if (np < 2) return`",
-                .witness = "defects/box2d/oracle-known-missed_contact-reference-b-90766052.json",
+                .witness = "defects/box2d/oracle-known-missed_contact-reference-b-aeb9c2ca.json",
                 .explains = no_contact_under_bias},
     LedgerEntry{.id = "box2d-no-contact-on-tied-features",
                 .collider = "box2d",
