@@ -39,6 +39,19 @@ bool tiny_reference_face(const Deviation& d) {
   });
 }
 
+/// An end of the incident edge lies so near a side plane that the product of both ends' distances
+/// underflows: the crossing is not seen, and one point is left.
+bool crossing_underflows(const Deviation& d) {
+  const auto lost = [](const truth::ClipPoint& point) {
+    return point.margin <= std::numeric_limits<float>::min();
+  };
+  return misses_overlap(d) &&
+         std::any_of(d.right.candidates.begin(), d.right.candidates.end(), [&](const Candidate& c) {
+           const auto& points = c.clip.points;
+           return std::any_of(points.begin(), points.begin() + c.clip.count, lost);
+         });
+}
+
 constexpr std::array kLedger{
     LedgerEntry{.id = "box2d-tiny-reference-face",
                 .collider = "box2d",
@@ -70,6 +83,15 @@ constexpr std::array kLedger{
                     "b2FindIncidentEdge: first of equals",
                 .witness = "defects/box2d/oracle-known-missed_contact-reference-a-f2b840dd.json",
                 .explains = no_contact_on_tied_features},
+    LedgerEntry{.id = "box2d-crossing-underflows",
+                .collider = "box2d",
+                .description =
+                    "no contact for overlapping polygons: an end of the incident edge all "
+                    "but touches a side plane, the product of distances underflows",
+                .source = "Box2D 2.4.1, src/collision/b2_collision.cpp, b2ClipSegmentToLine: "
+                          "`if (distance0 * distance1 < 0.0f)`",
+                .witness = "defects/box2d/oracle-known-missed_contact-incident-a-32d2eea4.json",
+                .explains = crossing_underflows},
 };
 
 }  // namespace
