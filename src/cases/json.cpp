@@ -43,7 +43,7 @@ float read_radius(const JsonView& number) {
 }
 
 Vector2<float> read_rotation(const JsonView& array) {
-  const Vector2<float> rotation = read_vector(array);
+  Vector2<float> rotation = read_vector(array);
   if (!is_unit_rotation(rotation)) {
     array.fail(
         fmt::format("[{}, {}] is not a rotation; it is [cos, sin], cos^2 + sin^2 within {} of 1",
