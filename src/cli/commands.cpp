@@ -8,10 +8,12 @@ extern const Command kGenerate;
 extern const Command kList;
 extern const Command kProperty;
 extern const Command kReplay;
+extern const Command kShow;
 extern const Command kShrink;
 
 std::span<const Command> commands() {
-  static const Command all[] = {kFuzz, kReplay, kProperty, kCollide, kGenerate, kShrink, kList};
+  static const Command all[] = {kFuzz,     kReplay, kProperty, kCollide,
+                                kGenerate, kShrink, kShow,     kList};
   return all;
 }
 

@@ -5,33 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "report/xml.hpp"
+
 namespace manifuzz {
-namespace {
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return out;
-}
-
-}  // namespace
 
 std::string junit_xml(const std::string& suite, std::span<const JUnitTest> tests) {
   const auto failures = std::count_if(tests.begin(), tests.end(),
@@ -42,13 +18,13 @@ std::string junit_xml(const std::string& suite, std::span<const JUnitTest> tests
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<testsuites>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" time=\"{:.3f}\">\n",
-      escaped(suite), tests.size(), failures, seconds);
+      escape_xml(suite), tests.size(), failures, seconds);
   for (const JUnitTest& test : tests) {
-    xml += fmt::format("<testcase classname=\"{}\" name=\"{}\" time=\"{:.6f}\"", escaped(suite),
-                       escaped(test.name), test.seconds);
+    xml += fmt::format("<testcase classname=\"{}\" name=\"{}\" time=\"{:.6f}\"", escape_xml(suite),
+                       escape_xml(test.name), test.seconds);
     xml += test.failure.empty()
                ? "/>\n"
-               : fmt::format("><failure message=\"{}\"/></testcase>\n", escaped(test.failure));
+               : fmt::format("><failure message=\"{}\"/></testcase>\n", escape_xml(test.failure));
   }
   return xml + "</testsuite>\n</testsuites>\n";
 }

@@ -1,0 +1,158 @@
+#include "report/picture/region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace manifuzz {
+namespace {
+
+constexpr int kBisectionsMin = 4;
+constexpr int kBisectionsMax = 40;
+
+/// The direction halfway between two unit vectors, `to` being less than a half turn
+/// counter-clockwise of `from`.
+Point halfway(const Point& from, const Point& to) {
+  const Point sum =
+      from.dot(to) < 0 ? counter_clockwise_quarter<double>(from - to) : Point(from + to);
+  return unit(sum);
+}
+
+/// An arc around a corner, and how finely it is to be drawn.
+struct Arc {
+  Point center{0, 0};
+  double radius = 0;
+  Box where;
+  double tolerance = 0;
+
+  Point at(const Point& direction) const { return center + radius * direction; }
+  /// Whether the chord will do in place of the arc between these directions.
+  bool is_fine(const Point& from, const Point& to) const {
+    const double chord = length(to - from) * radius;
+    const double sag = chord * chord / (8 * radius);
+    return sag <= tolerance || !inside({at(from), at(to)}, where.grown(sag));
+  }
+};
+
+/// The points from `from` to just before `to`.
+void append_arc(Region& region, const Arc& arc, const Point& from, const Point& to,
+                int bisections) {
+  const bool is_coarse = bisections > kBisectionsMax - kBisectionsMin;
+  if (bisections == 0 || (!is_coarse && arc.is_fine(from, to))) {
+    region.push_back(arc.at(from));
+    return;
+  }
+  const Point middle = halfway(from, to);
+  append_arc(region, arc, from, middle, bisections - 1);
+  append_arc(region, arc, middle, to, bisections - 1);
+}
+
+/// What lies where `height`, linear in its point, is not negative.
+template <class Height>
+Region cut(const Region& region, const Height& height) {
+  Region kept;
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    const Point& p = region[i];
+    const Point& q = region[(i + 1) % region.size()];
+    const double of_p = height(p);
+    const double of_q = height(q);
+    if (of_p >= 0) kept.push_back(p);
+    if ((of_p > 0 && of_q < 0) || (of_p < 0 && of_q > 0)) {
+      kept.push_back(p + (q - p) * (of_p / (of_p - of_q)));
+    }
+  }
+  return kept;
+}
+
+}  // namespace
+
+double length(const Point& v) {
+  return std::sqrt(v.dot(v));
+}
+
+Point unit(const Point& v) {
+  const double long_as = length(v);
+  return long_as > 0 ? Point(v / long_as) : Point(0, 0);
+}
+
+Box box_around(const std::vector<Point>& points) {
+  Point least = points.front();
+  Point most = points.front();
+  for (const Point& point : points) {
+    least = least.cwiseMin(point);
+    most = most.cwiseMax(point);
+  }
+  return {least.x(), least.y(), most.x() - least.x(), most.y() - least.y()};
+}
+
+Point nearest(const Box& box, const Point& p) {
+  return {std::clamp(p.x(), box.x, box.right()), std::clamp(p.y(), box.y, box.bottom())};
+}
+
+double distance(const Box& box, const Point& p) {
+  return length(p - nearest(box, p));
+}
+
+Region rounded(const truth::WorldPolygon<double>& polygon, double radius, const Box& where,
+               double tolerance) {
+  Region region;
+  for (int i = 0; i < polygon.count; ++i) {
+    if (radius <= 0) {
+      region.push_back(polygon.vertices[i]);
+      continue;
+    }
+    const Point& before = polygon.normals[i > 0 ? i - 1 : polygon.count - 1];
+    const Arc arc{polygon.vertices[i], radius, where, tolerance};
+    append_arc(region, arc, before, polygon.normals[i], kBisectionsMax);
+    region.push_back(arc.at(polygon.normals[i]));
+  }
+  return region;
+}
+
+Region intersection(const Region& region, const Region& with) {
+  Region kept = region;
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    const Point& from = with[i];
+    const Point along = with[(i + 1) % with.size()] - from;
+    kept = cut(kept, [&](const Point& p) { return cross<double>(along, p - from); });
+  }
+  return kept;
+}
+
+Region intersection(const Region& region, const Box& box) {
+  Region kept = cut(region, [&](const Point& p) { return p.x() - box.x; });
+  kept = cut(kept, [&](const Point& p) { return box.right() - p.x(); });
+  kept = cut(kept, [&](const Point& p) { return p.y() - box.y; });
+  return cut(kept, [&](const Point& p) { return box.bottom() - p.y(); });
+}
+
+double depth_in(const Region& region, const Point& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    const Point along = region[(i + 1) % region.size()] - region[i];
+    const double edge = length(along);
+    if (edge > 0) least = std::min(least, cross<double>(along, p - region[i]) / edge);
+  }
+  return least;
+}
+
+std::optional<Segment> inside(const Segment& segment, const Box& box) {
+  const Point along = segment.second - segment.first;
+  double begin = 0;
+  double end = 1;
+  for (const int axis : {0, 1}) {
+    const double low = (axis == 0 ? box.x : box.y) - segment.first[axis];
+    const double high = (axis == 0 ? box.right() : box.bottom()) - segment.first[axis];
+    if (along[axis] == 0) {
+      if (low > 0 || high < 0) return std::nullopt;
+      continue;
+    }
+    const auto [enter, leave] = std::minmax({low / along[axis], high / along[axis]});
+    begin = std::max(begin, enter);
+    end = std::min(end, leave);
+  }
+  if (!(begin <= end)) return std::nullopt;
+  return Segment(segment.first + begin * along, segment.first + end * along);
+}
+
+}  // namespace manifuzz

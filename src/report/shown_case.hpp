@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+#include "cases/corpus.hpp"
+#include "judging/judge.hpp"
+
+namespace manifuzz {
+
+/// A collider that was asked, and what it said.
+struct Party {
+  Declaration declaration;
+  std::optional<Answer> answer;
+  std::string_view silence;  ///< without an answer, what became of it: "crashed", "timed out"
+
+  /// Its manifold, or nullptr where it gave none. It may be malformed.
+  const Manifold<double>* manifold() const {
+    return answer ? std::get_if<Manifold<double>>(&*answer) : nullptr;
+  }
+  /// The number of its points, 0 to 2 whatever a malformed manifold says.
+  int count() const { return manifold() ? std::clamp(manifold()->count, 0, 2) : 0; }
+};
+
+/// A case and what it comes to between two colliders: what `show` shows.
+struct ShownCase {
+  CorpusCase given;
+  Party subject;
+  Party oracle;
+  Judgement judgement;
+};
+
+/// The face of `side` with the greatest separation, the first of equals.
+struct GreatestFace {
+  int face = 0;
+  truth::Real separation = 0;  ///< world length
+};
+GreatestFace greatest_face(const truth::World<truth::Real>& world, Side side);
+
+/// The candidate that a picture shows: the subject's own choice where that is right, else the first
+/// whose incident edge meets the slab, else the first; nullptr where the polygons are apart.
+const Candidate* candidate_to_show(const Admissible& right, const Party& subject);
+
+}  // namespace manifuzz

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace manifuzz {
+
+/// `text` fit for an XML attribute or element; control characters become blanks.
+std::string escape_xml(std::string_view text);
+
+}  // namespace manifuzz

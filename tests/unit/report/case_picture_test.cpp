@@ -1,0 +1,195 @@
+#include "report/case_picture.hpp"
+
+#include <limits>
+
+#include <catch2/catch.hpp>
+
+#include "report/picture/svg.hpp"
+#include "report/words.hpp"
+#include "support/named_tests.hpp"
+#include "unit/report/sample.hpp"
+#include "unit/report/svg_reader.hpp"
+
+using namespace manifuzz;
+using namespace manifuzz::test;
+using Catch::Contains;
+
+namespace {
+
+constexpr std::uint64_t kCasesOfRegime = 200;
+
+Font font_of(const Element& text) {
+  return {text.number("font-size"), text.attributes.contains("font-weight")};
+}
+
+/// The text that the picture is expected to hold, broken into lines or not.
+bool holds(const std::vector<Element>& elements, std::string_view expected) {
+  std::string joined;
+  for (const char c : all_text(elements)) joined += c == '\n' ? ' ' : c;
+  return joined.find(expected) != std::string::npos;
+}
+
+void check_numbers(const std::string& svg) {
+  CHECK(svg.find("nan") == std::string::npos);
+  CHECK(svg.find("inf,") == std::string::npos);
+  CHECK(svg.find("\"inf") == std::string::npos);
+  CHECK(svg.find("\"-inf") == std::string::npos);
+}
+
+/// Rectangles and texts that leave the canvas, labels that cover each other.
+std::vector<std::string> misplaced(const std::vector<Element>& elements) {
+  const Box canvas{0, 0, elements.front().number("width"), elements.front().number("height")};
+  std::vector<std::string> found;
+  std::vector<Box> labels;
+  for (const Element& element : elements) {
+    if (element.name == "rect" && !canvas.contains(element.box())) found.push_back("a rect");
+    if (element.is("rect", "label")) labels.push_back(element.box().grown(-0.01));  // of rounding
+    if (element.name != "text") continue;
+    const double width = text_width(element.text, font_of(element));
+    const double size = element.number("font-size");
+    const Box box{element.number("x"), element.number("y") - size, width, size};
+    if (!canvas.contains(box)) found.push_back(element.text);
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (labels[i].overlaps(labels[j])) found.push_back("a label on another");
+    }
+  }
+  return found;
+}
+
+void check_layout(const std::vector<Element>& elements) {
+  CHECK(misplaced(elements) == std::vector<std::string>());
+}
+
+void check_words(const ShownCase& shown, const std::vector<Element>& elements) {
+  CHECK(holds(elements, verdict_sentence(shown)));
+  for (const Party* party : {&shown.subject, &shown.oracle}) {
+    CHECK(holds(elements, party->declaration.name + " " + party->declaration.version));
+    CHECK(holds(elements, answer_in_words(*party)));
+  }
+  const Admissible right = admissible(shown.given.pair, shown.subject.declaration);
+  const Candidate* const candidate = candidate_to_show(right, shown.subject);
+  if (candidate == nullptr) return;
+  const Side side = candidate->reference_side;
+  CHECK(holds(elements, "reference (" + face_name(side, candidate->reference) + ")"));
+  CHECK(holds(elements, "incident (" + face_name(other(side), candidate->incident) + ")"));
+}
+
+void check_picture(const ShownCase& shown) {
+  const std::string svg = case_svg(shown);
+  check_numbers(svg);
+  const auto elements = read_svg(svg);
+  check_layout(elements);
+  check_words(shown, elements);
+}
+
+[[maybe_unused]] const bool registered = [] {
+  for (const Regime& regime : regimes()) {
+    add_test("pictures of the regime " + std::string(regime.name), "[picture]", [&regime] {
+      for (std::uint64_t index = 0; index < kCasesOfRegime; ++index) {
+        CAPTURE(index);
+        check_picture(shown_case(generate(1, regime, index)));
+      }
+    });
+  }
+  return true;
+}();
+
+}  // namespace
+
+TEST_CASE("a picture shows both colliders' points with their depths") {
+  const auto elements = read_svg(case_svg(shown_case(box_on_box(0.25F))));
+  CHECK(select(elements, "circle", "mark-subject").size() == 3);  // one in the legend
+  CHECK(select(elements, "rect", "mark-oracle").size() == 3);
+  CHECK(select(elements, "line", "bar subject").size() == 4);  // and a tick each
+  CHECK(select(elements, "polygon", "overlap").size() == 1);
+  CHECK_THAT(all_text(elements), Contains("depth 0.25 (clip, box2d)"));
+}
+
+TEST_CASE("the overlap is drawn where it is") {
+  const auto elements = read_svg(case_svg(shown_case(box_on_box(0.25F))));
+  const auto corners = [&](const std::string& css) {
+    return select(elements, "polygon", css).at(0).attributes.at("points");
+  };
+  CHECK(corners("overlap") != corners("fill a"));
+  CHECK(corners("overlap") != corners("fill b"));
+}
+
+TEST_CASE("a depth too small to be seen gets a closer view") {
+  const auto frames = [](float depth) {
+    return select(read_svg(case_svg(shown_case(box_on_box(depth)))), "rect", "frame").size();
+  };
+  CHECK(frames(0.25F) == 1);
+  CHECK(frames(1e-5F) == 2);
+  CHECK(frames(-1e-5F) == 2);
+}
+
+TEST_CASE("polygons apart show the gap, and no contact") {
+  const auto elements = read_svg(case_svg(shown_case(box_on_box(-0.5F))));
+  CHECK(holds(elements, "gap 0.5"));
+  CHECK(select(elements, "line", "incident").empty());
+  CHECK(select(elements, "line", "bar truth").size() == 2);
+}
+
+TEST_CASE("rounded polygons have a dashed skin") {
+  const auto elements = read_svg(case_svg(shown_case(box_on_box(-0.25F, 0.5F))));
+  CHECK(select(elements, "line", "skin a").size() > 16);
+  CHECK(select(elements, "line", "skin b").empty());
+}
+
+TEST_CASE("a ledger entry stands below the picture") {
+  ShownCase shown = shown_case(box_on_box(0.25F));
+  shown.judgement.explanation = &ledger().front();
+  CHECK(holds(read_svg(case_svg(shown)), ledger().front().id));
+}
+
+TEST_CASE("answers that are nonsense make a picture all the same") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinite, -infinite, 1e300, -1e300}) {
+    for (int i = 0; i < 4; ++i) {
+      ShownCase shown = shown_case(box_on_box(0.25F));
+      Manifold<double> manifold = *shown.oracle.manifold();
+      double* const places[] = {&manifold.points[0].position.x(), &manifold.points[0].depth,
+                                &manifold.normal.x(), &manifold.points[1].position.y()};
+      *places[i] = bad;
+      shown.oracle.answer = manifold;
+      CAPTURE(bad, i);
+      check_layout(read_svg(case_svg(shown)));
+    }
+  }
+  ShownCase shown = shown_case(box_on_box(0.25F));
+  Manifold<double> manifold = *shown.oracle.manifold();
+  manifold.count = 1000;
+  manifold.points[0].features.a.index = 200;
+  manifold.normal = {0, 0};
+  shown.oracle.answer = manifold;
+  check_layout(read_svg(case_svg(shown)));
+}
+
+TEST_CASE("a collider that gave no answer is in the legend") {
+  ShownCase shown = shown_case(box_on_box(0.25F));
+  shown.oracle.answer.reset();
+  shown.oracle.silence = "crashed";
+  shown.judgement.bucket = bucket_of_lost(Verdict::crashed, Fault::oracle);
+  check_picture(shown);
+}
+
+TEST_CASE("sizes and places that no picture was made for") {
+  for (const float size : {1e-30F, 1e-6F, 1e6F, 1e15F}) {
+    PairCase pair = box_on_box(0.25F);
+    pair.a.polygon = box_polygon(size, size);
+    pair.b.polygon = box_polygon(size / 2, size / 2);
+    pair.b.pose.position = {0, -1.25F * size};
+    CAPTURE(size);
+    check_picture(shown_case(pair));
+    pair.b.polygon = box_polygon(size * 1e-5F, size);
+    check_picture(shown_case(pair));
+  }
+  PairCase far = box_on_box(0.25F);
+  far.a.pose.position = {1e7F, -1e7F};
+  far.b.pose.position = {1e7F, -10000001};
+  check_picture(shown_case(far));
+  CHECK(holds(read_svg(case_svg(shown_case(far))), "(1e+07,-1e+07)"));
+}

@@ -1,0 +1,87 @@
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <catch2/catch.hpp>
+
+#include "cases/corpus.hpp"
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/report/sample.hpp"
+#include "unit/report/svg_reader.hpp"
+
+using namespace manifuzz;
+using namespace manifuzz::test;
+using Catch::Contains;
+
+namespace {
+
+std::string case_line() {
+  std::string line;
+  append_case_line(line, box_on_box(0.25F));
+  return line + '\n';
+}
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+TEST_CASE("show writes the text, and the picture where it is asked for") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("case.jsonl", case_line());
+  const std::string picture = (folder.path() / "new" / "case.svg").string();
+  const Outcome outcome = run_manifuzz({"show", file, "--svg", picture});
+  INFO(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  CHECK_THAT(outcome.out, Contains("agree within rounding"));
+  CHECK_THAT(all_text(read_svg(read(picture))), Contains("agree within rounding"));
+  CHECK(read(picture).find(folder.path().string()) == std::string::npos);
+}
+
+TEST_CASE("show - reads stdin, --svg - writes the picture alone") {
+  const Outcome outcome = run_manifuzz({"show", "-", "--svg", "-"}, case_line());
+  CHECK(outcome.status == 0);
+  CHECK(read_svg(outcome.out).front().name == "svg");
+  CHECK(run_manifuzz({"show", "-", "--svg", "-"}, case_line()).out == outcome.out);
+}
+
+TEST_CASE("the colliders are those asked for, else the recorded ones, else clip and box2d") {
+  const TemporaryFolder folder;
+  CorpusCase recorded;
+  recorded.pair = box_on_box(0.25F);
+  recorded.expect = Expectation{"clip64", "clip", {}, {}, {}};
+  const std::string file = folder.write("case.json", format_case(recorded));
+  const std::string by_record = run_manifuzz({"show", file}).out;
+  CHECK_THAT(by_record, Contains("subject: clip64 ") && Contains("oracle: clip "));
+  const std::string asked = run_manifuzz({"show", file, "--subject", "box2d"}).out;
+  CHECK_THAT(asked, Contains("subject: box2d ") && Contains("oracle: clip "));
+  const std::string usual = run_manifuzz({"show", "-"}, case_line()).out;
+  CHECK_THAT(usual, Contains("subject: clip ") && Contains("oracle: box2d "));
+}
+
+TEST_CASE("show refuses bad input in one line") {
+  const TemporaryFolder folder;
+  const std::string good = folder.write("case.jsonl", case_line());
+  const std::vector<std::vector<std::string>> all = {
+      {"show"},
+      {"show", (folder.path() / "none.json").string()},
+      {"show", folder.path().string()},
+      {"show", folder.write("broken.json", "{\"a\": 1}")},
+      {"show", folder.write("empty.json", "")},
+      {"show", good, "--subject", "clop"},
+      {"show", good, "--oracle", "clop"},
+      {"show", good, "--svg", folder.path().string()},
+      {"show", good, "--svg", good + "/case.svg"},
+  };
+  for (const auto& arguments : all) {
+    const Outcome outcome = run_manifuzz(arguments);
+    CAPTURE(arguments, outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(is_one_clear_line(outcome.err));
+  }
+}
