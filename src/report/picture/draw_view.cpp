@@ -26,7 +26,7 @@ void draw_letter(Drawing& drawing, Side side) {
   if (seen.size() < 3) return;
   const std::string name = side == Side::a ? "A" : "B";
   const Box about = box_around(seen);
-  constexpr int steps = 32;
+  constexpr int steps = 20;
   constexpr double enough = 14;
   double best = 0;
   Point at = about.center();
