@@ -46,18 +46,17 @@ int jobs_of(const Options& options) {
   return static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
 }
 
-Plan plan_of(const Options& options, std::uint64_t seed, std::span<const PairCase> corpus) {
+/// All of the plan that options decide; what is wrong with them comes before a seed is drawn.
+Plan plan_of(const Options& options) {
   Plan plan;
   plan.subject = find_collider(options.subject, options.tie_bias);
   plan.oracle = find_collider(options.oracle);
   plan.regimes = choose_regimes(options.regimes);
-  plan.context.corpus = corpus;
   if (options.radius) plan.context.radius = static_cast<float>(*options.radius);
   plan.first = options.first.value_or(0);
   plan.cases = options.cases;
   if (!options.cases) plan.seconds = options.seconds.value_or(kDefaultSeconds);
   plan.jobs = jobs_of(options);
-  plan.seed = seed;
   return plan;
 }
 
@@ -102,9 +101,10 @@ void save_new(std::vector<Finding>& found, const Plan& plan, const Options& opti
 
 int fuzz(const Options& options) {
   const Corpus corpus = read_corpus_folder(options.corpus);
-  const std::uint64_t seed = seed_or_draw(options.seed);
-  const std::vector<PairCase> pairs = pairs_of(corpus, seed);
-  const Plan plan = plan_of(options, seed, pairs);
+  Plan plan = plan_of(options);
+  plan.seed = seed_or_draw(options.seed);
+  const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
+  plan.context.corpus = pairs;
   Interruption interruption;
   JobsResult run;
   {

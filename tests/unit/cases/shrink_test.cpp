@@ -82,13 +82,22 @@ TEST_CASE("what the predicate needs is kept, and nothing else") {
     CHECK(shrunk.pair.b.pose.position == Vector2<float>(3, 0));
     CHECK(complexity(shrunk.pair).placements == 1);
   }
-  SECTION("a radius of at least a tenth") {
+  SECTION("a radius of at least two") {
     PairCase start = messy();
-    start.a.polygon.radius = 0.7654321F;
-    const auto rounded = [](const PairCase& p) { return p.a.polygon.radius >= 0.1F; };
+    start.a.polygon.radius = 7.654321F;
+    const auto rounded = [](const PairCase& p) { return p.a.polygon.radius >= 2; };
     const Shrunk shrunk = shrink(start, rounded);
-    CHECK(shrunk.pair.a.polygon.radius == 0.1F);
+    CHECK(shrunk.pair.a.polygon.radius == 2);
     CHECK(shrunk.pair.b.polygon.radius == 0);
+  }
+}
+
+TEST_CASE("tiny numbers are as hard to read as large ones") {
+  PairCase tiny = messy();
+  for (float* number : free_numbers(tiny)) *number *= 1e-6F;
+  Shrunk shrunk = shrink(tiny, [](const PairCase&) { return true; });
+  for (const float* number : free_numbers(shrunk.pair)) {
+    CHECK((*number == 0 || std::abs(*number) >= 0.1F));
   }
 }
 

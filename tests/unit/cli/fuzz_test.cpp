@@ -1,0 +1,133 @@
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace manifuzz::test;
+using Json = nlohmann::json;
+
+namespace {
+
+std::vector<std::string> fuzz(const TemporaryFolder& folder, std::vector<std::string> more) {
+  std::vector<std::string> arguments{"fuzz", "--corpus", (folder.path() / "corpus").string()};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+Json summary(const Outcome& outcome) {
+  INFO(outcome.err);
+  Json json = Json::parse(outcome.out, nullptr, false);
+  REQUIRE(json.is_object());
+  return json;
+}
+
+}  // namespace
+
+TEST_CASE("a campaign's JSON has every key that is promised, and every verdict, zeros too") {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_manifuzz(fuzz(folder, {"--seed", "1", "--cases", "4000", "--no-save", "--json", "-"}));
+  CHECK(outcome.status == 0);
+  const Json json = summary(outcome);
+  for (const char* key :
+       {"machine", "compiler", "seed", "versions", "cases", "seconds", "cases_per_second", "jobs",
+        "touching", "near", "verdicts", "unexplained", "regimes", "buckets"}) {
+    CHECK(json.contains(key));
+  }
+  CHECK(json["cases"] == 4000);
+  CHECK(json["verdicts"].size() == 11);
+  CHECK(json["regimes"].size() == 20);
+  CHECK(outcome.out.find("\"/") == std::string::npos);  // no absolute path
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "corpus"));
+}
+
+TEST_CASE("a finding is saved once, and its command repeats it, saved or not") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> campaign{"--seed",   "2",        "--cases", "20000",  "--regime",
+                                          "tie_bias", "--radius", "0",       "--json", "-"};
+  const Json first = summary(run_manifuzz(fuzz(folder, campaign)));
+  bool found = false;
+  for (const Json& bucket : first["buckets"]) {
+    CHECK(bucket["new"] == true);
+    CHECK(std::filesystem::exists(bucket["file"].get<std::string>()));
+    if (bucket["verdict"] != "known") continue;
+    found = true;
+    const Json again = summary(run_manifuzz(fuzz(
+        folder, {"--seed", "2", "--regime", "tie_bias", "--radius", "0", "--cases", "1", "--first",
+                 std::to_string(bucket["first_index"].get<std::uint64_t>()), "--json", "-"})));
+    REQUIRE(again["buckets"].size() == 1);
+    CHECK(again["buckets"][0]["bucket"] == bucket["bucket"]);
+    CHECK(again["buckets"][0]["new"] == false);
+  }
+  CHECK(found);
+  const Json second = summary(run_manifuzz(fuzz(folder, campaign)));
+  CHECK(second["verdicts"] == first["verdicts"]);
+  for (const Json& bucket : second["buckets"]) CHECK(bucket["new"] == false);
+}
+
+TEST_CASE("the number of jobs changes nothing in the summary but the speed") {
+  const TemporaryFolder folder;
+  const auto with_jobs = [&](const char* jobs) {
+    Json json = summary(run_manifuzz(fuzz(
+        folder, {"--seed", "3", "--cases", "6000", "--jobs", jobs, "--no-save", "--json", "-"})));
+    for (const char* key : {"jobs", "seconds", "cases_per_second"}) json.erase(key);
+    return json;
+  };
+  CHECK(with_jobs("1") == with_jobs("3"));
+}
+
+TEST_CASE("a wrong subject is status 1") {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_manifuzz(fuzz(folder, {"--subject", "box2d", "--oracle", "clip", "--regime", "tie_bias",
+                                 "--seed", "1", "--cases", "5000", "--no-save"}));
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.find("subject/subject_wrong/missed_contact") != std::string::npos);
+}
+
+TEST_CASE("a run in which nothing touches is vacuous, unless it is the regime for that") {
+  const TemporaryFolder folder;
+  CHECK(run_manifuzz(
+            fuzz(folder, {"--regime", "separated", "--seed", "1", "--cases", "2000", "--no-save"}))
+            .status == 0);
+}
+
+TEST_CASE("bad usage of fuzz is one clear line and status 2") {
+  const TemporaryFolder folder;
+  const std::string broken = folder.write("broken.json", "{");
+  const std::vector<std::vector<std::string>> bad{
+      {"--regime", "no_such"}, {"--subject", "no_such"},
+      {"--cases", "0"},        {"--cases", "-1"},
+      {"--seconds", "-1"},     {"--cases", "1", "--seconds", "1"},
+      {"--jobs", "0"},         {"--jobs", "100000"},
+      {"--seed", "1e3"},       {"--subject", "box2d", "--tie-bias", "0.1"},
+      {"--radius", "nan"},     {"--first", "x"},
+      {"--no-such-option"},    {"--corpus", broken}};
+  for (const auto& arguments : bad) {
+    std::vector<std::string> all{"fuzz", "--no-save"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    if (arguments[0] != "--cases" && arguments[0] != "--seconds") {
+      all.insert(all.end(), {"--cases", "10"});
+    }
+    const Outcome outcome = run_manifuzz(all);
+    INFO(arguments[0] << ": " << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+  }
+}
+
+TEST_CASE("an interrupted campaign keeps what it found") {
+  const TemporaryFolder folder;
+  const std::string json = (folder.path() / "summary.json").string();
+  const Outcome outcome =
+      run_program({"timeout", "--signal=INT", "2", manifuzz_path(), "fuzz", "--seconds", "60",
+                   "--seed", "1", "--corpus", (folder.path() / "corpus").string(), "--json", json});
+  INFO(outcome.err);
+  CHECK(outcome.status == 124);  // what timeout says of a program it had to signal
+  CHECK(outcome.out.find("interrupted") != std::string::npos);
+  CHECK(std::filesystem::exists(json));
+  CHECK(std::filesystem::exists(folder.path() / "corpus" / "defects" / "box2d"));
+}
