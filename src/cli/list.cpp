@@ -10,6 +10,7 @@
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "judging/ledger.hpp"
 
 namespace manifuzz {
 namespace {
@@ -35,12 +36,22 @@ std::string list_regimes() {
   return lines;
 }
 
+std::string list_ledger() {
+  std::string lines;
+  for (const LedgerEntry& entry : ledger()) {
+    lines += fmt::format("{:<34} {} [{}; witness corpus/{}]\n", entry.id, entry.description,
+                         entry.source, entry.witness);
+  }
+  return lines;
+}
+
 struct Catalogue {
   std::string_view name;
   std::string (*list)();
 };
 
-constexpr Catalogue kCatalogues[] = {{"colliders", list_colliders}, {"regimes", list_regimes}};
+constexpr Catalogue kCatalogues[] = {
+    {"colliders", list_colliders}, {"regimes", list_regimes}, {"ledger", list_ledger}};
 
 int list(const std::string& what) {
   std::string names;
@@ -59,7 +70,7 @@ int list(const std::string& what) {
 
 Run define(CLI::App& app) {
   const auto what = std::make_shared<std::string>();
-  app.add_option("WHAT", *what, "colliders or regimes")->required();
+  app.add_option("WHAT", *what, "colliders, regimes or ledger")->required();
   return [what] { return list(*what); };
 }
 
@@ -67,6 +78,6 @@ Run define(CLI::App& app) {
 
 extern const Command kList;
 const Command kList{"list", "What there is, a line each.",
-                    "manifuzz list colliders\nmanifuzz list regimes", define};
+                    "manifuzz list colliders\nmanifuzz list regimes\nmanifuzz list ledger", define};
 
 }  // namespace manifuzz
