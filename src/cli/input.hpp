@@ -16,8 +16,8 @@ std::vector<const Regime*> choose_regimes(const std::vector<std::string>& names)
 /// first broken file, for what is drawn from a corpus hangs on all of it.
 Corpus read_corpus_folder(const std::filesystem::path& folder);
 
-/// The pairs that a campaign with this seed may mutate: all but those that the seed itself found, so
-/// that saving a finding changes no case and its command repeats it.
+/// The pairs that a campaign with this seed may mutate: all but those that the seed itself found,
+/// so that saving a finding changes no case and its command repeats it.
 std::vector<PairCase> pairs_of(const Corpus& corpus, std::uint64_t seed);
 
 }  // namespace manifuzz

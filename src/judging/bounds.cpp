@@ -26,9 +26,13 @@ double defect(const Body& body) {
 }  // namespace
 
 Bounds bounds(const PairCase& pair, const Declaration& declaration) {
+  return bounds(pair, declaration, extent(pair));
+}
+
+Bounds bounds(const PairCase& pair, const Declaration& declaration, double extent) {
   const bool narrow = declaration.scalar == ScalarType::float32;
   const double u = roundoff(declaration.scalar);
-  double reach = extent(pair) + total_radius(pair);
+  double reach = extent + total_radius(pair);
   const double rotation_defect = narrow ? defect(pair.a) + defect(pair.b) : 0;
   const double of_rotation = rotation_defect * reach;
   if (declaration.frame == RoundingFrame::world) {
@@ -41,7 +45,7 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration) {
 }
 
 bool is_ill_posed(const PairCase& pair, const Bounds& bounds) {
-  return bounds.separation > kIllPosedShare * size(pair);
+  return is_ill_posed(size(pair), bounds);
 }
 
 }  // namespace manifuzz

@@ -26,9 +26,15 @@ struct Bounds {
 
 Bounds bounds(const PairCase& pair, const Declaration& declaration);
 
+/// The same where the extent E is known already.
+Bounds bounds(const PairCase& pair, const Declaration& declaration, double extent);
+
 /// Float cannot say: the separation bound exceeds this share of the smaller polygon's diameter.
 inline constexpr double kIllPosedShare = 0.05;
 
 bool is_ill_posed(const PairCase& pair, const Bounds& bounds);
+inline bool is_ill_posed(double size, const Bounds& bounds) {
+  return bounds.separation > kIllPosedShare * size;
+}
 
 }  // namespace manifuzz

@@ -174,9 +174,11 @@ Verdict verdict_of(Fault fault) {
 Standing standing(const PairCase& pair) {
   Standing result;
   result.separation = truth::separation(pair);
+  result.size = size(pair);
+  result.extent = extent(pair);
   const double above = result.separation - total_radius(pair);
   result.touching = above <= 0;
-  result.near = std::abs(above) <= kNearShare * size(pair);
+  result.near = std::abs(above) <= kNearShare * result.size;
   return result;
 }
 
@@ -185,9 +187,11 @@ bool plainly_agree(const PairCase& pair, const Standing& standing, const Testimo
   const auto* s = std::get_if<Manifold<double>>(&subject.answer);
   const auto* o = std::get_if<Manifold<double>>(&oracle.answer);
   if (!s || !o || s->count != o->count) return false;
-  const Bounds for_subject = bounds(pair, subject.declaration);
-  const Bounds for_oracle = bounds(pair, oracle.declaration);
-  if (is_ill_posed(pair, for_subject) || is_ill_posed(pair, for_oracle)) return false;
+  const Bounds for_subject = bounds(pair, subject.declaration, standing.extent);
+  const Bounds for_oracle = bounds(pair, oracle.declaration, standing.extent);
+  if (is_ill_posed(standing.size, for_subject) || is_ill_posed(standing.size, for_oracle)) {
+    return false;
+  }
   if (s->count == 0) return standing.separation > total_radius(pair) + for_subject.separation;
   if (s->count < 0 || s->count > 2 || s->reference != o->reference ||
       standing.separation > total_radius(pair)) {

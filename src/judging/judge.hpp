@@ -21,6 +21,8 @@ struct Judgement {
 /// Where a case stands by the truth alone.
 struct Standing {
   double separation = 0;  ///< S, world length
+  double size = 0;        ///< the smaller polygon's diameter
+  double extent = 0;      ///< E of the bounds
   bool touching = false;  ///< S <= total radius
   bool near = false;      ///< S within 10% of the size from the total radius
 };
