@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
 
 #include "report/picture/drawing.hpp"
 #include "report/words.hpp"
@@ -111,23 +114,20 @@ void draw_differing_normal(Drawing& drawing, bool of_subject) {
 
 /// "depth 0.31 (clip, box2d)": what is reported at one spot, equal figures once.
 std::string depth_text(const std::vector<const ReportedPoint*>& spot, const MarkNames& names) {
-  std::vector<std::pair<std::string, std::string>> said;  // figure, who
+  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // figure, by whom
   for (const ReportedPoint* point : spot) {
     const std::string figure = brief(point->bar.depth);
     const std::string& who = point->by_subject ? names.subject : names.oracle;
-    const auto same = std::find_if(said.begin(), said.end(),
-                                   [&](const auto& entry) { return entry.first == figure; });
-    if (same == said.end()) {
-      said.emplace_back(figure, who);
-    } else if (same->second != who) {
-      same->second += ", " + who;
-    }
+    auto same = std::find_if(said.begin(), said.end(),
+                             [&](const auto& entry) { return entry.first == figure; });
+    if (same == said.end()) same = said.insert(said.end(), {figure, {}});
+    if (same->second.empty() || same->second.back() != who) same->second.push_back(who);
   }
-  std::string text = "depth";
-  for (const auto& [figure, who] : said) {
-    text += fmt::format("{} {} ({})", text.size() > 5 ? "," : "", figure, who);
+  std::vector<std::string> parts;
+  for (const auto& [figure, by] : said) {
+    parts.push_back(fmt::format("{} ({})", figure, fmt::join(by, ", ")));
   }
-  return text;
+  return fmt::format("depth {}", fmt::join(parts, ", "));
 }
 
 /// The class of those who report at one spot; of nobody where both do.

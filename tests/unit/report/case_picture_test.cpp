@@ -107,6 +107,14 @@ TEST_CASE("a picture shows both colliders' points with their depths") {
   CHECK_THAT(all_text(elements), Contains("depth 0.25 (clip, box2d)"));
 }
 
+TEST_CASE("points at one spot share a label, in which each collider stands once") {
+  PairCase pair = box_on_box(0.25F);
+  pair.b.polygon = box_polygon(1e-4F, 0.5F);
+  const auto elements = read_svg(case_svg(shown_case(pair)));
+  const std::string whole = select(elements, "text", "depth-word").at(0).text;
+  CHECK(whole == "depth 0.25 (clip, box2d)");
+}
+
 TEST_CASE("the overlap is drawn where it is") {
   const auto elements = read_svg(case_svg(shown_case(box_on_box(0.25F))));
   const auto corners = [&](const std::string& css) {
