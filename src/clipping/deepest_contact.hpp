@@ -74,7 +74,7 @@ Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const Conve
   const Scalar least = normal.dot(opposing.normals[incident_edge(opposing, normal)]);
   for (int j = 0; j < opposing.count; ++j) {
     if (normal.dot(opposing.normals[j]) > least + dot_roundoff) continue;
-    const Manifold<Scalar> clipped = clip_features<Scalar>(a, b, {side, found.face, j});
+    Manifold<Scalar> clipped = clip_features<Scalar>(a, b, {side, found.face, j});
     for (int k = 0; k < clipped.count; ++k) {
       if (clipped.points[k].depth >= depth) return clipped;
     }
