@@ -51,7 +51,7 @@ std::string note_of(const PairCase& pair, const Judgement& judgement, const Coll
   const Bucket& bucket = judgement.bucket;
   return fmt::format("{} against {}: {} ({}), the greatest separation being {:.3g}.",
                      subject.declaration.name, oracle.declaration.name, to_string(bucket.verdict),
-                     name_of(bucket.kind, kKindNames), standing(pair).separation);
+                     name_of(bucket.kind, kKindNames), exact::Truth(pair).separation());
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ double seconds_since(Clock::time_point start) {
 void run_case(const Plan& plan, CaseNumber number, Desk& desk) {
   desk.phase.store(Phase::generating, std::memory_order_relaxed);
   const PairCase pair = plan.pair(number);
-  const Standing where = standing(pair);
+  const auto truth = std::make_shared<const exact::Truth>(pair);
+  const Standing where = standing(*truth);
   desk.phase.store(Phase::subject, std::memory_order_relaxed);
   const Answer of_subject = plan.subject.collide(pair);
   desk.phase.store(Phase::oracle, std::memory_order_relaxed);
@@ -52,8 +53,8 @@ void run_case(const Plan& plan, CaseNumber number, Desk& desk) {
   const Testimony oracle{plan.oracle.declaration, of_oracle};
   Judgement judgement;
   const bool sampled = mix(number ^ plan.seed) % kJudgedShare == 0;
-  if (sampled || !plainly_agree(pair, where, subject, oracle)) {
-    judgement = judge(pair, subject, oracle);
+  if (sampled || !plainly_agree(*truth, subject, oracle)) {
+    judgement = judge(truth, subject, oracle);
   }
   desk.tally.add(plan.regime_of(number), number, where, judgement.bucket, judgement.magnitude);
 }
@@ -119,7 +120,8 @@ class Job {
   void lose_case(Verdict verdict) {
     const CaseNumber number = desk_->next;
     const Phase phase = desk_->phase;
-    const Standing where = phase == Phase::generating ? Standing{} : standing(plan_.pair(number));
+    const Standing where =
+        phase == Phase::generating ? Standing{} : standing(exact::Truth(plan_.pair(number)));
     desk_->tally.add(plan_.regime_of(number), number, where,
                      bucket_of_lost(verdict, fault_in(phase)), 0);
     desk_->next.fetch_add(1);

@@ -109,7 +109,7 @@ PropertyResult run_property(const Property& property, const Collider& collider,
     const Drawn drawn = *any_case(property, collider, plan.corpus).as("case");
     const Outcome outcome = check(property, collider, drawn.pair);
     RC_TAG(drawn.regime, std::string(name_of(outcome.kind)));
-    const Standing where = standing(drawn.pair);
+    const Standing where = standing(exact::Truth(drawn.pair));
     RC_CLASSIFY(where.touching, std::string("touching"));
     if (outcome.kind == Outcome::Kind::fails) RC_FAIL(outcome.why);
   };

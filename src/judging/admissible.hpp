@@ -1,54 +1,47 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "judging/bounds.hpp"
 #include "judging/bucket.hpp"
-#include "oracle/truth/truth.hpp"
+#include "oracle/exact/truth.hpp"
 
 namespace manifuzz {
 
-/// A reference face and an incident edge that a right collider may take, and their true clip.
-struct Candidate {
-  Side reference_side = Side::a;
-  int reference = 0;
-  int incident = 0;
-  truth::Clip clip;
-};
-
-/// Every manifold that is right for a collider, as the candidates it may clip and the bounds within
-/// which it may do so.
+/// Every manifold that is right for a collider: the clips it may make, and the bounds within which
+/// it may make them. Whatever is compared with a bound is compared exactly.
 struct Admissible {
+  std::shared_ptr<const exact::Truth> truth;
   Bounds bounds;
-  truth::Real total_radius = 0;
-  truth::Real resolution = 0;    ///< world lengths nearer than this are equal to the truth
-  truth::Real separation_a = 0;  ///< S_A: the greatest over A's faces, in world lengths
-  truth::Real separation_b = 0;
-  std::vector<Candidate> candidates;  ///< empty where the polygons are apart, beyond the bound
+  bool must_touch = false;                     ///< S < -bound
+  bool may_touch = false;                      ///< S <= total radius + bound
+  bool may_be_apart = false;                   ///< S >= total radius - bound
+  std::vector<const exact::Clip*> candidates;  ///< the truth's; empty where they may not touch
 
-  truth::Real separation() const { return std::max(separation_a, separation_b); }
-  Side reference() const { return separation_b > separation_a ? Side::b : Side::a; }
-  bool must_touch() const { return separation() < -bounds.separation; }
-  bool may_touch() const { return separation() <= total_radius + bounds.separation; }
+  const PairCase& pair() const { return truth->pair(); }
+  double from_contact() const;  ///< |S - total radius|
 };
 
 /// What is right for a collider with this declaration:
 /// - A's faces within bound of S_A, unless S_B > S_A + bias + bound; B's within bound of S_B, if
-///   S_B > S_A + bias - bound. Where the polygons may overlap and a clip of these miss the deepest
-///   vertex, the same at bias 0 too: no bias forbids to report the overlap.
+///   S_B > S_A + bias - bound. Where the polygons may overlap and a clip of these may miss the
+///   deepest vertex, the same at bias 0 too: no bias forbids to report the overlap.
 /// - With each, the incident edges whose normal's dot is within bound of the least.
+Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declaration& declaration);
 Admissible admissible(const PairCase& pair, const Declaration& declaration);
 
 /// How far position and depth of a candidate's point may be off: the angle's term where the end is
 /// clipped or nearly so, capped by the incident edge's length.
-double position_bound(const truth::Clip& clip, const truth::ClipPoint& point, const Bounds& bounds);
-double depth_bound(const truth::Clip& clip, const truth::ClipPoint& point, const Bounds& bounds);
+double position_bound(const Admissible& right, const exact::Clip& clip,
+                      const exact::ClipPoint& point);
+double depth_bound(const Admissible& right, const exact::Clip& clip, const exact::ClipPoint& point);
 
 /// Whether the incident edge misses the slab, or nearly; or the slab is narrower than rounding.
-bool may_miss(const Candidate& candidate, const Bounds& bounds);
+bool may_miss(const Admissible& right, const exact::Clip& clip);
 
 /// Whether the clip may keep nothing: it may miss, or lies in front of the face, or nearly.
-bool may_be_empty(const Candidate& candidate, const Bounds& bounds);
+bool may_be_empty(const Admissible& right, const exact::Clip& clip);
 
 /// How a manifold falls short of the right ones; `kind` none: it is one of them.
 struct Mismatch {
@@ -57,10 +50,10 @@ struct Mismatch {
 };
 
 /// Against one candidate. Features count only where nothing that decides them is within bound.
-Mismatch mismatch(const Manifold<double>& manifold, const Candidate& candidate,
-                  const Admissible& admissible);
+Mismatch mismatch(const Manifold<double>& manifold, const exact::Clip& clip,
+                  const Admissible& right);
 
 /// Against all of them: the closest.
-Mismatch mismatch(const Manifold<double>& manifold, const Admissible& admissible);
+Mismatch mismatch(const Manifold<double>& manifold, const Admissible& right);
 
 }  // namespace manifuzz

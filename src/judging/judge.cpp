@@ -6,7 +6,7 @@
 namespace manifuzz {
 namespace {
 
-using truth::Real;
+using exact::Clip;
 
 double distance(const Vector2<double>& p, const Vector2<double>& q) {
   const Vector2<double> apart = p - q;
@@ -25,9 +25,8 @@ bool is_well_formed(const PairCase& pair, const Manifold<double>& m) {
   });
 }
 
-bool matches_one(const Manifold<double>& manifold, const Candidate& candidate,
-                 const Admissible& right) {
-  return mismatch(manifold, candidate, right).kind == Kind::none;
+bool matches_one(const Manifold<double>& manifold, const Clip& clip, const Admissible& right) {
+  return mismatch(manifold, clip, right).kind == Kind::none;
 }
 
 /// Both match one candidate within their own bounds, hence each other within the sum.
@@ -35,10 +34,9 @@ bool agree_within_bounds(const Manifold<double>& subject, const Admissible& righ
                          const Manifold<double>& oracle, const Admissible& right_for_oracle) {
   if (subject.count != oracle.count) return false;
   if (subject.count == 0) return true;
-  const auto& candidates = right_for_subject.candidates;
-  return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
-    return matches_one(subject, candidate, right_for_subject) &&
-           matches_one(oracle, candidate, right_for_oracle);
+  return std::ranges::any_of(right_for_subject.candidates, [&](const Clip* clip) {
+    return matches_one(subject, *clip, right_for_subject) &&
+           matches_one(oracle, *clip, right_for_oracle);
   });
 }
 
@@ -69,47 +67,35 @@ Mismatch difference(const Manifold<double>& subject, const Manifold<double>& ora
   return {apart >= deeper ? Kind::position : Kind::depth, magnitude};
 }
 
-int references_among(const std::vector<Candidate>& candidates) {
-  int distinct = 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const bool seen = std::any_of(candidates.begin(), candidates.begin() + static_cast<long>(i),
-                                  [&](const Candidate& c) {
-                                    return c.reference_side == candidates[i].reference_side &&
-                                           c.reference == candidates[i].reference;
-                                  });
-    if (!seen) ++distinct;
-  }
-  return distinct;
-}
-
-bool same_candidates(const Admissible& p, const Admissible& q) {
-  return std::equal(p.candidates.begin(), p.candidates.end(), q.candidates.begin(),
-                    q.candidates.end(), [](const Candidate& c, const Candidate& d) {
-                      return c.reference_side == d.reference_side && c.reference == d.reference &&
-                             c.incident == d.incident;
-                    });
+bool several_references(const Admissible& right) {
+  return std::ranges::any_of(right.candidates, [&](const Clip* clip) {
+    return clip->reference != right.candidates.front()->reference;
+  });
 }
 
 bool contact_boundary(const Admissible& right) {
-  if (std::abs(right.separation() - right.total_radius) <= right.bounds.separation) return true;
-  const truth::Clip& clip = right.candidates.front().clip;
+  if (right.may_touch && right.may_be_apart) return true;
+  const Clip& clip = *right.candidates.front();
   return std::any_of(clip.points.begin(), clip.points.begin() + clip.count, [&](const auto& point) {
-    return std::abs(point.depth) <= depth_bound(clip, point, right.bounds);
+    const double bound = depth_bound(right, clip, point);
+    return compare_depth(right.pair(), clip, point, bound) <= 0 &&
+           compare_depth(right.pair(), clip, point, -bound) >= 0;
   });
 }
 
 bool clip_boundary(const Admissible& right) {
-  const truth::Clip& clip = right.candidates.front().clip;
-  return clip.count < 2 || may_miss(right.candidates.front(), right.bounds) ||
-         std::any_of(clip.points.begin(), clip.points.begin() + clip.count,
-                     [&](const auto& point) { return point.margin <= right.bounds.length; });
+  const Clip& clip = *right.candidates.front();
+  return clip.count < 2 || may_miss(right, clip) ||
+         std::any_of(clip.points.begin(), clip.points.begin() + clip.count, [&](const auto& point) {
+           return compare_margin(right.pair(), clip, point.end, right.bounds.length) <= 0;
+         });
 }
 
 /// The first decision that lies within the wider of both bounds.
 TieClass tie_class(const Admissible& subject, const Admissible& oracle) {
   const Admissible& wider = subject.candidates.size() > oracle.candidates.size() ? subject : oracle;
   if (wider.candidates.empty()) return TieClass::none;
-  if (references_among(wider.candidates) > 1 || !same_candidates(subject, oracle)) {
+  if (several_references(wider) || subject.candidates != oracle.candidates) {
     return TieClass::reference;
   }
   if (wider.candidates.size() > 1) return TieClass::incident;
@@ -121,14 +107,18 @@ TieClass tie_class(const Admissible& subject, const Admissible& oracle) {
 }
 
 /// A magnitude in world lengths as a share of the size; a normal's is a share already.
-double share(const Mismatch& mismatch, const PairCase& pair) {
-  return mismatch.kind == Kind::normal ? mismatch.magnitude : mismatch.magnitude / size(pair);
+double share(const Mismatch& mismatch, double size) {
+  return mismatch.kind == Kind::normal ? mismatch.magnitude : mismatch.magnitude / size;
+}
+
+bool is_ill_posed(const exact::Truth& truth, const Declaration& declaration) {
+  return manifuzz::is_ill_posed(truth.size(), bounds(truth.pair(), declaration, truth.extent()));
 }
 
 /// A verdict that needs no judging of manifolds, if it is one.
-std::optional<Bucket> without_judging(const PairCase& pair, const Testimony& subject,
-                                      const Testimony& oracle, const Bounds& for_subject,
-                                      const Bounds& for_oracle) {
+std::optional<Bucket> without_judging(const exact::Truth& truth, const Testimony& subject,
+                                      const Testimony& oracle) {
+  const PairCase& pair = truth.pair();
   const auto* of_subject = std::get_if<Manifold<double>>(&subject.answer);
   const auto* of_oracle = std::get_if<Manifold<double>>(&oracle.answer);
   if (of_subject && !is_well_formed(pair, *of_subject)) {
@@ -138,7 +128,7 @@ std::optional<Bucket> without_judging(const PairCase& pair, const Testimony& sub
     return Bucket{.fault = Fault::oracle, .verdict = Verdict::malformed};
   }
   if (!of_subject || !of_oracle) return Bucket{.verdict = Verdict::unsupported};
-  if (is_ill_posed(pair, for_subject) || is_ill_posed(pair, for_oracle)) {
+  if (is_ill_posed(truth, subject.declaration) || is_ill_posed(truth, oracle.declaration)) {
     return Bucket{.verdict = Verdict::ill_posed};
   }
   return std::nullopt;
@@ -171,30 +161,24 @@ Verdict verdict_of(Fault fault) {
 
 }  // namespace
 
-Standing standing(const PairCase& pair) {
-  Standing result;
-  result.separation = truth::separation(pair);
-  result.size = size(pair);
-  result.extent = extent(pair);
-  const double above = result.separation - total_radius(pair);
-  result.touching = above <= 0;
-  result.near = std::abs(above) <= kNearShare * result.size;
-  return result;
+Standing standing(const exact::Truth& truth) {
+  const double above = truth.separation() - total_radius(truth.pair());
+  return {.touching = truth.compare_contact(0) <= 0,
+          .near = std::abs(above) <= kNearShare * truth.size()};
 }
 
-bool plainly_agree(const PairCase& pair, const Standing& standing, const Testimony& subject,
-                   const Testimony& oracle) {
+bool plainly_agree(const exact::Truth& truth, const Testimony& subject, const Testimony& oracle) {
   const auto* s = std::get_if<Manifold<double>>(&subject.answer);
   const auto* o = std::get_if<Manifold<double>>(&oracle.answer);
   if (!s || !o || s->count != o->count) return false;
-  const Bounds for_subject = bounds(pair, subject.declaration, standing.extent);
-  const Bounds for_oracle = bounds(pair, oracle.declaration, standing.extent);
-  if (is_ill_posed(standing.size, for_subject) || is_ill_posed(standing.size, for_oracle)) {
+  const Bounds for_subject = bounds(truth.pair(), subject.declaration, truth.extent());
+  const Bounds for_oracle = bounds(truth.pair(), oracle.declaration, truth.extent());
+  if (is_ill_posed(truth.size(), for_subject) || is_ill_posed(truth.size(), for_oracle)) {
     return false;
   }
-  if (s->count == 0) return standing.separation > total_radius(pair) + for_subject.separation;
+  if (s->count == 0) return truth.compare_contact(for_subject.separation) > 0;
   if (s->count < 0 || s->count > 2 || s->reference != o->reference ||
-      standing.separation > total_radius(pair)) {
+      truth.compare_contact(0) > 0) {
     return false;
   }
   if (!(distance(s->normal, o->normal) <= for_subject.normal + for_oracle.normal)) return false;
@@ -209,21 +193,18 @@ bool plainly_agree(const PairCase& pair, const Standing& standing, const Testimo
   return true;
 }
 
-Judgement judge(const PairCase& pair, const Testimony& subject, const Testimony& oracle) {
-  const Bounds for_subject = bounds(pair, subject.declaration);
-  const Bounds for_oracle = bounds(pair, oracle.declaration);
-  if (const auto bucket = without_judging(pair, subject, oracle, for_subject, for_oracle)) {
-    return {.bucket = *bucket};
-  }
+Judgement judge(std::shared_ptr<const exact::Truth> truth, const Testimony& subject,
+                const Testimony& oracle) {
+  if (const auto bucket = without_judging(*truth, subject, oracle)) return {.bucket = *bucket};
   const auto& of_subject = std::get<Manifold<double>>(subject.answer);
   const auto& of_oracle = std::get<Manifold<double>>(oracle.answer);
-  const Admissible right_for_subject = admissible(pair, subject.declaration);
-  const Admissible right_for_oracle = admissible(pair, oracle.declaration);
+  const Admissible right_for_subject = admissible(truth, subject.declaration);
+  const Admissible right_for_oracle = admissible(truth, oracle.declaration);
   const Wrongs wrongs{mismatch(of_subject, right_for_subject),
                       mismatch(of_oracle, right_for_oracle)};
 
   Judgement result;
-  result.bucket.reference = right_for_subject.reference();
+  result.bucket.reference = truth->greatest().side;
   result.bucket.fault = wrongs.fault();
   if (result.bucket.fault == Fault::none &&
       agree_within_bounds(of_subject, right_for_subject, of_oracle, right_for_oracle)) {
@@ -233,20 +214,21 @@ Judgement judge(const PairCase& pair, const Testimony& subject, const Testimony&
   result.bucket.tie_class = tie_class(right_for_subject, right_for_oracle);
   Mismatch worst;
   if (result.bucket.fault == Fault::none) {
-    worst = difference(of_subject, of_oracle,
-                       static_cast<double>(std::abs(right_for_subject.separation() -
-                                                    right_for_subject.total_radius)));
+    worst = difference(of_subject, of_oracle, right_for_subject.from_contact());
   } else {
     worst = result.bucket.fault == Fault::oracle ? wrongs.oracle : wrongs.subject;
   }
   result.bucket.kind = worst.kind;
-  result.magnitude = share(worst, pair);
+  result.magnitude = share(worst, truth->size());
   if (result.bucket.verdict == Verdict::oracle_wrong) {
-    result.explanation =
-        find_explanation(oracle.declaration.name, {pair, right_for_oracle, of_oracle});
+    result.explanation = find_explanation(oracle.declaration.name, {right_for_oracle, of_oracle});
     if (result.explanation != nullptr) result.bucket.verdict = Verdict::known;
   }
   return result;
+}
+
+Judgement judge(const PairCase& pair, const Testimony& subject, const Testimony& oracle) {
+  return judge(std::make_shared<const exact::Truth>(pair), subject, oracle);
 }
 
 Judgement judge(const PairCase& pair, const Collider& subject, const Collider& oracle) {

@@ -20,23 +20,21 @@ struct Judgement {
 
 /// Where a case stands by the truth alone.
 struct Standing {
-  double separation = 0;  ///< S, world length
-  double size = 0;        ///< the smaller polygon's diameter
-  double extent = 0;      ///< E of the bounds
-  bool touching = false;  ///< S <= total radius
+  bool touching = false;  ///< S <= total radius, exactly
   bool near = false;      ///< S within 10% of the size from the total radius
 };
 
 inline constexpr double kNearShare = 0.1;
 
-Standing standing(const PairCase& pair);
+Standing standing(const exact::Truth& truth);
 
 /// Whether they match each other within the sum of both bounds, on the cheap: what it says is so,
 /// but it leaves to `judge` every case in which anything has to be decided.
-bool plainly_agree(const PairCase& pair, const Standing& standing, const Testimony& subject,
-                   const Testimony& oracle);
+bool plainly_agree(const exact::Truth& truth, const Testimony& subject, const Testimony& oracle);
 
 /// The full verdict.
+Judgement judge(std::shared_ptr<const exact::Truth> truth, const Testimony& subject,
+                const Testimony& oracle);
 Judgement judge(const PairCase& pair, const Testimony& subject, const Testimony& oracle);
 
 /// The full verdict on what these two answer now.

@@ -8,17 +8,23 @@ namespace manifuzz {
 namespace {
 
 bool misses_overlap(const Deviation& d) {
-  return d.got.count == 0 && d.right.must_touch();
+  return d.got.count == 0 && d.right.must_touch;
+}
+
+template <class Predicate>
+bool any_candidate(const Deviation& d, const Predicate& predicate) {
+  return std::ranges::any_of(d.right.candidates,
+                             [&](const exact::Clip* clip) { return predicate(*clip); });
 }
 
 bool may_be_empty_from(const Deviation& d, Side side) {
-  return std::any_of(d.right.candidates.begin(), d.right.candidates.end(), [&](const Candidate& c) {
-    return c.reference_side == side && may_be_empty(c, d.right.bounds);
+  return any_candidate(d, [&](const exact::Clip& clip) {
+    return clip.reference.side == side && may_be_empty(d.right, clip);
   });
 }
 
 bool no_contact_under_bias(const Deviation& d) {
-  return misses_overlap(d) && d.right.separation_b > d.right.separation_a &&
+  return misses_overlap(d) && d.right.truth->compare_lead_of_b(0) > 0 &&
          may_be_empty_from(d, Side::a);
 }
 
@@ -31,10 +37,10 @@ bool no_contact_on_tied_features(const Deviation& d) {
 bool tiny_reference_face(const Deviation& d) {
   const double unresolved =
       std::max(d.right.bounds.length, 2.0 * std::numeric_limits<float>::epsilon());
-  return std::any_of(d.right.candidates.begin(), d.right.candidates.end(), [&](const Candidate& c) {
-    const ConvexPolygon<float>& polygon = d.pair[c.reference_side].polygon;
-    const Vector2<float> face =
-        polygon.vertices[polygon.next(c.reference)] - polygon.vertices[c.reference];
+  return any_candidate(d, [&](const exact::Clip& clip) {
+    const ConvexPolygon<float>& polygon = d.right.pair()[clip.reference.side].polygon;
+    const Vector2<float> face = polygon.vertices[polygon.next(clip.reference.index)] -
+                                polygon.vertices[clip.reference.index];
     return static_cast<double>(face.norm()) <= unresolved;
   });
 }
@@ -42,13 +48,12 @@ bool tiny_reference_face(const Deviation& d) {
 /// An end of the incident edge lies so near a side plane that the product of both ends' distances
 /// underflows: the crossing is not seen, and one point is left.
 bool crossing_underflows(const Deviation& d) {
-  const auto lost = [](const truth::ClipPoint& point) {
-    return point.margin <= std::numeric_limits<float>::min();
-  };
-  return misses_overlap(d) &&
-         std::any_of(d.right.candidates.begin(), d.right.candidates.end(), [&](const Candidate& c) {
-           const auto& points = c.clip.points;
-           return std::any_of(points.begin(), points.begin() + c.clip.count, lost);
+  return misses_overlap(d) && any_candidate(d, [&](const exact::Clip& clip) {
+           return std::any_of(clip.points.begin(), clip.points.begin() + clip.count,
+                              [&](const exact::ClipPoint& point) {
+                                return compare_margin(d.right.pair(), clip, point.end,
+                                                      std::numeric_limits<float>::min()) <= 0;
+                              });
          });
 }
 

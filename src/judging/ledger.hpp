@@ -9,7 +9,6 @@ namespace manifuzz {
 
 /// What an entry of the ledger may look at: the oracle's wrong answer, and what would be right.
 struct Deviation {
-  const PairCase& pair;
   const Admissible& right;
   const Manifold<double>& got;
 };

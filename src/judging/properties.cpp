@@ -45,7 +45,7 @@ bool is_explained(const Collider& collider, const PairCase& pair) {
   if (got == nullptr) return false;
   const Admissible right = admissible(pair, collider.declaration);
   return mismatch(*got, right).kind != Kind::none &&
-         find_explanation(collider.declaration.name, {pair, right, *got}) != nullptr;
+         find_explanation(collider.declaration.name, {right, *got}) != nullptr;
 }
 
 }  // namespace
@@ -74,18 +74,17 @@ Outcome check(const Property& property, const Collider& collider, const PairCase
 
 std::optional<Admissible> decided(const PairCase& pair, const Declaration& declaration) {
   Admissible right = admissible(pair, declaration);
-  const Bounds& bounds = right.bounds;
-  if (is_ill_posed(pair, bounds) || right.candidates.size() != 1) return std::nullopt;
-  const Candidate& only = right.candidates.front();
-  const truth::Real lead = std::abs(right.separation_a - right.separation_b);
-  const truth::Real from_contact = std::abs(right.separation() - right.total_radius);
-  if (lead <= declaration.tie_bias + bounds.separation || from_contact <= bounds.separation ||
-      only.clip.count < 2 || may_miss(only, bounds)) {
-    return std::nullopt;
-  }
-  for (const truth::ClipPoint& point : only.clip.points) {
-    if (point.margin <= position_bound(only.clip, point, bounds) ||
-        std::abs(point.depth) <= depth_bound(only.clip, point, bounds)) {
+  if (is_ill_posed(pair, right.bounds) || right.candidates.size() != 1) return std::nullopt;
+  const exact::Clip& only = *right.candidates.front();
+  const double undecided = declaration.tie_bias + right.bounds.separation;
+  const bool leads = right.truth->compare_lead_of_b(undecided) > 0 ||
+                     right.truth->compare_lead_of_b(-undecided) < 0;
+  if (!leads || right.may_be_apart || only.count < 2 || may_miss(right, only)) return std::nullopt;
+  for (const exact::ClipPoint& point : only.points) {
+    const double depth = depth_bound(right, only, point);
+    if (compare_margin(pair, only, point.end, position_bound(right, only, point)) <= 0 ||
+        (compare_depth(pair, only, point, depth) <= 0 &&
+         compare_depth(pair, only, point, -depth) >= 0)) {
       return std::nullopt;
     }
   }
@@ -94,11 +93,10 @@ std::optional<Admissible> decided(const PairCase& pair, const Declaration& decla
 
 Tolerance tolerance(const Admissible& right) {
   Tolerance within{.normal = 2 * right.bounds.normal, .position = 0, .depth = 0};
-  const truth::Clip& clip = right.candidates.front().clip;
+  const exact::Clip& clip = *right.candidates.front();
   for (int i = 0; i < clip.count; ++i) {
-    within.position =
-        std::max(within.position, 2 * position_bound(clip, clip.points[i], right.bounds));
-    within.depth = std::max(within.depth, 2 * depth_bound(clip, clip.points[i], right.bounds));
+    within.position = std::max(within.position, 2 * position_bound(right, clip, clip.points[i]));
+    within.depth = std::max(within.depth, 2 * depth_bound(right, clip, clip.points[i]));
   }
   return within;
 }

@@ -9,7 +9,9 @@
 namespace manifuzz {
 namespace {
 
-using truth::Real;
+using exact::DoubleDouble;
+using exact::FaceOf;
+using Point = exact::Point<DoubleDouble>;
 
 /// The collider at bias 0, or none where its bias is fixed at another value.
 std::optional<Collider> without_bias(const Collider& collider) {
@@ -27,57 +29,73 @@ double largest_depth(const Manifold<double>& manifold) {
 /// The widest depth bound of any right manifold.
 double widest_depth_bound(const Admissible& right) {
   double widest = right.bounds.length;
-  for (const Candidate& candidate : right.candidates) {
-    for (int i = 0; i < candidate.clip.count; ++i) {
-      widest =
-          std::max(widest, depth_bound(candidate.clip, candidate.clip.points[i], right.bounds));
+  for (const exact::Clip* clip : right.candidates) {
+    for (int i = 0; i < clip->count; ++i) {
+      widest = std::max(widest, depth_bound(right, *clip, clip->points[i]));
     }
   }
   return widest;
 }
 
-Real distance_to_segment(const truth::Vector& p, const truth::Vector& from,
-                         const truth::Vector& to) {
-  const truth::Vector along = to - from;
-  const Real share = std::clamp(Real((p - from).dot(along) / along.dot(along)), Real(0), Real(1));
-  return (p - from - share * along).norm();
+Point scaled(const DoubleDouble& factor, const Point& p) {
+  return {factor * p.x, factor * p.y};
 }
 
-/// The reported point in world directions from A's position, as truth::place has everything.
-truth::Vector placed(const PairCase& pair, const Vector2<double>& local) {
-  return rotate<Real>(pair.a.pose.rotation.cast<Real>(), local.cast<Real>());
+Point unit(const Point& p) {
+  return scaled(DoubleDouble(1) / sqrt(dot(p, p)), p);
 }
 
-Outcome point_in_place(const PairCase& pair, const truth::World<Real>& world,
-                       const Manifold<double>& manifold, const ContactPoint<double>& point,
-                       double bound) {
-  const Feature of_reference = manifold.reference == Side::a ? point.features.a : point.features.b;
-  const Feature of_incident = manifold.reference == Side::a ? point.features.b : point.features.a;
-  const auto& reference = world[manifold.reference];
-  const auto& incident = world[other(manifold.reference)];
-  const truth::Vector at = placed(pair, point.position);
-  const double unit = size(pair);
+double length(const Point& p) {
+  return leading(sqrt(dot(p, p)));
+}
+
+/// The sine of the angle from p to q, both unit.
+double sine(const Point& p, const Point& q) {
+  return leading(p.x * q.y - p.y * q.x);
+}
+
+double distance_to_segment(const Point& p, const Point& from, const Point& to) {
+  const Point along = to - from;
+  const DoubleDouble share = dot(p - from, along) / dot(along, along);
+  if (leading(share) <= 0) return length(p - from);
+  if (leading(share) >= 1) return length(p - to);
+  return length(p - from - scaled(share, along));
+}
+
+/// A vector of A's frame in world directions, as every `exact::vertex` is.
+Point placed(const PairCase& pair, const Vector2<double>& local) {
+  return exact::turned(pair.a, Point{local.x(), local.y()});
+}
+
+Outcome point_in_place(const PairCase& pair, const Manifold<double>& manifold,
+                       const ContactPoint<double>& point, double bound) {
+  const Side reference = manifold.reference;
+  const Side incident = other(reference);
+  const Feature of_reference = reference == Side::a ? point.features.a : point.features.b;
+  const Feature of_incident = reference == Side::a ? point.features.b : point.features.a;
+  const auto vertex = [&](Side side, int index) {
+    return exact::vertex<DoubleDouble>(pair, side, index);
+  };
+  const Point at = placed(pair, point.position);
+  const double unit_length = size(pair);
   if (of_reference.kind == of_incident.kind) {
     return fails("features that are neither end nor crossing", 0);
   }
   if (of_incident.kind == Feature::Kind::vertex) {
-    const Real off = (at - incident.vertices[of_incident.index]).norm();
-    if (!(off <= bound)) return fails("a point off its vertex", static_cast<double>(off) / unit);
+    const double off = length(at - vertex(incident, of_incident.index));
+    if (!(off <= bound)) return fails("a point off its vertex", off / unit_length);
     return holds();
   }
   const int edge = of_incident.index;
-  const Real off =
-      distance_to_segment(at, incident.vertices[edge], incident.vertices[incident.next(edge)]);
-  if (!(off <= bound)) {
-    return fails("a point off the incident edge", static_cast<double>(off) / unit);
-  }
+  const double off = distance_to_segment(at, vertex(incident, edge),
+                                         vertex(incident, pair[incident].polygon.next(edge)));
+  if (!(off <= bound)) return fails("a point off the incident edge", off / unit_length);
   // The crossing lies on the side plane through the reference vertex, the total radius outside it.
-  const truth::Vector normal =
-      rotate<Real>(pair.a.pose.rotation.cast<Real>(), manifold.normal.cast<Real>()).normalized();
-  const Real aside = std::abs(cross<Real>(normal, at - reference.vertices[of_reference.index]));
-  if (!(std::abs(aside - world.total_radius) <= 2 * bound)) {
-    return fails("a crossing off its side plane",
-                 static_cast<double>(std::abs(aside - world.total_radius)) / unit);
+  const Point normal = unit(placed(pair, manifold.normal));
+  const double aside = std::abs(sine(normal, at - vertex(reference, of_reference.index)));
+  const double off_plane = std::abs(aside - total_radius(pair));
+  if (!(off_plane <= 2 * bound)) {
+    return fails("a crossing off its side plane", off_plane / unit_length);
   }
   return holds();
 }
@@ -86,34 +104,39 @@ Outcome point_in_place(const PairCase& pair, const truth::World<Real>& world,
 /// lies clearly below all others, the reference face clearly above all other vertices of its
 /// polygon, and is clearly more perpendicular to the normal than the edges next to it.
 bool farthest_vertices_decided(const PairCase& pair, const Admissible& right) {
-  const Candidate& only = right.candidates.front();
-  const auto world = truth::place<Real>(pair);
-  const auto& reference = world[only.reference_side];
-  const auto& incident = world[other(only.reference_side)];
-  const truth::Vector& normal = reference.normals[only.reference];
-  const Real clear_height = 2 * right.bounds.separation;
-  const Real clear_tilt = 2 * right.bounds.normal;
+  const exact::Clip& only = *right.candidates.front();
+  const FaceOf face = only.reference;
+  const Side opposing = other(face.side);
+  const Point normal = unit(exact::outward<DoubleDouble>(pair, face));
+  const double clear_height = 2 * right.bounds.separation;
+  const double clear_tilt = 2 * right.bounds.normal;
 
-  const auto is_clear = [&](const auto& polygon, Real sign, int v, int w) {
-    const truth::Vector below = polygon.vertices[v] - polygon.vertices[w];
-    return v == w || sign * normal.dot(below) > clear_height;
+  /// How far vertex v lies along the normal beyond vertex w.
+  const auto beyond = [&](Side side, int v, int w) {
+    return leading(dot(normal, exact::vertex<DoubleDouble>(pair, side, v) -
+                                   exact::vertex<DoubleDouble>(pair, side, w)));
   };
-  const auto tilted = [&](const auto& polygon, int edge) {
-    return std::abs(cross<Real>(polygon.normals[edge], normal)) > clear_tilt;
+  const auto tilted = [&](FaceOf edge) {
+    return std::abs(sine(unit(exact::outward<DoubleDouble>(pair, edge)), normal)) > clear_tilt;
   };
-  const int first = only.reference;
-  const int second = reference.next(first);
+  const ConvexPolygon<float>& reference = pair[face.side].polygon;
+  const int second = reference.next(face.index);
   for (int i = 0; i < reference.count; ++i) {
-    if (i == first || i == second) continue;
-    if (!is_clear(reference, 1, first, i) || !tilted(reference, i)) return false;
+    if (i == face.index || i == second) continue;
+    if (beyond(face.side, face.index, i) <= clear_height || !tilted({face.side, i})) return false;
   }
+  const ConvexPolygon<float>& incident = pair[opposing].polygon;
   const int end = incident.next(only.incident);
-  const Real fall = normal.dot(incident.vertices[end] - incident.vertices[only.incident]);
-  const int deepest = fall < 0 ? end : only.incident;
+  const int deepest = beyond(opposing, end, only.incident) < 0 ? end : only.incident;
   for (int i = 0; i < incident.count; ++i) {
-    if (!is_clear(incident, -1, deepest, i)) return false;
+    if (i != deepest && beyond(opposing, i, deepest) <= clear_height) return false;
   }
-  return tilted(incident, only.incident) && tilted(reference, second);
+  return tilted({opposing, only.incident}) && tilted({face.side, second});
+}
+
+/// Total radius - S, to well past double.
+DoubleDouble true_overlap(const PairCase& pair, const exact::Truth& truth) {
+  return exact::total_radius<DoubleDouble>(pair) - truth.fine_separation(truth.greatest());
 }
 
 }  // namespace
@@ -121,14 +144,13 @@ bool farthest_vertices_decided(const PairCase& pair, const Admissible& right) {
 Outcome points_lie_where_they_say(Inquiry& ask, const PairCase& pair) {
   const auto manifold = ask.manifold(pair);
   if (!manifold || manifold->count == 0) return not_applicable();
-  const auto world = truth::place<Real>(pair);
   const Bounds within = bounds(pair, ask.declaration());
   // A normal off by its bound turns the side plane about the reference vertex.
   const double bound = within.length + within.normal * extent(pair);
   for (int i = 0; i < manifold->count; ++i) {
     const auto& point = manifold->points[i];
     if (!(point.depth >= 0)) return fails("a point in front of the reference face", -point.depth);
-    const Outcome outcome = point_in_place(pair, world, *manifold, point, bound);
+    const Outcome outcome = point_in_place(pair, *manifold, point, bound);
     if (outcome.kind != Outcome::Kind::holds) return outcome;
   }
   return holds();
@@ -138,12 +160,11 @@ Outcome depth_is_the_overlap(Inquiry& ask, const PairCase& pair) {
   const auto unbiased = without_bias(ask.collider());
   if (!unbiased) return not_applicable();
   const Admissible right = admissible(pair, unbiased->declaration);
-  if (!right.must_touch()) return not_applicable();
+  if (!right.must_touch) return not_applicable();
   Inquiry ask_unbiased(*unbiased);
   const auto manifold = ask_unbiased.manifold(pair);
   if (!manifold) return not_applicable();
-  const double expected = static_cast<double>(right.total_radius - right.separation());
-  const double off = std::abs(largest_depth(*manifold) - expected);
+  const double off = std::abs(leading(largest_depth(*manifold) - true_overlap(pair, *right.truth)));
   if (off <= widest_depth_bound(right)) return holds();
   return fails("a largest depth that is not the overlap", off / size(pair));
 }
@@ -152,7 +173,7 @@ Outcome depth_moves_apart(Inquiry& ask, const PairCase& pair) {
   const auto unbiased = without_bias(ask.collider());
   if (!unbiased) return not_applicable();
   const Admissible right = admissible(pair, unbiased->declaration);
-  if (!right.must_touch()) return not_applicable();
+  if (!right.must_touch) return not_applicable();
   Inquiry ask_unbiased(*unbiased);
   const auto manifold = ask_unbiased.manifold(pair);
   if (!manifold || manifold->count == 0) return not_applicable();
@@ -167,7 +188,7 @@ Outcome depth_moves_apart(Inquiry& ask, const PairCase& pair) {
     const Bounds after = bounds(moved, unbiased->declaration);
     const double bound =
         widest_depth_bound(right) + after.separation + rounding + right.bounds.normal * by;
-    const double off = std::abs(truth::separation(moved) - total_radius(pair) - further);
+    const double off = std::abs(leading(true_overlap(moved, exact::Truth(moved)) + further));
     if (!(off <= bound)) {
       return fails(further == 0 ? "not touching at zero when moved by the depth"
                                 : "not as far apart as it was moved",
@@ -188,12 +209,11 @@ Outcome float_and_double_agree(Inquiry& ask, const PairCase& pair) {
 
 Outcome overlap_is_never_empty(Inquiry& ask, const PairCase& pair) {
   const Admissible right = admissible(pair, ask.declaration());
-  if (!right.must_touch()) return not_applicable();
+  if (!right.must_touch) return not_applicable();
   const auto manifold = ask.manifold(pair);
   if (!manifold) return not_applicable();
   if (manifold->count > 0) return holds();
-  return fails("no contact for an overlap",
-               static_cast<double>(right.total_radius - right.separation()) / size(pair));
+  return fails("no contact for an overlap", leading(true_overlap(pair, *right.truth)) / size(pair));
 }
 
 Outcome manifold_is_admissible(Inquiry& ask, const PairCase& pair) {

@@ -8,13 +8,13 @@ namespace {
 
 /// A point of B's frame in A's, the positions subtracted first.
 Vector2<double> from_b_to_a(const PairCase& pair, const Vector2<double>& local_of_b) {
-  using truth::Real;
-  const Vector2<Real> rotation_a = pair.a.pose.rotation.cast<Real>();
-  const Vector2<Real> apart = pair.b.pose.position.cast<Real>() - pair.a.pose.position.cast<Real>();
-  const Vector2<Real> from_a =
-      rotate<Real>(pair.b.pose.rotation.cast<Real>(), local_of_b.cast<Real>()) + apart;
-  const Vector2<Real> local = rotate_back(rotation_a, from_a) / rotation_a.dot(rotation_a);
-  return local.cast<double>();
+  using exact::DoubleDouble;
+  const auto apart = exact::widen<DoubleDouble>(pair.b.pose.position) -
+                     exact::widen<DoubleDouble>(pair.a.pose.position);
+  const exact::Point<DoubleDouble> local{local_of_b.x(), local_of_b.y()};
+  const auto from_a = exact::turned_back(pair.a, exact::turned(pair.b, local) + apart);
+  const DoubleDouble scale = exact::scale<DoubleDouble>(pair.a);
+  return {exact::leading(from_a.x / scale), exact::leading(from_a.y / scale)};
 }
 
 /// A unit direction of B's frame in A's.

@@ -99,13 +99,12 @@ class Picture {
 
   std::string truth_line() const {
     const PairCase& pair = shown_.given.pair;
-    const auto world = truth::place<truth::Real>(pair);
+    const exact::Truth truth(pair);
     std::string line = "Greatest separation";
     for (const Side side : kSides) {
-      const GreatestFace greatest = greatest_face(world, side);
+      const exact::FaceOf face = truth.greatest(side);
       line += fmt::format("{} {} ({})", side == Side::a ? "" : ",",
-                          brief(static_cast<double>(greatest.separation)),
-                          face_name(side, greatest.face));
+                          brief(leading(truth.fine_separation(face))), face_name(side, face.index));
     }
     return fmt::format("{}; total radius {}; {}.", line, brief(total_radius(pair)),
                        truth_in_words(pair));

@@ -10,22 +10,16 @@
 namespace manifuzz {
 namespace {
 
-using truth::Real;
-
 template <class Number>
-std::string exact(Number value) {
+std::string digits(Number value) {
   std::string out;
   append_number(out, value);
   return out;
 }
 
 template <class Number>
-std::string exact(const Vector2<Number>& v) {
-  return fmt::format("({}, {})", exact(v.x()), exact(v.y()));
-}
-
-std::string exact(Real value) {
-  return exact(static_cast<double>(value));
+std::string digits(const Vector2<Number>& v) {
+  return fmt::format("({}, {})", digits(v.x()), digits(v.y()));
 }
 
 class Text {
@@ -58,40 +52,41 @@ Vector2<double> world_vertex(const Body& body, int i) {
 
 void write_body(Text& text, const Body& body, char name) {
   text.line("{}", name);
-  text.row("radius", exact(body.polygon.radius));
-  text.row("position", exact(body.pose.position));
-  text.row("rotation", exact(body.pose.rotation) + "  (cos, sin)");
+  text.row("radius", digits(body.polygon.radius));
+  text.row("position", digits(body.pose.position));
+  text.row("rotation", digits(body.pose.rotation) + "  (cos, sin)");
   for (int i = 0; i < body.polygon.count; ++i) {
     text.row(fmt::format("vertex {}", i),
-             fmt::format("{:<32} world {}", exact(body.polygon.vertices[i]),
-                         exact(world_vertex(body, i))));
+             fmt::format("{:<32} world {}", digits(body.polygon.vertices[i]),
+                         digits(world_vertex(body, i))));
   }
 }
 
-std::string greatest_separation(const truth::World<Real>& world, Side side) {
-  const GreatestFace greatest = greatest_face(world, side);
-  return fmt::format("{:<24} {}", exact(greatest.separation), face_name(side, greatest.face));
+std::string greatest_separation(const exact::Truth& truth, Side side) {
+  const exact::FaceOf face = truth.greatest(side);
+  return fmt::format("{:<24} {}", digits(leading(truth.fine_separation(face))),
+                     face_name(side, face.index));
 }
 
 void write_truth(Text& text, const PairCase& pair) {
-  const auto world = truth::place<Real>(pair);
-  const Standing stands = standing(pair);
+  const exact::Truth truth(pair);
+  const Standing stands = standing(truth);
   text.line("truth");
-  text.row("separation S_A", greatest_separation(world, Side::a));
-  text.row("separation S_B", greatest_separation(world, Side::b));
-  text.row("separation S", exact(stands.separation));
-  text.row("total radius", exact(total_radius(pair)));
+  text.row("separation S_A", greatest_separation(truth, Side::a));
+  text.row("separation S_B", greatest_separation(truth, Side::b));
+  text.row("separation S", digits(leading(truth.fine_separation(truth.greatest()))));
+  text.row("total radius", digits(total_radius(pair)));
   text.row("touching, near",
            fmt::format("{}, {}", stands.touching ? "yes" : "no", stands.near ? "yes" : "no"));
-  text.row("extent", exact(extent(pair)));
-  text.row("size", exact(size(pair)));
+  text.row("extent", digits(truth.extent()));
+  text.row("size", digits(truth.size()));
 }
 
 void write_bounds(Text& text, const ShownCase& shown) {
   const Bounds of_subject = bounds(shown.given.pair, shown.subject.declaration);
   const Bounds of_oracle = bounds(shown.given.pair, shown.oracle.declaration);
   const auto row = [&](std::string_view name, double Bounds::*member) {
-    text.row(name, fmt::format("{:<24} {}", exact(of_subject.*member), exact(of_oracle.*member)));
+    text.row(name, fmt::format("{:<24} {}", digits(of_subject.*member), digits(of_oracle.*member)));
   };
   text.line("bounds               {:<24} {}", shown.subject.declaration.name,
             shown.oracle.declaration.name);
@@ -103,37 +98,36 @@ void write_bounds(Text& text, const ShownCase& shown) {
 
 void write_point(Text& text, const PairCase& pair, const Vector2<double>& local, double depth,
                  const FeaturePair& features) {
-  text.row("point", fmt::format("world {}, local {}", exact(to_world(pair, local)), exact(local)));
-  text.row("", fmt::format("depth {}, features {}", exact(depth), features_name(features)));
+  text.row("point",
+           fmt::format("world {}, local {}", digits(to_world(pair, local)), digits(local)));
+  text.row("", fmt::format("depth {}, features {}", digits(depth), features_name(features)));
 }
 
 std::string edge(const Body& body, int face) {
-  return fmt::format("{} to {}", exact(world_vertex(body, face)),
-                     exact(world_vertex(body, body.polygon.next(face))));
+  return fmt::format("{} to {}", digits(world_vertex(body, face)),
+                     digits(world_vertex(body, body.polygon.next(face))));
 }
 
 void write_candidate(Text& text, const PairCase& pair, const Party& subject) {
   const Admissible right = admissible(pair, subject.declaration);
   text.line("right manifold       one of {} for {}", right.candidates.size(),
             subject.declaration.name);
-  const Candidate* const shown = candidate_to_show(right, subject);
+  const exact::Clip* const shown = candidate_to_show(right, subject);
   if (shown == nullptr) return text.row("", "no contact");
-  const Side incident_side = other(shown->reference_side);
-  const truth::Clip& clip = shown->clip;
-  text.row("reference",
-           fmt::format("{}, world {}", face_name(shown->reference_side, shown->reference),
-                       edge(pair[shown->reference_side], shown->reference)));
-  text.row("incident", fmt::format("{}, world {}", face_name(incident_side, shown->incident),
-                                   edge(pair[incident_side], shown->incident)));
-  const Vector2<double> normal = clip.normal.cast<double>();
-  text.row("normal",
-           fmt::format("world {}, local {}", exact(world_normal(pair, normal)), exact(normal)));
-  text.row("cos of the angle", exact(clip.cosine));
-  if (clip.gap > 0) text.row("misses the slab by", exact(clip.gap));
-  for (int i = 0; i < clip.count; ++i) {
-    const truth::ClipPoint& point = clip.points[i];
-    write_point(text, pair, point.position.cast<double>(), static_cast<double>(point.depth),
-                point.features);
+  const exact::FaceOf reference = shown->reference;
+  const Side incident = other(reference.side);
+  text.row("reference", fmt::format("{}, world {}", face_name(reference.side, reference.index),
+                                    edge(pair[reference.side], reference.index)));
+  text.row("incident", fmt::format("{}, world {}", face_name(incident, shown->incident),
+                                   edge(pair[incident], shown->incident)));
+  const Manifold<double> manifold = true_manifold(pair, *shown);
+  text.row("normal", fmt::format("world {}, local {}", digits(world_normal(pair, manifold.normal)),
+                                 digits(manifold.normal)));
+  text.row("cos of the angle", digits(shown->cosine));
+  if (const double gap = shown->gap(); gap > 0) text.row("misses the slab by", digits(gap));
+  for (int i = 0; i < manifold.count; ++i) {
+    const ContactPoint<double>& point = manifold.points[i];
+    write_point(text, pair, point.position, point.depth, point.features);
   }
 }
 
@@ -143,8 +137,8 @@ void write_answer(Text& text, const PairCase& pair, const Party& party, std::str
   const Manifold<double>* const manifold = party.manifold();
   if (manifold == nullptr || party.count() == 0) return;
   text.row("reference", manifold->reference == Side::a ? "A" : "B");
-  text.row("normal", fmt::format("world {}, local {}", exact(world_normal(pair, manifold->normal)),
-                                 exact(manifold->normal)));
+  text.row("normal", fmt::format("world {}, local {}", digits(world_normal(pair, manifold->normal)),
+                                 digits(manifold->normal)));
   for (int i = 0; i < party.count(); ++i) {
     const ContactPoint<double>& point = manifold->points[i];
     write_point(text, pair, point.position, point.depth, point.features);
@@ -154,7 +148,7 @@ void write_answer(Text& text, const PairCase& pair, const Party& party, std::str
 void write_verdict(Text& text, const Judgement& judgement) {
   text.row("verdict", to_string(judgement.bucket.verdict));
   text.row("bucket", to_string(judgement.bucket));
-  text.row("magnitude", exact(judgement.magnitude) + " of the size");
+  text.row("magnitude", digits(judgement.magnitude) + " of the size");
   if (judgement.explanation == nullptr) return;
   text.row("ledger",
            fmt::format("{}: {}", judgement.explanation->id, judgement.explanation->description));

@@ -2,26 +2,19 @@
 
 namespace manifuzz {
 
-GreatestFace greatest_face(const truth::World<truth::Real>& world, Side side) {
-  const auto separations = truth::face_separations(world, side);
-  const auto* const begin = separations.data();
-  const auto* const greatest = std::max_element(begin, begin + world[side].count);
-  return {static_cast<int>(greatest - begin), *greatest};
-}
-
-const Candidate* candidate_to_show(const Admissible& right, const Party& subject) {
-  const auto find = [&](const auto& wanted) -> const Candidate* {
-    const auto found = std::find_if(right.candidates.begin(), right.candidates.end(), wanted);
-    return found == right.candidates.end() ? nullptr : &*found;
+const exact::Clip* candidate_to_show(const Admissible& right, const Party& subject) {
+  const auto find = [&](const auto& wanted) -> const exact::Clip* {
+    const auto found = std::ranges::find_if(right.candidates, wanted);
+    return found == right.candidates.end() ? nullptr : *found;
   };
-  const Candidate* const own = find([&](const Candidate& candidate) {
-    return subject.count() > 0 &&
-           mismatch(*subject.manifold(), candidate, right).kind == Kind::none;
+  const exact::Clip* const own = find([&](const exact::Clip* clip) {
+    return subject.count() > 0 && mismatch(*subject.manifold(), *clip, right).kind == Kind::none;
   });
   if (own != nullptr) return own;
-  const Candidate* const met = find([](const Candidate& c) { return c.clip.gap <= 0; });
+  const exact::Clip* const met =
+      find([&](const exact::Clip* clip) { return compare_gap(right.pair(), *clip, 0) <= 0; });
   if (met != nullptr || right.candidates.empty()) return met;
-  return &right.candidates.front();
+  return right.candidates.front();
 }
 
 }  // namespace manifuzz

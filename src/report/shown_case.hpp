@@ -31,15 +31,8 @@ struct ShownCase {
   Judgement judgement;
 };
 
-/// The face of `side` with the greatest separation, the first of equals.
-struct GreatestFace {
-  int face = 0;
-  truth::Real separation = 0;  ///< world length
-};
-GreatestFace greatest_face(const truth::World<truth::Real>& world, Side side);
-
 /// The candidate that a picture shows: the subject's own choice where that is right, else the first
 /// whose incident edge meets the slab, else the first; nullptr where the polygons are apart.
-const Candidate* candidate_to_show(const Admissible& right, const Party& subject);
+const exact::Clip* candidate_to_show(const Admissible& right, const Party& subject);
 
 }  // namespace manifuzz

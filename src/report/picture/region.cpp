@@ -93,7 +93,7 @@ double distance(const Box& box, const Point& p) {
   return length(p - nearest(box, p));
 }
 
-Region rounded(const truth::WorldPolygon<double>& polygon, double radius, const Box& where,
+Region rounded(const exact::RoughPolygon& polygon, double radius, const Box& where,
                double tolerance) {
   Region region;
   for (int i = 0; i < polygon.count; ++i) {

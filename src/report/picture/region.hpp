@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/vector.hpp"
-#include "oracle/truth/truth.hpp"
+#include "oracle/exact/rough.hpp"
 
 // Plain geometry of pictures, in double and in any units: good enough to look at.
 
@@ -53,7 +53,7 @@ Point nearest(const Box& box, const Point& p);
 
 /// A polygon and its skin: the arcs at the corners as short edges, which inside the box come within
 /// `tolerance` of the arc.
-Region rounded(const truth::WorldPolygon<double>& polygon, double radius, const Box& where,
+Region rounded(const exact::RoughPolygon& polygon, double radius, const Box& where,
                double tolerance);
 
 /// What both convex regions cover; both counter-clockwise (y up).

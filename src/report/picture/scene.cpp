@@ -6,20 +6,9 @@
 namespace manifuzz {
 namespace {
 
-using truth::WorldPolygon;
-
 PlacedFace placed_face(const Scene& scene, Side side, int face) {
-  const WorldPolygon<double>& polygon = scene.polygon(side);
+  const exact::RoughPolygon& polygon = scene.polygon(side);
   return {side, face, {polygon.vertices[face], polygon.vertices[polygon.next(face)]}};
-}
-
-/// The face of the greatest separation, of A where both have it.
-std::pair<Side, int> deciding_face(const PairCase& pair) {
-  const auto world = truth::place<truth::Real>(pair);
-  const GreatestFace of_a = greatest_face(world, Side::a);
-  const GreatestFace of_b = greatest_face(world, Side::b);
-  if (of_b.separation > of_a.separation) return {Side::b, of_b.face};
-  return {Side::a, of_a.face};
 }
 
 /// A local point of A, seen from A's position in world directions.
@@ -35,15 +24,15 @@ DepthBar bar_at(const Scene& scene, const Point& position, double depth, Side re
 }
 
 /// The true deepest point: of the clip, or the vertex that lies farthest behind the reference face.
-DepthBar deepest_bar(const Scene& scene, const PairCase& pair, const Candidate* candidate) {
+DepthBar deepest_bar(const Scene& scene, const PairCase& pair, const exact::Clip* candidate) {
   if (candidate != nullptr) {
-    const auto& points = candidate->clip.points;
-    const bool second = candidate->clip.count > 1 && points[1].depth > points[0].depth;
-    const truth::ClipPoint& point = points[second ? 1 : 0];
-    return bar_at(scene, seen_from_a(pair, point.position.cast<double>()),
-                  static_cast<double>(point.depth), scene.reference.side, scene.outward);
+    const auto& points = candidate->points;
+    const bool second = candidate->count > 1 && points[1].depth() > points[0].depth();
+    const exact::ClipPoint& point = points[second ? 1 : 0];
+    return bar_at(scene, seen_from_a(pair, point.position()), point.depth(), scene.reference.side,
+                  scene.outward);
   }
-  const WorldPolygon<double>& polygon = scene.polygon(other(scene.reference.side));
+  const exact::RoughPolygon& polygon = scene.polygon(other(scene.reference.side));
   const auto* const deepest = std::min_element(
       polygon.vertices.data(), polygon.vertices.data() + polygon.count,
       [&](const Point& p, const Point& q) { return scene.outward.dot(p) < scene.outward.dot(q); });
@@ -70,22 +59,21 @@ void add_points(Scene& scene, const PairCase& pair, const Party& party, bool is_
 
 Scene make_scene(const ShownCase& shown) {
   const PairCase& pair = shown.given.pair;
-  const auto world = truth::place<double>(pair);
+  const auto world = exact::place_roughly(pair);
   const Admissible right = admissible(pair, shown.subject.declaration);
-  const Candidate* const candidate = candidate_to_show(right, shown.subject);
+  const exact::Clip* const candidate = candidate_to_show(right, shown.subject);
 
   Scene scene;
   scene.polygons = {world.a, world.b};
   scene.radii = {pair.a.polygon.radius, pair.b.polygon.radius};
   scene.rounding = right.bounds.separation;
 
-  const auto [side, face] =
-      candidate ? std::pair(candidate->reference_side, candidate->reference) : deciding_face(pair);
+  const auto [side, face] = candidate ? candidate->reference : right.truth->greatest();
   scene.reference = placed_face(scene, side, face);
   if (candidate) scene.incident = placed_face(scene, other(side), candidate->incident);
   scene.outward = scene.polygon(side).normals[face];
   scene.normal = side == Side::a ? scene.outward : Point(-scene.outward);
-  const Point widening = world.total_radius * counter_clockwise_quarter<double>(scene.outward);
+  const Point widening = total_radius(pair) * counter_clockwise_quarter<double>(scene.outward);
   scene.slab = {scene.reference.segment.first - widening,
                 scene.reference.segment.second + widening};
   scene.deepest = deepest_bar(scene, pair, candidate);

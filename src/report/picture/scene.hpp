@@ -32,7 +32,7 @@ struct ReportedPoint {
 
 /// What a picture of a case shows: world directions and lengths, seen from A's position.
 struct Scene {
-  std::array<truth::WorldPolygon<double>, 2> polygons;  ///< A's and B's
+  std::array<exact::RoughPolygon, 2> polygons;  ///< A's and B's
   std::array<double, 2> radii{};
   /// Of the candidate to show; where the polygons are apart, the face of the greatest separation
   /// alone.
@@ -45,7 +45,7 @@ struct Scene {
   double rounding = 0;                ///< how far the subject's figures may be off, by its bounds
   std::vector<ReportedPoint> points;  ///< finite ones, the subject's first
 
-  const truth::WorldPolygon<double>& polygon(Side side) const {
+  const exact::RoughPolygon& polygon(Side side) const {
     return polygons[static_cast<std::size_t>(side)];
   }
   double radius(Side side) const { return radii[static_cast<std::size_t>(side)]; }

@@ -38,7 +38,7 @@ Box box_of(const Scene& scene, Side side) {
 }
 
 /// The width of a polygon where it is thinnest, and the corner there.
-Interest thickness(const truth::WorldPolygon<double>& polygon) {
+Interest thickness(const exact::RoughPolygon& polygon) {
   Interest thinnest{{0, 0}, std::numeric_limits<double>::infinity(), 4, 0.25};
   for (int face = 0; face < polygon.count; ++face) {
     const Point& normal = polygon.normals[face];

@@ -44,19 +44,19 @@ Collider answering(const Manifold<double>& manifold) {
 
 TEST_CASE("the truth of two boxes") {
   const Admissible right = admissible(boxes_at(1.5F, 0.25F), make_clip().declaration);
-  CHECK(right.separation() == -0.5L);
-  CHECK(right.must_touch());
+  CHECK(leading(right.truth->fine_separation(right.truth->greatest())) == -0.5);
+  CHECK(right.must_touch);
   REQUIRE(right.candidates.size() == 2);  // A's right face and B's left one, equally separated
-  CHECK(right.candidates[0].reference_side == Side::a);
-  CHECK(right.candidates[0].reference == 1);
-  CHECK(right.candidates[0].incident == 3);
-  CHECK(right.candidates[1].reference_side == Side::b);
+  CHECK(right.candidates[0]->reference.side == Side::a);
+  CHECK(right.candidates[0]->reference.index == 1);
+  CHECK(right.candidates[0]->incident == 3);
+  CHECK(right.candidates[1]->reference.side == Side::b);
 }
 
 TEST_CASE("a tie bias leaves A's face alone") {
   const Admissible right = admissible(boxes_at(1.5F, 0.25F), make_box2d().declaration);
   REQUIRE(right.candidates.size() == 1);
-  CHECK(right.candidates[0].reference_side == Side::a);
+  CHECK(right.candidates[0]->reference.side == Side::a);
 }
 
 TEST_CASE("each way of being wrong has its kind") {

@@ -69,10 +69,10 @@ void check_words(const ShownCase& shown, const std::vector<Element>& elements) {
     CHECK(holds(elements, answer_in_words(*party)));
   }
   const Admissible right = admissible(shown.given.pair, shown.subject.declaration);
-  const Candidate* const candidate = candidate_to_show(right, shown.subject);
+  const exact::Clip* const candidate = candidate_to_show(right, shown.subject);
   if (candidate == nullptr) return;
-  const Side side = candidate->reference_side;
-  CHECK(holds(elements, "reference (" + face_name(side, candidate->reference) + ")"));
+  const Side side = candidate->reference.side;
+  CHECK(holds(elements, "reference (" + face_name(side, candidate->reference.index) + ")"));
   CHECK(holds(elements, "incident (" + face_name(other(side), candidate->incident) + ")"));
 }
 

@@ -64,7 +64,7 @@ TEST_CASE("how deep a point lies in a region") {
 }
 
 TEST_CASE("a rounded square has the area of its skin") {
-  const truth::World<double> world = truth::place<double>(box_on_box(0));
+  const exact::RoughPair world = exact::place_roughly(box_on_box(0));
   const double pi = 3.14159265358979;
   const Region skin = rounded(world.a, 0.5, kEverything, 1e-6);
   CHECK(area(skin) == Approx(4 + 4 * 2 * 0.5 + pi * 0.25).epsilon(1e-5));
@@ -72,7 +72,7 @@ TEST_CASE("a rounded square has the area of its skin") {
 }
 
 TEST_CASE("arcs are fine where they are looked at, and coarse elsewhere") {
-  const truth::World<double> world = truth::place<double>(box_on_box(0));
+  const exact::RoughPair world = exact::place_roughly(box_on_box(0));
   const double sine = 0.70710678118654752;
   const Point top = Point(1, 1) + 0.5 * Point(sine, sine);
   const Box about = Box{top.x(), top.y(), 0, 0}.grown(1e-6);

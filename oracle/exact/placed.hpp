@@ -1,0 +1,106 @@
+#pragma once
+
+#include "geometry/pair_case.hpp"
+
+// Where the stored floats put the polygons: R v + p with R the matrix of (cos, sin) as it is, in
+// any number type, seen from A's position. Whatever is asked for is computed from the floats.
+
+namespace manifuzz::exact {
+
+template <class Number>
+struct Point {
+  Number x{0.0};
+  Number y{0.0};
+
+  friend Point operator+(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y}; }
+  friend Point operator-(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y}; }
+};
+
+template <class Number>
+Number dot(const Point<Number>& p, const Point<Number>& q) {
+  return p.x * q.x + p.y * q.y;
+}
+
+template <class Number>
+Number widen(float value) {
+  return Number(static_cast<double>(value));
+}
+
+template <class Number>
+Point<Number> widen(const Vector2<float>& v) {
+  return {widen<Number>(v.x()), widen<Number>(v.y())};
+}
+
+/// R v.
+template <class Number>
+Point<Number> turned(const Body& body, const Point<Number>& v) {
+  const Point<Number> r = widen<Number>(body.pose.rotation);
+  return {r.x * v.x - r.y * v.y, r.y * v.x + r.x * v.y};
+}
+
+/// R^T v.
+template <class Number>
+Point<Number> turned_back(const Body& body, const Point<Number>& v) {
+  const Point<Number> r = widen<Number>(body.pose.rotation);
+  return {r.x * v.x + r.y * v.y, r.x * v.y - r.y * v.x};
+}
+
+/// cos^2 + sin^2.
+template <class Number>
+Number scale(const Body& body) {
+  const Point<Number> r = widen<Number>(body.pose.rotation);
+  return dot(r, r);
+}
+
+/// A face or an edge of one polygon.
+struct FaceOf {
+  Side side = Side::a;
+  int index = 0;
+
+  friend bool operator==(const FaceOf&, const FaceOf&) = default;
+};
+
+/// A vertex in the world, from A's position.
+template <class Number>
+Point<Number> vertex(const PairCase& pair, Side side, int index) {
+  const Point<Number> at = turned(pair[side], widen<Number>(pair[side].polygon.vertices[index]));
+  if (side == Side::a) return at;
+  return at + (widen<Number>(pair.b.pose.position) - widen<Number>(pair.a.pose.position));
+}
+
+/// A face's direction in the world, counter-clockwise, as long as the face.
+template <class Number>
+Point<Number> direction(const PairCase& pair, FaceOf face) {
+  const ConvexPolygon<float>& polygon = pair[face.side].polygon;
+  return turned(pair[face.side], widen<Number>(polygon.vertices[polygon.next(face.index)]) -
+                                     widen<Number>(polygon.vertices[face.index]));
+}
+
+/// A face's outward normal in the world, as long as the face.
+template <class Number>
+Point<Number> outward(const PairCase& pair, FaceOf face) {
+  const Point<Number> along = direction<Number>(pair, face);
+  return {along.y, -along.x};
+}
+
+/// The square of a face's length.
+template <class Number>
+Number square(const PairCase& pair, FaceOf face) {
+  const Point<Number> along = direction<Number>(pair, face);
+  return dot(along, along);
+}
+
+/// The distance of the other polygon's vertex in front of a face, times the face's length.
+template <class Number>
+Number scaled_separation(const PairCase& pair, FaceOf face, int opposing) {
+  const Point<Number> corner = vertex<Number>(pair, face.side, face.index);
+  return dot(outward<Number>(pair, face),
+             vertex<Number>(pair, other(face.side), opposing) - corner);
+}
+
+template <class Number>
+Number total_radius(const PairCase& pair) {
+  return widen<Number>(pair.a.polygon.radius) + widen<Number>(pair.b.polygon.radius);
+}
+
+}  // namespace manifuzz::exact

@@ -1,0 +1,198 @@
+#include "oracle/exact/truth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace manifuzz::exact {
+namespace {
+
+std::size_t at(Side side) {
+  return static_cast<std::size_t>(side);
+}
+
+/// The sign of a value known to within `error`, or else of the exact sum.
+template <class Expression>
+int decide_from(double value, double error, const Expression& expression) {
+  if (std::abs(value) > error) return value > 0 ? 1 : -1;
+  return decide(expression);
+}
+
+/// The sign of (distance of p's vertex in front of p's face) - (the same of q) - offset.
+int compare_distances(const PairCase& pair, const FaceAndVertex& p, const FaceAndVertex& q,
+                      double offset) {
+  return decide([&]<class Number>() {
+    const Number square_of_p = square<Number>(pair, p.face);
+    const Number square_of_q = square<Number>(pair, q.face);
+    return RootSum<Number>{{{scaled_separation<Number>(pair, p.face, p.vertex), square_of_q},
+                            {-scaled_separation<Number>(pair, q.face, q.vertex), square_of_p},
+                            {-Number(offset), square_of_p * square_of_q}}};
+  });
+}
+
+/// The sign of (distance of p's vertex in front of p's face) - (radii total radii + offset).
+int compare_distance(const PairCase& pair, const FaceAndVertex& p, int radii, double offset) {
+  return decide([&]<class Number>() {
+    const Number length = Number(radii) * total_radius<Number>(pair) + Number(offset);
+    return RootSum<Number>{{{scaled_separation<Number>(pair, p.face, p.vertex), Number(1.0)},
+                            {-length, square<Number>(pair, p.face)},
+                            {}}};
+  });
+}
+
+bool is_parallel(const PairCase& pair, FaceOf face, FaceOf edge) {
+  return decide([&]<class Number>() {
+           return RootSum<Number>{
+               {{dot(outward<Number>(pair, face), direction<Number>(pair, edge))}, {}, {}}};
+         }) == 0;
+}
+
+}  // namespace
+
+Truth::Truth(const PairCase& pair)
+    : pair_(pair),
+      size_(manifuzz::size(pair)),
+      extent_(manifuzz::extent(pair)),
+      placed_(place_roughly(pair)),
+      rough_(separations(placed_, extent_)) {}
+
+int Truth::rough_sign(double value, double offset) const {
+  const double error = 2 * rough_.error + 0x1p-51 * std::abs(offset);
+  return value > error ? 1 : value < -error ? -1 : 0;
+}
+
+int Truth::support(FaceOf face) const {
+  std::optional<int>& known = support_[at(face.side)][face.index];
+  if (known) return *known;
+  const Side opposing = other(face.side);
+  const RoughPolygon& polygon = placed_[opposing];
+  const Vector2<double>& normal = placed_[face.side].normals[face.index];
+  int deepest = 0;
+  for (int j = 1; j < polygon.count; ++j) {
+    const double deeper = normal.dot(polygon.vertices[deepest] - polygon.vertices[j]);
+    const int s = decide_from(deeper, rough_.error, [&]<class Number>() {
+      return RootSum<Number>{
+          {{dot(outward<Number>(pair_, face),
+                vertex<Number>(pair_, opposing, deepest) - vertex<Number>(pair_, opposing, j))},
+           {},
+           {}}};
+    });
+    if (s > 0) deepest = j;
+  }
+  known = deepest;
+  return deepest;
+}
+
+DoubleDouble Truth::fine_separation(FaceOf face) const {
+  using Fine = Approximate<DoubleDouble>;
+  return (scaled_separation<Fine>(pair_, face, support(face)) / sqrt(square<Fine>(pair_, face)))
+      .value;
+}
+
+FaceAndVertex Truth::deepest(FaceOf face) const {
+  return {face, support(face)};
+}
+
+FaceOf Truth::greatest(Side side) const {
+  std::optional<int>& known = greatest_[at(side)];
+  if (!known) {
+    const double contends = separation(side) - 2 * rough_.error;
+    for (int i = 0; i < pair_[side].polygon.count; ++i) {
+      if (separation(FaceOf{side, i}) < contends) continue;
+      if (!known || compare_distances(pair_, deepest({side, i}), deepest({side, *known}), 0) > 0) {
+        known = i;
+      }
+    }
+  }
+  return {side, *known};
+}
+
+int Truth::compare_separation(int radii, double offset) const {
+  const double length = radii * manifuzz::total_radius(pair_) + offset;
+  if (const int s = rough_sign(separation() - length, length)) return s;
+  return std::max(compare_distance(pair_, deepest(greatest(Side::a)), radii, offset),
+                  compare_distance(pair_, deepest(greatest(Side::b)), radii, offset));
+}
+
+int Truth::compare_separation(double offset) const {
+  return compare_separation(0, offset);
+}
+
+int Truth::compare_contact(double offset) const {
+  return compare_separation(1, offset);
+}
+
+int Truth::compare_lead_of_b(double offset) const {
+  if (const int s = rough_sign(separation(Side::b) - separation(Side::a) - offset, offset))
+    return s;
+  return compare_distances(pair_, deepest(greatest(Side::b)), deepest(greatest(Side::a)), offset);
+}
+
+int Truth::compare_with_greatest(FaceOf face, double offset) const {
+  if (const int s = rough_sign(separation(face) - separation(face.side) - offset, offset)) return s;
+  return compare_distances(pair_, deepest(face), deepest(greatest(face.side)), offset);
+}
+
+std::vector<int> Truth::incident_edges(FaceOf reference, double bound) const {
+  const Side opposing = other(reference.side);
+  const int count = pair_[opposing].polygon.count;
+  const Vector2<double>& normal = placed_[reference.side].normals[reference.index];
+  std::array<double, kMaxVertices> dots{};
+  for (int j = 0; j < count; ++j) dots[j] = normal.dot(placed_[opposing].normals[j]);
+  const double least = *std::min_element(dots.begin(), dots.begin() + count);
+
+  // dot_j - dot_k - bound, times the lengths of all three faces.
+  const auto compare = [&](int j, int k, double offset) {
+    const double apart = dots[j] - dots[k] - offset;
+    if (std::abs(apart) > 3 * kErrorOfDot) return apart > 0 ? 1 : -1;
+    return decide([&]<class Number>() {
+      const auto out = outward<Number>(pair_, reference);
+      const FaceOf edge_j{opposing, j};
+      const FaceOf edge_k{opposing, k};
+      const Number square_j = square<Number>(pair_, edge_j);
+      const Number square_k = square<Number>(pair_, edge_k);
+      return RootSum<Number>{
+          {{dot(out, outward<Number>(pair_, edge_j)), square_k},
+           {-dot(out, outward<Number>(pair_, edge_k)), square_j},
+           {-Number(offset), square<Number>(pair_, reference) * square_j * square_k}}};
+    });
+  };
+  int best = -1;
+  for (int j = 0; j < count; ++j) {
+    if (dots[j] > least + 2 * kErrorOfDot) continue;
+    if (best < 0 || compare(j, best, 0) < 0) best = j;
+  }
+  std::vector<int> edges;
+  for (int j = 0; j < count; ++j) {
+    if (j == best || compare(j, best, bound) <= 0) edges.push_back(j);
+  }
+  return edges;
+}
+
+const Clip& Truth::clip(FaceOf reference, int incident) const {
+  for (const auto& made : clips_) {
+    if (made->reference == reference && made->incident == incident) return *made;
+  }
+  return *clips_.emplace_back(
+      std::make_unique<const Clip>(exact::clip(pair_, reference, incident)));
+}
+
+int Truth::compare_with_deepest(const Clip& clip, const ClipPoint& point) const {
+  const Side side = clip.reference.side;
+  const Approximate<double> as_deep = total_radius<Approximate<double>>(pair_) -
+                                      Approximate<double>(separation(side), rough_.error);
+  if (const auto s = sign(point.located.depth - as_deep)) return *s;
+  const FaceAndVertex best = deepest(greatest(side));
+  const FaceOf edge{other(side), clip.incident};
+  if (!point.crossing || is_parallel(pair_, clip.reference, edge)) {
+    const FaceAndVertex end{clip.reference, clip.vertex(pair_, point.end)};
+    return compare_distances(pair_, best, end, 0);
+  }
+  const Quadratic depth = locate<Rational>(pair_, clip, point.end).depth;
+  const Rational face = square<Rational>(pair_, best.face);
+  return *sign(RootSum<Rational>{
+      {{depth.rational - total_radius<Rational>(pair_)},
+       {depth.root, depth.radicand},
+       {scaled_separation<Rational>(pair_, best.face, best.vertex) / face, face}}});
+}
+
+}  // namespace manifuzz::exact

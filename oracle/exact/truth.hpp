@@ -1,0 +1,81 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "oracle/exact/clip.hpp"
+#include "oracle/exact/placed.hpp"
+#include "oracle/exact/rough.hpp"
+
+namespace manifuzz::exact {
+
+/// A face and a vertex of the other polygon.
+struct FaceAndVertex {
+  FaceOf face;
+  int vertex = 0;
+};
+
+/// What is true of a pair case. Every comparison is exact; values are doubles, within `error`.
+/// Separations S of a face, a side (the greatest of its faces) and the pair (the greater of both)
+/// are world lengths.
+class Truth {
+ public:
+  explicit Truth(const PairCase& pair);
+
+  const PairCase& pair() const { return pair_; }
+  double size() const { return size_; }
+  double extent() const { return extent_; }
+
+  /// S of the pair, a side or a face, to within an extent * 2^-48.
+  double separation() const { return std::max(separation(Side::a), separation(Side::b)); }
+  double separation(Side side) const { return rough_.greatest[static_cast<std::size_t>(side)]; }
+  double separation(FaceOf face) const {
+    return rough_.of_face[static_cast<std::size_t>(face.side)][face.index];
+  }
+  /// S of a side's face to well past double.
+  DoubleDouble fine_separation(FaceOf face) const;
+
+  /// The face of a side's greatest separation, the first of equals.
+  FaceOf greatest(Side side) const;
+  /// The same of the pair, A's of equals.
+  FaceOf greatest() const { return greatest(compare_lead_of_b(0) > 0 ? Side::b : Side::a); }
+
+  /// The sign of S - offset.
+  int compare_separation(double offset) const;
+  /// The sign of S - (total radius + offset); at offset 0, they touch where it is not positive.
+  int compare_contact(double offset) const;
+  /// The sign of S_B - S_A - offset.
+  int compare_lead_of_b(double offset) const;
+  /// The sign of S of a face - S of its side - offset.
+  int compare_with_greatest(FaceOf face, double offset) const;
+
+  /// The edges of the other polygon whose unit normal's dot with the face's is within `bound` of
+  /// the least.
+  std::vector<int> incident_edges(FaceOf reference, double bound) const;
+
+  /// The clip of an incident edge by a reference face; kept, so that asking again is free.
+  const Clip& clip(FaceOf reference, int incident) const;
+
+  /// The sign of a clip point's depth - (total radius - S of its reference's side).
+  int compare_with_deepest(const Clip& clip, const ClipPoint& point) const;
+
+ private:
+  int rough_sign(double value, double offset) const;
+  int compare_separation(int radii, double offset) const;
+  int support(FaceOf face) const;
+  FaceAndVertex deepest(FaceOf face) const;
+
+  PairCase pair_;
+  double size_;
+  double extent_;
+  RoughPair placed_;
+  Separations rough_;
+  mutable std::array<std::optional<int>, 2> greatest_;
+  mutable std::array<std::array<std::optional<int>, kMaxVertices>, 2> support_;
+  mutable std::vector<std::unique_ptr<const Clip>> clips_;
+};
+
+}  // namespace manifuzz::exact
