@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "judging/judge.hpp"
+
+// The judge's twin: what the design calls truth and admissible, written a second time, slowly and
+// plainly, over rationals and enclosures of their roots. It shares the bounds with the judge and
+// nothing else.
+
+namespace manifuzz {
+
+/// A reference face and an incident edge that a collider may take.
+struct TwinCandidate {
+  Side side = Side::a;
+  int reference = 0;
+  int incident = 0;
+
+  friend bool operator==(const TwinCandidate&, const TwinCandidate&) = default;
+};
+
+struct TwinJudgement {
+  bool touching = false;                  ///< S <= total radius
+  std::vector<TwinCandidate> candidates;  ///< the subject's
+  Bucket bucket;  ///< the ledger not asked: oracle_wrong where it says known
+};
+
+TwinJudgement twin_judge(const PairCase& pair, const Testimony& subject, const Testimony& oracle);
+
+}  // namespace manifuzz

@@ -1,0 +1,111 @@
+#include "support/twin.hpp"
+
+#include <cstdlib>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "cases/json.hpp"
+#include "cases/regime.hpp"
+#include "clipping/collider.hpp"
+#include "oracle/box2d/box2d.hpp"
+#include "support/named_tests.hpp"
+
+// The judge against its twin, in every regime: on what colliders answer, and on answers moved by
+// about as much as the bounds allow. MANIFUZZ_TWIN_CASES sets how many a regime.
+
+namespace manifuzz {
+namespace {
+
+std::uint64_t cases() {
+  const char* const text = std::getenv("MANIFUZZ_TWIN_CASES");
+  return text == nullptr ? 2000 : std::strtoull(text, nullptr, 10);
+}
+
+/// Between a quarter of the bound and four times it.
+double about(Random& random, double bound) {
+  static constexpr std::array<double, 6> kShares{0.25, 0.5, 0.9, 1, 2, 4};
+  return random.either_sign(bound * kShares[static_cast<std::size_t>(random.integer(0, 5))]);
+}
+
+/// An answer as it is, or moved in one of the ways in which answers are wrong.
+Answer moved(const Answer& answer, const PairCase& pair, const Bounds& bounds, Random& random) {
+  const auto* given = std::get_if<Manifold<double>>(&answer);
+  if (given == nullptr || given->count == 0) return answer;
+  Manifold<double> m = *given;
+  auto& point = m.points[static_cast<std::size_t>(random.integer(0, m.count - 1))];
+  switch (random.integer(0, 7)) {
+    case 0:
+      point.position.x() += about(random, bounds.length);
+      break;
+    case 1:
+      point.depth = std::max(0.0, point.depth + about(random, bounds.length));
+      break;
+    case 2:
+      m.normal += about(random, bounds.normal) * counter_clockwise_quarter(m.normal);
+      break;
+    case 3:
+      m.count = random.integer(0, m.count - 1);
+      break;
+    case 4:
+      point.features.a.index =
+          static_cast<unsigned char>(pair.a.polygon.next(point.features.a.index));
+      break;
+    case 5:
+      m.reference = other(m.reference);
+      break;
+    default:
+      break;
+  }
+  return m;
+}
+
+Bucket without_ledger(Bucket bucket) {
+  if (bucket.verdict == Verdict::known) bucket.verdict = Verdict::oracle_wrong;
+  return bucket;
+}
+
+std::vector<TwinCandidate> judged_candidates(const Admissible& right) {
+  std::vector<TwinCandidate> candidates;
+  for (const exact::Clip* clip : right.candidates) {
+    candidates.push_back({clip->reference.side, clip->reference.index, clip->incident});
+  }
+  return candidates;
+}
+
+void compare(const Regime& regime) {
+  const std::array<Collider, 3> colliders{make_clip(), make_clip64(), make_box2d()};
+  std::vector<PairCase> corpus;
+  for (std::uint64_t i = 0; i < 20; ++i) corpus.push_back(generate(3, *find_regime("grid"), i));
+  for (std::uint64_t i = 0; i < cases(); ++i) {
+    const PairCase pair = generate(11, regime, i, {.corpus = corpus, .radius = {}});
+    Random random(11, "answers", i);
+    const Collider& subject = colliders[random.chance(0.5) ? 0 : 1];
+    const Collider& oracle = colliders[random.chance(0.25) ? 1 : 2];
+    const Answer of_subject =
+        moved(subject.collide(pair), pair, bounds(pair, subject.declaration), random);
+    const Answer of_oracle = oracle.collide(pair);
+    const Testimony s{subject.declaration, of_subject};
+    const Testimony o{oracle.declaration, of_oracle};
+    std::string line;
+    append_case_line(line, pair);
+    INFO(line << "\n"
+              << subject.declaration.name << " against " << oracle.declaration.name << ", index "
+              << i);
+    const TwinJudgement twin = twin_judge(pair, s, o);
+    REQUIRE(standing(exact::Truth(pair)).touching == twin.touching);
+    REQUIRE(judged_candidates(admissible(pair, s.declaration)) == twin.candidates);
+    REQUIRE(to_string(without_ledger(judge(pair, s, o).bucket)) == to_string(twin.bucket));
+  }
+}
+
+[[maybe_unused]] const bool registered = [] {
+  for (const Regime& regime : regimes()) {
+    test::add_test("the judge and its twin agree in the regime " + std::string(regime.name),
+                   "[twin]", [&regime] { compare(regime); });
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace manifuzz
