@@ -198,6 +198,13 @@ void append_answer(std::string& out, const PairCase& pair, std::string_view coll
   out += '}';
 }
 
+void append_manifold_object(std::string& out, const PairCase& pair,
+                            const Manifold<double>& manifold) {
+  out += '{';
+  append_manifold(out, pair, manifold);
+  out += '}';
+}
+
 NamedAnswer read_answer(const JsonView& object, const PairCase& pair) {
   object.expect_keys({"collider", "unsupported", "normal", "reference", "points"});
   const std::string collider(object.at("collider").string());

@@ -33,8 +33,23 @@ void append_case_line(std::string& out, const PairCase& pair);
 void append_answer(std::string& out, const PairCase& pair, std::string_view collider,
                    const Answer& answer);
 
+/// Appends {"normal": ..., "reference": ..., "points": [...]}, a manifold line without its
+/// collider.
+void append_manifold_object(std::string& out, const PairCase& pair,
+                            const Manifold<double>& manifold);
+
 /// Reads what `append_answer` wrote, every key required, null for a number that is not finite.
 /// Points are taken from `local`; the normal comes back into A's frame to within a rounding.
 NamedAnswer read_answer(const JsonView& object, const PairCase& pair);
+
+/// An answer from outside: {"points": [...], "normal": ...} or {"unsupported": "why"}. Each point
+/// has `depth` and `position` (in the world) or `local` (in A's frame); reference and features may
+/// be left out, and unknown keys are ignored. Throws UserError that begins with a path.
+struct OutsideAnswer {
+  Answer answer;
+  bool names_reference = false;
+  bool names_features = false;  ///< of every point
+};
+OutsideAnswer read_outside_answer(const JsonView& object, const PairCase& pair);
 
 }  // namespace manifuzz

@@ -24,7 +24,7 @@ class AnswerWriter {
     line_.clear();
     ++lines_;
     try {
-      answer_(read(), line_);
+      answer_(read(), lines_ - 1, line_);
     } catch (const UserError& error) {
       if (bad_++ == 0) {
         first_bad_line_ = line_number;

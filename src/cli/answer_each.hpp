@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -8,7 +9,8 @@
 namespace manifuzz {
 
 /// Appends the line (without its end) that answers a case; throws UserError where there is none.
-using AnswerCase = std::function<void(const PairCase& pair, std::string& line)>;
+/// `index` counts the lines that are not blank, bad ones too, from 0.
+using AnswerCase = std::function<void(const PairCase& pair, std::size_t index, std::string& line)>;
 
 /// Reads cases from a file (*.json: one; else one a line, blank lines skipped; "-": stdin) and
 /// writes a line for each to the standard output, in order and constant memory. A bad line gives

@@ -45,7 +45,7 @@ void append_collision(std::string& line, const Collider& collider, const PairCas
 
 int collide_cases(const Options& options) {
   const Collider collider = find_collider(options.collider, options.tie_bias);
-  answer_each(options.file, [&collider](const PairCase& pair, std::string& line) {
+  answer_each(options.file, [&collider](const PairCase& pair, std::size_t, std::string& line) {
     append_collision(line, collider, pair);
   });
   return 0;

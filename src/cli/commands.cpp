@@ -5,6 +5,7 @@ namespace manifuzz {
 extern const Command kCollide;
 extern const Command kFuzz;
 extern const Command kGenerate;
+extern const Command kJudge;
 extern const Command kList;
 extern const Command kProperty;
 extern const Command kReplay;
@@ -12,7 +13,7 @@ extern const Command kShow;
 extern const Command kShrink;
 
 std::span<const Command> commands() {
-  static const Command all[] = {kFuzz,     kReplay, kProperty, kCollide,
+  static const Command all[] = {kFuzz,     kReplay, kProperty, kCollide, kJudge,
                                 kGenerate, kShrink, kShow,     kList};
   return all;
 }

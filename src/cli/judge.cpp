@@ -1,0 +1,175 @@
+#include "judging/judge.hpp"
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cases/file.hpp"
+#include "cases/json.hpp"
+#include "cases/json_tree.hpp"
+#include "cases/text.hpp"
+#include "cases/user_error.hpp"
+#include "cli/answer_each.hpp"
+#include "cli/colliders.hpp"
+#include "cli/commands.hpp"
+#include "judging/outside.hpp"
+
+namespace manifuzz {
+namespace {
+
+struct Options {
+  std::string subject = "clip";
+  std::string oracle = "box2d";
+  std::string manifolds;
+  std::string file = "-";
+};
+
+/// The subject's answers, from a file instead of the subject: a line a case, in order.
+class AnswerFile {
+ public:
+  explicit AnswerFile(const std::string& path) : file_(path), lines_(file_) {}
+
+  /// Answer number `index`, from 0 and never backwards; what it leaves out is as `right` has it.
+  Answer at(std::size_t index, const Admissible& right) {
+    while (read_ < index) next_line();
+    const Line line = next_line();
+    try {
+      if (line.too_long) throw UserError("longer than 1 MiB");
+      const JsonTree tree = parse_json(line.text);
+      OutsideAnswer given = read_outside_answer(JsonView(tree), right.pair());
+      const auto* const manifold = std::get_if<Manifold<double>>(&given.answer);
+      if (manifold == nullptr) return given.answer;
+      return completed({*manifold, given.names_reference, given.names_features}, right);
+    } catch (const UserError& error) {
+      throw UserError(fmt::format("{}:{}: {}", file_.name(), line.number, error.what()));
+    }
+  }
+
+  void expect_end() {
+    const auto line = next_filled();
+    if (!line) return;
+    throw UserError(
+        fmt::format("{}:{}: an answer more than there are cases; one a case is expected",
+                    file_.name(), line->number));
+  }
+
+ private:
+  std::optional<Line> next_filled() {
+    auto line = lines_.next();
+    while (line && line->is_blank()) line = lines_.next();
+    return line;
+  }
+  Line next_line() {
+    const auto line = next_filled();
+    ++read_;
+    if (line) return *line;
+    throw UserError(file_.name() + ": ends before the cases do; an answer a case is expected");
+  }
+
+  InputFile file_;
+  LineReader lines_;
+  std::size_t read_ = 0;
+};
+
+/// Largest of what the points of the first right manifold may be off by.
+double widest(const Admissible& right,
+              double (*bound)(const Admissible&, const exact::Clip&, const exact::ClipPoint&)) {
+  double most = right.bounds.length;
+  if (right.candidates.empty()) return most;
+  const exact::Clip& first = *right.candidates.front();
+  for (int i = 0; i < first.count; ++i) most = std::max(most, bound(right, first, first.points[i]));
+  return most;
+}
+
+void append_key(std::string& line, std::string_view key, double value) {
+  line += key;
+  if (std::isfinite(value)) {
+    append_number(line, value);
+  } else {
+    line += "null";
+  }
+}
+
+/// Every right manifold, without points too where that is right.
+void append_admissible(std::string& line, const Admissible& right) {
+  line += ", \"admissible\": [";
+  bool first = true;
+  const auto append = [&](const Manifold<double>& manifold) {
+    if (!first) line += ", ";
+    append_manifold_object(line, right.pair(), manifold);
+    first = false;
+  };
+  if (!right.may_touch || (right.may_be_apart && !right.must_touch)) append({});
+  for (const exact::Clip* clip : right.candidates) append(true_manifold(right.pair(), *clip));
+  line += ']';
+}
+
+void append_judgement(std::string& line, const Admissible& right, const Judgement& judgement) {
+  const exact::Truth& truth = *right.truth;
+  const double condition = right.candidates.empty() ? NAN : 1 / right.candidates.front()->cosine;
+  append_key(line, "{\"separation\": ", leading(truth.fine_separation(truth.greatest())));
+  line += ", \"touching\": ";
+  line += standing(truth).touching ? "true" : "false";
+  append_admissible(line, right);
+  append_key(line, ", \"condition\": ", condition);
+  append_key(line, ", \"bound\": {\"separation\": ", right.bounds.separation);
+  append_key(line, ", \"position\": ", widest(right, position_bound));
+  append_key(line, ", \"depth\": ", widest(right, depth_bound));
+  append_key(line, ", \"normal\": ", right.bounds.normal);
+  line += "}, \"verdict\": ";
+  append_string(line, to_string(judgement.bucket.verdict));
+  line += ", \"bucket\": ";
+  append_string(line, to_string(judgement.bucket));
+  line += '}';
+}
+
+int judge_cases(const Options& options) {
+  const Collider subject = find_collider(options.subject, std::nullopt);
+  const Collider oracle = find_collider(options.oracle, std::nullopt);
+  std::optional<AnswerFile> answers;
+  if (!options.manifolds.empty()) answers.emplace(options.manifolds);
+  bool unexplained = false;
+  answer_each(options.file, [&](const PairCase& pair, std::size_t index, std::string& line) {
+    const auto truth = std::make_shared<const exact::Truth>(pair);
+    const Admissible right = admissible(truth, subject.declaration);
+    const Answer of_subject = answers ? answers->at(index, right) : subject.collide(pair);
+    const Judgement judgement =
+        judge(truth, {subject.declaration, of_subject}, {oracle.declaration, oracle.collide(pair)});
+    append_judgement(line, right, judgement);
+    unexplained = unexplained || is_unexplained(judgement.bucket.verdict);
+  });
+  if (answers) answers->expect_end();
+  return unexplained ? 1 : 0;
+}
+
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("--subject", options->subject,
+                 "who is judged, or with --manifolds whose declaration (scalar, frame, tie bias) "
+                 "the answers are judged by")
+      ->type_name("C")
+      ->capture_default_str();
+  app.add_option("--oracle", options->oracle, "who it is held against")
+      ->type_name("C")
+      ->capture_default_str();
+  app.add_option("--manifolds", options->manifolds,
+                 "the subject's answers, a line a case, in place of the subject's own")
+      ->type_name("FILE");
+  app.add_option("FILE", options->file,
+                 "*.json: one case; else a case a line; - or nothing: stdin");
+  return [options] { return judge_cases(*options); };
+}
+
+}  // namespace
+
+extern const Command kJudge;
+const Command kJudge{"judge", "Cases in, what is right and who is, a JSON object a line.",
+                     "manifuzz generate --seed 1 --regime sliver --cases 10 | manifuzz judge\n"
+                     "manifuzz judge --manifolds answers.jsonl cases.jsonl",
+                     define};
+
+}  // namespace manifuzz

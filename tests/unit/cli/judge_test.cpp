@@ -1,0 +1,116 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "support/bad_cases.hpp"
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace manifuzz::test;
+using nlohmann::json;
+
+namespace {
+
+// Two boxes of side 2, B's left side a quarter inside A's right one, and half a length up.
+const std::string kBoxes =
+    R"({"a": {"vertices": [[-1,-1],[1,-1],[1,1],[-1,1]]}, )"
+    R"("b": {"vertices": [[-1,-1],[1,-1],[1,1],[-1,1]], "position": [1.75,0.5]}})";
+
+const std::string kRight = R"({"normal": [1,0], "points": [{"position": [0.75,1], "depth": 0.25}, )"
+                           R"({"position": [0.75,-0.5], "depth": 0.25}]})";
+
+json judge_answer(const std::string& answer, int status) {
+  const TemporaryFolder folder;
+  const std::string answers = folder.write("answers.jsonl", answer + "\n");
+  const Outcome outcome = run_manifuzz({"judge", "--manifolds", answers}, kBoxes + "\n");
+  INFO(outcome.err);
+  CHECK(outcome.status == status);
+  return json::parse(outcome.out);
+}
+
+}  // namespace
+
+TEST_CASE("a judgement has what the contract fixes, in figures anyone can check") {
+  const Outcome outcome = run_manifuzz({"judge"}, kBoxes + "\n");
+  CHECK(outcome.status == 0);
+  const json got = json::parse(outcome.out);
+  CHECK(got["separation"] == -0.25);
+  CHECK(got["touching"] == true);
+  CHECK(got["condition"] == 1.0);
+  CHECK(got["verdict"] == "agree");
+  CHECK(got["bucket"] == "none/agree/none/none/a");
+  for (const char* bound : {"separation", "position", "depth", "normal"}) {
+    CHECK(got["bound"][bound] > 0);
+    CHECK(got["bound"][bound] < 1e-5);
+  }
+  REQUIRE(got["admissible"].size() == 2);  // A's right side and B's left one tie
+  const json& of_a = got["admissible"][0];
+  CHECK(of_a["normal"] == json::parse("[1.0, 0.0]"));
+  CHECK(of_a["reference"] == "a");
+  CHECK(of_a["points"][0]["depth"] == 0.25);
+  CHECK(of_a["points"][0]["position"] == json::parse("[0.75, -0.5]"));
+  CHECK(of_a["points"][1]["position"] == json::parse("[0.75, 1.0]"));
+}
+
+TEST_CASE("no contact is among what is right where the polygons are apart") {
+  std::string apart = kBoxes;
+  apart.replace(apart.find("1.75"), 4, "2.75");
+  const json got = json::parse(run_manifuzz({"judge"}, apart + "\n").out);
+  CHECK(got["touching"] == false);
+  CHECK(got["condition"].is_null());
+  CHECK(got["admissible"] == json::parse(R"([{"points": []}])"));
+}
+
+TEST_CASE("answers from outside may leave out reference and features") {
+  CHECK(judge_answer(kRight, 0)["verdict"] == "agree");
+}
+
+TEST_CASE("wrong answers from outside are the subject's, and status 1") {
+  std::string wrong = kRight;
+  wrong.replace(wrong.find("0.25"), 4, "0.26");
+  CHECK(judge_answer(wrong, 1)["bucket"] == "subject/subject_wrong/depth/reference/a");
+  CHECK(judge_answer(R"({"points": []})", 1)["bucket"] ==
+        "subject/subject_wrong/missed_contact/reference/a");
+  std::string features = kRight;
+  features.replace(features.find("\"depth\": 0.25"), 13,
+                   "\"depth\": 0.25, \"features\": [\"f3\",\"v3\"]");
+  CHECK(judge_answer(features, 0)["verdict"] == "agree");  // a tie decides no features
+}
+
+TEST_CASE("an answer that cannot be is an answer") {
+  CHECK(judge_answer(R"({"unsupported": "too round"})", 0)["verdict"] == "unsupported");
+}
+
+TEST_CASE("answers stay with their cases across bad lines") {
+  const TemporaryFolder folder;
+  const std::string answers = folder.write(
+      "answers.jsonl", kRight + "\n{\"error\": \"no\", \"line\": 2}\n" + kRight + "\n");
+  const Outcome outcome =
+      run_manifuzz({"judge", "--manifolds", answers}, kBoxes + "\n\nnonsense\n" + kBoxes + "\n");
+  CHECK(outcome.status == 2);
+  const auto lines = lines_of(outcome.out);
+  REQUIRE(lines.size() == 3);
+  CHECK(json::parse(lines[0])["verdict"] == "agree");
+  CHECK(json::parse(lines[1])["line"] == 3);
+  CHECK(json::parse(lines[2])["verdict"] == "agree");
+}
+
+TEST_CASE("answers too many, too few or broken are refused") {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::string& text, const std::string& complaint) {
+    const std::string answers = folder.write("answers.jsonl", text);
+    const Outcome outcome = run_manifuzz({"judge", "--manifolds", answers}, kBoxes + "\n");
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+    CHECK(outcome.err.find(complaint) != std::string::npos);
+  };
+  refused("", "ends before the cases do");
+  refused(kRight + "\n" + kRight + "\n", ":2: an answer more than there are cases");
+  refused("{}\n", "points");
+  refused(R"({"points": [{"depth": 1}], "normal": [1,0]})", "neither \"position\" nor \"local\"");
+  refused(R"({"points": [{"local": [0,0]}], "normal": [1,0]})", "depth");
+  refused(R"({"points": [{"local": [0,0], "depth": 1}]})", "normal");
+  refused(R"({"points": [1,2,3]})", "0 to 2");
+  refused(R"({"points": [{"local": [0,0], "depth": 1, "features": ["f9","v0"]}], "normal": [1,0]})",
+          "index below 4");
+}
