@@ -20,6 +20,7 @@ int decide_from(double value, double error, const Expression& expression) {
 /// The sign of (distance of p's vertex in front of p's face) - (the same of q) - offset.
 int compare_distances(const PairCase& pair, const FaceAndVertex& p, const FaceAndVertex& q,
                       double offset) {
+  if (p == q) return offset > 0 ? -1 : offset < 0 ? 1 : 0;
   return decide([&]<class Number>() {
     const Number square_of_p = square<Number>(pair, p.face);
     const Number square_of_q = square<Number>(pair, q.face);

@@ -16,6 +16,8 @@ namespace manifuzz::exact {
 struct FaceAndVertex {
   FaceOf face;
   int vertex = 0;
+
+  friend bool operator==(const FaceAndVertex&, const FaceAndVertex&) = default;
 };
 
 /// What is true of a pair case. Every comparison is exact; values are doubles, within `error`.
