@@ -77,17 +77,6 @@ int nearest_end(const PairCase& pair, const Clip& clip) {
   return (clip.cuts[0] == Cut::before ? apart : -apart) > 0 ? 1 : 0;
 }
 
-/// The reference face's unit normal from A to B, in A's frame.
-template <class Number>
-Point<Element<Number>> true_normal(const PairCase& pair, FaceOf face) {
-  const Point<Number> out = outward<Number>(pair, face);
-  const Point<Number> local =
-      turned_back(pair.a, face.side == Side::a ? out : Point<Number>{-out.x, -out.y});
-  const Number length_squared = dot(local, local);
-  return {with_root(Number(0.0), local.x / length_squared, length_squared),
-          with_root(Number(0.0), local.y / length_squared, length_squared)};
-}
-
 /// Where the line of the incident edge is after the clip, from A's position, in the world.
 template <class Number>
 Point<Element<Number>> world_position(const PairCase& pair, const Clip& clip, int end,
@@ -170,6 +159,19 @@ Located<Number> locate(const PairCase& pair, const Clip& clip, int end) {
   return {{cosine * world.x + sine * world.y, cosine * world.y - sine * world.x}, depth};
 }
 
+template <class Number>
+Point<Element<Number>> true_normal(const PairCase& pair, FaceOf face) {
+  const Point<Number> out = outward<Number>(pair, face);
+  const Point<Number> local =
+      turned_back(pair.a, face.side == Side::a ? out : Point<Number>{-out.x, -out.y});
+  const Number length_squared = dot(local, local);
+  return {with_root(Number(0.0), local.x / length_squared, length_squared),
+          with_root(Number(0.0), local.y / length_squared, length_squared)};
+}
+
+template Point<Rough> true_normal<Rough>(const PairCase&, FaceOf);
+template Point<Fine> true_normal<Fine>(const PairCase&, FaceOf);
+template Point<Quadratic> true_normal<Rational>(const PairCase&, FaceOf);
 template Located<Rough> locate(const PairCase&, const Clip&, int);
 template Located<Fine> locate(const PairCase&, const Clip&, int);
 template Located<Rational> locate(const PairCase&, const Clip&, int);

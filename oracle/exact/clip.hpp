@@ -56,6 +56,10 @@ Clip clip(const PairCase& pair, FaceOf reference, int incident);
 template <class Number>
 Located<Number> locate(const PairCase& pair, const Clip& clip, int end);
 
+/// The reference face's unit normal from A to B, in A's frame, in any number type.
+template <class Number>
+Point<Element<Number>> true_normal(const PairCase& pair, FaceOf face);
+
 /// The clip as a manifold, its figures right to the last digit of double: the ends that lie behind
 /// the face; of an edge that misses the slab, none.
 Manifold<double> true_manifold(const PairCase& pair, const Clip& clip);

@@ -75,12 +75,12 @@ class AnswerFile {
   std::size_t read_ = 0;
 };
 
-/// Largest of what the points of the first right manifold may be off by.
-double widest(const Admissible& right,
-              double (*bound)(const Admissible&, const exact::Clip&, const exact::ClipPoint&)) {
-  double most = right.bounds.length;
-  if (right.candidates.empty()) return most;
+/// The largest bound of the points of the first right manifold; `least` where there are none.
+template <class Bound>
+double widest(const Admissible& right, double least, const Bound& bound) {
+  if (right.candidates.empty()) return least;
   const exact::Clip& first = *right.candidates.front();
+  double most = least;
   for (int i = 0; i < first.count; ++i) most = std::max(most, bound(right, first, first.points[i]));
   return most;
 }
@@ -117,8 +117,8 @@ void append_judgement(std::string& line, const Admissible& right, const Judgemen
   append_admissible(line, right);
   append_key(line, ", \"condition\": ", condition);
   append_key(line, ", \"bound\": {\"separation\": ", right.bounds.separation);
-  append_key(line, ", \"position\": ", widest(right, position_bound));
-  append_key(line, ", \"depth\": ", widest(right, depth_bound));
+  append_key(line, ", \"position\": ", widest(right, right.bounds.position, position_bound));
+  append_key(line, ", \"depth\": ", widest(right, right.bounds.separation, depth_bound));
   append_key(line, ", \"normal\": ", right.bounds.normal);
   line += "}, \"verdict\": ";
   append_string(line, to_string(judgement.bucket.verdict));

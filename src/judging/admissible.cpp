@@ -44,7 +44,7 @@ std::span<const ClipPoint> points_of(const Clip& clip) {
 
 bool nearly_clipped(const Admissible& right, const Clip& clip, const ClipPoint& point) {
   return point.crossing || clip.count < 2 ||
-         compare_margin(right.pair(), clip, point.end, right.bounds.length) <= 0;
+         compare_margin(right.pair(), clip, point.end, right.bounds.separation) <= 0;
 }
 
 /// A point that a right collider may leave out: too shallow, or of an edge that may miss the slab.
@@ -74,7 +74,7 @@ bool may_miss_deepest(const Admissible& right, const Clip& clip) {
   if (may_miss(right, clip)) return true;
   return std::ranges::none_of(points_of(clip), [&](const ClipPoint& point) {
     return (point.crossing ||
-            compare_margin(right.pair(), clip, point.end, right.bounds.length) > 0) &&
+            compare_margin(right.pair(), clip, point.end, right.bounds.separation) > 0) &&
            right.truth->compare_with_deepest(clip, point) >= 0;
   });
 }
@@ -132,20 +132,20 @@ double Admissible::from_contact() const {
 }
 
 double position_bound(const Admissible& right, const Clip& clip, const ClipPoint& point) {
-  const double length = right.bounds.length;
-  if (!nearly_clipped(right, clip, point)) return length;
-  return length + std::min(length / clip.cosine, clip.edge_length);
+  const Bounds& bounds = right.bounds;
+  if (!nearly_clipped(right, clip, point)) return bounds.position;
+  return bounds.position + std::min(bounds.separation / clip.cosine, clip.edge_length);
 }
 
 double depth_bound(const Admissible& right, const Clip& clip, const ClipPoint& point) {
-  const double length = right.bounds.length;
-  if (!nearly_clipped(right, clip, point)) return length;
-  return length + std::min(length * tangent(clip), clip.edge_length);
+  const double depth = right.bounds.separation;
+  if (!nearly_clipped(right, clip, point)) return depth;
+  return depth + std::min(depth * tangent(clip), clip.edge_length);
 }
 
 bool may_miss(const Admissible& right, const Clip& clip) {
-  return compare_gap(right.pair(), clip, -right.bounds.length) >= 0 ||
-         compare_width(right.pair(), clip, right.bounds.length) <= 0;
+  return compare_gap(right.pair(), clip, -right.bounds.separation) >= 0 ||
+         compare_width(right.pair(), clip, right.bounds.separation) <= 0;
 }
 
 bool may_be_empty(const Admissible& right, const Clip& clip) {
@@ -182,7 +182,7 @@ Mismatch mismatch(const Manifold<double>& manifold, const Clip& clip, const Admi
         !is_near_normal(right.pair(), clip, manifold.normal, right.bounds.normal)) {
       return {Kind::normal, distance(manifold.normal, clip.normal)};
     }
-    if (compare_gap(right.pair(), clip, right.bounds.length) > 0) {
+    if (compare_gap(right.pair(), clip, right.bounds.separation) > 0) {
       return {Kind::position, clip.gap()};
     }
   }

@@ -6,7 +6,11 @@
 namespace manifuzz {
 namespace {
 
-constexpr double kRoundings = 8;
+// In units of the roundoff; bounds.md derives them.
+constexpr double kOfSeparation = 15;
+constexpr double kOfIncidentDot = 9;
+constexpr double kOfNormal = 6;
+constexpr double kOfPosition = 10;
 
 double roundoff(ScalarType scalar) {
   return scalar == ScalarType::float32 ? std::numeric_limits<float>::epsilon() / 2.0
@@ -38,10 +42,10 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
   if (declaration.frame == RoundingFrame::world) {
     reach += std::max(length(pair.a.pose.position), length(pair.b.pose.position));
   }
-  return {.separation = kRoundings * u * reach + of_rotation,
-          .incident_dot = kRoundings * u + rotation_defect,
-          .normal = kRoundings * u + rotation_defect,
-          .length = kRoundings * u * reach + of_rotation};
+  return {.separation = kOfSeparation * u * reach + of_rotation,
+          .incident_dot = kOfIncidentDot * u + rotation_defect,
+          .normal = kOfNormal * u + rotation_defect,
+          .position = kOfPosition * u * reach + of_rotation};
 }
 
 bool is_ill_posed(const PairCase& pair, const Bounds& bounds) {

@@ -4,24 +4,24 @@
 
 namespace manifuzz {
 
-/// How far a right collider's figures may lie from the truth, by its declaration. With u the
-/// roundoff of its scalar and E the extent (plus the larger |position| where it rounds in the
-/// world):
+/// How far a right collider's figures may lie from the truth, by its declaration; bounds.md derives
+/// them. With u the roundoff of its scalar and E the extent (plus the total radius, plus the larger
+/// |position| where it rounds in the world):
 ///
-///   separation, reference, contact boundary   8 u E
-///   incident dot, normal                      8 u
-///   position                                  8 u E (1 + 1/cos)   of incident edge and reference
-///   depth                                     8 u E (1 + tan)     face; the second term only at
-///                                                                 ends that are clipped or nearly
+///   separation, reference, contact boundary   15 u E
+///   incident dot                               9 u
+///   normal                                     6 u
+///   position                                  10 u E, and 15 u E / cos at ends that are clipped or
+///   depth                                     15 u E, and 15 u E tan   nearly so, of the angle
+///                                                  between incident edge and reference face
 ///
 /// each plus the rotations' defect |c^2 + s^2 - 1| (times E) for a float collider, which may take
-/// the transpose for the inverse. The factor 8 covers the chains of at most seven roundings from
-/// input to result; the largest error seen in millions of cases is 6.9.
+/// the transpose for the inverse.
 struct Bounds {
-  double separation = 0;    ///< world length
+  double separation = 0;    ///< world length; also depth's, and how near a side plane is "nearly"
   double incident_dot = 0;  ///< of two unit normals
   double normal = 0;        ///< length of the difference of two unit vectors
-  double length = 0;        ///< position and depth of an unclipped end, before the angle's term
+  double position = 0;      ///< world length, of an end that is not clipped
 };
 
 Bounds bounds(const PairCase& pair, const Declaration& declaration);

@@ -87,7 +87,7 @@ bool clip_boundary(const Admissible& right) {
   const Clip& clip = *right.candidates.front();
   return clip.count < 2 || may_miss(right, clip) ||
          std::any_of(clip.points.begin(), clip.points.begin() + clip.count, [&](const auto& point) {
-           return compare_margin(right.pair(), clip, point.end, right.bounds.length) <= 0;
+           return compare_margin(right.pair(), clip, point.end, right.bounds.separation) <= 0;
          });
 }
 
@@ -182,10 +182,11 @@ bool plainly_agree(const exact::Truth& truth, const Testimony& subject, const Te
     return false;
   }
   if (!(distance(s->normal, o->normal) <= for_subject.normal + for_oracle.normal)) return false;
-  const double within = for_subject.length + for_oracle.length;
+  const double apart = for_subject.position + for_oracle.position;
+  const double deeper = for_subject.separation + for_oracle.separation;
   for (int i = 0; i < s->count; ++i) {
-    if (!(distance(s->points[i].position, o->points[i].position) <= within) ||
-        !(std::abs(s->points[i].depth - o->points[i].depth) <= within) ||
+    if (!(distance(s->points[i].position, o->points[i].position) <= apart) ||
+        !(std::abs(s->points[i].depth - o->points[i].depth) <= deeper) ||
         s->points[i].features != o->points[i].features) {
       return false;
     }

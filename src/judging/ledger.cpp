@@ -36,7 +36,7 @@ bool no_contact_on_tied_features(const Deviation& d) {
 /// resolve.
 bool tiny_reference_face(const Deviation& d) {
   const double unresolved =
-      std::max(d.right.bounds.length, 2.0 * std::numeric_limits<float>::epsilon());
+      std::max(d.right.bounds.separation, 2.0 * std::numeric_limits<float>::epsilon());
   return any_candidate(d, [&](const exact::Clip& clip) {
     const ConvexPolygon<float>& polygon = d.right.pair()[clip.reference.side].polygon;
     const Vector2<float> face = polygon.vertices[polygon.next(clip.reference.index)] -

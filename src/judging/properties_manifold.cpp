@@ -28,7 +28,7 @@ double largest_depth(const Manifold<double>& manifold) {
 
 /// The widest depth bound of any right manifold.
 double widest_depth_bound(const Admissible& right) {
-  double widest = right.bounds.length;
+  double widest = right.bounds.separation;
   for (const exact::Clip* clip : right.candidates) {
     for (int i = 0; i < clip->count; ++i) {
       widest = std::max(widest, depth_bound(right, *clip, clip->points[i]));
@@ -146,7 +146,7 @@ Outcome points_lie_where_they_say(Inquiry& ask, const PairCase& pair) {
   if (!manifold || manifold->count == 0) return not_applicable();
   const Bounds within = bounds(pair, ask.declaration());
   // A normal off by its bound turns the side plane about the reference vertex.
-  const double bound = within.length + within.normal * extent(pair);
+  const double bound = within.separation + within.normal * extent(pair);
   for (int i = 0; i < manifold->count; ++i) {
     const auto& point = manifold->points[i];
     if (!(point.depth >= 0)) return fails("a point in front of the reference face", -point.depth);

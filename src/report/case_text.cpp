@@ -90,10 +90,10 @@ void write_bounds(Text& text, const ShownCase& shown) {
   };
   text.line("bounds               {:<24} {}", shown.subject.declaration.name,
             shown.oracle.declaration.name);
-  row("separation", &Bounds::separation);
+  row("separation, depth", &Bounds::separation);
   row("incident dot", &Bounds::incident_dot);
   row("normal", &Bounds::normal);
-  row("position, depth", &Bounds::length);
+  row("position", &Bounds::position);
 }
 
 void write_point(Text& text, const PairCase& pair, const Vector2<double>& local, double depth,

@@ -168,19 +168,19 @@ class Twin {
 
   TwinClip clip(const TwinCandidate& candidate) const;
   bool near_plane(const TwinClip& clip, const End& end) const {
-    return end.crossing || clip.ends.size() < 2 || end.margin <= Real(bounds_.length);
+    return end.crossing || clip.ends.size() < 2 || end.margin <= Real(bounds_.separation);
   }
   double position_bound(const TwinClip& clip, const End& end) const {
-    if (!near_plane(clip, end)) return bounds_.length;
-    return bounds_.length + std::min(bounds_.length / clip.cosine, clip.edge_length);
+    if (!near_plane(clip, end)) return bounds_.position;
+    return bounds_.position + std::min(bounds_.separation / clip.cosine, clip.edge_length);
   }
   double depth_bound(const TwinClip& clip, const End& end) const {
-    if (!near_plane(clip, end)) return bounds_.length;
+    if (!near_plane(clip, end)) return bounds_.separation;
     const double tangent = std::sqrt(std::max(0.0, 1 - clip.cosine * clip.cosine)) / clip.cosine;
-    return bounds_.length + std::min(bounds_.length * tangent, clip.edge_length);
+    return bounds_.separation + std::min(bounds_.separation * tangent, clip.edge_length);
   }
   bool may_miss(const TwinClip& clip) const {
-    return Real(-bounds_.length) <= clip.gap || clip.width <= Real(bounds_.length);
+    return Real(-bounds_.separation) <= clip.gap || clip.width <= Real(bounds_.separation);
   }
   bool may_be_left_out(const TwinClip& clip, const End& end) const {
     return end.depth <= Real(depth_bound(clip, end)) || may_miss(clip);
@@ -189,7 +189,7 @@ class Twin {
     if (may_miss(clip)) return true;
     const Real deep = Real(radius_) - (clip.candidate.side == Side::a ? of_a_ : of_b_);
     return std::ranges::none_of(clip.ends, [&](const End& end) {
-      return (end.crossing || Real(bounds_.length) < end.margin) && deep <= end.depth;
+      return (end.crossing || Real(bounds_.separation) < end.margin) && deep <= end.depth;
     });
   }
   static Real squared_distance(const Vector2<double>& p, const Real& x, const Real& y) {
@@ -304,7 +304,7 @@ Kind Twin::wrong(const Manifold<double>& manifold, const TwinClip& clip) const {
         within * within < squared_distance(manifold.normal, clip.normal_x, clip.normal_y)) {
       return Kind::normal;
     }
-    if (Real(bounds_.length) < clip.gap) return Kind::position;
+    if (Real(bounds_.separation) < clip.gap) return Kind::position;
   }
   for (int i = 0; i < manifold.count; ++i) {
     Kind best = wrong(manifold.points[i], clip, clip.ends[0]);
@@ -350,8 +350,8 @@ bool Twin::contact_boundary() const {
 bool Twin::clip_boundary() const {
   const TwinClip& clip = clips_.front();
   return clip.ends.size() < 2 || may_miss(clip) ||
-         std::ranges::any_of(clip.ends,
-                             [&](const End& end) { return end.margin <= Real(bounds_.length); });
+         std::ranges::any_of(
+             clip.ends, [&](const End& end) { return end.margin <= Real(bounds_.separation); });
 }
 
 bool same(const TwinClip& p, const TwinClip& q) {

@@ -36,10 +36,10 @@ Answer moved(const Answer& answer, const PairCase& pair, const Bounds& bounds, R
   auto& point = m.points[static_cast<std::size_t>(random.integer(0, m.count - 1))];
   switch (random.integer(0, 7)) {
     case 0:
-      point.position.x() += about(random, bounds.length);
+      point.position.x() += about(random, bounds.position);
       break;
     case 1:
-      point.depth = std::max(0.0, point.depth + about(random, bounds.length));
+      point.depth = std::max(0.0, point.depth + about(random, bounds.separation));
       break;
     case 2:
       m.normal += about(random, bounds.normal) * counter_clockwise_quarter(m.normal);

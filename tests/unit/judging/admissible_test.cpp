@@ -97,9 +97,9 @@ TEST_CASE("errors within the bound are right, beyond it wrong") {
   const PairCase pair = boxes_at(1.5F, 0.25F);
   const Bounds within = bounds(pair, make_clip().declaration);
   Manifold<double> manifold = clip_of(pair);
-  manifold.points[0].depth += 0.9 * within.length;
+  manifold.points[0].depth += 0.9 * within.separation;
   CHECK(kind_of(pair, manifold) == Kind::none);
-  manifold.points[0].depth += 2.2 * within.length;
+  manifold.points[0].depth += 2.2 * within.separation;
   CHECK(kind_of(pair, manifold) != Kind::none);
 }
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "judging/admissible.hpp"
+
+namespace manifuzz {
+
+/// The largest errors of a manifold's figures against the right manifold nearest to it.
+struct PlainError {
+  double normal = 0;    ///< length of the difference of two unit vectors
+  double position = 0;  ///< world length
+  double depth = 0;     ///< world length
+};
+
+/// An error, free of any bound, and the largest share of its bound that one of its points takes.
+struct MeasuredError {
+  PlainError error;
+  PlainError share;  ///< of the bound, 1 being as far off as a right collider may be
+};
+
+/// Of a manifold with points that is one of the right ones; values are known to well past double.
+std::optional<MeasuredError> measure_error(const Manifold<double>& manifold,
+                                           const Admissible& right);
+
+}  // namespace manifuzz
