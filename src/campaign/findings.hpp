@@ -40,7 +40,7 @@ inline constexpr double kMagnitudeShareKept = 0.5;
 
 /// The smallest case like this one: same bucket, same ledger entry, enough of the magnitude. Runs
 /// in a child process, so that a collider that dies takes nothing along; stops early when
-/// interrupted.
+/// interrupted. Throws Interrupted where it had not begun.
 PairCase shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
                         Interruption& interruption);
 
@@ -51,7 +51,8 @@ std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& ora
 CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const Collider& subject,
                          const Collider& oracle);
 
-/// Shrinks the finding's worst witness and writes it to the corpus; sets `file`. Throws UserError.
+/// Shrinks the finding's worst witness and writes it to the corpus; sets `file`. Throws UserError
+/// where it cannot be written, and Interrupted.
 void save_finding(Finding& finding, const Plan& plan, const std::filesystem::path& corpus,
                   Interruption& interruption);
 

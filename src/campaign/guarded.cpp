@@ -60,9 +60,12 @@ Judgement judge_guarded(const PairCase& pair, const Collider& subject, const Col
       return {.bucket = bucket_of_lost(Verdict::crashed, slot->at_work)};
     case Ending::hung:
       return {.bucket = bucket_of_lost(Verdict::timed_out, slot->at_work)};
-    default:
-      return slot->judgement;
+    case Ending::interrupted:
+      throw Interrupted();
+    case Ending::well:
+      break;
   }
+  return slot->judgement;
 }
 
 }  // namespace manifuzz

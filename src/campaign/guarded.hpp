@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <functional>
+#include <stdexcept>
 
 #include "campaign/process.hpp"
 #include "judging/judge.hpp"
@@ -17,7 +18,13 @@ enum class Ending { well, crashed, hung, interrupted };
 Ending run_guarded(const std::function<void()>& body, const std::atomic<int>& pulse,
                    Interruption& interruption);
 
+/// Thrown where somebody asked to stop before there was an answer.
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted before there was an answer") {}
+};
+
 /// `judge` on what the two answer in a child process: a collider that dies or hangs is a verdict.
+/// Throws Interrupted.
 Judgement judge_guarded(const PairCase& pair, const Collider& subject, const Collider& oracle,
                         Interruption& interruption);
 

@@ -62,7 +62,7 @@ void run_case(const Plan& plan, CaseNumber number, Desk& desk) {
 void run_job(const Plan& plan, Office& office, Desk& desk) {
   const CaseNumber total = plan.cases.value_or(std::numeric_limits<CaseNumber>::max());
   while (!office.stop.load(std::memory_order_relaxed)) {
-    if (desk.next == desk.end) {
+    if (desk.next >= desk.end) {
       const CaseNumber begin = office.undealt.fetch_add(kBlock);
       if (begin >= total) return;
       desk.end = total - begin < kBlock ? total : begin + kBlock;

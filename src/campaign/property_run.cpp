@@ -1,15 +1,18 @@
 #include "campaign/property_run.hpp"
 
-#include <cstdlib>
 #include <memory>
 #include <ostream>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <rapidcheck.h>
 
+#include "campaign/findings.hpp"
 #include "cases/corpus.hpp"
 #include "cases/regime.hpp"
 #include "cases/shrink.hpp"
+#include "cases/text.hpp"
+#include "cases/user_error.hpp"
 #include "judging/judge.hpp"
 
 namespace manifuzz {
@@ -29,7 +32,6 @@ void showValue(const Drawn& drawn, std::ostream& out) {
 }
 
 bool fails_alike(const Outcome& outcome, const Outcome& root) {
-  constexpr double kMagnitudeShareKept = 0.5;
   return outcome.kind == Outcome::Kind::fails && outcome.why == root.why &&
          outcome.magnitude >= kMagnitudeShareKept * root.magnitude;
 }
@@ -84,10 +86,16 @@ class Silence : public rc::detail::TestListener {
   void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
 };
 
-/// Failures to repeat, from RC_PARAMS; RapidCheck prints a line of its own where that is unset.
-std::unordered_map<std::string, rc::detail::Reproduce> failures_to_repeat() {
-  if (std::getenv("RC_PARAMS") == nullptr) return {};
-  return rc::detail::configuration().reproduce;
+/// The failures that a value of RC_PARAMS asks to repeat.
+std::unordered_map<std::string, rc::detail::Reproduce> failures_to_repeat(
+    const std::string& rc_params) {
+  if (rc_params.empty()) return {};
+  try {
+    return rc::detail::configFromString(rc_params, rc::detail::Configuration()).reproduce;
+  } catch (const std::exception& error) {
+    throw UserError(fmt::format("RC_PARAMS: {}; what a failing property printed is expected",
+                                printable(error.what(), 200)));
+  }
 }
 
 void describe_failure(PropertyResult& result, const rc::detail::FailureResult& failure,
@@ -120,8 +128,9 @@ PropertyResult run_property(const Property& property, const Collider& collider,
   metadata.id = collider.declaration.name + "/" + std::string(property.name);
   metadata.description = std::string(property.sentence);
   Silence silence;
-  const rc::detail::TestResult outcome = rc::detail::checkProperty(
-      rc::detail::toProperty(testable), metadata, params, silence, failures_to_repeat());
+  const rc::detail::TestResult outcome =
+      rc::detail::checkProperty(rc::detail::toProperty(testable), metadata, params, silence,
+                                failures_to_repeat(plan.rc_params));
 
   PropertyResult result;
   result.passed = outcome.is<rc::detail::SuccessResult>();

@@ -15,6 +15,7 @@ struct PropertyPlan {
   std::uint64_t seed = 0;
   int cases = 1000;
   std::span<const PairCase> corpus;  ///< what the regime `corpus` may mutate
+  std::string rc_params;             ///< of a failure to repeat, as `reproduce` below has it
 };
 
 struct PropertyResult {
@@ -25,6 +26,7 @@ struct PropertyResult {
   std::string reproduce;  ///< a value of RC_PARAMS that repeats the failure
 };
 
+/// Throws UserError where `rc_params` cannot be read.
 PropertyResult run_property(const Property& property, const Collider& collider,
                             const PropertyPlan& plan);
 

@@ -1,5 +1,7 @@
 #include "campaign/replay.hpp"
 
+#include <tuple>
+
 #include <fmt/format.h>
 
 #include "campaign/guarded.hpp"
@@ -16,29 +18,49 @@ bool was_against_subject(const Expectation& expect) {
   return expect.bucket.starts_with("subject/") || expect.bucket.starts_with("both/");
 }
 
-Replayed replay_property(const CorpusCase& recorded, const Collider& subject) {
+/// In a child process first: a collider that dies there must not take the replay along.
+Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
+                         Interruption& interruption) {
   const Property* const property = find_property(recorded.property);
   if (property == nullptr) {
     return {false, fmt::format("a property named {}", recorded.property), "there is none"};
   }
+  const std::atomic<int> pulse{0};
+  const std::string sentence(property->sentence);
+  switch (run_guarded([&] { check(*property, subject, recorded.pair); }, pulse, interruption)) {
+    case Ending::crashed:
+      return {false, sentence, "crashed"};
+    case Ending::hung:
+      return {false, sentence, "timed_out"};
+    case Ending::interrupted:
+      throw Interrupted();
+    case Ending::well:
+      break;
+  }
   const Outcome outcome = check(*property, subject, recorded.pair);
-  return {outcome.kind != Outcome::Kind::fails, std::string(property->sentence), outcome.why};
+  return {outcome.kind != Outcome::Kind::fails, sentence, outcome.why};
 }
 
 }  // namespace
 
 Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const Collider& oracle,
                      Interruption& interruption) {
-  if (!recorded.property.empty()) return replay_property(recorded, subject);
+  if (!recorded.property.empty()) return replay_property(recorded, subject, interruption);
   const Judgement judgement = judge_guarded(recorded.pair, subject, oracle, interruption);
   const std::string got = to_string(judgement.bucket);
+  const std::string verdict(to_string(judgement.bucket.verdict));
   if (is_against_subject(judgement.bucket)) {
     return {false, fmt::format("{} to be right", subject.declaration.name), got};
   }
   const bool same_pair = recorded.expect && recorded.expect->subject == subject.declaration.name &&
                          recorded.expect->oracle == oracle.declaration.name;
-  if (same_pair && !was_against_subject(*recorded.expect) && recorded.expect->bucket != got) {
-    return {false, recorded.expect->bucket, got};
+  if (same_pair && !was_against_subject(*recorded.expect)) {
+    const auto& [expected_bucket, expected_verdict] =
+        std::tie(recorded.expect->bucket, recorded.expect->verdict);
+    if (!expected_bucket.empty() && expected_bucket != got) return {false, expected_bucket, got};
+    if (!expected_verdict.empty() && expected_verdict != verdict) {
+      return {false, expected_verdict, verdict};
+    }
   }
   return {true, got, got};
 }

@@ -176,9 +176,12 @@ void write_file(const fs::path& path, std::string_view text) {
   }
   if (fs::exists(status) && !fs::is_regular_file(status)) return write_device(path, text);
   // A link stays, and what it points to is replaced.
-  const fs::path target = fs::exists(status) ? fs::canonical(path, error) : path;
-  if (target.has_parent_path()) fs::create_directories(target.parent_path(), error);
-  if (error) fail(name_of(target.parent_path()), "create the folder", error.value());
+  const fs::path target = fs::exists(status) ? fs::canonical(path) : path;
+  if (target.has_parent_path()) {
+    std::error_code not_created;
+    fs::create_directories(target.parent_path(), not_created);
+    if (not_created) fail(name_of(target.parent_path()), "create the folder", not_created.value());
+  }
   TemporaryFile temporary(target);
   write_all(temporary.descriptor(), text, name_of(target));
   temporary.rename_to_target();

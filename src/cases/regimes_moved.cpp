@@ -5,6 +5,7 @@
 
 #include "cases/placing.hpp"
 #include "cases/regime_list.hpp"
+#include "cases/simplicity.hpp"
 #include "cases/ulps.hpp"
 
 namespace manifuzz::draw {
@@ -17,20 +18,6 @@ constexpr std::string_view kMovable[] = {
     "deep",          "near_collinear",  "corner_corner", "tie_bias",    "scaled",
     "off_unit",      "far_from_origin",
 };
-
-bool is_valid(const Body& body) {
-  return !find_defect(body.polygon.corners()) && is_unit_rotation(body.pose.rotation) &&
-         body.pose.position.array().isFinite().all();
-}
-
-/// The pair with its normals computed afresh, or none where it is not valid any more.
-std::optional<PairCase> remade(PairCase pair) {
-  for (Body* body : {&pair.a, &pair.b}) {
-    if (!is_valid(*body)) return std::nullopt;
-    body->polygon = make_polygon(body->polygon.corners(), body->polygon.radius);
-  }
-  return pair;
-}
 
 /// One coordinate of a vertex, mostly, or of the pose.
 float& random_number(Random& random, PairCase& pair) {
@@ -108,7 +95,7 @@ std::optional<PairCase> ulp(Random& random, const GenerationContext& context) {
   const PairCase pair = generate(random.bits(), *find_regime(kMovable[choice]), 0, context);
   PairCase moved = pair;
   step_some(random, moved);
-  return remade(moved).value_or(pair);
+  return revalidated(moved).value_or(pair);
 }
 
 std::optional<PairCase> corpus(Random& random, const GenerationContext& context) {
@@ -118,7 +105,7 @@ std::optional<PairCase> corpus(Random& random, const GenerationContext& context)
   PairCase mutated = pair;
   const int times = random.integer(1, 3);
   for (int i = 0; i < times; ++i) mutate(random, mutated);
-  return remade(mutated).value_or(pair);
+  return revalidated(mutated).value_or(pair);
 }
 
 }  // namespace manifuzz::draw

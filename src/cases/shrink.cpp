@@ -1,5 +1,6 @@
 #include "cases/shrink.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -118,6 +119,98 @@ Cases with_a_vertex_at_zero(const PairCase& pair) {
   });
 }
 
+/// Both polygons seen in a mirror, x turned to -x, their vertices counter-clockwise again.
+PairCase mirrored(PairCase pair) {
+  for (const Side side : {Side::a, Side::b}) {
+    Body& body = pair[side];
+    auto& vertices = body.polygon.vertices;
+    std::reverse(vertices.begin(), vertices.begin() + body.polygon.count);
+    for (auto& vertex : vertices) vertex.x() = -vertex.x();
+    body.pose.position.x() = -body.pose.position.x();
+    body.pose.rotation.y() = -body.pose.rotation.y();
+  }
+  return pair;
+}
+
+PairCase turned_by_quarter(PairCase pair) {
+  for (const Side side : {Side::a, Side::b}) {
+    for (auto& vertex : pair[side].polygon.vertices) vertex = counter_clockwise_quarter(vertex);
+    pair[side].pose.position = counter_clockwise_quarter(pair[side].pose.position);
+  }
+  return pair;
+}
+
+PairCase renumbered(PairCase pair, Side side) {
+  auto& vertices = pair[side].polygon.vertices;
+  std::rotate(vertices.begin(), vertices.begin() + 1, vertices.begin() + pair[side].polygon.count);
+  return pair;
+}
+
+/// The same case in other words: swapped, mirrored, turned, its vertices counted from elsewhere.
+/// Which of them still fail alike is for the gate to say.
+Cases symmetric_images(const PairCase& pair) {
+  std::vector<PairCase> images;
+  for (const PairCase& start : {pair, PairCase{pair.b, pair.a}}) {
+    for (PairCase image : {start, mirrored(start)}) {
+      for (int quarters = 0; quarters < 4; ++quarters) {
+        images.push_back(image);
+        image = turned_by_quarter(image);
+      }
+    }
+  }
+  for (const Side side : {Side::a, Side::b}) {
+    PairCase image = pair;
+    for (int i = 1; i < pair[side].polygon.count; ++i) {
+      image = renumbered(image, side);
+      images.push_back(image);
+    }
+  }
+  return rc::seq::fromContainer(std::move(images));
+}
+
+using Corners = std::vector<Vector2<float>>;
+
+PairCase plain_pair(const Corners& a, Corners b, const Vector2<float>& offset) {
+  for (auto& corner : b) corner += offset;
+  return {{make_polygon<float>(a), {}}, {make_polygon<float>(b), {}}};
+}
+
+/// Triangles and boxes of side 1 and 2 on a grid of halves, the simplest first: what fails in any
+/// such case has one normal form, wherever it was found.
+const std::vector<PairCase>& plain_cases() {
+  static const std::vector<PairCase> cases = [] {
+    const Corners triangle{{0, 0}, {1, 0}, {0, 1}};
+    const Corners box{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const std::vector<Corners> seconds{triangle,
+                                       box,
+                                       {{0, 0}, {1, 0}, {1, 1}},
+                                       {{0, 0}, {1, 1}, {0, 1}},
+                                       {{1, 0}, {1, 1}, {0, 1}},
+                                       {{0, 0}, {2, 0}, {0, 1}},
+                                       {{0, 0}, {2, 1}, {0, 2}}};
+    std::vector<PairCase> made;
+    for (const Corners& a : {triangle, box}) {
+      for (const Corners& b : seconds) {
+        for (int i = 0; i < 25; ++i) {
+          const Vector2<float> offset{static_cast<float>(i % 5 - 2) / 2,
+                                      static_cast<float>(i / 5 - 2) / 2};
+          if (a.size() + b.size() <= 7) made.push_back(plain_pair(a, b, offset));
+        }
+      }
+    }
+    std::stable_sort(made.begin(), made.end(), [](const PairCase& p, const PairCase& q) {
+      return complexity(p) < complexity(q);
+    });
+    return made;
+  }();
+  return cases;
+}
+
+Cases plainest() {
+  return each(static_cast<int>(plain_cases().size()),
+              [](int i) -> MaybeCase { return plain_cases()[static_cast<std::size_t>(i)]; });
+}
+
 constexpr int kDigitsMax = 8;
 
 /// All numbers, or one polygon's, to fewer digits: to one, to two, ...
@@ -135,9 +228,10 @@ Cases with_fewer_digits(const PairCase& pair) {
   });
 }
 
-/// All lengths multiplied by a power of ten, digits kept: sizes near 1 read best.
+/// All lengths multiplied by a power of ten or two, digits kept: sizes near 1 read best.
 Cases with_plainer_size(const PairCase& pair) {
-  constexpr std::array kFactors{1e16F, 1e8F, 1e4F, 1e2F, 1e1F, 1e-1F, 1e-2F, 1e-4F, 1e-8F};
+  constexpr std::array kFactors{1e16F, 1e8F,  1e4F,  1e2F, 1e1F, 1e-1F,
+                                1e-2F, 1e-4F, 1e-8F, 2.0F, 0.5F, 0.25F};
   return each(static_cast<int>(kFactors.size()), [pair, kFactors](int i) -> MaybeCase {
     PairCase scaled = pair;
     for (float* number : free_numbers(scaled)) {
@@ -174,15 +268,21 @@ Cases with_one_number_simpler(const PairCase& pair) {
   });
 }
 
+PairCase without_negative_zeros(PairCase pair) {
+  for (float* number : free_numbers(pair)) *number += 0.0F;
+  return pair;
+}
+
 }  // namespace
 
 rc::Seq<PairCase> simpler_cases(const PairCase& pair) {
   const Complexity limit = complexity(pair);
-  Cases proposals = rc::seq::concat(without_a_vertex(pair), with_plainer_poses(pair),
-                                    with_fewer_digits(pair), with_a_vertex_at_zero(pair),
-                                    with_plainer_size(pair), with_one_number_simpler(pair));
+  Cases proposals =
+      rc::seq::concat(plainest(), without_a_vertex(pair), with_plainer_poses(pair),
+                      with_fewer_digits(pair), with_a_vertex_at_zero(pair), with_plainer_size(pair),
+                      with_one_number_simpler(pair), symmetric_images(pair));
   return rc::seq::mapMaybe(std::move(proposals), [limit](const PairCase& proposal) {
-    const MaybeCase valid = revalidated(proposal);
+    const MaybeCase valid = revalidated(without_negative_zeros(proposal));
     return valid && complexity(*valid) < limit ? rc::Maybe<PairCase>(*valid)
                                                : rc::Maybe<PairCase>(rc::Nothing);
   });

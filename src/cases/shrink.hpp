@@ -8,8 +8,9 @@
 
 namespace manifuzz {
 
-/// Every simpler case next to this one, the boldest first: without a vertex, with identity poses,
-/// with fewer digits, with smaller numbers. All valid, all of less `complexity`. Lazy.
+/// Every simpler case next to this one, the boldest first: the plainest cases there are, then
+/// without a vertex, with identity poses, with fewer digits, with smaller numbers, and the
+/// symmetric image that is simplest. All valid, all of less `complexity`. Lazy.
 rc::Seq<PairCase> simpler_cases(const PairCase& pair);
 
 /// The tree that RapidCheck walks: each case above its simpler ones.

@@ -99,6 +99,7 @@ Complexity complexity(const PairCase& pair) {
     result.digits += significant_digits(*number);
     const double magnitude = std::abs(static_cast<double>(*number));
     if (magnitude > 0) result.size += std::max(magnitude, 1 / magnitude);
+    result.numbers.emplace_back(std::abs(*number), std::signbit(*number));
   }
   for (const Side side : {Side::a, Side::b}) {
     const Body& body = pair[side];
@@ -110,6 +111,9 @@ Complexity complexity(const PairCase& pair) {
     result.digits +=
         significant_digits(body.pose.rotation.x()) + significant_digits(body.pose.rotation.y());
     if (body.pose.rotation.x() < 0) result.size += 1;
+    for (const float number : {body.pose.rotation.x(), body.pose.rotation.y()}) {
+      result.numbers.emplace_back(std::abs(number), std::signbit(number));
+    }
   }
   return result;
 }

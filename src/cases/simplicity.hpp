@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/pair_case.hpp"
@@ -14,6 +15,8 @@ struct Complexity {
   int placements = 0;  ///< positions, rotations and radii that are not zero or the identity
   int digits = 0;      ///< significant decimal digits of all numbers, 0 has none
   double size = 0;     ///< sum of max(|x|, 1/|x|): large numbers and tiny ones are hard to read
+  /// |x| and its sign of every number in turn, so that of symmetric images one is the simplest.
+  std::vector<std::pair<float, bool>> numbers;
 
   friend auto operator<=>(const Complexity&, const Complexity&) = default;
 };

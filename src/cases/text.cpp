@@ -26,6 +26,17 @@ bool append_special(std::string& out, double value) {
 
 }  // namespace
 
+std::string quoted_for_shell(std::string_view text) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string_view::npos) {
+    return std::string(text);
+  }
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + '\'';
+}
+
 void append_number(std::string& out, double value) {
   if (append_special(out, value)) return;
   fmt::format_to(std::back_inserter(out), FMT_COMPILE("{}"), value);

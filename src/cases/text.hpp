@@ -18,4 +18,7 @@ void append_string(std::string& out, std::string_view text);
 /// `longest` characters.
 std::string printable(std::string_view text, std::size_t longest = 40);
 
+/// As one word of a shell's command line: in single quotes where it needs them.
+std::string quoted_for_shell(std::string_view text);
+
 }  // namespace manifuzz

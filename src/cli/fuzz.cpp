@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <thread>
@@ -8,7 +9,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "campaign/guarded.hpp"
 #include "cases/file.hpp"
+#include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
@@ -46,15 +49,23 @@ int jobs_of(const Options& options) {
   return static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
 }
 
+/// Both radii together are a float still.
+float radius_of(double radius) {
+  constexpr float most = std::numeric_limits<float>::max() / 2;
+  if (radius <= static_cast<double>(most)) return static_cast<float>(radius);
+  throw UserError(fmt::format("--radius: {} is beyond float; take 0 to {}", radius, most));
+}
+
 /// All of the plan that options decide; what is wrong with them comes before a seed is drawn.
 Plan plan_of(const Options& options) {
   Plan plan;
   plan.subject = find_collider(options.subject, options.tie_bias);
   plan.oracle = find_collider(options.oracle);
   plan.regimes = choose_regimes(options.regimes);
-  if (options.radius) plan.context.radius = static_cast<float>(*options.radius);
+  if (options.radius) plan.context.radius = radius_of(*options.radius);
   plan.first = options.first.value_or(0);
   plan.cases = options.cases;
+  expect_indices(plan.first, plan.cases.value_or(1), plan.regimes.size());
   if (!options.cases) plan.seconds = options.seconds.value_or(kDefaultSeconds);
   plan.jobs = jobs_of(options);
   return plan;
@@ -66,12 +77,12 @@ std::string repeating_command(const Options& options) {
   std::string program = "manifuzz";
   std::error_code unknown;
   const auto self = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  if (!unknown) program = std::filesystem::relative(self, unknown).string();
+  if (!unknown) program = quoted_for_shell(std::filesystem::relative(self, unknown).string());
   std::string command =
       fmt::format("{} fuzz --subject {} --oracle {}", program, options.subject, options.oracle);
   if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
   if (options.radius) command += fmt::format(" --radius {}", *options.radius);
-  if (options.corpus != "corpus") command += fmt::format(" --corpus {}", options.corpus);
+  if (options.corpus != "corpus") command += " --corpus " + quoted_for_shell(options.corpus);
   return command;
 }
 
@@ -79,50 +90,67 @@ std::string repeating_command(const Options& options) {
 class ProgressLine {
  public:
   void show(const std::string& text) {
-    if (terminal_) fmt::print(stderr, "\r{}\x1b[K", text);
+    if (terminal_) write_error(fmt::format("\r{}\x1b[K", text));
   }
   ~ProgressLine() {
-    if (terminal_) fmt::print(stderr, "\r\x1b[K");
+    if (terminal_) write_error("\r\x1b[K");
   }
 
  private:
   bool terminal_ = isatty(STDERR_FILENO) == 1;
 };
 
-void save_new(std::vector<Finding>& found, const Plan& plan, const Options& options,
-              Interruption& interruption) {
+/// How saving went: one finding that cannot be written does not lose the others.
+struct Saving {
+  std::string first_error;
+  bool interrupted = false;
+};
+
+/// What a campaign found before it was interrupted is saved all the same; a second signal stops
+/// that too.
+Saving save_new(std::vector<Finding>& found, const Plan& plan, const Options& options) {
+  Interruption interruption;
   ProgressLine line;
+  Saving saving;
   for (Finding& finding : found) {
-    if (!finding.is_new) continue;
+    if (!finding.is_new || saving.interrupted) continue;
     line.show("shrinking " + to_string(finding.bucket));
-    save_finding(finding, plan, options.corpus, interruption);
+    try {
+      save_finding(finding, plan, options.corpus, interruption);
+    } catch (const Interrupted&) {
+      saving.interrupted = true;
+    } catch (const UserError& error) {
+      if (saving.first_error.empty()) saving.first_error = error.what();
+    }
   }
+  return saving;
 }
 
-int fuzz(const Options& options) {
+int fuzz(Options options) {
+  // No absolute path goes into what is kept.
+  if (!options.corpus.empty()) options.corpus = std::filesystem::proximate(options.corpus).string();
   const Corpus corpus = read_corpus_folder(options.corpus);
   Plan plan = plan_of(options);
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
-  Interruption interruption;
   JobsResult run;
   {
+    Interruption interruption;
     ProgressLine line;
     run = run_jobs(plan, interruption,
                    [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
   }
   std::vector<Finding> found = findings(*run.tally, plan, KnownBuckets(corpus.cases));
-  if (!options.no_save) save_new(found, plan, options, interruption);
+  Saving saving;
+  if (!options.no_save) saving = save_new(found, plan, options);
+  run.interrupted = run.interrupted || saving.interrupted;
 
   const CampaignReport report{plan, run, found, repeating_command(options)};
-  Output out;
-  if (options.json != "-") out.write(summary_table(report));
-  if (options.json == "-") out.write(summary_json(report).dump(2) + '\n');
-  out.flush();
-  if (!options.json.empty() && options.json != "-") {
-    write_file(options.json, summary_json(report).dump(2) + '\n');
-  }
+  const std::string json = options.json.empty() ? "" : summary_json(report).dump(2) + '\n';
+  if (!json.empty() && options.json != "-") write_file(options.json, json);
+  write_to_reader(options.json == "-" ? json : summary_table(report));
+  if (!saving.first_error.empty()) throw UserError(saving.first_error);
   return has_failed(report) ? 1 : 0;
 }
 

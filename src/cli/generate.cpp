@@ -30,9 +30,7 @@ int generate_cases(const Options& options) {
   const std::vector<const Regime*> chosen = choose_regimes(options.regimes);
   const std::uint64_t first = options.first.value_or(0);
   const std::uint64_t cases = options.cases.value_or(10);
-  if ((cases - 1) / chosen.size() > std::numeric_limits<std::uint64_t>::max() - first) {
-    throw UserError("--first: the last index passes 18446744073709551615; take fewer --cases");
-  }
+  expect_indices(first, cases, chosen.size());
   const Corpus corpus = read_corpus_folder(options.corpus);
   const std::uint64_t seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, seed);

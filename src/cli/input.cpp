@@ -1,6 +1,7 @@
 #include "cli/input.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,7 +30,13 @@ std::vector<const Regime*> choose_regimes(const std::vector<std::string>& names)
   return chosen;
 }
 
+void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regimes) {
+  if ((cases - 1) / regimes <= std::numeric_limits<std::uint64_t>::max() - first) return;
+  throw UserError("--first: the last index passes 18446744073709551615; take fewer --cases");
+}
+
 Corpus read_corpus_folder(const std::filesystem::path& folder) {
+  if (folder.empty()) throw UserError("--corpus: is empty; a folder is expected");
   std::error_code unreadable;
   if (!std::filesystem::exists(folder, unreadable) && !unreadable) return {};
   Corpus corpus = read_corpus({&folder, 1});
@@ -40,7 +47,8 @@ Corpus read_corpus_folder(const std::filesystem::path& folder) {
 std::vector<PairCase> pairs_of(const Corpus& corpus, std::uint64_t seed) {
   std::vector<PairCase> pairs;
   for (const CorpusCase& known : corpus.cases) {
-    if (!known.found || known.found->seed != seed) pairs.push_back(known.pair);
+    const bool found_here = known.found && known.found->seed == seed;
+    if (!found_here && known.property.empty()) pairs.push_back(known.pair);
   }
   return pairs;
 }

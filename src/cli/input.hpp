@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,12 +13,16 @@ namespace manifuzz {
 /// The regimes of these names, or all of them for none. Throws UserError that lists the names.
 std::vector<const Regime*> choose_regimes(const std::vector<std::string>& names);
 
+/// Throws UserError where the last of `cases` cases, dealt to the regimes by turns from index
+/// `first` on, has an index beyond 64 bits.
+void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regimes);
+
 /// A corpus folder, sorted by path; empty where there is no such folder. Throws UserError on the
 /// first broken file, for what is drawn from a corpus hangs on all of it.
 Corpus read_corpus_folder(const std::filesystem::path& folder);
 
-/// The pairs that a campaign with this seed may mutate: all but those that the seed itself found,
-/// so that saving a finding changes no case and its command repeats it.
+/// The pairs that a campaign with this seed may mutate: all but those that the seed itself or a
+/// property found, so that saving a finding changes no case and its command repeats it.
 std::vector<PairCase> pairs_of(const Corpus& corpus, std::uint64_t seed);
 
 }  // namespace manifuzz

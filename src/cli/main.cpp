@@ -1,5 +1,4 @@
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <map>
 #include <string>
@@ -21,7 +20,7 @@ namespace {
 constexpr int kBadUsage = 2;
 
 int complain(std::string_view what) {
-  fmt::print(stderr, "manifuzz: {}\n", what);
+  write_error(fmt::format("manifuzz: {}\n", what));
   return kBadUsage;
 }
 

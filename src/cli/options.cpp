@@ -2,13 +2,13 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <random>
 
 #include <fmt/format.h>
 
 #include "cases/text.hpp"
+#include "cli/output.hpp"
 
 namespace manifuzz {
 namespace {
@@ -55,7 +55,7 @@ std::uint64_t seed_or_draw(const std::optional<std::uint64_t>& seed) {
   if (seed) return *seed;
   std::random_device device;
   const std::uint64_t drawn = (static_cast<std::uint64_t>(device()) << 32) | device();
-  fmt::print(stderr, "seed {}\n", drawn);
+  write_error(fmt::format("seed {}\n", drawn));
   return drawn;
 }
 

@@ -1,6 +1,7 @@
 #include "cli/output.hpp"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <unistd.h>
 
@@ -9,6 +10,10 @@
 #include "cases/user_error.hpp"
 
 namespace manifuzz {
+
+void write_error(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
 
 void Output::write(std::string_view text) {
   constexpr std::size_t enough = 1 << 16;
@@ -27,6 +32,15 @@ void Output::flush() {
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
   buffer_.clear();
+}
+
+void write_to_reader(std::string_view text) {
+  try {
+    Output out;
+    out.write(text);
+    out.flush();
+  } catch (const OutputClosed&) {
+  }
 }
 
 }  // namespace manifuzz

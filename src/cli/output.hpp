@@ -5,6 +5,9 @@
 
 namespace manifuzz {
 
+/// Writes to the standard error as far as it goes: one that is closed or full stops nothing.
+void write_error(std::string_view text);
+
 /// Thrown where nobody reads the output any more: the command ends, quietly.
 struct OutputClosed {};
 
@@ -18,5 +21,9 @@ class Output {
  private:
   std::string buffer_;
 };
+
+/// Writes all of it to the standard output; a reader that is gone stops nothing, for what a command
+/// has to say is in its status too.
+void write_to_reader(std::string_view text);
 
 }  // namespace manifuzz

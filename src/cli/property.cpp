@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -73,6 +74,7 @@ int run(const Options& options) {
   plan.cases = static_cast<int>(cases);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.corpus = pairs;
+  if (const char* const rc_params = std::getenv("RC_PARAMS")) plan.rc_params = rc_params;
 
   Output out;
   bool all_passed = true;

@@ -12,6 +12,7 @@
 
 #include "cases/corpus.hpp"
 #include "cases/file.hpp"
+#include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
@@ -86,31 +87,32 @@ ReplayRun run_all(const std::vector<CorpusCase>& cases, const Collider& subject,
   return run;
 }
 
+std::string summary(const ReplayRun& run, const Options& options) {
+  std::string text;
+  for (const JUnitTest& test : run.tests) {
+    if (test.failure.empty()) continue;
+    text += fmt::format("FAIL {}: {}\n", printable(test.name, 200), test.failure);
+  }
+  return text + fmt::format("{} against {}: {} cases, {} passed, {} failed, in {:.2f} s\n",
+                            options.subject, options.oracle, run.cases,
+                            run.cases - run.failures.size(), run.failures.size(), run.seconds);
+}
+
 int replay(const Options& options) {
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   if (paths.empty()) paths.emplace_back("corpus");
   const Collider subject = find_collider(options.subject);
   const Collider oracle = find_collider(options.oracle);
   const Corpus corpus = read_corpus(paths);
-  for (const std::string& error : corpus.errors) fmt::print(stderr, "manifuzz: {}\n", error);
+  for (const std::string& error : corpus.errors) {
+    write_error(fmt::format("manifuzz: {}\n", error));
+  }
 
   const ReplayRun run = run_all(corpus.cases, subject, oracle);
-  Output out;
-  if (options.json == "-") {
-    out.write(json_of(run, subject, oracle).dump(2) + '\n');
-  } else {
-    for (const JUnitTest& test : run.tests) {
-      if (!test.failure.empty()) out.write(fmt::format("FAIL {}: {}\n", test.name, test.failure));
-    }
-    out.write(fmt::format("{} against {}: {} cases, {} passed, {} failed, in {:.2f} s\n",
-                          options.subject, options.oracle, run.cases,
-                          run.cases - run.failures.size(), run.failures.size(), run.seconds));
-  }
-  out.flush();
-  if (!options.json.empty() && options.json != "-") {
-    write_file(options.json, json_of(run, subject, oracle).dump(2) + '\n');
-  }
+  const std::string json = json_of(run, subject, oracle).dump(2) + '\n';
+  if (!options.json.empty() && options.json != "-") write_file(options.json, json);
   if (!options.junit.empty()) write_file(options.junit, junit_xml("manifuzz replay", run.tests));
+  write_to_reader(options.json == "-" ? json : summary(run, options));
   if (!corpus.errors.empty()) {
     throw UserError(fmt::format("replay: {} of the files could not be read; the rest was replayed",
                                 corpus.errors.size()));

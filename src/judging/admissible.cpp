@@ -79,15 +79,6 @@ bool may_miss_deepest(const Admissible& right, const Clip& clip) {
   });
 }
 
-/// Whether nothing that makes the point's features is within bound: one candidate, two ends that
-/// can be told apart, none of them at a side plane.
-bool features_decided(const Admissible& right, const Clip& clip, const ClipPoint& point) {
-  if (right.candidates.size() > 1 || clip.count < 2) return false;
-  const double bound = position_bound(right, clip, point);
-  return compare_margin(right.pair(), clip, point.end, bound) > 0 &&
-         compare_apart(right.pair(), clip, 2 * bound) > 0;
-}
-
 bool closer(const Mismatch& m, const Mismatch& n) {
   if (m.kind == Kind::none || n.kind == Kind::none) {
     return m.kind == Kind::none && n.kind != Kind::none;
@@ -151,6 +142,13 @@ bool may_miss(const Admissible& right, const Clip& clip) {
 bool may_be_empty(const Admissible& right, const Clip& clip) {
   return std::ranges::all_of(
       points_of(clip), [&](const ClipPoint& point) { return is_optional(right, clip, point); });
+}
+
+bool features_decided(const Admissible& right, const Clip& clip, const ClipPoint& point) {
+  if (right.candidates.size() > 1 || clip.count < 2) return false;
+  const double bound = position_bound(right, clip, point);
+  return compare_margin(right.pair(), clip, point.end, bound) > 0 &&
+         compare_apart(right.pair(), clip, 2 * bound) > 0;
 }
 
 Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declaration& declaration) {

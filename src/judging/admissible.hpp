@@ -43,6 +43,11 @@ bool may_miss(const Admissible& right, const exact::Clip& clip);
 /// Whether the clip may keep nothing: it may miss, or lies in front of the face, or nearly.
 bool may_be_empty(const Admissible& right, const exact::Clip& clip);
 
+/// Whether nothing that makes the point's features is within bound: one candidate, two ends that
+/// can be told apart, none of them at a side plane.
+bool features_decided(const Admissible& right, const exact::Clip& clip,
+                      const exact::ClipPoint& point);
+
 /// How a manifold falls short of the right ones; `kind` none: it is one of them.
 struct Mismatch {
   Kind kind = Kind::none;

@@ -17,6 +17,15 @@ double roundoff(ScalarType scalar) {
                                        : std::numeric_limits<double>::epsilon() / 2.0;
 }
 
+double smallest(ScalarType scalar) {
+  return scalar == ScalarType::float32
+             ? static_cast<double>(std::numeric_limits<float>::denorm_min())
+             : std::numeric_limits<double>::denorm_min();
+}
+
+/// Beyond it a float collider's sums and differences overflow.
+constexpr double kFloatReachMax = static_cast<double>(std::numeric_limits<float>::max()) / 4;
+
 double length(const Vector2<float>& v) {
   const Vector2<double> wide = v.cast<double>();
   return std::sqrt(wide.dot(wide));
@@ -37,10 +46,15 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
   const bool narrow = declaration.scalar == ScalarType::float32;
   const double u = roundoff(declaration.scalar);
   double reach = extent + total_radius(pair);
+  const double underflow = kOfSeparation * smallest(declaration.scalar);
   const double rotation_defect = narrow ? defect(pair.a) + defect(pair.b) : 0;
-  const double of_rotation = rotation_defect * reach;
+  const double of_rotation = rotation_defect * reach + underflow;
   if (declaration.frame == RoundingFrame::world) {
     reach += std::max(length(pair.a.pose.position), length(pair.b.pose.position));
+  }
+  if (narrow && reach > kFloatReachMax) {
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    return {unbounded, unbounded, unbounded, unbounded};
   }
   return {.separation = kOfSeparation * u * reach + of_rotation,
           .incident_dot = kOfIncidentDot * u + rotation_defect,

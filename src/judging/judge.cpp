@@ -222,7 +222,8 @@ Judgement judge(std::shared_ptr<const exact::Truth> truth, const Testimony& subj
   result.bucket.kind = worst.kind;
   result.magnitude = share(worst, truth->size());
   if (result.bucket.verdict == Verdict::oracle_wrong) {
-    result.explanation = find_explanation(oracle.declaration.name, {right_for_oracle, of_oracle});
+    result.explanation = find_explanation(oracle.declaration.name,
+                                          {right_for_oracle, of_oracle, wrongs.oracle.kind});
     if (result.explanation != nullptr) result.bucket.verdict = Verdict::known;
   }
   return result;

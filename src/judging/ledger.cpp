@@ -35,6 +35,7 @@ bool no_contact_on_tied_features(const Deviation& d) {
 /// The reference face is too short for b2Vec2::Normalize, or shorter than world coordinates
 /// resolve.
 bool tiny_reference_face(const Deviation& d) {
+  if (d.kind != Kind::normal && d.kind != Kind::missed_contact) return false;
   const double unresolved =
       std::max(d.right.bounds.separation, 2.0 * std::numeric_limits<float>::epsilon());
   return any_candidate(d, [&](const exact::Clip& clip) {

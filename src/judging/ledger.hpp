@@ -11,6 +11,7 @@ namespace manifuzz {
 struct Deviation {
   const Admissible& right;
   const Manifold<double>& got;
+  Kind kind = Kind::none;  ///< of the mismatch
 };
 
 /// A known deviation of an oracle: named, cited, and alive as long as its witness still shows it.

@@ -44,8 +44,9 @@ bool is_explained(const Collider& collider, const PairCase& pair) {
   const auto* got = std::get_if<Manifold<double>>(&answer);
   if (got == nullptr) return false;
   const Admissible right = admissible(pair, collider.declaration);
-  return mismatch(*got, right).kind != Kind::none &&
-         find_explanation(collider.declaration.name, {right, *got}) != nullptr;
+  const Kind kind = mismatch(*got, right).kind;
+  return kind != Kind::none &&
+         find_explanation(collider.declaration.name, {right, *got, kind}) != nullptr;
 }
 
 }  // namespace
@@ -82,9 +83,8 @@ std::optional<Admissible> decided(const PairCase& pair, const Declaration& decla
   if (!leads || right.may_be_apart || only.count < 2 || may_miss(right, only)) return std::nullopt;
   for (const exact::ClipPoint& point : only.points) {
     const double depth = depth_bound(right, only, point);
-    if (compare_margin(pair, only, point.end, position_bound(right, only, point)) <= 0 ||
-        (compare_depth(pair, only, point, depth) <= 0 &&
-         compare_depth(pair, only, point, -depth) >= 0)) {
+    if (!features_decided(right, only, point) || (compare_depth(pair, only, point, depth) <= 0 &&
+                                                  compare_depth(pair, only, point, -depth) >= 0)) {
       return std::nullopt;
     }
   }

@@ -67,6 +67,20 @@ Point placed(const PairCase& pair, const Vector2<double>& local) {
   return exact::turned(pair.a, Point{local.x(), local.y()});
 }
 
+/// Whether a point lies between a face's side planes, which stand the total radius outside its
+/// ends, and no farther in front of it than the total radius.
+Outcome behind_face(const PairCase& pair, FaceOf face, const Point& at, double bound) {
+  const Point from_corner = at - exact::vertex<DoubleDouble>(pair, face.side, face.index);
+  const Point direction = exact::direction<DoubleDouble>(pair, face);
+  const double along = leading(dot(unit(direction), from_corner));
+  const double outside = std::max(-along, along - length(direction)) - total_radius(pair);
+  if (!(outside <= bound)) return fails("a point outside the slab", outside / size(pair));
+  const double front = leading(dot(unit(exact::outward<DoubleDouble>(pair, face)), from_corner)) -
+                       total_radius(pair);
+  if (!(front <= bound)) return fails("a point in front of the reference face", front / size(pair));
+  return holds();
+}
+
 Outcome point_in_place(const PairCase& pair, const Manifold<double>& manifold,
                        const ContactPoint<double>& point, double bound) {
   const Side reference = manifold.reference;
@@ -84,7 +98,7 @@ Outcome point_in_place(const PairCase& pair, const Manifold<double>& manifold,
   if (of_incident.kind == Feature::Kind::vertex) {
     const double off = length(at - vertex(incident, of_incident.index));
     if (!(off <= bound)) return fails("a point off its vertex", off / unit_length);
-    return holds();
+    return behind_face(pair, {reference, of_reference.index}, at, bound);
   }
   const int edge = of_incident.index;
   const double off = distance_to_segment(at, vertex(incident, edge),

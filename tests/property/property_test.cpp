@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "campaign/property_run.hpp"
+#include "cases/user_error.hpp"
 #include "cli/colliders.hpp"
 #include "support/named_tests.hpp"
 
@@ -26,7 +27,7 @@ int cases() {
 }
 
 void run(const Property& property, const Collider& collider) {
-  const PropertyResult result = run_property(property, collider, {seed(), cases(), {}});
+  const PropertyResult result = run_property(property, collider, {seed(), cases(), {}, {}});
   std::cout << property.sentence << "\n" << result.report << "\n";
   INFO(result.report << "\n" << result.why << "\nRC_PARAMS=\"" << result.reproduce << "\"");
   CHECK(result.passed);
@@ -61,19 +62,48 @@ TEST_CASE("a failing property is shrunk, says why, and repeats from its string")
   const Property* const property = find_property("depth-is-overlap");
   REQUIRE(property != nullptr);
   const Collider broken = wrong_depths();
-  const PropertyResult result = run_property(*property, broken, {7, 2000, {}});
+  const PropertyResult result = run_property(*property, broken, {7, 2000, {}, {}});
   REQUIRE_FALSE(result.passed);
   REQUIRE(result.failing.has_value());
   CHECK(result.failing->a.polygon.count + result.failing->b.polygon.count <= 7);
   CHECK(check(*property, broken, *result.failing).kind == Outcome::Kind::fails);
-  CHECK_THAT(result.reproduce, Catch::Matchers::Contains("reproduce="));
+  const PropertyResult again = run_property(*property, broken, {8, 1, {}, result.reproduce});
+  REQUIRE(again.failing.has_value());
+  CHECK(*again.failing == *result.failing);
+}
+
+TEST_CASE("a string that repeats nothing is a user's error") {
+  const Collider clip = find_collider("clip");
+  CHECK_THROWS_AS(run_property(properties()[0], clip, {1, 1, {}, "reproduce=xx"}), UserError);
+}
+
+TEST_CASE("a collider that does not clip is not where it says") {
+  // B's upper edge runs from far left of A's lower face to far right of it.
+  const Vector2<float> a[] = {{-1, 0}, {1, 0}, {0, 2}};
+  const Vector2<float> b[] = {{-9, -1}, {9, -1}, {9, 0.5F}, {-9, 0.5F}};
+  const PairCase pair{{make_polygon<float>(a), {}}, {make_polygon<float>(b), {}}};
+  Collider unclipped = find_collider("clip");
+  const auto right = unclipped.collide;
+  unclipped.collide = [right](const PairCase& case_given) {
+    auto manifold = std::get<Manifold<double>>(right(case_given));
+    const Feature face{Feature::Kind::face, 0};
+    manifold.points[0].position = {-9, 0.5};
+    manifold.points[0].features = {face, {Feature::Kind::vertex, 3}};
+    manifold.points[1].position = {9, 0.5};
+    manifold.points[1].features = {face, {Feature::Kind::vertex, 2}};
+    return Answer(manifold);
+  };
+  const Property* const property = find_property("points-in-place");
+  REQUIRE(property != nullptr);
+  CHECK(check(*property, find_collider("clip"), pair).kind == Outcome::Kind::holds);
+  CHECK(check(*property, unclipped, pair).why == "a point outside the slab");
 }
 
 TEST_CASE("the same seed gives the same report") {
   const Property* const property = find_property("never-empty");
   REQUIRE(property != nullptr);
   const Collider clip = find_collider("clip");
-  const std::string once = run_property(*property, clip, {3, 500, {}}).report;
-  CHECK(run_property(*property, clip, {3, 500, {}}).report == once);
-  CHECK(run_property(*property, clip, {4, 500, {}}).report != once);
+  const std::string once = run_property(*property, clip, {3, 500, {}, {}}).report;
+  CHECK(run_property(*property, clip, {3, 500, {}, {}}).report == once);
+  CHECK(run_property(*property, clip, {4, 500, {}, {}}).report != once);
 }

@@ -4,6 +4,7 @@
 
 #include "cases/regime.hpp"
 #include "cases/simplicity.hpp"
+#include "oracle/exact/truth.hpp"
 
 using namespace manifuzz;
 
@@ -102,15 +103,49 @@ TEST_CASE("tiny numbers are as hard to read as large ones") {
 }
 
 TEST_CASE("shrinking is deterministic and keeps to its limit") {
-  const auto wide = [](const PairCase& p) { return diameter(p.a.polygon) > 1; };
-  const Shrunk once = shrink(messy(), wide);
-  const Shrunk again = shrink(messy(), wide);
+  PairCase large = messy();
+  for (float* number : free_numbers(large)) *number *= 10;
+  const auto wide = [](const PairCase& p) { return diameter(p.a.polygon) > 3; };
+  const Shrunk once = shrink(large, wide);
+  const Shrunk again = shrink(large, wide);
   CHECK(once.pair == again.pair);
   CHECK(once.evaluations == again.evaluations);
-  const Shrunk stopped = shrink(messy(), wide, 5);
+  const Shrunk stopped = shrink(large, wide, 5);
   CHECK(stopped.evaluations == 5);
   CHECK_FALSE(stopped.complete);
   CHECK(wide(stopped.pair));
+}
+
+TEST_CASE("what a plain case shows has one normal form, wherever it was found") {
+  const auto overlaps = [](const PairCase& p) {
+    const exact::Truth truth(p);
+    return truth.compare_separation(-0.1) < 0;
+  };
+  std::vector<PairCase> forms;
+  for (std::uint64_t i = 0; forms.size() < 20; ++i) {
+    const PairCase pair = generate(9, *find_regime("generic"), i);
+    if (overlaps(pair)) forms.push_back(shrink(pair, overlaps).pair);
+  }
+  for (const PairCase& form : forms) CHECK(form == forms.front());
+  CHECK(complexity(forms.front()).vertices == 6);
+}
+
+TEST_CASE("of symmetric images one is the normal form") {
+  PairCase pair = messy();
+  for (Body* body : {&pair.a, &pair.b}) body->pose = {};
+  const auto far_out = [](const PairCase& p) {
+    return std::max(diameter(p.a.polygon), diameter(p.b.polygon)) > 40;
+  };
+  PairCase turned = pair;
+  for (Body* body : {&turned.a, &turned.b}) {
+    for (auto& vertex : body->polygon.vertices) vertex = 20 * counter_clockwise_quarter(vertex);
+  }
+  for (Body* body : {&pair.a, &pair.b}) {
+    for (auto& vertex : body->polygon.vertices) vertex *= 20;
+  }
+  const PairCase swapped{turned.b, turned.a};
+  CHECK(complexity(shrink(*revalidated(pair), far_out).pair).vertices == 6);
+  CHECK(shrink(*revalidated(turned), far_out).pair == shrink(*revalidated(swapped), far_out).pair);
 }
 
 TEST_CASE("no case is tried twice") {

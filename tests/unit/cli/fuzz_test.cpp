@@ -93,19 +93,39 @@ TEST_CASE("a run in which nothing touches is vacuous, unless it is the regime fo
   CHECK(run_manifuzz(
             fuzz(folder, {"--regime", "separated", "--seed", "1", "--cases", "2000", "--no-save"}))
             .status == 0);
+  // A corpus of nothing but polygons far apart is all that its regime has to draw from.
+  const std::filesystem::path corpus = folder.path() / "corpus";
+  std::filesystem::create_directory(corpus);
+  folder.write("corpus/apart.json",
+               R"({"format": "manifuzz/case/1", "a": {"vertices": [[0,0],[1,0],[0,1]]}, )"
+               R"("b": {"vertices": [[0,0],[1,0],[0,1]], "position": [900,900]}})");
+  const Outcome vacuous = run_manifuzz(
+      fuzz(folder, {"--regime", "corpus", "--seed", "1", "--cases", "2000", "--no-save"}));
+  CHECK(vacuous.status == 1);
+  CHECK(vacuous.out.find("vacuous") != std::string::npos);
 }
 
 TEST_CASE("bad usage of fuzz is one clear line and status 2") {
   const TemporaryFolder folder;
   const std::string broken = folder.write("broken.json", "{");
   const std::vector<std::vector<std::string>> bad{
-      {"--regime", "no_such"}, {"--subject", "no_such"},
-      {"--cases", "0"},        {"--cases", "-1"},
-      {"--seconds", "-1"},     {"--cases", "1", "--seconds", "1"},
-      {"--jobs", "0"},         {"--jobs", "100000"},
-      {"--seed", "1e3"},       {"--subject", "box2d", "--tie-bias", "0.1"},
-      {"--radius", "nan"},     {"--first", "x"},
-      {"--no-such-option"},    {"--corpus", broken}};
+      {"--regime", "no_such"},
+      {"--subject", "no_such"},
+      {"--cases", "0"},
+      {"--cases", "-1"},
+      {"--seconds", "-1"},
+      {"--cases", "1", "--seconds", "1"},
+      {"--jobs", "0"},
+      {"--jobs", "100000"},
+      {"--seed", "1e3"},
+      {"--subject", "box2d", "--tie-bias", "0.1"},
+      {"--radius", "nan"},
+      {"--first", "x"},
+      {"--no-such-option"},
+      {"--corpus", broken},
+      {"--radius", "1e300"},
+      {"--corpus", ""},
+      {"--first", "18446744073709551615", "--cases", "100"}};
   for (const auto& arguments : bad) {
     std::vector<std::string> all{"fuzz", "--no-save"};
     all.insert(all.end(), arguments.begin(), arguments.end());
@@ -129,5 +149,46 @@ TEST_CASE("an interrupted campaign keeps what it found") {
   CHECK(outcome.status == 124);  // what timeout says of a program it had to signal
   CHECK(outcome.out.find("interrupted") != std::string::npos);
   CHECK(std::filesystem::exists(json));
+  const std::string corpus = (folder.path() / "corpus").string();
   CHECK(std::filesystem::exists(folder.path() / "corpus" / "defects" / "box2d"));
+  const Outcome replayed = run_manifuzz({"replay", corpus, "--json", "-"});
+  CHECK(replayed.status == 0);  // each file shows the bucket that it is named after
+  CHECK(Json::parse(replayed.out)["cases"] > 5);
+}
+
+TEST_CASE("what cannot be saved or printed loses nothing else") {
+  const TemporaryFolder folder;
+  const std::string json = (folder.path() / "summary.json").string();
+  std::filesystem::create_directory(folder.path() / "corpus");
+  folder.write("corpus/ties", "a file where a folder should be");
+  const Outcome outcome = run_manifuzz(
+      fuzz(folder, {"--seed", "1", "--cases", "20000", "--regime", "boxes", "--json", json}));
+  CHECK(outcome.status == 2);
+  CHECK(is_one_clear_line(outcome.err));
+  CHECK(outcome.out.find("boxes") != std::string::npos);
+  CHECK(std::filesystem::exists(json));
+}
+
+TEST_CASE("a reader that is gone takes neither the status nor the files along") {
+  const TemporaryFolder folder;
+  const std::string json = (folder.path() / "summary.json").string();
+  const Outcome outcome = run_program(
+      {"bash", "-c",
+       "\"$0\" fuzz --subject box2d --oracle clip --regime tie_bias --seed 1 --cases 5000 "
+       "--no-save --json \"$1\" | true; exit ${PIPESTATUS[0]}",
+       manifuzz_path(), json});
+  CHECK(outcome.status == 1);
+  CHECK(std::filesystem::exists(json));
+}
+
+TEST_CASE("commands of findings are one shell word an argument") {
+  const TemporaryFolder folder;
+  const std::string corpus = (folder.path() / "it's here").string();
+  const Json json = summary(run_manifuzz(
+      {"fuzz", "--seed", "1", "--cases", "2000", "--no-save", "--corpus", corpus, "--json", "-"}));
+  REQUIRE_FALSE(json["buckets"].empty());
+  const Outcome again =
+      run_program({"bash", "-c", json["buckets"][0]["command"].get<std::string>() + " --no-save"});
+  INFO(again.err);
+  CHECK(again.status == 0);
 }
