@@ -68,7 +68,7 @@ Run define(CLI::App& app) {
 extern const Command kCollide;
 const Command kCollide{
     "collide", "Cases in, manifolds out, a JSON object a line.",
-    "manifuzz collide --collider clip cases.jsonl\n"
+    "manifuzz collide --collider clip corpus/seeds/regime-boxes.json\n"
     "manifuzz generate --regime boxes --cases 100 | manifuzz collide --collider box2d",
     define};
 

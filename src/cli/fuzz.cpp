@@ -190,6 +190,6 @@ Run define(CLI::App& app) {
 extern const Command kFuzz;
 const Command kFuzz{
     "fuzz", "A campaign: random cases to two colliders; what differs is judged, shrunk, saved.",
-    "manifuzz fuzz --regime sliver --seed 1 --cases 1000000", define};
+    "manifuzz fuzz --regime sliver --seed 1 --cases 100000", define};
 
 }  // namespace manifuzz

@@ -65,8 +65,10 @@ Run define(CLI::App& app) {
 }  // namespace
 
 extern const Command kShrink;
-const Command kShrink{"shrink",
-                      "The smallest case with the same verdict, bucket and half the magnitude.",
-                      "manifuzz shrink case.json --output smallest.json", define};
+const Command kShrink{
+    "shrink", "The smallest case with the same verdict, bucket and half the magnitude.",
+    "manifuzz generate --seed 2 --regime tie_bias --cases 1 | manifuzz shrink - --output "
+    "smallest.json",
+    define};
 
 }  // namespace manifuzz

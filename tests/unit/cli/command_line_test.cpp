@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -208,4 +209,38 @@ TEST_CASE("A tie bias reaches the collider") {
   };
   CHECK(answer("0.003").find(R"("reference": "b")") != std::string::npos);
   CHECK(answer("0.004").find(R"("reference": "a")") != std::string::npos);
+}
+
+TEST_CASE("the examples of the help work when pasted") {
+  const TemporaryFolder folder;
+  std::filesystem::copy(MANIFUZZ_SOURCE_DIR "/corpus", folder.path() / "corpus",
+                        std::filesystem::copy_options::recursive);
+  const std::string programs = std::filesystem::path(manifuzz_path()).parent_path().string();
+  for (const manifuzz::Command& command : manifuzz::commands()) {
+    const Outcome outcome =
+        run_program({"bash", "-c", "set -e -o pipefail; PATH=\"$1:$PATH\"; cd \"$2\"; eval \"$3\"",
+                     "bash", programs, folder.path().string(), std::string(command.example)});
+    INFO(command.example << "\n" << outcome.err);
+    CHECK(outcome.status == 0);
+  }
+}
+
+TEST_CASE("a file may be named without a folder") {
+  const TemporaryFolder folder;
+  const std::string boxes = MANIFUZZ_SOURCE_DIR "/corpus/seeds/regime-boxes.json";
+  const Outcome outcome =
+      run_program({"bash", "-c", "cd \"$1\" && \"$2\" show \"$3\" --svg picture.svg", "bash",
+                   folder.path().string(), manifuzz_path(), boxes});
+  INFO(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK(std::filesystem::exists(folder.path() / "picture.svg"));
+}
+
+TEST_CASE("a standard error that is closed or full changes no status") {
+  const auto status = [](const std::string& line) {
+    return run_program({"bash", "-c", "\"$0\" " + line, manifuzz_path()}).status;
+  };
+  CHECK(status("fuzz --bogus 2>/dev/full") == 2);
+  CHECK(status("replay nonexistent 2>&-") == 2);
+  CHECK(status("generate --cases 3 2>&-") == 0);
 }
