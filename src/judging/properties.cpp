@@ -24,7 +24,7 @@ constexpr std::array kProperties{
     Property{"given-normal", "the given-normal entry agrees with collide, outside ties",
              given_normal_agrees},
     Property{"points-in-place",
-             "each point lies on the incident edge, inside the slab, behind the reference face",
+             "points lie on the incident edge, in the slab, behind the reference face, in order",
              points_lie_where_they_say},
     Property{"depth-is-overlap",
              "at bias 0 and S <= 0 the largest depth is the total radius minus S",

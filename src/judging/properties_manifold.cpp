@@ -114,6 +114,14 @@ Outcome point_in_place(const PairCase& pair, const Manifold<double>& manifold,
   return holds();
 }
 
+/// How far the second of two points lies beyond the first along the reference face.
+double along_reference(const PairCase& pair, const Manifold<double>& manifold) {
+  if (manifold.count < 2) return 0;
+  const Vector2<double> apart = manifold.points[1].position - manifold.points[0].position;
+  const double forward = sine(unit(placed(pair, manifold.normal)), placed(pair, apart));
+  return manifold.reference == Side::a ? forward : -forward;
+}
+
 /// The article finds its edges by the farthest vertex, which is decided where the deepest vertex
 /// lies clearly below all others, the reference face clearly above all other vertices of its
 /// polygon, and is clearly more perpendicular to the normal than the edges next to it.
@@ -166,6 +174,10 @@ Outcome points_lie_where_they_say(Inquiry& ask, const PairCase& pair) {
     if (!(point.depth >= 0)) return fails("a point in front of the reference face", -point.depth);
     const Outcome outcome = point_in_place(pair, *manifold, point, bound);
     if (outcome.kind != Outcome::Kind::holds) return outcome;
+  }
+  const double forward = along_reference(pair, *manifold);
+  if (!(forward >= -2 * bound)) {
+    return fails("points against the reference face's direction", -forward / size(pair));
   }
   return holds();
 }

@@ -1,0 +1,90 @@
+#include <cmath>
+
+#include "campaign/findings.hpp"
+#include "canary/planted.hpp"
+#include "canary/search.hpp"
+#include "cases/regime.hpp"
+#include "cases/shrink.hpp"
+#include "judging/judge.hpp"
+#include "judging/properties.hpp"
+#include "oracle/box2d/box2d.hpp"
+
+// Bugs planted into the collider: a campaign against Box2D must blame it, or a property must fail.
+
+namespace manifuzz::canary {
+namespace {
+
+/// One round of the regimes in so many goes to the collider in double, too, and to every property.
+constexpr std::uint64_t kPropertyShare = 8;
+
+bool blames_subject(const PairCase& pair, const Collider& subject, const Collider& oracle) {
+  const Answer of_subject = subject.collide(pair);
+  const Answer of_oracle = oracle.collide(pair);
+  const Testimony testimony{subject.declaration, of_subject};
+  const Testimony against{oracle.declaration, of_oracle};
+  const auto truth = std::make_shared<const exact::Truth>(pair);
+  if (plainly_agree(*truth, testimony, against)) return false;
+  return is_failure(judge(truth, testimony, against).bucket);
+}
+
+std::string sentence(const Property& property) {
+  return "property " + std::string(property.name);
+}
+
+bool fails(const Property& property, const Collider& collider, const PairCase& pair) {
+  return check(property, collider, pair).kind == Outcome::Kind::fails;
+}
+
+/// The three that may notice, by name.
+struct Watch {
+  Collider in_float;
+  Collider in_double;
+  Collider oracle = make_box2d();
+
+  std::optional<std::string> notice(std::uint64_t number, const PairCase& pair) const {
+    if (blames_subject(pair, in_float, oracle)) return "judge of clip";
+    if (number / regimes().size() % kPropertyShare != kPropertyShare - 1) return std::nullopt;
+    if (blames_subject(pair, in_double, oracle)) return "judge of clip64";
+    for (const Property& property : properties()) {
+      if (fails(property, in_float, pair)) return sentence(property);
+    }
+    return std::nullopt;
+  }
+
+  PairCase shrunk(const PairCase& pair, const std::string& by) const {
+    Interruption interruption;
+    if (by == "judge of clip") return shrink_finding(pair, in_float, oracle, interruption);
+    if (by == "judge of clip64") return shrink_finding(pair, in_double, oracle, interruption);
+    for (const Property& property : properties()) {
+      if (by != sentence(property)) continue;
+      return shrink(pair,
+                    [&](const PairCase& smaller) { return fails(property, in_float, smaller); })
+          .pair;
+    }
+    return pair;
+  }
+};
+
+}  // namespace
+
+std::vector<MakeCollider>& planted_colliders() {
+  static std::vector<MakeCollider> all;
+  return all;
+}
+
+bool add_collider(const char* bug, MakeCollider make) {
+  planted_colliders().push_back(make);
+  return add_planted_bug(
+      {bug, 200'000, [make](std::uint64_t cases_max) {
+         const Collider collider = make(0);
+         const Watch watch{collider, collider.in_double()};
+         return search(
+             [&](std::uint64_t number, const PairCase& pair) { return watch.notice(number, pair); },
+             [&](std::uint64_t, const PairCase& pair, const std::string& by) {
+               return watch.shrunk(pair, by);
+             },
+             cases_max);
+       }});
+}
+
+}  // namespace manifuzz::canary

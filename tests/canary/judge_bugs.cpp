@@ -1,0 +1,87 @@
+#include <cmath>
+
+#include "canary/planted.hpp"
+#include "canary/search.hpp"
+#include "cases/shrink.hpp"
+#include "clipping/collider.hpp"
+#include "oracle/box2d/box2d.hpp"
+#include "support/twin.hpp"
+
+// Bugs planted into the judge: on answers of colliders right and wrong, it must differ from its
+// twin.
+
+namespace manifuzz::canary {
+namespace {
+
+/// Whose answers are judged: the right collider, in float and in double, and wrong ones.
+const std::vector<Collider>& subjects() {
+  static const std::vector<Collider> all = [] {
+    std::vector<Collider> made{make_clip(), make_clip64()};
+    for (const MakeCollider make : planted_colliders()) made.push_back(make(0));
+    return made;
+  }();
+  return all;
+}
+
+/// Whether an answer is nonsense, written a second time like all else: a figure that is no number,
+/// a depth below zero, a feature that is not there.
+bool is_nonsense(const PairCase& pair, const Answer& answer) {
+  const auto* manifold = std::get_if<Manifold<double>>(&answer);
+  if (manifold == nullptr) return false;
+  for (int i = 0; i < manifold->count; ++i) {
+    const ContactPoint<double>& point = manifold->points[i];
+    const bool there = point.features.a.index < pair.a.polygon.count &&
+                       point.features.b.index < pair.b.polygon.count;
+    const double sum = manifold->normal.sum() + point.position.sum() + point.depth;
+    if (!there || !(point.depth >= 0) || !std::isfinite(sum)) return true;
+  }
+  return false;
+}
+
+Bucket twin_bucket(const PairCase& pair, const Testimony& subject, const Testimony& oracle) {
+  if (is_nonsense(pair, subject.answer)) {
+    return {.fault = Fault::subject, .verdict = Verdict::malformed};
+  }
+  return twin_judge(pair, subject, oracle).bucket;
+}
+
+/// The twin does not ask the ledger.
+Bucket without_ledger(Bucket bucket) {
+  if (bucket.verdict == Verdict::known) bucket.verdict = Verdict::oracle_wrong;
+  return bucket;
+}
+
+bool differs_from_twin(JudgeOf judge_of, std::uint64_t number, const PairCase& pair) {
+  static const Collider oracle = make_box2d();
+  const Collider& subject = subjects()[number % subjects().size()];
+  const Answer of_subject = subject.collide(pair);
+  const Answer of_oracle = oracle.collide(pair);
+  const Bucket bucket =
+      judge_of(pair, subject.declaration, of_subject, oracle.declaration, of_oracle);
+  const Bucket expected = twin_bucket(pair, Testimony{subject.declaration, of_subject},
+                                      Testimony{oracle.declaration, of_oracle});
+  return !(without_ledger(bucket) == expected);
+}
+
+}  // namespace
+
+bool add_judge(const char* bug, JudgeOf judge_of) {
+  return add_planted_bug(
+      {bug, 20'000, [judge_of](std::uint64_t cases_max) {
+         return search(
+             [&](std::uint64_t number, const PairCase& pair) {
+               return differs_from_twin(judge_of, number, pair) ? std::optional<std::string>("twin")
+                                                                : std::nullopt;
+             },
+             [&](std::uint64_t number, const PairCase& pair, const std::string&) {
+               return shrink(pair,
+                             [&](const PairCase& smaller) {
+                               return differs_from_twin(judge_of, number, smaller);
+                             })
+                   .pair;
+             },
+             cases_max);
+       }});
+}
+
+}  // namespace manifuzz::canary

@@ -1,0 +1,137 @@
+#include "canary/search.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <stdexcept>
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include "canary/edits.hpp"
+#include "cases/regime.hpp"
+#include "cases/simplicity.hpp"
+#include "support/named_tests.hpp"
+#include "support/source_tree.hpp"
+
+namespace manifuzz::canary {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+/// A copy as it is must stay unblamed on this share of the cases in which a bug must be caught.
+constexpr std::uint64_t kUneditedShare = 20;
+
+bool is_unedited(const PlantedBug& bug) {
+  return bug.name.starts_with("unedited");
+}
+
+std::string heading() {
+  return fmt::format("{:<30} {:<44} {:<15} {:>7} {:>8} {:>8} {:>6}\n", "planted bug", "caught by",
+                     "regime", "cases", "seconds", "vertices", "digits");
+}
+
+std::string row(const std::string& name, const std::optional<Sighting>& caught) {
+  if (!caught) return fmt::format("{:<30} not caught\n", name);
+  PairCase pair = caught->shrunk;
+  int digits = 0;
+  for (const float* number : free_numbers(pair)) {
+    digits = std::max(digits, significant_digits(*number));
+  }
+  return fmt::format("{:<30} {:<44} {:<15} {:>7} {:>8.3f} {:>4} + {} {:>6}\n", name, caught->by,
+                     caught->regime, caught->cases, caught->seconds, pair.a.polygon.count,
+                     pair.b.polygon.count, digits);
+}
+
+void check(const PlantedBug& bug) {
+  const auto caught = bug.search(is_unedited(bug) ? bug.cases_max / kUneditedShare : bug.cases_max);
+  std::cout << heading() << row(bug.name, caught);
+  CHECK(caught.has_value() == !is_unedited(bug));
+}
+
+std::vector<Edit> table() {
+  return read_edits(test::source_dir() / "tests/canary/edits.txt");
+}
+
+/// Throws std::runtime_error where the build planted no bug of that name.
+const PlantedBug& planted(const std::string& name) {
+  const auto bug = std::find_if(planted_bugs().begin(), planted_bugs().end(),
+                                [&name](const PlantedBug& b) { return b.name == name; });
+  if (bug == planted_bugs().end()) throw std::runtime_error("not planted: " + name);
+  return *bug;
+}
+
+}  // namespace
+
+std::optional<Sighting> search(const Notice& notice, const Shrink& shrink,
+                               std::uint64_t cases_max) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  for (std::uint64_t number = 0; number < cases_max; ++number) {
+    const Regime& regime = regimes()[number % regimes().size()];
+    const PairCase pair = generate(kSeed, regime, number / regimes().size());
+    if (const auto by = notice(number, pair)) {
+      const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+      return Sighting{*by, std::string(regime.name), number + 1, seconds,
+                      shrink(number, pair, *by)};
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<PlantedBug>& planted_bugs() {
+  static std::vector<PlantedBug> bugs;
+  return bugs;
+}
+
+bool add_planted_bug(PlantedBug bug) {
+  const std::string name = is_unedited(bug) ? bug.name + " is not caught" : bug.name + " is caught";
+  test::add_test(name, "[planted]", [bug] { check(bug); });
+  planted_bugs().push_back(std::move(bug));
+  return true;
+}
+
+}  // namespace manifuzz::canary
+
+using namespace manifuzz::canary;
+
+// If this stops failing, the checks above have stopped to see anything.
+TEST_CASE("a planted bug fails the check that nothing is wrong", "[!shouldfail]") {
+  const PlantedBug& bug = planted("normal_not_turned");
+  CHECK_FALSE(bug.search(bug.cases_max / kUneditedShare).has_value());
+}
+
+TEST_CASE("a bug planted into the judge fails the check that nothing is wrong", "[!shouldfail]") {
+  const PlantedBug& bug = planted("fault_swapped");
+  CHECK_FALSE(bug.search(bug.cases_max / kUneditedShare).has_value());
+}
+
+TEST_CASE("at least 40 bugs are planted, 8 of them into the judge") {
+  int in_all = 0;
+  int in_judge = 0;
+  for (const Edit& edit : table()) {
+    if (edit.old_line.empty()) continue;
+    ++in_all;
+    if (!edit.file.starts_with("src/clipping/")) ++in_judge;
+    CHECK_NOTHROW(planted(edit.bug));
+  }
+  CHECK(in_all == static_cast<int>(planted_bugs().size()) - 2);  // all but the unedited copies
+  CHECK(in_all - in_judge >= 32);
+  CHECK(in_judge >= 8);
+}
+
+TEST_CASE("the table of planted bugs", "[.table]") {
+  std::vector<double> seconds;
+  std::cout << heading();
+  for (const Edit& edit : table()) {
+    const PlantedBug& bug = planted(edit.bug);
+    if (is_unedited(bug)) continue;
+    const auto caught = bug.search(bug.cases_max);
+    std::cout << row(bug.name, caught) << std::flush;
+    CHECK(caught.has_value());
+    if (caught) seconds.push_back(caught->seconds);
+  }
+  std::sort(seconds.begin(), seconds.end());
+  REQUIRE(!seconds.empty());
+  std::cout << fmt::format("{} caught, median {:.3f} s, longest {:.3f} s\n", seconds.size(),
+                           seconds[seconds.size() / 2], seconds.back());
+}
