@@ -26,9 +26,9 @@ struct Quadratic {
     return {a.rational - b.rational, a.root - b.root, common_radicand(a, b)};
   }
   friend Quadratic operator*(const Quadratic& a, const Quadratic& b) {
-    const Rational radicand = common_radicand(a, b);
-    return {a.rational * b.rational + a.root * b.root * radicand,
-            a.rational * b.root + a.root * b.rational, radicand};
+    const Rational common = common_radicand(a, b);
+    return {a.rational * b.rational + a.root * b.root * common,
+            a.rational * b.root + a.root * b.rational, common};
   }
 
   /// A rational's is zero.

@@ -16,10 +16,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t kBlock = 256;
 constexpr double kPollSeconds = 0.1;
 
-/// Two colliders can be wrong alike: of the cases on which they plainly agree, one in so many is
-/// judged all the same.
-constexpr std::uint64_t kJudgedShare = 256;
-
 enum class Phase : int { generating, subject, oracle, judging };
 
 /// A job's desk, where its parent can see what it is at.
@@ -52,11 +48,11 @@ void run_case(const Plan& plan, CaseNumber number, Desk& desk) {
   const Testimony subject{plan.subject.declaration, of_subject};
   const Testimony oracle{plan.oracle.declaration, of_oracle};
   Judgement judgement;
-  const bool sampled = mix(number ^ plan.seed) % kJudgedShare == 0;
+  const bool sampled = mix(number ^ plan.seed) % plan.judge_every == 0;
   if (sampled || !plainly_agree(*truth, subject, oracle)) {
     judgement = judge(truth, subject, oracle);
   }
-  desk.tally.add(plan.regime_of(number), number, where, judgement.bucket, judgement.magnitude);
+  desk.tally.add(plan.regime_of(number), number, where, judgement);
 }
 
 void run_job(const Plan& plan, Office& office, Desk& desk) {
@@ -123,7 +119,7 @@ class Job {
     const Standing where =
         phase == Phase::generating ? Standing{} : standing(exact::Truth(plan_.pair(number)));
     desk_->tally.add(plan_.regime_of(number), number, where,
-                     bucket_of_lost(verdict, fault_in(phase)), 0);
+                     {.bucket = bucket_of_lost(verdict, fault_in(phase))});
     desk_->next.fetch_add(1);
     process_ = 0;
     if (!office_.stop) start();

@@ -9,6 +9,8 @@
 
 namespace manifuzz {
 
+inline constexpr std::uint64_t kJudgeEvery = 256;
+
 /// What a campaign runs: which cases, through which two colliders.
 struct Plan {
   Collider subject;
@@ -20,6 +22,9 @@ struct Plan {
   std::optional<std::uint64_t> cases;  ///< of all regimes together; none: until time is up
   std::optional<double> seconds;
   int jobs = 1;
+  /// Two colliders can be wrong alike: of the cases on which they plainly agree, one in so many is
+  /// judged all the same.
+  std::uint64_t judge_every = kJudgeEvery;
 
   std::size_t regime_of(CaseNumber number) const { return number % regimes.size(); }
   std::uint64_t index_of(CaseNumber number) const { return first + number / regimes.size(); }

@@ -52,6 +52,13 @@ Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const 
   if (is_against_subject(judgement.bucket)) {
     return {false, fmt::format("{} to be right", subject.declaration.name), got};
   }
+  for (const LedgerEntry& entry : ledger()) {
+    const bool is_witness = oracle.declaration.name == entry.collider &&
+                            recorded.path.ends_with("/" + std::string(entry.witness));
+    if (is_witness && judgement.explanation != &entry) {
+      return {false, fmt::format("a witness of {}", entry.id), got};
+    }
+  }
   const bool same_pair = recorded.expect && recorded.expect->subject == subject.declaration.name &&
                          recorded.expect->oracle == oracle.declaration.name;
   if (same_pair && !was_against_subject(*recorded.expect)) {

@@ -32,7 +32,8 @@ void BucketTally::add(const BucketTally& tally) {
 }
 
 void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
-                const Bucket& bucket, double magnitude) {
+                const Judgement& judgement) {
+  const Bucket& bucket = judgement.bucket;
   RegimeTally& of_regime = regimes[regime];
   ++of_regime.cases;
   if (standing.touching) {
@@ -42,7 +43,8 @@ void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
   }
   if (is_unexplained(bucket.verdict)) ++of_regime.unexplained;
   ++verdicts[static_cast<std::size_t>(bucket.verdict)];
-  if (bucket.verdict != Verdict::agree) buckets[index_of(bucket)].add(number, magnitude);
+  if (bucket.verdict != Verdict::agree) buckets[index_of(bucket)].add(number, judgement.magnitude);
+  if (judgement.explanation != nullptr) ++explained[index_of(*judgement.explanation)][regime];
 }
 
 void Tally::add(const Tally& tally) {
@@ -54,6 +56,9 @@ void Tally::add(const Tally& tally) {
     regimes[i].unexplained += tally.regimes[i].unexplained;
   }
   for (std::size_t i = 0; i < buckets.size(); ++i) buckets[i].add(tally.buckets[i]);
+  for (std::size_t i = 0; i < explained.size(); ++i) {
+    for (std::size_t r = 0; r < kRegimesMax; ++r) explained[i][r] += tally.explained[i][r];
+  }
 }
 
 std::uint64_t Tally::cases() const {

@@ -36,9 +36,11 @@ struct Tally {
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
   std::array<RegimeTally, kRegimesMax> regimes{};
   std::array<BucketTally, kBucketCount> buckets{};
+  /// How often each entry of the ledger fired in each regime.
+  std::array<std::array<std::uint64_t, kRegimesMax>, kLedgerMax> explained{};
 
-  void add(std::size_t regime, CaseNumber number, const Standing& standing, const Bucket& bucket,
-           double magnitude);
+  void add(std::size_t regime, CaseNumber number, const Standing& standing,
+           const Judgement& judgement);
   void add(const Tally& tally);
 
   std::uint64_t cases() const;

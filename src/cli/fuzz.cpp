@@ -34,6 +34,7 @@ struct Options {
   std::optional<double> seconds;
   std::optional<std::uint64_t> first;
   std::optional<std::uint64_t> jobs;
+  std::optional<std::uint64_t> judge_every;
   std::vector<std::string> regimes;
   std::optional<double> tie_bias;
   std::optional<double> radius;
@@ -68,6 +69,7 @@ Plan plan_of(const Options& options) {
   expect_indices(plan.first, plan.cases.value_or(1), plan.regimes.size());
   if (!options.cases) plan.seconds = options.seconds.value_or(kDefaultSeconds);
   plan.jobs = jobs_of(options);
+  plan.judge_every = options.judge_every.value_or(kJudgeEvery);
   return plan;
 }
 
@@ -146,7 +148,8 @@ int fuzz(Options options) {
   if (!options.no_save) saving = save_new(found, plan, options);
   run.interrupted = run.interrupted || saving.interrupted;
 
-  const CampaignReport report{plan, run, found, repeating_command(options)};
+  const CampaignReport report{plan, run, found, ledger_counts(*run.tally, plan),
+                              repeating_command(options)};
   const std::string json = options.json.empty() ? "" : summary_json(report).dump(2) + '\n';
   if (!json.empty() && options.json != "-") write_file(options.json, json);
   write_to_reader(options.json == "-" ? json : summary_table(report));
@@ -170,6 +173,8 @@ Run define(CLI::App& app) {
       ->excludes(cases);
   add_whole_number(app, "--first", options->first, "the first index in each regime");
   add_whole_number(app, "--jobs", options->jobs, "how many processes; one a core if not given", 1);
+  add_whole_number(app, "--judge-every", options->judge_every,
+                   "of the cases that agree, one in so many is judged too; 256 if not given", 1);
   app.add_option("--regime", options->regimes,
                  "a regime to draw from, again for more; all by turns if not given")
       ->type_name("R")

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "report/provenance.hpp"
 
@@ -38,6 +39,17 @@ std::string verdict_rows(const Tally& tally) {
   return text + fmt::format("{:<18}{:>14}\n", "unexplained", tally.unexplained());
 }
 
+std::string ledger_rows(const CampaignReport& report) {
+  std::string text;
+  for (const LedgerCount& count : report.ledger) {
+    text += fmt::format("{:<36}{:>14}{}\n", count.entry->id, count.hits,
+                        count.hits == 0 ? "  never fired" : "");
+    if (count.over_budget.empty()) continue;
+    text += fmt::format("  over its budget in {}\n", fmt::join(count.over_budget, ", "));
+  }
+  return text;
+}
+
 std::string finding_rows(const CampaignReport& report) {
   std::string text;
   for (const Finding& finding : report.findings) {
@@ -66,6 +78,8 @@ bool is_vacuous(const CampaignReport& report) {
 
 bool has_failed(const CampaignReport& report) {
   return is_vacuous(report) ||
+         std::any_of(report.ledger.begin(), report.ledger.end(),
+                     [](const LedgerCount& count) { return !count.over_budget.empty(); }) ||
          std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
            return is_failure(finding.bucket) ||
                   (finding.is_new && finding.bucket.verdict == Verdict::oracle_wrong);
@@ -87,6 +101,7 @@ std::string summary_table(const CampaignReport& report) {
                   report.plan.oracle.declaration.version, tally.cases(), report.run.seconds,
                   rate(tally.cases(), report.run.seconds), report.plan.jobs, report.plan.seed);
   text += regime_rows(report) + '\n' + verdict_rows(tally);
+  if (!report.ledger.empty()) text += '\n' + ledger_rows(report);
   if (!report.findings.empty()) text += '\n' + finding_rows(report);
   if (is_vacuous(report)) {
     text += "\nvacuous: nothing touched, so nothing was shown; choose other regimes or a radius\n";
@@ -121,6 +136,18 @@ nlohmann::ordered_json summary_json(const CampaignReport& report) {
                                {"touching", regime.touching},
                                {"near", regime.near},
                                {"unexplained", regime.unexplained}});
+  }
+  json["ledger"] = nlohmann::ordered_json::array();
+  for (const LedgerCount& count : report.ledger) {
+    nlohmann::ordered_json by_regime = nlohmann::ordered_json::object();
+    for (std::size_t r = 0; r < report.plan.regimes.size(); ++r) {
+      const std::uint64_t hits = tally.explained[index_of(*count.entry)][r];
+      if (hits > 0) by_regime[std::string(report.plan.regimes[r]->name)] = hits;
+    }
+    json["ledger"].push_back({{"id", count.entry->id},
+                              {"hits", count.hits},
+                              {"regimes", by_regime},
+                              {"over_budget", count.over_budget}});
   }
   json["buckets"] = nlohmann::ordered_json::array();
   for (const Finding& finding : report.findings) {

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/budgets.hpp"
 #include "campaign/findings.hpp"
 #include "campaign/jobs.hpp"
 
@@ -15,6 +16,7 @@ struct CampaignReport {
   const Plan& plan;
   const JobsResult& run;
   const std::vector<Finding>& findings;
+  std::vector<LedgerCount> ledger;
   std::string command;  ///< the beginning of a command that repeats a case, up to --regime
 };
 
@@ -23,7 +25,7 @@ inline constexpr std::uint64_t kVacuousCases = 1000;
 bool is_vacuous(const CampaignReport& report);
 
 /// Whether the campaign found what its status must tell: anything against the subject, a bucket of
-/// the oracle's that is new, or a vacuous run.
+/// the oracle's that is new, an entry of the ledger over its budget, or a vacuous run.
 bool has_failed(const CampaignReport& report);
 
 /// The command that repeats the first case of a finding.

@@ -169,7 +169,7 @@ Run define(CLI::App& app) {
 extern const Command kJudge;
 const Command kJudge{"judge", "Cases in, what is right and who is, a JSON object a line.",
                      "manifuzz generate --seed 1 --regime sliver --cases 10 | manifuzz judge\n"
-                     "manifuzz generate --seed 1 --cases 10 > cases.jsonl\n"
+                     "manifuzz generate --seed 1 --regime boxes --cases 10 > cases.jsonl\n"
                      "manifuzz collide --collider box2d cases.jsonl > answers.jsonl\n"
                      "manifuzz judge --subject box2d --manifolds answers.jsonl cases.jsonl",
                      define};

@@ -64,7 +64,7 @@ Mismatch difference(const Manifold<double>& subject, const Manifold<double>& ora
     return {Kind::normal, magnitude};
   }
   if (subject.count != oracle.count) return {Kind::count, magnitude};
-  return {apart >= deeper ? Kind::position : Kind::depth, magnitude};
+  return {Kind::position, magnitude};
 }
 
 bool several_references(const Admissible& right) {
@@ -104,6 +104,14 @@ TieClass tie_class(const Admissible& subject, const Admissible& oracle) {
   if (contact_boundary(coarser)) return TieClass::contact_boundary;
   if (clip_boundary(coarser)) return TieClass::clip_boundary;
   return TieClass::none;
+}
+
+/// A boundary within bound excuses a difference of two right manifolds, unless in their normals;
+/// what is wrong lies beyond every bound, whatever boundary is near.
+TieClass relevant(TieClass tie_class, Verdict verdict, Kind kind) {
+  const bool boundary =
+      tie_class == TieClass::contact_boundary || tie_class == TieClass::clip_boundary;
+  return boundary && (verdict != Verdict::tie || kind == Kind::normal) ? TieClass::none : tie_class;
 }
 
 /// A magnitude in world lengths as a share of the size; a normal's is a share already.
@@ -212,15 +220,17 @@ Judgement judge(std::shared_ptr<const exact::Truth> truth, const Testimony& subj
     return result;
   }
   result.bucket.verdict = verdict_of(result.bucket.fault);
-  result.bucket.tie_class = tie_class(right_for_subject, right_for_oracle);
-  Mismatch worst;
   if (result.bucket.fault == Fault::none) {
-    worst = difference(of_subject, of_oracle, right_for_subject.from_contact());
+    const Mismatch apart = difference(of_subject, of_oracle, right_for_subject.from_contact());
+    result.bucket.kind = apart.kind;
+    result.magnitude = apart.magnitude / truth->size();
   } else {
-    worst = result.bucket.fault == Fault::oracle ? wrongs.oracle : wrongs.subject;
+    const Mismatch& worst = result.bucket.fault == Fault::oracle ? wrongs.oracle : wrongs.subject;
+    result.bucket.kind = worst.kind;
+    result.magnitude = share(worst, truth->size());
   }
-  result.bucket.kind = worst.kind;
-  result.magnitude = share(worst, truth->size());
+  result.bucket.tie_class = relevant(tie_class(right_for_subject, right_for_oracle),
+                                     result.bucket.verdict, result.bucket.kind);
   if (result.bucket.verdict == Verdict::oracle_wrong) {
     result.explanation = find_explanation(oracle.declaration.name,
                                           {right_for_oracle, of_oracle, wrongs.oracle.kind});

@@ -58,6 +58,22 @@ bool crossing_underflows(const Deviation& d) {
          });
 }
 
+// Twice what 20,000,000 cases showed, rounded up; `corpus` hangs on what the corpus holds.
+constexpr Budget kOfTinyFaces[] = {
+    {"micro_edge", 7200}, {"scaled", 1300}, {"ulp", 500}, {"corpus", 300'000}};
+constexpr Budget kOfBias[] = {
+    {"generic", 30},     {"regular", 20},      {"sliver", 1600},        {"near_parallel", 10},
+    {"tied_faces", 60},  {"micro_edge", 5000}, {"near_collinear", 300}, {"corner_corner", 4000},
+    {"corner_face", 30}, {"deep", 30},         {"tie_bias", 47'000},    {"far_from_origin", 40},
+    {"scaled", 16'000},  {"off_unit", 50},     {"ulp", 4400},           {"corpus", 300'000}};
+constexpr Budget kOfTies[] = {{"sliver", 4800},        {"tied_faces", 26'000},
+                              {"micro_edge", 10},      {"near_collinear", 48'000},
+                              {"corner_corner", 40},   {"tie_bias", 10},
+                              {"far_from_origin", 30}, {"scaled", 10},
+                              {"off_unit", 20},        {"ulp", 4700},
+                              {"corpus", 300'000}};
+constexpr Budget kOfUnderflow[] = {{"corpus", 300'000}};
+
 constexpr std::array kLedger{
     LedgerEntry{.id = "box2d-tiny-reference-face",
                 .collider = "box2d",
@@ -68,7 +84,8 @@ constexpr std::array kLedger{
                     "Box2D 2.4.1, include/box2d/b2_math.h, b2Vec2::Normalize: "
                     "`if (length < b2_epsilon) return 0.0f`; src/collision/b2_collide_polygon.cpp, "
                     "b2CollidePolygons: side offsets of world vertices",
-                .witness = "defects/box2d/oracle-known-normal-none-a-63d5e17c.json",
+                .witness = "defects/box2d/witness-box2d-tiny-reference-face.json",
+                .budgets = kOfTinyFaces,
                 .explains = tiny_reference_face},
     LedgerEntry{.id = "box2d-no-contact-under-bias",
                 .collider = "box2d",
@@ -77,7 +94,8 @@ constexpr std::array kLedger{
                     "side planes the incident edge misses",
                 .source = "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2CollidePolygons: "
                           "k_tol = 0.1f * b2_linearSlop, then `if (np < 2) return`",
-                .witness = "defects/box2d/oracle-known-missed_contact-reference-b-aeb9c2ca.json",
+                .witness = "defects/box2d/witness-box2d-no-contact-under-bias.json",
+                .budgets = kOfBias,
                 .explains = no_contact_under_bias},
     LedgerEntry{.id = "box2d-no-contact-on-tied-features",
                 .collider = "box2d",
@@ -87,7 +105,8 @@ constexpr std::array kLedger{
                 .source =
                     "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2FindMaxSeparation and "
                     "b2FindIncidentEdge: first of equals",
-                .witness = "defects/box2d/oracle-known-missed_contact-reference-a-f2b840dd.json",
+                .witness = "defects/box2d/witness-box2d-no-contact-on-tied-features.json",
+                .budgets = kOfTies,
                 .explains = no_contact_on_tied_features},
     LedgerEntry{.id = "box2d-crossing-underflows",
                 .collider = "box2d",
@@ -96,14 +115,26 @@ constexpr std::array kLedger{
                     "but touches a side plane, the product of distances underflows",
                 .source = "Box2D 2.4.1, src/collision/b2_collision.cpp, b2ClipSegmentToLine: "
                           "`if (distance0 * distance1 < 0.0f)`",
-                .witness = "defects/box2d/oracle-known-missed_contact-incident-a-32d2eea4.json",
+                .witness = "defects/box2d/witness-box2d-crossing-underflows.json",
+                .budgets = kOfUnderflow,
                 .explains = crossing_underflows},
 };
+
+static_assert(kLedger.size() <= kLedgerMax);
 
 }  // namespace
 
 std::span<const LedgerEntry> ledger() {
   return kLedger;
+}
+
+std::size_t index_of(const LedgerEntry& entry) {
+  return static_cast<std::size_t>(&entry - kLedger.data());
+}
+
+double budget_per_million(const LedgerEntry& entry, std::string_view regime) {
+  const auto found = std::ranges::find(entry.budgets, regime, &Budget::regime);
+  return found == entry.budgets.end() ? 0 : found->per_million;
 }
 
 const LedgerEntry* find_explanation(std::string_view collider, const Deviation& deviation) {

@@ -34,17 +34,7 @@ Kind difference(const Manifold<double>& subject, const Manifold<double>& oracle)
   if (oracle.count == 0) return Kind::phantom_contact;
   if (subject.reference != oracle.reference || subject.normal != oracle.normal) return Kind::normal;
   if (subject.count != oracle.count) return Kind::count;
-  double apart = 0;
-  double deeper = 0;
-  for (int i = 0; i < subject.count; ++i) {
-    const auto far_from = [&](int j) {
-      return (subject.points[i].position - oracle.points[j].position).norm();
-    };
-    const int nearest = oracle.count > 1 && far_from(1) < far_from(0) ? 1 : 0;
-    apart = std::max(apart, far_from(nearest));
-    deeper = std::max(deeper, std::abs(subject.points[i].depth - oracle.points[nearest].depth));
-  }
-  return apart >= deeper ? Kind::position : Kind::depth;
+  return Kind::position;
 }
 
 }  // namespace
@@ -79,7 +69,6 @@ TwinJudgement twin_judge(const PairCase& pair, const Testimony& subject, const T
     }
     if (agree) return result;
   }
-  bucket.tie_class = tie_class(for_subject, for_oracle);
   if (both_right) {
     bucket.verdict = Verdict::tie;
     bucket.kind = difference(*of_subject, *of_oracle);
@@ -95,6 +84,12 @@ TwinJudgement twin_judge(const PairCase& pair, const Testimony& subject, const T
     bucket.fault = Fault::oracle;
     bucket.verdict = Verdict::oracle_wrong;
     bucket.kind = wrong_oracle;
+  }
+  bucket.tie_class = tie_class(for_subject, for_oracle);
+  const bool excusable = bucket.verdict == Verdict::tie && bucket.kind != Kind::normal;
+  if (!excusable && (bucket.tie_class == TieClass::contact_boundary ||
+                     bucket.tie_class == TieClass::clip_boundary)) {
+    bucket.tie_class = TieClass::none;
   }
   return result;
 }
