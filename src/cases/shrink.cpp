@@ -270,6 +270,7 @@ Cases with_one_number_simpler(const PairCase& pair) {
 
 PairCase without_negative_zeros(PairCase pair) {
   for (float* number : free_numbers(pair)) *number += 0.0F;
+  for (const Side side : {Side::a, Side::b}) pair[side].pose.rotation.array() += 0.0F;
   return pair;
 }
 
