@@ -14,6 +14,9 @@ namespace {
 /// What a crash costs: a new process, as long as so many cells.
 constexpr int kCellsACrash = 32;
 
+/// Steps of this share of a circle fill it more evenly than any other.
+constexpr double kGoldenSection = 0.6180339887498949;
+
 /// Where a child is, where its parent can see it even if it dies.
 struct Place {
   std::atomic<int> turn{0};  ///< counts the cells
@@ -23,7 +26,7 @@ struct Place {
 /// The cell whose turn it is: the middle one first, each of them once.
 class Order {
  public:
-  explicit Order(int cells) : cells_(cells), stride_(cells * 5 / 8) {
+  explicit Order(int cells) : cells_(cells), stride_(static_cast<int>(cells * kGoldenSection)) {
     while (std::gcd(stride_, cells_) != 1) ++stride_;
   }
   int cell(int turn) const {
@@ -41,10 +44,10 @@ void ask(const PairCase& pair, const Collider& subject, const Collider& oracle, 
   cell.truth = statement(*truth);
   place.at_work = Fault::subject;
   const Answer of_subject = subject.collide(pair);
+  cell.subject = statement(of_subject);
   place.at_work = Fault::oracle;
   const Answer of_oracle = oracle.collide(pair);
   place.at_work = Fault::none;
-  cell.subject = statement(of_subject);
   cell.oracle = statement(of_oracle);
   cell.bucket =
       judge(truth, {subject.declaration, of_subject}, {oracle.declaration, of_oracle}).bucket;
