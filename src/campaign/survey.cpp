@@ -11,7 +11,7 @@
 namespace manifuzz {
 namespace {
 
-/// What a crash costs: a new process, as long as so many cells.
+/// A crash costs a new process, as long as so many cells: so many times fewer are taken.
 constexpr int kCellsACrash = 32;
 
 /// Steps of this share of a circle fill it more evenly than any other.
@@ -66,7 +66,8 @@ Neighbourhood survey(const PairCase& pair, const Collider& subject, const Collid
   Cell* const cells = static_cast<Cell*>(memory.data());
   std::uninitialized_default_construct_n(cells, count);
 
-  int turns = std::min(count, cells_max);
+  const int turns = std::min(count, cells_max);
+  int crashes_left = cells_max / kCellsACrash;
   const auto ask_the_rest = [&] {
     for (; place->turn < turns; ++place->turn) {
       const int at = order.cell(place->turn);
@@ -83,7 +84,7 @@ Neighbourhood survey(const PairCase& pair, const Collider& subject, const Collid
     lost.bucket = bucket_of_lost(verdict, place->at_work);
     lost.state = Cell::State::judged;
     ++place->turn;
-    turns = ending == Ending::hung ? 0 : turns - kCellsACrash;
+    if (ending == Ending::hung || --crashes_left <= 0) break;
   }
   return {grid, {cells, cells + count}};
 }

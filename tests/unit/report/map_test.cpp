@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "campaign/guarded.hpp"
 #include "campaign/survey.hpp"
 #include "cases/corpus.hpp"
 #include "report/map_picture.hpp"
@@ -165,8 +166,8 @@ TEST_CASE("the map is a PNG with four panels of their own colours") {
   CHECK(colour_in(3) == 0xd55e00);  // the subject is wrong
 }
 
-TEST_CASE("every case of the corpus has a map") {
-  const std::filesystem::path folder = source_dir() / "corpus";
+TEST_CASE("every known defect has a map") {
+  const std::filesystem::path folder = source_dir() / "corpus" / "defects" / "box2d";
   const Collider subject = find_collider("clip");
   const Collider oracle = find_collider("box2d");
   for (const CorpusCase& known : read_corpus({&folder, 1}).cases) {
@@ -174,7 +175,6 @@ TEST_CASE("every case of the corpus has a map") {
     Map map = map_of(known.pair, subject, oracle, 100);
     map.shown.given = known;
     CHECK(Image(map_png(map.shown, map.neighbourhood)).width() > 1000);
-    const Bucket& finding = map.shown.judgement.bucket;
-    if (finding.verdict != Verdict::agree) CHECK(map.severity() > 0);
+    CHECK(map.severity() > 0);
   }
 }
