@@ -40,6 +40,9 @@ class Truth {
   /// S of a side's face to well past double.
   DoubleDouble fine_separation(FaceOf face) const;
 
+  /// The vertex of the other polygon that decides a face's separation, the first of equals.
+  int support(FaceOf face) const;
+
   /// The face of a side's greatest separation, the first of equals.
   FaceOf greatest(Side side) const;
   /// The same of the pair, A's of equals.
@@ -67,7 +70,6 @@ class Truth {
  private:
   int rough_sign(double value, double offset) const;
   int compare_separation(int radii, double offset) const;
-  int support(FaceOf face) const;
   FaceAndVertex deepest(FaceOf face) const;
 
   PairCase pair_;

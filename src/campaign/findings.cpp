@@ -1,8 +1,11 @@
 #include "campaign/findings.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "campaign/guarded.hpp"
+#include "campaign/survey.hpp"
 #include "cases/shrink.hpp"
 
 namespace manifuzz {
@@ -52,6 +55,20 @@ std::string note_of(const PairCase& pair, const Judgement& judgement, const Coll
   return fmt::format("{} against {}: {} ({}), the greatest separation being {:.3g}.",
                      subject.declaration.name, oracle.declaration.name, to_string(bucket.verdict),
                      name_of(bucket.kind, kKindNames), exact::Truth(pair).separation());
+}
+
+/// The share of the neighbours that fail alike, to three digits; none where nobody is at fault and
+/// nothing differs. A fair sample of the map's cells, right to about 0.01, in about 15 ms.
+std::optional<double> recorded_severity(const PairCase& pair, const Bucket& finding,
+                                        const Collider& subject, const Collider& oracle,
+                                        Interruption& interruption) {
+  constexpr int cells_max = 1000;
+  if (finding.verdict == Verdict::agree) return std::nullopt;
+  const Grid grid = grid_around(exact::Truth(pair));
+  const Severity found =
+      severity(survey(pair, subject, oracle, grid, cells_max, interruption), finding);
+  if (found.valid == 0) return std::nullopt;  // interrupted
+  return std::round(found.share() * 1000) / 1000;
 }
 
 }  // namespace
@@ -113,14 +130,16 @@ std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& ora
 }
 
 CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const Collider& subject,
-                         const Collider& oracle) {
+                         const Collider& oracle, Interruption& interruption) {
   CorpusCase recorded;
   recorded.pair = pair;
-  recorded.expect = Expectation{.subject = subject.declaration.name,
-                                .oracle = oracle.declaration.name,
-                                .verdict = std::string(to_string(judgement.bucket.verdict)),
-                                .bucket = to_string(judgement.bucket),
-                                .manifolds = {}};
+  recorded.expect = Expectation{
+      .subject = subject.declaration.name,
+      .oracle = oracle.declaration.name,
+      .verdict = std::string(to_string(judgement.bucket.verdict)),
+      .bucket = to_string(judgement.bucket),
+      .manifolds = {},
+      .severity = recorded_severity(pair, judgement.bucket, subject, oracle, interruption)};
   if (!is_lost(judgement.bucket.verdict)) {
     for (const Collider* collider : {&subject, &oracle}) {
       recorded.expect->manifolds.push_back({collider->declaration.name, collider->collide(pair)});
@@ -136,7 +155,7 @@ void save_finding(Finding& finding, const Plan& plan, const std::filesystem::pat
   const PairCase smallest =
       shrink_finding(plan.pair(worst), plan.subject, plan.oracle, interruption);
   const Judgement judgement = judge_guarded(smallest, plan.subject, plan.oracle, interruption);
-  CorpusCase saved = recorded_case(smallest, judgement, plan.subject, plan.oracle);
+  CorpusCase saved = recorded_case(smallest, judgement, plan.subject, plan.oracle, interruption);
   saved.found = Found{.seed = plan.seed,
                       .regime = std::string(plan.regimes[plan.regime_of(worst)]->name),
                       .index = plan.index_of(worst),

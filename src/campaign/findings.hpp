@@ -47,9 +47,9 @@ PairCase shrink_finding(const PairCase& pair, const Collider& subject, const Col
 /// Where the corpus keeps such cases: ties, defects/<oracle>, regressions or seeds.
 std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& oracle);
 
-/// The corpus case of a pair as these colliders see it: answers, verdict and a note.
+/// The corpus case of a pair as these colliders see it: answers, verdict, severity and a note.
 CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const Collider& subject,
-                         const Collider& oracle);
+                         const Collider& oracle, Interruption& interruption);
 
 /// Shrinks the finding's worst witness and writes it to the corpus; sets `file`. Throws UserError
 /// where it cannot be written, and Interrupted.

@@ -29,6 +29,7 @@ struct Expectation {
   std::string verdict;
   std::string bucket;
   std::vector<NamedAnswer> manifolds;
+  std::optional<double> severity = {};  ///< the share of neighbours that fail alike, 0 to 1
 };
 
 /// A case as corpus/README.md describes it; a bare pair case is one without the other keys.

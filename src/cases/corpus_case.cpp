@@ -40,13 +40,20 @@ Found read_found(const JsonView& object) {
   return found;
 }
 
+double read_share(const JsonView& value) {
+  const double share = value.number();
+  if (share >= 0 && share <= 1) return share;
+  value.fail(fmt::format("{} is not a share; a number from 0 to 1 is expected", share));
+}
+
 Expectation read_expectation(const JsonView& object, const PairCase& pair) {
-  object.expect_keys({"subject", "oracle", "verdict", "bucket", "manifolds"});
+  object.expect_keys({"subject", "oracle", "verdict", "bucket", "severity", "manifolds"});
   Expectation expect{read_string(object, "subject"),
                      read_string(object, "oracle"),
                      read_string(object, "verdict"),
                      read_string(object, "bucket"),
                      {}};
+  if (const auto severity = object.find("severity")) expect.severity = read_share(*severity);
   if (const auto manifolds = object.find("manifolds")) {
     for (std::size_t i = 0; i < manifolds->length("an array of manifolds"); ++i) {
       expect.manifolds.push_back(read_answer((*manifolds)[i], pair));
@@ -87,6 +94,10 @@ void append_expectation(std::string& out, const PairCase& pair, const Expectatio
   append_member(out, separator, "oracle", expect.oracle);
   append_member(out, separator, "verdict", expect.verdict);
   append_member(out, separator, "bucket", expect.bucket);
+  if (expect.severity) {
+    out.append(separator) += "\"severity\": ";
+    append_number(out, *expect.severity);
+  }
   if (!expect.manifolds.empty()) {
     out.append(separator) += "\"manifolds\": [";
     for (std::size_t i = 0; i < expect.manifolds.size(); ++i) {

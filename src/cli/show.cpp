@@ -1,24 +1,38 @@
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "campaign/guarded.hpp"
+#include "campaign/survey.hpp"
 #include "cases/file.hpp"
+#include "cases/text.hpp"
+#include "cases/user_error.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "report/case_picture.hpp"
 #include "report/case_text.hpp"
+#include "report/map_picture.hpp"
+#include "report/map_words.hpp"
 
 namespace manifuzz {
 namespace {
+
+/// Farther than this the map would be wider than any polygon.
+constexpr std::uint64_t kMapStepMax = 100'000;
 
 struct Options {
   std::string file;
   std::string subject;
   std::string oracle;
   std::string svg;
+  std::optional<std::string> map;
+  std::optional<std::uint64_t> map_step;
 };
 
 /// What was asked for, else what the case names, else the usual one.
@@ -42,7 +56,34 @@ Party ask(const Collider& collider, const PairCase& pair, Interruption& interrup
   }
 }
 
+void check_map(const Options& options) {
+  if (options.map && !options.map->ends_with(".png")) {
+    throw UserError(fmt::format("--map: {} is not the name of a PNG file; FILE.png is expected",
+                                printable(*options.map, 200)));
+  }
+  if (options.map_step && !options.map) {
+    throw UserError("--map-step: there is no map without --map FILE.png");
+  }
+  if (options.map_step.value_or(1) > kMapStepMax) {
+    throw UserError(fmt::format("--map-step: {} ulps are too many; take 1 to {}", *options.map_step,
+                                kMapStepMax));
+  }
+}
+
+/// Draws the map to its file and says in words what it comes to.
+std::string write_map(const Options& options, const ShownCase& shown, const Collider& subject,
+                      const Collider& oracle, Interruption& interruption) {
+  const Grid grid =
+      grid_around(exact::Truth(shown.given.pair), static_cast<int>(options.map_step.value_or(1)));
+  const Neighbourhood map =
+      survey(shown.given.pair, subject, oracle, grid, grid.cell_count(), interruption);
+  if (interruption.requested()) throw Interrupted();
+  write_file(*options.map, map_png(shown, map));
+  return fmt::format("map: {}\n  {}\n", grid_in_words(grid), severity_in_words(shown, map));
+}
+
 int show(const Options& options) {
+  check_map(options);
   const CorpusCase given = read_case_file(options.file);
   const Expectation recorded = given.expect.value_or(Expectation{});
   const Collider subject = find_collider(chosen(options.subject, recorded.subject, "clip"));
@@ -52,8 +93,13 @@ int show(const Options& options) {
                         ask(oracle, given.pair, interruption),
                         judge_guarded(given.pair, subject, oracle, interruption)};
   if (!options.svg.empty() && options.svg != "-") write_file(options.svg, case_svg(shown));
+  std::string text = options.svg == "-" ? case_svg(shown) : case_text(shown);
+  if (options.map) {
+    const std::string words = write_map(options, shown, subject, oracle, interruption);
+    if (options.svg != "-") text += words;
+  }
   Output out;
-  out.write(options.svg == "-" ? case_svg(shown) : case_text(shown));
+  out.write(text);
   out.flush();
   return 0;
 }
@@ -69,15 +115,22 @@ Run define(CLI::App& app) {
       ->type_name("C");
   app.add_option("--svg", options->svg, "a picture too; - for the picture alone, on stdout")
       ->type_name("FILE");
+  app.add_option(
+         "--map", options->map,
+         "the case's neighbours as a PNG: one vertex moved by ulps, what each says, who fails")
+      ->type_name("FILE.png");
+  add_whole_number(app, "--map-step", options->map_step,
+                   "how many ulps apart neighbours are; 1 if not given", 1);
   return [options] { return show(*options); };
 }
 
 }  // namespace
 
 extern const Command kShow;
-const Command kShow{"show", "A case as text and as a picture: polygons, contact points, verdict.",
-                    "manifuzz generate --seed 1 --regime boxes --cases 1 | manifuzz show - --svg "
-                    "case.svg",
-                    define};
+const Command kShow{
+    "show", "A case as text and as a picture: polygons, contact points, verdict.",
+    "manifuzz generate --seed 1 --regime boxes --cases 1 | manifuzz show - --svg case.svg "
+    "--map case.png",
+    define};
 
 }  // namespace manifuzz

@@ -35,7 +35,7 @@ int shrink_file(const Options& options) {
   }
   const PairCase smallest = shrink_finding(given.pair, subject, oracle, interruption);
   const Judgement judgement = judge_guarded(smallest, subject, oracle, interruption);
-  CorpusCase shrunk = recorded_case(smallest, judgement, subject, oracle);
+  CorpusCase shrunk = recorded_case(smallest, judgement, subject, oracle, interruption);
   shrunk.found = given.found;
   if (options.output != "-") {
     write_file(options.output, format_case(shrunk));

@@ -160,6 +160,9 @@ void write_origin(Text& text, const CorpusCase& given) {
     text.row("found", fmt::format("seed {}, regime {}, index {}", given.found->seed,
                                   printable(given.found->regime), given.found->index));
   }
+  if (given.expect && given.expect->severity) {
+    text.row("severity", digits(*given.expect->severity) + " of the neighbours, when it was saved");
+  }
   if (!given.note.empty()) text.row("note", printable(given.note, 1000));
 }
 

@@ -34,7 +34,8 @@ CorpusCase sample_case() {
                               "box2d",
                               "known",
                               "oracle/known/missed_contact/reference/a",
-                              {{"clip", manifold}, {"box2d", Manifold<double>()}}};
+                              {{"clip", manifold}, {"box2d", Manifold<double>()}},
+                              0.125};
   sample.note = "Why \"this\" is kept: caf\xc3\xa9";
   return sample;
 }
@@ -75,6 +76,7 @@ TEST_CASE("A corpus file has a line for each polygon and each manifold") {
     "oracle": "box2d",
     "verdict": "known",
     "bucket": "oracle/known/missed_contact/reference/a",
+    "severity": 0.125,
     "manifolds": [
       {"collider": "clip", "normal": [0,1], "reference": "a", "points": [{"position": [0.5,1], "local": [0.5,1], "depth": 0.25, "features": ["f2","v0"]}]},
       {"collider": "box2d", "points": []}
@@ -93,9 +95,21 @@ TEST_CASE("A corpus file reads back whole") {
   CHECK(read.found->index == 12);
   CHECK(read.found->versions == sample.found->versions);
   CHECK(read.expect->bucket == sample.expect->bucket);
+  CHECK(read.expect->severity == 0.125);
   CHECK(read.expect->manifolds.size() == 2);
   CHECK(read.note == sample.note);
   CHECK(format_case(read) == format_case(sample));
+}
+
+TEST_CASE("A severity from 0 to 1 reads back, and none stays none") {
+  CorpusCase sample = sample_case();
+  for (const std::optional<double> severity :
+       {std::optional(0.0), std::optional(1.0), std::optional(0.507), std::optional<double>()}) {
+    sample.expect->severity = severity;
+    const std::string text = format_case(sample);
+    CHECK(parse_case(text, FormatKey::required).expect->severity == severity);
+    CHECK((text.find("severity") != std::string::npos) == severity.has_value());
+  }
 }
 
 TEST_CASE("A property's case reads back") {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cases/corpus.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -154,6 +155,11 @@ TEST_CASE("an interrupted campaign keeps what it found") {
   const Outcome replayed = run_manifuzz({"replay", corpus, "--json", "-"});
   CHECK(replayed.status == 0);  // each file shows the bucket that it is named after
   CHECK(Json::parse(replayed.out)["cases"] > 5);
+  const std::filesystem::path saved = corpus;
+  for (const manifuzz::CorpusCase& known : manifuzz::read_corpus({&saved, 1}).cases) {
+    CAPTURE(known.path);
+    CHECK(known.expect->severity.value_or(0) > 0);  // the case itself is one of the neighbours
+  }
 }
 
 TEST_CASE("what cannot be saved or printed loses nothing else") {

@@ -63,9 +63,28 @@ TEST_CASE("the colliders are those asked for, else the recorded ones, else clip 
   CHECK_THAT(usual, Contains("subject: clip ") && Contains("oracle: box2d "));
 }
 
+TEST_CASE("show --map writes the map and says how severe the case is") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("case.jsonl", case_line());
+  const std::string map = (folder.path() / "new" / "map.png").string();
+  const Outcome outcome = run_manifuzz({"show", file, "--map", map, "--map-step", "8"});
+  INFO(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  CHECK_THAT(outcome.out, Contains("a step being 8 ulps"));
+  CHECK_THAT(outcome.out, Contains("severity 0: somebody is wrong on 0 of 16641 neighbours"));
+  CHECK(read(map).starts_with("\x89PNG\r\n\x1a\n"));
+  CHECK(read_svg(run_manifuzz({"show", file, "--map", map, "--svg", "-"}).out).size() > 1);
+}
+
 TEST_CASE("show refuses bad input in one line") {
   const TemporaryFolder folder;
   const std::string good = folder.write("case.jsonl", case_line());
+  const std::string map = (folder.path() / "map.png").string();
+  const std::string full_disk = (folder.path() / "full.png").string();
+  std::filesystem::create_symlink("/dev/full", full_disk);
+  const std::string a_folder = (folder.path() / "folder.png").string();
+  std::filesystem::create_directory(a_folder);
   const std::vector<std::vector<std::string>> all = {
       {"show"},
       {"show", (folder.path() / "none.json").string()},
@@ -76,6 +95,16 @@ TEST_CASE("show refuses bad input in one line") {
       {"show", good, "--oracle", "clop"},
       {"show", good, "--svg", folder.path().string()},
       {"show", good, "--svg", good + "/case.svg"},
+      {"show", good, "--map", (folder.path() / "map.svg").string()},
+      {"show", good, "--map", "-"},
+      {"show", good, "--map", ""},
+      {"show", good, "--map", good + "/map.png"},
+      {"show", good, "--map", full_disk},
+      {"show", good, "--map", a_folder},
+      {"show", good, "--map-step", "2"},
+      {"show", good, "--map", map, "--map-step", "0"},
+      {"show", good, "--map", map, "--map-step", "-1"},
+      {"show", good, "--map", map, "--map-step", "100001"},
   };
   for (const auto& arguments : all) {
     const Outcome outcome = run_manifuzz(arguments);
@@ -83,5 +112,6 @@ TEST_CASE("show refuses bad input in one line") {
     CHECK(outcome.status == 2);
     CHECK(outcome.out.empty());
     CHECK(is_one_clear_line(outcome.err));
+    CHECK_FALSE(std::filesystem::exists(map));
   }
 }
