@@ -317,7 +317,10 @@ Shrunk shrink(const PairCase& pair, const std::function<bool(const PairCase&)>& 
     ++result.evaluations;
     return still_fails(candidate);
   };
-  result.pair = rc::shrinkable::findLocalMin(shrink_tree(pair), consider).first;
+  const PairCase positive_zeros = without_negative_zeros(pair);
+  ++result.evaluations;
+  const PairCase& start = still_fails(positive_zeros) ? positive_zeros : pair;
+  result.pair = rc::shrinkable::findLocalMin(shrink_tree(start), consider).first;
   return result;
 }
 

@@ -13,9 +13,8 @@ Scalar reach_in_frame(const ConvexPolygon<Scalar>& polygon) {
   return std::sqrt(squared);
 }
 
-/// Half the bound 8 u E on a separation's error, E being the extent: an overlap deeper than the
-/// bound is then computed deeper than this, and one computed deeper than this is not a gap in
-/// truth.
+/// 4 u E, E being the extent, is well inside the bound 15 u E on a separation's error: an overlap
+/// deeper than the bound is computed deeper than this.
 template <class Scalar>
 Scalar separation_roundoff(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
   constexpr Scalar u = std::numeric_limits<Scalar>::epsilon() / 2;
@@ -60,7 +59,8 @@ Manifold<Scalar> lone_vertex(const ConvexPolygon<Scalar>& reference, Side side,
 
 /// The manifold of a face whose slab holds the deepest of the overlap; empty where it does not. The
 /// incident edge is the most opposed one, or one that rounding cannot tell from it, whose clip is
-/// as deep as the face's separation; failing that, the deepest vertex alone if it lies in the slab.
+/// as deep as the face's separation; failing that, the deepest vertex alone if it lies in the slab,
+/// or the deepest clip where the vertex is outside the slab by rounding only.
 template <class Scalar>
 Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      Side side, const FaceSeparation<Scalar>& found,
@@ -70,20 +70,28 @@ Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const Conve
   const Vector2<Scalar>& normal = reference.normals[found.face];
   const Scalar total_radius = a.radius + b.radius;
   const Scalar depth = total_radius - found.separation - roundoff;
-  constexpr Scalar dot_roundoff = 2 * std::numeric_limits<Scalar>::epsilon();  // half of 8 u
+  constexpr Scalar dot_roundoff =
+      2 * std::numeric_limits<Scalar>::epsilon();  // less than half of 9 u
   const Scalar least = normal.dot(opposing.normals[incident_edge(opposing, normal)]);
+  Manifold<Scalar> deepest_clip;
+  Scalar depth_of_clip = 0;
   for (int j = 0; j < opposing.count; ++j) {
     if (normal.dot(opposing.normals[j]) > least + dot_roundoff) continue;
     Manifold<Scalar> clipped = clip_features<Scalar>(a, b, {side, found.face, j});
     for (int k = 0; k < clipped.count; ++k) {
       if (clipped.points[k].depth >= depth) return clipped;
+      if (clipped.points[k].depth < depth_of_clip) continue;
+      depth_of_clip = clipped.points[k].depth;
+      deepest_clip = clipped;
     }
   }
   const Vector2<Scalar>& deepest = opposing.vertices[found.deepest];
-  if (slab_holds<Scalar>(reference, found.face, deepest, total_radius + roundoff)) {
-    return lone_vertex(reference, side, found, opposing);
-  }
-  return {};
+  const auto slab_holds_with = [&](Scalar margin) {
+    return slab_holds<Scalar>(reference, found.face, deepest, total_radius + margin);
+  };
+  if (!slab_holds_with(roundoff)) return {};
+  const bool clipped_off = deepest_clip.count > 0 && !slab_holds_with(0);
+  return clipped_off ? deepest_clip : lone_vertex(reference, side, found, opposing);
 }
 
 /// The manifold of overlapping polygons whose features were chosen so that the clip kept nothing:

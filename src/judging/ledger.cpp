@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace manifuzz {
@@ -46,6 +47,18 @@ bool tiny_reference_face(const Deviation& d) {
   });
 }
 
+/// The square of the reference face's length is beyond float, so that b2Vec2::Normalize divides by
+/// infinity.
+bool huge_reference_face(const Deviation& d) {
+  if (d.kind != Kind::normal && d.kind != Kind::missed_contact) return false;
+  return any_candidate(d, [&](const exact::Clip& clip) {
+    const ConvexPolygon<float>& polygon = d.right.pair()[clip.reference.side].polygon;
+    const Vector2<float> face = polygon.vertices[polygon.next(clip.reference.index)] -
+                                polygon.vertices[clip.reference.index];
+    return !std::isfinite(face.dot(face));
+  });
+}
+
 /// An end of the incident edge lies so near a side plane that the product of both ends' distances
 /// underflows: the crossing is not seen, and one point is left.
 bool crossing_underflows(const Deviation& d) {
@@ -74,6 +87,8 @@ constexpr Budget kOfTies[] = {{"sliver", 4800},        {"tied_faces", 26'000},
                               {"corpus", 300'000}};
 constexpr Budget kOfUnderflow[] = {{"corpus", 300'000}};
 
+constexpr Budget kOfHugeFaces[] = {{"corpus", 300'000}};
+
 constexpr std::array kLedger{
     LedgerEntry{.id = "box2d-tiny-reference-face",
                 .collider = "box2d",
@@ -87,6 +102,16 @@ constexpr std::array kLedger{
                 .witness = "defects/box2d/witness-box2d-tiny-reference-face.json",
                 .budgets = kOfTinyFaces,
                 .explains = tiny_reference_face},
+    LedgerEntry{.id = "box2d-huge-reference-face",
+                .collider = "box2d",
+                .description =
+                    "a normal of length zero: the square of the reference face's length is beyond "
+                    "float, so its direction is divided by infinity",
+                .source = "Box2D 2.4.1, include/box2d/b2_math.h, b2Vec2::Length and Normalize: "
+                          "`b2Sqrt(x * x + y * y)`",
+                .witness = "defects/box2d/witness-box2d-huge-reference-face.json",
+                .budgets = kOfHugeFaces,
+                .explains = huge_reference_face},
     LedgerEntry{.id = "box2d-no-contact-under-bias",
                 .collider = "box2d",
                 .description =

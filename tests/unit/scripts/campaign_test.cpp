@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 namespace {
 
 Json quiet_report() {
-  return Json::parse(R"({"cases": 5000, "touching": 3000, "buckets": [],
+  return Json::parse(R"({"cases": 5000, "touching": 3000, "buckets": [], "ledger": [],
     "verdicts": {"agree": 5000, "subject_wrong": 0, "oracle_wrong": 0, "both_wrong": 0,
                  "crashed": 0, "timed_out": 0, "malformed": 0}})");
 }
@@ -70,6 +70,15 @@ TEST_CASE("anything wrong with the subject fails the campaign") {
     CHECK(outcome.status == 1);
     CHECK(contains(outcome.out, std::string(verdict) + ": 2"));
   }
+}
+
+TEST_CASE("a ledger entry over its budget fails the campaign") {
+  Json report = quiet_report();
+  report["ledger"].push_back({{"id", "some-entry"}, {"over_budget", {"grid", "boxes"}}});
+  const Outcome outcome = campaign(report.dump(), 1);
+  CHECK(outcome.status == 1);
+  CHECK(contains(outcome.out, "some-entry"));
+  CHECK(contains(outcome.out, "grid, boxes"));
 }
 
 TEST_CASE("a campaign in which nothing touched, or nothing ran, fails") {
