@@ -1,6 +1,7 @@
 #include "oracle/exact/clip.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace manifuzz::exact {
 namespace {
@@ -268,6 +269,7 @@ int compare_depth(const PairCase& pair, const Clip& clip, const ClipPoint& point
 
 bool is_near_position(const PairCase& pair, const Clip& clip, const ClipPoint& point,
                       const Vector2<double>& position, double bound) {
+  if (!position.allFinite()) return false;
   return settle([&]<class Number>() {
            return sign_within(located<Number>(pair, clip, point).position,
                               reported<Number>(position), Element<Number>(bound));
@@ -276,6 +278,7 @@ bool is_near_position(const PairCase& pair, const Clip& clip, const ClipPoint& p
 
 bool is_near_depth(const PairCase& pair, const Clip& clip, const ClipPoint& point, double depth,
                    double bound) {
+  if (!std::isfinite(depth)) return false;
   return settle([&]<class Number>() {
            const auto off = located<Number>(pair, clip, point).depth - Element<Number>(depth);
            const Element<Number> within(bound);
@@ -285,6 +288,7 @@ bool is_near_depth(const PairCase& pair, const Clip& clip, const ClipPoint& poin
 
 bool is_near_normal(const PairCase& pair, const Clip& clip, const Vector2<double>& normal,
                     double bound) {
+  if (!normal.allFinite()) return false;
   return settle([&]<class Number>() {
            return sign_within(true_normal<Number>(pair, clip.reference), reported<Number>(normal),
                               Element<Number>(bound));

@@ -75,7 +75,8 @@ int compare_margin(const PairCase& pair, const Clip& clip, int end, double lengt
 
 /// Depth of a point - length.
 int compare_depth(const PairCase& pair, const Clip& clip, const ClipPoint& point, double length);
-/// Whether a reported figure lies no farther than `bound` from the true one.
+/// Whether a reported figure lies no farther than `bound` from the true one; never where it is not
+/// finite.
 bool is_near_position(const PairCase& pair, const Clip& clip, const ClipPoint& point,
                       const Vector2<double>& position, double bound);
 bool is_near_depth(const PairCase& pair, const Clip& clip, const ClipPoint& point, double depth,

@@ -6,7 +6,6 @@
 
 #include "campaign/guarded.hpp"
 #include "campaign/survey.hpp"
-#include "cases/shrink.hpp"
 
 namespace manifuzz {
 namespace {
@@ -33,17 +32,19 @@ struct ShrinkSlot {
   std::atomic<int> pulse{0};
   std::atomic<int> accepted{0};
   std::array<PairCase, 2> best;  ///< the one at `accepted` mod 2 is whole
+  std::atomic<bool> complete{false};
 };
 
 void shrink_into(ShrinkSlot& slot, const PairCase& pair, const Judgement& root,
                  const std::function<Judgement(const PairCase&)>& judge_it) {
-  shrink(pair, [&](const PairCase& candidate) {
+  const auto like_root = [&](const PairCase& candidate) {
     ++slot.pulse;
     if (!alike(judge_it(candidate), root)) return false;
     slot.best[static_cast<std::size_t>(slot.accepted + 1) % 2] = candidate;
     ++slot.accepted;
     return true;
-  });
+  };
+  slot.complete = shrink(pair, like_root).complete;
 }
 
 std::string note_of(const PairCase& pair, const Judgement& judgement, const Collider& subject,
@@ -100,8 +101,8 @@ std::vector<Finding> findings(const Tally& tally, const Plan& plan, const KnownB
   return found;
 }
 
-PairCase shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
-                        Interruption& interruption) {
+Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
+                      Interruption& interruption) {
   const Judgement root = judge_guarded(pair, subject, oracle, interruption);
   const auto judge_it = [&](const PairCase& candidate) {
     return is_lost(root.bucket.verdict) ? judge_guarded(candidate, subject, oracle, interruption)
@@ -110,7 +111,7 @@ PairCase shrink_finding(const PairCase& pair, const Collider& subject, const Col
   const Shared<ShrinkSlot> slot;
   slot->best[0] = pair;
   run_guarded([&] { shrink_into(*slot, pair, root, judge_it); }, slot->pulse, interruption);
-  return slot->best[static_cast<std::size_t>(slot->accepted) % 2];
+  return {slot->best[static_cast<std::size_t>(slot->accepted) % 2], slot->pulse, slot->complete};
 }
 
 std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& oracle) {
@@ -140,6 +141,9 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
       .bucket = to_string(judgement.bucket),
       .manifolds = {},
       .severity = recorded_severity(pair, judgement.bucket, subject, oracle, interruption)};
+  for (const Manifold<double>& right : right_manifolds(admissible(pair, subject.declaration))) {
+    recorded.expect->manifolds.push_back({std::string(kJudgeName), right});
+  }
   if (!is_lost(judgement.bucket.verdict)) {
     for (const Collider* collider : {&subject, &oracle}) {
       recorded.expect->manifolds.push_back({collider->declaration.name, collider->collide(pair)});
@@ -151,20 +155,26 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
 
 void save_finding(Finding& finding, const Plan& plan, const std::filesystem::path& corpus,
                   Interruption& interruption) {
-  const CaseNumber worst = finding.tally.worst;
-  const PairCase smallest =
-      shrink_finding(plan.pair(worst), plan.subject, plan.oracle, interruption);
-  const Judgement judgement = judge_guarded(smallest, plan.subject, plan.oracle, interruption);
-  CorpusCase saved = recorded_case(smallest, judgement, plan.subject, plan.oracle, interruption);
-  saved.found = Found{.seed = plan.seed,
-                      .regime = std::string(plan.regimes[plan.regime_of(worst)]->name),
-                      .index = plan.index_of(worst),
-                      .versions = {}};
+  const CaseNumber number = finding.tally.worst;
+  Found found{.seed = plan.seed,
+              .regime = std::string(plan.regimes[plan.regime_of(number)]->name),
+              .index = plan.index_of(number),
+              .versions = {}};
   for (const Collider* collider : {&plan.subject, &plan.oracle}) {
-    saved.found->versions[collider->declaration.name] = collider->declaration.version;
+    found.versions[collider->declaration.name] = collider->declaration.version;
   }
-  const std::string& oracle = plan.oracle.declaration.name;
-  finding.file = write_corpus_case(corpus / corpus_folder(finding.bucket, oracle), saved).string();
+  const auto recorded = [&](const PairCase& pair) {
+    const Judgement judgement = judge_guarded(pair, plan.subject, plan.oracle, interruption);
+    CorpusCase saved = recorded_case(pair, judgement, plan.subject, plan.oracle, interruption);
+    saved.found = found;
+    return saved;
+  };
+  const PairCase worst = plan.pair(number);
+  const PairCase smallest = shrink_finding(worst, plan.subject, plan.oracle, interruption).pair;
+  const auto folder = corpus / corpus_folder(finding.bucket, plan.oracle.declaration.name);
+  const auto file = write_corpus_case(folder, recorded(smallest));
+  finding.file = file.string();
+  if (worst != smallest) write_worst_case(file, recorded(worst));
 }
 
 }  // namespace manifuzz

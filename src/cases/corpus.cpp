@@ -124,4 +124,8 @@ fs::path write_corpus_case(const fs::path& folder, const CorpusCase& corpus_case
   return path;
 }
 
+void write_worst_case(const fs::path& file, const CorpusCase& worst) {
+  write_file(fs::path(file).replace_extension(".worst.json"), format_case(worst));
+}
+
 }  // namespace manifuzz

@@ -28,7 +28,7 @@ struct Expectation {
   std::string oracle;
   std::string verdict;
   std::string bucket;
-  std::vector<NamedAnswer> manifolds;
+  std::vector<NamedAnswer> manifolds;   ///< the right ones by kJudgeName, then the colliders'
   std::optional<double> severity = {};  ///< the share of neighbours that fail alike, 0 to 1
 };
 
@@ -77,5 +77,8 @@ std::string corpus_file_name(const CorpusCase& corpus_case);
 /// path. Throws UserError.
 std::filesystem::path write_corpus_case(const std::filesystem::path& folder,
                                         const CorpusCase& corpus_case);
+
+/// Writes the case that `file` was shrunk from beside it: name.worst.json for name.json.
+void write_worst_case(const std::filesystem::path& file, const CorpusCase& worst);
 
 }  // namespace manifuzz

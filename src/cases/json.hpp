@@ -18,6 +18,9 @@ struct NamedAnswer {
   Answer answer;
 };
 
+/// Stands in a collider's place before a manifold that is right by the exact judge.
+inline constexpr std::string_view kJudgeName = "judge";
+
 /// One body, validated: {"vertices": [[x, y], ...], "radius": 0, "position": [x, y], "rotation":
 /// [cos, sin]}; all but the vertices may be left out. Throws UserError that begins with a path.
 Body read_body(const JsonView& object);

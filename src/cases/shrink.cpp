@@ -170,33 +170,38 @@ Cases symmetric_images(const PairCase& pair) {
 
 using Corners = std::vector<Vector2<float>>;
 
-PairCase plain_pair(const Corners& a, Corners b, const Vector2<float>& offset) {
-  for (auto& corner : b) corner += offset;
-  return {{make_polygon<float>(a), {}}, {make_polygon<float>(b), {}}};
+/// Every triangle with corners on the grid {-1, 0, 1, 2}^2 and no wider or higher than 2.
+std::vector<Corners> plain_triangles() {
+  constexpr int side = 4;
+  constexpr int points = side * side;
+  const auto at = [](int i) {
+    return Vector2<float>(static_cast<float>(i % side - 1), static_cast<float>(i / side - 1));
+  };
+  const auto fits = [](const Vector2<float>& edge) { return edge.cwiseAbs().maxCoeff() <= 2; };
+  std::vector<Corners> triangles;
+  for (int i = 0; i < points; ++i) {
+    for (int j = i + 1; j < points; ++j) {
+      for (int k = i + 1; k < points; ++k) {
+        const Corners corners{at(i), at(j), at(k)};
+        const bool small = fits(corners[1] - corners[0]) && fits(corners[2] - corners[1]) &&
+                           fits(corners[0] - corners[2]);
+        if (small && !find_defect(corners)) triangles.push_back(corners);
+      }
+    }
+  }
+  return triangles;
 }
 
-/// Triangles and boxes of side 1 and 2 on a grid of halves, the simplest first: what fails in any
-/// such case has one normal form, wherever it was found.
+/// The unit triangle against each of those and each against it, the simplest first: what fails in
+/// any such case has one normal form, wherever it was found.
 const std::vector<PairCase>& plain_cases() {
   static const std::vector<PairCase> cases = [] {
-    const Corners triangle{{0, 0}, {1, 0}, {0, 1}};
-    const Corners box{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    const std::vector<Corners> seconds{triangle,
-                                       box,
-                                       {{0, 0}, {1, 0}, {1, 1}},
-                                       {{0, 0}, {1, 1}, {0, 1}},
-                                       {{1, 0}, {1, 1}, {0, 1}},
-                                       {{0, 0}, {2, 0}, {0, 1}},
-                                       {{0, 0}, {2, 1}, {0, 2}}};
+    const auto unit = make_polygon<float>(Corners{{0, 0}, {1, 0}, {0, 1}});
     std::vector<PairCase> made;
-    for (const Corners& a : {triangle, box}) {
-      for (const Corners& b : seconds) {
-        for (int i = 0; i < 25; ++i) {
-          const Vector2<float> offset{static_cast<float>(i % 5 - 2) / 2,
-                                      static_cast<float>(i / 5 - 2) / 2};
-          if (a.size() + b.size() <= 7) made.push_back(plain_pair(a, b, offset));
-        }
-      }
+    for (const Corners& corners : plain_triangles()) {
+      const auto other = make_polygon<float>(corners);
+      made.push_back({{unit, {}}, {other, {}}});
+      made.push_back({{other, {}}, {unit, {}}});
     }
     std::stable_sort(made.begin(), made.end(), [](const PairCase& p, const PairCase& q) {
       return complexity(p) < complexity(q);

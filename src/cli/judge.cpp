@@ -94,17 +94,14 @@ void append_key(std::string& line, std::string_view key, double value) {
   }
 }
 
-/// Every right manifold, without points too where that is right.
 void append_admissible(std::string& line, const Admissible& right) {
   line += ", \"admissible\": [";
-  bool first = true;
-  const auto append = [&](const Manifold<double>& manifold) {
-    if (!first) line += ", ";
+  std::string_view separator;
+  for (const Manifold<double>& manifold : right_manifolds(right)) {
+    line += separator;
     append_manifold_object(line, right.pair(), manifold);
-    first = false;
-  };
-  if (!right.may_touch || (right.may_be_apart && !right.must_touch)) append({});
-  for (const exact::Clip* clip : right.candidates) append(true_manifold(right.pair(), *clip));
+    separator = ", ";
+  }
   line += ']';
 }
 

@@ -33,7 +33,7 @@ int shrink_file(const Options& options) {
         fmt::format("{}: {} and {} agree on it; a case on which they differ is expected",
                     options.file, options.subject, options.oracle));
   }
-  const PairCase smallest = shrink_finding(given.pair, subject, oracle, interruption);
+  const PairCase smallest = shrink_finding(given.pair, subject, oracle, interruption).pair;
   const Judgement judgement = judge_guarded(smallest, subject, oracle, interruption);
   CorpusCase shrunk = recorded_case(smallest, judgement, subject, oracle, interruption);
   shrunk.found = given.found;

@@ -17,14 +17,16 @@ namespace {
 /// One round of the regimes in so many goes to the collider in double, too, and to every property.
 constexpr std::uint64_t kPropertyShare = 8;
 
-bool blames_subject(const PairCase& pair, const Collider& subject, const Collider& oracle) {
+/// The bucket in which the judge blames somebody.
+std::optional<Bucket> blame(const PairCase& pair, const Collider& subject, const Collider& oracle) {
   const Answer of_subject = subject.collide(pair);
   const Answer of_oracle = oracle.collide(pair);
   const Testimony testimony{subject.declaration, of_subject};
   const Testimony against{oracle.declaration, of_oracle};
   const auto truth = std::make_shared<const exact::Truth>(pair);
-  if (plainly_agree(*truth, testimony, against)) return false;
-  return is_failure(judge(truth, testimony, against).bucket);
+  if (plainly_agree(*truth, testimony, against)) return std::nullopt;
+  const Bucket bucket = judge(truth, testimony, against).bucket;
+  return is_failure(bucket) ? std::optional(bucket) : std::nullopt;
 }
 
 std::string sentence(const Property& property) {
@@ -41,27 +43,30 @@ struct Watch {
   Collider in_double;
   Collider oracle = make_box2d();
 
-  std::optional<std::string> notice(std::uint64_t number, const PairCase& pair) const {
-    if (blames_subject(pair, in_float, oracle)) return "judge of clip";
+  std::optional<Noticed> notice(std::uint64_t number, const PairCase& pair) const {
+    if (const auto bucket = blame(pair, in_float, oracle)) {
+      return Noticed{"judge of clip", to_string(*bucket)};
+    }
     if (number / regimes().size() % kPropertyShare != kPropertyShare - 1) return std::nullopt;
-    if (blames_subject(pair, in_double, oracle)) return "judge of clip64";
+    if (const auto bucket = blame(pair, in_double, oracle)) {
+      return Noticed{"judge of clip64", to_string(*bucket)};
+    }
     for (const Property& property : properties()) {
-      if (fails(property, in_float, pair)) return sentence(property);
+      if (fails(property, in_float, pair)) return Noticed{sentence(property), sentence(property)};
     }
     return std::nullopt;
   }
 
-  PairCase shrunk(const PairCase& pair, const std::string& by) const {
+  Shrunk shrunk(const PairCase& pair, const std::string& by) const {
     Interruption interruption;
     if (by == "judge of clip") return shrink_finding(pair, in_float, oracle, interruption);
     if (by == "judge of clip64") return shrink_finding(pair, in_double, oracle, interruption);
     for (const Property& property : properties()) {
       if (by != sentence(property)) continue;
       return shrink(pair,
-                    [&](const PairCase& smaller) { return fails(property, in_float, smaller); })
-          .pair;
+                    [&](const PairCase& smaller) { return fails(property, in_float, smaller); });
     }
-    return pair;
+    return {pair};
   }
 };
 
@@ -75,15 +80,15 @@ std::vector<MakeCollider>& planted_colliders() {
 bool add_collider(const char* bug, MakeCollider make) {
   planted_colliders().push_back(make);
   return add_planted_bug(
-      {bug, 200'000, [make](std::uint64_t cases_max) {
+      {bug, 200'000, [make](const Haystack& haystack) {
          const Collider collider = make(0);
          const Watch watch{collider, collider.in_double()};
          return search(
+             haystack,
              [&](std::uint64_t number, const PairCase& pair) { return watch.notice(number, pair); },
-             [&](std::uint64_t, const PairCase& pair, const std::string& by) {
-               return watch.shrunk(pair, by);
-             },
-             cases_max);
+             [&](std::uint64_t, const PairCase& pair, const Noticed& noticed) {
+               return watch.shrunk(pair, noticed.by);
+             });
        }});
 }
 

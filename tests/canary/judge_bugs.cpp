@@ -67,20 +67,18 @@ bool differs_from_twin(JudgeOf judge_of, std::uint64_t number, const PairCase& p
 
 bool add_judge(const char* bug, JudgeOf judge_of) {
   return add_planted_bug(
-      {bug, 20'000, [judge_of](std::uint64_t cases_max) {
+      {bug, 20'000, [judge_of](const Haystack& haystack) {
          return search(
-             [&](std::uint64_t number, const PairCase& pair) {
-               return differs_from_twin(judge_of, number, pair) ? std::optional<std::string>("twin")
-                                                                : std::nullopt;
+             haystack,
+             [&](std::uint64_t number, const PairCase& pair) -> std::optional<Noticed> {
+               if (!differs_from_twin(judge_of, number, pair)) return std::nullopt;
+               return Noticed{"twin", "twin"};
              },
-             [&](std::uint64_t number, const PairCase& pair, const std::string&) {
-               return shrink(pair,
-                             [&](const PairCase& smaller) {
-                               return differs_from_twin(judge_of, number, smaller);
-                             })
-                   .pair;
-             },
-             cases_max);
+             [&](std::uint64_t number, const PairCase& pair, const Noticed&) {
+               return shrink(pair, [&](const PairCase& smaller) {
+                 return differs_from_twin(judge_of, number, smaller);
+               });
+             });
        }});
 }
 

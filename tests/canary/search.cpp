@@ -21,10 +21,6 @@ constexpr std::uint64_t kSeed = 1;
 /// A copy as it is must stay unblamed on this share of the cases in which a bug must be caught.
 constexpr std::uint64_t kUneditedShare = 20;
 
-bool is_unedited(const PlantedBug& bug) {
-  return bug.name.starts_with("unedited");
-}
-
 std::string heading() {
   return fmt::format("{:<30} {:<44} {:<15} {:>7} {:>8} {:>8} {:>6}\n", "planted bug", "caught by",
                      "regime", "cases", "seconds", "vertices", "digits");
@@ -32,18 +28,15 @@ std::string heading() {
 
 std::string row(const std::string& name, const std::optional<Sighting>& caught) {
   if (!caught) return fmt::format("{:<30} not caught\n", name);
-  PairCase pair = caught->shrunk;
-  int digits = 0;
-  for (const float* number : free_numbers(pair)) {
-    digits = std::max(digits, significant_digits(*number));
-  }
-  return fmt::format("{:<30} {:<44} {:<15} {:>7} {:>8.3f} {:>4} + {} {:>6}\n", name, caught->by,
-                     caught->regime, caught->cases, caught->seconds, pair.a.polygon.count,
-                     pair.b.polygon.count, digits);
+  const PairCase& pair = caught->shrunk.pair;
+  return fmt::format("{:<30} {:<44} {:<15} {:>7} {:>8.3f} {:>4} + {} {:>6}\n", name,
+                     caught->noticed.by, caught->regime, caught->cases, caught->seconds,
+                     pair.a.polygon.count, pair.b.polygon.count, digits_of(pair));
 }
 
 void check(const PlantedBug& bug) {
-  const auto caught = bug.search(is_unedited(bug) ? bug.cases_max / kUneditedShare : bug.cases_max);
+  const auto caught =
+      bug.search({kSeed, is_unedited(bug) ? bug.cases_max / kUneditedShare : bug.cases_max});
   std::cout << heading() << row(bug.name, caught);
   CHECK(caught.has_value() == !is_unedited(bug));
 }
@@ -62,20 +55,38 @@ const PlantedBug& planted(const std::string& name) {
 
 }  // namespace
 
-std::optional<Sighting> search(const Notice& notice, const Shrink& shrink,
-                               std::uint64_t cases_max) {
+std::optional<Sighting> search(const Haystack& haystack, const Notice& notice,
+                               const Shrink& shrink) {
   using Clock = std::chrono::steady_clock;
+  const auto seconds_since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
   const auto start = Clock::now();
-  for (std::uint64_t number = 0; number < cases_max; ++number) {
-    const Regime& regime = regimes()[number % regimes().size()];
-    const PairCase pair = generate(kSeed, regime, number / regimes().size());
-    if (const auto by = notice(number, pair)) {
-      const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-      return Sighting{*by, std::string(regime.name), number + 1, seconds,
-                      shrink(number, pair, *by)};
+  for (std::uint64_t number = haystack.first; number < haystack.cases_max; ++number) {
+    const Regime& regime = regimes()[(number + haystack.seed) % regimes().size()];
+    const PairCase pair = generate(haystack.seed, regime, number / regimes().size());
+    const auto noticed = notice(number, pair);
+    if (noticed && !haystack.known_looks.contains(noticed->look)) {
+      Sighting sighting{*noticed, std::string(regime.name), number + 1, seconds_since(start), {}};
+      const auto shrink_start = Clock::now();
+      sighting.shrunk = shrink(number, pair, *noticed);
+      sighting.shrink_seconds = seconds_since(shrink_start);
+      return sighting;
     }
   }
   return std::nullopt;
+}
+
+bool is_unedited(const PlantedBug& bug) {
+  return bug.name.starts_with("unedited");
+}
+
+int digits_of(PairCase pair) {
+  int digits = 0;
+  for (const float* number : free_numbers(pair)) {
+    digits = std::max(digits, significant_digits(*number));
+  }
+  return digits;
 }
 
 std::vector<PlantedBug>& planted_bugs() {
@@ -97,12 +108,12 @@ using namespace manifuzz::canary;
 // If this stops failing, the checks above have stopped to see anything.
 TEST_CASE("a planted bug fails the check that nothing is wrong", "[!shouldfail]") {
   const PlantedBug& bug = planted("normal_not_turned");
-  CHECK_FALSE(bug.search(bug.cases_max / kUneditedShare).has_value());
+  CHECK_FALSE(bug.search({kSeed, bug.cases_max / kUneditedShare}).has_value());
 }
 
 TEST_CASE("a bug planted into the judge fails the check that nothing is wrong", "[!shouldfail]") {
   const PlantedBug& bug = planted("fault_swapped");
-  CHECK_FALSE(bug.search(bug.cases_max / kUneditedShare).has_value());
+  CHECK_FALSE(bug.search({kSeed, bug.cases_max / kUneditedShare}).has_value());
 }
 
 TEST_CASE("at least 40 bugs are planted, 8 of them into the judge") {
@@ -125,7 +136,7 @@ TEST_CASE("the table of planted bugs", "[.table]") {
   for (const Edit& edit : table()) {
     const PlantedBug& bug = planted(edit.bug);
     if (is_unedited(bug)) continue;
-    const auto caught = bug.search(bug.cases_max);
+    const auto caught = bug.search({kSeed, bug.cases_max});
     std::cout << row(bug.name, caught) << std::flush;
     CHECK(caught.has_value());
     if (caught) seconds.push_back(caught->seconds);

@@ -3,38 +3,59 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
-#include "geometry/pair_case.hpp"
+#include "cases/shrink.hpp"
 
 namespace manifuzz::canary {
 
+/// What noticed a bug on a case.
+struct Noticed {
+  std::string by;    ///< the judge of which collider, a property, the twin
+  std::string look;  ///< the bucket; of a property its name
+};
+
 /// How a planted bug was caught.
 struct Sighting {
-  std::string by;      ///< what noticed: the judge of which collider, a property, the twin
+  Noticed noticed;
   std::string regime;  ///< of the case
   std::uint64_t cases = 0;
   double seconds = 0;
-  PairCase shrunk;
+  Shrunk shrunk;
+  double shrink_seconds = 0;
 };
 
-/// What notices a bug on a case: its name, or none.
-using Notice = std::function<std::optional<std::string>(std::uint64_t number, const PairCase&)>;
+using Notice = std::function<std::optional<Noticed>(std::uint64_t number, const PairCase&)>;
 
 /// The smallest case like one that was noticed.
-using Shrink =
-    std::function<PairCase(std::uint64_t number, const PairCase&, const std::string& by)>;
+using Shrink = std::function<Shrunk(std::uint64_t number, const PairCase&, const Noticed&)>;
 
-/// Cases of all regimes in turn, from a fixed seed, until one is noticed or so many are done.
-std::optional<Sighting> search(const Notice& notice, const Shrink& shrink, std::uint64_t cases_max);
+/// The cases of a seed: those of all regimes in turn, beginning with another regime for each seed.
+struct Haystack {
+  std::uint64_t seed = 0;
+  std::uint64_t cases_max = 0;
+  std::uint64_t first = 0;
+  std::set<std::string> known_looks = {};  ///< passed over
+};
+
+/// Goes through the cases until one is noticed that looks like none known, or all are done.
+std::optional<Sighting> search(const Haystack& haystack, const Notice& notice,
+                               const Shrink& shrink);
 
 /// A bug's own search.
 struct PlantedBug {
   std::string name;
   std::uint64_t cases_max = 0;  ///< within which it must be caught
-  std::function<std::optional<Sighting>(std::uint64_t cases_max)> search;
+  std::function<std::optional<Sighting>(const Haystack&)> search;
 };
+
+/// Whether it is a copy as it is, in which nothing may be noticed.
+bool is_unedited(const PlantedBug& bug);
+
+/// The most significant decimal digits of a number of the case.
+int digits_of(PairCase pair);
 
 /// Every planted bug, in the order of their registration.
 std::vector<PlantedBug>& planted_bugs();

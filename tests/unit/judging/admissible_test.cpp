@@ -1,3 +1,5 @@
+#include <limits>
+
 #include <catch2/catch.hpp>
 
 #include "clipping/collider.hpp"
@@ -81,6 +83,23 @@ TEST_CASE("each way of being wrong has its kind") {
   CHECK(kind_of(pair, wrong) == Kind::count);
   CHECK(kind_of(boxes_at(2.5F, 0.25F), right) == Kind::phantom_contact);
   CHECK(kind_of(boxes_at(2.5F, 0.25F), {}) == Kind::none);
+}
+
+TEST_CASE("a figure that is not finite is wrong in its own kind") {
+  const PairCase pair = boxes_at(1.5F, 0.25F);
+  const Manifold<double> right = clip_of(pair);
+  for (const double figure :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    Manifold<double> wrong = right;
+    wrong.normal.x() = figure;
+    CHECK(kind_of(pair, wrong) == Kind::normal);
+    wrong = right;
+    wrong.points[0].position.y() = figure;
+    CHECK(kind_of(pair, wrong) == Kind::position);
+    wrong = right;
+    wrong.points[1].depth = figure;
+    CHECK(kind_of(pair, wrong) == Kind::depth);
+  }
 }
 
 TEST_CASE("features count where nothing that decides them is within bound") {

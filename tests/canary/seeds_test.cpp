@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <set>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include "canary/search.hpp"
+#include "cases/json.hpp"
+#include "cases/simplicity.hpp"
+
+// What the shrinker and the buckets make of each planted bug, over many seeds: how many forms it
+// comes down to, how plain they are, what they cost, and how far a bucket's name tells one bug from
+// another. MANIFUZZ_SEEDS says how many seeds (100), MANIFUZZ_BUG of which bug alone.
+
+namespace manifuzz::canary {
+namespace {
+
+std::string text_of(const PairCase& pair) {
+  std::string text;
+  append_case_line(text, pair);
+  return text;
+}
+
+template <class Number>
+Number median(std::vector<Number> numbers) {
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+/// What came of one bug.
+struct Forms {
+  std::map<std::string, std::map<std::string, int>> by_look;  ///< look, shrunk case: how often
+  std::set<std::string> simplest;                             ///< the simplest case of each seed
+  int seeds = 0;                                              ///< in which it was caught
+  std::vector<int> vertices, digits, evaluations;
+  std::vector<double> shrink_ms;
+
+  void add(const Sighting& sighting) {
+    const PairCase& pair = sighting.shrunk.pair;
+    ++by_look[sighting.noticed.look][text_of(pair)];
+    vertices.push_back(pair.a.polygon.count + pair.b.polygon.count);
+    digits.push_back(digits_of(pair));
+    evaluations.push_back(sighting.shrunk.evaluations);
+    shrink_ms.push_back(1000 * sighting.shrink_seconds);
+  }
+  std::size_t distinct() const {
+    std::size_t all = 0;
+    for (const auto& [look, forms] : by_look) all += forms.size();
+    return all;
+  }
+};
+
+/// Adds what a small campaign finds: the first case of each bucket among `kCampaign`, or the first
+/// of all if that comes later.
+void add_campaign(Forms& forms, const PlantedBug& bug, std::uint64_t seed) {
+  constexpr std::uint64_t kCampaign = 2000;
+  Haystack haystack{seed, bug.cases_max};
+  std::optional<PairCase> simplest;
+  while (const auto caught = bug.search(haystack)) {
+    forms.add(*caught);
+    const PairCase& pair = caught->shrunk.pair;
+    if (!simplest || complexity(pair) < complexity(*simplest)) simplest = pair;
+    haystack.first += caught->cases;
+    haystack.cases_max = kCampaign;
+    haystack.known_looks.insert(caught->noticed.look);
+  }
+  if (!simplest) return;
+  ++forms.seeds;
+  forms.simplest.insert(text_of(*simplest));
+}
+
+std::map<std::string, int> looks_of(const Forms& forms) {
+  std::map<std::string, int> counts;
+  for (const auto& [look, cases] : forms.by_look) {
+    for (const auto& [form, count] : cases) counts[look] += count;
+  }
+  return counts;
+}
+
+std::string heading() {
+  return fmt::format("{:<30} {:>6} {:>9} {:>7} {:>6} {:>13} {:>11} {:>16} {:>12}\n", "planted bug",
+                     "caught", "simplest", "buckets", "forms", "vertices, max", "digits, max",
+                     "evaluations, max", "ms, max");
+}
+
+std::string row(const std::string& name, const Forms& forms) {
+  const auto most = [](const auto& numbers) {
+    return *std::max_element(numbers.begin(), numbers.end());
+  };
+  return fmt::format(
+      "{:<30} {:>6} {:>9} {:>7} {:>6} {:>8}, {:>3} {:>7}, {:>2} {:>8}, {:>6} {:>5.0f}, {:>5.0f}\n",
+      name, forms.seeds, forms.simplest.size(), forms.by_look.size(), forms.distinct(),
+      median(forms.vertices), most(forms.vertices), median(forms.digits), most(forms.digits),
+      median(forms.evaluations), most(forms.evaluations), median(forms.shrink_ms),
+      most(forms.shrink_ms));
+}
+
+/// Of a sighting whose bucket alone is known: how often the likeliest bug is the right guess, every
+/// bug being as frequent as any other. And how often a bug shows in its most frequent bucket.
+std::string purity(const std::map<std::string, Forms>& bugs) {
+  std::map<std::string, double> likeliest;
+  double in_main_bucket = 0;
+  for (const auto& [bug, forms] : bugs) {
+    double main_share = 0;
+    for (const auto& [look, count] : looks_of(forms)) {
+      const double share = static_cast<double>(count) / static_cast<double>(forms.vertices.size());
+      likeliest[look] = std::max(likeliest[look], share);
+      main_share = std::max(main_share, share);
+    }
+    in_main_bucket += main_share;
+  }
+  double right = 0;
+  for (const auto& [look, share] : likeliest) right += share;
+  const double count = static_cast<double>(bugs.size());
+  return fmt::format(
+      "{} bugs in {} buckets: the bucket alone names the bug for {:.0f}% (by chance {:.0f}%); a "
+      "bug "
+      "shows in its most frequent bucket in {:.0f}%\n",
+      bugs.size(), likeliest.size(), 100 * right / count, 100 / count,
+      100 * in_main_bucket / count);
+}
+
+}  // namespace
+}  // namespace manifuzz::canary
+
+using namespace manifuzz::canary;
+
+TEST_CASE("the forms of each planted bug over many seeds", "[.seeds]") {
+  const char* const wanted_seeds = std::getenv("MANIFUZZ_SEEDS");
+  const char* const wanted_bug = std::getenv("MANIFUZZ_BUG");
+  const std::uint64_t seeds =
+      wanted_seeds == nullptr ? 100 : std::strtoull(wanted_seeds, nullptr, 10);
+  std::map<std::string, Forms> bugs_in_collider;
+  std::cout << heading();
+  for (const PlantedBug& bug : planted_bugs()) {
+    if (is_unedited(bug) || (wanted_bug != nullptr && bug.name != wanted_bug)) continue;
+    Forms forms;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      add_campaign(forms, bug, seed);
+    }
+    REQUIRE(!forms.vertices.empty());
+    std::cout << row(bug.name, forms) << std::flush;
+    if (!forms.by_look.contains("twin")) bugs_in_collider[bug.name] = forms;
+    if (wanted_bug == nullptr) continue;
+    for (const auto& [look, cases] : forms.by_look) {
+      for (const auto& [form, count] : cases)
+        std::cout << count << ' ' << look << ' ' << form << '\n';
+    }
+  }
+  std::cout << purity(bugs_in_collider);
+}
