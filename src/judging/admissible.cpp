@@ -196,13 +196,6 @@ Mismatch mismatch(const Manifold<double>& manifold, const Clip& clip, const Admi
   return {};
 }
 
-std::vector<Manifold<double>> right_manifolds(const Admissible& right) {
-  std::vector<Manifold<double>> manifolds;
-  if (!right.may_touch || (right.may_be_apart && !right.must_touch)) manifolds.emplace_back();
-  for (const Clip* clip : right.candidates) manifolds.push_back(true_manifold(right.pair(), *clip));
-  return manifolds;
-}
-
 Mismatch mismatch(const Manifold<double>& manifold, const Admissible& right) {
   if (manifold.count == 0 && !right.may_touch) return {};
   if (manifold.count == 0 && right.must_touch) return {Kind::missed_contact, right.from_contact()};
@@ -217,6 +210,17 @@ Mismatch mismatch(const Manifold<double>& manifold, const Admissible& right) {
     if (closer(found, closest)) closest = found;
   }
   return closest;
+}
+
+std::vector<Manifold<double>> right_manifolds(const Admissible& right) {
+  std::vector<Manifold<double>> manifolds;
+  const Manifold<double> apart;
+  if (mismatch(apart, right).kind == Kind::none) manifolds.push_back(apart);
+  for (const Clip* clip : right.candidates) {
+    const Manifold<double> touching = true_manifold(right.pair(), *clip);
+    if (touching.count > 0) manifolds.push_back(touching);
+  }
+  return manifolds;
 }
 
 }  // namespace manifuzz

@@ -43,9 +43,6 @@ bool may_miss(const Admissible& right, const exact::Clip& clip);
 /// Whether the clip may keep nothing: it may miss, or lies in front of the face, or nearly.
 bool may_be_empty(const Admissible& right, const exact::Clip& clip);
 
-/// Each of them to the nearest double; the one without points first where that is right too.
-std::vector<Manifold<double>> right_manifolds(const Admissible& right);
-
 /// Whether nothing that makes the point's features is within bound: one candidate, two ends that
 /// can be told apart, none of them at a side plane.
 bool features_decided(const Admissible& right, const exact::Clip& clip,
@@ -63,5 +60,8 @@ Mismatch mismatch(const Manifold<double>& manifold, const exact::Clip& clip,
 
 /// Against all of them: the closest.
 Mismatch mismatch(const Manifold<double>& manifold, const Admissible& right);
+
+/// Each of them to the nearest double; the one without points first where that is right too.
+std::vector<Manifold<double>> right_manifolds(const Admissible& right);
 
 }  // namespace manifuzz

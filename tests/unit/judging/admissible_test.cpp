@@ -112,6 +112,26 @@ TEST_CASE("features count where nothing that decides them is within bound") {
   CHECK(kind_of(pair, wrong) == Kind::features);
 }
 
+TEST_CASE("what is right holds no empty manifold of polygons that overlap") {
+  const auto rights_at = [](float x) {
+    return right_manifolds(admissible(boxes_at(x, 0.25F), make_clip().declaration));
+  };
+  const auto overlapping = rights_at(1.5F);
+  REQUIRE(overlapping.size() == 2);
+  for (const Manifold<double>& manifold : overlapping) CHECK(manifold.count == 2);
+  CHECK(rights_at(2).front().count == 0);
+  CHECK(rights_at(2).back().count == 2);
+  REQUIRE(rights_at(3).size() == 1);
+  CHECK(rights_at(3).front().count == 0);
+  // The slab of one of the faces that tie in float misses the deepest vertex.
+  const std::vector<Vector2<float>> sliver{{0, 0}, {0, 2000}, {-2e-4F, 1000}};
+  const std::vector<Vector2<float>> triangle{{100, 700}, {-200, 40}, {200, 0}};
+  const PairCase tied{{make_polygon<float>(sliver), {}}, {make_polygon<float>(triangle), {}}};
+  for (const auto& manifold : right_manifolds(admissible(tied, make_clip().declaration))) {
+    CHECK(manifold.count > 0);
+  }
+}
+
 TEST_CASE("errors within the bound are right, beyond it wrong") {
   const PairCase pair = boxes_at(1.5F, 0.25F);
   const Bounds within = bounds(pair, make_clip().declaration);
