@@ -220,12 +220,12 @@ Clip clip(const PairCase& pair, FaceOf reference, int incident) {
   return result;
 }
 
-Manifold<double> true_manifold(const PairCase& pair, const Clip& clip) {
+Manifold<double> true_manifold(const PairCase& pair, const Clip& clip, double slack) {
   Manifold<double> manifold;
   manifold.reference = clip.reference.side;
   const auto normal = true_normal<Fine>(pair, clip.reference);
   manifold.normal = {leading(normal.x.value), leading(normal.y.value)};
-  if (compare_gap(pair, clip, 0) > 0) return manifold;
+  if (compare_gap(pair, clip, slack) > 0) return manifold;
   for (int i = 0; i < clip.count; ++i) {
     const ClipPoint& point = clip.points[i];
     if (compare_depth(pair, clip, point, 0) < 0) continue;

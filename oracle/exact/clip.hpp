@@ -61,8 +61,8 @@ template <class Number>
 Point<Element<Number>> true_normal(const PairCase& pair, FaceOf face);
 
 /// The clip as a manifold, its figures right to the last digit of double: the ends that lie behind
-/// the face; of an edge that misses the slab, none.
-Manifold<double> true_manifold(const PairCase& pair, const Clip& clip);
+/// the face; of an edge that misses the slab by more than `slack`, none.
+Manifold<double> true_manifold(const PairCase& pair, const Clip& clip, double slack = 0);
 
 // Exact comparisons of what the clip is made of; each gives the sign of the difference.
 

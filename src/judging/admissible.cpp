@@ -217,7 +217,7 @@ std::vector<Manifold<double>> right_manifolds(const Admissible& right) {
   const Manifold<double> apart;
   if (mismatch(apart, right).kind == Kind::none) manifolds.push_back(apart);
   for (const Clip* clip : right.candidates) {
-    const Manifold<double> touching = true_manifold(right.pair(), *clip);
+    const Manifold<double> touching = true_manifold(right.pair(), *clip, right.bounds.separation);
     if (touching.count > 0) manifolds.push_back(touching);
   }
   return manifolds;
