@@ -15,7 +15,8 @@ struct LedgerCount {
 };
 
 /// Every entry of the plan's oracle. Budgets hold for the regimes as they are: a plan with radii of
-/// its own is not held to them. Five standard deviations are chance.
+/// its own is not held to them, nor is the regime `corpus`, which hangs on what the corpus holds.
+/// Five standard deviations are chance.
 std::vector<LedgerCount> ledger_counts(const Tally& tally, const Plan& plan);
 
 }  // namespace manifuzz

@@ -7,6 +7,8 @@
 #include <sys/wait.h>
 #include <vector>
 
+#include "cases/random.hpp"
+
 namespace manifuzz {
 namespace {
 
@@ -35,6 +37,13 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// One agreeing case in `judge_every`, by what the case is and not by its place in the campaign:
+/// alone it is sampled too.
+bool is_sampled(const Plan& plan, CaseNumber number) {
+  const std::uint64_t stream = hash_of(plan.regimes[plan.regime_of(number)]->name);
+  return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
+}
+
 void run_case(const Plan& plan, CaseNumber number, Desk& desk) {
   desk.phase.store(Phase::generating, std::memory_order_relaxed);
   const PairCase pair = plan.pair(number);
@@ -48,8 +57,7 @@ void run_case(const Plan& plan, CaseNumber number, Desk& desk) {
   const Testimony subject{plan.subject.declaration, of_subject};
   const Testimony oracle{plan.oracle.declaration, of_oracle};
   Judgement judgement;
-  const bool sampled = mix(number ^ plan.seed) % plan.judge_every == 0;
-  if (sampled || !plainly_agree(*truth, subject, oracle)) {
+  if (is_sampled(plan, number) || !plainly_agree(*truth, subject, oracle)) {
     judgement = judge(truth, subject, oracle);
   }
   desk.tally.add(plan.regime_of(number), number, where, judgement);

@@ -1,5 +1,6 @@
 #include "campaign/replay.hpp"
 
+#include <filesystem>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -9,6 +10,8 @@
 
 namespace manifuzz {
 namespace {
+
+namespace fs = std::filesystem;
 
 bool is_against_subject(const Bucket& bucket) {
   return is_failure(bucket) && bucket.fault != Fault::oracle;
@@ -53,8 +56,9 @@ Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const 
     return {false, fmt::format("{} to be right", subject.declaration.name), got};
   }
   for (const LedgerEntry& entry : ledger()) {
-    const bool is_witness = oracle.declaration.name == entry.collider &&
-                            recorded.path.ends_with("/" + std::string(entry.witness));
+    const bool is_witness =
+        oracle.declaration.name == entry.collider &&
+        fs::path(recorded.path).filename() == fs::path(entry.witness).filename();
     if (is_witness && judgement.explanation != &entry) {
       return {false, fmt::format("a witness of {}", entry.id), got};
     }

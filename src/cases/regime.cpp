@@ -23,6 +23,17 @@ PairCase plain_pair() {
   return pair;
 }
 
+/// With large radii bodies are put so far away that float ends.
+bool is_finite(const PairCase& pair) {
+  const auto body_is_finite = [](const Body& body) {
+    const auto& vertices = body.polygon.vertices;
+    return body.pose.position.allFinite() &&
+           std::all_of(vertices.begin(), vertices.begin() + body.polygon.count,
+                       [](const Vector2<float>& vertex) { return vertex.allFinite(); });
+  };
+  return body_is_finite(pair.a) && body_is_finite(pair.b);
+}
+
 }  // namespace
 
 std::span<const Regime> regimes() {
@@ -40,7 +51,10 @@ PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,
   constexpr int attempts = 32;
   Random random(seed, regime.name, index);
   std::optional<PairCase> pair;
-  for (int i = 0; i < attempts && !pair; ++i) pair = regime.attempt(random, context);
+  for (int i = 0; i < attempts && !pair; ++i) {
+    pair = regime.attempt(random, context);
+    if (pair && !is_finite(*pair)) pair.reset();
+  }
   if (!pair) pair = plain_pair();
   if (context.radius) pair->a.polygon.radius = pair->b.polygon.radius = *context.radius;
   return *pair;

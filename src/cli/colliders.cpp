@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -37,6 +38,10 @@ Collider find_collider(std::string_view name, std::optional<double> tie_bias) {
   if (!collider.with_tie_bias) {
     throw UserError(fmt::format("--tie-bias: that of {} is fixed at {:g}", name,
                                 collider.declaration.tie_bias));
+  }
+  if (*tie_bias > static_cast<double>(std::numeric_limits<float>::max())) {
+    throw UserError(fmt::format("--tie-bias: {:g} is beyond float; take 0 to {:g}", *tie_bias,
+                                std::numeric_limits<float>::max()));
   }
   return collider.with_tie_bias(*tie_bias);
 }

@@ -84,6 +84,7 @@ std::string repeating_command(const Options& options) {
       fmt::format("{} fuzz --subject {} --oracle {}", program, options.subject, options.oracle);
   if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
   if (options.radius) command += fmt::format(" --radius {}", *options.radius);
+  if (options.judge_every) command += fmt::format(" --judge-every {}", *options.judge_every);
   if (options.corpus != "corpus") command += " --corpus " + quoted_for_shell(options.corpus);
   return command;
 }
@@ -151,8 +152,8 @@ int fuzz(Options options) {
   const CampaignReport report{plan, run, found, ledger_counts(*run.tally, plan),
                               repeating_command(options)};
   const std::string json = options.json.empty() ? "" : summary_json(report).dump(2) + '\n';
-  if (!json.empty() && options.json != "-") write_file(options.json, json);
   write_to_reader(options.json == "-" ? json : summary_table(report));
+  if (!json.empty() && options.json != "-") write_file(options.json, json);
   if (!saving.first_error.empty()) throw UserError(saving.first_error);
   return has_failed(report) ? 1 : 0;
 }

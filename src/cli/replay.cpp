@@ -110,9 +110,9 @@ int replay(const Options& options) {
 
   const ReplayRun run = run_all(corpus.cases, subject, oracle);
   const std::string json = json_of(run, subject, oracle).dump(2) + '\n';
+  write_to_reader(options.json == "-" ? json : summary(run, options));
   if (!options.json.empty() && options.json != "-") write_file(options.json, json);
   if (!options.junit.empty()) write_file(options.junit, junit_xml("manifuzz replay", run.tests));
-  write_to_reader(options.json == "-" ? json : summary(run, options));
   if (!corpus.errors.empty()) {
     throw UserError(fmt::format("replay: {} of the files could not be read; the rest was replayed",
                                 corpus.errors.size()));

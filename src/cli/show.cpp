@@ -61,6 +61,9 @@ void check_map(const Options& options) {
     throw UserError(fmt::format("--map: {} is not the name of a PNG file; FILE.png is expected",
                                 printable(*options.map, 200)));
   }
+  if (options.map && *options.map == options.svg) {
+    throw UserError("--svg and --map name the same file; two names are expected");
+  }
   if (options.map_step && !options.map) {
     throw UserError("--map-step: there is no map without --map FILE.png");
   }

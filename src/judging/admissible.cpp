@@ -155,6 +155,11 @@ Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declarati
   Admissible result;
   result.bounds = bounds(truth->pair(), declaration, truth->extent());
   const double bound = result.bounds.separation;
+  if (!std::isfinite(bound)) {
+    result.truth = std::move(truth);
+    result.may_touch = result.may_be_apart = true;
+    return result;
+  }
   result.must_touch = truth->compare_separation(-bound) < 0;
   result.may_touch = truth->compare_contact(bound) <= 0;
   result.may_be_apart = truth->compare_contact(-bound) >= 0;
@@ -214,6 +219,7 @@ Mismatch mismatch(const Manifold<double>& manifold, const Admissible& right) {
 
 std::vector<Manifold<double>> right_manifolds(const Admissible& right) {
   std::vector<Manifold<double>> manifolds;
+  if (!std::isfinite(right.bounds.separation)) return manifolds;
   const Manifold<double> apart;
   if (mismatch(apart, right).kind == Kind::none) manifolds.push_back(apart);
   for (const Clip* clip : right.candidates) {

@@ -28,6 +28,7 @@ struct Admissible {
 ///   S_B > S_A + bias - bound. Where the polygons may overlap and a clip of these may miss the
 ///   deepest vertex, the same at bias 0 too: no bias forbids to report the overlap.
 /// - With each, the incident edges whose normal's dot is within bound of the least.
+/// Where the scalar may overflow the bound is infinite, and nothing is decided: no candidates.
 Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declaration& declaration);
 Admissible admissible(const PairCase& pair, const Declaration& declaration);
 
@@ -61,7 +62,7 @@ Mismatch mismatch(const Manifold<double>& manifold, const exact::Clip& clip,
 /// Against all of them: the closest.
 Mismatch mismatch(const Manifold<double>& manifold, const Admissible& right);
 
-/// Each of them to the nearest double; the one without points first where that is right too. An
+/// Each of them, as far as they are decided, to the nearest double; the one without points first where that is right too. An
 /// edge that misses the slab by no more than the bound gives its nearest end.
 std::vector<Manifold<double>> right_manifolds(const Admissible& right);
 

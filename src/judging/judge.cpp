@@ -123,12 +123,20 @@ bool is_ill_posed(const exact::Truth& truth, const Declaration& declaration) {
   return manifuzz::is_ill_posed(truth.size(), bounds(truth.pair(), declaration, truth.extent()));
 }
 
+/// What overflows in the collider's scalar is no nonsense of the collider's.
+bool may_overflow(const exact::Truth& truth, const Declaration& declaration) {
+  return !std::isfinite(bounds(truth.pair(), declaration, truth.extent()).separation);
+}
+
 /// A verdict that needs no judging of manifolds, if it is one.
 std::optional<Bucket> without_judging(const exact::Truth& truth, const Testimony& subject,
                                       const Testimony& oracle) {
   const PairCase& pair = truth.pair();
   const auto* of_subject = std::get_if<Manifold<double>>(&subject.answer);
   const auto* of_oracle = std::get_if<Manifold<double>>(&oracle.answer);
+  if (may_overflow(truth, subject.declaration) || may_overflow(truth, oracle.declaration)) {
+    return Bucket{.verdict = Verdict::ill_posed};
+  }
   if (of_subject && !is_well_formed(pair, *of_subject)) {
     return Bucket{.fault = Fault::subject, .verdict = Verdict::malformed};
   }

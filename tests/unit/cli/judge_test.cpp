@@ -114,3 +114,30 @@ TEST_CASE("answers too many, too few or broken are refused") {
   refused(R"({"points": [{"local": [0,0], "depth": 1, "features": ["f9","v0"]}], "normal": [1,0]})",
           "index below 4");
 }
+
+TEST_CASE("where the scalar may overflow the case is ill-posed, and the lines behind it go on") {
+  const std::string huge = R"({"vertices": [[-1e38,-1e38],[1e38,-1e38],[1e38,1e38],[-1e38,1e38]]})";
+  const std::string line = R"({"a": )" + huge + R"(, "b": )" + huge + "}\n";
+  const Outcome outcome = run_manifuzz({"judge"}, line + kBoxes + "\n");
+  CHECK(outcome.status == 0);
+  const std::size_t end = outcome.out.find('\n');
+  const json first = json::parse(outcome.out.substr(0, end));
+  CHECK(first["verdict"] == "ill_posed");
+  CHECK(first["bound"]["separation"].is_null());
+  CHECK(first["admissible"].empty());
+  CHECK(json::parse(outcome.out.substr(end))["verdict"] == "agree");
+}
+
+TEST_CASE("huge radii and biases end no campaign") {
+  for (const char* radius : {"1e5", "1e38", "1.7e38"}) {
+    CAPTURE(radius);
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run_manifuzz({"fuzz", "--radius", radius, "--seed", "17", "--cases", "2000", "--corpus",
+                      folder.path().string(), "--judge-every", "1"});
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.status != 2);
+    CHECK(outcome.out.find("crashed                        0") != std::string::npos);
+  }
+  CHECK(run_manifuzz({"fuzz", "--tie-bias", "1e300", "--cases", "10", "--no-save"}).status == 2);
+}
