@@ -62,8 +62,9 @@ Mismatch mismatch(const Manifold<double>& manifold, const exact::Clip& clip,
 /// Against all of them: the closest.
 Mismatch mismatch(const Manifold<double>& manifold, const Admissible& right);
 
-/// Each of them, as far as they are decided, to the nearest double; the one without points first where that is right too. An
-/// edge that misses the slab by no more than the bound gives its nearest end.
+/// Each of them, as far as they are decided, to the nearest double; the one without points first
+/// where that is right too. An edge that misses the slab by no more than the bound gives its
+/// nearest end.
 std::vector<Manifold<double>> right_manifolds(const Admissible& right);
 
 }  // namespace manifuzz
