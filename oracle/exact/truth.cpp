@@ -40,13 +40,6 @@ int compare_distance(const PairCase& pair, const FaceAndVertex& p, int radii, do
   });
 }
 
-bool is_parallel(const PairCase& pair, FaceOf face, FaceOf edge) {
-  return decide([&]<class Number>() {
-           return RootSum<Number>{
-               {{dot(outward<Number>(pair, face), direction<Number>(pair, edge))}, {}, {}}};
-         }) == 0;
-}
-
 }  // namespace
 
 Truth::Truth(const PairCase& pair)
@@ -175,25 +168,6 @@ const Clip& Truth::clip(FaceOf reference, int incident) const {
   }
   return *clips_.emplace_back(
       std::make_unique<const Clip>(exact::clip(pair_, reference, incident)));
-}
-
-int Truth::compare_with_deepest(const Clip& clip, const ClipPoint& point) const {
-  const Side side = clip.reference.side;
-  const Approximate<double> as_deep = total_radius<Approximate<double>>(pair_) -
-                                      Approximate<double>(separation(side), rough_.error);
-  if (const auto s = sign(point.located.depth - as_deep)) return *s;
-  const FaceAndVertex best = deepest(greatest(side));
-  const FaceOf edge{other(side), clip.incident};
-  if (!point.crossing || is_parallel(pair_, clip.reference, edge)) {
-    const FaceAndVertex end{clip.reference, clip.vertex(pair_, point.end)};
-    return compare_distances(pair_, best, end, 0);
-  }
-  const Quadratic depth = locate<Rational>(pair_, clip, point.end).depth;
-  const Rational face = square<Rational>(pair_, best.face);
-  return *sign(RootSum<Rational>{
-      {{depth.rational - total_radius<Rational>(pair_)},
-       {depth.root, depth.radicand},
-       {scaled_separation<Rational>(pair_, best.face, best.vertex) / face, face}}});
 }
 
 }  // namespace manifuzz::exact

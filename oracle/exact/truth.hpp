@@ -64,9 +64,6 @@ class Truth {
   /// The clip of an incident edge by a reference face; kept, so that asking again is free.
   const Clip& clip(FaceOf reference, int incident) const;
 
-  /// The sign of a clip point's depth - (total radius - S of its reference's side).
-  int compare_with_deepest(const Clip& clip, const ClipPoint& point) const;
-
  private:
   int rough_sign(double value, double offset) const;
   int compare_separation(int radii, double offset) const;

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <limits>
 #include <sys/wait.h>
 #include <vector>
 
@@ -64,7 +63,7 @@ void run_case(const Plan& plan, CaseNumber number, Desk& desk) {
 }
 
 void run_job(const Plan& plan, Office& office, Desk& desk) {
-  const CaseNumber total = plan.cases.value_or(std::numeric_limits<CaseNumber>::max());
+  const CaseNumber total = plan.cases_max();
   while (!office.stop.load(std::memory_order_relaxed)) {
     if (desk.next >= desk.end) {
       const CaseNumber begin = office.undealt.fetch_add(kBlock);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,12 @@ struct Plan {
   /// judged all the same.
   std::uint64_t judge_every = kJudgeEvery;
 
+  /// How many cases there are to run, up to the last index where time alone ends the campaign.
+  CaseNumber cases_max() const {
+    constexpr CaseNumber most = std::numeric_limits<CaseNumber>::max();
+    const CaseNumber indices = most - first;
+    return cases.value_or(indices < most / regimes.size() ? indices * regimes.size() : most);
+  }
   std::size_t regime_of(CaseNumber number) const { return number % regimes.size(); }
   std::uint64_t index_of(CaseNumber number) const { return first + number / regimes.size(); }
   PairCase pair(CaseNumber number) const {

@@ -127,6 +127,9 @@ void append_judgement(std::string& line, const Admissible& right, const Judgemen
 int judge_cases(const Options& options) {
   const Collider subject = find_collider(options.subject, std::nullopt);
   const Collider oracle = find_collider(options.oracle, std::nullopt);
+  if (options.manifolds == "-" && options.file == "-") {
+    throw UserError("--manifolds: stdin is where the cases come from; name a file for one of them");
+  }
   std::optional<AnswerFile> answers;
   if (!options.manifolds.empty()) answers.emplace(options.manifolds);
   bool unexplained = false;

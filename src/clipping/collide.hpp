@@ -19,7 +19,8 @@ namespace manifuzz::clipping {
 
 /// The manifold of two polygons that stand in one frame. B's face becomes the reference only where
 /// its separation leads by more than `tie_bias` (a length, 0 in the article). Polygons that overlap
-/// by more than rounding always get a contact, and one of it is as deep as the overlap.
+/// by more than rounding always get a contact, and at bias 0 one of it is as deep as the overlap: a
+/// bias asks for its face even where that face's clip is shallower.
 template <class Scalar>
 Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                   Scalar tie_bias = 0) {
@@ -35,6 +36,7 @@ Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPo
       take_b ? ContactFeatures{Side::b, of_b.face, incident_edge(a, b.normals[of_b.face])}
              : ContactFeatures{Side::a, of_a.face, incident_edge(b, a.normals[of_a.face])};
   const Manifold<Scalar> manifold = clip_features(a, b, features);
+  if (tie_bias > 0 && manifold.count > 0) return manifold;
   const Scalar greatest = std::max(of_a.separation, of_b.separation);
   return misses_deepest(a, b, manifold, chosen.separation, greatest) ? deepest_contact(a, b)
                                                                      : manifold;

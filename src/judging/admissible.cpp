@@ -68,17 +68,6 @@ bool is_matched(const Admissible& right, const Clip& clip, const ClipPoint& poin
                      [&](const auto& reported) { return matches(right, clip, point, reported); });
 }
 
-/// Whether the clip may come out less deep than its side's separation: no end at that depth is
-/// safely inside the slab.
-bool may_miss_deepest(const Admissible& right, const Clip& clip) {
-  if (may_miss(right, clip)) return true;
-  return std::ranges::none_of(points_of(clip), [&](const ClipPoint& point) {
-    return (point.crossing ||
-            compare_margin(right.pair(), clip, point.end, right.bounds.separation) > 0) &&
-           right.truth->compare_with_deepest(clip, point) >= 0;
-  });
-}
-
 bool closer(const Mismatch& m, const Mismatch& n) {
   if (m.kind == Kind::none || n.kind == Kind::none) {
     return m.kind == Kind::none && n.kind != Kind::none;
@@ -168,7 +157,7 @@ Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declarati
   if (!result.may_touch) return result;
   add_references(declaration.tie_bias, result);
   if (may_overlap && std::ranges::any_of(result.candidates, [&](const Clip* clip) {
-        return may_miss_deepest(result, *clip);
+        return may_be_empty(result, *clip);
       })) {
     add_references(0, result);
   }

@@ -25,8 +25,8 @@ struct Admissible {
 
 /// What is right for a collider with this declaration:
 /// - A's faces within bound of S_A, unless S_B > S_A + bias + bound; B's within bound of S_B, if
-///   S_B > S_A + bias - bound. Where the polygons may overlap and a clip of these may miss the
-///   deepest vertex, the same at bias 0 too: no bias forbids to report the overlap.
+///   S_B > S_A + bias - bound. Where the polygons may overlap and a clip of these may be empty, the
+///   same at bias 0 too: no bias forbids to report the overlap.
 /// - With each, the incident edges whose normal's dot is within bound of the least.
 /// Where the scalar may overflow the bound is infinite, and nothing is decided: no candidates.
 Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declaration& declaration);

@@ -26,6 +26,7 @@ PointError error_of(const ContactPoint<double>& reported, const exact::Located<F
 MeasuredError against(const Manifold<double>& manifold, const exact::Clip& clip,
                       const Admissible& right) {
   MeasuredError worst;
+  worst.clip = &clip;
   const auto normal = exact::true_normal<Fine>(right.pair(), clip.reference);
   worst.error.normal =
       length(Fine(manifold.normal.x()) - normal.x, Fine(manifold.normal.y()) - normal.y);

@@ -17,6 +17,7 @@ struct PlainError {
 struct MeasuredError {
   PlainError error;
   PlainError share;  ///< of the bound, 1 being as far off as a right collider may be
+  const exact::Clip* clip = nullptr;  ///< the right manifold that it was held against
 };
 
 /// Of a manifold with points that is one of the right ones; values are known to well past double.

@@ -159,7 +159,7 @@ class Twin {
     std::vector<TwinCandidate> all;
     add_open_sides(bias_, all);
     if (separation() < Real(bounds_.separation) &&
-        std::ranges::any_of(all, [&](const TwinCandidate& c) { return may_be_shallow(clip(c)); })) {
+        std::ranges::any_of(all, [&](const TwinCandidate& c) { return may_be_empty(clip(c)); })) {
       add_open_sides(0.0, all);
     }
     return all;
@@ -184,12 +184,9 @@ class Twin {
   bool may_be_left_out(const TwinClip& clip, const End& end) const {
     return end.depth <= Real(depth_bound(clip, end)) || may_miss(clip);
   }
-  bool may_be_shallow(const TwinClip& clip) const {
-    if (may_miss(clip)) return true;
-    const Real deep = Real(radius_) - (clip.candidate.side == Side::a ? of_a_ : of_b_);
-    return std::ranges::none_of(clip.ends, [&](const End& end) {
-      return (end.crossing || Real(bounds_.separation) < end.margin) && deep <= end.depth;
-    });
+  bool may_be_empty(const TwinClip& clip) const {
+    return std::ranges::all_of(clip.ends,
+                               [&](const End& end) { return may_be_left_out(clip, end); });
   }
   static Real squared_distance(const Vector2<double>& p, const Real& x, const Real& y) {
     const Real dx = Real(p.x()) - x;
