@@ -37,6 +37,46 @@ b2PolygonShape to_box2d(const ConvexPolygon<float>& polygon) {
   return shape;
 }
 
+constexpr const char* kSnippet = R"(#include <box2d/box2d.h>
+#include <cstdio>
+
+template <int count>
+b2PolygonShape shape(const b2Vec2 (&vertices)[count], const b2Vec2 (&normals)[count], float radius) {
+  b2PolygonShape polygon;  // filled as it stands: Set would weld and reorder
+  for (int i = 0; i < count; ++i) {
+    polygon.m_vertices[i] = vertices[i];
+    polygon.m_normals[i] = normals[i];
+  }
+  polygon.m_count = count;
+  polygon.m_radius = radius;
+  return polygon;
+}
+
+b2Transform pose(b2Vec2 position, b2Vec2 rotation) {
+  b2Transform transform;
+  transform.p = position;
+  transform.q.c = rotation.x;
+  transform.q.s = rotation.y;
+  return transform;
+}
+
+int main() {
+  const b2PolygonShape a = shape<@a.count@>(@a.vertices{}@, @a.normals{}@, @a.radius@);
+  const b2PolygonShape b = shape<@b.count@>(@b.vertices{}@, @b.normals{}@, @b.radius@);
+  const b2Transform pose_a = pose(@a.position{}@, @a.rotation{}@);
+  const b2Transform pose_b = pose(@b.position{}@, @b.rotation{}@);
+  b2Manifold manifold;
+  b2CollidePolygons(&manifold, &a, pose_a, &b, pose_b);
+  std::printf("%d points\n", manifold.pointCount);
+  b2WorldManifold world;
+  world.Initialize(&manifold, pose_a, a.m_radius, pose_b, b.m_radius);
+  for (int i = 0; i < manifold.pointCount; ++i) {
+    std::printf("(%.9g, %.9g), separation %.9g\n", world.points[i].x, world.points[i].y,
+                world.separations[i]);
+  }
+}
+)";
+
 Feature to_feature(uint8 type, uint8 index) {
   return {type == b2ContactFeature::e_face ? Feature::Kind::face : Feature::Kind::vertex, index};
 }
@@ -103,7 +143,9 @@ Collider make_box2d() {
       .scalar = ScalarType::float32,
       .frame = RoundingFrame::world,
       .tie_bias = static_cast<double>(0.1f * b2_linearSlop),
-      .max_vertices = b2_maxPolygonVertices};
+      .max_vertices = b2_maxPolygonVertices,
+      .takes_radius = true,
+      .snippet = kSnippet};
   collider.collide = collide;
   return collider;
 }

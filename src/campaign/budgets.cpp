@@ -22,7 +22,7 @@ std::vector<LedgerCount> ledger_counts(const Tally& tally, const Plan& plan) {
       const std::string_view regime = plan.regimes[r]->name;
       const double expected =
           budget_per_million(entry, regime) * 1e-6 * static_cast<double>(tally.regimes[r].cases);
-      const bool budgeted = !plan.context.radius && regime != "corpus";
+      const bool budgeted = (!plan.context.radius || plan.is_narrowed) && regime != "corpus";
       if (budgeted && is_over(hits, expected)) count.over_budget.emplace_back(regime);
     }
     counts.push_back(count);

@@ -14,9 +14,9 @@ struct LedgerCount {
   std::vector<std::string> over_budget;  ///< the regimes in which it fired too often
 };
 
-/// Every entry of the plan's oracle. Budgets hold for the regimes as they are: a plan with radii of
-/// its own is not held to them, nor is the regime `corpus`, which hangs on what the corpus holds.
-/// Five standard deviations are chance.
+/// Every entry of the plan's oracle. Budgets hold for the regimes as they are, as far as the
+/// colliders take them: a plan with radii of its own is not held to them, nor is the regime
+/// `corpus`, which hangs on what the corpus holds. Five standard deviations are chance.
 std::vector<LedgerCount> ledger_counts(const Tally& tally, const Plan& plan);
 
 }  // namespace manifuzz

@@ -144,10 +144,10 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
   for (const Manifold<double>& right : right_manifolds(admissible(pair, subject.declaration))) {
     recorded.expect->manifolds.push_back({std::string(kJudgeName), right});
   }
-  if (!is_lost(judgement.bucket.verdict)) {
-    for (const Collider* collider : {&subject, &oracle}) {
-      recorded.expect->manifolds.push_back({collider->declaration.name, collider->collide(pair)});
-    }
+  for (const Collider* collider : {&subject, &oracle}) {
+    const Answer answer = ask_guarded(*collider, pair, interruption);
+    if (std::holds_alternative<Lost>(answer)) continue;
+    recorded.expect->manifolds.push_back({collider->declaration.name, answer});
   }
   recorded.note = note_of(pair, judgement, subject, oracle);
   return recorded;
@@ -163,18 +163,28 @@ void save_finding(Finding& finding, const Plan& plan, const std::filesystem::pat
   for (const Collider* collider : {&plan.subject, &plan.oracle}) {
     found.versions[collider->declaration.name] = collider->declaration.version;
   }
-  const auto recorded = [&](const PairCase& pair) {
-    const Judgement judgement = judge_guarded(pair, plan.subject, plan.oracle, interruption);
+  const auto recorded = [&](const PairCase& pair, const Judgement& judgement) {
     CorpusCase saved = recorded_case(pair, judgement, plan.subject, plan.oracle, interruption);
     saved.found = found;
     return saved;
   };
+  const auto judged = [&](const PairCase& pair) {
+    return judge_guarded(pair, plan.subject, plan.oracle, interruption);
+  };
   const PairCase worst = plan.pair(number);
-  const PairCase smallest = shrink_finding(worst, plan.subject, plan.oracle, interruption).pair;
+  const Judgement of_worst = judged(worst);
   const auto folder = corpus / corpus_folder(finding.bucket, plan.oracle.declaration.name);
-  const auto file = write_corpus_case(folder, recorded(smallest));
+  if (of_worst.bucket != finding.bucket) {
+    CorpusCase unrepeated = recorded(worst, {finding.bucket, finding.tally.magnitude});
+    unrepeated.note +=
+        fmt::format(" Asked again, alone, it came to {}.", to_string(of_worst.bucket));
+    finding.file = write_corpus_case(folder, unrepeated).string();
+    return;
+  }
+  const PairCase smallest = shrink_finding(worst, plan.subject, plan.oracle, interruption).pair;
+  const auto file = write_corpus_case(folder, recorded(smallest, judged(smallest)));
   finding.file = file.string();
-  if (worst != smallest) write_worst_case(file, recorded(worst));
+  if (worst != smallest) write_worst_case(file, recorded(worst, of_worst));
 }
 
 }  // namespace manifuzz

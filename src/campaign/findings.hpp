@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "campaign/plan.hpp"
-#include "campaign/process.hpp"
 #include "cases/corpus.hpp"
 #include "cases/shrink.hpp"
+#include "oracle/external/process.hpp"
 
 namespace manifuzz {
 

@@ -1,7 +1,10 @@
 #include "campaign/guarded.hpp"
 
 #include <chrono>
+#include <optional>
 #include <sys/wait.h>
+
+#include "judging/outside.hpp"
 
 namespace manifuzz {
 namespace {
@@ -45,12 +48,21 @@ Ending run_guarded(const std::function<void()>& body, const std::atomic<int>& pu
 
 Judgement judge_guarded(const PairCase& pair, const Collider& subject, const Collider& oracle,
                         Interruption& interruption) {
+  // Those in a process of their own are asked from here, where they run already.
+  const auto asked_here = [&](const Collider& collider) {
+    return collider.is_isolated() ? std::optional(collider.collide(pair)) : std::nullopt;
+  };
+  const std::optional<Answer> subject_here = asked_here(subject);
+  const std::optional<Answer> oracle_here = asked_here(oracle);
+  if (subject_here && oracle_here) {
+    return judge(pair, {subject.declaration, *subject_here}, {oracle.declaration, *oracle_here});
+  }
   const Shared<Slot> slot;
   const auto body = [&] {
     slot->at_work = Fault::subject;
-    const Answer of_subject = subject.collide(pair);
+    const Answer of_subject = subject_here ? *subject_here : subject.collide(pair);
     slot->at_work = Fault::oracle;
-    const Answer of_oracle = oracle.collide(pair);
+    const Answer of_oracle = oracle_here ? *oracle_here : oracle.collide(pair);
     slot->at_work = Fault::none;
     slot->judgement =
         judge(pair, {subject.declaration, of_subject}, {oracle.declaration, of_oracle});
@@ -66,6 +78,22 @@ Judgement judge_guarded(const PairCase& pair, const Collider& subject, const Col
       break;
   }
   return slot->judgement;
+}
+
+Answer ask_guarded(const Collider& collider, const PairCase& pair, Interruption& interruption) {
+  if (collider.is_isolated()) return ask(collider, pair);
+  const std::atomic<int> pulse{0};
+  switch (run_guarded([&] { collider.collide(pair); }, pulse, interruption)) {
+    case Ending::crashed:
+      return Lost{Lost::How::crashed, "crashed"};
+    case Ending::hung:
+      return Lost{Lost::How::timed_out, "timed out"};
+    case Ending::interrupted:
+      throw Interrupted();
+    case Ending::well:
+      break;
+  }
+  return ask(collider, pair);
 }
 
 }  // namespace manifuzz

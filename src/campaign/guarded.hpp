@@ -4,8 +4,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "campaign/process.hpp"
 #include "judging/judge.hpp"
+#include "oracle/external/process.hpp"
 
 namespace manifuzz {
 
@@ -27,5 +27,9 @@ struct Interrupted : std::runtime_error {
 /// Throws Interrupted.
 Judgement judge_guarded(const PairCase& pair, const Collider& subject, const Collider& oracle,
                         Interruption& interruption);
+
+/// What the collider answers, completed; asked in a child process first where it could take this
+/// one along. Throws Interrupted.
+Answer ask_guarded(const Collider& collider, const PairCase& pair, Interruption& interruption);
 
 }  // namespace manifuzz

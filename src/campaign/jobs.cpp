@@ -3,10 +3,12 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <sys/wait.h>
 #include <vector>
 
 #include "cases/random.hpp"
+#include "judging/outside.hpp"
 
 namespace manifuzz {
 namespace {
@@ -24,12 +26,19 @@ struct Desk {
   std::atomic<CaseNumber> next{0};  ///< the case at work
   std::atomic<CaseNumber> end{0};   ///< of the block at work
   std::atomic<Phase> phase{Phase::generating};
+  std::atomic<int> pulse{0};  ///< moves while it waits for colliders in processes of their own
   Tally tally;
 };
 
 struct Office {
   std::atomic<bool> stop{false};
+  std::atomic<Fault> hopeless{Fault::none};  ///< who never answers, so that going on is no use
   std::atomic<CaseNumber> undealt{0};
+
+  void give_up(Fault party) {
+    hopeless = party;
+    stop = true;
+  }
 };
 
 double seconds_since(Clock::time_point start) {
@@ -43,26 +52,103 @@ bool is_sampled(const Plan& plan, CaseNumber number) {
   return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
 }
 
-void run_case(const Plan& plan, CaseNumber number, Desk& desk) {
-  desk.phase.store(Phase::generating, std::memory_order_relaxed);
-  const PairCase pair = plan.pair(number);
+/// One after the other: a collider that does nothing but die or hang is not worth all the cases.
+constexpr int kLossesInARowMax = 20;
+
+/// Nor one that answers a case otherwise alone than among others.
+constexpr int kUnsteadyMax = 20;
+
+/// What a collider in a process of its own answered to a block of cases, and how often it has just
+/// failed to.
+struct Correspondence {
+  const Collider& collider;
+  Fault party;
+  std::vector<Answer> answers{};
+  int losses_in_a_row = 0;
+  int unsteady = 0;
+
+  /// How many it answered before it was time to stop.
+  std::size_t ask(std::span<const PairCase> pairs, Office& office, Desk& desk) {
+    answers.assign(pairs.size(), Answer());
+    if (!collider.is_isolated()) return pairs.size();
+    const std::size_t answered = collider.collide_many(pairs, answers, [&] {
+      ++desk.pulse;
+      return !office.stop.load(std::memory_order_relaxed);
+    });
+    for (std::size_t i = 0; i < answered; ++i) {
+      losses_in_a_row = std::holds_alternative<Lost>(answers[i]) ? losses_in_a_row + 1 : 0;
+      if (losses_in_a_row < kLossesInARowMax) continue;
+      office.give_up(party);
+      return i + 1;
+    }
+    return answered;
+  }
+};
+
+/// Its answer to case `i` of a block: the one it gave already, or now.
+const Answer& answer_to(const PairCase& pair, std::size_t i, Correspondence& with) {
+  if (!with.collider.is_isolated()) with.answers[i] = with.collider.collide(pair);
+  return with.answers[i];
+}
+
+/// What went wrong may lie in the asking: one that answers a case otherwise alone than among others
+/// has no answer to it.
+std::optional<Judgement> without_answer(const PairCase& pair, const Answer& given,
+                                        const Bucket& bucket, Correspondence& with) {
+  if (!with.collider.is_isolated() || bucket.verdict == Verdict::malformed ||
+      (bucket.fault != with.party && bucket.fault != Fault::both) ||
+      std::holds_alternative<Lost>(given) || is_same(with.collider.collide(pair), given)) {
+    return std::nullopt;
+  }
+  ++with.unsteady;
+  return Judgement{.bucket = bucket_of_lost(Verdict::malformed, with.party)};
+}
+
+void run_case(const Plan& plan, CaseNumber number, const PairCase& pair, std::size_t in_block,
+              Correspondence& with_subject, Correspondence& with_oracle, Desk& desk) {
   const auto truth = std::make_shared<const exact::Truth>(pair);
   const Standing where = standing(*truth);
   desk.phase.store(Phase::subject, std::memory_order_relaxed);
-  const Answer of_subject = plan.subject.collide(pair);
+  const Answer& of_subject = answer_to(pair, in_block, with_subject);
   desk.phase.store(Phase::oracle, std::memory_order_relaxed);
-  const Answer of_oracle = plan.oracle.collide(pair);
+  const Answer& of_oracle = answer_to(pair, in_block, with_oracle);
   desk.phase.store(Phase::judging, std::memory_order_relaxed);
   const Testimony subject{plan.subject.declaration, of_subject};
   const Testimony oracle{plan.oracle.declaration, of_oracle};
   Judgement judgement;
   if (is_sampled(plan, number) || !plainly_agree(*truth, subject, oracle)) {
     judgement = judge(truth, subject, oracle);
+    for (const auto& [with, given] :
+         {std::pair(&with_subject, &of_subject), std::pair(&with_oracle, &of_oracle)}) {
+      if (const auto lost = without_answer(pair, *given, judgement.bucket, *with))
+        judgement = *lost;
+    }
   }
   desk.tally.add(plan.regime_of(number), number, where, judgement);
 }
 
+/// The cases at the desk, to the end of its block.
+void run_block(const Plan& plan, Office& office, Desk& desk, Correspondence& with_subject,
+               Correspondence& with_oracle) {
+  desk.phase.store(Phase::generating, std::memory_order_relaxed);
+  std::vector<PairCase> pairs;
+  for (CaseNumber number = desk.next; number < desk.end; ++number) {
+    pairs.push_back(plan.pair(number));
+  }
+  const std::size_t answered =
+      std::min(with_subject.ask(pairs, office, desk), with_oracle.ask(pairs, office, desk));
+  for (std::size_t i = 0; i < answered; ++i) {
+    run_case(plan, desk.next, pairs[i], i, with_subject, with_oracle, desk);
+    desk.next.fetch_add(1);
+    for (const Correspondence* const with : {&with_subject, &with_oracle}) {
+      if (with->unsteady >= kUnsteadyMax) return office.give_up(with->party);
+    }
+  }
+}
+
 void run_job(const Plan& plan, Office& office, Desk& desk) {
+  Correspondence with_subject{plan.subject, Fault::subject};
+  Correspondence with_oracle{plan.oracle, Fault::oracle};
   const CaseNumber total = plan.cases_max();
   while (!office.stop.load(std::memory_order_relaxed)) {
     if (desk.next >= desk.end) {
@@ -71,8 +157,7 @@ void run_job(const Plan& plan, Office& office, Desk& desk) {
       desk.end = total - begin < kBlock ? total : begin + kBlock;
       desk.next = begin;
     }
-    run_case(plan, desk.next, desk);
-    desk.next.fetch_add(1);
+    run_block(plan, office, desk, with_subject, with_oracle);
   }
 }
 
@@ -92,8 +177,9 @@ class Job {
   /// Takes note of an end, and goes on behind a lost case.
   void look_after() {
     if (!alive()) return;
-    if (desk_->next != seen_) {
+    if (desk_->next != seen_ || desk_->pulse != pulse_) {
       seen_ = desk_->next;
+      pulse_ = desk_->pulse;
       seen_at_ = Clock::now();
     } else if (seconds_since(seen_at_) > kCaseSecondsMax) {
       kill_and_wait(process_);
@@ -137,6 +223,7 @@ class Job {
   Shared<Desk> desk_;
   pid_t process_ = 0;
   CaseNumber seen_ = 0;
+  int pulse_ = 0;
   Clock::time_point seen_at_;
 };
 
@@ -177,6 +264,7 @@ JobsResult run_jobs(const Plan& plan, Interruption& interruption,
     }
   }
   result.tally = added(jobs);
+  result.hopeless = office->hopeless;
   result.seconds = seconds_since(start);
   return result;
 }

@@ -5,7 +5,7 @@
 
 #include "campaign/guarded.hpp"
 #include "campaign/plan.hpp"
-#include "campaign/process.hpp"
+#include "oracle/external/process.hpp"
 
 namespace manifuzz {
 
@@ -18,7 +18,8 @@ struct Progress {
 struct JobsResult {
   std::unique_ptr<Tally> tally;
   double seconds = 0;
-  bool interrupted = false;  ///< somebody asked to stop before the plan was done
+  bool interrupted = false;      ///< somebody asked to stop before the plan was done
+  Fault hopeless = Fault::none;  ///< the party that died or hung again and again, which ended it
 };
 
 /// Runs every case of the plan, in as many child processes. A child that dies or hangs loses the

@@ -49,6 +49,11 @@ rc::Seq<Drawn> simpler(const Drawn& drawn, const Property& property, const Colli
                       });
 }
 
+/// What the cases are narrowed to: nothing, or no radius for one that takes none.
+std::optional<float> radius_for(const Collider& collider) {
+  return collider.declaration.takes_radius ? std::nullopt : std::optional(0.0F);
+}
+
 /// Draws one seed and a regime, and lets the project's generator make the case of them.
 rc::Gen<Drawn> any_case(const Property& property, const Collider& collider,
                         std::span<const PairCase> corpus) {
@@ -56,7 +61,7 @@ rc::Gen<Drawn> any_case(const Property& property, const Collider& collider,
     rc::Random stream = random;
     const std::uint64_t seed = stream.next();
     const Regime& regime = regimes()[stream.next() % regimes().size()];
-    Drawn root{std::string(regime.name), generate(seed, regime, 0, {corpus, {}})};
+    Drawn root{std::string(regime.name), generate(seed, regime, 0, {corpus, radius_for(collider)})};
     const auto outcome = std::make_shared<std::optional<Outcome>>();
     const auto shrinks = [&property, &collider, outcome](const Drawn& drawn) {
       if (!*outcome) *outcome = check(property, collider, drawn.pair);

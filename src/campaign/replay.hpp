@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "campaign/process.hpp"
 #include "cases/corpus.hpp"
 #include "judging/judge.hpp"
+#include "oracle/external/process.hpp"
 
 namespace manifuzz {
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "campaign/guarded.hpp"
+#include "judging/outside.hpp"
 
 namespace manifuzz {
 namespace {
@@ -20,6 +21,7 @@ constexpr double kGoldenSection = 0.6180339887498949;
 /// Where a child is, where its parent can see it even if it dies.
 struct Place {
   std::atomic<int> turn{0};  ///< counts the cells
+  int losses_left = 0;       ///< so many colliders may still die in processes of their own
   std::atomic<Fault> at_work{Fault::none};
 };
 
@@ -38,15 +40,15 @@ class Order {
   int stride_;
 };
 
-void ask(const PairCase& pair, const Collider& subject, const Collider& oracle, Place& place,
-         Cell& cell) {
+void judge_cell(const PairCase& pair, const Collider& subject, const Collider& oracle, Place& place,
+                Cell& cell) {
   const auto truth = std::make_shared<const exact::Truth>(pair);
   cell.truth = statement(*truth);
   place.at_work = Fault::subject;
-  const Answer of_subject = subject.collide(pair);
+  const Answer of_subject = manifuzz::ask(subject, pair);
   cell.subject = statement(of_subject);
   place.at_work = Fault::oracle;
-  const Answer of_oracle = oracle.collide(pair);
+  const Answer of_oracle = manifuzz::ask(oracle, pair);
   place.at_work = Fault::none;
   cell.oracle = statement(of_oracle);
   cell.bucket =
@@ -68,12 +70,17 @@ Neighbourhood survey(const PairCase& pair, const Collider& subject, const Collid
 
   const int turns = std::min(count, cells_max);
   int crashes_left = cells_max / kCellsACrash;
+  place->losses_left = crashes_left;
   const auto ask_the_rest = [&] {
-    for (; place->turn < turns; ++place->turn) {
+    for (; place->turn < turns && place->losses_left > 0; ++place->turn) {
       const int at = order.cell(place->turn);
       const auto moved = neighbour(pair, grid, at);
       cells[at].state = Cell::State::invalid;
-      if (moved) ask(*moved, subject, oracle, *place, cells[at]);
+      if (!moved) continue;
+      judge_cell(*moved, subject, oracle, *place, cells[at]);
+      const Verdict verdict = cells[at].bucket.verdict;
+      if (verdict == Verdict::crashed) --place->losses_left;
+      if (verdict == Verdict::timed_out) place->losses_left = 0;
     }
   };
   while (place->turn < turns) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "campaign/process.hpp"
 #include "judging/neighbourhood.hpp"
+#include "oracle/external/process.hpp"
 
 namespace manifuzz {
 

@@ -45,14 +45,10 @@ void append_manifold_object(std::string& out, const PairCase& pair,
 /// Points are taken from `local`; the normal comes back into A's frame to within a rounding.
 NamedAnswer read_answer(const JsonView& object, const PairCase& pair);
 
-/// An answer from outside: {"points": [...], "normal": ...} or {"unsupported": "why"}. Each point
+/// An answer from outside: {"points": [...], "normal": ...}, which comes as a partial manifold, or
+/// {"unsupported": "why"}. Each point
 /// has `depth` and `position` (in the world) or `local` (in A's frame); reference and features may
 /// be left out, and unknown keys are ignored. Throws UserError that begins with a path.
-struct OutsideAnswer {
-  Answer answer;
-  bool names_reference = false;
-  bool names_features = false;  ///< of every point
-};
-OutsideAnswer read_outside_answer(const JsonView& object, const PairCase& pair);
+Answer read_outside_answer(const JsonView& object, const PairCase& pair);
 
 }  // namespace manifuzz

@@ -40,17 +40,17 @@ Side read_side(const JsonView& value) {
 
 }  // namespace
 
-OutsideAnswer read_outside_answer(const JsonView& object, const PairCase& pair) {
+Answer read_outside_answer(const JsonView& object, const PairCase& pair) {
   if (const auto unsupported = object.find("unsupported")) {
-    return {.answer = Unsupported{std::string(unsupported->string())}};
+    return Unsupported{std::string(unsupported->string())};
   }
   const JsonView points = object.at("points");
-  Manifold<double> manifold;
+  PartialManifold result;
+  Manifold<double>& manifold = result.manifold;
   if (points.length("an array of 0 to 2 points") > manifold.points.size()) {
     points.fail(fmt::format("has {} points; a manifold has 0 to 2", points.length()));
   }
   manifold.count = static_cast<int>(points.length());
-  OutsideAnswer result;
   if (manifold.count > 0) {
     const Vector2<double> normal = read_pair_of_numbers(object.at("normal"));
     const Vector2<double> rotation = pair.a.pose.rotation.cast<double>();
@@ -74,7 +74,6 @@ OutsideAnswer read_outside_answer(const JsonView& object, const PairCase& pair) 
     }
   }
   order_points(manifold);
-  result.answer = manifold;
   return result;
 }
 

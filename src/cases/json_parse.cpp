@@ -60,7 +60,7 @@ class TreeBuilder final : public nlohmann::json_sax<Parser> {
   explicit TreeBuilder(std::string_view text) : text_(text) {}
 
   bool null() override { return add({}); }
-  bool boolean(bool) override { return add({.type = JsonType::boolean}); }
+  bool boolean(bool value) override { return add({.type = JsonType::boolean, .is_true = value}); }
   bool number_integer(number_integer_t value) override {
     // Only tokens with a minus sign come here, so zero is "-0".
     const double number = value == 0 ? -0.0 : static_cast<double>(value);

@@ -94,6 +94,11 @@ JsonView JsonView::operator[](std::size_t i) const {
   return {*tree_, element};
 }
 
+bool JsonView::boolean() const {
+  expect_type(JsonType::boolean, "true or false");
+  return node().is_true;
+}
+
 double JsonView::number() const {
   expect_type(JsonType::number, "a number");
   return node().number;

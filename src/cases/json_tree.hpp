@@ -23,6 +23,7 @@ struct TextPiece {
 /// below.
 struct JsonNode {
   JsonType type = JsonType::null;
+  bool is_true = false;   ///< a boolean
   bool is_whole = false;  ///< a number without sign, point and exponent, in `whole` as well
   double number = 0;      ///< the nearest double
   std::uint64_t whole = 0;
@@ -77,6 +78,7 @@ class JsonView {
   /// Element i of an array, i below its length; takes i steps.
   JsonView operator[](std::size_t i) const;
 
+  bool boolean() const;
   double number() const;
   /// The nearest double, then the nearest float; beyond the largest float is an error.
   float number_as_float() const;

@@ -9,15 +9,17 @@
 #include "cases/json.hpp"
 #include "cases/user_error.hpp"
 #include "cli/answer_each.hpp"
-#include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
+#include "cli/parties.hpp"
+#include "judging/outside.hpp"
 
 namespace manifuzz {
 namespace {
 
 struct Options {
-  std::string collider;
+  ColliderChoice collider{"collider", "", ""};
+  OutsideOptions outside;
   std::optional<double> tie_bias;
   std::string file = "-";
 };
@@ -32,7 +34,10 @@ bool is_finite(const Manifold<double>& manifold) {
 
 /// JSON has no words for numbers that overflowed.
 void append_collision(std::string& line, const Collider& collider, const PairCase& pair) {
-  const Answer answer = collider.collide(pair);
+  const Answer answer = ask(collider, pair);
+  if (const auto* const lost = std::get_if<Lost>(&answer)) {
+    throw UserError(fmt::format("$: {} gives no answer: {}", collider.declaration.name, lost->why));
+  }
   const auto* const manifold = std::get_if<Manifold<double>>(&answer);
   if (manifold != nullptr && !is_finite(*manifold)) {
     throw UserError(
@@ -44,7 +49,10 @@ void append_collision(std::string& line, const Collider& collider, const PairCas
 }
 
 int collide_cases(const Options& options) {
-  const Collider collider = find_collider(options.collider, options.tie_bias);
+  if (options.collider.name.empty() && options.collider.command.empty()) {
+    throw UserError("--collider is required; `manifuzz list colliders` names them");
+  }
+  const Collider collider = find_collider(options.collider, options.outside, options.tie_bias);
   answer_each(options.file, [&collider](const PairCase& pair, std::size_t, std::string& line) {
     append_collision(line, collider, pair);
   });
@@ -53,9 +61,8 @@ int collide_cases(const Options& options) {
 
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("--collider", options->collider, "which one; `manifuzz list colliders` names them")
-      ->type_name("C")
-      ->required();
+  add_collider(app, options->collider, "which one; `manifuzz list colliders` names them");
+  add_outside(app, options->outside);
   add_length(app, "--tie-bias", options->tie_bias,
              "by how much B's face must lead to be the reference");
   app.add_option("FILE", options->file,

@@ -1,8 +1,8 @@
 #include "cli/colliders.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
-#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,39 +11,70 @@
 #include "cases/user_error.hpp"
 #include "clipping/collider.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "oracle/external/command.hpp"
+#include "oracle/external/hosted_library.hpp"
 
 namespace manifuzz {
+
+namespace {
+
+/// Over a case.
+constexpr double kSecondsMax = 1;
+
+Collider described(Collider collider, std::string description) {
+  collider.declaration.description = std::move(description);
+  return collider;
+}
+
+Collider make_chipmunk() {
+  return described(collider_in_own_process(MANIFUZZ_CHIPMUNK, kSecondsMax),
+                   "Chipmunk's cpShapesCollide, in a process of its own");
+}
+
+/// An engine of npm's, asked through its adapter.
+Collider of_node(std::string_view name) {
+  const std::filesystem::path folder(MANIFUZZ_NODE_COLLIDERS);
+  if (!std::filesystem::exists(folder / "node_modules" / name)) {
+    throw UserError(
+        fmt::format("{} is not installed; scripts/setup installs it where node and npm are", name));
+  }
+  const auto adapter = folder / fmt::format("{}.mjs", name);
+  return described(
+      collider_of_command("exec node " + quoted_for_shell(adapter.string()), kSecondsMax),
+      fmt::format("{} of npm, under node", name));
+}
+
+Collider make_planck() {
+  return of_node("planck");
+}
+
+Collider make_phaser_box2d() {
+  return of_node("phaser-box2d");
+}
+
+}  // namespace
 
 const std::vector<ColliderEntry>& colliders() {
   static const std::vector<ColliderEntry> all = {
       {"clip", [] { return make_clip(); }},
       {"clip64", [] { return make_clip64(); }},
       {"box2d", [] { return make_box2d(); }},
+      {"chipmunk", make_chipmunk},
+      {"planck", make_planck},
+      {"phaser-box2d", make_phaser_box2d},
   };
   return all;
 }
 
-Collider find_collider(std::string_view name, std::optional<double> tie_bias) {
+Collider find_collider(std::string_view name) {
   const auto entry = std::find_if(colliders().begin(), colliders().end(),
                                   [name](const ColliderEntry& e) { return e.name == name; });
-  if (entry == colliders().end()) {
-    std::vector<std::string_view> names;
-    std::transform(colliders().begin(), colliders().end(), std::back_inserter(names),
-                   [](const ColliderEntry& e) { return e.name; });
-    throw UserError(fmt::format("there is no collider '{}'; there are {}", printable(name),
-                                fmt::join(names, ", ")));
-  }
-  Collider collider = entry->make();
-  if (!tie_bias) return collider;
-  if (!collider.with_tie_bias) {
-    throw UserError(fmt::format("--tie-bias: that of {} is fixed at {:g}", name,
-                                collider.declaration.tie_bias));
-  }
-  if (*tie_bias > static_cast<double>(std::numeric_limits<float>::max())) {
-    throw UserError(fmt::format("--tie-bias: {:g} is beyond float; take 0 to {:g}", *tie_bias,
-                                std::numeric_limits<float>::max()));
-  }
-  return collider.with_tie_bias(*tie_bias);
+  if (entry != colliders().end()) return entry->make();
+  std::vector<std::string_view> names;
+  std::transform(colliders().begin(), colliders().end(), std::back_inserter(names),
+                 [](const ColliderEntry& e) { return e.name; });
+  throw UserError(fmt::format("there is no collider '{}'; there are {}, and ./LIBRARY.so",
+                              printable(name), fmt::join(names, ", ")));
 }
 
 }  // namespace manifuzz

@@ -13,12 +13,12 @@
 #include "cases/file.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
-#include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/fuzz_report.hpp"
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/parties.hpp"
 
 namespace manifuzz {
 namespace {
@@ -27,8 +27,7 @@ constexpr double kDefaultSeconds = 10;
 constexpr std::uint64_t kJobsMax = 256;
 
 struct Options {
-  std::string subject = "clip";
-  std::string oracle = "box2d";
+  Parties parties;
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> cases;
   std::optional<double> seconds;
@@ -60,10 +59,13 @@ float radius_of(double radius) {
 /// All of the plan that options decide; what is wrong with them comes before a seed is drawn.
 Plan plan_of(const Options& options) {
   Plan plan;
-  plan.subject = find_collider(options.subject, options.tie_bias);
-  plan.oracle = find_collider(options.oracle);
+  plan.subject = find_subject(options.parties, options.tie_bias);
+  plan.oracle = find_oracle(options.parties);
   plan.regimes = choose_regimes(options.regimes);
+  plan.is_narrowed = !options.radius && !(plan.subject.declaration.takes_radius &&
+                                          plan.oracle.declaration.takes_radius);
   if (options.radius) plan.context.radius = radius_of(*options.radius);
+  if (plan.is_narrowed) plan.context.radius = 0.0F;
   plan.first = options.first.value_or(0);
   plan.cases = options.cases;
   expect_indices(plan.first, plan.cases.value_or(1), plan.regimes.size());
@@ -80,8 +82,7 @@ std::string repeating_command(const Options& options) {
   std::error_code unknown;
   const auto self = std::filesystem::read_symlink("/proc/self/exe", unknown);
   if (!unknown) program = quoted_for_shell(std::filesystem::relative(self, unknown).string());
-  std::string command =
-      fmt::format("{} fuzz --subject {} --oracle {}", program, options.subject, options.oracle);
+  std::string command = fmt::format("{} fuzz {}", program, options_again(options.parties));
   if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
   if (options.radius) command += fmt::format(" --radius {}", *options.radius);
   if (options.judge_every) command += fmt::format(" --judge-every {}", *options.judge_every);
@@ -160,12 +161,7 @@ int fuzz(Options options) {
 
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("--subject", options->subject, "the collider under test")
-      ->type_name("C")
-      ->capture_default_str();
-  app.add_option("--oracle", options->oracle, "the collider it is held against")
-      ->type_name("C")
-      ->capture_default_str();
+  add_parties(app, options->parties);
   add_whole_number(app, "--seed", options->seed,
                    "what the cases hang on; drawn and printed if not given");
   CLI::Option* const cases =

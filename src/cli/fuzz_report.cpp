@@ -50,6 +50,15 @@ std::string ledger_rows(const CampaignReport& report) {
   return text;
 }
 
+/// Why a campaign that was not interrupted ended before its cases did.
+std::string hopeless_in_words(const CampaignReport& report) {
+  if (report.run.hopeless == Fault::none) return "";
+  const Collider& collider =
+      report.run.hopeless == Fault::subject ? report.plan.subject : report.plan.oracle;
+  return fmt::format("\nstopped early: {} gave no answer again and again\n",
+                     collider.declaration.name);
+}
+
 std::string finding_rows(const CampaignReport& report) {
   std::string text;
   for (const Finding& finding : report.findings) {
@@ -106,6 +115,7 @@ std::string summary_table(const CampaignReport& report) {
   if (is_vacuous(report)) {
     text += "\nvacuous: nothing touched, so nothing was shown; choose other regimes or a radius\n";
   }
+  text += hopeless_in_words(report);
   if (report.run.interrupted) text += "\ninterrupted: what was found until then is kept\n";
   return text;
 }

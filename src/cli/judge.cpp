@@ -14,16 +14,15 @@
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/answer_each.hpp"
-#include "cli/colliders.hpp"
 #include "cli/commands.hpp"
+#include "cli/parties.hpp"
 #include "judging/outside.hpp"
 
 namespace manifuzz {
 namespace {
 
 struct Options {
-  std::string subject = "clip";
-  std::string oracle = "box2d";
+  Parties parties;
   std::string manifolds;
   std::string file = "-";
 };
@@ -40,10 +39,7 @@ class AnswerFile {
     try {
       if (line.too_long) throw UserError("longer than 1 MiB");
       const JsonTree tree = parse_json(line.text);
-      OutsideAnswer given = read_outside_answer(JsonView(tree), right.pair());
-      const auto* const manifold = std::get_if<Manifold<double>>(&given.answer);
-      if (manifold == nullptr) return given.answer;
-      return completed({*manifold, given.names_reference, given.names_features}, right);
+      return completed(read_outside_answer(JsonView(tree), right.pair()), right);
     } catch (const UserError& error) {
       throw UserError(fmt::format("{}:{}: {}", file_.name(), line.number, error.what()));
     }
@@ -125,8 +121,8 @@ void append_judgement(std::string& line, const Admissible& right, const Judgemen
 }
 
 int judge_cases(const Options& options) {
-  const Collider subject = find_collider(options.subject, std::nullopt);
-  const Collider oracle = find_collider(options.oracle, std::nullopt);
+  const Collider subject = find_subject(options.parties);
+  const Collider oracle = find_oracle(options.parties);
   if (options.manifolds == "-" && options.file == "-") {
     throw UserError("--manifolds: stdin is where the cases come from; name a file for one of them");
   }
@@ -148,14 +144,7 @@ int judge_cases(const Options& options) {
 
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("--subject", options->subject,
-                 "who is judged, or with --manifolds whose declaration (scalar, frame, tie bias) "
-                 "the answers are judged by")
-      ->type_name("C")
-      ->capture_default_str();
-  app.add_option("--oracle", options->oracle, "who it is held against")
-      ->type_name("C")
-      ->capture_default_str();
+  add_parties(app, options->parties);
   app.add_option("--manifolds", options->manifolds,
                  "the subject's answers, a line a case, in place of the subject's own")
       ->type_name("FILE");

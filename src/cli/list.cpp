@@ -18,9 +18,15 @@ namespace {
 std::string list_colliders() {
   std::string lines;
   for (const auto& entry : colliders()) {
-    const Declaration says = entry.make().declaration;
+    Declaration says;
+    try {
+      says = entry.make().declaration;
+    } catch (const UserError& error) {
+      lines += fmt::format("{:<13} not there: {}\n", entry.name, error.what());
+      continue;
+    }
     lines += fmt::format(
-        "{:<10} {} ({}, {}, rounds in the {} frame, tie bias {:g}, up to {} vertices)\n", says.name,
+        "{:<13} {} ({}, {}, rounds in the {} frame, tie bias {:g}, up to {} vertices)\n", says.name,
         says.description, says.version, says.scalar == ScalarType::float32 ? "float" : "double",
         says.frame == RoundingFrame::local ? "pair's" : "world's", says.tie_bias,
         says.max_vertices);

@@ -11,11 +11,11 @@
 #include "cases/corpus.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
-#include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/parties.hpp"
 
 namespace manifuzz {
 namespace {
@@ -25,7 +25,8 @@ constexpr std::uint64_t kCasesMax = 1'000'000'000;
 
 struct Options {
   std::vector<std::string> names;
-  std::string subject = "clip";
+  ColliderChoice subject{"subject", "clip", ""};
+  OutsideOptions outside;
   std::optional<std::uint64_t> cases;
   std::optional<std::uint64_t> seed;
   std::string corpus = "corpus";
@@ -63,7 +64,7 @@ std::string save(const Options& options, const Property& property, const Collide
 
 int run(const Options& options) {
   const std::vector<const Property*> chosen = choose(options.names);
-  const Collider subject = find_collider(options.subject);
+  const Collider subject = find_collider(options.subject, options.outside);
   const std::uint64_t cases = options.cases.value_or(kDefaultCases);
   if (cases > kCasesMax) {
     throw UserError(fmt::format("--cases: {} are too many; take 1 to {}", cases, kCasesMax));
@@ -97,9 +98,8 @@ int run(const Options& options) {
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("names", options->names, "which; all if not given")->type_name("NAME");
-  app.add_option("--subject", options->subject, "the collider under test")
-      ->type_name("C")
-      ->capture_default_str();
+  add_collider(app, options->subject, "the collider under test");
+  add_outside(app, options->outside);
   add_whole_number(app, "--cases", options->cases, "how many for each; 10000 if not given", 1);
   add_whole_number(app, "--seed", options->seed,
                    "what the cases hang on; drawn and printed if not given");

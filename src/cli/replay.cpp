@@ -14,9 +14,9 @@
 #include "cases/file.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
-#include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "cli/parties.hpp"
 #include "report/junit.hpp"
 #include "report/provenance.hpp"
 
@@ -27,8 +27,7 @@ using Clock = std::chrono::steady_clock;
 
 struct Options {
   std::vector<std::string> paths;
-  std::string subject = "clip";
-  std::string oracle = "box2d";
+  Parties parties;
   std::string junit;
   std::string json;
 };
@@ -87,22 +86,22 @@ ReplayRun run_all(const std::vector<CorpusCase>& cases, const Collider& subject,
   return run;
 }
 
-std::string summary(const ReplayRun& run, const Options& options) {
+std::string summary(const ReplayRun& run, const Collider& subject, const Collider& oracle) {
   std::string text;
   for (const JUnitTest& test : run.tests) {
     if (test.failure.empty()) continue;
     text += fmt::format("FAIL {}: {}\n", printable(test.name, 200), test.failure);
   }
   return text + fmt::format("{} against {}: {} cases, {} passed, {} failed, in {:.2f} s\n",
-                            options.subject, options.oracle, run.cases,
+                            subject.declaration.name, oracle.declaration.name, run.cases,
                             run.cases - run.failures.size(), run.failures.size(), run.seconds);
 }
 
 int replay(const Options& options) {
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   if (paths.empty()) paths.emplace_back("corpus");
-  const Collider subject = find_collider(options.subject);
-  const Collider oracle = find_collider(options.oracle);
+  const Collider subject = find_subject(options.parties);
+  const Collider oracle = find_oracle(options.parties);
   const Corpus corpus = read_corpus(paths);
   for (const std::string& error : corpus.errors) {
     write_error(fmt::format("manifuzz: {}\n", error));
@@ -110,7 +109,7 @@ int replay(const Options& options) {
 
   const ReplayRun run = run_all(corpus.cases, subject, oracle);
   const std::string json = json_of(run, subject, oracle).dump(2) + '\n';
-  write_to_reader(options.json == "-" ? json : summary(run, options));
+  write_to_reader(options.json == "-" ? json : summary(run, subject, oracle));
   if (!options.json.empty() && options.json != "-") write_file(options.json, json);
   if (!options.junit.empty()) write_file(options.junit, junit_xml("manifuzz replay", run.tests));
   if (!corpus.errors.empty()) {
@@ -125,12 +124,7 @@ Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("paths", options->paths, "files and folders of cases; corpus if not given")
       ->type_name("PATH");
-  app.add_option("--subject", options->subject, "the collider that must be right")
-      ->type_name("C")
-      ->capture_default_str();
-  app.add_option("--oracle", options->oracle, "the collider it is held against")
-      ->type_name("C")
-      ->capture_default_str();
+  add_parties(app, options->parties);
   app.add_option("--junit", options->junit, "a JUnit XML report")->type_name("FILE");
   app.add_option("--json", options->json, "the summary as JSON, to a file or - for stdout")
       ->type_name("FILE");

@@ -11,14 +11,15 @@
 #include "cases/file.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
-#include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/parties.hpp"
 #include "report/case_picture.hpp"
 #include "report/case_text.hpp"
 #include "report/map_picture.hpp"
 #include "report/map_words.hpp"
+#include "report/upstream.hpp"
 
 namespace manifuzz {
 namespace {
@@ -28,32 +29,19 @@ constexpr std::uint64_t kMapStepMax = 100'000;
 
 struct Options {
   std::string file;
-  std::string subject;
-  std::string oracle;
+  Parties parties{{"subject", "", ""}, {"oracle", "", ""}, {}};
   std::string svg;
+  bool upstream = false;
   std::optional<std::string> map;
   std::optional<std::uint64_t> map_step;
 };
 
 /// What was asked for, else what the case names, else the usual one.
-std::string chosen(const std::string& asked, const std::string& recorded, const char* usual) {
-  if (!asked.empty()) return asked;
-  return recorded.empty() ? usual : recorded;
-}
-
-/// Asks in a child process first, so that a collider that dies or hangs takes nothing along.
-Party ask(const Collider& collider, const PairCase& pair, Interruption& interruption) {
-  const std::atomic<int> pulse{0};
-  switch (run_guarded([&] { collider.collide(pair); }, pulse, interruption)) {
-    case Ending::well:
-      return {collider.declaration, collider.collide(pair), {}};
-    case Ending::crashed:
-      return {collider.declaration, std::nullopt, "crashed"};
-    case Ending::hung:
-      return {collider.declaration, std::nullopt, "timed out"};
-    default:
-      return {collider.declaration, std::nullopt, "interrupted"};
+ColliderChoice chosen(ColliderChoice asked, const std::string& recorded, const char* usual) {
+  if (asked.name.empty() && asked.command.empty()) {
+    asked.name = recorded.empty() ? usual : recorded;
   }
+  return asked;
 }
 
 void check_map(const Options& options) {
@@ -89,14 +77,18 @@ int show(const Options& options) {
   check_map(options);
   const CorpusCase given = read_case_file(options.file);
   const Expectation recorded = given.expect.value_or(Expectation{});
-  const Collider subject = find_collider(chosen(options.subject, recorded.subject, "clip"));
-  const Collider oracle = find_collider(chosen(options.oracle, recorded.oracle, "box2d"));
+  const auto& [subject_choice, oracle_choice, outside] = options.parties;
+  const Collider subject = find_collider(chosen(subject_choice, recorded.subject, "clip"), outside);
+  const Collider oracle = find_collider(chosen(oracle_choice, recorded.oracle, "box2d"), outside);
   Interruption interruption;
-  const ShownCase shown{given, ask(subject, given.pair, interruption),
-                        ask(oracle, given.pair, interruption),
+  const ShownCase shown{given,
+                        {subject.declaration, ask_guarded(subject, given.pair, interruption)},
+                        {oracle.declaration, ask_guarded(oracle, given.pair, interruption)},
                         judge_guarded(given.pair, subject, oracle, interruption)};
   if (!options.svg.empty() && options.svg != "-") write_file(options.svg, case_svg(shown));
-  std::string text = options.svg == "-" ? case_svg(shown) : case_text(shown);
+  std::string text = options.svg == "-" ? case_svg(shown)
+                     : options.upstream ? upstream_report(shown)
+                                        : case_text(shown);
   if (options.map) {
     const std::string words = write_map(options, shown, subject, oracle, interruption);
     if (options.svg != "-") text += words;
@@ -110,14 +102,15 @@ int show(const Options& options) {
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("file", options->file, "a case, - for stdin")->type_name("FILE")->required();
-  app.add_option("--subject", options->subject,
-                 "the collider under test; if not given, the one the case names, or clip")
-      ->type_name("C");
-  app.add_option("--oracle", options->oracle,
-                 "the collider it is held against; if not given, the one the case names, or box2d")
-      ->type_name("C");
+  add_collider(app, options->parties.subject,
+               "the collider under test; if not given, the one the case names, or clip");
+  add_collider(app, options->parties.oracle,
+               "the collider it is held against; if not given, the one the case names, or box2d");
+  add_outside(app, options->parties.outside);
   app.add_option("--svg", options->svg, "a picture too; - for the picture alone, on stdout")
       ->type_name("FILE");
+  app.add_flag("--upstream", options->upstream,
+               "a report for the authors of the collider at fault, with a program that shows it");
   app.add_option(
          "--map", options->map,
          "the case's neighbours as a PNG: one vertex moved by ulps, what each says, who fails")

@@ -8,30 +8,29 @@
 #include "campaign/guarded.hpp"
 #include "cases/file.hpp"
 #include "cases/user_error.hpp"
-#include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "cli/parties.hpp"
 
 namespace manifuzz {
 namespace {
 
 struct Options {
   std::string file;
-  std::string subject = "clip";
-  std::string oracle = "box2d";
+  Parties parties;
   std::string output = "-";
 };
 
 int shrink_file(const Options& options) {
-  const Collider subject = find_collider(options.subject);
-  const Collider oracle = find_collider(options.oracle);
+  const Collider subject = find_subject(options.parties);
+  const Collider oracle = find_oracle(options.parties);
   const CorpusCase given = read_case_file(options.file);
   Interruption interruption;
   const Judgement root = judge_guarded(given.pair, subject, oracle, interruption);
   if (root.bucket.verdict == Verdict::agree) {
     throw UserError(
         fmt::format("{}: {} and {} agree on it; a case on which they differ is expected",
-                    options.file, options.subject, options.oracle));
+                    options.file, subject.declaration.name, oracle.declaration.name));
   }
   const PairCase smallest = shrink_finding(given.pair, subject, oracle, interruption).pair;
   const Judgement judgement = judge_guarded(smallest, subject, oracle, interruption);
@@ -50,12 +49,7 @@ int shrink_file(const Options& options) {
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("file", options->file, "a case, - for stdin")->type_name("FILE")->required();
-  app.add_option("--subject", options->subject, "the collider under test")
-      ->type_name("C")
-      ->capture_default_str();
-  app.add_option("--oracle", options->oracle, "the collider it is held against")
-      ->type_name("C")
-      ->capture_default_str();
+  add_parties(app, options->parties);
   app.add_option("--output", options->output, "where the smallest case goes, - for stdout")
       ->type_name("FILE")
       ->capture_default_str();

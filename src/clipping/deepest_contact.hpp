@@ -5,16 +5,17 @@
 
 namespace manifuzz::clipping {
 
-/// The farthest vertex's distance from the frame's origin.
+/// The farthest vertex's distance from the frame's origin, |x| + |y|: no square may overflow.
 template <class Scalar>
 Scalar reach_in_frame(const ConvexPolygon<Scalar>& polygon) {
-  Scalar squared = 0;
-  for (const auto& v : polygon.corners()) squared = std::max(squared, v.dot(v));
-  return std::sqrt(squared);
+  Scalar reach = 0;
+  for (const auto& v : polygon.corners())
+    reach = std::max(reach, std::abs(v.x()) + std::abs(v.y()));
+  return reach;
 }
 
-/// 4 u E, E being the extent, is well inside the bound 15 u E on a separation's error: an overlap
-/// deeper than the bound is computed deeper than this.
+/// At most 5.7 u E, E being the extent, is well inside the bound 15 u E on a separation's error: an
+/// overlap deeper than the bound is computed deeper than this.
 template <class Scalar>
 Scalar separation_roundoff(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
   constexpr Scalar u = std::numeric_limits<Scalar>::epsilon() / 2;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <variant>
 
@@ -22,6 +23,8 @@ struct Declaration {
   RoundingFrame frame = RoundingFrame::local;
   double tie_bias = 0;  ///< a length: B's face is the reference only where it leads by more
   int max_vertices = kMaxVertices;
+  bool takes_radius = true;  ///< false: rounded polygons are not asked
+  std::string snippet{};     ///< of a program that shows one case; report/upstream.hpp fills it in
 };
 
 /// A collider cannot take this input, and says why. Not an error.
@@ -29,16 +32,40 @@ struct Unsupported {
   std::string why;
 };
 
-using Answer = std::variant<Manifold<double>, Unsupported>;
+/// A manifold from a collider outside, which may leave out what a judge can tell for itself.
+struct PartialManifold {
+  Manifold<double> manifold{};
+  bool names_reference = false;
+  bool names_features = false;  ///< of every point
+  bool has_midpoints = false;   ///< points halfway between both surfaces, as Box2D 3 has them
+};
 
-/// Anything that turns a pair case into a manifold. The last three are empty where a collider does
-/// not offer them.
+/// There is no answer: the collider died, hung, or said what is no manifold.
+struct Lost {
+  enum class How { crashed, timed_out, malformed };
+  How how = How::crashed;
+  std::string why{};
+};
+
+using Answer = std::variant<Manifold<double>, Unsupported, PartialManifold, Lost>;
+
+/// Anything that turns a pair case into a manifold. All but the first two are empty where a
+/// collider does not offer them.
 struct Collider {
   Declaration declaration;
   std::function<Answer(const PairCase&)> collide;
   std::function<Collider(double tie_bias)> with_tie_bias;
   std::function<Answer(const PairCase&, const Vector2<double>& normal)> from_normal;
   std::function<Collider()> in_double;
+  /// Of a collider in a process of its own: answers to many cases at once, cheaper than one by one.
+  /// `go_on` is asked several times a second; returns how many were answered, all unless it says
+  /// no.
+  std::function<std::size_t(std::span<const PairCase>, std::span<Answer>,
+                            const std::function<bool()>& go_on)>
+      collide_many;
+
+  /// Whether it is safe to ask: it cannot take this process along.
+  bool is_isolated() const { return static_cast<bool>(collide_many); }
 };
 
 }  // namespace manifuzz

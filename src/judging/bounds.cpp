@@ -6,11 +6,16 @@
 namespace manifuzz {
 namespace {
 
-// In units of the roundoff; bounds.md derives them.
-constexpr double kOfSeparation = 15;
-constexpr double kOfIncidentDot = 9;
-constexpr double kOfNormal = 6;
-constexpr double kOfPosition = 10;
+/// In units of the roundoff; bounds.md derives them.
+struct Constants {
+  double separation;
+  double incident_dot;
+  double normal;
+  double position;
+};
+constexpr Constants kOfFloat{15, 9, 6, 10};
+constexpr Constants kOfDouble{18, 14, 9, 10};
+constexpr double kOfWorldNormal = 4;  ///< more for a double one's normal in world coordinates
 
 double roundoff(ScalarType scalar) {
   return scalar == ScalarType::float32 ? std::numeric_limits<float>::epsilon() / 2.0
@@ -44,22 +49,25 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration) {
 
 Bounds bounds(const PairCase& pair, const Declaration& declaration, double extent) {
   const bool narrow = declaration.scalar == ScalarType::float32;
+  const bool in_world = declaration.frame == RoundingFrame::world;
+  const Constants& of = narrow ? kOfFloat : kOfDouble;
+  const double of_normal = of.normal + (in_world && !narrow ? kOfWorldNormal : 0);
   const double u = roundoff(declaration.scalar);
   double reach = extent + total_radius(pair);
-  const double underflow = kOfSeparation * smallest(declaration.scalar);
+  const double underflow = of.separation * smallest(declaration.scalar);
   const double rotation_defect = narrow ? defect(pair.a) + defect(pair.b) : 0;
   const double of_rotation = rotation_defect * reach + underflow;
-  if (declaration.frame == RoundingFrame::world) {
+  if (in_world) {
     reach += std::max(length(pair.a.pose.position), length(pair.b.pose.position));
   }
   if (narrow && reach > kFloatReachMax) {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     return {unbounded, unbounded, unbounded, unbounded};
   }
-  return {.separation = kOfSeparation * u * reach + of_rotation,
-          .incident_dot = kOfIncidentDot * u + rotation_defect,
-          .normal = kOfNormal * u + rotation_defect,
-          .position = kOfPosition * u * reach + of_rotation};
+  return {.separation = of.separation * u * reach + of_rotation,
+          .incident_dot = of.incident_dot * u + rotation_defect,
+          .normal = of_normal * u + rotation_defect,
+          .position = of.position * u * reach + of_rotation};
 }
 
 bool is_ill_posed(const PairCase& pair, const Bounds& bounds) {

@@ -8,12 +8,12 @@ namespace manifuzz {
 /// them. With u the roundoff of its scalar and E the extent (plus the total radius, plus the larger
 /// |position| where it rounds in the world):
 ///
-///   separation, reference, contact boundary   15 u E
-///   incident dot                               9 u
-///   normal                                     6 u
+///   separation, reference, contact boundary   15 u E   (18 in double)
+///   incident dot                               9 u     (14)
+///   normal                                     6 u      (9, in world coordinates 13)
 ///   position                                  10 u E, and 15 u E / cos at ends that are clipped or
 ///   depth                                     15 u E, and 15 u E tan   nearly so, of the angle
-///                                                  between incident edge and reference face
+///                                             (18)        between incident edge and reference face
 ///
 /// each plus the rotations' defect |c^2 + s^2 - 1| (times E) for a float collider, which may take
 /// the transpose for the inverse.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "judging/admissible.hpp"
+#include "judging/outside.hpp"
 #include "judging/properties.hpp"
 
 namespace manifuzz {
@@ -20,13 +21,19 @@ class Inquiry {
   /// Its manifold, or none where it does not take the case.
   std::optional<Manifold<double>> manifold(const PairCase& pair) {
     asked_.push_back(pair);
-    const Answer answer = collider_.collide(pair);
-    const auto* found = std::get_if<Manifold<double>>(&answer);
+    const Answer answer = ask(collider_, pair);
+    const auto* const found = std::get_if<Manifold<double>>(&answer);
+    const auto* const lost = std::get_if<Lost>(&answer);
+    if (lost && !lost_) lost_ = *lost;
     return found ? std::optional(*found) : std::nullopt;
   }
 
+  /// The first case that it died of, or answered nonsense to.
+  const std::optional<Lost>& lost() const { return lost_; }
+
  private:
   const Collider& collider_;
+  std::optional<Lost> lost_;
   std::vector<PairCase> asked_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "judging/outside.hpp"
+
 namespace manifuzz {
 namespace {
 
@@ -128,22 +130,52 @@ bool may_overflow(const exact::Truth& truth, const Declaration& declaration) {
   return !std::isfinite(bounds(truth.pair(), declaration, truth.extent()).separation);
 }
 
+/// The manifold of an answer, complete or not; nullptr where there is none.
+const Manifold<double>* manifold_in(const Answer& answer) {
+  if (const auto* const partial = std::get_if<PartialManifold>(&answer)) return &partial->manifold;
+  return std::get_if<Manifold<double>>(&answer);
+}
+
+Manifold<double> manifold_of(const Answer& answer, const Admissible& right) {
+  if (const auto* const partial = std::get_if<PartialManifold>(&answer)) {
+    return completed(*partial, right);
+  }
+  return std::get<Manifold<double>>(answer);
+}
+
+Verdict verdict_of(Lost::How how) {
+  switch (how) {
+    case Lost::How::crashed:
+      return Verdict::crashed;
+    case Lost::How::timed_out:
+      return Verdict::timed_out;
+    default:
+      return Verdict::malformed;
+  }
+}
+
+/// What a party's answer comes to by itself: lost, or nonsense.
+std::optional<Bucket> without_manifold(const PairCase& pair, const Answer& answer, Fault party) {
+  if (const auto* const lost = std::get_if<Lost>(&answer)) {
+    return bucket_of_lost(verdict_of(lost->how), party);
+  }
+  const Manifold<double>* const manifold = manifold_in(answer);
+  if (manifold == nullptr || is_well_formed(pair, *manifold)) return std::nullopt;
+  return bucket_of_lost(Verdict::malformed, party);
+}
+
 /// A verdict that needs no judging of manifolds, if it is one.
 std::optional<Bucket> without_judging(const exact::Truth& truth, const Testimony& subject,
                                       const Testimony& oracle) {
   const PairCase& pair = truth.pair();
-  const auto* of_subject = std::get_if<Manifold<double>>(&subject.answer);
-  const auto* of_oracle = std::get_if<Manifold<double>>(&oracle.answer);
   if (may_overflow(truth, subject.declaration) || may_overflow(truth, oracle.declaration)) {
     return Bucket{.verdict = Verdict::ill_posed};
   }
-  if (of_subject && !is_well_formed(pair, *of_subject)) {
-    return Bucket{.fault = Fault::subject, .verdict = Verdict::malformed};
+  if (const auto bucket = without_manifold(pair, subject.answer, Fault::subject)) return bucket;
+  if (const auto bucket = without_manifold(pair, oracle.answer, Fault::oracle)) return bucket;
+  if (manifold_in(subject.answer) == nullptr || manifold_in(oracle.answer) == nullptr) {
+    return Bucket{.verdict = Verdict::unsupported};
   }
-  if (of_oracle && !is_well_formed(pair, *of_oracle)) {
-    return Bucket{.fault = Fault::oracle, .verdict = Verdict::malformed};
-  }
-  if (!of_subject || !of_oracle) return Bucket{.verdict = Verdict::unsupported};
   if (is_ill_posed(truth, subject.declaration) || is_ill_posed(truth, oracle.declaration)) {
     return Bucket{.verdict = Verdict::ill_posed};
   }
@@ -175,6 +207,32 @@ Verdict verdict_of(Fault fault) {
   }
 }
 
+bool plainly_agree(const exact::Truth& truth, const Declaration& of_subject,
+                   const Manifold<double>& s, const Declaration& of_oracle,
+                   const Manifold<double>& o) {
+  if (s.count != o.count) return false;
+  const Bounds for_subject = bounds(truth.pair(), of_subject, truth.extent());
+  const Bounds for_oracle = bounds(truth.pair(), of_oracle, truth.extent());
+  if (is_ill_posed(truth.size(), for_subject) || is_ill_posed(truth.size(), for_oracle)) {
+    return false;
+  }
+  if (s.count == 0) return truth.compare_contact(for_subject.separation) > 0;
+  if (s.count < 0 || s.count > 2 || s.reference != o.reference || truth.compare_contact(0) > 0) {
+    return false;
+  }
+  if (!(distance(s.normal, o.normal) <= for_subject.normal + for_oracle.normal)) return false;
+  const double apart = for_subject.position + for_oracle.position;
+  const double deeper = for_subject.separation + for_oracle.separation;
+  for (int i = 0; i < s.count; ++i) {
+    if (!(distance(s.points[i].position, o.points[i].position) <= apart) ||
+        !(std::abs(s.points[i].depth - o.points[i].depth) <= deeper) ||
+        s.points[i].features != o.points[i].features) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Standing standing(const exact::Truth& truth) {
@@ -184,39 +242,27 @@ Standing standing(const exact::Truth& truth) {
 }
 
 bool plainly_agree(const exact::Truth& truth, const Testimony& subject, const Testimony& oracle) {
-  const auto* s = std::get_if<Manifold<double>>(&subject.answer);
-  const auto* o = std::get_if<Manifold<double>>(&oracle.answer);
-  if (!s || !o || s->count != o->count) return false;
-  const Bounds for_subject = bounds(truth.pair(), subject.declaration, truth.extent());
-  const Bounds for_oracle = bounds(truth.pair(), oracle.declaration, truth.extent());
-  if (is_ill_posed(truth.size(), for_subject) || is_ill_posed(truth.size(), for_oracle)) {
-    return false;
+  const auto* const s = std::get_if<Manifold<double>>(&subject.answer);
+  const auto* const o = std::get_if<Manifold<double>>(&oracle.answer);
+  if (s && o) return plainly_agree(truth, subject.declaration, *s, oracle.declaration, *o);
+  if (const auto* const p = std::get_if<PartialManifold>(&subject.answer); p && o) {
+    return plainly_agree(truth, subject.declaration, completed(*p, truth.pair(), *o),
+                         oracle.declaration, *o);
   }
-  if (s->count == 0) return truth.compare_contact(for_subject.separation) > 0;
-  if (s->count < 0 || s->count > 2 || s->reference != o->reference ||
-      truth.compare_contact(0) > 0) {
-    return false;
+  if (const auto* const p = std::get_if<PartialManifold>(&oracle.answer); p && s) {
+    return plainly_agree(truth, subject.declaration, *s, oracle.declaration,
+                         completed(*p, truth.pair(), *s));
   }
-  if (!(distance(s->normal, o->normal) <= for_subject.normal + for_oracle.normal)) return false;
-  const double apart = for_subject.position + for_oracle.position;
-  const double deeper = for_subject.separation + for_oracle.separation;
-  for (int i = 0; i < s->count; ++i) {
-    if (!(distance(s->points[i].position, o->points[i].position) <= apart) ||
-        !(std::abs(s->points[i].depth - o->points[i].depth) <= deeper) ||
-        s->points[i].features != o->points[i].features) {
-      return false;
-    }
-  }
-  return true;
+  return false;
 }
 
 Judgement judge(std::shared_ptr<const exact::Truth> truth, const Testimony& subject,
                 const Testimony& oracle) {
   if (const auto bucket = without_judging(*truth, subject, oracle)) return {.bucket = *bucket};
-  const auto& of_subject = std::get<Manifold<double>>(subject.answer);
-  const auto& of_oracle = std::get<Manifold<double>>(oracle.answer);
   const Admissible right_for_subject = admissible(truth, subject.declaration);
   const Admissible right_for_oracle = admissible(truth, oracle.declaration);
+  const Manifold<double> of_subject = manifold_of(subject.answer, right_for_subject);
+  const Manifold<double> of_oracle = manifold_of(oracle.answer, right_for_oracle);
   const Wrongs wrongs{mismatch(of_subject, right_for_subject),
                       mismatch(of_oracle, right_for_oracle)};
 

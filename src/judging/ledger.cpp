@@ -2,74 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
+
+#include "judging/deviations.hpp"
 
 namespace manifuzz {
 namespace {
-
-bool misses_overlap(const Deviation& d) {
-  return d.got.count == 0 && d.right.must_touch;
-}
-
-template <class Predicate>
-bool any_candidate(const Deviation& d, const Predicate& predicate) {
-  return std::ranges::any_of(d.right.candidates,
-                             [&](const exact::Clip* clip) { return predicate(*clip); });
-}
-
-bool may_be_empty_from(const Deviation& d, Side side) {
-  return any_candidate(d, [&](const exact::Clip& clip) {
-    return clip.reference.side == side && may_be_empty(d.right, clip);
-  });
-}
-
-bool no_contact_under_bias(const Deviation& d) {
-  return misses_overlap(d) && d.right.truth->compare_lead_of_b(0) > 0 &&
-         may_be_empty_from(d, Side::a);
-}
-
-bool no_contact_on_tied_features(const Deviation& d) {
-  return misses_overlap(d) && (may_be_empty_from(d, Side::a) || may_be_empty_from(d, Side::b));
-}
-
-/// The reference face is too short for b2Vec2::Normalize, or shorter than world coordinates
-/// resolve.
-bool tiny_reference_face(const Deviation& d) {
-  if (d.kind != Kind::normal && d.kind != Kind::missed_contact) return false;
-  const double unresolved =
-      std::max(d.right.bounds.separation, 2.0 * std::numeric_limits<float>::epsilon());
-  return any_candidate(d, [&](const exact::Clip& clip) {
-    const ConvexPolygon<float>& polygon = d.right.pair()[clip.reference.side].polygon;
-    const Vector2<float> face = polygon.vertices[polygon.next(clip.reference.index)] -
-                                polygon.vertices[clip.reference.index];
-    return static_cast<double>(face.norm()) <= unresolved;
-  });
-}
-
-/// The square of the reference face's length is beyond float, so that b2Vec2::Normalize divides by
-/// infinity.
-bool huge_reference_face(const Deviation& d) {
-  if (d.kind != Kind::normal && d.kind != Kind::missed_contact) return false;
-  return any_candidate(d, [&](const exact::Clip& clip) {
-    const ConvexPolygon<float>& polygon = d.right.pair()[clip.reference.side].polygon;
-    const Vector2<float> face = polygon.vertices[polygon.next(clip.reference.index)] -
-                                polygon.vertices[clip.reference.index];
-    return !std::isfinite(face.dot(face));
-  });
-}
-
-/// An end of the incident edge lies so near a side plane that the product of both ends' distances
-/// underflows: the crossing is not seen, and one point is left.
-bool crossing_underflows(const Deviation& d) {
-  return misses_overlap(d) && any_candidate(d, [&](const exact::Clip& clip) {
-           return std::any_of(clip.points.begin(), clip.points.begin() + clip.count,
-                              [&](const exact::ClipPoint& point) {
-                                return compare_margin(d.right.pair(), clip, point.end,
-                                                      std::numeric_limits<float>::min()) <= 0;
-                              });
-         });
-}
 
 // Twice what 20,000,000 cases showed, rounded up. An entry without budgets is met in the regime
 // `corpus` alone, which has none.
@@ -148,6 +85,91 @@ constexpr std::array kLedger{
                 .witness = "defects/box2d/witness-box2d-crossing-underflows.json",
                 .budgets = {},
                 .explains = crossing_underflows},
+    LedgerEntry{.id = "planck-no-contact-under-bias",
+                .collider = "planck",
+                .description =
+                    "no contact for overlapping polygons: the bias keeps A's shallower face, whose "
+                    "side planes the incident edge misses",
+                .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
+                          "k_tol = 0.1 * Settings.linearSlop, then `if (np1 < 2) return`",
+                .witness = "defects/planck/witness-planck-no-contact-under-bias.json",
+                .budgets = {},
+                .explains = no_contact_under_bias},
+    LedgerEntry{.id = "planck-no-contact-on-tied-features",
+                .collider = "planck",
+                .description =
+                    "no contact for overlapping polygons: faces or edges tie in double, the wrong "
+                    "one is kept, and its slab misses the deepest vertex",
+                .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, findMaxSeparation "
+                          "and findIncidentEdge: first of equals",
+                .witness = "defects/planck/witness-planck-no-contact-on-tied-features.json",
+                .budgets = {},
+                .explains = no_contact_on_tied_features},
+    LedgerEntry{.id = "planck-normal-of-scaled-vertices",
+                .collider = "planck",
+                .description = "a normal off by the roundoff of vertices over the face's length: "
+                               "planck takes it from them, and they hold what (cos, sin) lacks of "
+                               "unit length, since planck takes a transpose for the inverse",
+                .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
+                          "localNormal of v12 - v11; scripts/colliders/protocol.mjs, readBody",
+                .witness = "defects/planck/witness-planck-normal-of-scaled-vertices.json",
+                .budgets = {},
+                .explains = normal_of_rounded_vertices},
+    LedgerEntry{.id = "phaser-box2d-edge-extended-to-slab",
+                .collider = "phaser-box2d",
+                .description =
+                    "a point off the polygon, or contact across a gap: an incident edge that "
+                    "misses the reference face's slab is prolonged to it",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2ClipPolygons: b2Lerp(v22, v21, "
+                          "(lower1 - lower2) / (upper2 - lower2)) with a fraction outside [0, 1]",
+                .witness = "defects/phaser-box2d/witness-phaser-box2d-edge-extended-to-slab.json",
+                .budgets = {},
+                .explains = edge_extended_to_slab},
+    LedgerEntry{
+        .id = "phaser-box2d-no-contact-on-tied-features",
+        .collider = "phaser-box2d",
+        .description = "no contact for overlapping polygons: faces or edges tie in double, the "
+                       "wrong one is kept, and its slab misses the deepest vertex",
+        .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: `dot < minDot`, first "
+                  "of equals",
+        .witness = "defects/phaser-box2d/witness-phaser-box2d-no-contact-on-tied-features.json",
+        .budgets = {},
+        .explains = no_contact_on_tied_features},
+    LedgerEntry{
+        .id = "chipmunk-normal-of-world-vertices",
+        .collider = "chipmunk",
+        .description = "a normal off by the roundoff of world coordinates over the face's length",
+        .source = "Chipmunk 7.0.3, src/cpCollision.c, ClosestPointsNew: "
+                  "`n = cpvnormalize(cpvrperp(delta))`, delta of world points",
+        .witness = "defects/chipmunk/witness-chipmunk-normal-of-world-vertices.json",
+        .budgets = {},
+        .explains = normal_of_rounded_vertices},
+    LedgerEntry{.id = "chipmunk-corner-on-corner",
+                .collider = "chipmunk",
+                .description = "an arbitrary normal: a corner of A lies on a corner of B",
+                .source = "Chipmunk 7.0.3, src/cpCollision.c, GJKRecurse: the direction to the "
+                          "nearest point is (0, 0), so no nearer one is found",
+                .witness = "defects/chipmunk/witness-chipmunk-corner-on-corner.json",
+                .budgets = {},
+                .explains = corner_on_corner},
+    LedgerEntry{.id = "chipmunk-collinear-apart",
+                .collider = "chipmunk",
+                .description = "contact for polygons well apart: the origin lies on the line of a "
+                               "chord of their difference",
+                .source = "Chipmunk 7.0.3, src/cpCollision.c, ClosestPointsNew: `if(d <= 0.0f` "
+                          "comes before the distance to the nearer vertex",
+                .witness = "defects/chipmunk/witness-chipmunk-collinear-apart.json",
+                .budgets = {},
+                .explains = collinear_and_apart},
+    LedgerEntry{.id = "chipmunk-wrong-support-edge",
+                .collider = "chipmunk",
+                .description = "too few points, wrong ones or none: the neighbour of the right "
+                               "face is clipped, their directions being nearer than a dot can tell",
+                .source = "Chipmunk 7.0.3, src/cpCollision.c, SupportEdgeForPoly: "
+                          "`cpvdot(n, planes[i1].n) > cpvdot(n, planes[i2].n)`",
+                .witness = "defects/chipmunk/witness-chipmunk-wrong-support-edge.json",
+                .budgets = {},
+                .explains = neighbours_nearly_parallel},
 };
 
 static_assert(kLedger.size() <= kLedgerMax);

@@ -4,15 +4,21 @@
 
 namespace manifuzz {
 
-/// A manifold from outside, which may leave out what a judge can tell for itself.
-struct OutsideManifold {
-  Manifold<double> manifold;
-  bool names_reference = false;
-  bool names_features = false;  ///< of every point
-};
-
 /// The manifold with what it leaves out set as the right manifold nearest to it has it, so that
 /// nothing is held against it that it did not say.
-Manifold<double> completed(const OutsideManifold& given, const Admissible& right);
+Manifold<double> completed(const PartialManifold& given, const Admissible& right);
+
+/// The same with a manifold of the case for a model, in place of the right ones.
+Manifold<double> completed(const PartialManifold& given, const PairCase& pair,
+                           const Manifold<double>& model);
+
+/// The answer, a partial manifold completed; any other as it is.
+Answer completed(Answer answer, const Admissible& right);
+
+/// Whether two answers say the same, the reasons of a lost or declined one apart.
+bool is_same(const Answer& one, const Answer& other);
+
+/// What the collider answers now, completed.
+Answer ask(const Collider& collider, const PairCase& pair);
 
 }  // namespace manifuzz

@@ -40,7 +40,7 @@ constexpr std::array kProperties{
 };
 
 bool is_explained(const Collider& collider, const PairCase& pair) {
-  const Answer answer = collider.collide(pair);
+  const Answer answer = ask(collider, pair);
   const auto* got = std::get_if<Manifold<double>>(&answer);
   if (got == nullptr) return false;
   const Admissible right = admissible(pair, collider.declaration);
@@ -65,6 +65,7 @@ Outcome check(const Property& property, const Collider& collider, const PairCase
   if (is_ill_posed(pair, bounds(pair, collider.declaration))) return not_applicable();
   Inquiry ask(collider);
   Outcome outcome = property.holds(ask, pair);
+  if (ask.lost()) return fails("no answer: " + ask.lost()->why, 1);
   if (outcome.kind == Outcome::Kind::fails &&
       std::any_of(ask.asked().begin(), ask.asked().end(),
                   [&](const PairCase& asked) { return is_explained(collider, asked); })) {

@@ -145,7 +145,7 @@ Outcome powers_of_two_scale(Inquiry& ask, const PairCase& pair) {
     const double scale = static_cast<double>(factor);
     const Collider collider =
         bias == 0 ? ask.collider() : ask.collider().with_tie_bias(bias * scale);
-    const Answer there = collider.collide({scaled(pair.a, factor), scaled(pair.b, factor)});
+    const Answer there = manifuzz::ask(collider, {scaled(pair.a, factor), scaled(pair.b, factor)});
     Manifold<double> expected = *here;
     for (int i = 0; i < expected.count; ++i) {
       expected.points[i].position *= scale;

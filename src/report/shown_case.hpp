@@ -9,16 +9,13 @@
 
 namespace manifuzz {
 
-/// A collider that was asked, and what it said.
+/// A collider that was asked, and what it said, completed.
 struct Party {
   Declaration declaration;
-  std::optional<Answer> answer;
-  std::string_view silence;  ///< without an answer, what became of it: "crashed", "timed out"
+  Answer answer;
 
   /// Its manifold, or nullptr where it gave none. It may be malformed.
-  const Manifold<double>* manifold() const {
-    return answer ? std::get_if<Manifold<double>>(&*answer) : nullptr;
-  }
+  const Manifold<double>* manifold() const { return std::get_if<Manifold<double>>(&answer); }
   /// The number of its points, 0 to 2 whatever a malformed manifold says.
   int count() const { return manifold() ? std::clamp(manifold()->count, 0, 2) : 0; }
 };

@@ -68,8 +68,7 @@ std::string silent_or_nonsense(const ShownCase& shown, std::string_view what) {
 
 std::string unsupported_in_words(const ShownCase& shown) {
   for (const Party* party : {&shown.subject, &shown.oracle}) {
-    if (!party->answer) continue;
-    const auto* const unsupported = std::get_if<Unsupported>(&*party->answer);
+    const auto* const unsupported = std::get_if<Unsupported>(&party->answer);
     if (unsupported == nullptr) continue;
     return fmt::format("{} cannot take this case: {}", party->declaration.name, unsupported->why);
   }
@@ -102,9 +101,9 @@ std::string truth_in_words(const PairCase& pair) {
 }
 
 std::string answer_in_words(const Party& party) {
-  if (!party.answer) return std::string(party.silence);
+  if (const auto* const lost = std::get_if<Lost>(&party.answer)) return lost->why;
   const Manifold<double>* const manifold = party.manifold();
-  if (manifold == nullptr) return "unsupported: " + std::get<Unsupported>(*party.answer).why;
+  if (manifold == nullptr) return "unsupported: " + std::get<Unsupported>(party.answer).why;
   const auto& points = manifold->points;
   switch (party.count()) {
     case 0:

@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -33,11 +34,30 @@ void run(const Property& property, const Collider& collider) {
   CHECK(result.passed);
 }
 
+bool is_ours(std::string_view name) {
+  return name == "clip" || name == "clip64" || name == "box2d";
+}
+
+/// An engine of npm's is not there without node.
+void run_if_there(const Property& property, const ColliderEntry& entry) {
+  std::optional<Collider> collider;
+  try {
+    collider = entry.make();
+  } catch (const UserError& error) {
+    if (is_ours(entry.name)) throw;
+    WARN("skipped: " << error.what());
+    return;
+  }
+  run(property, *collider);
+}
+
 [[maybe_unused]] const bool registered = [] {
   for (const ColliderEntry& entry : colliders()) {
     for (const Property& property : properties()) {
+      // An engine of others' may be right in ways that the rest do not ask for.
+      if (!is_ours(entry.name) && property.name != "admissible") continue;
       test::add_test(std::string(entry.name) + ": " + std::string(property.sentence), "[property]",
-                     [&property, &entry] { run(property, entry.make()); });
+                     [&property, &entry] { run_if_there(property, entry); });
     }
   }
   return true;

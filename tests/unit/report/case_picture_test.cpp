@@ -178,8 +178,7 @@ TEST_CASE("answers that are nonsense make a picture all the same") {
 
 TEST_CASE("a collider that gave no answer is in the legend") {
   ShownCase shown = shown_case(box_on_box(0.25F));
-  shown.oracle.answer.reset();
-  shown.oracle.silence = "crashed";
+  shown.oracle.answer = Lost{Lost::How::crashed, "crashed"};
   shown.judgement.bucket = bucket_of_lost(Verdict::crashed, Fault::oracle);
   check_picture(shown);
 }

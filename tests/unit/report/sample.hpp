@@ -16,10 +16,10 @@ inline ShownCase shown_case(const PairCase& pair, const std::string& subject = "
   const Collider of_oracle = find_collider(oracle);
   ShownCase shown;
   shown.given.pair = pair;
-  shown.subject = {of_subject.declaration, of_subject.collide(pair), {}};
-  shown.oracle = {of_oracle.declaration, of_oracle.collide(pair), {}};
-  shown.judgement = judge(pair, {shown.subject.declaration, *shown.subject.answer},
-                          {shown.oracle.declaration, *shown.oracle.answer});
+  shown.subject = {of_subject.declaration, of_subject.collide(pair)};
+  shown.oracle = {of_oracle.declaration, of_oracle.collide(pair)};
+  shown.judgement = judge(pair, {shown.subject.declaration, shown.subject.answer},
+                          {shown.oracle.declaration, shown.oracle.answer});
   return shown;
 }
 

@@ -72,8 +72,7 @@ TEST_CASE("what a collider answered") {
   CHECK(answer_in_words(party) == "2 points, depths 0.25 and 0.25");
   party.answer = Unsupported{"too many vertices"};
   CHECK(answer_in_words(party) == "unsupported: too many vertices");
-  party.answer.reset();
-  party.silence = "crashed";
+  party.answer = Lost{Lost::How::crashed, "crashed"};
   CHECK(answer_in_words(party) == "crashed");
 }
 

@@ -1,4 +1,4 @@
-#include "campaign/process.hpp"
+#include "oracle/external/process.hpp"
 
 #include <cerrno>
 #include <csignal>

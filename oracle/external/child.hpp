@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <sys/types.h>
+
+namespace manifuzz {
+
+/// A child process with a pipe to it and a pipe from it, in a process group of its own. It belongs
+/// to the process that started it: in a fork of that, it counts as not started.
+class Child {
+ public:
+  Child() = default;
+  ~Child() { stop(); }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  bool running() const;
+  /// Stops what runs; then `body` runs in the child, `in` and `out` being its ends of the pipes.
+  /// Throws std::system_error where no process is to be had.
+  void start(const std::function<void(int in, int out)>& body);
+  /// Ends it at once, with all that it started and left in its group. Says in words how it had
+  /// ended, if it had by itself.
+  std::string stop();
+
+  int to() const { return to_; }      ///< where to write to it; writes do not block
+  int from() const { return from_; }  ///< where to read from it; reads do not block
+
+ private:
+  std::optional<int> status_if_ended() const;
+  void abandon();
+
+  pid_t process_ = 0;
+  pid_t owner_ = 0;
+  int to_ = -1;
+  int from_ = -1;
+};
+
+/// Waits until something is to be read, at most so long; whether it is.
+bool wait_readable(int descriptor, double seconds);
+
+}  // namespace manifuzz

@@ -1,0 +1,214 @@
+#include "oracle/external/command.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cases/json_tree.hpp"
+#include "cases/user_error.hpp"
+#include "oracle/external/conversation.hpp"
+#include "oracle/external/limits.hpp"
+
+namespace manifuzz {
+namespace {
+
+using End = Conversation::End;
+
+/// Lines in flight: enough to hide how long a line takes there and back.
+constexpr std::size_t kBatch = 256;
+
+/// How long an answer too many may take to come.
+constexpr double kMoreSeconds = 0.002;
+
+/// One of two words, the first of which is what is meant where there is none.
+bool is_second(const JsonView& object, std::string_view key, std::string_view first,
+               std::string_view second) {
+  const auto value = object.find(key);
+  if (!value || value->string() == first) return false;
+  if (value->string() != second) {
+    value->fail(fmt::format("\"{}\" or \"{}\" is expected", first, second));
+  }
+  return true;
+}
+
+std::string text_in(const JsonView& object, std::string_view key, std::string_view otherwise) {
+  const auto value = object.find(key);
+  return std::string(value ? value->string() : otherwise);
+}
+
+int vertices_max_in(const JsonView& object) {
+  const auto value = object.find("vertices_max");
+  if (!value) return kMaxVertices;
+  if (value->whole_number() < 3) value->fail("3 or more is expected");
+  return static_cast<int>(std::min<std::uint64_t>(value->whole_number(), kMaxVertices));
+}
+
+bool takes_radius_in(const JsonView& object) {
+  const auto value = object.find("takes_radius");
+  return !value || value->boolean();
+}
+
+struct Declared {
+  Declaration declaration;
+  Dialect dialect;
+};
+
+/// What is left out is taken to be the least that a collider can promise: float, in the world.
+Declared read_declaration(const JsonView& object, const std::string& usual_name) {
+  object.expect_keys({"name", "version", "scalar", "frame", "tie_bias", "vertices_max",
+                      "takes_radius", "points", "normal", "snippet"});
+  const auto tie_bias = object.find("tie_bias");
+  Declared declared{
+      {.name = text_in(object, "name", usual_name),
+       .version = text_in(object, "version", "unknown"),
+       .description = "a program",
+       .scalar = is_second(object, "scalar", "float32", "float64") ? ScalarType::float64
+                                                                   : ScalarType::float32,
+       .frame = is_second(object, "frame", "world", "local") ? RoundingFrame::local
+                                                             : RoundingFrame::world,
+       .tie_bias = tie_bias ? tie_bias->number() : 0,
+       .max_vertices = vertices_max_in(object),
+       .takes_radius = takes_radius_in(object),
+       .snippet = text_in(object, "snippet", "")},
+      {.has_midpoints = is_second(object, "points", "clip", "midpoint"),
+       .normal_from_b = is_second(object, "normal", "a_to_b", "b_to_a")}};
+  check_declaration(declared.declaration, "$.declaration.");
+  return declared;
+}
+
+/// "planck" of "node scripts/planck.mjs --fast".
+std::string name_in(const std::string& command) {
+  std::string name;
+  std::size_t start = 0;
+  while (start < command.size()) {
+    const std::size_t end = std::min(command.find(' ', start), command.size());
+    const std::string word = command.substr(start, end - start);
+    if (!word.empty() && word.front() != '-') name = word;
+    start = end + 1;
+  }
+  name = name.substr(name.rfind('/') + 1);  // npos + 1 is 0
+  name = name.substr(0, name.find('.'));
+  Declaration declaration;
+  declaration.name = name;
+  try {
+    check_declaration(declaration, "");
+    return name;
+  } catch (const UserError&) {
+    return "command";
+  }
+}
+
+PairCase overlapping_boxes() {
+  const std::array<Vector2<float>, 4> corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+  PairCase pair{{make_polygon<float>(corners), {}}, {make_polygon<float>(corners), {}}};
+  pair.b.pose.position = {1.5F, 0.25F};
+  return pair;
+}
+
+class CommandCollider {
+ public:
+  CommandCollider(const std::string& command, double seconds_max)
+      : command_(command), conversation_(command), patience_{.case_seconds = seconds_max} {}
+
+  /// One case, to hear what it declares. One that dies over it or says nothing is left to the
+  /// campaign.
+  Declaration introduce() {
+    const PairCase pair = overlapping_boxes();
+    Answer answer;
+    const auto start = std::chrono::steady_clock::now();
+    const auto talk = conversation_.ask({&pair, 1}, {&answer, 1}, {}, patience_, always);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    const double to_start = talk.end == End::done ? 3 * took.count() : 0;
+    patience_.start_seconds = patience_.case_seconds + to_start;
+    const std::string declared = conversation_.declared();
+    const std::string death = conversation_.stop();
+    if (talk.end == End::died && (death.ends_with("status 127") || death.ends_with("status 126"))) {
+      throw UserError(fmt::format("'{}' cannot be run: it {}", command_, death));
+    }
+    const JsonTree tree = parse_json(declared.empty() ? "{\"declaration\": {}}" : declared);
+    try {
+      const Declared read = read_declaration(JsonView(tree).at("declaration"), name_in(command_));
+      dialect_ = read.dialect;
+      return read.declaration;
+    } catch (const UserError& error) {
+      throw UserError(fmt::format("'{}' declares: {}", command_, error.what()));
+    }
+  }
+
+  std::size_t answer(std::span<const PairCase> pairs, std::span<Answer> answers,
+                     const std::function<bool()>& go_on) {
+    std::size_t done = 0;
+    while (done < pairs.size() && go_on()) {
+      const std::size_t batch = std::min(kBatch, pairs.size() - done);
+      done += answer_batch(pairs.subspan(done, batch), answers.subspan(done, batch), go_on);
+    }
+    return done;
+  }
+
+ private:
+  static bool always() { return true; }
+
+  Lost lost_by(const Conversation::Talk& talk) {
+    const std::string death = conversation_.stop();
+    if (talk.end == End::died) {
+      return {Lost::How::crashed, death.empty() ? "closed its output" : death};
+    }
+    return {talk.end == End::silent ? Lost::How::timed_out : Lost::How::malformed, talk.why};
+  }
+
+  /// Answers at least one, unless told to stop. A program that dies does so over the first case it
+  /// has not answered, since it flushes each line; where lines and cases may have lost step, all
+  /// are asked again, one at a time.
+  std::size_t answer_batch(std::span<const PairCase> pairs, std::span<Answer> answers,
+                           const std::function<bool()>& go_on) {
+    auto talk = conversation_.ask(pairs, answers, dialect_, patience_, go_on);
+    if (talk.end == End::done && pairs.size() > 1 && conversation_.says_more(kMoreSeconds)) {
+      talk.end = End::chatty;
+    }
+    if (talk.end == End::done || talk.end == End::stopped) return talk.answered;
+    const Lost lost = lost_by(talk);
+    if (talk.end != End::died && pairs.size() > 1) {
+      return answer_one_by_one(pairs, answers, go_on);
+    }
+    const std::size_t at = std::min(talk.answered, pairs.size() - 1);
+    answers[at] = lost;
+    return at + 1;
+  }
+
+  std::size_t answer_one_by_one(std::span<const PairCase> pairs, std::span<Answer> answers,
+                                const std::function<bool()>& go_on) {
+    std::size_t done = 0;
+    while (done < pairs.size() && go_on()) {
+      const auto talk = conversation_.ask(pairs.subspan(done, 1), answers.subspan(done, 1),
+                                          dialect_, patience_, go_on);
+      if (talk.end == End::stopped) break;
+      if (talk.end != End::done) {
+        answers[done] = lost_by(talk);
+      } else if (conversation_.says_more(kMoreSeconds)) {
+        conversation_.stop();
+        answers[done] = Lost{Lost::How::malformed, "more answers than cases"};
+      }
+      ++done;
+    }
+    return done;
+  }
+
+  std::string command_;
+  Conversation conversation_;
+  Patience patience_;
+  Dialect dialect_;
+};
+
+}  // namespace
+
+Collider collider_of_command(const std::string& command, double seconds_max) {
+  const auto program = std::make_shared<CommandCollider>(command, seconds_max);
+  return isolated(program->introduce(), [program](auto pairs, auto answers, const auto& go_on) {
+    return program->answer(pairs, answers, go_on);
+  });
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "geometry/collider.hpp"
+
+namespace manifuzz {
+
+/// A program that answers case lines with manifold lines (corpus/README.md states both), as a
+/// collider. One that dies, hangs longer than `seconds_max` over a case, or says what is no
+/// manifold, loses that case. Throws UserError where it cannot be started or declares nonsense.
+Collider collider_of_command(const std::string& command, double seconds_max);
+
+}  // namespace manifuzz

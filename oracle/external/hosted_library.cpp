@@ -1,0 +1,194 @@
+#include "oracle/external/hosted_library.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "cases/text.hpp"
+#include "cases/user_error.hpp"
+#include "oracle/external/child.hpp"
+#include "oracle/external/library.hpp"
+#include "oracle/external/limits.hpp"
+#include "oracle/external/process.hpp"
+
+namespace manifuzz {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Enough to hide what waking a process costs, and small enough for the cache.
+constexpr std::size_t kBatch = 256;
+constexpr double kLoadSecondsMax = 20;
+constexpr double kPollSeconds = 0.05;
+
+template <std::size_t Size>
+using Text = std::array<char, Size>;
+
+template <std::size_t Size>
+void copy(const char* from, Text<Size>& to) {
+  std::strncpy(to.data(), from == nullptr ? "" : from, Size - 1);
+}
+
+/// What the library's process and ours share.
+struct Exchange {
+  manifuzz_declaration says{};  ///< its texts are in those below
+  Text<64> name{};
+  Text<64> version{};
+  Text<16384> snippet{};
+  Text<512> error{};  ///< why it could not be loaded
+  std::atomic<int> asked{0};
+  std::atomic<int> answered{0};
+  std::array<PairCase, kBatch> cases;
+  std::array<manifuzz_manifold, kBatch> manifolds{};
+  std::array<int, kBatch> statuses{};
+};
+
+/// The library's process: a byte from us asks for a batch, a byte from it says that it is done.
+void serve(const std::string& path, Exchange& exchange, int in, int out) {
+  dup2(STDERR_FILENO, STDOUT_FILENO);  // what a library prints is no output of ours
+  char byte = 0;
+  std::optional<Library> library;
+  try {
+    library.emplace(path);
+    exchange.says = library->says();
+    copy(exchange.says.name, exchange.name);
+    copy(exchange.says.version, exchange.version);
+    copy(exchange.says.snippet, exchange.snippet);
+  } catch (const UserError& error) {
+    copy(error.what(), exchange.error);
+  }
+  while (write(out, &byte, 1) == 1 && library && read(in, &byte, 1) == 1) {
+    const int asked = exchange.asked;
+    for (int i = 0; i < asked; ++i) {
+      exchange.statuses[i] = library->collide(exchange.cases[i], exchange.manifolds[i]);
+      exchange.answered.store(i + 1, std::memory_order_release);
+    }
+  }
+}
+
+class HostedLibrary {
+ public:
+  HostedLibrary(std::string path, double seconds_max)
+      : path_(std::move(path)), seconds_max_(seconds_max) {}
+
+  Declaration load() {
+    const std::string death = start();
+    if (!death.empty()) throw UserError(fmt::format("{}: {} while it was loaded", path_, death));
+    const Exchange& exchange = **exchange_;
+    if (exchange.error[0] != 0) throw UserError(exchange.error.data());
+    try {
+      declaration_ = declaration_of(says());
+    } catch (const UserError& error) {
+      throw UserError(fmt::format("{}: {}", path_, error.what()));
+    }
+    return declaration_;
+  }
+
+  std::size_t answer(std::span<const PairCase> pairs, std::span<Answer> answers,
+                     const std::function<bool()>& go_on) {
+    std::size_t done = 0;
+    while (done < pairs.size() && go_on()) {
+      const std::size_t batch = std::min(kBatch, pairs.size() - done);
+      done += answer_batch(pairs.subspan(done, batch), answers.subspan(done, batch), go_on);
+    }
+    return done;
+  }
+
+ private:
+  /// Says how it died, if it did.
+  std::string start() {
+    exchange_ = std::make_unique<Shared<Exchange>>();
+    child_.start([&](int in, int out) { serve(path_, **exchange_, in, out); });
+    if (!wait_readable(child_.from(), kLoadSecondsMax)) {
+      child_.stop();
+      return fmt::format("took more than {} s", kLoadSecondsMax);
+    }
+    return took_byte() ? "" : child_.stop();
+  }
+
+  bool took_byte() const {
+    char byte = 0;
+    return read(child_.from(), &byte, 1) == 1;
+  }
+
+  manifuzz_declaration says() const {
+    const Exchange& exchange = **exchange_;
+    manifuzz_declaration says = exchange.says;
+    says.name = exchange.name.data();
+    says.version = exchange.version.data();
+    says.snippet = exchange.snippet.data();
+    return says;
+  }
+
+  /// Answers at least one, unless told to stop.
+  std::size_t answer_batch(std::span<const PairCase> pairs, std::span<Answer> answers,
+                           const std::function<bool()>& go_on) {
+    if (!child_.running()) {
+      const std::string death = start();
+      if (!death.empty()) {
+        answers[0] = Lost{Lost::How::crashed, death + " while it was loaded again"};
+        return 1;
+      }
+    }
+    Exchange& exchange = **exchange_;
+    std::ranges::copy(pairs, exchange.cases.begin());
+    exchange.asked = static_cast<int>(pairs.size());
+    exchange.answered = 0;
+    const char byte = 0;
+    [[maybe_unused]] const auto written = write(child_.to(), &byte, 1);  // the wait sees it die
+    const std::optional<Lost> lost = wait_for_answers(go_on);
+    const int answered = std::clamp(exchange.answered.load(), 0, exchange.asked.load());
+    auto done = std::min(static_cast<std::size_t>(answered), pairs.size());
+    for (std::size_t i = 0; i < done; ++i) {
+      answers[i] = answer_of(exchange.statuses[i], exchange.manifolds[i], says(), pairs[i]);
+    }
+    if (lost && done < pairs.size()) answers[done++] = *lost;
+    return done;
+  }
+
+  /// Until all is answered or nothing more will come; what became of the case at work, if it was
+  /// lost.
+  std::optional<Lost> wait_for_answers(const std::function<bool()>& go_on) {
+    int seen = 0;
+    Clock::time_point seen_at = Clock::now();
+    while (!wait_readable(child_.from(), kPollSeconds)) {
+      const int answered = (*exchange_)->answered.load(std::memory_order_acquire);
+      if (answered != seen) {
+        seen = answered;
+        seen_at = Clock::now();
+      }
+      const bool stopped = !go_on();
+      const double seconds = std::chrono::duration<double>(Clock::now() - seen_at).count();
+      if (!stopped && seconds <= seconds_max_) continue;
+      child_.stop();
+      if (stopped) return std::nullopt;
+      return Lost{Lost::How::timed_out, fmt::format("no answer in {} s", seconds_max_)};
+    }
+    if (took_byte()) return std::nullopt;
+    return Lost{Lost::How::crashed, child_.stop()};
+  }
+
+  std::string path_;
+  double seconds_max_;
+  Declaration declaration_;
+  Child child_;
+  std::unique_ptr<Shared<Exchange>> exchange_;
+};
+
+}  // namespace
+
+Collider collider_in_own_process(const std::string& path, double seconds_max) {
+  const auto library = std::make_shared<HostedLibrary>(path, seconds_max);
+  return isolated(library->load(), [library](auto pairs, auto answers, const auto& go_on) {
+    return library->answer(pairs, answers, go_on);
+  });
+}
+
+}  // namespace manifuzz

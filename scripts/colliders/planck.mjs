@@ -1,0 +1,76 @@
+// planck's CollidePolygons for manifuzz: `manifuzz fuzz --subject-command "node planck.mjs"`.
+import {
+  CollidePolygons, ContactFeatureType, Manifold, ManifoldType, PolygonShape, Settings,
+} from "planck";
+import { serve, toWorld, versionOf } from "./protocol.mjs";
+
+const snippet = `import { CollidePolygons, Manifold, PolygonShape } from "planck";
+
+function body(vertices, radius, position, rotation) {
+  const floats = (list) => list.map(Math.fround);
+  const [c, s] = floats(rotation);
+  const unit = Math.sqrt(c * c + s * s); // what it lacks of 1 goes into the vertices
+  const shape = new PolygonShape(); // filled as it stands: PolygonShape(vertices) would weld
+  vertices.map(floats).forEach(([x, y], i, all) => {
+    const [u, v] = all[(i + 1) % all.length].map((next, k) => next - [x, y][k]);
+    shape.m_vertices.push({ x: unit * x, y: unit * y });
+    const length = Math.sqrt(u * u + v * v);
+    shape.m_normals.push({ x: v / length, y: -u / length });
+  });
+  shape.m_count = vertices.length;
+  shape.m_radius = Math.fround(radius);
+  const [x, y] = floats(position);
+  return [shape, { p: { x, y }, q: { c: c / unit, s: s / unit } }];
+}
+
+const a = body(@a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@);
+const b = body(@b.vertices[]@, @b.radius@, @b.position[]@, @b.rotation[]@);
+const manifold = new Manifold();
+CollidePolygons(manifold, ...a, ...b);
+console.log(manifold.getWorldManifold(null, a[1], a[0].m_radius, b[1], b[0].m_radius));
+`;
+
+const declaration = {
+  name: "planck",
+  version: versionOf("planck"),
+  scalar: "float64",
+  frame: "world",
+  tie_bias: 0.1 * Settings.linearSlop,
+  vertices_max: 8,
+  takes_radius: true,
+  points: "clip",
+  normal: "a_to_b",
+  snippet,
+};
+
+// Filled as it stands: PolygonShape(vertices) would weld and reorder.
+function shapeOf(body) {
+  const shape = new PolygonShape();
+  shape.m_vertices = body.vertices;
+  shape.m_normals = body.normals;
+  shape.m_count = body.count;
+  shape.m_radius = body.radius;
+  return shape;
+}
+
+function featureName(type, index) {
+  return (type === ContactFeatureType.e_face ? "f" : "v") + index;
+}
+
+function collide(a, b) {
+  const manifold = new Manifold();
+  CollidePolygons(manifold, shapeOf(a), a.pose, shapeOf(b), b.pose);
+  if (manifold.pointCount === 0) return { points: [] };
+
+  const world = manifold.getWorldManifold(null, a.pose, a.radius, b.pose, b.radius);
+  const byA = manifold.type === ManifoldType.e_faceA;
+  const incident = byA ? b : a;
+  const points = manifold.points.slice(0, manifold.pointCount).map(({ localPoint, id }, i) => ({
+    position: toWorld(incident.pose, localPoint),
+    depth: Math.max(0, -world.separations[i]),
+    features: [featureName(id.typeA, id.indexA), featureName(id.typeB, id.indexB)],
+  }));
+  return { points, normal: [world.normal.x, world.normal.y], reference: byA ? "a" : "b" };
+}
+
+serve(declaration, collide);

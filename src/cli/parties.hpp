@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "geometry/collider.hpp"
+
+namespace manifuzz {
+
+/// How a collider is named on the command line.
+struct ColliderChoice {
+  std::string role;     ///< the option's name without its dashes: subject, oracle, collider
+  std::string name;     ///< one of `list colliders`, or a shared library; empty: none was named
+  std::string command;  ///< or a program
+};
+
+/// How those outside are asked.
+struct OutsideOptions {
+  bool in_process = false;
+  std::optional<double> time_limit;
+};
+
+/// Adds --ROLE and --ROLE-command; `choice.name` is the one that is taken where none is given.
+void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& description);
+/// Adds --in-process and --time-limit.
+void add_outside(CLI::App& app, OutsideOptions& outside);
+
+/// The two parties of a comparison, clip against box2d unless others are given.
+struct Parties {
+  ColliderChoice subject{"subject", "clip", ""};
+  ColliderChoice oracle{"oracle", "box2d", ""};
+  OutsideOptions outside;
+};
+void add_parties(CLI::App& app, Parties& parties);
+
+/// The collider of that choice, with the tie bias where one is given. Throws UserError that says
+/// what there is instead, or what is wrong with a library or a program.
+Collider find_collider(const ColliderChoice& choice, const OutsideOptions& outside,
+                       std::optional<double> tie_bias = {});
+inline Collider find_subject(const Parties& parties, std::optional<double> tie_bias = {}) {
+  return find_collider(parties.subject, parties.outside, tie_bias);
+}
+inline Collider find_oracle(const Parties& parties) {
+  return find_collider(parties.oracle, parties.outside);
+}
+
+/// The options that choose the same parties again, for a shell.
+std::string options_again(const Parties& parties);
+
+}  // namespace manifuzz

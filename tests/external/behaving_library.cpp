@@ -1,0 +1,86 @@
+#include <cstdlib>
+#include <limits>
+
+#include "clipping/collider.hpp"
+#include "external/behaviour.hpp"
+#include "oracle/external/manifuzz_collider.h"
+
+// clip64 behind the C header, as a midpoint collider with normals from B to A where it is told so.
+// MANIFUZZ_TEST_BEHAVIOUR says what else it does.
+
+using namespace manifuzz;
+
+namespace {
+
+std::string_view behaviour() {
+  const char* const told = std::getenv("MANIFUZZ_TEST_BEHAVIOUR");
+  return told == nullptr ? "" : told;
+}
+
+Body from_c(const manifuzz_body& body) {
+  Body result;
+  std::array<Vector2<float>, kMaxVertices> corners;
+  for (int i = 0; i < body.count; ++i) corners[i] = {body.vertices[i].x, body.vertices[i].y};
+  result.polygon = make_polygon<float>(
+      std::span(corners.data(), static_cast<std::size_t>(body.count)), body.radius);
+  result.pose = {{body.position.x, body.position.y}, {body.rotation.x, body.rotation.y}};
+  return result;
+}
+
+manifuzz_feature to_c(const Feature& feature) {
+  const auto kind = feature.kind == Feature::Kind::face ? MANIFUZZ_FACE : MANIFUZZ_VERTEX;
+  return {static_cast<std::uint8_t>(kind), feature.index};
+}
+
+/// Halfway between both surfaces.
+Vector2<double> midpoint(const Manifold<double>& manifold, const PairCase& pair, int i) {
+  const bool incident_b = manifold.reference == Side::a;
+  const double radius = static_cast<double>(pair[other(manifold.reference)].polygon.radius);
+  const Vector2<double> inwards = incident_b ? manifold.normal : -manifold.normal;
+  const double unit = pair.a.pose.rotation.cast<double>().norm();
+  return manifold.points[i].position + inwards * (manifold.points[i].depth / 2 - radius) / unit;
+}
+
+}  // namespace
+
+extern "C" {
+
+extern const manifuzz_declaration manifuzz_collider;
+const manifuzz_declaration manifuzz_collider = {MANIFUZZ_INTERFACE,
+                                                "behaving",
+                                                "1.0",
+                                                MANIFUZZ_FLOAT64,
+                                                MANIFUZZ_FRAME_OF_A,
+                                                MANIFUZZ_FRAME_OF_A,
+                                                MANIFUZZ_MIDPOINTS,
+                                                MANIFUZZ_B_TO_A,
+                                                0,
+                                                MANIFUZZ_VERTICES_MAX,
+                                                1,
+                                                nullptr};
+
+int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_manifold* manifold) {
+  static const Collider clip64 = make_clip64();
+  test::misbehave(behaviour(), a->vertices[0].x, b->position.y);
+  const PairCase pair{from_c(*a), from_c(*b)};
+  const Answer answer = clip64.collide(pair);
+  const auto& found = std::get<Manifold<double>>(answer);
+  manifold->count = found.count;
+  manifold->normal = {-found.normal.x(), -found.normal.y()};
+  for (int i = 0; i < found.count; ++i) {
+    const Vector2<double> position = midpoint(found, pair, i);
+    manifold->points[i] = {{position.x(), position.y()},
+                           found.points[i].depth,
+                           to_c(found.points[i].features.a),
+                           to_c(found.points[i].features.b)};
+  }
+  if (behaviour() == "garbage" && test::is_unlucky(a->vertices[0].x, b->position.y)) {
+    manifold->count = 7;
+  }
+  if (behaviour() == "nan" && found.count > 0) {
+    manifold->points[0].depth = std::numeric_limits<double>::quiet_NaN();
+  }
+  if (behaviour() == "shallow" && found.count > 0) manifold->points[0].depth /= 2;
+  return 0;
+}
+}

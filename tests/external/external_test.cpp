@@ -1,0 +1,193 @@
+#include <cstdlib>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+#include "campaign/jobs.hpp"
+#include "cases/regime.hpp"
+#include "cases/user_error.hpp"
+#include "clipping/collider.hpp"
+#include "external/behaviour.hpp"
+#include "oracle/external/command.hpp"
+#include "oracle/external/hosted_library.hpp"
+#include "oracle/external/library.hpp"
+
+// Colliders in a process of their own: whatever they do, the campaign ends, counts it and leaves
+// nobody behind.
+
+using namespace manifuzz;
+
+namespace {
+
+constexpr double kSecondsMax = 1;  // enough on a busy machine
+constexpr std::uint64_t kCases = 3000;
+
+/// Tells libraries that are loaded while it lives what to do.
+class Told {
+ public:
+  explicit Told(const char* behaviour) { setenv("MANIFUZZ_TEST_BEHAVIOUR", behaviour, 1); }
+  ~Told() { unsetenv("MANIFUZZ_TEST_BEHAVIOUR"); }
+  Told(const Told&) = delete;
+  Told& operator=(const Told&) = delete;
+};
+
+Collider library() {
+  return collider_in_own_process(MANIFUZZ_TEST_LIBRARY, kSecondsMax);
+}
+
+Collider program(const std::string& behaviour) {
+  return collider_of_command(MANIFUZZ_TEST_PROGRAM " " + behaviour, kSecondsMax);
+}
+
+Plan plan_of(const Collider& subject) {
+  Plan plan;
+  plan.subject = subject;
+  plan.oracle = make_clip64();
+  plan.regimes = {find_regime("generic"), find_regime("sliver")};
+  plan.seed = 3;
+  plan.cases = kCases;
+  plan.jobs = 2;
+  return plan;
+}
+
+JobsResult run(const Plan& plan) {
+  Interruption interruption;
+  return run_jobs(plan, interruption, [](const Progress&) {});
+}
+
+/// How many of the plan's cases a collider that is told so has no luck with.
+std::uint64_t unlucky(const Plan& plan) {
+  std::uint64_t count = 0;
+  for (CaseNumber number = 0; number < *plan.cases; ++number) {
+    const PairCase pair = plan.pair(number);
+    const float x = pair.a.polygon.vertices[0].x();
+    if (test::is_unlucky(x, pair.b.pose.position.y())) ++count;
+  }
+  return count;
+}
+
+void check_loses(const Collider& subject, Verdict verdict) {
+  const Plan plan = plan_of(subject);
+  const std::uint64_t expected = unlucky(plan);
+  REQUIRE(expected > 0);
+  const JobsResult result = run(plan);
+  CHECK(result.tally->cases() == kCases);
+  CHECK(result.tally->count(verdict) == expected);
+  CHECK(result.tally->unexplained() == expected);
+  CHECK(result.tally->buckets[index_of(bucket_of_lost(verdict, Fault::subject))].count == expected);
+}
+
+/// The campaign stops, having seen enough.
+void check_hopeless(const Collider& subject, Verdict verdict) {
+  const JobsResult result = run(plan_of(subject));
+  CHECK(result.hopeless == Fault::subject);
+  CHECK(result.tally->cases() < kCases);
+  CHECK(result.tally->count(verdict) >= 20);
+}
+
+bool has_children() {
+  return waitpid(-1, nullptr, WNOHANG) >= 0;
+}
+
+}  // namespace
+
+TEST_CASE("a library out of process, in process and clip64 itself agree") {
+  for (const Collider& collider : {library(), collider_in_process(MANIFUZZ_TEST_LIBRARY),
+                                   program(""), program("undeclared")}) {
+    INFO(collider.declaration.description);
+    const JobsResult result = run(plan_of(collider));
+    CHECK(result.tally->cases() == kCases);
+    CHECK(result.tally->unexplained() == 0);
+    CHECK(result.tally->touching() > kCases / 3);
+  }
+  CHECK_FALSE(has_children());
+}
+
+TEST_CASE("what a library and a program declare is read") {
+  const Declaration of_library = library().declaration;
+  CHECK(of_library.name == "behaving");
+  CHECK(of_library.version == "1.0");
+  CHECK(of_library.scalar == ScalarType::float64);
+  CHECK(of_library.frame == RoundingFrame::local);
+  CHECK(program("").declaration.name == "behaving");
+  const Declaration undeclared = program("undeclared").declaration;
+  CHECK(undeclared.name == "undeclared");
+  CHECK(undeclared.scalar == ScalarType::float32);
+  CHECK(undeclared.frame == RoundingFrame::world);
+}
+
+TEST_CASE("a library that crashes or hangs loses that case alone") {
+  const Told crashes("crashes");
+  check_loses(library(), Verdict::crashed);
+  const Told exits("exits");
+  check_loses(library(), Verdict::crashed);
+  const Told sleeps("sleeps");
+  check_loses(library(), Verdict::timed_out);
+}
+
+TEST_CASE("a library's nonsense is a verdict") {
+  const Told garbage("garbage");
+  check_loses(library(), Verdict::malformed);
+  const Told nan("nan");
+  const JobsResult result = run(plan_of(library()));
+  CHECK(result.tally->count(Verdict::malformed) > kCases / 3);
+}
+
+TEST_CASE("a library's wrong depths are found") {
+  const Told shallow("shallow");
+  CHECK(run(plan_of(library())).tally->count(Verdict::subject_wrong) > kCases / 4);
+}
+
+TEST_CASE("a program that crashes, ends, hangs or talks nonsense loses that case alone") {
+  check_loses(program("crashes"), Verdict::crashed);
+  check_loses(program("exits"), Verdict::crashed);
+  check_loses(program("sleeps"), Verdict::timed_out);
+  check_loses(program("garbage"), Verdict::malformed);
+  check_loses(program("nonsense"), Verdict::malformed);
+  CHECK_FALSE(has_children());
+}
+
+TEST_CASE("a program that answers twice, or not at all, loses that case alone") {
+  // Which case it was is a matter of time, on a busy machine: others may be blamed beside it.
+  const JobsResult twice = run(plan_of(program("twice")));
+  CHECK(twice.tally->count(Verdict::malformed) > 0);
+  CHECK(twice.tally->count(Verdict::subject_wrong) == 0);
+  const JobsResult never = run(plan_of(program("never")));
+  CHECK(never.tally->count(Verdict::timed_out) > 0);
+  CHECK(never.tally->count(Verdict::subject_wrong) == 0);
+}
+
+TEST_CASE("a program that answers out of order has no answers") {
+  const JobsResult result =
+      run(plan_of(collider_of_command(MANIFUZZ_TEST_PROGRAM " out-of-order", kSecondsMax / 10)));
+  CHECK(result.hopeless == Fault::subject);
+  CHECK(result.tally->count(Verdict::malformed) >= 20);
+  CHECK(result.tally->count(Verdict::subject_wrong) == 0);
+}
+
+TEST_CASE("one that never answers ends the campaign") {
+  check_hopeless(program("dies"), Verdict::crashed);
+  check_hopeless(program("dies-at-start"), Verdict::crashed);
+  const Told dies("dies");
+  check_hopeless(library(), Verdict::crashed);
+  CHECK_FALSE(has_children());
+}
+
+TEST_CASE("what cannot be loaded or run is a user's error") {
+  CHECK_THROWS_AS(collider_in_own_process("./no-such.so", kSecondsMax), UserError);
+  CHECK_THROWS_AS(collider_in_process("./no-such.so"), UserError);
+  CHECK_THROWS_AS(collider_of_command("./no-such-program", kSecondsMax), UserError);
+  CHECK_THROWS_AS(collider_of_command(R"(echo '{"declaration": {"scalar": "int"}}')", kSecondsMax),
+                  UserError);
+}
+
+TEST_CASE("a collider is not asked what is beyond its limits") {
+  Collider chipmunk = collider_in_own_process(MANIFUZZ_TEST_CHIPMUNK, kSecondsMax);
+  PairCase pair = generate(1, *find_regime("boxes"), 0);
+  pair.a.polygon.radius = 0.5F;
+  CHECK(std::holds_alternative<Unsupported>(chipmunk.collide(pair)));
+  pair.a.polygon.radius = pair.b.polygon.radius = 0;
+  CHECK_FALSE(std::holds_alternative<Unsupported>(chipmunk.collide(pair)));
+}
