@@ -122,6 +122,14 @@ bool edge_extended_to_slab(const Deviation& d) {
          });
 }
 
+bool incident_edge_unclipped(const Deviation& d) {
+  constexpr double too_short = 1e-10;  // manifold_c.js: eps
+  const bool fits = d.kind == Kind::position || d.kind == Kind::depth || d.kind == Kind::count;
+  return fits && any_candidate(d, [](const exact::Clip& clip) {
+           return clip.edge_length * clip.cosine <= too_short;
+         });
+}
+
 bool normal_of_rounded_vertices(const Deviation& d) {
   constexpr double u = std::numeric_limits<double>::epsilon() / 2;
   if (d.kind != Kind::normal) return false;
@@ -138,7 +146,8 @@ bool normal_of_rounded_vertices(const Deviation& d) {
 }
 
 bool corner_on_corner(const Deviation& d) {
-  return d.kind == Kind::normal &&
+  const bool fits = d.kind == Kind::normal || d.kind == Kind::missed_contact;
+  return fits &&
          std::ranges::any_of(differences(d.right.pair()), [&](const Vector2<double>& apart) {
            return apart.norm() <= d.right.bounds.separation;
          });

@@ -22,10 +22,12 @@ bool crossing_underflows(const Deviation& deviation);
 /// An incident edge that misses the slab, prolonged to it: a point off the polygon, or contact
 /// across a gap.
 bool edge_extended_to_slab(const Deviation& deviation);
+/// The incident edge, along the reference face, is too short to be clipped.
+bool incident_edge_unclipped(const Deviation& deviation);
 /// The normal is that of vertices that were rounded on the way: off by their roundoff over the
 /// face's length.
 bool normal_of_rounded_vertices(const Deviation& deviation);
-/// The normal is arbitrary, and a corner of A lies on a corner of B.
+/// The normal is arbitrary, or the contact missed, and a corner of A lies on a corner of B.
 bool corner_on_corner(const Deviation& deviation);
 /// Contact for polygons that are apart, and the origin lies on the line through two of their
 /// difference's corners, beyond them.

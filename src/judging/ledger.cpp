@@ -31,6 +31,55 @@ constexpr Budget kOfTies[] = {{"sliver", 4800},        {"tied_faces", 26'000},
                               {"corner_corner", 40},   {"tie_bias", 10},
                               {"far_from_origin", 30}, {"scaled", 10},
                               {"off_unit", 20},        {"ulp", 4700}};
+
+// The same of 10,000,000 cases against clip64.
+constexpr Budget kOfPlanckNoContactUnderBias[] = {{"generic", 70},
+                                                  {"boxes", 20},
+                                                  {"regular", 130},
+                                                  {"sliver", 5700},
+                                                  {"near_parallel", 20},
+                                                  {"tied_faces", 30},
+                                                  {"micro_edge", 12000},
+                                                  {"near_collinear", 280},
+                                                  {"corner_corner", 12000},
+                                                  {"corner_face", 20},
+                                                  {"touching", 1400},
+                                                  {"deep", 40},
+                                                  {"tie_bias", 63000},
+                                                  {"far_from_origin", 2700},
+                                                  {"scaled", 20000},
+                                                  {"off_unit", 2600},
+                                                  {"ulp", 7600}};
+constexpr Budget kOfPlanckNoContactOnTiedFeatures[] = {{"near_collinear", 9100}, {"ulp", 500}};
+constexpr Budget kOfPlanckNormalOfScaledVertices[] = {
+    {"generic", 20},        {"sliver", 2200},      {"near_parallel", 340},
+    {"tied_faces", 260},    {"micro_edge", 69000}, {"near_collinear", 2800},
+    {"corner_corner", 150}, {"corner_face", 70},   {"touching", 110},
+    {"deep", 10},           {"tie_bias", 920},     {"far_from_origin", 190},
+    {"scaled", 260},        {"off_unit", 120},     {"ulp", 4400}};
+constexpr Budget kOfPhaserEdgeExtendedToSlab[] = {
+    {"sliver", 590},   {"micro_edge", 80}, {"near_collinear", 18000}, {"corner_corner", 690},
+    {"touching", 470}, {"tie_bias", 500},  {"far_from_origin", 100},  {"scaled", 200},
+    {"off_unit", 220}, {"ulp", 1200}};
+constexpr Budget kOfPhaserNoContactOnTiedFeatures[] = {{"near_collinear", 510}, {"ulp", 20}};
+constexpr Budget kOfChipmunkNormalOfWorldVertices[] = {
+    {"generic", 3400},       {"boxes", 1900},
+    {"regular", 1400},       {"sliver", 14000},
+    {"near_parallel", 1800}, {"tied_faces", 1800},
+    {"micro_edge", 13000},   {"near_collinear", 18000},
+    {"corner_corner", 5200}, {"corner_face", 5800},
+    {"touching", 20},        {"deep", 1700},
+    {"tie_bias", 4100},      {"far_from_origin", 910000},
+    {"scaled", 6800},        {"off_unit", 7200},
+    {"ulp", 56000}};
+constexpr Budget kOfChipmunkCornerOnCorner[] = {
+    {"regular", 170},        {"grid", 260000},        {"sliver", 3500},    {"tied_faces", 2200},
+    {"near_collinear", 130}, {"corner_corner", 2800}, {"touching", 19000}, {"deep", 2400},
+    {"tie_bias", 300},       {"scaled", 3300},        {"off_unit", 2400},  {"ulp", 8100}};
+constexpr Budget kOfChipmunkCollinearApart[] = {
+    {"grid", 7400}, {"tied_faces", 100}, {"tie_bias", 10}, {"ulp", 290}};
+constexpr Budget kOfChipmunkWrongSupportEdge[] = {
+    {"tied_faces", 2500}, {"near_collinear", 16000}, {"ulp", 1100}};
 constexpr std::array kLedger{
     LedgerEntry{.id = "box2d-tiny-reference-face",
                 .collider = "box2d",
@@ -93,7 +142,7 @@ constexpr std::array kLedger{
                 .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
                           "k_tol = 0.1 * Settings.linearSlop, then `if (np1 < 2) return`",
                 .witness = "defects/planck/witness-planck-no-contact-under-bias.json",
-                .budgets = {},
+                .budgets = kOfPlanckNoContactUnderBias,
                 .explains = no_contact_under_bias},
     LedgerEntry{.id = "planck-no-contact-on-tied-features",
                 .collider = "planck",
@@ -103,7 +152,7 @@ constexpr std::array kLedger{
                 .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, findMaxSeparation "
                           "and findIncidentEdge: first of equals",
                 .witness = "defects/planck/witness-planck-no-contact-on-tied-features.json",
-                .budgets = {},
+                .budgets = kOfPlanckNoContactOnTiedFeatures,
                 .explains = no_contact_on_tied_features},
     LedgerEntry{.id = "planck-normal-of-scaled-vertices",
                 .collider = "planck",
@@ -113,7 +162,7 @@ constexpr std::array kLedger{
                 .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
                           "localNormal of v12 - v11; scripts/colliders/protocol.mjs, readBody",
                 .witness = "defects/planck/witness-planck-normal-of-scaled-vertices.json",
-                .budgets = {},
+                .budgets = kOfPlanckNormalOfScaledVertices,
                 .explains = normal_of_rounded_vertices},
     LedgerEntry{.id = "phaser-box2d-edge-extended-to-slab",
                 .collider = "phaser-box2d",
@@ -123,7 +172,7 @@ constexpr std::array kLedger{
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2ClipPolygons: b2Lerp(v22, v21, "
                           "(lower1 - lower2) / (upper2 - lower2)) with a fraction outside [0, 1]",
                 .witness = "defects/phaser-box2d/witness-phaser-box2d-edge-extended-to-slab.json",
-                .budgets = {},
+                .budgets = kOfPhaserEdgeExtendedToSlab,
                 .explains = edge_extended_to_slab},
     LedgerEntry{
         .id = "phaser-box2d-no-contact-on-tied-features",
@@ -133,8 +182,17 @@ constexpr std::array kLedger{
         .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: `dot < minDot`, first "
                   "of equals",
         .witness = "defects/phaser-box2d/witness-phaser-box2d-no-contact-on-tied-features.json",
-        .budgets = {},
+        .budgets = kOfPhaserNoContactOnTiedFeatures,
         .explains = no_contact_on_tied_features},
+    LedgerEntry{.id = "phaser-box2d-tiny-edge-unclipped",
+                .collider = "phaser-box2d",
+                .description = "a point beyond the side plane: an incident edge shorter than 1e-10 "
+                               "along the reference face is not clipped",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2ClipPolygons: "
+                          "`upper2 - lower2 > eps`; src/include/math_functions_h.js: eps = 1.0e-10",
+                .witness = "defects/phaser-box2d/witness-phaser-box2d-tiny-edge-unclipped.json",
+                .budgets = {},
+                .explains = incident_edge_unclipped},
     LedgerEntry{
         .id = "chipmunk-normal-of-world-vertices",
         .collider = "chipmunk",
@@ -142,15 +200,16 @@ constexpr std::array kLedger{
         .source = "Chipmunk 7.0.3, src/cpCollision.c, ClosestPointsNew: "
                   "`n = cpvnormalize(cpvrperp(delta))`, delta of world points",
         .witness = "defects/chipmunk/witness-chipmunk-normal-of-world-vertices.json",
-        .budgets = {},
+        .budgets = kOfChipmunkNormalOfWorldVertices,
         .explains = normal_of_rounded_vertices},
     LedgerEntry{.id = "chipmunk-corner-on-corner",
                 .collider = "chipmunk",
-                .description = "an arbitrary normal: a corner of A lies on a corner of B",
+                .description = "an arbitrary normal or no contact: a corner of A lies on a "
+                               "corner of B",
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, GJKRecurse: the direction to the "
                           "nearest point is (0, 0), so no nearer one is found",
                 .witness = "defects/chipmunk/witness-chipmunk-corner-on-corner.json",
-                .budgets = {},
+                .budgets = kOfChipmunkCornerOnCorner,
                 .explains = corner_on_corner},
     LedgerEntry{.id = "chipmunk-collinear-apart",
                 .collider = "chipmunk",
@@ -159,7 +218,7 @@ constexpr std::array kLedger{
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, ClosestPointsNew: `if(d <= 0.0f` "
                           "comes before the distance to the nearer vertex",
                 .witness = "defects/chipmunk/witness-chipmunk-collinear-apart.json",
-                .budgets = {},
+                .budgets = kOfChipmunkCollinearApart,
                 .explains = collinear_and_apart},
     LedgerEntry{.id = "chipmunk-wrong-support-edge",
                 .collider = "chipmunk",
@@ -168,7 +227,7 @@ constexpr std::array kLedger{
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, SupportEdgeForPoly: "
                           "`cpvdot(n, planes[i1].n) > cpvdot(n, planes[i2].n)`",
                 .witness = "defects/chipmunk/witness-chipmunk-wrong-support-edge.json",
-                .budgets = {},
+                .budgets = kOfChipmunkWrongSupportEdge,
                 .explains = neighbours_nearly_parallel},
 };
 
