@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstring>
+#include <fcntl.h>
 #include <memory>
 #include <optional>
 #include <unistd.h>
@@ -50,9 +51,16 @@ struct Exchange {
   std::array<int, kBatch> statuses{};
 };
 
+/// What a library prints is no output of ours; in process it is seen.
+void silence() {
+  const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+}
+
 /// The library's process: a byte from us asks for a batch, a byte from it says that it is done.
 void serve(const std::string& path, Exchange& exchange, int in, int out) {
-  dup2(STDERR_FILENO, STDOUT_FILENO);  // what a library prints is no output of ours
+  silence();
   char byte = 0;
   std::optional<Library> library;
   try {

@@ -1,5 +1,6 @@
 #include "campaign/tally.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace manifuzz {
@@ -9,6 +10,11 @@ std::uint64_t sum(const Tally& tally, std::uint64_t RegimeTally::*field) {
   return std::accumulate(
       tally.regimes.begin(), tally.regimes.end(), std::uint64_t{0},
       [field](std::uint64_t total, const RegimeTally& regime) { return total + regime.*field; });
+}
+
+void widen(ErrorShare& worst, const ErrorShare& other) {
+  worst.depth = std::max(worst.depth, other.depth);
+  worst.position = std::max(worst.position, other.position);
 }
 
 }  // namespace
@@ -33,6 +39,8 @@ void BucketTally::add(const BucketTally& tally) {
 
 void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
                 const Judgement& judgement) {
+  widen(of_subject, judgement.of_subject);
+  widen(of_oracle, judgement.of_oracle);
   const Bucket& bucket = judgement.bucket;
   RegimeTally& of_regime = regimes[regime];
   ++of_regime.cases;
@@ -48,6 +56,8 @@ void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
 }
 
 void Tally::add(const Tally& tally) {
+  widen(of_subject, tally.of_subject);
+  widen(of_oracle, tally.of_oracle);
   for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] += tally.verdicts[i];
   for (std::size_t i = 0; i < regimes.size(); ++i) {
     regimes[i].cases += tally.regimes[i].cases;

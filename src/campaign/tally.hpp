@@ -36,6 +36,9 @@ struct Tally {
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
   std::array<RegimeTally, kRegimesMax> regimes{};
   std::array<BucketTally, kBucketCount> buckets{};
+  /// The worst errors of wrong answers.
+  ErrorShare of_subject;
+  ErrorShare of_oracle;
   /// How often each entry of the ledger fired in each regime.
   std::array<std::array<std::uint64_t, kRegimesMax>, kLedgerMax> explained{};
 

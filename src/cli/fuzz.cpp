@@ -40,6 +40,7 @@ struct Options {
   std::string corpus = "corpus";
   std::string json;
   bool no_save = false;
+  std::string baseline;
 };
 
 int jobs_of(const Options& options) {
@@ -135,6 +136,8 @@ int fuzz(Options options) {
   if (!options.corpus.empty()) options.corpus = std::filesystem::proximate(options.corpus).string();
   const Corpus corpus = read_corpus_folder(options.corpus);
   Plan plan = plan_of(options);
+  std::optional<std::vector<EarlierBucket>> baseline;
+  if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
@@ -150,8 +153,8 @@ int fuzz(Options options) {
   if (!options.no_save) saving = save_new(found, plan, options);
   run.interrupted = run.interrupted || saving.interrupted;
 
-  const CampaignReport report{plan, run, found, ledger_counts(*run.tally, plan),
-                              repeating_command(options)};
+  const CampaignReport report{
+      plan, run, found, ledger_counts(*run.tally, plan), baseline, repeating_command(options)};
   const std::string json = options.json.empty() ? "" : summary_json(report).dump(2) + '\n';
   write_to_reader(options.json == "-" ? json : summary_table(report));
   if (!json.empty() && options.json != "-") write_file(options.json, json);
@@ -182,6 +185,9 @@ Run define(CLI::App& app) {
       ->type_name("DIR")
       ->capture_default_str();
   app.add_flag("--no-save", options->no_save, "shrink and save nothing");
+  app.add_option("--baseline", options->baseline,
+                 "the --json of an earlier run: says which buckets are new, worse, gone")
+      ->type_name("FILE");
   app.add_option("--json", options->json, "the summary as JSON, to a file or - for stdout")
       ->type_name("FILE");
   return [options] { return fuzz(*options); };

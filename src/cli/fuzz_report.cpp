@@ -115,6 +115,7 @@ std::string summary_table(const CampaignReport& report) {
   if (is_vacuous(report)) {
     text += "\nvacuous: nothing touched, so nothing was shown; choose other regimes or a radius\n";
   }
+  if (report.baseline) text += '\n' + comparison_rows(compared(*report.baseline, report.findings));
   text += hopeless_in_words(report);
   if (report.run.interrupted) text += "\ninterrupted: what was found until then is kept\n";
   return text;
@@ -136,6 +137,10 @@ nlohmann::ordered_json summary_json(const CampaignReport& report) {
     json["verdicts"][std::string(kVerdictNames[i])] = tally.verdicts[i];
   }
   json["unexplained"] = tally.unexplained();
+  for (const auto& [name, worst] :
+       {std::pair("subject", tally.of_subject), std::pair("oracle", tally.of_oracle)}) {
+    json["worst_error"][name] = {{"depth", worst.depth}, {"position", worst.position}};
+  }
   json["vacuous"] = is_vacuous(report);
   json["interrupted"] = report.run.interrupted;
   json["regimes"] = nlohmann::ordered_json::array();
@@ -171,6 +176,9 @@ nlohmann::ordered_json summary_json(const CampaignReport& report) {
                                {"file", finding.file},
                                {"command", command_of(report, finding)},
                                {"new", finding.is_new}});
+  }
+  if (report.baseline) {
+    json["baseline"] = comparison_json(compared(*report.baseline, report.findings));
   }
   return json;
 }

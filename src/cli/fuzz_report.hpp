@@ -8,6 +8,7 @@
 #include "campaign/budgets.hpp"
 #include "campaign/findings.hpp"
 #include "campaign/jobs.hpp"
+#include "cli/baseline.hpp"
 
 namespace manifuzz {
 
@@ -17,6 +18,7 @@ struct CampaignReport {
   const JobsResult& run;
   const std::vector<Finding>& findings;
   std::vector<LedgerCount> ledger;
+  std::optional<std::vector<EarlierBucket>> baseline;
   std::string command;  ///< the beginning of a command that repeats a case, up to --regime
 };
 

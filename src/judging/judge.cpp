@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "judging/outside.hpp"
+#include "judging/plain_error.hpp"
 
 namespace manifuzz {
 namespace {
@@ -119,6 +120,11 @@ TieClass relevant(TieClass tie_class, Verdict verdict, Kind kind) {
 /// A magnitude in world lengths as a share of the size; a normal's is a share already.
 double share(const Mismatch& mismatch, double size) {
   return mismatch.kind == Kind::normal ? mismatch.magnitude : mismatch.magnitude / size;
+}
+
+ErrorShare error_share(const Manifold<double>& manifold, const Admissible& right) {
+  const PlainError error = plain_error(manifold, right);
+  return {error.depth / right.truth->size(), error.position / right.truth->size()};
 }
 
 bool is_ill_posed(const exact::Truth& truth, const Declaration& declaration) {
@@ -267,6 +273,12 @@ Judgement judge(std::shared_ptr<const exact::Truth> truth, const Testimony& subj
                       mismatch(of_oracle, right_for_oracle)};
 
   Judgement result;
+  if (wrongs.subject.kind != Kind::none) {
+    result.of_subject = error_share(of_subject, right_for_subject);
+  }
+  if (wrongs.oracle.kind != Kind::none) {
+    result.of_oracle = error_share(of_oracle, right_for_oracle);
+  }
   result.bucket.reference = truth->greatest().side;
   result.bucket.fault = wrongs.fault();
   if (result.bucket.fault == Fault::none &&

@@ -11,11 +11,19 @@ struct Testimony {
   const Answer& answer;
 };
 
+/// How far off a wrong manifold is, as shares of the size; 0 of a right one.
+struct ErrorShare {
+  double depth = 0;
+  double position = 0;
+};
+
 /// What a case comes to between a subject and an oracle.
 struct Judgement {
   Bucket bucket;
   double magnitude = 0;                      ///< the finding's worst error as a share of the size
   const LedgerEntry* explanation = nullptr;  ///< set where the verdict is known
+  ErrorShare of_subject{};
+  ErrorShare of_oracle{};
 };
 
 /// Where a case stands by the truth alone.

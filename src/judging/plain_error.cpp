@@ -55,6 +55,23 @@ double largest(const PlainError& share) {
 
 }  // namespace
 
+PlainError plain_error(const Manifold<double>& manifold, const Admissible& right) {
+  const bool may_be_empty = right.may_be_apart || !right.may_touch;
+  if (manifold.count == 0 && may_be_empty) return {};
+  if (manifold.count == 0 || right.candidates.empty()) {
+    return {.normal = 0, .position = 0, .depth = right.from_contact()};
+  }
+  std::optional<PlainError> nearest;
+  for (const exact::Clip* clip : right.candidates) {
+    if (clip->count == 0) continue;
+    const PlainError error = against(manifold, *clip, right).error;
+    if (!nearest || error.position + error.depth < nearest->position + nearest->depth) {
+      nearest = error;
+    }
+  }
+  return nearest.value_or(PlainError{});
+}
+
 std::optional<MeasuredError> measure_error(const Manifold<double>& manifold,
                                            const Admissible& right) {
   std::optional<MeasuredError> nearest;

@@ -24,4 +24,9 @@ struct MeasuredError {
 std::optional<MeasuredError> measure_error(const Manifold<double>& manifold,
                                            const Admissible& right);
 
+/// The largest error of any manifold, right or wrong, against the clip nearest to it: a contact
+/// that was missed, or seen across a gap, is off by its depth. In world lengths; the normal's is
+/// left out.
+PlainError plain_error(const Manifold<double>& manifold, const Admissible& right);
+
 }  // namespace manifuzz

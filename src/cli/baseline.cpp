@@ -1,0 +1,79 @@
+#include "cli/baseline.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "cases/file.hpp"
+#include "cases/user_error.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr double kWorseFrom = 1.1;
+
+struct Part {
+  std::string_view name;
+  std::vector<std::string> Comparison::*buckets;
+};
+constexpr std::array kParts{Part{"new", &Comparison::appeared}, Part{"worse", &Comparison::worse},
+                            Part{"still", &Comparison::still}, Part{"gone", &Comparison::gone}};
+
+}  // namespace
+
+std::vector<EarlierBucket> read_baseline(const std::string& path) {
+  InputFile file(path);
+  std::vector<EarlierBucket> earlier;
+  try {
+    const nlohmann::json report = nlohmann::json::parse(file.read_all());
+    for (const auto& bucket : report.at("buckets")) {
+      earlier.push_back(
+          {bucket.at("bucket").get<std::string>(), bucket.at("magnitude").get<double>()});
+    }
+  } catch (const nlohmann::json::exception&) {
+    throw UserError(
+        fmt::format("--baseline: {}: what fuzz --json writes is expected", file.name()));
+  }
+  return earlier;
+}
+
+Comparison compared(const std::vector<EarlierBucket>& earlier, const std::vector<Finding>& now) {
+  Comparison comparison;
+  for (const Finding& finding : now) {
+    const std::string name = to_string(finding.bucket);
+    const auto before = std::ranges::find(earlier, name, &EarlierBucket::bucket);
+    if (before == earlier.end()) {
+      comparison.appeared.push_back(name);
+    } else if (finding.tally.magnitude > kWorseFrom * before->magnitude) {
+      comparison.worse.push_back(name);
+    } else {
+      comparison.still.push_back(name);
+    }
+  }
+  for (const EarlierBucket& before : earlier) {
+    const bool is_there = std::ranges::any_of(
+        now, [&](const Finding& finding) { return to_string(finding.bucket) == before.bucket; });
+    if (!is_there) comparison.gone.push_back(before.bucket);
+  }
+  return comparison;
+}
+
+std::string comparison_rows(const Comparison& comparison) {
+  std::string text = "against the baseline\n";
+  for (const Part& part : kParts) {
+    const auto& buckets = comparison.*part.buckets;
+    text += fmt::format("{:<18}{:>14}\n", part.name, buckets.size());
+    if (part.name == "still") continue;
+    for (const std::string& bucket : buckets) text += fmt::format("  {}\n", bucket);
+  }
+  return text;
+}
+
+nlohmann::ordered_json comparison_json(const Comparison& comparison) {
+  nlohmann::ordered_json json;
+  for (const Part& part : kParts) json[std::string(part.name)] = comparison.*part.buckets;
+  return json;
+}
+
+}  // namespace manifuzz
