@@ -60,7 +60,7 @@ typedef struct {
   double tie_bias;      /* B's face is the reference only where it leads by more; a length */
   int32_t vertices_max; /* 3 to 8: with more it is not asked */
   int32_t takes_radius; /* 0: rounded polygons are not asked */
-  const char* snippet;  /* a program that shows one case (see CONTRIBUTING), or NULL */
+  const char* snippet;  /* a program that shows one case (README.md), or NULL */
 } manifuzz_declaration;
 
 extern const manifuzz_declaration manifuzz_collider;
