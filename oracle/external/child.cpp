@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <optional>
 #include <poll.h>
+#include <set>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
@@ -53,6 +54,11 @@ void reset_signals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
+std::set<Child*>& all_children() {
+  static std::set<Child*> children;
+  return children;
+}
+
 std::string obituary(int status) {
   if (WIFSIGNALED(status)) {
     return fmt::format("was killed by signal {} ({})", WTERMSIG(status),
@@ -62,6 +68,19 @@ std::string obituary(int status) {
 }
 
 }  // namespace
+
+Child::Child() {
+  all_children().insert(this);
+}
+
+Child::~Child() {
+  stop();
+  all_children().erase(this);
+}
+
+void stop_children() {
+  for (Child* const child : all_children()) child->stop();
+}
 
 bool Child::running() const {
   return process_ > 0 && owner_ == getpid();

@@ -11,8 +11,8 @@ namespace manifuzz {
 /// to the process that started it: in a fork of that, it counts as not started.
 class Child {
  public:
-  Child() = default;
-  ~Child() { stop(); }
+  Child();
+  ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
@@ -36,6 +36,9 @@ class Child {
   int to_ = -1;
   int from_ = -1;
 };
+
+/// Stops every child of this process: destructors do not run in one that exits at once.
+void stop_children();
 
 /// Waits until something is to be read, at most so long; whether it is.
 bool wait_readable(int descriptor, double seconds);

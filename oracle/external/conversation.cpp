@@ -40,6 +40,14 @@ Answer answer_in(const JsonTree& tree, const PairCase& pair, const Dialect& dial
   }
 }
 
+/// A command of words alone: it can take the shell's place, so that it dies with us as the shell
+/// would. One that sets variables first, or is several, is left to the shell.
+bool is_simple(const std::string& command) {
+  const std::string first_word = command.substr(0, command.find(' '));
+  return command.find_first_of(";|&(){}!\n") == std::string::npos &&
+         first_word.find('=') == std::string::npos;
+}
+
 }  // namespace
 
 Conversation::Talk Conversation::ask(std::span<const PairCase> pairs, std::span<Answer> answers,
@@ -98,7 +106,8 @@ void Conversation::start() {
   child_.start([&](int in, int out) {
     dup2(in, STDIN_FILENO);
     dup2(out, STDOUT_FILENO);
-    execl("/bin/sh", "sh", "-c", command_.c_str(), static_cast<char*>(nullptr));
+    const std::string line = is_simple(command_) ? "exec " + command_ : command_;
+    execl("/bin/sh", "sh", "-c", line.c_str(), static_cast<char*>(nullptr));
     _exit(127);
   });
 }

@@ -4,11 +4,15 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <fstream>
+#include <string>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
+
+#include "oracle/external/child.hpp"
 
 namespace manifuzz {
 
@@ -32,12 +36,28 @@ pid_t spawn(const std::function<void()>& body) {
   if (child > 0) return child;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(3);
+  int status = 0;
   try {
     body();
   } catch (...) {
-    _exit(3);
+    status = 3;
   }
-  _exit(0);
+  stop_children();
+  _exit(status);
+}
+
+Descendants::Descendants() {
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+}
+
+Descendants::~Descendants() {
+  const std::string path = "/proc/self/task/" + std::to_string(getpid()) + "/children";
+  for (;;) {
+    std::ifstream children(path);
+    pid_t child = 0;
+    if (!(children >> child)) return;
+    kill_and_wait(child);
+  }
 }
 
 bool wait_for(pid_t child) {

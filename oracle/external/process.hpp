@@ -35,8 +35,9 @@ class Shared {
   T* value_;
 };
 
-/// Runs `body` in a child process, which dies with its parent and then exits with status 0, or 3
-/// where `body` throws. Throws std::system_error when no process is to be had.
+/// Runs `body` in a child process, which dies with its parent. Once `body` has run, it stops its
+/// own `Child`ren and exits with status 0, or 3 where `body` throws. Throws std::system_error when
+/// no process is to be had.
 pid_t spawn(const std::function<void()>& body);
 
 /// Waits for a child to end; whether it ended well.
@@ -44,6 +45,15 @@ bool wait_for(pid_t child);
 
 /// Ends a child at once and waits for it.
 void kill_and_wait(pid_t child);
+
+/// Whoever a child of this process leaves behind is ended with this: a program's own children too.
+class Descendants {
+ public:
+  Descendants();
+  ~Descendants();
+  Descendants(const Descendants&) = delete;
+  Descendants& operator=(const Descendants&) = delete;
+};
 
 /// Holds SIGINT and SIGTERM back for as long as it lives, so that work can stop in good order.
 class Interruption {

@@ -39,9 +39,8 @@ Collider of_node(std::string_view name) {
         fmt::format("{} is not installed; scripts/setup installs it where node and npm are", name));
   }
   const auto adapter = folder / fmt::format("{}.mjs", name);
-  return described(
-      collider_of_command("exec node " + quoted_for_shell(adapter.string()), kSecondsMax),
-      fmt::format("{} of npm, under node", name));
+  return described(collider_of_command("node " + quoted_for_shell(adapter.string()), kSecondsMax),
+                   fmt::format("{} of npm, under node", name));
 }
 
 Collider make_planck() {

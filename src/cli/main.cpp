@@ -13,6 +13,7 @@
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "oracle/external/process.hpp"
 
 namespace manifuzz {
 namespace {
@@ -84,6 +85,7 @@ int run(int argc, char** argv) {
 }  // namespace manifuzz
 
 int main(int argc, char** argv) {
+  const manifuzz::Descendants descendants;
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is noticed where output is written
   try {
     return manifuzz::run(argc, argv);

@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdlib>
 #include <string>
 #include <sys/wait.h>
@@ -13,6 +14,7 @@
 #include "oracle/external/command.hpp"
 #include "oracle/external/hosted_library.hpp"
 #include "oracle/external/library.hpp"
+#include "oracle/external/process.hpp"
 
 // Colliders in a process of their own: whatever they do, the campaign ends, counts it and leaves
 // nobody behind.
@@ -173,6 +175,24 @@ TEST_CASE("one that never answers ends the campaign") {
   const Told dies("dies");
   check_hopeless(library(), Verdict::crashed);
   CHECK_FALSE(has_children());
+}
+
+TEST_CASE("a program's own children end with the command that ran it") {
+  const Shared<pid_t> orphan;
+  const pid_t command = spawn([&] {
+    const Descendants descendants;
+    const pid_t program = fork();
+    if (program == 0) {
+      const pid_t forked = fork();
+      if (forked == 0) pause();
+      *orphan = forked;
+      _exit(0);
+    }
+    waitpid(program, nullptr, 0);
+  });
+  CHECK(wait_for(command));
+  REQUIRE(*orphan > 0);
+  CHECK(kill(*orphan, 0) == -1);
 }
 
 TEST_CASE("what cannot be loaded or run is a user's error") {

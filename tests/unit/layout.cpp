@@ -16,7 +16,7 @@ namespace {
 /// {cli, measure} -> scene -> kernel -> clipping -> geometry. Of oracle/, the colliders outside
 /// talk in the formats of cases/, and lend campaigns their processes.
 const std::map<std::string, std::set<std::string>> kArrows = {
-    {"cli", {"report", "campaign", "measure", "scene"}},
+    {"cli", {"report", "campaign", "measure", "scene", "external"}},
     {"report", {"judging"}},
     {"campaign", {"judging", "external"}},
     {"measure", {"judging", "scene"}},
