@@ -1,0 +1,25 @@
+#pragma once
+
+#include "kernel/packed.hpp"
+
+// Many pairs at once, one a lane of the widest vectors this processor has. Equal to
+// `clipping::collide` of the same polygons and poses, bit for bit, on every instruction set: same
+// operations in the same order, nothing fused, nothing approximated.
+
+namespace manifuzz::kernel {
+
+/// `out` holds a block for each of `pairs.blocks()`; columns beyond the last pair repeat it.
+void collide_packed(const PackedPairs<float>& pairs, float tie_bias,
+                    std::span<ManifoldBlock<float>> out);
+void collide_packed(const PackedPairs<double>& pairs, double tie_bias,
+                    std::span<ManifoldBlock<double>> out);
+
+/// `out[i]` becomes the manifold of `pairs[i]`, in the frame of its A. Shapes and poses are fetched
+/// by index, pairs grouped by their vertex counts on the way.
+void collide_pairs(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
+                   std::span<const BodyPair> pairs, float tie_bias, std::span<Manifold<float>> out);
+void collide_pairs(const Shapes<double>& shapes, std::span<const Placement<double>> bodies,
+                   std::span<const BodyPair> pairs, double tie_bias,
+                   std::span<Manifold<double>> out);
+
+}  // namespace manifuzz::kernel

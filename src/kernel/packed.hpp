@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "geometry/manifold.hpp"
+#include "kernel/shapes.hpp"
+
+// Pairs and manifolds in blocks of sixteen, one row a quantity and one column a pair, so that every
+// instruction set reads and writes whole vectors.
+
+namespace manifuzz::kernel {
+
+inline constexpr int kBlockPairs = 16;
+
+template <class Scalar>
+struct alignas(64) Row {
+  Scalar column[kBlockPairs];
+};
+
+/// An integer as wide as the scalar: it fills the same lanes.
+template <class Scalar>
+using LaneInt = std::conditional_t<sizeof(Scalar) == 4, std::int32_t, std::int64_t>;
+
+/// The rows of a block of pairs before the polygons': each body's pose, the total radius, counts.
+enum PairRow : int {
+  kPoseA = 0,
+  kPoseB = 4,
+  kTotalRadius = 8,
+  kCountA = 9,
+  kCountB = 10,
+  kCorners
+};
+
+/// The rows of one corner: the vertex, and the normal of the face that begins there.
+inline constexpr int kCornerRows = 4;
+
+/// A body: which shape, and where it stands.
+template <class Scalar>
+struct Placement {
+  std::uint32_t shape = 0;
+  Pose<Scalar> pose;
+};
+
+/// Two bodies, by their indices.
+struct BodyPair {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+};
+
+/// Many pairs, laid out for the kernel. Pairs of equal vertex counts are best kept together: a
+/// block takes as long as its largest polygons.
+template <class Scalar>
+class PackedPairs {
+ public:
+  PackedPairs(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
+              std::span<const BodyPair> pairs);
+
+  struct Block {
+    std::size_t first_row = 0;
+    int count_a = 0;  ///< the most vertices of any A
+    int count_b = 0;
+  };
+
+  std::size_t size() const { return pairs_; }
+  std::span<const Block> blocks() const { return blocks_; }
+  /// The block's rows: `PairRow`s, then A's corners, then B's, `kCornerRows` each.
+  const Row<Scalar>* rows(const Block& block) const { return rows_.data() + block.first_row; }
+  std::size_t bytes() const { return rows_.size() * sizeof(Row<Scalar>); }
+
+ private:
+  std::size_t pairs_;
+  std::vector<Block> blocks_;
+  std::vector<Row<Scalar>> rows_;
+};
+
+/// The manifolds of a block of pairs.
+template <class Scalar>
+struct ManifoldBlock {
+  Row<LaneInt<Scalar>> count;
+  Row<LaneInt<Scalar>> reference;    ///< 0: A's face, 1: B's
+  Row<Scalar> normal[2];             ///< x, y
+  Row<Scalar> position[2][2];        ///< of each point: x, y
+  Row<Scalar> depth[2];              ///< of each point
+  Row<LaneInt<Scalar>> features[2];  ///< of each point: a `FeaturePair`'s bytes
+};
+
+/// The manifold in one column of a block. Without points, the rest of the column is unspecified.
+template <class Scalar>
+Manifold<Scalar> manifold(const ManifoldBlock<Scalar>& block, int column);
+
+/// Puts a manifold into one column of a block.
+template <class Scalar>
+void put(const Manifold<Scalar>& manifold, ManifoldBlock<Scalar>& block, int column);
+
+}  // namespace manifuzz::kernel
