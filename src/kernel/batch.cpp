@@ -14,139 +14,118 @@
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::kernel::HWY_NAMESPACE {
 
-/// At most sixteen lanes: a block's columns.
-template <class Scalar>
-using Lanes = hn::CappedTag<Scalar, kBlockPairs>;
-
-/// Gives both polygons as many corners as either has: B's or A's own first one again.
-template <class D>
-HWY_INLINE void even_out_corners(D d, Strip<D>& s) {
-  for (const int p : {0, 1}) {
-    for (int k = s.count_max[p]; k < s.corners(); ++k) {
-      for (const int axis : {2, 3}) {
-        hn::Store(hn::Load(d, s.corner[p][0][axis]), d, s.corner[p][k][axis]);
-      }
-    }
+template <class T>
+void collide_packed(const PackedPairs<T>& pairs, T tie_bias, std::span<ManifoldBlock<T>> out) {
+  for (std::size_t i = 0; i < pairs.block_count(); ++i) {
+    collide_block(pairs.block(i), tie_bias, out[i]);
   }
 }
 
-template <class D>
-HWY_INLINE void load_packed(D d, const PackedPairs<hn::TFromD<D>>& pairs,
-                            const typename PackedPairs<hn::TFromD<D>>::Block& block, int column,
-                            Strip<D>& s) {
-  const DInt<D> di;
-  const auto* row = pairs.rows(block);
-  const auto at = [&](int index) { return hn::Load(d, row[index].column + column); };
-  for (int i = 0; i < 4; ++i) {
-    hn::Store(at(kPoseA + i), d, s.pose[0][i]);
-    hn::Store(at(kPoseB + i), d, s.pose[1][i]);
-  }
-  hn::Store(at(kTotalRadius), d, s.total_radius);
-  hn::Store(hn::ConvertTo(di, at(kCountA)), di, s.count[0]);
-  hn::Store(hn::ConvertTo(di, at(kCountB)), di, s.count[1]);
-  s.count_max[0] = block.count_a;
-  s.count_max[1] = block.count_b;
-  row += kCorners;
-  for (const int p : {0, 1}) {
-    for (int k = 0; k < s.count_max[p]; ++k) {
-      for (int i = 0; i < kCornerRows; ++i) hn::Store(at(i), d, s.corner[p][k][i]);
-      row += kCornerRows;
-    }
-  }
-}
-
-template <class Scalar>
-void collide_packed(const PackedPairs<Scalar>& pairs, Scalar tie_bias,
-                    std::span<ManifoldBlock<Scalar>> out) {
-  const Lanes<Scalar> d;
-  Strip<Lanes<Scalar>> strip;
-  for (std::size_t i = 0; i < pairs.blocks().size(); ++i) {
-    for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
-      load_packed(d, pairs, pairs.blocks()[i], column, strip);
-      place(d, strip);
-      even_out_corners(d, strip);
-      collide_strip(d, strip, tie_bias, out[i], column);
-    }
-  }
-}
-
-/// The pairs of one strip, by lane.
-template <class Scalar>
+/// Sixteen pairs to be fetched, and where their manifolds go.
+template <class T>
 struct Group {
-  const Placement<Scalar>* body[2][kBlockPairs];
-  Manifold<Scalar>* out[kBlockPairs];
+  const Placement<T>* body[2][kBlockPairs];
+  Manifold<T>* out[kBlockPairs];
 };
 
+/// Fetches a shape's corners for every column, two or one at a time, and closes the polygon.
 template <class D>
-HWY_INLINE void load_group(D d, const Shapes<hn::TFromD<D>>& shapes,
-                           const Group<hn::TFromD<D>>& group, Strip<D>& s) {
-  using T = hn::TFromD<D>;
+HWY_INLINE void load_corners(D d, const ShapeRows<hn::TFromD<D>>* const* shape, int count_max,
+                             Row<hn::TFromD<D>>* rows) {
   constexpr int kQuadScalars = static_cast<int>(kQuad<D>);
-  hn::Vec<D> rows[kQuad<D>];
-  for (const int p : {0, 1}) {
-    const Placement<T>* const* const body = group.body[p];
-    const ShapeRows<T>* shape[Strip<D>::kLanes];
-    s.count_max[p] = 0;
-    for (std::size_t lane = 0; lane < Strip<D>::kLanes; ++lane) {
-      const std::uint32_t index = body[lane]->shape;
-      shape[lane] = &shapes.rows(index);
-      const auto count = static_cast<int>(shapes.count(index));
-      s.count[p][lane] = count;
-      s.count_max[p] = std::max(s.count_max[p], count);
-      const T radius = shapes.radius(index);
-      s.total_radius[lane] = p == 0 ? radius : s.total_radius[lane] + radius;
+  for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
+    const auto load = [&](const auto& scalars, int first, int rows_from) {
+      hn::Vec<D> quad[kQuad<D>];
+      load_rows(
+          d, [&](std::size_t lane) { return scalars(shape[column + lane]) + first; }, quad);
+      for (int r = 0; r < kQuadScalars; ++r) {
+        const int element = first + r;
+        auto& row = rows[kCornerRows * (element / 2) + rows_from + element % 2];
+        hn::Store(quad[r], d, row.column + column);
+      }
+    };
+    for (int i = 0; i < 2 * count_max; i += kQuadScalars) {
+      load([](const auto* of) { return of->vertices.data(); }, i, 0);
+      load([](const auto* of) { return of->normals.data(); }, i, 2);
     }
-    for (int i = 0; i < 4; i += kQuadScalars) {
-      load_rows(
-          d, [&](std::size_t lane) { return body[lane]->pose.position.data() + i; }, rows);
-      for (int r = 0; r < kQuadScalars; ++r) hn::Store(rows[r], d, s.pose[p][i + r]);
-    }
-    for (int i = 0; i < 2 * s.count_max[p]; i += kQuadScalars) {
-      const auto store = [&](int first_element) {
-        for (int r = 0; r < kQuadScalars; ++r) {
-          hn::Store(rows[r], d, s.corner[p][(i + r) / 2][first_element + (i + r) % 2]);
-        }
-      };
-      load_rows(
-          d, [&](std::size_t lane) { return shape[lane]->vertices.data() + i; }, rows);
-      store(0);
-      load_rows(
-          d, [&](std::size_t lane) { return shape[lane]->normals.data() + i; }, rows);
-      store(2);
+    for (int axis = 0; axis < 2; ++axis) {
+      hn::Store(hn::Load(d, rows[axis].column + column), d,
+                rows[kCornerRows * count_max + axis].column + column);
     }
   }
 }
 
-/// Hands a block's first columns out to the group's manifolds.
-HWY_INLINE void store_group(Lanes<float> d, const ManifoldBlock<float>& block,
-                            const Group<float>& group) {
+template <class D>
+HWY_INLINE void load_poses(D d, const Placement<hn::TFromD<D>>* const* body,
+                           Row<hn::TFromD<D>>* rows) {
+  constexpr int kQuadScalars = static_cast<int>(kQuad<D>);
+  for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
+    for (int i = 0; i < 4; i += kQuadScalars) {
+      hn::Vec<D> quad[kQuad<D>];
+      load_rows(
+          d, [&](std::size_t lane) { return body[column + lane]->pose.position.data() + i; }, quad);
+      for (int r = 0; r < kQuadScalars; ++r) hn::Store(quad[r], d, rows[i + r].column + column);
+    }
+  }
+}
+
+/// Lays a group out as a block of pairs, in `rows`.
+template <class T>
+HWY_INLINE PairBlock<T> load_group(const Shapes<T>& shapes, const Group<T>& group, Row<T>* rows) {
+  const hn::CappedTag<T, kBlockPairs> d;
+  const ShapeRows<T>* shape[2][kBlockPairs];
+  int count_max[2] = {0, 0};
+  for (int column = 0; column < kBlockPairs; ++column) {
+    T total_radius = 0;
+    for (const int p : {0, 1}) {
+      const std::uint32_t index = group.body[p][column]->shape;
+      const auto count = static_cast<int>(shapes.count(index));
+      shape[p][column] = &shapes.rows(index);
+      total_radius += shapes.radius(index);
+      rows[kCountA + p].column[column] = static_cast<T>(count);
+      count_max[p] = std::max(count_max[p], count);
+    }
+    rows[kTotalRadius].column[column] = total_radius;
+  }
+  load_poses(d, group.body[0], rows + kPoseA);
+  load_poses(d, group.body[1], rows + kPoseB);
+  load_corners(d, shape[0], count_max[0], rows + kCorners);
+  load_corners(d, shape[1], count_max[1], rows + kCorners + polygon_rows(count_max[0]));
+  return {rows, count_max[0], count_max[1]};
+}
+
+/// Hands a block's columns out to the group's manifolds.
+HWY_INLINE void store_group(const ManifoldBlock<float>& block, const Group<float>& group) {
   static_assert(std::endian::native == std::endian::little);
   static_assert(sizeof(Manifold<float>) == 48 && offsetof(Manifold<float>, normal) == 8 &&
                 offsetof(Manifold<float>, points) == 16);
-  const DInt<Lanes<float>> di;
-  const auto from = [&](const Row<float>& row) { return hn::Load(d, row.column); };
-  const auto from_int = [&](const Row<std::int32_t>& row) {
-    return hn::BitCast(d, hn::Load(di, row.column));
-  };
-  const auto to = [&](std::size_t offset) {
-    return [&group, offset](std::size_t lane) {
-      return reinterpret_cast<std::uint8_t*>(group.out[lane]) + offset;
+  using D = hn::CappedTag<float, kBlockPairs>;
+  const D d;
+  const DInt<D> di;
+  for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
+    const auto from = [&](const Row<float>& row) { return hn::Load(d, row.column + column); };
+    const auto from_int = [&](const Row<std::int32_t>& row) {
+      return hn::BitCast(d, hn::Load(di, row.column + column));
     };
-  };
-  hn::Vec<Lanes<float>> head[4] = {from_int(block.count), from_int(block.reference),
-                                   from(block.normal[0]), from(block.normal[1])};
-  store_rows(d, head, to(0));
-  for (const int i : {0, 1}) {
-    hn::Vec<Lanes<float>> point[4] = {from(block.position[i][0]), from(block.position[i][1]),
-                                      from(block.depth[i]), from_int(block.features[i])};
-    store_rows(d, point, to(16 + 16 * std::size_t(i)));
+    const auto to = [&](std::size_t offset) {
+      return [&group, column, offset](std::size_t lane) {
+        return reinterpret_cast<std::uint8_t*>(group.out[column + lane]) + offset;
+      };
+    };
+    hn::Vec<D> head[4] = {from_int(block.count), from_int(block.reference), from(block.normal[0]),
+                          from(block.normal[1])};
+    store_rows(d, head, to(0));
+    for (const int i : {0, 1}) {
+      hn::Vec<D> point[4] = {from(block.position[i][0]), from(block.position[i][1]),
+                             from(block.depth[i]), from_int(block.features[i])};
+      store_rows(d, point, to(16 + 16 * std::size_t(i)));
+    }
   }
 }
 
-HWY_INLINE void store_group(Lanes<double>, const ManifoldBlock<double>& block,
-                            const Group<double>& group) {
-  for (std::size_t lane = 0; lane < Strip<Lanes<double>>::kLanes; ++lane) {
-    *group.out[lane] = manifold(block, static_cast<int>(lane));
+HWY_INLINE void store_group(const ManifoldBlock<double>& block, const Group<double>& group) {
+  for (int column = 0; column < kBlockPairs; ++column) {
+    *group.out[column] = manifold(block, column);
   }
 }
 
@@ -172,28 +151,23 @@ void group_by_counts(const Shapes<Scalar>& shapes, std::span<const Placement<Sca
   }
 }
 
-template <class Scalar>
-void collide_chunk(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
-                   std::span<const BodyPair> pairs, Scalar tie_bias, Manifold<Scalar>* out) {
-  const Lanes<Scalar> d;
-  constexpr std::size_t kLanes = Strip<Lanes<Scalar>>::kLanes;
+template <class T>
+void collide_chunk(const Shapes<T>& shapes, std::span<const Placement<T>> bodies,
+                   std::span<const BodyPair> pairs, T tie_bias, Manifold<T>* out) {
   std::uint16_t order[kChunkPairs];
   group_by_counts(shapes, bodies, pairs, order);
-  Strip<Lanes<Scalar>> strip;
-  ManifoldBlock<Scalar> block{};
-  Group<Scalar> group;
-  for (std::size_t first = 0; first < pairs.size(); first += kLanes) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const std::size_t i = order[std::min(first + lane, pairs.size() - 1)];
-      group.body[0][lane] = &bodies[pairs[i].a];
-      group.body[1][lane] = &bodies[pairs[i].b];
-      group.out[lane] = out + i;
+  Row<T> rows[kBlockRowsMax];
+  ManifoldBlock<T> block{};
+  Group<T> group;
+  for (std::size_t first = 0; first < pairs.size(); first += kBlockPairs) {
+    for (std::size_t column = 0; column < kBlockPairs; ++column) {
+      const std::size_t i = order[std::min(first + column, pairs.size() - 1)];
+      group.body[0][column] = &bodies[pairs[i].a];
+      group.body[1][column] = &bodies[pairs[i].b];
+      group.out[column] = out + i;
     }
-    load_group(d, shapes, group, strip);
-    place(d, strip);
-    even_out_corners(d, strip);
-    collide_strip(d, strip, tie_bias, block, 0);
-    store_group(d, block, group);
+    collide_block(load_group(shapes, group, rows), tie_bias, block);
+    store_group(block, group);
   }
 }
 
@@ -239,13 +213,13 @@ HWY_EXPORT(collide_pairs_double);
 
 void collide_packed(const PackedPairs<float>& pairs, float tie_bias,
                     std::span<ManifoldBlock<float>> out) {
-  assert(out.size() >= pairs.blocks().size());
+  assert(out.size() >= pairs.block_count());
   HWY_DYNAMIC_DISPATCH(collide_packed_float)(pairs, tie_bias, out);
 }
 
 void collide_packed(const PackedPairs<double>& pairs, double tie_bias,
                     std::span<ManifoldBlock<double>> out) {
-  assert(out.size() >= pairs.blocks().size());
+  assert(out.size() >= pairs.block_count());
   HWY_DYNAMIC_DISPATCH(collide_packed_double)(pairs, tie_bias, out);
 }
 

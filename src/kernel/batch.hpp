@@ -8,7 +8,7 @@
 
 namespace manifuzz::kernel {
 
-/// `out` holds a block for each of `pairs.blocks()`; columns beyond the last pair repeat it.
+/// `out` holds a block for each of the pairs'; columns beyond the last pair repeat it.
 void collide_packed(const PackedPairs<float>& pairs, float tie_bias,
                     std::span<ManifoldBlock<float>> out);
 void collide_packed(const PackedPairs<double>& pairs, double tie_bias,

@@ -14,49 +14,35 @@ namespace manifuzz::kernel::HWY_NAMESPACE {
 
 /// The edge of each lane's incident polygon whose normal is most opposed, the first of equals.
 template <class D>
-HWY_INLINE hn::Vec<DInt<D>> incident_edges(D d, const Strip<D>& s, hn::Mask<D> incident_is_a,
-                                           const Lanes2<D>& normal) {
-  const DInt<D> di;
+HWY_INLINE LaneEdge<D> incident_edge(D d, const Strip<D>& s, hn::Mask<D> incident_is_a,
+                                     const Lanes2<D>& normal) {
   auto least = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::infinity());
-  auto incident = hn::Zero(di);
-  for (int k = 0; k < s.corners(); ++k) {
-    const auto normal_of = [&](int axis) {
-      return hn::IfThenElse(incident_is_a, hn::Load(d, s.corner[0][k][2 + axis]),
-                            hn::Load(d, s.corner[1][k][2 + axis]));
-    };
-    const auto product = dot(normal.x, normal.y, normal_of(0), normal_of(1));
-    const auto is_less = hn::Lt(product, least);
-    least = hn::IfThenElse(is_less, product, least);
-    incident = hn::IfThenElse(hn::RebindMask(di, is_less), hn::Set(di, k), incident);
-  }
+  LaneEdge<D> incident = none_yet(d).edge;
+  const auto consider_edges = [&](int first, int last, const auto& at, hn::Mask<D> among) {
+    Lanes2<D> vertex = at(first, 0);
+    for (int k = first; k < last; ++k) {
+      const Lanes2<D> next = at(k + 1, 0);
+      const auto product = dot(normal, at(k, 2));
+      const auto is_less = hn::And(among, hn::Lt(product, least));
+      least = hn::IfThenElse(is_less, product, least);
+      incident = select<D>(is_less, {hn::Set(DInt<D>(), k), vertex, next}, incident);
+      vertex = next;
+    }
+  };
+  const auto of = [&](int p, int k, int element) { return s.load2(s.corner(p, k) + element); };
+  const int both = HWY_MIN(s.count_max[0], s.count_max[1]);
+  consider_edges(
+      0, both,
+      [&](int k, int element) {
+        return select<D>(incident_is_a, of(0, k, element), of(1, k, element));
+      },
+      hn::Eq(normal.x, normal.x));
+  const int longer = s.count_max[0] > s.count_max[1] ? 0 : 1;
+  consider_edges(
+      both, s.count_max[longer], [&](int k, int element) { return of(longer, k, element); },
+      longer == 0 ? incident_is_a : hn::Not(incident_is_a));
   return incident;
 }
-
-/// Corners of both polygons, fetched by each lane's own indices.
-template <class D>
-class CornerFetch {
- public:
-  HWY_INLINE CornerFetch(D d, const Strip<D>& s) : d_(d), corners_(s.corner[0][0][0]) {}
-
-  /// Where corner `index` of polygon A (0) or B (1) stands.
-  HWY_INLINE hn::Vec<DInt<D>> at(hn::Vec<DInt<D>> polygon, hn::Vec<DInt<D>> index) const {
-    const DInt<D> di;
-    const auto corner = hn::Add(hn::ShiftLeft<3>(polygon), index);
-    constexpr int kShift = hwy::CeilLog2(4 * Strip<D>::kLanes);
-    return hn::Add(hn::ShiftLeft<kShift>(corner), hn::Iota(di, 0));
-  }
-  HWY_INLINE Lanes2<D> vertex(hn::Vec<DInt<D>> place) const { return fetch(place, 0); }
-  HWY_INLINE Lanes2<D> normal(hn::Vec<DInt<D>> place) const { return fetch(place, 2); }
-
- private:
-  HWY_INLINE Lanes2<D> fetch(hn::Vec<DInt<D>> place, int element) const {
-    const auto* const base = corners_ + element * Strip<D>::kLanes;
-    return {hn::GatherIndex(d_, base, place), hn::GatherIndex(d_, base + Strip<D>::kLanes, place)};
-  }
-
-  D d_;
-  const hn::TFromD<D>* corners_;
-};
 
 /// An end of the incident edge; its features as a `FeaturePair`'s bytes, the reference's first.
 template <class D>
@@ -78,15 +64,12 @@ HWY_INLINE void clip(D d, ClipEnds<D> (&edge)[2], hn::Vec<D> offset0, hn::Vec<D>
   const auto is_gone = hn::And(hn::Le(offset0, zero), hn::Le(offset1, zero));
   kept = hn::And(kept, hn::Or(is_whole, hn::Not(is_gone)));
   const auto share = hn::Div(offset0, hn::Sub(offset0, offset1));
-  const auto crossing = [&](auto from, auto to) {
-    return hn::Add(from, hn::Mul(share, hn::Sub(to, from)));
-  };
-  const Lanes2<D> at{crossing(edge[0].position.x, edge[1].position.x),
-                     crossing(edge[0].position.y, edge[1].position.y)};
+  const Lanes2<D> along = subtract(edge[1].position, edge[0].position);
+  const Lanes2<D> crossing{hn::Add(edge[0].position.x, hn::Mul(share, along.x)),
+                           hn::Add(edge[0].position.y, hn::Mul(share, along.y))};
   const auto is_first = hn::Lt(offset0, zero);
   const auto replace = [&](ClipEnds<D>& end, auto where) {
-    end.position.x = hn::IfThenElse(where, at.x, end.position.x);
-    end.position.y = hn::IfThenElse(where, at.y, end.position.y);
+    end.position = select<D>(where, crossing, end.position);
     end.features = hn::IfThenElse(hn::RebindMask(di, where), crossing_features, end.features);
   };
   replace(edge[0], hn::AndNot(is_whole, is_first));

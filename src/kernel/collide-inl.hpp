@@ -14,17 +14,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::kernel::HWY_NAMESPACE {
 
-/// The features of a contact, in every lane; places are `CornerFetch`'s.
+/// The features of a contact, in every lane.
 template <class D>
 struct LaneFeatures {
-  hn::Mask<D> take_b;     ///< the reference is B's face
-  hn::Vec<DInt<D>> face;  ///< the reference face, and its second vertex
-  hn::Vec<DInt<D>> face_second;
-  hn::Vec<DInt<D>> edge;  ///< the incident edge, and its second vertex
-  hn::Vec<DInt<D>> edge_second;
-  Lanes2<D> corner[2];  ///< the reference face's ends
-  Lanes2<D> normal;     ///< the reference face's own
-  Lanes2<D> end[2];     ///< the incident edge's ends
+  hn::Mask<D> take_b;  ///< the reference is B's face
+  LaneEdge<D> face;    ///< the reference
+  LaneEdge<D> incident;
+  hn::Vec<DInt<D>> face_second;  ///< the index of each edge's second vertex
+  hn::Vec<DInt<D>> incident_second;
+  Lanes2<D> normal;  ///< the reference face's own
 };
 
 template <class D>
@@ -32,28 +30,19 @@ HWY_INLINE LaneFeatures<D> choose_features(D d, const Strip<D>& s, const BothSep
                                            hn::Mask<D> take_b) {
   const DInt<D> di;
   const auto take_b_int = hn::RebindMask(di, take_b);
-  const auto one = hn::Set(di, 1);
-  const auto reference = hn::IfThenElseZero(take_b_int, one);
-  const auto incident = hn::Sub(one, reference);
-  const auto count_a = hn::Load(di, s.count[0]);
-  const auto count_b = hn::Load(di, s.count[1]);
+  const auto count_a = s.count(0);
+  const auto count_b = s.count(1);
   const auto next = [&](auto index, auto count) {
-    const auto after = hn::Add(index, one);
+    const auto after = hn::Add(index, hn::Set(di, 1));
     return hn::IfThenZeroElse(hn::Eq(after, count), after);
   };
-  const CornerFetch<D> fetch(d, s);
   LaneFeatures<D> f;
   f.take_b = take_b;
-  f.face = hn::IfThenElse(take_b_int, found.of_b.face, found.of_a.face);
-  f.face_second = next(f.face, hn::IfThenElse(take_b_int, count_b, count_a));
-  const auto at_face = fetch.at(reference, f.face);
-  f.normal = fetch.normal(at_face);
-  f.corner[0] = fetch.vertex(at_face);
-  f.corner[1] = fetch.vertex(fetch.at(reference, f.face_second));
-  f.edge = incident_edges(d, s, take_b, f.normal);
-  f.edge_second = next(f.edge, hn::IfThenElse(take_b_int, count_a, count_b));
-  f.end[0] = fetch.vertex(fetch.at(incident, f.edge));
-  f.end[1] = fetch.vertex(fetch.at(incident, f.edge_second));
+  f.face = select<D>(take_b, found.of_b.edge, found.of_a.edge);
+  f.normal = select<D>(take_b, found.of_b.normal, found.of_a.normal);
+  f.incident = incident_edge(d, s, take_b, f.normal);
+  f.face_second = next(f.face.index, hn::IfThenElse(take_b_int, count_b, count_a));
+  f.incident_second = next(f.incident.index, hn::IfThenElse(take_b_int, count_a, count_b));
   return f;
 }
 
@@ -76,21 +65,18 @@ template <class D>
 HWY_INLINE void clip_to_slab(D d, const LaneFeatures<D>& f, hn::Vec<D> total_radius,
                              ClipEnds<D> (&edge)[2], hn::Mask<D>& kept) {
   const DInt<D> di;
-  edge[0] = {f.end[0], feature_bytes(di, kFace, f.face, 0, f.edge)};
-  edge[1] = {f.end[1], feature_bytes(di, kFace, f.face, 0, f.edge_second)};
-  const auto offset = [&](const Lanes2<D>& end, const Lanes2<D>& corner, auto inward_x,
-                          auto inward_y) {
-    return hn::Add(dot(inward_x, inward_y, hn::Sub(end.x, corner.x), hn::Sub(end.y, corner.y)),
-                   total_radius);
+  edge[0] = {f.incident.first, feature_bytes(di, kFace, f.face.index, 0, f.incident.index)};
+  edge[1] = {f.incident.second, feature_bytes(di, kFace, f.face.index, 0, f.incident_second)};
+  const auto clip_at = [&](const Lanes2<D>& corner, hn::Vec<DInt<D>> index,
+                           const Lanes2<D>& inward) {
+    const auto offset = [&](const ClipEnds<D>& end) {
+      return hn::Add(dot(inward, subtract(end.position, corner)), total_radius);
+    };
+    clip(d, edge, offset(edge[0]), offset(edge[1]),
+         feature_bytes(di, 0, index, kFace, f.incident.index), kept);
   };
-  const auto minus_x = hn::Neg(f.normal.x);
-  const auto minus_y = hn::Neg(f.normal.y);
-  clip(d, edge, offset(edge[0].position, f.corner[0], minus_y, f.normal.x),
-       offset(edge[1].position, f.corner[0], minus_y, f.normal.x),
-       feature_bytes(di, 0, f.face, kFace, f.edge), kept);
-  clip(d, edge, offset(edge[0].position, f.corner[1], f.normal.y, minus_x),
-       offset(edge[1].position, f.corner[1], f.normal.y, minus_x),
-       feature_bytes(di, 0, f.face_second, kFace, f.edge), kept);
+  clip_at(f.face.first, f.face.index, {hn::Neg(f.normal.y), f.normal.x});
+  clip_at(f.face.second, f.face_second, {f.normal.y, hn::Neg(f.normal.x)});
 }
 
 /// A strip's manifolds, as a `ManifoldBlock` holds them.
@@ -115,8 +101,7 @@ HWY_INLINE LaneManifolds<D> keep_behind_face(const LaneFeatures<D>& f, hn::Vec<D
   hn::Mask<D> keep[2];
   hn::Vec<DInt<D>> features[2];
   for (const int i : {0, 1}) {
-    const auto separation = dot(f.normal.x, f.normal.y, hn::Sub(edge[i].position.x, f.corner[0].x),
-                                hn::Sub(edge[i].position.y, f.corner[0].y));
+    const auto separation = dot(f.normal, subtract(edge[i].position, f.face.first));
     depth[i] = hn::Sub(total_radius, separation);
     keep[i] = hn::AndNot(hn::Gt(separation, total_radius), kept);
     features[i] = hn::IfThenElse(take_b, halves_swapped(edge[i].features), edge[i].features);
@@ -127,12 +112,8 @@ HWY_INLINE LaneManifolds<D> keep_behind_face(const LaneFeatures<D>& f, hn::Vec<D
   m.reference = hn::IfThenElseZero(take_b, one);
   m.normal = {hn::IfThenElse(f.take_b, hn::Neg(f.normal.x), f.normal.x),
               hn::IfThenElse(f.take_b, hn::Neg(f.normal.y), f.normal.y)};
-  const auto choose = [&](auto of_second, auto of_first) {
-    return hn::IfThenElse(keep[1], of_second, of_first);
-  };
-  m.position[0] = {choose(edge[1].position.x, edge[0].position.x),
-                   choose(edge[1].position.y, edge[0].position.y)};
-  m.depth[0] = choose(depth[1], depth[0]);
+  m.position[0] = select<D>(keep[1], edge[1].position, edge[0].position);
+  m.depth[0] = hn::IfThenElse(keep[1], depth[1], depth[0]);
   m.features[0] = hn::IfThenElse(hn::RebindMask(di, keep[1]), features[1], features[0]);
   m.position[1] = edge[0].position;
   m.depth[1] = depth[0];
@@ -147,7 +128,7 @@ HWY_INLINE hn::Vec<D> reach_of_both(D d, const Strip<D>& s) {
   for (const int p : {0, 1}) {
     auto reach = hn::Zero(d);
     for (int k = 0; k < s.count_max[p]; ++k) {
-      const Lanes2<D> v = load2(d, s.corner[p][k][0], s.corner[p][k][1]);
+      const Lanes2<D> v = s.load2(s.corner(p, k));
       reach = hn::Max(hn::Add(hn::Abs(v.x), hn::Abs(v.y)), reach);
     }
     sum = hn::Add(sum, reach);
@@ -178,65 +159,82 @@ HWY_INLINE hn::Mask<D> misses_deepest(D d, const Strip<D>& s, const LaneManifold
 }
 
 template <class D>
-HWY_INLINE void store(D d, const LaneManifolds<D>& m, ManifoldBlock<hn::TFromD<D>>& block,
-                      int column) {
+HWY_INLINE void store(D d, const LaneManifolds<D>& m, int column,
+                      ManifoldBlock<hn::TFromD<D>>& out) {
   const DInt<D> di;
-  hn::Store(m.count, di, block.count.column + column);
-  hn::Store(m.reference, di, block.reference.column + column);
-  hn::Store(m.normal.x, d, block.normal[0].column + column);
-  hn::Store(m.normal.y, d, block.normal[1].column + column);
+  hn::Store(m.count, di, out.count.column + column);
+  hn::Store(m.reference, di, out.reference.column + column);
+  hn::Store(m.normal.x, d, out.normal[0].column + column);
+  hn::Store(m.normal.y, d, out.normal[1].column + column);
   for (const int i : {0, 1}) {
-    hn::Store(m.position[i].x, d, block.position[i][0].column + column);
-    hn::Store(m.position[i].y, d, block.position[i][1].column + column);
-    hn::Store(m.depth[i], d, block.depth[i].column + column);
-    hn::Store(m.features[i], di, block.features[i].column + column);
+    hn::Store(m.position[i].x, d, out.position[i][0].column + column);
+    hn::Store(m.position[i].y, d, out.position[i][1].column + column);
+    hn::Store(m.depth[i], d, out.depth[i].column + column);
+    hn::Store(m.features[i], di, out.features[i].column + column);
   }
 }
 
 /// Replaces the manifolds of the lanes that need it by the clean code's last step.
 template <class D>
 HWY_NOINLINE void cure(D d, const Strip<D>& s, hn::Mask<D> needs,
-                       ManifoldBlock<hn::TFromD<D>>& block, int column) {
+                       ManifoldBlock<hn::TFromD<D>>& out) {
   using T = hn::TFromD<D>;
-  constexpr std::size_t kLanes = Strip<D>::kLanes;
-  alignas(64) T flags[kLanes];
+  alignas(64) T flags[hn::MaxLanes(D())];
   hn::Store(hn::IfThenElseZero(needs, hn::Set(d, T{1})), d, flags);
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+  for (std::size_t lane = 0; lane < hn::MaxLanes(D()); ++lane) {
     if (flags[lane] == 0) continue;
-    const LanePair<T> pair{&s.corner[0][0][0][lane],
-                           kLanes,
-                           {static_cast<int>(s.count[0][lane]), static_cast<int>(s.count[1][lane])},
-                           s.total_radius[lane]};
-    put(deepest_contact(pair), block, column + static_cast<int>(lane));
+    const int column = s.column + static_cast<int>(lane);
+    const auto at = [&](int row) { return s.rows[row].column[column]; };
+    put(deepest_contact<T>({{s.corners[0], s.corners[1]},
+                            column,
+                            {static_cast<int>(at(kCountA)), static_cast<int>(at(kCountB))},
+                            at(kTotalRadius)}),
+        out, column);
   }
 }
 
-/// The manifolds of a strip whose B stands in A's frame already, into a block's columns.
+/// The manifolds of a strip whose B stands in A's frame.
 template <class D>
-HWY_INLINE void collide_strip(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
-                              ManifoldBlock<hn::TFromD<D>>& block, int column) {
+HWY_INLINE void collide_placed(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
+                               ManifoldBlock<hn::TFromD<D>>& out) {
   const DInt<D> di;
-  const auto total_radius = hn::Load(d, s.total_radius);
+  const auto total_radius = s.load(s.rows[kTotalRadius]);
   const BothSeparations<D> found = greatest_separations(d, s);
   const auto separated = hn::Or(hn::Gt(found.of_a.separation, total_radius),
                                 hn::Gt(found.of_b.separation, total_radius));
   if (hn::AllTrue(d, separated)) {
-    hn::Store(hn::Zero(di), di, block.count.column + column);
+    hn::Store(hn::Zero(di), di, out.count.column + s.column);
     return;
   }
   const auto take_b =
       hn::Gt(found.of_b.separation, hn::Add(found.of_a.separation, hn::Set(d, tie_bias)));
   const LaneFeatures<D> features = choose_features(d, s, found, take_b);
-  auto kept = hn::Not(separated);
-  const auto touching = kept;
+  const auto touching = hn::Not(separated);
+  auto kept = touching;
   ClipEnds<D> edge[2];
   clip_to_slab(d, features, total_radius, edge, kept);
   const LaneManifolds<D> m = keep_behind_face<D>(features, total_radius, edge, kept);
-  store(d, m, block, column);
+  store(d, m, s.column, out);
   const auto empty = hn::RebindMask(d, hn::Eq(m.count, hn::Zero(di)));
   const auto among = tie_bias > 0 ? hn::And(touching, empty) : touching;
   const auto needs = misses_deepest(d, s, m, found, take_b, total_radius, among);
-  if (HWY_UNLIKELY(!hn::AllFalse(d, needs))) cure(d, s, needs, block, column);
+  if (HWY_UNLIKELY(!hn::AllFalse(d, needs))) cure(d, s, needs, out);
+}
+
+/// The manifolds of a block of pairs.
+template <class T>
+HWY_INLINE void collide_block(const PairBlock<T>& block, T tie_bias, ManifoldBlock<T>& out) {
+  using D = hn::CappedTag<T, kBlockPairs>;
+  const D d;
+  const Row<T>* const a = block.rows + kCorners;
+  const Row<T>* const b = a + polygon_rows(block.count_a);
+  Row<T> placed[polygon_rows(kMaxVertices)];
+  for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
+    Strip<D> strip{block.rows, {a, b}, {block.count_a, block.count_b}, column};
+    place(d, strip, placed);
+    strip.corners[1] = placed;
+    collide_placed(d, strip, tie_bias, out);
+  }
 }
 
 }  // namespace manifuzz::kernel::HWY_NAMESPACE

@@ -1,15 +1,14 @@
 #pragma once
 
-#include "geometry/manifold.hpp"
+#include "kernel/packed.hpp"
 
 namespace manifuzz::kernel {
 
-/// One pair of a strip, both polygons in A's frame: element e of corner i of polygon p stands
-/// `((p * kMaxVertices + i) * 4 + e) * stride` after `corners`; vertex x, y, normal x, y.
+/// One pair of a block, both polygons in A's frame: the rows of each one's corners.
 template <class Scalar>
-struct LanePair {
-  const Scalar* corners;
-  std::size_t stride;
+struct ColumnPair {
+  const Row<Scalar>* corners[2];
+  int column;
   int count[2];
   Scalar total_radius;
 };
@@ -17,6 +16,6 @@ struct LanePair {
 /// `clipping::deepest_contact` of one pair: the rare pair whose chosen clip misses the overlap is
 /// handed back to the clean code, which is compiled apart from the kernels, without their target.
 template <class Scalar>
-Manifold<Scalar> deepest_contact(const LanePair<Scalar>& pair);
+Manifold<Scalar> deepest_contact(const ColumnPair<Scalar>& pair);
 
 }  // namespace manifuzz::kernel

@@ -10,7 +10,7 @@
 
 #include <hwy/highway.h>
 
-#include "geometry/convex_polygon.hpp"
+#include "kernel/packed.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::kernel::HWY_NAMESPACE {
@@ -27,56 +27,66 @@ struct Lanes2 {
 };
 
 template <class D>
-HWY_INLINE Lanes2<D> load2(D d, const hn::TFromD<D>* x, const hn::TFromD<D>* y) {
-  return {hn::Load(d, x), hn::Load(d, y)};
+HWY_INLINE hn::Vec<D> dot(const Lanes2<D>& a, const Lanes2<D>& b) {
+  return hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y));
 }
 
-template <class V>
-HWY_INLINE V dot(V ax, V ay, V bx, V by) {
-  return hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by));
+template <class D>
+HWY_INLINE Lanes2<D> subtract(const Lanes2<D>& a, const Lanes2<D>& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y)};
 }
 
-/// One pair a lane: both polygons corner by corner, B's still in its own frame until `place`.
+/// `there` where the mask says so, else `here`.
+template <class D>
+HWY_INLINE Lanes2<D> select(hn::Mask<D> mask, const Lanes2<D>& there, const Lanes2<D>& here) {
+  return {hn::IfThenElse(mask, there.x, here.x), hn::IfThenElse(mask, there.y, here.y)};
+}
+
+/// Some columns of a block, as many as a vector has lanes, with B's polygon in A's frame.
 template <class D>
 struct Strip {
   using T = hn::TFromD<D>;
-  static constexpr std::size_t kLanes = hn::MaxLanes(D());
-  /// Of polygon, corner: vertex x, vertex y, normal x, normal y. Corners beyond a polygon's last,
-  /// up to `corners()`, repeat one of its own.
-  alignas(64) T corner[2][kMaxVertices][4][kLanes];
-  alignas(64) T pose[2][4][kLanes];  ///< of A, of B: position x, y, cos, sin
-  alignas(64) T total_radius[kLanes];
-  alignas(64) hwy::MakeSigned<T> count[2][kLanes];
-  int count_max[2];
 
-  int corners() const { return HWY_MAX(count_max[0], count_max[1]); }
+  const Row<T>* rows;        ///< the block's
+  const Row<T>* corners[2];  ///< A's rows, and B's once placed
+  int count_max[2];
+  int column;
+
+  HWY_INLINE hn::Vec<D> load(const Row<T>& row) const { return hn::Load(D(), row.column + column); }
+  HWY_INLINE Lanes2<D> load2(const Row<T>* row) const { return {load(row[0]), load(row[1])}; }
+  HWY_INLINE const Row<T>* corner(int polygon, int index) const {
+    return corners[polygon] + kCornerRows * index;
+  }
+  HWY_INLINE hn::Vec<DInt<D>> count(int polygon) const {
+    return hn::ConvertTo(DInt<D>(), load(rows[kCountA + polygon]));
+  }
 };
 
-/// Puts B into A's frame: `relative_pose`, then `transform`.
+/// Puts B's rows into A's frame: `relative_pose`, then `transform`.
 template <class D>
-HWY_INLINE void place(D d, Strip<D>& s) {
-  const auto cos_a = hn::Load(d, s.pose[0][2]);
-  const auto sin_a = hn::Load(d, s.pose[0][3]);
-  const auto rotate_back = [&](auto x, auto y) -> Lanes2<D> {
-    return {dot(cos_a, sin_a, x, y), hn::Sub(hn::Mul(cos_a, y), hn::Mul(sin_a, x))};
+HWY_INLINE void place(D d, const Strip<D>& s, Row<hn::TFromD<D>>* placed) {
+  const Lanes2<D> rotation_a = s.load2(s.rows + kPoseA + 2);
+  const auto rotate_back = [&](const Lanes2<D>& v) -> Lanes2<D> {
+    return {dot(rotation_a, v), hn::Sub(hn::Mul(rotation_a.x, v.y), hn::Mul(rotation_a.y, v.x))};
   };
   const Lanes2<D> position =
-      rotate_back(hn::Sub(hn::Load(d, s.pose[1][0]), hn::Load(d, s.pose[0][0])),
-                  hn::Sub(hn::Load(d, s.pose[1][1]), hn::Load(d, s.pose[0][1])));
-  const Lanes2<D> rotation = rotate_back(hn::Load(d, s.pose[1][2]), hn::Load(d, s.pose[1][3]));
-  const auto rotate = [&](auto x, auto y) -> Lanes2<D> {
-    return {hn::Sub(hn::Mul(rotation.x, x), hn::Mul(rotation.y, y)),
-            dot(rotation.y, rotation.x, x, y)};
+      rotate_back(subtract(s.load2(s.rows + kPoseB), s.load2(s.rows + kPoseA)));
+  const Lanes2<D> rotation = rotate_back(s.load2(s.rows + kPoseB + 2));
+  const auto rotate = [&](const Lanes2<D>& v) -> Lanes2<D> {
+    return {hn::Sub(hn::Mul(rotation.x, v.x), hn::Mul(rotation.y, v.y)),
+            hn::Add(hn::Mul(rotation.y, v.x), hn::Mul(rotation.x, v.y))};
   };
-  for (int j = 0; j < s.count_max[1]; ++j) {
-    auto& corner = s.corner[1][j];
-    const Lanes2<D> vertex = rotate(hn::Load(d, corner[0]), hn::Load(d, corner[1]));
-    const Lanes2<D> normal = rotate(hn::Load(d, corner[2]), hn::Load(d, corner[3]));
-    hn::Store(hn::Add(vertex.x, position.x), d, corner[0]);
-    hn::Store(hn::Add(vertex.y, position.y), d, corner[1]);
-    hn::Store(normal.x, d, corner[2]);
-    hn::Store(normal.y, d, corner[3]);
+  const auto store = [&](const Lanes2<D>& v, Row<hn::TFromD<D>>* row) {
+    hn::Store(v.x, d, row[0].column + s.column);
+    hn::Store(v.y, d, row[1].column + s.column);
+  };
+  Row<hn::TFromD<D>>* row = placed;
+  for (int j = 0; j < s.count_max[1]; ++j, row += kCornerRows) {
+    const Lanes2<D> vertex = rotate(s.load2(s.corner(1, j)));
+    store({hn::Add(vertex.x, position.x), hn::Add(vertex.y, position.y)}, row);
+    store(rotate(s.load2(s.corner(1, j) + 2)), row + 2);
   }
+  store(s.load2(placed), row);
 }
 
 }  // namespace manifuzz::kernel::HWY_NAMESPACE

@@ -25,7 +25,8 @@ PackedPairs<Scalar>::PackedPairs(const Shapes<Scalar>& shapes,
       block.count_a = std::max(block.count_a, count(0));
       block.count_b = std::max(block.count_b, count(1));
     }
-    rows_.resize(block.first_row + kCorners + kCornerRows * (block.count_a + block.count_b));
+    rows_.resize(block.first_row + kCorners + polygon_rows(block.count_a) +
+                 polygon_rows(block.count_b));
     Row<Scalar>* const rows = rows_.data() + block.first_row;
     for (int column = 0; column < kBlockPairs; ++column) {
       rows[kTotalRadius].column[column] =
@@ -40,12 +41,15 @@ PackedPairs<Scalar>::PackedPairs(const Shapes<Scalar>& shapes,
         }
         rows[kCountA + side].column[column] = static_cast<Scalar>(shapes.count(placed.shape));
         const ShapeRows<Scalar>& shape = shapes.rows(placed.shape);
-        for (int i = 0; i < (side == 0 ? block.count_a : block.count_b); ++i) {
+        const int count_max = side == 0 ? block.count_a : block.count_b;
+        for (int i = 0; i < count_max; ++i, corner += kCornerRows) {
           for (int axis = 0; axis < 2; ++axis) {
             corner[axis].column[column] = shape.vertices[2 * i + axis];
             corner[2 + axis].column[column] = shape.normals[2 * i + axis];
           }
-          corner += kCornerRows;
+        }
+        for (int axis = 0; axis < 2; ++axis, ++corner) {
+          corner->column[column] = shape.vertices[axis];
         }
       }
     }

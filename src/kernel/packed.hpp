@@ -34,8 +34,16 @@ enum PairRow : int {
   kCorners
 };
 
-/// The rows of one corner: the vertex, and the normal of the face that begins there.
+/// The rows of one corner: vertex x, y; x, y of the normal of the face that begins there.
 inline constexpr int kCornerRows = 4;
+
+/// The rows of a polygon: its corners, and its first vertex again. In the columns of polygons with
+/// fewer corners than the block's most, the first corner fills up.
+constexpr int polygon_rows(int count_max) {
+  return kCornerRows * count_max + 2;
+}
+
+inline constexpr int kBlockRowsMax = kCorners + 2 * polygon_rows(kMaxVertices);
 
 /// A body: which shape, and where it stands.
 template <class Scalar>
@@ -50,6 +58,14 @@ struct BodyPair {
   std::uint32_t b = 0;
 };
 
+/// Sixteen pairs: `PairRow`s, then A's rows, then B's.
+template <class Scalar>
+struct PairBlock {
+  const Row<Scalar>* rows = nullptr;
+  int count_a = 0;  ///< the most corners of any A
+  int count_b = 0;
+};
+
 /// Many pairs, laid out for the kernel. Pairs of equal vertex counts are best kept together: a
 /// block takes as long as its largest polygons.
 template <class Scalar>
@@ -58,19 +74,21 @@ class PackedPairs {
   PackedPairs(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
               std::span<const BodyPair> pairs);
 
-  struct Block {
-    std::size_t first_row = 0;
-    int count_a = 0;  ///< the most vertices of any A
-    int count_b = 0;
-  };
-
   std::size_t size() const { return pairs_; }
-  std::span<const Block> blocks() const { return blocks_; }
-  /// The block's rows: `PairRow`s, then A's corners, then B's, `kCornerRows` each.
-  const Row<Scalar>* rows(const Block& block) const { return rows_.data() + block.first_row; }
+  std::size_t block_count() const { return blocks_.size(); }
+  PairBlock<Scalar> block(std::size_t index) const {
+    const Block& block = blocks_[index];
+    return {rows_.data() + block.first_row, block.count_a, block.count_b};
+  }
   std::size_t bytes() const { return rows_.size() * sizeof(Row<Scalar>); }
 
  private:
+  struct Block {
+    std::size_t first_row = 0;
+    int count_a = 0;
+    int count_b = 0;
+  };
+
   std::size_t pairs_;
   std::vector<Block> blocks_;
   std::vector<Row<Scalar>> rows_;

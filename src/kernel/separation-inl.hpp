@@ -12,19 +12,48 @@
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::kernel::HWY_NAMESPACE {
 
+/// An edge of each lane's polygon, with what a contact needs of it. It is carried along while edges
+/// are compared: fetching it afterwards by each lane's own index would cost more than that.
+template <class D>
+struct LaneEdge {
+  hn::Vec<DInt<D>> index;
+  Lanes2<D> first;
+  Lanes2<D> second;
+};
+
+template <class D>
+HWY_INLINE LaneEdge<D> select(hn::Mask<D> mask, const LaneEdge<D>& there, const LaneEdge<D>& here) {
+  return {hn::IfThenElse(hn::RebindMask(DInt<D>(), mask), there.index, here.index),
+          select<D>(mask, there.first, here.first), select<D>(mask, there.second, here.second)};
+}
+
 template <class D>
 struct FaceSeparations {
   hn::Vec<D> separation;
-  hn::Vec<DInt<D>> face;
-
-  /// Takes a face that lies farther in front: of equals, the first stays.
-  HWY_INLINE void consider(int candidate, hn::Vec<D> candidate_separation) {
-    const DInt<D> di;
-    const auto is_greater = hn::Gt(candidate_separation, separation);
-    separation = hn::IfThenElse(is_greater, candidate_separation, separation);
-    face = hn::IfThenElse(hn::RebindMask(di, is_greater), hn::Set(di, candidate), face);
-  }
+  Lanes2<D> normal;
+  LaneEdge<D> edge;
 };
+
+template <class D>
+HWY_INLINE FaceSeparations<D> none_yet(D d) {
+  const auto zero = hn::Zero(d);
+  const Lanes2<D> nowhere{zero, zero};
+  return {hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity()),
+          nowhere,
+          {hn::Zero(DInt<D>()), nowhere, nowhere}};
+}
+
+/// Takes face `index` of a polygon where it lies farther in front: of equals, the first stays.
+template <class D>
+HWY_INLINE void consider(const Strip<D>& s, int polygon, int index, hn::Vec<D> separation,
+                         FaceSeparations<D>& greatest) {
+  const auto is_greater = hn::Gt(separation, greatest.separation);
+  const auto* const corner = s.corner(polygon, index);
+  const LaneEdge<D> edge{hn::Set(DInt<D>(), index), s.load2(corner), s.load2(corner + kCornerRows)};
+  greatest.separation = hn::IfThenElse(is_greater, separation, greatest.separation);
+  greatest.normal = select<D>(is_greater, s.load2(corner + 2), greatest.normal);
+  greatest.edge = select<D>(is_greater, edge, greatest.edge);
+}
 
 template <class D>
 struct BothSeparations {
@@ -37,29 +66,27 @@ struct BothSeparations {
 template <class D>
 HWY_INLINE BothSeparations<D> greatest_separations(D d, const Strip<D>& s) {
   using T = hn::TFromD<D>;
-  const DInt<D> di;
   const auto infinity = hn::Set(d, std::numeric_limits<T>::infinity());
-  alignas(64) T most_opposed[kMaxVertices][Strip<D>::kLanes];
+  alignas(64) T most_opposed[kMaxVertices][hn::MaxLanes(D())];
   for (int j = 0; j < s.count_max[1]; ++j) hn::Store(hn::Neg(infinity), d, most_opposed[j]);
 
-  BothSeparations<D> both{{hn::Neg(infinity), hn::Zero(di)}, {hn::Neg(infinity), hn::Zero(di)}};
+  BothSeparations<D> both{none_yet(d), none_yet(d)};
   for (int i = 0; i < s.count_max[0]; ++i) {
-    const auto& face = s.corner[0][i];
-    const Lanes2<D> origin = load2(d, face[0], face[1]);
-    const Lanes2<D> normal = load2(d, face[2], face[3]);
+    const auto* const face = s.corner(0, i);
+    const Lanes2<D> origin = s.load2(face);
+    const Lanes2<D> normal = s.load2(face + 2);
     auto least = infinity;
     for (int j = 0; j < s.count_max[1]; ++j) {
-      const auto& other = s.corner[1][j];
-      const auto x = hn::Sub(hn::Load(d, other[0]), origin.x);
-      const auto y = hn::Sub(hn::Load(d, other[1]), origin.y);
-      least = hn::Min(dot(normal.x, normal.y, x, y), least);
-      const auto opposed = dot(hn::Load(d, other[2]), hn::Load(d, other[3]), x, y);
+      const auto* const other = s.corner(1, j);
+      const Lanes2<D> between = subtract(s.load2(other), origin);
+      least = hn::Min(dot(normal, between), least);
+      const auto opposed = dot(s.load2(other + 2), between);
       hn::Store(hn::Max(opposed, hn::Load(d, most_opposed[j])), d, most_opposed[j]);
     }
-    both.of_a.consider(i, least);
+    consider(s, 0, i, least, both.of_a);
   }
   for (int j = 0; j < s.count_max[1]; ++j) {
-    both.of_b.consider(j, hn::Neg(hn::Load(d, most_opposed[j])));
+    consider(s, 1, j, hn::Neg(hn::Load(d, most_opposed[j])), both.of_b);
   }
   return both;
 }
