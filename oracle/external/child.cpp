@@ -1,13 +1,13 @@
 #include "oracle/external/child.hpp"
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <optional>
 #include <poll.h>
-#include <set>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
@@ -54,9 +54,21 @@ void reset_signals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-std::set<Child*>& all_children() {
-  static std::set<Child*> children;
-  return children;
+/// The process groups that run: those that do not fit are left to `Descendants`.
+std::array<std::atomic<pid_t>, 64> running_groups{};
+
+void replace_group(pid_t before, pid_t after) {
+  for (auto& group : running_groups) {
+    if (group.compare_exchange_strong(before, after)) return;
+  }
+}
+
+extern "C" void die_with_children(int signal) {
+  for (const auto& group : running_groups) {
+    if (group > 0) kill(-group, SIGKILL);
+  }
+  std::signal(signal, SIG_DFL);
+  raise(signal);
 }
 
 std::string obituary(int status) {
@@ -69,17 +81,21 @@ std::string obituary(int status) {
 
 }  // namespace
 
-Child::Child() {
-  all_children().insert(this);
-}
-
-Child::~Child() {
-  stop();
-  all_children().erase(this);
-}
-
 void stop_children() {
-  for (Child* const child : all_children()) child->stop();
+  for (auto& group : running_groups) {
+    const pid_t leader = group.exchange(0);
+    if (leader <= 0) continue;
+    kill(-leader, SIGKILL);
+    wait_for(leader);
+  }
+}
+
+void disown_children() {
+  for (auto& group : running_groups) group = 0;
+}
+
+void stop_children_on_signals() {
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, die_with_children);
 }
 
 bool Child::running() const {
@@ -97,6 +113,7 @@ void Child::start(const std::function<void(int in, int out)>& body) {
     body(inwards.ends[0], outwards.ends[1]);
   });
   setpgid(process_, process_);  // in both, since either may come first
+  replace_group(0, process_);
   owner_ = getpid();
   to_ = unblocked(inwards.release(1));
   from_ = unblocked(outwards.release(0));
@@ -109,6 +126,7 @@ std::string Child::stop() {
     if (status) words = obituary(*status);
     kill(-process_, SIGKILL);
     if (!status) wait_for(process_);
+    replace_group(process_, 0);
   }
   abandon();
   return words;

@@ -11,8 +11,8 @@ namespace manifuzz {
 /// to the process that started it: in a fork of that, it counts as not started.
 class Child {
  public:
-  Child();
-  ~Child();
+  Child() = default;
+  ~Child() { stop(); }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
@@ -39,6 +39,12 @@ class Child {
 
 /// Stops every child of this process: destructors do not run in one that exits at once.
 void stop_children();
+
+/// Forgets the children of the process that this is a fork of.
+void disown_children();
+
+/// From here on SIGINT and SIGTERM stop the children before they end this process.
+void stop_children_on_signals();
 
 /// Waits until something is to be read, at most so long; whether it is.
 bool wait_readable(int descriptor, double seconds);

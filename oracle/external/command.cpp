@@ -144,9 +144,13 @@ class CommandCollider {
     while (done < pairs.size() && go_on()) {
       const std::size_t batch = std::min(kBatch, pairs.size() - done);
       done += answer_batch(pairs.subspan(done, batch), answers.subspan(done, batch), go_on);
+      if (is_hopeless(answers, done)) break;
     }
     return done;
   }
+
+  /// The longest that a case may take, where the program has to be started for it.
+  double seconds_max() const { return patience_.start_seconds; }
 
  private:
   static bool always() { return true; }
@@ -181,7 +185,7 @@ class CommandCollider {
   std::size_t answer_one_by_one(std::span<const PairCase> pairs, std::span<Answer> answers,
                                 const std::function<bool()>& go_on) {
     std::size_t done = 0;
-    while (done < pairs.size() && go_on()) {
+    while (done < pairs.size() && go_on() && !is_hopeless(answers, done)) {
       const auto talk = conversation_.ask(pairs.subspan(done, 1), answers.subspan(done, 1),
                                           dialect_, patience_, go_on);
       if (talk.end == End::stopped) break;
@@ -206,9 +210,11 @@ class CommandCollider {
 
 Collider collider_of_command(const std::string& command, double seconds_max) {
   const auto program = std::make_shared<CommandCollider>(command, seconds_max);
-  return isolated(program->introduce(), [program](auto pairs, auto answers, const auto& go_on) {
-    return program->answer(pairs, answers, go_on);
-  });
+  const Declaration declaration = program->introduce();
+  return isolated(declaration, program->seconds_max(),
+                  [program](auto pairs, auto answers, const auto& go_on) {
+                    return program->answer(pairs, answers, go_on);
+                  });
 }
 
 }  // namespace manifuzz

@@ -80,7 +80,7 @@ Conversation::Talk Conversation::ask(std::span<const PairCase> pairs, std::span<
       talk.end = End::stopped;
     } else if (seconds_since(answered_at) > most) {
       talk.end = End::silent;
-      talk.why = fmt::format("no answer in {} s", most);
+      talk.why = fmt::format("no answer in {} s; is every line flushed?", most);
     }
   }
   if (talk.end == End::done && !unread_.empty()) {
@@ -150,6 +150,11 @@ void Conversation::take_lines(std::span<const PairCase> pairs, std::span<Answer>
       ++talk.answered;
       has_answered_ = true;
     } catch (const UserError& error) {
+      if (line.starts_with('{')) {  // an answer still, if none that can be read
+        answers[talk.answered++] = Lost{Lost::How::malformed, error.what()};
+        has_answered_ = true;
+        continue;
+      }
       talk.end = End::garbled;
       talk.why = fmt::format("'{}': {}", printable(line), error.what());
       return;

@@ -105,6 +105,7 @@ class HostedLibrary {
     while (done < pairs.size() && go_on()) {
       const std::size_t batch = std::min(kBatch, pairs.size() - done);
       done += answer_batch(pairs.subspan(done, batch), answers.subspan(done, batch), go_on);
+      if (is_hopeless(answers, done)) break;
     }
     return done;
   }
@@ -194,9 +195,10 @@ class HostedLibrary {
 
 Collider collider_in_own_process(const std::string& path, double seconds_max) {
   const auto library = std::make_shared<HostedLibrary>(path, seconds_max);
-  return isolated(library->load(), [library](auto pairs, auto answers, const auto& go_on) {
-    return library->answer(pairs, answers, go_on);
-  });
+  return isolated(library->load(), kLoadSecondsMax + seconds_max,
+                  [library](auto pairs, auto answers, const auto& go_on) {
+                    return library->answer(pairs, answers, go_on);
+                  });
 }
 
 }  // namespace manifuzz

@@ -1,11 +1,13 @@
 #include "oracle/external/limits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
@@ -15,11 +17,40 @@ namespace {
 
 constexpr std::size_t kNameLengthMax = 40;
 
+/// What a snippet may ask for of either body.
+constexpr std::array<std::string_view, 6> kSnippetKeys{"vertices", "normals", "position",
+                                                       "rotation", "radius",  "count"};
+
 bool can_name_files(std::string_view name) {
   return !name.empty() && name.size() <= kNameLengthMax && name.front() != '.' &&
          std::ranges::all_of(name, [](unsigned char c) {
            return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
          });
+}
+
+constexpr std::size_t kVersionLengthMax = 60;
+
+bool is_plain(std::string_view text) {
+  return std::ranges::all_of(text, [](unsigned char c) { return c >= ' ' && c < 0x7f; });
+}
+
+/// Every @a.NAME@ and @b.NAME@ must be one that report/upstream.hpp fills in.
+void check_snippet(std::string_view snippet, std::string_view prefix) {
+  for (std::size_t at = snippet.find('@'); at != std::string_view::npos;) {
+    const std::size_t end = snippet.find('@', at + 1);
+    if (end == std::string_view::npos) return;
+    const std::string_view word = snippet.substr(at + 1, end - at - 1);
+    if (!word.starts_with("a.") && !word.starts_with("b.")) {
+      at = end;
+      continue;
+    }
+    const std::string_view key = word.substr(2, word.find_first_of("[{(") - 2);
+    if (std::ranges::find(kSnippetKeys, key) == kSnippetKeys.end()) {
+      throw UserError(fmt::format("{}snippet: there is no '@{}@'; there are {}", prefix,
+                                  printable(word), fmt::join(kSnippetKeys, ", ")));
+    }
+    at = snippet.find('@', end + 1);
+  }
 }
 
 }  // namespace
@@ -40,15 +71,28 @@ void check_declaration(const Declaration& declaration, std::string_view prefix) 
     throw UserError(fmt::format("{}name: '{}' is no name; 1 to {} letters, digits, - _ . are",
                                 prefix, printable(declaration.name), kNameLengthMax));
   }
+  if (declaration.version.size() > kVersionLengthMax || !is_plain(declaration.version)) {
+    throw UserError(fmt::format("{}version: '{}' is no version; up to {} printable characters are",
+                                prefix, printable(declaration.version), kVersionLengthMax));
+  }
+  check_snippet(declaration.snippet, prefix);
   if (!std::isfinite(declaration.tie_bias) || declaration.tie_bias < 0) {
     throw UserError(fmt::format("{}tie_bias: {} is no length; 0 or more is expected", prefix,
                                 declaration.tie_bias));
   }
 }
 
-Collider isolated(const Declaration& declaration, CollideMany collide_many) {
+bool is_hopeless(std::span<const Answer> answers, std::size_t done) {
+  if (done < std::size_t{kLossesInARowMax}) return false;
+  return std::ranges::all_of(
+      answers.subspan(done - kLossesInARowMax, kLossesInARowMax),
+      [](const Answer& answer) { return std::holds_alternative<Lost>(answer); });
+}
+
+Collider isolated(const Declaration& declaration, double seconds_max, CollideMany collide_many) {
   Collider collider;
   collider.declaration = declaration;
+  collider.seconds_max = seconds_max;
   collider.collide_many = [declaration, collide_many](std::span<const PairCase> pairs,
                                                       std::span<Answer> answers,
                                                       const std::function<bool()>& go_on) {

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <string>
@@ -15,6 +16,15 @@
 #include "oracle/external/child.hpp"
 
 namespace manifuzz {
+namespace {
+
+constexpr int kLeftHalfway = 3;
+
+void leave_halfway() {
+  _exit(kLeftHalfway);
+}
+
+}  // namespace
 
 SharedMemory::SharedMemory(std::size_t bytes)
     : data_(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)),
@@ -35,12 +45,14 @@ pid_t spawn(const std::function<void()>& body) {
                             "cannot start another process; fewer --jobs may do");
   if (child > 0) return child;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(3);
+  if (getppid() != parent) _exit(kLeftHalfway);
+  disown_children();
+  std::atexit(leave_halfway);  // whoever calls exit in `body` has not run it to its end
   int status = 0;
   try {
     body();
   } catch (...) {
-    status = 3;
+    status = kLeftHalfway;
   }
   stop_children();
   _exit(status);
@@ -101,7 +113,7 @@ void Interruption::wait(double seconds) {
 }
 
 bool Interruption::requested() {
-  return requests() > 0;
+  return requests() > forgiven_;
 }
 
 int Interruption::requests() {

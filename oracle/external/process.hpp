@@ -36,7 +36,8 @@ class Shared {
 };
 
 /// Runs `body` in a child process, which dies with its parent. Once `body` has run, it stops its
-/// own `Child`ren and exits with status 0, or 3 where `body` throws. Throws std::system_error when
+/// own `Child`ren and exits with status 0, or 3 where `body` throws or calls
+/// exit. Throws std::system_error when
 /// no process is to be had.
 pid_t spawn(const std::function<void()>& body);
 
@@ -69,11 +70,14 @@ class Interruption {
   bool requested();
   /// How often.
   int requests();
+  /// From here on only a signal more counts as a request.
+  void forgive() { forgiven_ = requests(); }
 
  private:
   struct Masks;
   Masks* masks_;
   int requests_ = 0;
+  int forgiven_ = 0;
 };
 
 }  // namespace manifuzz

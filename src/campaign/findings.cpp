@@ -110,7 +110,8 @@ Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Colli
   };
   const Shared<ShrinkSlot> slot;
   slot->best[0] = pair;
-  run_guarded([&] { shrink_into(*slot, pair, root, judge_it); }, slot->pulse, interruption);
+  run_guarded([&] { shrink_into(*slot, pair, root, judge_it); }, slot->pulse,
+              case_seconds_max(subject, oracle), interruption);
   return {slot->best[static_cast<std::size_t>(slot->accepted) % 2], slot->pulse, slot->complete};
 }
 
@@ -144,12 +145,16 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
   for (const Manifold<double>& right : right_manifolds(admissible(pair, subject.declaration))) {
     recorded.expect->manifolds.push_back({std::string(kJudgeName), right});
   }
+  std::string ends;
   for (const Collider* collider : {&subject, &oracle}) {
     const Answer answer = ask_guarded(*collider, pair, interruption);
-    if (std::holds_alternative<Lost>(answer)) continue;
-    recorded.expect->manifolds.push_back({collider->declaration.name, answer});
+    if (const auto* const lost = std::get_if<Lost>(&answer)) {
+      ends += fmt::format(" {}: {}.", collider->declaration.name, lost->why);
+    } else {
+      recorded.expect->manifolds.push_back({collider->declaration.name, answer});
+    }
   }
-  recorded.note = note_of(pair, judgement, subject, oracle);
+  recorded.note = note_of(pair, judgement, subject, oracle) + ends;
   return recorded;
 }
 
@@ -181,7 +186,11 @@ void save_finding(Finding& finding, const Plan& plan, const std::filesystem::pat
     finding.file = write_corpus_case(folder, unrepeated).string();
     return;
   }
-  const PairCase smallest = shrink_finding(worst, plan.subject, plan.oracle, interruption).pair;
+  PairCase smallest = worst;
+  if (interruption.requests() == 0) {
+    smallest = shrink_finding(worst, plan.subject, plan.oracle, interruption).pair;
+    interruption.forgive();  // one signal ends the shrinking alone
+  }
   const auto file = write_corpus_case(folder, recorded(smallest, judged(smallest)));
   finding.file = file.string();
   if (worst != smallest) write_worst_case(file, recorded(worst, of_worst));

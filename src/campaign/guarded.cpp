@@ -18,10 +18,18 @@ struct Slot {
   Judgement judgement;
 };
 
+/// What one in a process of its own answers, unless somebody asks to stop before: Interrupted.
+Answer ask_isolated(const Collider& collider, const PairCase& pair, Interruption& interruption) {
+  Answer answer;
+  const auto go_on = [&] { return !interruption.requested(); };
+  if (collider.collide_many({&pair, 1}, {&answer, 1}, go_on) == 0) throw Interrupted();
+  return answer;
+}
+
 }  // namespace
 
 Ending run_guarded(const std::function<void()>& body, const std::atomic<int>& pulse,
-                   Interruption& interruption) {
+                   double seconds_max, Interruption& interruption) {
   const pid_t child = spawn(body);
   int seen = pulse;
   Clock::time_point seen_at = Clock::now();
@@ -38,7 +46,7 @@ Ending run_guarded(const std::function<void()>& body, const std::atomic<int>& pu
       kill_and_wait(child);
       return Ending::interrupted;
     }
-    if (std::chrono::duration<double>(Clock::now() - seen_at).count() > kCaseSecondsMax) {
+    if (std::chrono::duration<double>(Clock::now() - seen_at).count() > seconds_max) {
       kill_and_wait(child);
       return Ending::hung;
     }
@@ -50,7 +58,8 @@ Judgement judge_guarded(const PairCase& pair, const Collider& subject, const Col
                         Interruption& interruption) {
   // Those in a process of their own are asked from here, where they run already.
   const auto asked_here = [&](const Collider& collider) {
-    return collider.is_isolated() ? std::optional(collider.collide(pair)) : std::nullopt;
+    return collider.is_isolated() ? std::optional(ask_isolated(collider, pair, interruption))
+                                  : std::nullopt;
   };
   const std::optional<Answer> subject_here = asked_here(subject);
   const std::optional<Answer> oracle_here = asked_here(oracle);
@@ -67,7 +76,7 @@ Judgement judge_guarded(const PairCase& pair, const Collider& subject, const Col
     slot->judgement =
         judge(pair, {subject.declaration, of_subject}, {oracle.declaration, of_oracle});
   };
-  switch (run_guarded(body, slot->pulse, interruption)) {
+  switch (run_guarded(body, slot->pulse, case_seconds_max(subject, oracle), interruption)) {
     case Ending::crashed:
       return {.bucket = bucket_of_lost(Verdict::crashed, slot->at_work)};
     case Ending::hung:
@@ -81,9 +90,12 @@ Judgement judge_guarded(const PairCase& pair, const Collider& subject, const Col
 }
 
 Answer ask_guarded(const Collider& collider, const PairCase& pair, Interruption& interruption) {
-  if (collider.is_isolated()) return ask(collider, pair);
+  if (collider.is_isolated()) {
+    return whole(ask_isolated(collider, pair, interruption), pair, collider.declaration);
+  }
   const std::atomic<int> pulse{0};
-  switch (run_guarded([&] { collider.collide(pair); }, pulse, interruption)) {
+  switch (run_guarded([&] { collider.collide(pair); }, pulse, case_seconds_max(collider, collider),
+                      interruption)) {
     case Ending::crashed:
       return Lost{Lost::How::crashed, "crashed"};
     case Ending::hung:

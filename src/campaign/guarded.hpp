@@ -9,14 +9,17 @@
 
 namespace manifuzz {
 
-/// A case that takes longer than this has hung.
-inline constexpr double kCaseSecondsMax = 5;
+/// A case that takes longer than this has hung: 5 s, and what those in processes of their own may
+/// take, which see to it themselves.
+inline double case_seconds_max(const Collider& subject, const Collider& oracle) {
+  return 5 + subject.seconds_max + oracle.seconds_max;
+}
 
 enum class Ending { well, crashed, hung, interrupted };
 
-/// Runs `body` in a child process for as long as `pulse` moves at least once in kCaseSecondsMax.
+/// Runs `body` in a child process for as long as `pulse` moves at least once in `seconds_max`.
 Ending run_guarded(const std::function<void()>& body, const std::atomic<int>& pulse,
-                   Interruption& interruption);
+                   double seconds_max, Interruption& interruption);
 
 /// Thrown where somebody asked to stop before there was an answer.
 struct Interrupted : std::runtime_error {

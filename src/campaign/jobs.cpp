@@ -1,5 +1,6 @@
 #include "campaign/jobs.hpp"
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -9,6 +10,7 @@
 
 #include "cases/random.hpp"
 #include "judging/outside.hpp"
+#include "oracle/external/limits.hpp"
 
 namespace manifuzz {
 namespace {
@@ -33,10 +35,12 @@ struct Desk {
 struct Office {
   std::atomic<bool> stop{false};
   std::atomic<Fault> hopeless{Fault::none};  ///< who never answers, so that going on is no use
+  std::array<char, 256> why{};               ///< of the one that gave up first
   std::atomic<CaseNumber> undealt{0};
 
-  void give_up(Fault party) {
-    hopeless = party;
+  void give_up(Fault party, const std::string& reason) {
+    Fault nobody = Fault::none;
+    if (hopeless.compare_exchange_strong(nobody, party)) reason.copy(why.data(), why.size() - 1);
     stop = true;
   }
 };
@@ -52,10 +56,8 @@ bool is_sampled(const Plan& plan, CaseNumber number) {
   return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
 }
 
-/// One after the other: a collider that does nothing but die or hang is not worth all the cases.
-constexpr int kLossesInARowMax = 20;
-
-/// Nor one that answers a case otherwise alone than among others.
+/// One that is not worth all the cases: it answers a case otherwise alone than among others,
+/// so often.
 constexpr int kUnsteadyMax = 20;
 
 /// What a collider in a process of its own answered to a block of cases, and how often it has just
@@ -76,9 +78,11 @@ struct Correspondence {
       return !office.stop.load(std::memory_order_relaxed);
     });
     for (std::size_t i = 0; i < answered; ++i) {
-      losses_in_a_row = std::holds_alternative<Lost>(answers[i]) ? losses_in_a_row + 1 : 0;
+      if (std::holds_alternative<Unsupported>(answers[i])) continue;
+      const auto* const lost = std::get_if<Lost>(&answers[i]);
+      losses_in_a_row = lost != nullptr ? losses_in_a_row + 1 : 0;
       if (losses_in_a_row < kLossesInARowMax) continue;
-      office.give_up(party);
+      office.give_up(party, lost->why);
       return i + 1;
     }
     return answered;
@@ -141,7 +145,8 @@ void run_block(const Plan& plan, Office& office, Desk& desk, Correspondence& wit
     run_case(plan, desk.next, pairs[i], i, with_subject, with_oracle, desk);
     desk.next.fetch_add(1);
     for (const Correspondence* const with : {&with_subject, &with_oracle}) {
-      if (with->unsteady >= kUnsteadyMax) return office.give_up(with->party);
+      if (with->unsteady < kUnsteadyMax) continue;
+      return office.give_up(with->party, "answers a case otherwise alone than among others");
     }
   }
 }
@@ -181,7 +186,7 @@ class Job {
       seen_ = desk_->next;
       pulse_ = desk_->pulse;
       seen_at_ = Clock::now();
-    } else if (seconds_since(seen_at_) > kCaseSecondsMax) {
+    } else if (seconds_since(seen_at_) > case_seconds_max(plan_.subject, plan_.oracle)) {
       kill_and_wait(process_);
       lose_case(Verdict::timed_out);
       return;
@@ -265,6 +270,7 @@ JobsResult run_jobs(const Plan& plan, Interruption& interruption,
   }
   result.tally = added(jobs);
   result.hopeless = office->hopeless;
+  result.why_hopeless = office->why.data();
   result.seconds = seconds_since(start);
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "campaign/guarded.hpp"
 #include "campaign/plan.hpp"
@@ -20,6 +21,7 @@ struct JobsResult {
   double seconds = 0;
   bool interrupted = false;      ///< somebody asked to stop before the plan was done
   Fault hopeless = Fault::none;  ///< the party that died or hung again and again, which ended it
+  std::string why_hopeless{};    ///< its last end, in words
 };
 
 /// Runs every case of the plan, in as many child processes. A child that dies or hangs loses the

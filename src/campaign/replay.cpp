@@ -30,7 +30,8 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
   }
   const std::atomic<int> pulse{0};
   const std::string sentence(property->sentence);
-  switch (run_guarded([&] { check(*property, subject, recorded.pair); }, pulse, interruption)) {
+  switch (run_guarded([&] { check(*property, subject, recorded.pair); }, pulse,
+                      case_seconds_max(subject, subject), interruption)) {
     case Ending::crashed:
       return {false, sentence, "crashed"};
     case Ending::hung:

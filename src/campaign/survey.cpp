@@ -84,7 +84,8 @@ Neighbourhood survey(const PairCase& pair, const Collider& subject, const Collid
     }
   };
   while (place->turn < turns) {
-    const Ending ending = run_guarded(ask_the_rest, place->turn, interruption);
+    const Ending ending =
+        run_guarded(ask_the_rest, place->turn, case_seconds_max(subject, oracle), interruption);
     if (ending == Ending::well || ending == Ending::interrupted) break;
     const Verdict verdict = ending == Ending::hung ? Verdict::timed_out : Verdict::crashed;
     Cell& lost = cells[order.cell(place->turn)];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -20,22 +21,54 @@ struct Part {
 constexpr std::array kParts{Part{"new", &Comparison::appeared}, Part{"worse", &Comparison::worse},
                             Part{"still", &Comparison::still}, Part{"gone", &Comparison::gone}};
 
+/// JSON has no infinity: null stands for it.
+double magnitude_of(const nlohmann::ordered_json& bucket) {
+  const auto& magnitude = bucket.at("magnitude");
+  return magnitude.is_null() ? std::numeric_limits<double>::infinity() : magnitude.get<double>();
+}
+
+nlohmann::ordered_json terms_in(const nlohmann::ordered_json& report) {
+  nlohmann::ordered_json terms;
+  for (const char* const key : {"oracle", "seed", "first", "cases"}) {
+    terms[key] = report.value(key, nlohmann::ordered_json());
+  }
+  terms["regimes"] = nlohmann::ordered_json();
+  if (!report.contains("regimes")) return terms;
+  for (const auto& regime : report.at("regimes")) terms["regimes"].push_back(regime.at("name"));
+  return terms;
+}
+
 }  // namespace
 
-std::vector<EarlierBucket> read_baseline(const std::string& path) {
+EarlierRun read_baseline(const std::string& path) {
   InputFile file(path);
-  std::vector<EarlierBucket> earlier;
+  EarlierRun earlier;
   try {
-    const nlohmann::json report = nlohmann::json::parse(file.read_all());
-    for (const auto& bucket : report.at("buckets")) {
-      earlier.push_back(
-          {bucket.at("bucket").get<std::string>(), bucket.at("magnitude").get<double>()});
+    const auto report = nlohmann::ordered_json::parse(file.read_all());
+    for (const auto& bucket :
+         report.at("buckets").get_ref<const nlohmann::ordered_json::array_t&>()) {
+      earlier.buckets.push_back({bucket.at("bucket").get<std::string>(), magnitude_of(bucket)});
     }
+    earlier.terms = terms_in(report);
   } catch (const nlohmann::json::exception&) {
     throw UserError(
         fmt::format("--baseline: {}: what fuzz --json writes is expected", file.name()));
   }
   return earlier;
+}
+
+std::string differences_in_words(const nlohmann::ordered_json& earlier,
+                                 const nlohmann::ordered_json& now) {
+  std::string text;
+  for (const auto& [key, value] : now.items()) {
+    const auto& before = earlier.at(key);
+    if (before == value) continue;
+    const std::string pair =
+        value.is_array() ? key : fmt::format("{} ({}, now {})", key, before.dump(), value.dump());
+    text += text.empty() ? pair : ", " + pair;
+  }
+  if (text.empty()) return text;
+  return fmt::format("the baseline differs in {}: what is new or gone may be due to that\n", text);
 }
 
 Comparison compared(const std::vector<EarlierBucket>& earlier, const std::vector<Finding>& now) {

@@ -15,6 +15,12 @@ struct EarlierBucket {
   double magnitude = 0;
 };
 
+/// An earlier run: its buckets, and what of its terms must be the same for a fair comparison.
+struct EarlierRun {
+  std::vector<EarlierBucket> buckets;
+  nlohmann::ordered_json terms;  ///< oracle, seed, first, cases, regimes; null where not told
+};
+
 /// How this run's findings compare with an earlier one's, by their buckets' names.
 struct Comparison {
   std::vector<std::string> appeared;  ///< in this run alone
@@ -23,8 +29,12 @@ struct Comparison {
   std::vector<std::string> worse;     ///< in both, its magnitude grown by more than a tenth
 };
 
-/// The buckets in what `fuzz --json` wrote. Throws UserError that names the file.
-std::vector<EarlierBucket> read_baseline(const std::string& path);
+/// What `fuzz --json` wrote. Throws UserError that names the file.
+EarlierRun read_baseline(const std::string& path);
+
+/// One line that names the terms in which two runs differ; empty where there are none.
+std::string differences_in_words(const nlohmann::ordered_json& earlier,
+                                 const nlohmann::ordered_json& now);
 
 Comparison compared(const std::vector<EarlierBucket>& earlier, const std::vector<Finding>& now);
 

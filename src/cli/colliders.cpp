@@ -10,6 +10,7 @@
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "clipping/collider.hpp"
+#include "kernel/collider.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "oracle/external/command.hpp"
 #include "oracle/external/hosted_library.hpp"
@@ -57,6 +58,8 @@ const std::vector<ColliderEntry>& colliders() {
   static const std::vector<ColliderEntry> all = {
       {"clip", [] { return make_clip(); }},
       {"clip64", [] { return make_clip64(); }},
+      {"batch", [] { return make_batch(); }},
+      {"batch64", [] { return make_batch64(); }},
       {"box2d", [] { return make_box2d(); }},
       {"chipmunk", make_chipmunk},
       {"planck", make_planck},

@@ -109,25 +109,43 @@ class ProgressLine {
 struct Saving {
   std::string first_error;
   bool interrupted = false;
+  std::size_t unsaved = 0;
 };
 
-/// What a campaign found before it was interrupted is saved all the same; a second signal stops
-/// that too.
+/// A second signal ends the saving. The first one ended the shrinking: what it cut short is begun
+/// again without.
+void save_unless_hurried(Finding& finding, const Plan& plan, const std::string& corpus,
+                         Interruption& interruption) {
+  try {
+    save_finding(finding, plan, corpus, interruption);
+  } catch (const Interrupted&) {
+    if (interruption.requests() > 1) throw;
+    interruption.forgive();
+    save_finding(finding, plan, corpus, interruption);
+  }
+}
+
+/// What a campaign found is saved, even after it was interrupted.
 Saving save_new(std::vector<Finding>& found, const Plan& plan, const Options& options) {
   Interruption interruption;
   ProgressLine line;
   Saving saving;
   for (Finding& finding : found) {
-    if (!finding.is_new || saving.interrupted) continue;
+    if (!finding.is_new) continue;
+    if (interruption.requests() > 1) {
+      ++saving.unsaved;
+      continue;
+    }
     line.show("shrinking " + to_string(finding.bucket));
     try {
-      save_finding(finding, plan, options.corpus, interruption);
+      save_unless_hurried(finding, plan, options.corpus, interruption);
     } catch (const Interrupted&) {
-      saving.interrupted = true;
+      ++saving.unsaved;
     } catch (const UserError& error) {
       if (saving.first_error.empty()) saving.first_error = error.what();
     }
   }
+  saving.interrupted = interruption.requests() > 0;
   return saving;
 }
 
@@ -136,7 +154,7 @@ int fuzz(Options options) {
   if (!options.corpus.empty()) options.corpus = std::filesystem::proximate(options.corpus).string();
   const Corpus corpus = read_corpus_folder(options.corpus);
   Plan plan = plan_of(options);
-  std::optional<std::vector<EarlierBucket>> baseline;
+  std::optional<EarlierRun> baseline;
   if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
@@ -153,9 +171,17 @@ int fuzz(Options options) {
   if (!options.no_save) saving = save_new(found, plan, options);
   run.interrupted = run.interrupted || saving.interrupted;
 
-  const CampaignReport report{
-      plan, run, found, ledger_counts(*run.tally, plan), baseline, repeating_command(options)};
-  const std::string json = options.json.empty() ? "" : summary_json(report).dump(2) + '\n';
+  const CampaignReport report{plan,
+                              run,
+                              found,
+                              ledger_counts(*run.tally, plan),
+                              baseline,
+                              saving.unsaved,
+                              repeating_command(options)};
+  // A path or a command need not be UTF-8.
+  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  const std::string json =
+      options.json.empty() ? "" : summary_json(report).dump(2, ' ', false, replace) + '\n';
   write_to_reader(options.json == "-" ? json : summary_table(report));
   if (!json.empty() && options.json != "-") write_file(options.json, json);
   if (!saving.first_error.empty()) throw UserError(saving.first_error);
@@ -187,7 +213,8 @@ Run define(CLI::App& app) {
   app.add_flag("--no-save", options->no_save, "shrink and save nothing");
   app.add_option("--baseline", options->baseline,
                  "the --json of an earlier run: says which buckets are new, worse, gone")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(not_blank);
   app.add_option("--json", options->json, "the summary as JSON, to a file or - for stdout")
       ->type_name("FILE");
   return [options] { return fuzz(*options); };

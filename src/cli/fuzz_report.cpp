@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cases/text.hpp"
 #include "report/provenance.hpp"
 
 namespace manifuzz {
@@ -55,8 +56,8 @@ std::string hopeless_in_words(const CampaignReport& report) {
   if (report.run.hopeless == Fault::none) return "";
   const Collider& collider =
       report.run.hopeless == Fault::subject ? report.plan.subject : report.plan.oracle;
-  return fmt::format("\nstopped early: {} gave no answer again and again\n",
-                     collider.declaration.name);
+  return fmt::format("\nstopped early: {} gave no answer again and again: {}\n",
+                     collider.declaration.name, printable(report.run.why_hopeless, 200));
 }
 
 std::string finding_rows(const CampaignReport& report) {
@@ -102,6 +103,17 @@ std::string command_of(const CampaignReport& report, const Finding& finding) {
                      report.plan.index_of(first));
 }
 
+/// What two runs must share for their buckets to be comparable.
+nlohmann::ordered_json terms_of(const CampaignReport& report) {
+  nlohmann::ordered_json terms{{"oracle", report.plan.oracle.declaration.name},
+                               {"seed", report.plan.seed},
+                               {"first", report.plan.first},
+                               {"cases", report.run.tally->cases()},
+                               {"regimes", nlohmann::ordered_json::array()}};
+  for (const Regime* regime : report.plan.regimes) terms["regimes"].push_back(regime->name);
+  return terms;
+}
+
 std::string summary_table(const CampaignReport& report) {
   const Tally& tally = *report.run.tally;
   std::string text =
@@ -115,9 +127,15 @@ std::string summary_table(const CampaignReport& report) {
   if (is_vacuous(report)) {
     text += "\nvacuous: nothing touched, so nothing was shown; choose other regimes or a radius\n";
   }
-  if (report.baseline) text += '\n' + comparison_rows(compared(*report.baseline, report.findings));
+  if (report.baseline)
+    text += '\n' + differences_in_words(report.baseline->terms, terms_of(report)) +
+            comparison_rows(compared(report.baseline->buckets, report.findings));
   text += hopeless_in_words(report);
-  if (report.run.interrupted) text += "\ninterrupted: what was found until then is kept\n";
+  if (report.run.interrupted) {
+    text += "\ninterrupted: what was found until then is counted";
+    text += report.unsaved == 0 ? " and kept\n"
+                                : fmt::format(", but {} findings are not saved\n", report.unsaved);
+  }
   return text;
 }
 
@@ -143,6 +161,8 @@ nlohmann::ordered_json summary_json(const CampaignReport& report) {
   }
   json["vacuous"] = is_vacuous(report);
   json["interrupted"] = report.run.interrupted;
+  json["stopped_early"] = report.run.hopeless != Fault::none;
+  json["first"] = report.plan.first;
   json["regimes"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < report.plan.regimes.size(); ++i) {
     const RegimeTally& regime = tally.regimes[i];
@@ -178,7 +198,7 @@ nlohmann::ordered_json summary_json(const CampaignReport& report) {
                                {"new", finding.is_new}});
   }
   if (report.baseline) {
-    json["baseline"] = comparison_json(compared(*report.baseline, report.findings));
+    json["baseline"] = comparison_json(compared(report.baseline->buckets, report.findings));
   }
   return json;
 }

@@ -18,8 +18,9 @@ struct CampaignReport {
   const JobsResult& run;
   const std::vector<Finding>& findings;
   std::vector<LedgerCount> ledger;
-  std::optional<std::vector<EarlierBucket>> baseline;
-  std::string command;  ///< the beginning of a command that repeats a case, up to --regime
+  std::optional<EarlierRun> baseline;
+  std::size_t unsaved = 0;  ///< new buckets that were not written, since somebody was in a hurry
+  std::string command;      ///< the beginning of a command that repeats a case, up to --regime
 };
 
 /// A run of so many cases outside the regime `separated` in which nothing touched proves nothing.

@@ -1,8 +1,10 @@
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <map>
 #include <string>
 #include <string_view>
+#include <unistd.h>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +15,7 @@
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "oracle/external/child.hpp"
 #include "oracle/external/process.hpp"
 
 namespace manifuzz {
@@ -81,14 +84,36 @@ int run(int argc, char** argv) {
   return runs.at(app.get_subcommands().front())();
 }
 
+bool is_done = false;
+
+/// Nothing here calls exit: only a library that was called in this process can have.
+void complain_of_exit() {
+  if (is_done) return;
+  complain("a library called exit in this process; leave out --in-process");
+  _exit(kBadUsage);
+}
+
+int run_guarding_exit(int argc, char** argv) {
+  std::atexit(complain_of_exit);
+  try {
+    const int status = run(argc, argv);
+    is_done = true;
+    return status;
+  } catch (...) {
+    is_done = true;
+    throw;
+  }
+}
+
 }  // namespace
 }  // namespace manifuzz
 
 int main(int argc, char** argv) {
   const manifuzz::Descendants descendants;
+  manifuzz::stop_children_on_signals();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is noticed where output is written
   try {
-    return manifuzz::run(argc, argv);
+    return manifuzz::run_guarding_exit(argc, argv);
   } catch (const manifuzz::OutputClosed&) {
     return 0;
   } catch (const std::exception& error) {

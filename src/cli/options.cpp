@@ -51,6 +51,10 @@ CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<do
   return app.add_option_function<std::string>(name, read, description)->type_name("X");
 }
 
+std::string not_blank(const std::string& text) {
+  return text.find_first_not_of(" \t\n") == std::string::npos ? "is empty" : "";
+}
+
 std::uint64_t seed_or_draw(const std::optional<std::uint64_t>& seed) {
   if (seed) return *seed;
   std::random_device device;

@@ -18,6 +18,9 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name,
 CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<double>& to,
                         const std::string& description);
 
+/// A check that an option's text is not blank: what is wrong, or nothing.
+std::string not_blank(const std::string& text);
+
 /// The seed that was given, or one that is drawn and printed on stderr first.
 std::uint64_t seed_or_draw(const std::optional<std::uint64_t>& seed);
 

@@ -1,5 +1,6 @@
 #include "cli/parties.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 
@@ -32,6 +33,10 @@ double time_limit_of(const OutsideOptions& outside) {
 
 Collider find_any(const ColliderChoice& choice, const OutsideOptions& outside) {
   const double seconds = time_limit_of(outside);
+  if (outside.in_process && outside.time_limit) {
+    throw UserError(
+        "--time-limit: holds for colliders in processes of their own; leave out --in-process");
+  }
   if (!choice.command.empty() && outside.in_process) {
     throw UserError(
         fmt::format("--in-process: a program cannot run in this process; give a shared "
@@ -59,8 +64,9 @@ Collider with_tie_bias(const Collider& collider, double tie_bias) {
 std::string option_again(const ColliderChoice& choice) {
   if (choice.command.empty()) {
     const std::filesystem::path library(choice.name);
-    const std::string name =
+    std::string name =
         library.is_absolute() ? std::filesystem::proximate(library).string() : choice.name;
+    if (is_library(choice.name) && !is_library(name)) name = "./" + name;
     return fmt::format("--{} {}", choice.role, quoted_for_shell(name));
   }
   return fmt::format("--{}-command {}", choice.role, quoted_for_shell(choice.command));
@@ -68,13 +74,20 @@ std::string option_again(const ColliderChoice& choice) {
 
 }  // namespace
 
+bool is_findable(const std::string& name) {
+  return is_library(name) ||
+         std::ranges::find(colliders(), name, &ColliderEntry::name) != colliders().end();
+}
+
 void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& description) {
   CLI::Option* const name = app.add_option("--" + choice.role, choice.name, description)
                                 ->type_name("C|LIBRARY.so")
+                                ->check(not_blank)
                                 ->capture_default_str();
   app.add_option("--" + choice.role + "-command", choice.command,
                  "the same as a program: case lines in, manifold lines out")
       ->type_name("COMMAND")
+      ->check(not_blank)
       ->excludes(name);
 }
 

@@ -46,6 +46,9 @@ inline Collider find_oracle(const Parties& parties) {
   return find_collider(parties.oracle, parties.outside);
 }
 
+/// Whether that names a collider in `list colliders` or a shared library.
+bool is_findable(const std::string& name);
+
 /// The options that choose the same parties again, for a shell.
 std::string options_again(const Parties& parties);
 

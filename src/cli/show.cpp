@@ -37,11 +37,15 @@ struct Options {
 };
 
 /// What was asked for, else what the case names, else the usual one.
-ColliderChoice chosen(ColliderChoice asked, const std::string& recorded, const char* usual) {
-  if (asked.name.empty() && asked.command.empty()) {
-    asked.name = recorded.empty() ? usual : recorded;
-  }
-  return asked;
+ColliderChoice chosen(const std::string& file, ColliderChoice asked, const std::string& recorded,
+                      const char* usual) {
+  if (!asked.name.empty() || !asked.command.empty()) return asked;
+  asked.name = recorded.empty() ? usual : recorded;
+  if (is_findable(asked.name)) return asked;
+  throw UserError(
+      fmt::format("{}: was found with '{}' from outside; say where that is: --{} ./LIBRARY.so or "
+                  "--{}-command PROGRAM",
+                  file, printable(asked.name), asked.role, asked.role));
 }
 
 void check_map(const Options& options) {
@@ -77,9 +81,11 @@ int show(const Options& options) {
   check_map(options);
   const CorpusCase given = read_case_file(options.file);
   const Expectation recorded = given.expect.value_or(Expectation{});
-  const auto& [subject_choice, oracle_choice, outside] = options.parties;
-  const Collider subject = find_collider(chosen(subject_choice, recorded.subject, "clip"), outside);
-  const Collider oracle = find_collider(chosen(oracle_choice, recorded.oracle, "box2d"), outside);
+  Parties parties = options.parties;
+  parties.subject = chosen(options.file, parties.subject, recorded.subject, "clip");
+  parties.oracle = chosen(options.file, parties.oracle, recorded.oracle, "box2d");
+  const Collider subject = find_subject(parties);
+  const Collider oracle = find_oracle(parties);
   Interruption interruption;
   const ShownCase shown{given,
                         {subject.declaration, ask_guarded(subject, given.pair, interruption)},
@@ -87,7 +93,7 @@ int show(const Options& options) {
                         judge_guarded(given.pair, subject, oracle, interruption)};
   if (!options.svg.empty() && options.svg != "-") write_file(options.svg, case_svg(shown));
   std::string text = options.svg == "-" ? case_svg(shown)
-                     : options.upstream ? upstream_report(shown)
+                     : options.upstream ? upstream_report(shown, options_again(parties))
                                         : case_text(shown);
   if (options.map) {
     const std::string words = write_map(options, shown, subject, oracle, interruption);

@@ -1,59 +1,34 @@
 #include "clipping/collider.hpp"
 
 #include "clipping/collide.hpp"
+#include "clipping/placed_pair.hpp"
 
 namespace manifuzz {
 namespace {
 
-/// A pair as the algorithm takes it: polygons of one length unit, and B's pose in A's frame.
-template <class Scalar>
-struct Placed {
-  ConvexPolygon<Scalar> a;
-  ConvexPolygon<Scalar> b;
-  Pose<Scalar> b_in_a;
-  Scalar local_per_world = 1;  ///< A's local length of one world length
-};
-
-Placed<float> place_float(const PairCase& pair) {
-  return {pair.a.polygon, pair.b.polygon, relative_pose(pair.a.pose, pair.b.pose), 1};
-}
-
-/// A stored (cos, sin) of length k turns by its direction and scales by k: scale the polygon, and
-/// the rest is rigid.
-ConvexPolygon<double> scaled_to_world(const Body& body, double k) {
-  ConvexPolygon<double> polygon = polygon_cast<double>(body.polygon);
-  for (int i = 0; i < polygon.count; ++i) polygon.vertices[i] *= k;
-  return polygon;
-}
-
-Placed<double> place_double(const PairCase& pair) {
-  const Vector2<double> rotation_a = pair.a.pose.rotation.cast<double>();
-  const Vector2<double> rotation_b = pair.b.pose.rotation.cast<double>();
-  const double k_a = std::sqrt(rotation_a.dot(rotation_a));
-  const double k_b = std::sqrt(rotation_b.dot(rotation_b));
-  const Pose<double> a{pair.a.pose.position.cast<double>(), rotation_a / k_a};
-  const Pose<double> b{pair.b.pose.position.cast<double>(), rotation_b / k_b};
-  return {scaled_to_world(pair.a, k_a), scaled_to_world(pair.b, k_b), relative_pose(a, b), 1 / k_a};
-}
-
-template <class Scalar>
-Answer answer(Manifold<Scalar> manifold, Scalar local_per_world) {
-  for (int i = 0; i < manifold.count; ++i) manifold.points[i].position *= local_per_world;
+/// What `collide` makes of the placed pair and of B's pose in A's frame, as an answer.
+template <class Scalar, class Collide>
+Answer answer(const PairCase& pair, const Collide& collide) {
+  const auto placed = clipping::placed_pair<Scalar>(pair);
+  const Pose<Scalar> b_in_a = relative_pose(placed.pose_a, placed.pose_b);
+  Manifold<Scalar> manifold = collide(placed, b_in_a);
+  for (int i = 0; i < manifold.count; ++i) manifold.points[i].position *= placed.local_per_world;
   return manifold_cast<double>(manifold);
 }
 
-template <class Scalar, class Place>
-void implement(Collider& collider, Place place) {
+template <class Scalar>
+void implement(Collider& collider) {
   const auto bias = static_cast<Scalar>(collider.declaration.tie_bias);
-  collider.collide = [place, bias](const PairCase& pair) {
-    const Placed<Scalar> p = place(pair);
-    return answer<Scalar>(clipping::collide(p.a, p.b, p.b_in_a, bias), p.local_per_world);
+  collider.collide = [bias](const PairCase& pair) {
+    return answer<Scalar>(pair, [bias](const auto& placed, const Pose<Scalar>& b_in_a) {
+      return clipping::collide(placed.a, placed.b, b_in_a, bias);
+    });
   };
-  collider.from_normal = [place](const PairCase& pair, const Vector2<double>& normal) {
-    const Placed<Scalar> p = place(pair);
-    return answer<Scalar>(
-        clipping::manifold_from_normal<Scalar>(p.a, p.b, p.b_in_a, normal.cast<Scalar>()),
-        p.local_per_world);
+  collider.from_normal = [](const PairCase& pair, const Vector2<double>& normal) {
+    return answer<Scalar>(pair, [&](const auto& placed, const Pose<Scalar>& b_in_a) {
+      return clipping::manifold_from_normal<Scalar>(placed.a, placed.b, b_in_a,
+                                                    normal.cast<Scalar>());
+    });
   };
   collider.in_double = [bias] { return make_clip64(static_cast<double>(bias)); };
 }
@@ -71,7 +46,7 @@ Collider make_clip(double tie_bias) {
       .frame = RoundingFrame::local,
       .tie_bias = static_cast<float>(tie_bias)};
   collider.with_tie_bias = make_clip;
-  implement<float>(collider, place_float);
+  implement<float>(collider);
   return collider;
 }
 
@@ -84,7 +59,7 @@ Collider make_clip64(double tie_bias) {
                           .frame = RoundingFrame::local,
                           .tie_bias = tie_bias};
   collider.with_tie_bias = make_clip64;
-  implement<double>(collider, place_double);
+  implement<double>(collider);
   return collider;
 }
 

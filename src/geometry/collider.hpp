@@ -59,10 +59,12 @@ struct Collider {
   std::function<Collider()> in_double;
   /// Of a collider in a process of its own: answers to many cases at once, cheaper than one by one.
   /// `go_on` is asked several times a second; returns how many were answered, all unless it says
-  /// no.
+  /// no or the collider has lost too many in a row.
   std::function<std::size_t(std::span<const PairCase>, std::span<Answer>,
                             const std::function<bool()>& go_on)>
       collide_many;
+
+  double seconds_max = 0;  ///< of one in a process of its own: how long over a case, its start too
 
   /// Whether it is safe to ask: it cannot take this process along.
   bool is_isolated() const { return static_cast<bool>(collide_many); }

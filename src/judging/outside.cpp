@@ -85,10 +85,13 @@ bool is_same(const Answer& one, const Answer& other) {
   return true;
 }
 
-Answer ask(const Collider& collider, const PairCase& pair) {
-  Answer answer = collider.collide(pair);
+Answer whole(Answer answer, const PairCase& pair, const Declaration& declaration) {
   if (!std::holds_alternative<PartialManifold>(answer)) return answer;
-  return completed(std::move(answer), admissible(pair, collider.declaration));
+  return completed(std::move(answer), admissible(pair, declaration));
+}
+
+Answer ask(const Collider& collider, const PairCase& pair) {
+  return whole(collider.collide(pair), pair, collider.declaration);
 }
 
 }  // namespace manifuzz

@@ -18,6 +18,9 @@ Answer completed(Answer answer, const Admissible& right);
 /// Whether two answers say the same, the reasons of a lost or declined one apart.
 bool is_same(const Answer& one, const Answer& other);
 
+/// A collider's answer, completed.
+Answer whole(Answer answer, const PairCase& pair, const Declaration& declaration);
+
 /// What the collider answers now, completed.
 Answer ask(const Collider& collider, const PairCase& pair);
 

@@ -92,8 +92,20 @@ const Party& party_at_fault(const ShownCase& shown) {
   }
 }
 
-std::string language_of(const std::string& snippet) {
-  return snippet.find("#include") != std::string::npos ? "cpp" : "js";
+/// What a fence of code says it holds, where that can be told.
+std::string_view language_of(const std::string& snippet) {
+  if (snippet.find("#include") != std::string::npos) return "cpp";
+  const bool is_script =
+      snippet.starts_with("import {") || snippet.find("require(") != std::string::npos;
+  return is_script ? "js" : "";
+}
+
+/// Code between fences that are longer than any of its own.
+std::string fenced(std::string_view language, std::string code) {
+  std::string fence = "```";
+  while (code.find(fence) != std::string::npos) fence += '`';
+  if (!code.ends_with('\n')) code += '\n';
+  return fmt::format("{}{}\n{}{}\n", fence, language, code, fence);
 }
 
 }  // namespace
@@ -104,7 +116,7 @@ std::string filled_in(std::string snippet, const PairCase& pair) {
   return snippet;
 }
 
-std::string upstream_report(const ShownCase& shown) {
+std::string upstream_report(const ShownCase& shown, const std::string& parties) {
   const Party& party = party_at_fault(shown);
   const PairCase& pair = shown.given.pair;
   std::string text = fmt::format("# {} {}: {}\n\n", party.declaration.name,
@@ -134,12 +146,11 @@ std::string upstream_report(const ShownCase& shown) {
   const std::string& snippet = party.declaration.snippet;
   text += "\n## A program that shows it\n\n";
   if (!snippet.empty()) {
-    return text + fmt::format("```{}\n{}```\n", language_of(snippet), filled_in(snippet, pair));
+    return text + fenced(language_of(snippet), filled_in(snippet, pair));
   }
   std::string line;
   append_case_line(line, pair);
-  return text + fmt::format("```sh\nmanifuzz judge --subject {} <<'END'\n{}\nEND\n```\n",
-                            party.declaration.name, line);
+  return text + fenced("sh", fmt::format("manifuzz judge {} <<'END'\n{}\nEND\n", parties, line));
 }
 
 }  // namespace manifuzz

@@ -7,9 +7,10 @@
 namespace manifuzz {
 
 /// The case as a report to the authors of the collider at fault, in Markdown: version, input, what
-/// it answered, what is right, and a program that shows it. Throws UserError where nobody is at
-/// fault.
-std::string upstream_report(const ShownCase& shown);
+/// it answered, what is right, and a program that shows it. `parties` are the
+/// options that choose the two again, for a collider that gives no program of its own. Throws
+/// UserError where nobody is at fault.
+std::string upstream_report(const ShownCase& shown, const std::string& parties);
 
 /// A snippet's template with the pair's numbers in it: @a.vertices[]@ becomes [[x,y],...],
 /// @a.vertices{}@ {{x,y},...}; normals, position and rotation (cos, sin) alike; @a.radius@,

@@ -21,6 +21,7 @@ std::string answer_to(const std::string& line, std::string_view behaviour) {
   test::misbehave(behaviour, x, y);
   const bool is_unlucky = test::is_unlucky(x, y);
   if (is_unlucky && behaviour == "garbage") return "[object Object]\n";
+  if (is_unlucky && behaviour == "not-a-number") return "{\"points\": [], \"depth\": NaN}\n";
   if (is_unlucky && behaviour == "nonsense") return "{\"points\": 3}\n";
   std::string answer;
   append_answer(answer, pair, "behaving", clip64.collide(pair));

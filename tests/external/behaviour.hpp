@@ -23,6 +23,7 @@ inline void misbehave(std::string_view behaviour, float x, float y) {
   if (!is_unlucky(x, y)) return;
   if (behaviour == "crashes") std::raise(SIGSEGV);
   if (behaviour == "exits") _exit(3);
+  if (behaviour == "calls-exit") std::exit(0);
   if (behaviour == "sleeps") pause();
 }
 

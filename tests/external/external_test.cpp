@@ -148,6 +148,7 @@ TEST_CASE("a program that crashes, ends, hangs or talks nonsense loses that case
   check_loses(program("sleeps"), Verdict::timed_out);
   check_loses(program("garbage"), Verdict::malformed);
   check_loses(program("nonsense"), Verdict::malformed);
+  check_loses(program("not-a-number"), Verdict::malformed);
   CHECK_FALSE(has_children());
 }
 
@@ -177,6 +178,11 @@ TEST_CASE("one that never answers ends the campaign") {
   CHECK_FALSE(has_children());
 }
 
+TEST_CASE("a library that exits in this process loses that case alone") {
+  const Told exits("calls-exit");
+  check_loses(collider_in_process(MANIFUZZ_TEST_LIBRARY), Verdict::crashed);
+}
+
 TEST_CASE("a program's own children end with the command that ran it") {
   const Shared<pid_t> orphan;
   const pid_t command = spawn([&] {
@@ -196,6 +202,9 @@ TEST_CASE("a program's own children end with the command that ran it") {
 }
 
 TEST_CASE("what cannot be loaded or run is a user's error") {
+  CHECK_THROWS_AS(
+      collider_of_command(R"(echo '{"declaration": {"snippet": "@a.corner@"}}')", kSecondsMax),
+      UserError);
   CHECK_THROWS_AS(collider_in_own_process("./no-such.so", kSecondsMax), UserError);
   CHECK_THROWS_AS(collider_in_process("./no-such.so"), UserError);
   CHECK_THROWS_AS(collider_of_command("./no-such-program", kSecondsMax), UserError);

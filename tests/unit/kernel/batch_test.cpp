@@ -1,0 +1,126 @@
+#include "kernel/batch.hpp"
+
+#include <hwy/targets.h>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "cases/regime.hpp"
+#include "clipping/collide.hpp"
+#include "clipping/placed_pair.hpp"
+
+// The kernels against the clean code, bit for bit, on every instruction set that this machine has.
+
+using namespace manifuzz;
+
+namespace {
+
+constexpr std::size_t kPairs = 1003;  // no whole number of blocks
+
+/// Pairs as an engine holds them, and what the clean code makes of each.
+template <class Scalar>
+struct Scene {
+  std::vector<ConvexPolygon<Scalar>> polygons;
+  kernel::Shapes<Scalar> shapes;
+  std::vector<kernel::Placement<Scalar>> bodies;
+  std::vector<kernel::BodyPair> pairs;
+  std::vector<Manifold<Scalar>> expected;
+
+  void add(const ConvexPolygon<Scalar>& polygon, const Pose<Scalar>& pose) {
+    polygons.push_back(polygon);
+    bodies.push_back({shapes.add(polygon), pose});
+  }
+
+  void expect(Scalar tie_bias) {
+    expected.clear();
+    for (const auto& [a, b] : pairs) {
+      expected.push_back(clipping::collide(
+          polygons[a], polygons[b], relative_pose(bodies[a].pose, bodies[b].pose), tie_bias));
+    }
+  }
+};
+
+template <class Scalar>
+Scene<Scalar> scene_of(const Regime& regime) {
+  Scene<Scalar> scene;
+  for (std::uint32_t i = 0; i < kPairs; ++i) {
+    const auto placed = clipping::placed_pair<Scalar>(generate(5, regime, i));
+    scene.add(placed.a, placed.pose_a);
+    scene.add(placed.b, placed.pose_b);
+    scene.pairs.push_back({2 * i, 2 * i + 1});
+  }
+  return scene;
+}
+
+/// Asks the kernels as each target in turn.
+template <class Check>
+void on_every_target(const Check& check) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    INFO(hwy::TargetName(target));
+    check();
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+template <class Scalar>
+std::size_t wrong_from_indices(const Scene<Scalar>& scene, Scalar tie_bias) {
+  std::vector<Manifold<Scalar>> manifolds(scene.pairs.size());
+  kernel::collide_pairs(scene.shapes, scene.bodies, scene.pairs, tie_bias, manifolds);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < manifolds.size(); ++i) wrong += manifolds[i] != scene.expected[i];
+  return wrong;
+}
+
+template <class Scalar>
+std::size_t wrong_packed(const Scene<Scalar>& scene, Scalar tie_bias) {
+  const kernel::PackedPairs<Scalar> packed(scene.shapes, scene.bodies, scene.pairs);
+  std::vector<kernel::ManifoldBlock<Scalar>> blocks(packed.block_count());
+  kernel::collide_packed(packed, tie_bias, blocks);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
+    const auto column = static_cast<int>(i % kernel::kBlockPairs);
+    wrong += kernel::manifold(blocks[i / kernel::kBlockPairs], column) != scene.expected[i];
+  }
+  return wrong;
+}
+
+template <class Scalar>
+void check_regime(const Regime& regime) {
+  Scene<Scalar> scene = scene_of<Scalar>(regime);
+  for (const Scalar tie_bias : {Scalar{0}, Scalar{0.0005F}}) {
+    scene.expect(tie_bias);
+    INFO(regime.name << ", tie bias " << tie_bias);
+    on_every_target([&] {
+      CHECK(wrong_from_indices(scene, tie_bias) == 0);
+      CHECK(wrong_packed(scene, tie_bias) == 0);
+    });
+  }
+}
+
+}  // namespace
+
+TEST_CASE("batch equals clip bit for bit on every target, in every regime") {
+  for (const Regime& regime : regimes()) check_regime<float>(regime);
+}
+
+TEST_CASE("batch64 equals clip64 bit for bit on every target, in every regime") {
+  for (const Regime& regime : regimes()) check_regime<double>(regime);
+}
+
+TEST_CASE("any number of pairs, of any bodies, is answered in order") {
+  Scene<float> scene = scene_of<float>(*find_regime("generic"));
+  const auto all = scene.pairs;
+  for (const std::size_t count : {0, 1, 2, 15, 16, 17, 33}) {
+    scene.pairs.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
+    for (kernel::BodyPair& pair : scene.pairs) pair.b = 1;  // one body in every pair
+    scene.expect(0);
+    INFO(count);
+    on_every_target([&] {
+      CHECK(wrong_from_indices(scene, 0.0F) == 0);
+      CHECK(wrong_packed(scene, 0.0F) == 0);
+    });
+  }
+}
