@@ -59,7 +59,8 @@ std::array<std::atomic<pid_t>, 64> running_groups{};
 
 void replace_group(pid_t before, pid_t after) {
   for (auto& group : running_groups) {
-    if (group.compare_exchange_strong(before, after)) return;
+    pid_t expected = before;
+    if (group.compare_exchange_strong(expected, after)) return;
   }
 }
 

@@ -72,6 +72,8 @@ std::vector<Interest> interests(const Scene& scene) {
     const double depth = std::max(std::abs(scene.deepest.depth), scene.rounding / 4);
     all.push_back({middle({scene.deepest.from, scene.deepest.to}), depth, 14, 0.25, true});
   }
+  // What rounding makes no longer than nothing cannot be looked at more closely.
+  std::erase_if(all, [](const Interest& interest) { return !(interest.length > 0); });
   std::stable_sort(all.begin(), all.end(),
                    [](const Interest& p, const Interest& q) { return p.length > q.length; });
   return all;
