@@ -3,6 +3,7 @@
 #include <hwy/foreach_target.h>  // includes this file once more for every other target
 // after foreach_target
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <hwy/highway.h>
@@ -21,36 +22,41 @@ void collide_packed(const PackedPairs<T>& pairs, T tie_bias, std::span<ManifoldB
   }
 }
 
-/// Sixteen pairs to be fetched, and where their manifolds go.
+/// The vertex counts of a pair, as one number by which pairs are grouped.
+struct CountKey {
+  static constexpr int kCounts = kMaxVertices - kMinVertices + 1;
+  static constexpr int kKeys = kCounts * kCounts;
+
+  static std::uint8_t of(unsigned count_a, unsigned count_b) {
+    return static_cast<std::uint8_t>((count_a - kMinVertices) * kCounts + count_b - kMinVertices);
+  }
+  static int count_a(std::uint8_t key) { return key / kCounts + kMinVertices; }
+  static int count_b(std::uint8_t key) { return key % kCounts + kMinVertices; }
+};
+
+/// Sixteen pairs to be fetched, in the order of their keys, and where their manifolds go.
 template <class T>
 struct Group {
   const Placement<T>* body[2][kBlockPairs];
   Manifold<T>* out[kBlockPairs];
+  std::uint8_t key[kBlockPairs];
 };
 
-/// Fetches a shape's corners for every column, two or one at a time, and closes the polygon.
+/// Fetches a shape's corners for every column and closes the polygon.
 template <class D>
-HWY_INLINE void load_corners(D d, const ShapeRows<hn::TFromD<D>>* const* shape, int count_max,
+HWY_INLINE void load_corners(D d, const ShapeCorners<hn::TFromD<D>>* const* shape, int count_max,
                              Row<hn::TFromD<D>>* rows) {
   constexpr int kQuadScalars = static_cast<int>(kQuad<D>);
   for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
-    const auto load = [&](const auto& scalars, int first, int rows_from) {
+    const auto store = [&](hn::Vec<D> v, int row) { hn::Store(v, d, rows[row].column + column); };
+    for (int i = 0; i < kCornerRows * count_max; i += kQuadScalars) {
       hn::Vec<D> quad[kQuad<D>];
       load_rows(
-          d, [&](std::size_t lane) { return scalars(shape[column + lane]) + first; }, quad);
-      for (int r = 0; r < kQuadScalars; ++r) {
-        const int element = first + r;
-        auto& row = rows[kCornerRows * (element / 2) + rows_from + element % 2];
-        hn::Store(quad[r], d, row.column + column);
-      }
-    };
-    for (int i = 0; i < 2 * count_max; i += kQuadScalars) {
-      load([](const auto* of) { return of->vertices.data(); }, i, 0);
-      load([](const auto* of) { return of->normals.data(); }, i, 2);
+          d, [&](std::size_t lane) { return shape[column + lane]->scalars.data() + i; }, quad);
+      for (int r = 0; r < kQuadScalars; ++r) store(quad[r], i + r);
     }
-    for (int axis = 0; axis < 2; ++axis) {
-      hn::Store(hn::Load(d, rows[axis].column + column), d,
-                rows[kCornerRows * count_max + axis].column + column);
+    for (const int axis : {0, 1}) {
+      store(hn::Load(d, rows[axis].column + column), kCornerRows * count_max + axis);
     }
   }
 }
@@ -69,28 +75,55 @@ HWY_INLINE void load_poses(D d, const Placement<hn::TFromD<D>>* const* body,
   }
 }
 
+/// The rows of both counts; returns the greatest of each.
+template <class T>
+HWY_INLINE std::array<int, 2> load_counts(const Group<T>& group, Row<T>* rows) {
+  std::array<int, 2> count_max{CountKey::count_a(group.key[0]), CountKey::count_b(group.key[0])};
+  if (group.key[0] == group.key[kBlockPairs - 1]) {
+    for (const int p : {0, 1}) {
+      std::fill_n(rows[kCountA + p].column, kBlockPairs, static_cast<T>(count_max[p]));
+    }
+    return count_max;
+  }
+  for (int column = 0; column < kBlockPairs; ++column) {
+    const std::array<int, 2> count{CountKey::count_a(group.key[column]),
+                                   CountKey::count_b(group.key[column])};
+    for (const int p : {0, 1}) {
+      rows[kCountA + p].column[column] = static_cast<T>(count[p]);
+      count_max[p] = std::max(count_max[p], count[p]);
+    }
+  }
+  return count_max;
+}
+
+template <class T>
+HWY_INLINE void load_radii(const Shapes<T>& shapes, const Group<T>& group, Row<T>& total_radius) {
+  if (!shapes.has_radius()) {
+    std::fill_n(total_radius.column, kBlockPairs, T{0});
+    return;
+  }
+  for (int column = 0; column < kBlockPairs; ++column) {
+    total_radius.column[column] =
+        shapes.radius(group.body[0][column]->shape) + shapes.radius(group.body[1][column]->shape);
+  }
+}
+
 /// Lays a group out as a block of pairs, in `rows`.
 template <class T>
 HWY_INLINE PairBlock<T> load_group(const Shapes<T>& shapes, const Group<T>& group, Row<T>* rows) {
   const hn::CappedTag<T, kBlockPairs> d;
-  const ShapeRows<T>* shape[2][kBlockPairs];
-  int count_max[2] = {0, 0};
-  for (int column = 0; column < kBlockPairs; ++column) {
-    T total_radius = 0;
-    for (const int p : {0, 1}) {
-      const std::uint32_t index = group.body[p][column]->shape;
-      const auto count = static_cast<int>(shapes.count(index));
-      shape[p][column] = &shapes.rows(index);
-      total_radius += shapes.radius(index);
-      rows[kCountA + p].column[column] = static_cast<T>(count);
-      count_max[p] = std::max(count_max[p], count);
+  const std::array<int, 2> count_max = load_counts(group, rows);
+  load_radii(shapes, group, rows[kTotalRadius]);
+  Row<T>* corners = rows + kCorners;
+  for (const int p : {0, 1}) {
+    load_poses(d, group.body[p], rows + (p == 0 ? kPoseA : kPoseB));
+    const ShapeCorners<T>* shape[kBlockPairs];
+    for (int column = 0; column < kBlockPairs; ++column) {
+      shape[column] = &shapes.corners(group.body[p][column]->shape);
     }
-    rows[kTotalRadius].column[column] = total_radius;
+    load_corners(d, shape, count_max[p], corners);
+    corners += polygon_rows(count_max[p]);
   }
-  load_poses(d, group.body[0], rows + kPoseA);
-  load_poses(d, group.body[1], rows + kPoseB);
-  load_corners(d, shape[0], count_max[0], rows + kCorners);
-  load_corners(d, shape[1], count_max[1], rows + kCorners + polygon_rows(count_max[0]));
   return {rows, count_max[0], count_max[1]};
 }
 
@@ -131,40 +164,42 @@ HWY_INLINE void store_group(const ManifoldBlock<double>& block, const Group<doub
 
 inline constexpr std::size_t kChunkPairs = 4096;
 
-/// The order of a chunk's pairs in which those of equal vertex counts stand together.
-template <class Scalar>
-void group_by_counts(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
-                     std::span<const BodyPair> pairs, std::uint16_t* order) {
-  constexpr int kCounts = kMaxVertices - kMinVertices + 1;
-  std::uint8_t keys[kChunkPairs];
-  std::uint32_t begin[kCounts * kCounts + 1] = {};
+/// A chunk's pairs in the order of their keys.
+struct Order {
+  std::uint16_t pair[kChunkPairs];
+  std::uint8_t key[kChunkPairs];  ///< of the pair itself, wherever it stands in the order
+};
+
+template <class T>
+void group_by_counts(const Shapes<T>& shapes, std::span<const Placement<T>> bodies,
+                     std::span<const BodyPair> pairs, Order& order) {
+  std::uint32_t begin[CountKey::kKeys + 1] = {};
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const unsigned count_a = shapes.count(bodies[pairs[i].a].shape);
-    const unsigned count_b = shapes.count(bodies[pairs[i].b].shape);
-    keys[i] =
-        static_cast<std::uint8_t>((count_a - kMinVertices) * kCounts + count_b - kMinVertices);
-    ++begin[keys[i] + 1];
+    order.key[i] = CountKey::of(shapes.count(bodies[pairs[i].a].shape),
+                                shapes.count(bodies[pairs[i].b].shape));
+    ++begin[order.key[i] + 1];
   }
-  for (int k = 0; k < kCounts * kCounts; ++k) begin[k + 1] += begin[k];
+  for (int k = 0; k < CountKey::kKeys; ++k) begin[k + 1] += begin[k];
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    order[begin[keys[i]]++] = static_cast<std::uint16_t>(i);
+    order.pair[begin[order.key[i]]++] = static_cast<std::uint16_t>(i);
   }
 }
 
 template <class T>
 void collide_chunk(const Shapes<T>& shapes, std::span<const Placement<T>> bodies,
                    std::span<const BodyPair> pairs, T tie_bias, Manifold<T>* out) {
-  std::uint16_t order[kChunkPairs];
+  Order order;
   group_by_counts(shapes, bodies, pairs, order);
   Row<T> rows[kBlockRowsMax];
   ManifoldBlock<T> block{};
   Group<T> group;
   for (std::size_t first = 0; first < pairs.size(); first += kBlockPairs) {
     for (std::size_t column = 0; column < kBlockPairs; ++column) {
-      const std::size_t i = order[std::min(first + column, pairs.size() - 1)];
+      const std::size_t i = order.pair[std::min(first + column, pairs.size() - 1)];
       group.body[0][column] = &bodies[pairs[i].a];
       group.body[1][column] = &bodies[pairs[i].b];
       group.out[column] = out + i;
+      group.key[column] = order.key[i];
     }
     collide_block(load_group(shapes, group, rows), tie_bias, block);
     store_group(block, group);

@@ -40,16 +40,11 @@ PackedPairs<Scalar>::PackedPairs(const Shapes<Scalar>& shapes,
           pose[2 + axis].column[column] = placed.pose.rotation[axis];
         }
         rows[kCountA + side].column[column] = static_cast<Scalar>(shapes.count(placed.shape));
-        const ShapeRows<Scalar>& shape = shapes.rows(placed.shape);
-        const int count_max = side == 0 ? block.count_a : block.count_b;
-        for (int i = 0; i < count_max; ++i, corner += kCornerRows) {
-          for (int axis = 0; axis < 2; ++axis) {
-            corner[axis].column[column] = shape.vertices[2 * i + axis];
-            corner[2 + axis].column[column] = shape.normals[2 * i + axis];
-          }
-        }
+        const ShapeCorners<Scalar>& shape = shapes.corners(placed.shape);
+        const int scalars = kCornerRows * (side == 0 ? block.count_a : block.count_b);
+        for (int i = 0; i < scalars; ++i, ++corner) corner->column[column] = shape.scalars[i];
         for (int axis = 0; axis < 2; ++axis, ++corner) {
-          corner->column[column] = shape.vertices[axis];
+          corner->column[column] = shape.scalars[axis];
         }
       }
     }

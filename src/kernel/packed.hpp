@@ -34,8 +34,8 @@ enum PairRow : int {
   kCorners
 };
 
-/// The rows of one corner: vertex x, y; x, y of the normal of the face that begins there.
-inline constexpr int kCornerRows = 4;
+/// The rows of one corner, a scalar each.
+inline constexpr int kCornerRows = kCornerScalars;
 
 /// The rows of a polygon: its corners, and its first vertex again. In the columns of polygons with
 /// fewer corners than the block's most, the first corner fills up.

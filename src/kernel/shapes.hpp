@@ -8,13 +8,18 @@
 
 namespace manifuzz::kernel {
 
-/// A polygon's corners and normals as the kernels fetch them: 128 bytes of float, two cache lines.
-/// What lies beyond the last corner repeats the first, which changes no result: of equals, the
-/// first counts.
+/// What the kernels fetch of a corner: vertex x, y; x, y of the normal of the face that begins
+/// there.
+inline constexpr int kCornerScalars = 4;
+
+/// A polygon as the kernels fetch it: corner by corner, so that one of up to four corners is a
+/// single cache line of floats. What lies beyond the last corner repeats the first, which changes
+/// no result: of equals, the first counts.
 template <class Scalar>
-struct alignas(64) ShapeRows {
-  std::array<Scalar, std::size_t{2} * kMaxVertices> vertices{};  ///< x0 y0 x1 y1 ...
-  std::array<Scalar, std::size_t{2} * kMaxVertices> normals{};
+struct alignas(64) ShapeCorners {
+  std::array<Scalar, std::size_t{kCornerScalars} * kMaxVertices> scalars{};
+
+  const Scalar* corner(int index) const { return scalars.data() + kCornerScalars * index; }
 };
 
 /// The polygons that a scene's bodies refer to by index. Each is laid out once, when it is added.
@@ -29,15 +34,17 @@ class Shapes {
   /// The new shape's index.
   std::uint32_t add(const ConvexPolygon<Scalar>& polygon);
 
-  std::size_t size() const { return rows_.size(); }
-  const ShapeRows<Scalar>& rows(std::uint32_t shape) const { return rows_[shape]; }
+  std::size_t size() const { return corners_.size(); }
+  const ShapeCorners<Scalar>& corners(std::uint32_t shape) const { return corners_[shape]; }
   unsigned count(std::uint32_t shape) const { return counts_[shape]; }
   Scalar radius(std::uint32_t shape) const { return radii_[shape]; }
+  bool has_radius() const { return has_radius_; }  ///< of any shape: it is not 0
 
  private:
-  std::vector<ShapeRows<Scalar>> rows_;
+  std::vector<ShapeCorners<Scalar>> corners_;
   std::vector<std::uint8_t> counts_;
   std::vector<Scalar> radii_;
+  bool has_radius_ = false;
 };
 
 }  // namespace manifuzz::kernel
