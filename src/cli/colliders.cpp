@@ -58,6 +58,7 @@ const std::vector<ColliderEntry>& colliders() {
   static const std::vector<ColliderEntry> all = {
       {"clip", [] { return make_clip(); }},
       {"clip64", [] { return make_clip64(); }},
+      {"pair", [] { return manifuzz::make_pair(); }},
       {"batch", [] { return make_batch(); }},
       {"batch64", [] { return make_batch64(); }},
       {"box2d", [] { return make_box2d(); }},

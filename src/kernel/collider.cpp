@@ -5,12 +5,13 @@
 #include "clipping/collider.hpp"
 #include "clipping/placed_pair.hpp"
 #include "kernel/batch.hpp"
+#include "kernel/pair.hpp"
 
 namespace manifuzz {
 namespace {
 
 template <class Scalar>
-Answer collide_one(const PairCase& pair, Scalar tie_bias) {
+Answer collide_as_batch(const PairCase& pair, Scalar tie_bias) {
   const auto placed = clipping::placed_pair<Scalar>(pair);
   kernel::Shapes<Scalar> shapes;
   const std::array<kernel::Placement<Scalar>, 2> bodies{
@@ -22,20 +23,37 @@ Answer collide_one(const PairCase& pair, Scalar tie_bias) {
   return manifold_cast<double>(manifolds[0]);
 }
 
-template <class Scalar>
-Collider implemented(Declaration declaration) {
+/// With `collide_one(pair, bias)` for its answers.
+template <class Scalar, class CollideOne>
+Collider implemented(Declaration declaration, CollideOne collide_one) {
   Collider collider;
   declaration.version = MANIFUZZ_VERSION;
   declaration.frame = RoundingFrame::local;
   const auto bias = static_cast<Scalar>(declaration.tie_bias);
   declaration.tie_bias = static_cast<double>(bias);
   collider.declaration = declaration;
-  collider.collide = [bias](const PairCase& pair) { return collide_one<Scalar>(pair, bias); };
+  collider.collide = [collide_one, bias](const PairCase& pair) { return collide_one(pair, bias); };
   collider.in_double = [bias] { return make_clip64(static_cast<double>(bias)); };
   return collider;
 }
 
+Answer collide_as_pair(const PairCase& pair, float tie_bias) {
+  const Pose<float> b_in_a = relative_pose(pair.a.pose, pair.b.pose);
+  return manifold_cast<double>(kernel::collide(pair.a.polygon, pair.b.polygon, b_in_a, tie_bias));
+}
+
 }  // namespace
+
+Collider make_pair(double tie_bias) {
+  Collider collider = implemented<float>({.name = "pair",
+                                          .version = {},
+                                          .description = "clip, one pair at a time, a face a lane",
+                                          .scalar = ScalarType::float32,
+                                          .tie_bias = tie_bias},
+                                         collide_as_pair);
+  collider.with_tie_bias = make_pair;
+  return collider;
+}
 
 Collider make_batch(double tie_bias) {
   Collider collider = implemented<float>(
@@ -43,7 +61,8 @@ Collider make_batch(double tie_bias) {
        .version = {},
        .description = "clip, many pairs at once, one a lane of the widest vectors",
        .scalar = ScalarType::float32,
-       .tie_bias = tie_bias});
+       .tie_bias = tie_bias},
+      collide_as_batch<float>);
   collider.with_tie_bias = make_batch;
   return collider;
 }
@@ -53,7 +72,8 @@ Collider make_batch64(double tie_bias) {
                                            .version = {},
                                            .description = "clip64, many pairs at once, one a lane",
                                            .scalar = ScalarType::float64,
-                                           .tie_bias = tie_bias});
+                                           .tie_bias = tie_bias},
+                                          collide_as_batch<double>);
   collider.with_tie_bias = make_batch64;
   return collider;
 }

@@ -35,7 +35,8 @@ void run(const Property& property, const Collider& collider) {
 }
 
 bool is_ours(std::string_view name) {
-  return name == "clip" || name == "clip64" || name.starts_with("batch") || name == "box2d";
+  return name == "clip" || name == "clip64" || name == "pair" || name.starts_with("batch") ||
+         name == "box2d";
 }
 
 /// An engine of npm's is not there without node.

@@ -1,6 +1,5 @@
 #include "kernel/batch.hpp"
 
-#include <hwy/targets.h>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -8,10 +7,12 @@
 #include "cases/regime.hpp"
 #include "clipping/collide.hpp"
 #include "clipping/placed_pair.hpp"
+#include "unit/kernel/every_target.hpp"
 
 // The kernels against the clean code, bit for bit, on every instruction set that this machine has.
 
 using namespace manifuzz;
+using manifuzz::test::on_every_target;
 
 namespace {
 
@@ -50,19 +51,6 @@ Scene<Scalar> scene_of(const Regime& regime) {
     scene.pairs.push_back({2 * i, 2 * i + 1});
   }
   return scene;
-}
-
-/// Asks the kernels as each target in turn.
-template <class Check>
-void on_every_target(const Check& check) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    INFO(hwy::TargetName(target));
-    check();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
 template <class Scalar>

@@ -1,0 +1,148 @@
+#include "kernel/pair.hpp"
+
+#include <catch2/catch.hpp>
+#include <rapidcheck.h>
+#include <rapidcheck/state.h>
+
+#include "cases/random.hpp"
+#include "cases/regime.hpp"
+#include "clipping/collide.hpp"
+#include "unit/kernel/every_target.hpp"
+
+// One pair at a time against the clean code, bit for bit; and what a hint may not change.
+
+using namespace manifuzz;
+using manifuzz::test::on_every_target;
+
+namespace {
+
+constexpr std::uint64_t kCases = 1000;
+
+struct Pair {
+  ConvexPolygon<float> a;
+  ConvexPolygon<float> b;
+  Pose<float> b_in_a;
+};
+
+Pair pair_of(const Regime& regime, std::uint64_t index) {
+  const PairCase pair = generate(6, regime, index);
+  return {pair.a.polygon, pair.b.polygon, relative_pose(pair.a.pose, pair.b.pose)};
+}
+
+/// The greatest separation of both polygons' faces, by the clean code.
+float separation_of(const Pair& pair) {
+  const ConvexPolygon<float> b = transform(pair.b_in_a, pair.b);
+  constexpr float none = std::numeric_limits<float>::infinity();
+  return std::max(clipping::greatest_separation(pair.a, b, none).separation,
+                  clipping::greatest_separation(b, pair.a, none).separation);
+}
+
+bool touch(const Pair& pair) {
+  return !(separation_of(pair) > pair.a.radius + pair.b.radius);
+}
+
+/// How many queries about this pair, with the hint, are wrong.
+int mistakes(const Pair& pair, float tie_bias, kernel::FaceHint hint) {
+  const auto& [a, b, b_in_a] = pair;
+  kernel::FaceHint for_touches = hint;
+  kernel::FaceHint for_separation = hint;
+  kernel::FaceHint for_manifold = hint;
+  int wrong = 0;
+  wrong += kernel::collide(a, b, b_in_a, tie_bias, &for_manifold) !=
+           clipping::collide(a, b, b_in_a, tie_bias);
+  wrong += kernel::touches(a, b, b_in_a, &for_touches) != touch(pair);
+  const auto found = kernel::separation(a, b, b_in_a, &for_separation);
+  wrong += found.touches != touch(pair);
+  if (found.touches) {
+    wrong += found.separation != separation_of(pair);
+  } else {
+    wrong += !(found.separation > a.radius + b.radius);
+  }
+  return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("pair equals clip bit for bit on every target, in every regime, whatever the hint") {
+  for (const Regime& regime : regimes()) {
+    INFO(regime.name);
+    on_every_target([&] {
+      int wrong = 0;
+      for (std::uint64_t i = 0; i < kCases; ++i) {
+        const Pair pair = pair_of(regime, i);
+        const auto side = i % 2 == 0 ? Side::a : Side::b;
+        wrong += mistakes(pair, 0, {});
+        wrong += mistakes(pair, 0.0005F, {side, static_cast<int>(i % kMaxVertices)});
+      }
+      CHECK(wrong == 0);
+    });
+  }
+}
+
+namespace {
+
+/// Two polygons and the hints that queries about them have left.
+struct Hints {
+  kernel::FaceHint touches;
+  kernel::FaceHint separation;
+  kernel::FaceHint manifold;
+};
+using Model = Pair;
+using Command = rc::state::Command<Model, Hints>;
+
+Vector2<float> unit(std::uint64_t seed) {
+  Random random(seed, "motion", 0);
+  const double t = 2 * random.unit() - 1;
+  const double over = 1 + t * t;
+  return Vector2<double>((1 - t * t) / over, 2 * t / over).cast<float>();
+}
+
+struct Move : Command {
+  std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
+  void apply(Model& model) const override {
+    Random random(seed, "motion", 0);
+    const auto step = [&] { return static_cast<float>(0.2 * random.unit() - 0.1); };
+    model.b_in_a.position += Vector2<float>(step(), step());
+  }
+  void show(std::ostream& out) const override { out << "move " << seed; }
+};
+
+struct Spin : Command {
+  std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
+  void apply(Model& model) const override { model.b_in_a.rotation = unit(seed); }
+  void show(std::ostream& out) const override { out << "spin " << seed; }
+};
+
+/// Other polygons far from where these were: the hints are stale.
+struct Teleport : Command {
+  std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
+  void apply(Model& model) const override {
+    const auto all = regimes();
+    model = pair_of(all[seed % all.size()], seed % 1000);
+  }
+  void show(std::ostream& out) const override { out << "teleport " << seed; }
+};
+
+struct Query : Command {
+  void apply(Model&) const override {}
+  void run(const Model& model, Hints& hints) const override {
+    const auto& [a, b, b_in_a] = model;
+    RC_ASSERT(kernel::touches(a, b, b_in_a, &hints.touches) == touch(model));
+    const auto found = kernel::separation(a, b, b_in_a, &hints.separation);
+    RC_ASSERT(found.touches == touch(model));
+    RC_ASSERT(!found.touches || found.separation == separation_of(model));
+    RC_ASSERT(kernel::collide(a, b, b_in_a, 0, &hints.manifold) == kernel::collide(a, b, b_in_a));
+  }
+  void show(std::ostream& out) const override { out << "query"; }
+};
+
+}  // namespace
+
+TEST_CASE("a hint changes neither whether two polygons touch nor their manifold") {
+  CHECK(rc::check("queries with hints, between motions", [] {
+    const Model model = pair_of(*find_regime("generic"), 0);
+    Hints hints;
+    rc::state::check(model, hints,
+                     rc::state::gen::execOneOfWithArgs<Move, Move, Spin, Teleport, Query, Query>());
+  }));
+}
