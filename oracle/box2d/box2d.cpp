@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include <box2d/b2_collision.h>
 #include <box2d/b2_common.h>
@@ -148,6 +150,25 @@ Collider make_box2d() {
       .snippet = kSnippet};
   collider.collide = collide;
   return collider;
+}
+
+std::function<void()> box2d_pass(std::span<const PairCase> pairs) {
+  struct Prepared {
+    b2PolygonShape shapes[2];
+    b2Transform transforms[2];
+    b2Manifold found;
+  };
+  const auto all = std::make_shared<std::vector<Prepared>>();
+  for (const PairCase& pair : pairs) {
+    all->push_back({{to_box2d(pair.a.polygon), to_box2d(pair.b.polygon)},
+                    {to_box2d(pair.a.pose), to_box2d(pair.b.pose)},
+                    {}});
+  }
+  return [all] {
+    for (auto& [shapes, transforms, found] : *all) {
+      b2CollidePolygons(&found, &shapes[0], transforms[0], &shapes[1], transforms[1]);
+    }
+  };
 }
 
 }  // namespace manifuzz

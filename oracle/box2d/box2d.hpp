@@ -9,4 +9,7 @@ namespace manifuzz {
 /// that counts: points from the incident body's frame in double, depths from `b2WorldManifold`.
 Collider make_box2d();
 
+/// `b2CollidePolygons` alone, through all pairs once, on shapes and transforms laid out beforehand.
+std::function<void()> box2d_pass(std::span<const PairCase> pairs);
+
 }  // namespace manifuzz

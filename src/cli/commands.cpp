@@ -2,6 +2,7 @@
 
 namespace manifuzz {
 
+extern const Command kBench;
 extern const Command kCollide;
 extern const Command kFuzz;
 extern const Command kGenerate;
@@ -14,7 +15,7 @@ extern const Command kShrink;
 
 std::span<const Command> commands() {
   static const Command all[] = {kFuzz,     kReplay, kProperty, kCollide, kJudge,
-                                kGenerate, kShrink, kShow,     kList};
+                                kGenerate, kShrink, kShow,     kBench,   kList};
   return all;
 }
 

@@ -3,7 +3,6 @@
 #include <memory>
 #include <string>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -90,20 +89,6 @@ std::string repeating_command(const Options& options) {
   if (options.corpus != "corpus") command += " --corpus " + quoted_for_shell(options.corpus);
   return command;
 }
-
-/// One line on a terminal, written over and over.
-class ProgressLine {
- public:
-  void show(const std::string& text) {
-    if (terminal_) write_error(fmt::format("\r{}\x1b[K", text));
-  }
-  ~ProgressLine() {
-    if (terminal_) write_error("\r\x1b[K");
-  }
-
- private:
-  bool terminal_ = isatty(STDERR_FILENO) == 1;
-};
 
 /// How saving went: one finding that cannot be written does not lose the others.
 struct Saving {

@@ -43,4 +43,14 @@ void write_to_reader(std::string_view text) {
   }
 }
 
+ProgressLine::ProgressLine() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+  show("");
+}
+
+void ProgressLine::show(std::string_view text) const {
+  if (is_terminal_) write_error("\r" + std::string(text) + "\x1b[K");
+}
+
 }  // namespace manifuzz

@@ -26,4 +26,18 @@ class Output {
 /// has to say is in its status too.
 void write_to_reader(std::string_view text);
 
+/// One line on a terminal, written over and over; nothing where stderr is no terminal.
+class ProgressLine {
+ public:
+  ProgressLine();
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(std::string_view text) const;
+
+ private:
+  bool is_terminal_;
+};
+
 }  // namespace manifuzz

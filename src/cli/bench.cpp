@@ -1,0 +1,174 @@
+#include "measure/bench.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cases/file.hpp"
+#include "cases/user_error.hpp"
+#include "cli/commands.hpp"
+#include "cli/contenders.hpp"
+#include "cli/input.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "kernel/target.hpp"
+#include "report/plot.hpp"
+#include "report/provenance.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// Pairs a workload: what each takes in all fits the first cache, the second, or neither.
+constexpr std::size_t kPairsInL1 = 64;
+constexpr std::size_t kPairsInL2 = 1024;
+constexpr std::size_t kPairsInMemory = 65'536;
+
+struct Options {
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> regimes;
+  std::vector<std::string> colliders;
+  bool quick = false;
+  std::string json;
+  std::string csv;
+  std::vector<std::string> pictures;
+};
+
+/// The usual one first: mixed counts, half touching.
+std::vector<WorkloadSpec> workloads_of(const Options& options) {
+  std::vector<WorkloadSpec> specs;
+  const Regime* const generic = find_regime("generic");
+  specs.push_back({generic, {}, 0.5, kPairsInL2});
+  if (options.quick) return specs;
+  for (const int vertices : {3, 4, 6, 8}) specs.push_back({generic, vertices, 0.5, kPairsInL2});
+  for (const double touching : {0.0, 0.1, 1.0}) {
+    specs.push_back({generic, {}, touching, kPairsInL2});
+  }
+  for (const std::size_t pairs : {kPairsInL1, kPairsInMemory}) {
+    specs.push_back({generic, {}, 0.5, pairs});
+  }
+  for (const Regime* const regime : choose_regimes(options.regimes)) {
+    if (regime != generic) specs.push_back({regime, {}, 0.5, kPairsInL2});
+  }
+  return specs;
+}
+
+std::vector<Contender> chosen_contenders(const std::vector<std::string>& names) {
+  std::vector<Contender> chosen;
+  std::vector<std::string> known;
+  for (Contender& contender : contenders()) {
+    if (known.empty() || known.back() != contender.name) known.push_back(contender.name);
+    const bool is_named = std::ranges::find(names, contender.name) != names.end();
+    if (names.empty() || is_named || contender.name == kPaceMaker) {
+      chosen.push_back(std::move(contender));
+    }
+  }
+  for (const std::string& name : names) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    throw UserError(
+        fmt::format("--collider: there is no '{}'; there are {}", name, fmt::join(known, ", ")));
+  }
+  return chosen;
+}
+
+BenchOptions bench_options(const Options& options) {
+  BenchOptions bench;
+  bench.seed = options.seed.value_or(1);
+  if (options.quick) {
+    bench.judged = 5'000;
+    bench.timing = {.repetitions = 7, .repetition_seconds = 0.01};
+  }
+  return bench;
+}
+
+/// Run time against error over the first workload, a point for each that gives manifolds.
+Plot plot_of(const std::vector<BenchRow>& rows) {
+  Plot plot{.title = "Run time against error: mixed polygons, half of the pairs touching",
+            .x_label = "ns a pair",
+            .y_label = "depth error, 99.9%, in 2^-24 of the extent",
+            .points = {}};
+  const std::string widest = kernel::targets().front();
+  for (const BenchRow& row : rows) {
+    const Contender& contender = *row.contender;
+    const bool is_first = row.spec.regime == rows.front().spec.regime && !row.spec.vertices &&
+                          row.spec.touching == rows.front().spec.touching &&
+                          row.spec.pairs == rows.front().spec.pairs;
+    const bool is_widest = contender.target.empty() || contender.target == widest;
+    const bool is_hinted = contender.name.ends_with("+hint");
+    if (!is_first || !row.errors || !is_widest || is_hinted) continue;
+    const std::string how = contender.input == "pair" ? "" : ", " + contender.input;
+    plot.points.push_back({contender.name + how, row.timing.ns_per_pair, row.errors->depth.p999});
+  }
+  return plot;
+}
+
+nlohmann::ordered_json report_json(const std::vector<BenchRow>& rows,
+                                   const std::vector<Contender>& ran, std::uint64_t seed) {
+  std::vector<Declaration> declarations;
+  for (const Contender& contender : ran) {
+    if (contender.collider) declarations.push_back(contender.collider().declaration);
+  }
+  nlohmann::ordered_json json = provenance(seed, declarations);
+  json["machine"]["instruction_set"] = kernel::targets().front();
+  json["rows"] = nlohmann::ordered_json::array();
+  for (const BenchRow& row : rows) json["rows"].push_back(row_json(row));
+  return json;
+}
+
+int bench(const Options& options) {
+  for (const std::string& picture : options.pictures) expect_plot_name(picture);
+  const std::vector<Contender> ran = chosen_contenders(options.colliders);
+  const std::vector<WorkloadSpec> workloads = workloads_of(options);
+  const BenchOptions how = bench_options(options);
+  const std::vector<BenchRow> rows = [&] {
+    const ProgressLine line;
+    return run_bench(ran, workloads, how, [&](std::size_t w) {
+      line.show(fmt::format("workload {} of {}", w + 1, workloads.size()));
+    });
+  }();
+  kernel::use_target(kernel::targets().front());
+  const nlohmann::ordered_json json = report_json(rows, ran, how.seed);
+  const std::string text = json.dump(2) + '\n';
+  for (const std::string& picture : options.pictures) write_plot(picture, plot_of(rows));
+  if (!options.csv.empty()) write_file(options.csv, rows_csv(rows));
+  if (!options.json.empty() && options.json != "-") write_file(options.json, text);
+  const std::string machine =
+      fmt::format("{}, {}\n\n", json["machine"]["processor"].get<std::string>(),
+                  json["compiler"].get<std::string>());
+  write_to_reader(options.json == "-" ? text : machine + rows_table(rows));
+  return 0;
+}
+
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  add_whole_number(app, "--seed", options->seed, "what the cases hang on; 1 if not given");
+  app.add_option("--collider", options->colliders,
+                 "one to time besides box2d, again for more; all if not given")
+      ->type_name("C")
+      ->allow_extra_args(false);
+  app.add_option("--regime", options->regimes,
+                 "a regime besides generic, again for more; all if not given")
+      ->type_name("R")
+      ->allow_extra_args(false);
+  app.add_flag("--quick", options->quick, "the usual workload alone, in less than 30 s");
+  app.add_option("--json", options->json, "the rows as JSON, to a file or - for stdout")
+      ->type_name("FILE");
+  app.add_option("--csv", options->csv, "the rows with commas")->type_name("FILE");
+  app.add_option("--picture", options->pictures,
+                 "run time against error, FILE.svg or FILE.png, again for another")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  return [options] { return bench(*options); };
+}
+
+}  // namespace
+
+extern const Command kBench;
+const Command kBench{"bench", "Run time against error, for every collider in one run.",
+                     "manifuzz bench --quick --picture bench.svg", define};
+
+}  // namespace manifuzz

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "measure/contender.hpp"
+
+namespace manifuzz {
+
+/// What this repository offers, the kernels once for every instruction set of this machine; and
+/// the one-point answer of the separating axis alone, which is the cheapest that is right in depth.
+std::vector<Contender> our_contenders();
+
+}  // namespace manifuzz

@@ -1,0 +1,79 @@
+#include "measure/timing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <benchmark/benchmark.h>
+#include <cassert>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace manifuzz {
+namespace {
+
+/// Keeps the time of every repetition and prints nothing.
+class Collecting : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      seconds_[run.run_name.function_name].push_back(run.cpu_accumulated_time /
+                                                     static_cast<double>(run.iterations));
+    }
+  }
+  const std::vector<double>& seconds(const std::string& name) const { return seconds_.at(name); }
+
+ private:
+  std::map<std::string, std::vector<double>> seconds_;
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void initialize(const TimingOptions& options) {
+  std::array<std::string, 4> words{
+      "manifuzz", "--benchmark_enable_random_interleaving=true",
+      fmt::format("--benchmark_repetitions={}", options.repetitions),
+      fmt::format("--benchmark_min_time={}", options.repetition_seconds)};
+  std::array<char*, 4> arguments{};
+  std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+}
+
+}  // namespace
+
+std::vector<Timing> time_contenders(const std::vector<Contender>& contenders,
+                                    const Workload& workload, const TimingOptions& options) {
+  initialize(options);
+  const auto name_of = [](std::size_t i) { return fmt::format("contender {}", i); };
+  std::size_t pace_maker = contenders.size();
+  for (std::size_t i = 0; i < contenders.size(); ++i) {
+    if (contenders[i].name == kPaceMaker) pace_maker = i;
+    const auto pass = contenders[i].prepare(workload.pairs);
+    benchmark::RegisterBenchmark(name_of(i).c_str(), [pass](benchmark::State& state) {
+      for ([[maybe_unused]] const auto once : state) pass();
+    });
+  }
+  assert(pace_maker < contenders.size());
+  Collecting collected;
+  benchmark::RunSpecifiedBenchmarks(&collected);
+  benchmark::ClearRegisteredBenchmarks();
+
+  std::vector<Timing> timings;
+  const std::vector<double>& pace = collected.seconds(name_of(pace_maker));
+  for (std::size_t i = 0; i < contenders.size(); ++i) {
+    const std::vector<double>& seconds = collected.seconds(name_of(i));
+    std::vector<double> ratios(std::min(seconds.size(), pace.size()));
+    for (std::size_t k = 0; k < ratios.size(); ++k) ratios[k] = pace[k] / seconds[k];
+    timings.push_back(
+        {1e9 * median(seconds) / static_cast<double>(workload.pairs.size()), median(ratios)});
+  }
+  return timings;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,80 @@
+#include "measure/bench.hpp"
+
+#include <fstream>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/contenders.hpp"
+#include "oracle/exact/truth.hpp"
+#include "report/plot.hpp"
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace manifuzz;
+
+TEST_CASE("bench measures every contender and writes what it found") {
+  const test::TemporaryFolder folder;
+  const std::string json = (folder.path() / "bench.json").string();
+  const std::string csv = (folder.path() / "bench.csv").string();
+  const auto outcome = test::run_manifuzz({"bench", "--quick", "--collider", "clip", "--collider",
+                                           "batch", "--json", json, "--csv", csv});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto report = nlohmann::json::parse(std::ifstream(json));
+  CHECK(report.at("machine").contains("instruction_set"));
+  REQUIRE(report.at("rows").size() >= 4);
+  for (const auto& row : report.at("rows")) {
+    CHECK(row.at("ns_per_pair").get<double>() > 0);
+    CHECK(row.at("missed") == 0);
+    CHECK(row.at("phantom") == 0);
+  }
+  CHECK(report.at("rows")[0].at("collider") == "box2d");
+  CHECK(report.at("rows")[0].at("speedup_over_box2d") == 1.0);
+  std::ifstream lines(csv);
+  std::string heading;
+  std::getline(lines, heading);
+  CHECK(heading.starts_with("collider,query,input"));
+}
+
+TEST_CASE("bench's errors are those of the same manifolds") {
+  const auto workload = draw_workload({find_regime("sliver"), {}, 0.5, 400}, 1);
+  REQUIRE(workload);
+  std::optional<JudgedErrors> of_clip;
+  for (const Contender& contender : contenders()) {
+    const bool is_clip = contender.name == "clip" || contender.name == "batch";
+    if (!is_clip || !contender.collider) continue;
+    const JudgedErrors errors = judged_errors(contender.collider(), workload->pairs);
+    CHECK(errors.cases == 400);
+    if (!of_clip) of_clip = errors;
+    CHECK(errors.depth.max == of_clip->depth.max);
+    CHECK(errors.position.p999 == of_clip->position.p999);
+  }
+}
+
+TEST_CASE("a workload has the share of touching pairs and the counts that were asked for") {
+  const auto workload = draw_workload({find_regime("generic"), 5, 0.25, 40}, 1);
+  REQUIRE(workload);
+  int touching = 0;
+  for (const PairCase& pair : workload->pairs) {
+    CHECK(pair.a.polygon.count == 5);
+    CHECK(pair.b.polygon.count == 5);
+    touching += exact::Truth(pair).separation() <= 0;
+  }
+  CHECK(touching == 10);
+  CHECK_FALSE(draw_workload({find_regime("boxes"), 7, 0.5, 10}, 1));
+}
+
+TEST_CASE("the front is what nothing else is left of and below") {
+  const auto best = front({{"slow", 3, 1}, {"fast", 1, 2}, {"worse", 2, 2}, {"worst", 3, 3}});
+  REQUIRE(best.size() == 2);
+  CHECK(best[0].name == "fast");
+  CHECK(best[1].name == "slow");
+}
+
+TEST_CASE("bench refuses what it cannot do in one line") {
+  CHECK(test::run_manifuzz({"bench", "--collider", "nobody"}).status == 2);
+  CHECK(
+      test::run_manifuzz({"bench", "--quick", "--collider", "clip", "--picture", "a.txt"}).status ==
+      2);
+}
