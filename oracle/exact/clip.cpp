@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace manifuzz::exact {
 namespace {
@@ -197,6 +198,13 @@ Clip clip(const PairCase& pair, FaceOf reference, int incident) {
   const FaceOf edge{other(reference.side), incident};
   result.edge_length = sqrt(square<Rough>(pair, edge)).value;
   result.cosine = std::abs((result.along[1] - result.along[0]).value) / result.edge_length;
+  const auto ends = vertices_of(pair, reference, incident);
+  const Point<Rough> along_edge =
+      vertex<Rough>(pair, edge.side, ends[1]) - vertex<Rough>(pair, edge.side, ends[0]);
+  const Rough rise = dot(outward<Rough>(pair, reference), along_edge) / face;
+  const bool is_steep = !(result.cosine > 0);  // or too short for doubles to tell
+  result.tangent = is_steep ? std::numeric_limits<double>::infinity()
+                            : std::abs(rise.value) / result.edge_length / result.cosine;
   const auto normal = true_normal<Rough>(pair, reference);
   result.normal = {normal.x.value, normal.y.value};
 

@@ -37,6 +37,7 @@ struct Clip {
   std::array<Cut, 2> cuts{};
   Vector2<double> normal{0, 0};  ///< unit, A to B, in A's frame
   double cosine = 0;             ///< of the angle between incident edge and reference face, >= 0
+  double tangent = 0;            ///< of the same, >= 0; its own, for 1 - cos^2 loses small angles
   double edge_length = 0;        ///< of the incident edge
   std::array<Approximate<double>, 2> along;  ///< of each end, from the first side plane inwards
   Approximate<double> width;                 ///< between the side planes

@@ -101,10 +101,6 @@ Mismatch point_mismatch(const Admissible& right, const Clip& clip,
   return closest;
 }
 
-double tangent(const Clip& clip) {
-  return std::sqrt(std::max(0.0, 1 - clip.cosine * clip.cosine)) / clip.cosine;
-}
-
 }  // namespace
 
 double Admissible::from_contact() const {
@@ -120,7 +116,7 @@ double position_bound(const Admissible& right, const Clip& clip, const ClipPoint
 double depth_bound(const Admissible& right, const Clip& clip, const ClipPoint& point) {
   const double depth = right.bounds.separation;
   if (!nearly_clipped(right, clip, point)) return depth;
-  return depth + std::min(depth * tangent(clip), clip.edge_length);
+  return depth + std::min(depth * clip.tangent, clip.edge_length);
 }
 
 bool may_miss(const Admissible& right, const Clip& clip) {

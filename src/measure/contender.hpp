@@ -13,7 +13,7 @@ struct Contender {
   std::string name;
   std::string query = "manifold";  ///< or touches, separation
   std::string input = "pair";      ///< or packed, indices
-  std::string target{};            ///< the instruction set that it uses
+  std::string target{};  ///< the instruction set that the kernels are to use; empty: it asks none
   /// Lays pairs out as the collider's users hold them, and gives what goes through all of them
   /// once. What it needs lives in the function.
   std::function<std::function<void()>(std::span<const PairCase>)> prepare{};

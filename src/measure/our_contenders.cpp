@@ -82,17 +82,16 @@ Bodies<Scalar> bodies_of(std::span<const PairCase> pairs) {
 }
 
 template <class Scalar>
-Pass indices_pass(std::span<const PairCase> pairs, const std::string& target) {
+Pass indices_pass(std::span<const PairCase> pairs) {
   const auto held = std::make_shared<const Bodies<Scalar>>(bodies_of<Scalar>(pairs));
   const auto out = std::make_shared<std::vector<Manifold<Scalar>>>(pairs.size());
-  return [held, out, target] {
-    kernel::use_target(target);
+  return [held, out] {
     kernel::collide_pairs(held->shapes, held->bodies, held->pairs, Scalar{0}, *out);
   };
 }
 
 template <class Scalar>
-Pass packed_pass(std::span<const PairCase> pairs, const std::string& target) {
+Pass packed_pass(std::span<const PairCase> pairs) {
   Bodies<Scalar> held = bodies_of<Scalar>(pairs);
   std::ranges::stable_sort(held.pairs, {}, [&](const kernel::BodyPair& pair) {
     return std::pair(held.shapes.count(held.bodies[pair.a].shape),
@@ -102,25 +101,17 @@ Pass packed_pass(std::span<const PairCase> pairs, const std::string& target) {
       std::make_shared<const kernel::PackedPairs<Scalar>>(held.shapes, held.bodies, held.pairs);
   const auto out =
       std::make_shared<std::vector<kernel::ManifoldBlock<Scalar>>>(packed->block_count());
-  return [packed, out, target] {
-    kernel::use_target(target);
-    kernel::collide_packed(*packed, Scalar{0}, *out);
-  };
+  return [packed, out] { kernel::collide_packed(*packed, Scalar{0}, *out); };
 }
 
 /// A query of the kernel for one pair, with the hint that the same query left before, or none.
 template <class Out, class Ask>
-Pass query_pass(std::span<const PairCase> pairs, const std::string& target, bool hinted,
-                const Ask& ask) {
+Pass query_pass(std::span<const PairCase> pairs, bool hinted, const Ask& ask) {
   const auto hints = std::make_shared<std::vector<kernel::FaceHint>>(pairs.size());
-  const Pass pass = one_by_one<float, Out>(
+  return one_by_one<float, Out>(
       pairs, [hints, hinted, ask](const auto& pair, const Pose<float>& b_in_a, std::size_t i) {
         return ask(pair.a, pair.b, b_in_a, hinted ? &(*hints)[i] : nullptr);
       });
-  return [pass, target] {
-    kernel::use_target(target);
-    pass();
-  };
 }
 
 void add_pair_contenders(std::vector<Contender>& all, const std::string& target) {
@@ -136,14 +127,13 @@ void add_pair_contenders(std::vector<Contender>& all, const std::string& target)
   for (const bool hinted : {false, true}) {
     const std::string name = hinted ? "pair+hint" : "pair";
     const auto add = [&]<class Out>(const char* query, const auto& ask, std::type_identity<Out>) {
-      all.push_back({.name = name,
-                     .query = query,
-                     .target = target,
-                     .prepare =
-                         [=](std::span<const PairCase> pairs) {
-                           return query_pass<Out>(pairs, target, hinted, ask);
-                         },
-                     .collider = {}});
+      all.push_back(
+          {.name = name,
+           .query = query,
+           .target = target,
+           .prepare =
+               [=](std::span<const PairCase> pairs) { return query_pass<Out>(pairs, hinted, ask); },
+           .collider = {}});
     };
     add("manifold", manifold, std::type_identity<Manifold<float>>());
     all.back().collider = [] { return make_pair(0); };
@@ -155,13 +145,11 @@ void add_pair_contenders(std::vector<Contender>& all, const std::string& target)
 template <class Scalar>
 void add_batch_contenders(std::vector<Contender>& all, const std::string& name,
                           const std::string& target, Collider (*make)(double)) {
-  const auto add = [&](const char* input,
-                       Pass (*pass)(std::span<const PairCase>, const std::string&)) {
-    all.push_back({.name = name,
-                   .input = input,
-                   .target = target,
-                   .prepare = [=](std::span<const PairCase> pairs) { return pass(pairs, target); },
-                   .collider = [make] { return make(0); }});
+  const auto add = [&](const char* input, Pass (*pass)(std::span<const PairCase>)) {
+    all.push_back(
+        {.name = name, .input = input, .target = target, .prepare = pass, .collider = [make] {
+           return make(0);
+         }});
   };
   add("packed", packed_pass<Scalar>);
   add("indices", indices_pass<Scalar>);

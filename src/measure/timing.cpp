@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "kernel/target.hpp"
+
 namespace manifuzz {
 namespace {
 
@@ -55,7 +57,9 @@ std::vector<Timing> time_contenders(const std::vector<Contender>& contenders,
   for (std::size_t i = 0; i < contenders.size(); ++i) {
     if (contenders[i].name == kPaceMaker) pace_maker = i;
     const auto pass = contenders[i].prepare(workload.pairs);
-    benchmark::RegisterBenchmark(name_of(i).c_str(), [pass](benchmark::State& state) {
+    const std::string target = contenders[i].target;
+    benchmark::RegisterBenchmark(name_of(i).c_str(), [pass, target](benchmark::State& state) {
+      if (!target.empty()) kernel::use_target(target);
       for ([[maybe_unused]] const auto once : state) pass();
     });
   }

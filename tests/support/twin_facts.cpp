@@ -38,10 +38,14 @@ TwinClip Twin::clip(const TwinCandidate& candidate) const {
   const Real gap = greater(Real(0.0) - greater(at[0], at[1]), lesser(at[0], at[1]) - width);
   const Real edge_length = square_root(edge * edge);
 
+  const Exact face_edge = own.edge(face);
+  const Real rise = magnitude(Real(face_edge.x * edge.y - face_edge.y * edge.x)) / length;
+  const Real run = magnitude(at[1] - at[0]);
   TwinClip result{candidate,
                   Real(local.x) / local_length,
                   Real(local.y) / local_length,
-                  nearest(magnitude(at[1] - at[0]) / edge_length),
+                  nearest(run / edge_length),
+                  nearest(rise / edge_length) / nearest(run / edge_length),
                   nearest(edge_length),
                   width,
                   gap,

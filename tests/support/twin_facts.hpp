@@ -69,6 +69,7 @@ struct TwinClip {
   Real normal_x;
   Real normal_y;
   double cosine = 0;
+  double tangent = 0;
   double edge_length = 0;
   Real width;
   Real gap;
@@ -175,8 +176,7 @@ class Twin {
   }
   double depth_bound(const TwinClip& clip, const End& end) const {
     if (!near_plane(clip, end)) return bounds_.separation;
-    const double tangent = std::sqrt(std::max(0.0, 1 - clip.cosine * clip.cosine)) / clip.cosine;
-    return bounds_.separation + std::min(bounds_.separation * tangent, clip.edge_length);
+    return bounds_.separation + std::min(bounds_.separation * clip.tangent, clip.edge_length);
   }
   bool may_miss(const TwinClip& clip) const {
     return Real(-bounds_.separation) <= clip.gap || clip.width <= Real(bounds_.separation);
