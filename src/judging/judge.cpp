@@ -109,12 +109,14 @@ TieClass tie_class(const Admissible& subject, const Admissible& oracle) {
   return TieClass::none;
 }
 
-/// A boundary within bound excuses a difference of two right manifolds, unless in their normals;
-/// what is wrong lies beyond every bound, whatever boundary is near.
+/// A normal is the reference face's: no other tie has to do with it. A boundary within bound
+/// excuses a difference of two right manifolds; what is wrong lies beyond every bound, whatever
+/// boundary is near.
 TieClass relevant(TieClass tie_class, Verdict verdict, Kind kind) {
+  if (kind == Kind::normal && tie_class != TieClass::reference) return TieClass::none;
   const bool boundary =
       tie_class == TieClass::contact_boundary || tie_class == TieClass::clip_boundary;
-  return boundary && (verdict != Verdict::tie || kind == Kind::normal) ? TieClass::none : tie_class;
+  return boundary && verdict != Verdict::tie ? TieClass::none : tie_class;
 }
 
 /// A magnitude in world lengths as a share of the size; a normal's is a share already.

@@ -86,9 +86,10 @@ TwinJudgement twin_judge(const PairCase& pair, const Testimony& subject, const T
     bucket.kind = wrong_oracle;
   }
   bucket.tie_class = tie_class(for_subject, for_oracle);
-  const bool excusable = bucket.verdict == Verdict::tie && bucket.kind != Kind::normal;
-  if (!excusable && (bucket.tie_class == TieClass::contact_boundary ||
-                     bucket.tie_class == TieClass::clip_boundary)) {
+  const bool of_normal = bucket.kind == Kind::normal && bucket.tie_class != TieClass::reference;
+  const bool at_boundary =
+      bucket.tie_class == TieClass::contact_boundary || bucket.tie_class == TieClass::clip_boundary;
+  if (of_normal || (at_boundary && bucket.verdict != Verdict::tie)) {
     bucket.tie_class = TieClass::none;
   }
   return result;
