@@ -117,31 +117,40 @@ HWY_INLINE int incident_edge(const ConvexPolygon<float>& polygon,
       .index;
 }
 
-/// Whether a face has every corner of `other` in front of it by more than `limit`.
+/// Whether a face has every corner in front of it by more than `limit`: corners k, k + 1, ... of
+/// `count` being `corners(k)`.
+template <class Corners>
 HWY_INLINE bool face_separates(const Vector2<float>& origin, const Vector2<float>& normal,
-                               const ConvexPolygon<float>& other, float limit) {
+                               float limit, int count, const Corners& corners) {
   const P from = broadcast(origin);
   const P along = broadcast(normal);
-  for (int k = 0; k < other.count; k += kPart) {
-    const V distance = dot<D>(along, subtract<D>(load_part(&other.vertices[k]), from));
+  for (int k = 0; k < count; k += kPart) {
+    const V distance = dot<D>(along, subtract<D>(corners(k), from));
     const auto is_near = hn::Not(hn::Gt(distance, hn::Set(D(), limit)));
-    if (!hn::AllFalse(D(), hn::And(corners_in(k, other.count), is_near))) return false;
+    if (!hn::AllFalse(D(), hn::And(corners_in(k, count), is_near))) return false;
   }
   return true;
 }
 
-/// Whether the hinted face separates still. `placed` has B's vertices in A's frame.
+/// Whether the hinted face separates still. Nothing is stored on the way to an answer.
 HWY_INLINE bool hint_separates(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
-                               const ConvexPolygon<float>& placed, const Pose<float>& b_in_a,
-                               const FaceHint* hint, float limit) {
+                               const Pose<float>& b_in_a, const FaceHint* hint) {
   if (hint == nullptr || hint->face < 0) return false;
   const int face = hint->face;
+  const float limit = a.radius + b.radius;
   if (hint->side == Side::a) {
-    return face < a.count && face_separates(a.vertices[face], a.normals[face], placed, limit);
+    const P rotation = broadcast(b_in_a.rotation);
+    const P position = broadcast(b_in_a.position);
+    return face < a.count &&
+           face_separates(a.vertices[face], a.normals[face], limit, b.count, [&](int k) -> P {
+             const P v = rotated(rotation, load_part(&b.vertices[k]));
+             return {hn::Add(v.x, position.x), hn::Add(v.y, position.y)};
+           });
   }
   return face < b.count &&
-         face_separates(placed.vertices[face], rotate<float>(b_in_a.rotation, b.normals[face]), a,
-                        limit);
+         face_separates(transform(b_in_a, b.vertices[face]),
+                        rotate<float>(b_in_a.rotation, b.normals[face]), limit, a.count,
+                        [&](int k) { return load_part(&a.vertices[k]); });
 }
 
 /// What both queries and manifolds begin with. Left unset where `found.touches` is false.
@@ -151,17 +160,10 @@ struct Both {
 };
 
 HWY_INLINE PairSeparation separate(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
-                                   const Pose<float>& b_in_a, const FaceHint* hint,
-                                   ConvexPolygon<float>& placed, Both& both) {
+                                   const Pose<float>& b_in_a, ConvexPolygon<float>& placed,
+                                   Both& both) {
   const float total_radius = a.radius + b.radius;
   place_vertices(b, b_in_a, placed);
-  if (hint_separates(a, b, placed, b_in_a, hint, total_radius)) {
-    const bool is_a = hint->side == Side::a;
-    if (!is_a) place_normals(b, b_in_a, placed);
-    return {false,
-            clipping::face_separation(is_a ? a : placed, hint->face, is_a ? placed : a).separation,
-            *hint};
-  }
   both.of_a = greatest_separation(a, placed);
   if (both.of_a.value > total_radius) return {false, both.of_a.value, {Side::a, both.of_a.index}};
   place_normals(b, b_in_a, placed);
@@ -176,8 +178,15 @@ HWY_INLINE PairSeparation separate(const ConvexPolygon<float>& a, const ConvexPo
 PairSeparation separation(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
                           const Pose<float>& b_in_a, FaceHint* hint) {
   ConvexPolygon<float> placed;
+  if (hint_separates(a, b, b_in_a, hint)) {
+    const bool is_a = hint->side == Side::a;
+    placed = transform(b_in_a, b);
+    return {false,
+            clipping::face_separation(is_a ? a : placed, hint->face, is_a ? placed : a).separation,
+            *hint};
+  }
   Both both;
-  const PairSeparation found = separate(a, b, b_in_a, hint, placed, both);
+  const PairSeparation found = separate(a, b, b_in_a, placed, both);
   if (hint != nullptr) *hint = found.face;
   return found;
 }
@@ -185,9 +194,9 @@ PairSeparation separation(const ConvexPolygon<float>& a, const ConvexPolygon<flo
 bool touches(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
              const Pose<float>& b_in_a, FaceHint* hint) {
   const float total_radius = a.radius + b.radius;
+  if (hint_separates(a, b, b_in_a, hint)) return false;
   ConvexPolygon<float> placed;
   place_vertices(b, b_in_a, placed);
-  if (hint_separates(a, b, placed, b_in_a, hint, total_radius)) return false;
   const Best of_a = greatest_separation(a, placed);
   if (hint != nullptr) *hint = {Side::a, of_a.index};
   if (of_a.value > total_radius) return false;
@@ -199,9 +208,10 @@ bool touches(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
 
 Manifold<float> collide_pair(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
                              const Pose<float>& b_in_a, float tie_bias, FaceHint* hint) {
+  if (hint_separates(a, b, b_in_a, hint)) return {};
   ConvexPolygon<float> placed;
   Both both;
-  const PairSeparation found = separate(a, b, b_in_a, hint, placed, both);
+  const PairSeparation found = separate(a, b, b_in_a, placed, both);
   if (hint != nullptr) *hint = found.face;
   if (!found.touches) return {};
   const bool has_overflowed = both.of_a.index < 0 || both.of_b.index < 0;
