@@ -49,7 +49,7 @@ HWY_INLINE hn::Vec<D> load_blocks(D d, const Address& address) {
 }
 
 template <class D, class Address>
-HWY_INLINE void store_blocks(D d, hn::Vec<D> v, const Address& address) {
+HWY_INLINE void store_blocks([[maybe_unused]] D d, hn::Vec<D> v, const Address& address) {
   if constexpr (hn::MaxLanes(D()) == kQuad<D>) {
     const hn::Repartition<std::uint8_t, D> bytes;
     hn::StoreU(hn::BitCast(bytes, v), bytes, address(0));
