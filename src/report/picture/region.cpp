@@ -123,7 +123,12 @@ Region intersection(const Region& region, const Box& box) {
   Region kept = cut(region, [&](const Point& p) { return p.x() - box.x; });
   kept = cut(kept, [&](const Point& p) { return box.right() - p.x(); });
   kept = cut(kept, [&](const Point& p) { return p.y() - box.y; });
-  return cut(kept, [&](const Point& p) { return box.bottom() - p.y(); });
+  kept = cut(kept, [&](const Point& p) { return box.bottom() - p.y(); });
+  // What is cut off far outside rounds by more than the box is wide.
+  for (Point& p : kept) {
+    p = {std::clamp(p.x(), box.x, box.right()), std::clamp(p.y(), box.y, box.bottom())};
+  }
+  return kept;
 }
 
 double depth_in(const Region& region, const Point& p) {
