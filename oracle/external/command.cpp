@@ -17,9 +17,6 @@ namespace {
 
 using End = Conversation::End;
 
-/// Lines in flight: enough to hide how long a line takes there and back.
-constexpr std::size_t kBatch = 256;
-
 /// How long an answer too many may take to come.
 constexpr double kMoreSeconds = 0.002;
 
@@ -138,30 +135,8 @@ class CommandCollider {
     }
   }
 
-  std::size_t answer(std::span<const PairCase> pairs, std::span<Answer> answers,
-                     const std::function<bool()>& go_on) {
-    std::size_t done = 0;
-    while (done < pairs.size() && go_on()) {
-      const std::size_t batch = std::min(kBatch, pairs.size() - done);
-      done += answer_batch(pairs.subspan(done, batch), answers.subspan(done, batch), go_on);
-      if (is_hopeless(answers, done)) break;
-    }
-    return done;
-  }
-
   /// The longest that a case may take, where the program has to be started for it.
   double seconds_max() const { return patience_.start_seconds; }
-
- private:
-  static bool always() { return true; }
-
-  Lost lost_by(const Conversation::Talk& talk) {
-    const std::string death = conversation_.stop();
-    if (talk.end == End::died) {
-      return {Lost::How::crashed, death.empty() ? "closed its output" : death};
-    }
-    return {talk.end == End::silent ? Lost::How::timed_out : Lost::How::malformed, talk.why};
-  }
 
   /// Answers at least one, unless told to stop. A program that dies does so over the first case it
   /// has not answered, since it flushes each line; where lines and cases may have lost step, all
@@ -180,6 +155,17 @@ class CommandCollider {
     const std::size_t at = std::min(talk.answered, pairs.size() - 1);
     answers[at] = lost;
     return at + 1;
+  }
+
+ private:
+  static bool always() { return true; }
+
+  Lost lost_by(const Conversation::Talk& talk) {
+    const std::string death = conversation_.stop();
+    if (talk.end == End::died) {
+      return {Lost::How::crashed, death.empty() ? "closed its output" : death};
+    }
+    return {talk.end == End::silent ? Lost::How::timed_out : Lost::How::malformed, talk.why};
   }
 
   std::size_t answer_one_by_one(std::span<const PairCase> pairs, std::span<Answer> answers,
@@ -213,7 +199,7 @@ Collider collider_of_command(const std::string& command, double seconds_max) {
   const Declaration declaration = program->introduce();
   return isolated(declaration, program->seconds_max(),
                   [program](auto pairs, auto answers, const auto& go_on) {
-                    return program->answer(pairs, answers, go_on);
+                    return program->answer_batch(pairs, answers, go_on);
                   });
 }
 

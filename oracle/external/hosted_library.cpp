@@ -24,8 +24,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Enough to hide what waking a process costs, and small enough for the cache.
-constexpr std::size_t kBatch = 256;
 constexpr double kLoadSecondsMax = 20;
 constexpr double kPollSeconds = 0.05;
 
@@ -99,14 +97,29 @@ class HostedLibrary {
     return declaration_;
   }
 
-  std::size_t answer(std::span<const PairCase> pairs, std::span<Answer> answers,
-                     const std::function<bool()>& go_on) {
-    std::size_t done = 0;
-    while (done < pairs.size() && go_on()) {
-      const std::size_t batch = std::min(kBatch, pairs.size() - done);
-      done += answer_batch(pairs.subspan(done, batch), answers.subspan(done, batch), go_on);
-      if (is_hopeless(answers, done)) break;
+  /// Answers at least one, unless told to stop.
+  std::size_t answer_batch(std::span<const PairCase> pairs, std::span<Answer> answers,
+                           const std::function<bool()>& go_on) {
+    if (!child_.running()) {
+      const std::string death = start();
+      if (!death.empty()) {
+        answers[0] = Lost{Lost::How::crashed, death + " while it was loaded again"};
+        return 1;
+      }
     }
+    Exchange& exchange = **exchange_;
+    std::ranges::copy(pairs, exchange.cases.begin());
+    exchange.asked = static_cast<int>(pairs.size());
+    exchange.answered = 0;
+    const char byte = 0;
+    [[maybe_unused]] const auto written = write(child_.to(), &byte, 1);  // the wait sees it die
+    const std::optional<Lost> lost = wait_for_answers(go_on);
+    const int answered = std::clamp(exchange.answered.load(), 0, exchange.asked.load());
+    auto done = std::min(static_cast<std::size_t>(answered), pairs.size());
+    for (std::size_t i = 0; i < done; ++i) {
+      answers[i] = answer_of(exchange.statuses[i], exchange.manifolds[i], says(), pairs[i]);
+    }
+    if (lost && done < pairs.size()) answers[done++] = *lost;
     return done;
   }
 
@@ -134,32 +147,6 @@ class HostedLibrary {
     says.version = exchange.version.data();
     says.snippet = exchange.snippet.data();
     return says;
-  }
-
-  /// Answers at least one, unless told to stop.
-  std::size_t answer_batch(std::span<const PairCase> pairs, std::span<Answer> answers,
-                           const std::function<bool()>& go_on) {
-    if (!child_.running()) {
-      const std::string death = start();
-      if (!death.empty()) {
-        answers[0] = Lost{Lost::How::crashed, death + " while it was loaded again"};
-        return 1;
-      }
-    }
-    Exchange& exchange = **exchange_;
-    std::ranges::copy(pairs, exchange.cases.begin());
-    exchange.asked = static_cast<int>(pairs.size());
-    exchange.answered = 0;
-    const char byte = 0;
-    [[maybe_unused]] const auto written = write(child_.to(), &byte, 1);  // the wait sees it die
-    const std::optional<Lost> lost = wait_for_answers(go_on);
-    const int answered = std::clamp(exchange.answered.load(), 0, exchange.asked.load());
-    auto done = std::min(static_cast<std::size_t>(answered), pairs.size());
-    for (std::size_t i = 0; i < done; ++i) {
-      answers[i] = answer_of(exchange.statuses[i], exchange.manifolds[i], says(), pairs[i]);
-    }
-    if (lost && done < pairs.size()) answers[done++] = *lost;
-    return done;
   }
 
   /// Until all is answered or nothing more will come; what became of the case at work, if it was
@@ -197,7 +184,7 @@ Collider collider_in_own_process(const std::string& path, double seconds_max) {
   const auto library = std::make_shared<HostedLibrary>(path, seconds_max);
   return isolated(library->load(), kLoadSecondsMax + seconds_max,
                   [library](auto pairs, auto answers, const auto& go_on) {
-                    return library->answer(pairs, answers, go_on);
+                    return library->answer_batch(pairs, answers, go_on);
                   });
 }
 

@@ -89,11 +89,25 @@ bool is_hopeless(std::span<const Answer> answers, std::size_t done) {
       [](const Answer& answer) { return std::holds_alternative<Lost>(answer); });
 }
 
-Collider isolated(const Declaration& declaration, double seconds_max, CollideMany collide_many) {
+namespace {
+
+std::size_t answer_all(std::span<const PairCase> pairs, std::span<Answer> answers,
+                       const std::function<bool()>& go_on, const AnswerBatch& answer_batch) {
+  std::size_t done = 0;
+  while (done < pairs.size() && go_on() && !is_hopeless(answers, done)) {
+    const std::size_t batch = std::min(kBatch, pairs.size() - done);
+    done += answer_batch(pairs.subspan(done, batch), answers.subspan(done, batch), go_on);
+  }
+  return done;
+}
+
+}  // namespace
+
+Collider isolated(const Declaration& declaration, double seconds_max, AnswerBatch answer_batch) {
   Collider collider;
   collider.declaration = declaration;
   collider.seconds_max = seconds_max;
-  collider.collide_many = [declaration, collide_many](std::span<const PairCase> pairs,
+  collider.collide_many = [declaration, answer_batch](std::span<const PairCase> pairs,
                                                       std::span<Answer> answers,
                                                       const std::function<bool()>& go_on) {
     std::vector<PairCase> asked;
@@ -107,7 +121,7 @@ Collider isolated(const Declaration& declaration, double seconds_max, CollideMan
       }
     }
     std::vector<Answer> answered(asked.size());
-    const std::size_t count = collide_many(asked, answered, go_on);
+    const std::size_t count = answer_all(asked, answered, go_on, answer_batch);
     for (std::size_t k = 0; k < count; ++k) answers[places[k]] = std::move(answered[k]);
     return count < asked.size() ? places[count] : pairs.size();
   };

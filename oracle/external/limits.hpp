@@ -15,17 +15,22 @@ std::optional<Unsupported> beyond_limits(const Declaration& declaration, const P
 /// Throws UserError that begins with `prefix` and the field.
 void check_declaration(const Declaration& declaration, std::string_view prefix);
 
+/// How many cases are in flight: enough to hide what there and back costs, and few enough for the
+/// cache.
+inline constexpr std::size_t kBatch = 256;
+
 /// A collider that does nothing but die or hang is not worth all the cases.
 inline constexpr int kLossesInARowMax = 20;
 
 /// Whether the last kLossesInARowMax of the first `done` answers were all lost.
 bool is_hopeless(std::span<const Answer> answers, std::size_t done);
 
-/// What answers many cases at once, as Collider::collide_many does.
-using CollideMany = decltype(Collider::collide_many);
+/// What answers up to kBatch cases, as Collider::collide_many does: one at least, unless told to
+/// stop.
+using AnswerBatch = decltype(Collider::collide_many);
 
 /// The collider of a process of its own, which takes up to so long over a case: it is not asked
 /// what is beyond its limits.
-Collider isolated(const Declaration& declaration, double seconds_max, CollideMany collide_many);
+Collider isolated(const Declaration& declaration, double seconds_max, AnswerBatch answer_batch);
 
 }  // namespace manifuzz

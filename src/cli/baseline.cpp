@@ -27,6 +27,8 @@ double magnitude_of(const nlohmann::ordered_json& bucket) {
   return magnitude.is_null() ? std::numeric_limits<double>::infinity() : magnitude.get<double>();
 }
 
+}  // namespace
+
 nlohmann::ordered_json terms_in(const nlohmann::ordered_json& report) {
   nlohmann::ordered_json terms;
   for (const char* const key : {"oracle", "seed", "first", "cases"}) {
@@ -37,8 +39,6 @@ nlohmann::ordered_json terms_in(const nlohmann::ordered_json& report) {
   for (const auto& regime : report.at("regimes")) terms["regimes"].push_back(regime.at("name"));
   return terms;
 }
-
-}  // namespace
 
 EarlierRun read_baseline(const std::string& path) {
   InputFile file(path);

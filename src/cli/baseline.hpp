@@ -32,6 +32,9 @@ struct Comparison {
 /// What `fuzz --json` wrote. Throws UserError that names the file.
 EarlierRun read_baseline(const std::string& path);
 
+/// The terms in what `fuzz --json` writes.
+nlohmann::ordered_json terms_in(const nlohmann::ordered_json& report);
+
 /// One line that names the terms in which two runs differ; empty where there are none.
 std::string differences_in_words(const nlohmann::ordered_json& earlier,
                                  const nlohmann::ordered_json& now);

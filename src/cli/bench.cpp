@@ -94,12 +94,9 @@ Plot plot_of(const std::vector<BenchRow>& rows) {
   const std::string widest = kernel::targets().front();
   for (const BenchRow& row : rows) {
     const Contender& contender = *row.contender;
-    const bool is_first = row.spec.regime == rows.front().spec.regime && !row.spec.vertices &&
-                          row.spec.touching == rows.front().spec.touching &&
-                          row.spec.pairs == rows.front().spec.pairs;
     const bool is_widest = contender.target.empty() || contender.target == widest;
     const bool is_hinted = contender.name.ends_with("+hint");
-    if (!is_first || !row.errors || !is_widest || is_hinted) continue;
+    if (row.workload > 0 || !row.errors || !is_widest || is_hinted) continue;
     const std::string how = contender.input == "pair" ? "" : ", " + contender.input;
     plot.points.push_back({contender.name + how, row.timing.ns_per_pair, row.errors->depth.p999});
   }

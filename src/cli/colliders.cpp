@@ -69,10 +69,13 @@ const std::vector<ColliderEntry>& colliders() {
   return all;
 }
 
+const ColliderEntry* find_entry(std::string_view name) {
+  const auto entry = std::ranges::find(colliders(), name, &ColliderEntry::name);
+  return entry == colliders().end() ? nullptr : &*entry;
+}
+
 Collider find_collider(std::string_view name) {
-  const auto entry = std::find_if(colliders().begin(), colliders().end(),
-                                  [name](const ColliderEntry& e) { return e.name == name; });
-  if (entry != colliders().end()) return entry->make();
+  if (const ColliderEntry* const entry = find_entry(name)) return entry->make();
   std::vector<std::string_view> names;
   std::transform(colliders().begin(), colliders().end(), std::back_inserter(names),
                  [](const ColliderEntry& e) { return e.name; });

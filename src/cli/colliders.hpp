@@ -15,6 +15,9 @@ struct ColliderEntry {
 /// Every collider there is, in the order of `list colliders`.
 const std::vector<ColliderEntry>& colliders();
 
+/// The entry of that name, or nullptr.
+const ColliderEntry* find_entry(std::string_view name);
+
 /// The collider of that name. Throws UserError that lists the names.
 Collider find_collider(std::string_view name);
 

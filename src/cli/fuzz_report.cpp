@@ -103,17 +103,6 @@ std::string command_of(const CampaignReport& report, const Finding& finding) {
                      report.plan.index_of(first));
 }
 
-/// What two runs must share for their buckets to be comparable.
-nlohmann::ordered_json terms_of(const CampaignReport& report) {
-  nlohmann::ordered_json terms{{"oracle", report.plan.oracle.declaration.name},
-                               {"seed", report.plan.seed},
-                               {"first", report.plan.first},
-                               {"cases", report.run.tally->cases()},
-                               {"regimes", nlohmann::ordered_json::array()}};
-  for (const Regime* regime : report.plan.regimes) terms["regimes"].push_back(regime->name);
-  return terms;
-}
-
 std::string summary_table(const CampaignReport& report) {
   const Tally& tally = *report.run.tally;
   std::string text =
@@ -128,7 +117,7 @@ std::string summary_table(const CampaignReport& report) {
     text += "\nvacuous: nothing touched, so nothing was shown; choose other regimes or a radius\n";
   }
   if (report.baseline)
-    text += '\n' + differences_in_words(report.baseline->terms, terms_of(report)) +
+    text += '\n' + differences_in_words(report.baseline->terms, terms_in(summary_json(report))) +
             comparison_rows(compared(report.baseline->buckets, report.findings));
   text += hopeless_in_words(report);
   if (report.run.interrupted) {

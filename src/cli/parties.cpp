@@ -1,6 +1,5 @@
 #include "cli/parties.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <limits>
 
@@ -75,8 +74,7 @@ std::string option_again(const ColliderChoice& choice) {
 }  // namespace
 
 bool is_findable(const std::string& name) {
-  return is_library(name) ||
-         std::ranges::find(colliders(), name, &ColliderEntry::name) != colliders().end();
+  return is_library(name) || find_entry(name) != nullptr;
 }
 
 void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& description) {

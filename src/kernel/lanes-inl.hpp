@@ -36,6 +36,13 @@ HWY_INLINE Lanes2<D> subtract(const Lanes2<D>& a, const Lanes2<D>& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y)};
 }
 
+/// `rotate` of geometry/pose.hpp: by (cos, sin).
+template <class D>
+HWY_INLINE Lanes2<D> turned(const Lanes2<D>& rotation, const Lanes2<D>& v) {
+  return {hn::Sub(hn::Mul(rotation.x, v.x), hn::Mul(rotation.y, v.y)),
+          hn::Add(hn::Mul(rotation.y, v.x), hn::Mul(rotation.x, v.y))};
+}
+
 /// `there` where the mask says so, else `here`.
 template <class D>
 HWY_INLINE Lanes2<D> select(hn::Mask<D> mask, const Lanes2<D>& there, const Lanes2<D>& here) {
@@ -72,19 +79,15 @@ HWY_INLINE void place(D d, const Strip<D>& s, Row<hn::TFromD<D>>* placed) {
   const Lanes2<D> position =
       rotate_back(subtract(s.load2(s.rows + kPoseB), s.load2(s.rows + kPoseA)));
   const Lanes2<D> rotation = rotate_back(s.load2(s.rows + kPoseB + 2));
-  const auto rotate = [&](const Lanes2<D>& v) -> Lanes2<D> {
-    return {hn::Sub(hn::Mul(rotation.x, v.x), hn::Mul(rotation.y, v.y)),
-            hn::Add(hn::Mul(rotation.y, v.x), hn::Mul(rotation.x, v.y))};
-  };
   const auto store = [&](const Lanes2<D>& v, Row<hn::TFromD<D>>* row) {
     hn::Store(v.x, d, row[0].column + s.column);
     hn::Store(v.y, d, row[1].column + s.column);
   };
   Row<hn::TFromD<D>>* row = placed;
   for (int j = 0; j < s.count_max[1]; ++j, row += kCornerRows) {
-    const Lanes2<D> vertex = rotate(s.load2(s.corner(1, j)));
+    const Lanes2<D> vertex = turned(rotation, s.load2(s.corner(1, j)));
     store({hn::Add(vertex.x, position.x), hn::Add(vertex.y, position.y)}, row);
-    store(rotate(s.load2(s.corner(1, j) + 2)), row + 2);
+    store(turned(rotation, s.load2(s.corner(1, j) + 2)), row + 2);
   }
   store(s.load2(placed), row);
 }

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 namespace manifuzz::kernel {
 
 template <class Scalar>
 PackedPairs<Scalar>::PackedPairs(const Shapes<Scalar>& shapes,
                                  std::span<const Placement<Scalar>> bodies,
-                                 std::span<const BodyPair> pairs)
-    : pairs_(pairs.size()) {
+                                 std::span<const BodyPair> pairs) {
   for (std::size_t first = 0; first < pairs.size(); first += kBlockPairs) {
     // The last block is filled up with its last pair.
     const auto body = [&](int side, int column) -> const Placement<Scalar>& {

@@ -74,13 +74,11 @@ class PackedPairs {
   PackedPairs(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
               std::span<const BodyPair> pairs);
 
-  std::size_t size() const { return pairs_; }
   std::size_t block_count() const { return blocks_.size(); }
   PairBlock<Scalar> block(std::size_t index) const {
     const Block& block = blocks_[index];
     return {rows_.data() + block.first_row, block.count_a, block.count_b};
   }
-  std::size_t bytes() const { return rows_.size() * sizeof(Row<Scalar>); }
 
  private:
   struct Block {
@@ -89,7 +87,6 @@ class PackedPairs {
     int count_b = 0;
   };
 
-  std::size_t pairs_;
   std::vector<Block> blocks_;
   std::vector<Row<Scalar>> rows_;
 };

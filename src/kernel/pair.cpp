@@ -39,11 +39,6 @@ HWY_INLINE P broadcast(const Vector2<float>& v) {
   return {hn::Set(D(), v.x()), hn::Set(D(), v.y())};
 }
 
-HWY_INLINE P rotated(const P& rotation, const P& v) {
-  return {hn::Sub(hn::Mul(rotation.x, v.x), hn::Mul(rotation.y, v.y)),
-          hn::Add(hn::Mul(rotation.y, v.x), hn::Mul(rotation.x, v.y))};
-}
-
 HWY_INLINE void place_vertices(const ConvexPolygon<float>& b, const Pose<float>& b_in_a,
                                ConvexPolygon<float>& placed) {
   const P rotation = broadcast(b_in_a.rotation);
@@ -51,7 +46,7 @@ HWY_INLINE void place_vertices(const ConvexPolygon<float>& b, const Pose<float>&
   placed.count = b.count;
   placed.radius = b.radius;
   for (int k = 0; k < b.count; k += kPart) {
-    const P v = rotated(rotation, load_part(&b.vertices[k]));
+    const P v = turned<D>(rotation, load_part(&b.vertices[k]));
     store_part({hn::Add(v.x, position.x), hn::Add(v.y, position.y)}, &placed.vertices[k]);
   }
 }
@@ -60,7 +55,7 @@ HWY_INLINE void place_normals(const ConvexPolygon<float>& b, const Pose<float>& 
                               ConvexPolygon<float>& placed) {
   const P rotation = broadcast(b_in_a.rotation);
   for (int k = 0; k < b.count; k += kPart) {
-    store_part(rotated(rotation, load_part(&b.normals[k])), &placed.normals[k]);
+    store_part(turned<D>(rotation, load_part(&b.normals[k])), &placed.normals[k]);
   }
 }
 
@@ -143,7 +138,7 @@ HWY_INLINE bool hint_separates(const ConvexPolygon<float>& a, const ConvexPolygo
     const P position = broadcast(b_in_a.position);
     return face < a.count &&
            face_separates(a.vertices[face], a.normals[face], limit, b.count, [&](int k) -> P {
-             const P v = rotated(rotation, load_part(&b.vertices[k]));
+             const P v = turned<D>(rotation, load_part(&b.vertices[k]));
              return {hn::Add(v.x, position.x), hn::Add(v.y, position.y)};
            });
   }
@@ -153,26 +148,30 @@ HWY_INLINE bool hint_separates(const ConvexPolygon<float>& a, const ConvexPolygo
                         [&](int k) { return load_part(&a.vertices[k]); });
 }
 
-/// What both queries and manifolds begin with. Left unset where `found.touches` is false.
-struct Both {
+/// What queries and manifolds begin with; `of_b` is set where A does not separate.
+struct Separated {
+  PairSeparation found;
   Best of_a{};
   Best of_b{};
 };
 
-HWY_INLINE PairSeparation separate(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
-                                   const Pose<float>& b_in_a, ConvexPolygon<float>& placed,
-                                   Both& both) {
+/// `placed` becomes B in A's frame, its normals only where A does not separate.
+HWY_INLINE Separated separate(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
+                              const Pose<float>& b_in_a, ConvexPolygon<float>& placed) {
   const float total_radius = a.radius + b.radius;
+  Separated s;
   place_vertices(b, b_in_a, placed);
-  both.of_a = greatest_separation(a, placed);
-  if (both.of_a.value > total_radius) return {false, both.of_a.value, {Side::a, both.of_a.index}};
+  s.of_a = greatest_separation(a, placed);
+  s.found = {false, s.of_a.value, {Side::a, s.of_a.index}};
+  if (s.of_a.value > total_radius) return s;
   place_normals(b, b_in_a, placed);
-  both.of_b = greatest_separation(placed, a);
-  if (both.of_b.value > total_radius) return {false, both.of_b.value, {Side::b, both.of_b.index}};
-  const bool is_b = both.of_b.value > both.of_a.value;
-  return {true,
-          is_b ? both.of_b.value : both.of_a.value,
-          {is_b ? Side::b : Side::a, is_b ? both.of_b.index : both.of_a.index}};
+  s.of_b = greatest_separation(placed, a);
+  const bool b_separates = s.of_b.value > total_radius;
+  if (b_separates || s.of_b.value > s.of_a.value) {
+    s.found = {false, s.of_b.value, {Side::b, s.of_b.index}};
+  }
+  s.found.touches = !b_separates;
+  return s;
 }
 
 PairSeparation separation(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
@@ -185,39 +184,31 @@ PairSeparation separation(const ConvexPolygon<float>& a, const ConvexPolygon<flo
             clipping::face_separation(is_a ? a : placed, hint->face, is_a ? placed : a).separation,
             *hint};
   }
-  Both both;
-  const PairSeparation found = separate(a, b, b_in_a, placed, both);
+  const PairSeparation found = separate(a, b, b_in_a, placed).found;
   if (hint != nullptr) *hint = found.face;
   return found;
 }
 
 bool touches(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
              const Pose<float>& b_in_a, FaceHint* hint) {
-  const float total_radius = a.radius + b.radius;
   if (hint_separates(a, b, b_in_a, hint)) return false;
   ConvexPolygon<float> placed;
-  place_vertices(b, b_in_a, placed);
-  const Best of_a = greatest_separation(a, placed);
-  if (hint != nullptr) *hint = {Side::a, of_a.index};
-  if (of_a.value > total_radius) return false;
-  place_normals(b, b_in_a, placed);
-  const Best of_b = greatest_separation(placed, a);
-  if (hint != nullptr && of_b.value > of_a.value) *hint = {Side::b, of_b.index};
-  return !(of_b.value > total_radius);
+  const PairSeparation found = separate(a, b, b_in_a, placed).found;
+  if (hint != nullptr) *hint = found.face;
+  return found.touches;
 }
 
 Manifold<float> collide_pair(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
                              const Pose<float>& b_in_a, float tie_bias, FaceHint* hint) {
   if (hint_separates(a, b, b_in_a, hint)) return {};
   ConvexPolygon<float> placed;
-  Both both;
-  const PairSeparation found = separate(a, b, b_in_a, placed, both);
+  const auto [found, of_a, of_b] = separate(a, b, b_in_a, placed);
   if (hint != nullptr) *hint = found.face;
   if (!found.touches) return {};
-  const bool has_overflowed = both.of_a.index < 0 || both.of_b.index < 0;
+  const bool has_overflowed = of_a.index < 0 || of_b.index < 0;
   if (HWY_UNLIKELY(has_overflowed)) return clipping::collide_in_frame(a, placed, tie_bias);
-  const bool take_b = both.of_b.value > both.of_a.value + tie_bias;
-  const Best& chosen = take_b ? both.of_b : both.of_a;
+  const bool take_b = of_b.value > of_a.value + tie_bias;
+  const Best& chosen = take_b ? of_b : of_a;
   const ConvexPolygon<float>& reference = take_b ? placed : a;
   const int incident = incident_edge(take_b ? a : placed, reference.normals[chosen.index]);
   const Manifold<float> manifold = clipping::clip_features<float>(

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "geometry/convex_polygon.hpp"
@@ -18,23 +17,15 @@ inline constexpr int kCornerScalars = 4;
 template <class Scalar>
 struct alignas(64) ShapeCorners {
   std::array<Scalar, std::size_t{kCornerScalars} * kMaxVertices> scalars{};
-
-  const Scalar* corner(int index) const { return scalars.data() + kCornerScalars * index; }
 };
 
 /// The polygons that a scene's bodies refer to by index. Each is laid out once, when it is added.
 template <class Scalar>
 class Shapes {
  public:
-  Shapes() = default;
-  explicit Shapes(std::span<const ConvexPolygon<Scalar>> polygons) {
-    for (const ConvexPolygon<Scalar>& polygon : polygons) add(polygon);
-  }
-
   /// The new shape's index.
   std::uint32_t add(const ConvexPolygon<Scalar>& polygon);
 
-  std::size_t size() const { return corners_.size(); }
   const ShapeCorners<Scalar>& corners(std::uint32_t shape) const { return corners_[shape]; }
   unsigned count(std::uint32_t shape) const { return counts_[shape]; }
   Scalar radius(std::uint32_t shape) const { return radii_[shape]; }

@@ -1,5 +1,7 @@
 #include "measure/bench.hpp"
 
+#include <map>
+
 #include <fmt/format.h>
 
 #include "cases/json.hpp"
@@ -37,10 +39,13 @@ std::vector<BenchRow> run_bench(const std::vector<Contender>& contenders,
     const std::optional<Workload> judged = draw_workload(judged_spec, options.seed);
     if (!timed || !judged) continue;
     const std::vector<Timing> timings = time_contenders(contenders, *timed, options.timing);
+    std::map<std::string, JudgedErrors> errors;  // however it is asked, a collider answers alike
     for (std::size_t i = 0; i < contenders.size(); ++i) {
-      BenchRow row{&contenders[i], workloads[w], timings[i], {}};
+      BenchRow row{&contenders[i], w, workloads[w], timings[i], {}};
       if (contenders[i].collider) {
-        row.errors = judged_errors(contenders[i].collider(), judged->pairs);
+        const auto [found, is_new] = errors.try_emplace(contenders[i].name);
+        if (is_new) found->second = judged_errors(contenders[i].collider(), judged->pairs);
+        row.errors = found->second;
       }
       rows.push_back(std::move(row));
     }

@@ -12,6 +12,7 @@ namespace manifuzz {
 /// One contender over one workload.
 struct BenchRow {
   const Contender* contender = nullptr;
+  std::size_t workload = 0;  ///< its index
   WorkloadSpec spec;
   Timing timing;
   std::optional<JudgedErrors> errors;  ///< none where it gives no manifolds

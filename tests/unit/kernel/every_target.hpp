@@ -1,22 +1,21 @@
 #pragma once
 
-#include <hwy/targets.h>
-
 #include <catch2/catch.hpp>
+
+#include "kernel/target.hpp"
 
 namespace manifuzz::test {
 
 /// Asks the kernels as each instruction set of this machine in turn.
 template <class Check>
 void on_every_target(const Check& check) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    INFO(hwy::TargetName(target));
+  const std::vector<std::string> targets = kernel::targets();
+  for (const std::string& target : targets) {
+    kernel::use_target(target);
+    INFO(target);
     check();
   }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  kernel::use_target(targets.front());
 }
 
 }  // namespace manifuzz::test
