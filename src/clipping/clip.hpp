@@ -29,31 +29,36 @@ inline Feature face(int index) {
 /// One clip of the article: cuts off what lies behind the line through the reference face's vertex
 /// `corner`, widened by `margin`. `inward` points along the face, into its slab. False when the
 /// edge and the slab do not overlap: fewer than two points are left. A crossing is told by signs,
-/// since a product of offsets underflows.
+/// since a product of offsets underflows; and it is measured on the whole edge, not on what another
+/// clip has left, so that no rounding goes from one crossing into the other.
 template <class Scalar>
-bool clip(ClipEdge<Scalar>& edge, const Vector2<Scalar>& inward, const Vector2<Scalar>& corner,
-          Scalar margin, int corner_index, int incident_index) {
-  const Scalar offset0 = inward.dot(edge[0].position - corner) + margin;
-  const Scalar offset1 = inward.dot(edge[1].position - corner) + margin;
+bool clip(ClipEdge<Scalar>& edge, const ClipEdge<Scalar>& whole, const Vector2<Scalar>& inward,
+          const Vector2<Scalar>& corner, Scalar margin, int corner_index, int incident_index) {
+  const Vector2<Scalar>& from = whole[0].position;
+  const Vector2<Scalar>& to = whole[1].position;
+  const Scalar offset0 = inward.dot(from - corner) + margin;
+  const Scalar offset1 = inward.dot(to - corner) + margin;
   if (offset0 >= 0 && offset1 >= 0) return true;
   if (offset0 <= 0 && offset1 <= 0) return false;
   const Scalar share = offset0 / (offset0 - offset1);
-  const Vector2<Scalar> crossing = edge[0].position + share * (edge[1].position - edge[0].position);
+  const Vector2<Scalar> crossing = from + share * (to - from);
   edge[offset0 < 0 ? 0 : 1] = {crossing, vertex(corner_index), face(incident_index)};
   return true;
 }
 
 /// The incident edge between the two side planes of the reference face, each widened by the total
-/// radius. Empty edges give false.
+/// radius. The planes are parallel: neither clip changes what the other cuts off. Empty edges give
+/// false.
 template <class Scalar>
 bool clip_to_slab(ClipEdge<Scalar>& edge, const ConvexPolygon<Scalar>& reference, int face_index,
                   int incident_index, Scalar total_radius) {
   const Vector2<Scalar> along = counter_clockwise_quarter(reference.normals[face_index]);
+  const ClipEdge<Scalar> whole = edge;
   const int first = face_index;
   const int second = reference.next(face_index);
-  return clip<Scalar>(edge, along, reference.vertices[first], total_radius, first,
+  return clip<Scalar>(edge, whole, along, reference.vertices[first], total_radius, first,
                       incident_index) &&
-         clip<Scalar>(edge, -along, reference.vertices[second], total_radius, second,
+         clip<Scalar>(edge, whole, -along, reference.vertices[second], total_radius, second,
                       incident_index);
 }
 

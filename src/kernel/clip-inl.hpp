@@ -53,20 +53,20 @@ struct ClipEnds {
 
 inline constexpr int kFace = 1;  // `Feature::Kind`'s values; a vertex is 0
 
-/// One clip (clipping/clip.hpp): `offset` of both ends from the plane. Lanes whose edge is left
-/// without a point are taken out of `kept`.
+/// One clip (clipping/clip.hpp): `offset` of the whole edge's ends from the plane. Lanes whose edge
+/// is left without a point are taken out of `kept`.
 template <class D>
-HWY_INLINE void clip(D d, ClipEnds<D> (&edge)[2], hn::Vec<D> offset0, hn::Vec<D> offset1,
-                     hn::Vec<DInt<D>> crossing_features, hn::Mask<D>& kept) {
+HWY_INLINE void clip(D d, ClipEnds<D> (&edge)[2], const LaneEdge<D>& whole, hn::Vec<D> offset0,
+                     hn::Vec<D> offset1, hn::Vec<DInt<D>> crossing_features, hn::Mask<D>& kept) {
   const DInt<D> di;
   const auto zero = hn::Zero(d);
   const auto is_whole = hn::And(hn::Ge(offset0, zero), hn::Ge(offset1, zero));
   const auto is_gone = hn::And(hn::Le(offset0, zero), hn::Le(offset1, zero));
   kept = hn::And(kept, hn::Or(is_whole, hn::Not(is_gone)));
   const auto share = hn::Div(offset0, hn::Sub(offset0, offset1));
-  const Lanes2<D> along = subtract(edge[1].position, edge[0].position);
-  const Lanes2<D> crossing{hn::Add(edge[0].position.x, hn::Mul(share, along.x)),
-                           hn::Add(edge[0].position.y, hn::Mul(share, along.y))};
+  const Lanes2<D> along = subtract(whole.second, whole.first);
+  const Lanes2<D> crossing{hn::Add(whole.first.x, hn::Mul(share, along.x)),
+                           hn::Add(whole.first.y, hn::Mul(share, along.y))};
   const auto is_first = hn::Lt(offset0, zero);
   const auto replace = [&](ClipEnds<D>& end, auto where) {
     end.position = select<D>(where, crossing, end.position);

@@ -69,10 +69,10 @@ HWY_INLINE void clip_to_slab(D d, const LaneFeatures<D>& f, hn::Vec<D> total_rad
   edge[1] = {f.incident.second, feature_bytes(di, kFace, f.face.index, 0, f.incident_second)};
   const auto clip_at = [&](const Lanes2<D>& corner, hn::Vec<DInt<D>> index,
                            const Lanes2<D>& inward) {
-    const auto offset = [&](const ClipEnds<D>& end) {
-      return hn::Add(dot(inward, subtract(end.position, corner)), total_radius);
+    const auto offset = [&](const Lanes2<D>& end) {
+      return hn::Add(dot(inward, subtract(end, corner)), total_radius);
     };
-    clip(d, edge, offset(edge[0]), offset(edge[1]),
+    clip(d, edge, f.incident, offset(f.incident.first), offset(f.incident.second),
          feature_bytes(di, 0, index, kFace, f.incident.index), kept);
   };
   clip_at(f.face.first, f.face.index, {hn::Neg(f.normal.y), f.normal.x});

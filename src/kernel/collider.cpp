@@ -39,7 +39,8 @@ Collider implemented(Declaration declaration, CollideOne collide_one) {
 
 Answer collide_as_pair(const PairCase& pair, float tie_bias) {
   const Pose<float> b_in_a = relative_pose(pair.a.pose, pair.b.pose);
-  return manifold_cast<double>(kernel::collide(pair.a.polygon, pair.b.polygon, b_in_a, tie_bias));
+  return manifold_cast<double>(kernel::collide(kernel::rows_of(pair.a.polygon),
+                                               kernel::rows_of(pair.b.polygon), b_in_a, tie_bias));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "kernel/cure.hpp"
 
-#include "clipping/deepest_contact.hpp"
+#include "clipping/collide.hpp"
 
 namespace manifuzz::kernel {
 
@@ -18,6 +18,19 @@ Manifold<Scalar> deepest_contact(const ColumnPair<Scalar>& pair) {
   }
   polygons[0].radius = pair.total_radius;  // only the sum of the radii is ever looked at
   return clipping::deepest_contact(polygons[0], polygons[1]);
+}
+
+Manifold<float> cured(const ShapeRows& a, const ShapeRows& b, const Manifold<float>& manifold,
+                      float separation, float greatest) {
+  const ConvexPolygon<float> polygon_a = polygon_of(a);
+  const ConvexPolygon<float> polygon_b = polygon_of(b);
+  return clipping::misses_deepest(polygon_a, polygon_b, manifold, separation, greatest)
+             ? clipping::deepest_contact(polygon_a, polygon_b)
+             : manifold;
+}
+
+Manifold<float> collide_cleanly(const ShapeRows& a, const ShapeRows& b, float tie_bias) {
+  return clipping::collide_in_frame(polygon_of(a), polygon_of(b), tie_bias);
 }
 
 template Manifold<float> deepest_contact(const ColumnPair<float>&);

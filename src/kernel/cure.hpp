@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernel/packed.hpp"
+#include "kernel/shape_rows.hpp"
 
 namespace manifuzz::kernel {
 
@@ -17,5 +18,13 @@ struct ColumnPair {
 /// handed back to the clean code, which is compiled apart from the kernels, without their target.
 template <class Scalar>
 Manifold<Scalar> deepest_contact(const ColumnPair<Scalar>& pair);
+
+/// `manifold`, unless it misses the overlap by `clipping::misses_deepest`: then the deepest
+/// contact. Both shapes are in A's frame.
+Manifold<float> cured(const ShapeRows& a, const ShapeRows& b, const Manifold<float>& manifold,
+                      float separation, float greatest);
+
+/// `clipping::collide_in_frame`, for the target without vectors.
+Manifold<float> collide_cleanly(const ShapeRows& a, const ShapeRows& b, float tie_bias);
 
 }  // namespace manifuzz::kernel

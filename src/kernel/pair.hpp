@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/manifold.hpp"
+#include "kernel/shape_rows.hpp"
 
 // One pair at a time, a face a lane. Equal to `clipping::collide`, bit for bit, on every
 // instruction set. Asking for less costs less: `touches` and `separation` end where they know.
@@ -27,16 +28,16 @@ struct PairSeparation {
 
 /// `clipping::collide(a, b, b_in_a, tie_bias)`. A hint, where one is given, is used and brought up
 /// to date; it changes no result.
-Manifold<float> collide(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
-                        const Pose<float>& b_in_a, float tie_bias = 0, FaceHint* hint = nullptr);
+Manifold<float> collide(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
+                        float tie_bias = 0, FaceHint* hint = nullptr);
 
 /// Whether no face separates the polygons by more than their total radius. (At the rounded corners
 /// of polygons that do, the manifold may be empty all the same: their side planes cut it off.)
-bool touches(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
-             const Pose<float>& b_in_a, FaceHint* hint = nullptr);
+bool touches(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
+             FaceHint* hint = nullptr);
 
 /// A hint may change which separating face is reported, nothing else.
-PairSeparation separation(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b,
-                          const Pose<float>& b_in_a, FaceHint* hint = nullptr);
+PairSeparation separation(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
+                          FaceHint* hint = nullptr);
 
 }  // namespace manifuzz::kernel

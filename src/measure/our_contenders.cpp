@@ -24,23 +24,22 @@ std::vector<clipping::PlacedPair<Scalar>> placed_pairs(std::span<const PairCase>
   return placed;
 }
 
-/// `ask(placed pair, B's pose in A's frame, its number)` for every pair, its answer kept.
-template <class Scalar, class Out, class Ask>
+/// `ask(placed pair, B's pose in A's frame)` for every pair, its answer kept.
+template <class Scalar, class Ask>
 Pass one_by_one(std::span<const PairCase> pairs, const Ask& ask) {
-  const auto out = std::make_shared<std::vector<Out>>(pairs.size());
+  const auto out = std::make_shared<std::vector<Manifold<Scalar>>>(pairs.size());
   return [placed = placed_pairs<Scalar>(pairs), out, ask] {
     for (std::size_t i = 0; i < placed.size(); ++i) {
-      (*out)[i] = ask(placed[i], relative_pose(placed[i].pose_a, placed[i].pose_b), i);
+      (*out)[i] = ask(placed[i], relative_pose(placed[i].pose_a, placed[i].pose_b));
     }
   };
 }
 
 template <class Scalar>
 Pass clip_pass(std::span<const PairCase> pairs) {
-  return one_by_one<Scalar, Manifold<Scalar>>(
-      pairs, [](const auto& pair, const Pose<Scalar>& b_in_a, std::size_t) {
-        return clipping::collide(pair.a, pair.b, b_in_a);
-      });
+  return one_by_one<Scalar>(pairs, [](const auto& pair, const Pose<Scalar>& b_in_a) {
+    return clipping::collide(pair.a, pair.b, b_in_a);
+  });
 }
 
 /// The deepest vertex behind the face of greatest separation.
@@ -55,10 +54,9 @@ Manifold<float> deepest_vertex(const ConvexPolygon<float>& a, const ConvexPolygo
 }
 
 Pass sat_pass(std::span<const PairCase> pairs) {
-  return one_by_one<float, Manifold<float>>(
-      pairs, [](const auto& pair, const Pose<float>& b_in_a, std::size_t) {
-        return deepest_vertex(pair.a, transform(b_in_a, pair.b));
-      });
+  return one_by_one<float>(pairs, [](const auto& pair, const Pose<float>& b_in_a) {
+    return deepest_vertex(pair.a, transform(b_in_a, pair.b));
+  });
 }
 
 /// An engine's bodies: shapes by index, a pose each.
@@ -104,14 +102,30 @@ Pass packed_pass(std::span<const PairCase> pairs) {
   return [packed, out] { kernel::collide_packed(*packed, Scalar{0}, *out); };
 }
 
+/// Two shapes as the kernel for one pair takes them, and where they stand.
+struct RowsPair {
+  kernel::ShapeRows a;
+  kernel::ShapeRows b;
+  Pose<float> pose_a;
+  Pose<float> pose_b;
+};
+
 /// A query of the kernel for one pair, with the hint that the same query left before, or none.
 template <class Out, class Ask>
 Pass query_pass(std::span<const PairCase> pairs, bool hinted, const Ask& ask) {
+  std::vector<RowsPair> rows;
+  for (const auto& pair : placed_pairs<float>(pairs)) {
+    rows.push_back({kernel::rows_of(pair.a), kernel::rows_of(pair.b), pair.pose_a, pair.pose_b});
+  }
   const auto hints = std::make_shared<std::vector<kernel::FaceHint>>(pairs.size());
-  return one_by_one<float, Out>(
-      pairs, [hints, hinted, ask](const auto& pair, const Pose<float>& b_in_a, std::size_t i) {
-        return ask(pair.a, pair.b, b_in_a, hinted ? &(*hints)[i] : nullptr);
-      });
+  const auto out = std::make_shared<std::vector<Out>>(pairs.size());
+  return [rows, hints, hinted, out, ask] {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const RowsPair& pair = rows[i];
+      const Pose<float> b_in_a = relative_pose(pair.pose_a, pair.pose_b);
+      (*out)[i] = ask(pair.a, pair.b, b_in_a, hinted ? &(*hints)[i] : nullptr);
+    }
+  };
 }
 
 void add_pair_contenders(std::vector<Contender>& all, const std::string& target) {

@@ -61,7 +61,7 @@ TEST_CASE("the incident edge is the most opposed, the first of equals") {
 
 TEST_CASE("a clip keeps what lies ahead and replaces the end behind by the crossing") {
   auto e = edge({-1, 0}, {3, 2});
-  REQUIRE(clip<float>(e, {1, 0}, {0, 0}, 0, 7, 5));
+  REQUIRE(clip<float>(e, e, {1, 0}, {0, 0}, 0, 7, 5));
   CHECK(e[0].position == Vector2<float>(0, 0.5F));
   CHECK(e[0].reference == vertex(7));
   CHECK(e[0].incident == face(5));
@@ -71,22 +71,22 @@ TEST_CASE("a clip keeps what lies ahead and replaces the end behind by the cross
 
 TEST_CASE("a clip widened by a margin keeps that much more") {
   auto e = edge({-1, 0}, {3, 0});
-  REQUIRE(clip<float>(e, {1, 0}, {0, 0}, 0.5F, 7, 5));
+  REQUIRE(clip<float>(e, e, {1, 0}, {0, 0}, 0.5F, 7, 5));
   CHECK(e[0].position == Vector2<float>(-0.5F, 0));
 }
 
 TEST_CASE("fewer than two points after a clip: the features do not overlap") {
   auto behind = edge({-2, 0}, {-1, 0});
-  CHECK_FALSE(clip<float>(behind, {1, 0}, {0, 0}, 0, 7, 5));
+  CHECK_FALSE(clip<float>(behind, behind, {1, 0}, {0, 0}, 0, 7, 5));
   auto touching = edge({-2, 0}, {0, 0});
-  CHECK_FALSE(clip<float>(touching, {1, 0}, {0, 0}, 0, 7, 5));
+  CHECK_FALSE(clip<float>(touching, touching, {1, 0}, {0, 0}, 0, 7, 5));
   auto on_the_line = edge({0, -2}, {0, 2});
-  CHECK(clip<float>(on_the_line, {1, 0}, {0, 0}, 0, 7, 5));
+  CHECK(clip<float>(on_the_line, on_the_line, {1, 0}, {0, 0}, 0, 7, 5));
 }
 
 TEST_CASE("offsets whose product underflows are still of opposite sign") {
   auto e = edge({-1e-30F, 0}, {1e-30F, 0});
-  REQUIRE(clip<float>(e, {1, 0}, {0, 0}, 0, 7, 5));
+  REQUIRE(clip<float>(e, e, {1, 0}, {0, 0}, 0, 7, 5));
   CHECK(e[0].position.x() == 0);
   CHECK(e[0].incident == face(5));
 }
