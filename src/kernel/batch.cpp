@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "kernel/batch.hpp"
@@ -185,6 +186,26 @@ void group_by_counts(const Shapes<T>& shapes, std::span<const Placement<T>> bodi
   }
 }
 
+/// Fills a group with the chunk's pairs from `first` on in their order, its last pair filling up,
+/// and asks for their shapes, which lie anywhere in memory.
+template <class T>
+HWY_INLINE void assemble(const Shapes<T>& shapes, std::span<const Placement<T>> bodies,
+                         std::span<const BodyPair> pairs, const Order& order, std::size_t first,
+                         Manifold<T>* out, Group<T>& group) {
+  for (std::size_t column = 0; column < kBlockPairs; ++column) {
+    const std::size_t i = order.pair[std::min(first + column, pairs.size() - 1)];
+    group.body[0][column] = &bodies[pairs[i].a];
+    group.body[1][column] = &bodies[pairs[i].b];
+    group.out[column] = out + i;
+    group.key[column] = order.key[i];
+    for (const int p : {0, 1}) {
+      const ShapeCorners<T>& corners = shapes.corners(group.body[p][column]->shape);
+      hwy::Prefetch(&corners);
+      hwy::Prefetch(&corners.scalars[corners.scalars.size() / 2]);
+    }
+  }
+}
+
 template <class T>
 void collide_chunk(const Shapes<T>& shapes, std::span<const Placement<T>> bodies,
                    std::span<const BodyPair> pairs, T tie_bias, Manifold<T>* out) {
@@ -192,14 +213,14 @@ void collide_chunk(const Shapes<T>& shapes, std::span<const Placement<T>> bodies
   group_by_counts(shapes, bodies, pairs, order);
   Row<T> rows[kBlockRowsMax];
   ManifoldBlock<T> block{};
-  Group<T> group;
+  Group<T> groups[2];  // the next one is assembled while this one's shapes are on their way
+  assemble(shapes, bodies, pairs, order, 0, out, groups[0]);
   for (std::size_t first = 0; first < pairs.size(); first += kBlockPairs) {
-    for (std::size_t column = 0; column < kBlockPairs; ++column) {
-      const std::size_t i = order.pair[std::min(first + column, pairs.size() - 1)];
-      group.body[0][column] = &bodies[pairs[i].a];
-      group.body[1][column] = &bodies[pairs[i].b];
-      group.out[column] = out + i;
-      group.key[column] = order.key[i];
+    const std::size_t number = first / kBlockPairs;
+    const Group<T>& group = groups[number % 2];
+    const std::size_t next = first + kBlockPairs;
+    if (next < pairs.size()) {
+      assemble(shapes, bodies, pairs, order, next, out, groups[(number + 1) % 2]);
     }
     collide_block(load_group(shapes, group, rows), tie_bias, block);
     store_group(block, group);
