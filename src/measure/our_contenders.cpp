@@ -1,6 +1,7 @@
 #include "measure/our_contenders.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "clipping/collide.hpp"
@@ -10,6 +11,7 @@
 #include "kernel/collider.hpp"
 #include "kernel/pair.hpp"
 #include "kernel/target.hpp"
+#include "measure/limit.hpp"
 
 namespace manifuzz {
 namespace {
@@ -181,6 +183,7 @@ std::vector<Contender> our_contenders() {
     add_pair_contenders(all, target);
     add_batch_contenders<float>(all, "batch", target, make_batch);
     add_batch_contenders<double>(all, "batch64", target, make_batch64);
+    std::ranges::move(limits(target), std::back_inserter(all));
   }
   return all;
 }

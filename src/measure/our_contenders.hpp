@@ -8,6 +8,7 @@ namespace manifuzz {
 
 /// What this repository offers, the kernels once for every instruction set of this machine; and
 /// the one-point answer of the separating axis alone, which is the cheapest that is right in depth.
+/// Beside the kernels, their limits.
 std::vector<Contender> our_contenders();
 
 }  // namespace manifuzz
