@@ -1,0 +1,33 @@
+#include "scene/body.hpp"
+
+namespace manifuzz::scene {
+
+std::optional<Defect> find_defect(const Pose<float>& pose) {
+  const Vector2<float>& p = pose.position;
+  if (!std::isfinite(p.x()) || !std::isfinite(p.y())) return Defect::position_not_finite;
+  if (std::abs(p.x()) > kLengthMax || std::abs(p.y()) > kLengthMax) return Defect::position_too_far;
+  if (!is_unit_rotation(pose.rotation)) return Defect::rotation_not_unit;
+  return std::nullopt;
+}
+
+std::string_view describe(Defect defect) {
+  switch (defect) {
+    case Defect::position_not_finite:
+      return "a position is not finite";
+    case Defect::position_too_far:
+      return "a position is too far out: coordinates are at most 1e15";
+    case Defect::rotation_not_unit:
+      return "a rotation is not unit: cos^2 + sin^2 must be 1 within 1e-5";
+    case Defect::shape_too_large:
+      return "a shape is too large: its reach and its radius are at most 1e15";
+    case Defect::shape_too_sharp:
+      return "a shape is too sharp: its corners are at least 2e-5 wide";
+    case Defect::unknown_shape:
+      return "no such shape: an index that add_shape gave is expected";
+    case Defect::unknown_body:
+      return "no such body: it was removed, or never added";
+  }
+  return {};
+}
+
+}  // namespace manifuzz::scene

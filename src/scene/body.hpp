@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "geometry/pose.hpp"
+
+namespace manifuzz::scene {
+
+/// A body of a scene, for as long as it is in it: what is added in its place later has another
+/// generation. (A place comes round to a generation again after 2^31 removals.)
+struct BodyHandle {
+  std::uint32_t index = 0;
+  std::uint32_t generation = 0;  ///< odd; 0 names no body
+
+  friend bool operator==(const BodyHandle&, const BodyHandle&) = default;
+};
+
+/// Where a body stands from this step on, in the world.
+struct Move {
+  BodyHandle body;
+  Pose<float> pose;
+};
+
+/// No coordinate of a position and no reach or radius of a shape is larger: products of two stay
+/// finite as floats.
+inline constexpr float kLengthMax = 1e15F;
+
+/// What can be wrong with what a scene is given.
+enum class Defect {
+  position_not_finite,
+  position_too_far,
+  rotation_not_unit,
+  shape_too_large,
+  shape_too_sharp,
+  unknown_shape,
+  unknown_body,
+};
+
+/// The first defect of a pose, or none.
+std::optional<Defect> find_defect(const Pose<float>& pose);
+
+/// One clause for a person: what is wrong, and what would be right.
+std::string_view describe(Defect defect);
+
+}  // namespace manifuzz::scene

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "scene/shape_table.hpp"
+
+namespace manifuzz::scene {
+
+/// Parallel to the axes of the world, with its edge.
+struct Box {
+  float x_min = 0;
+  float y_min = 0;
+  float x_max = 0;
+  float y_max = 0;
+};
+
+inline bool overlap(const Box& p, const Box& q) {
+  return p.x_min <= q.x_max && q.x_min <= p.x_max && p.y_min <= q.y_max && q.y_min <= p.y_max;
+}
+
+inline bool contains(const Box& outer, const Box& inner) {
+  return outer.x_min <= inner.x_min && outer.y_min <= inner.y_min && outer.x_max >= inner.x_max &&
+         outer.y_max >= inner.y_max;
+}
+
+inline Box grown(const Box& box, float by) {
+  return {box.x_min - by, box.y_min - by, box.x_max + by, box.y_max + by};
+}
+
+/// The box of a shape at a pose, padded.
+Box padded_box(const kernel::ShapeRows& shape, const Pose<float>& pose, float padding);
+
+}  // namespace manifuzz::scene

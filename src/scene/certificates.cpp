@@ -1,0 +1,51 @@
+#include "scene/certificates.hpp"
+
+#include "kernel/pair.hpp"
+#include "scene/roundings.hpp"
+
+namespace manifuzz::scene {
+namespace {
+
+/// What both separations may be off by, and both relative poses, as a share of the extent.
+constexpr float kErrors = 2 * kSeparationError + 16 * kRoundoff;
+
+/// More than the roundings of a displacement, and than what the extent grows by meanwhile.
+constexpr float kRoundUp = 1.001F;
+
+/// At least how far any vertex of a polygon of this reach has moved from one pose to another.
+float displacement(const Pose<float>& from, const Pose<float>& to, float reach) {
+  return kRoundUp * (length_at_most(to.position - from.position) +
+                     reach * length_at_most(to.rotation - from.rotation));
+}
+
+}  // namespace
+
+Certificate prove_separated(const ShapeTable& shapes, const kernel::Placement<float>& a,
+                            const kernel::Placement<float>& b) {
+  const kernel::PairSeparation found =
+      kernel::separation(shapes.rows(a.shape), shapes.rows(b.shape), relative_pose(a.pose, b.pose));
+  if (found.touches) return {};
+  const bool is_a = found.face.side == Side::a;
+  Certificate proof;
+  proof.near = found.face.side;
+  proof.far_in_near = is_a ? relative_pose(a.pose, b.pose) : relative_pose(b.pose, a.pose);
+  const ShapeFacts& facts_a = shapes.facts(a.shape);
+  const ShapeFacts& facts_b = shapes.facts(b.shape);
+  const float extent = facts_a.reach + facts_b.reach + length_at_most(proof.far_in_near.position);
+  const float total_radius = facts_a.radius + facts_b.radius;
+  proof.margin = found.separation - total_radius - kErrors * (extent + total_radius) - kUnderflow;
+  return proof;
+}
+
+bool still_separated(const Certificate& certificate, const ShapeTable& shapes,
+                     const kernel::Placement<float>& a, const kernel::Placement<float>& b) {
+  if (certificate.margin <= 0) return false;
+  const bool is_a = certificate.near == Side::a;
+  const kernel::Placement<float>& near = is_a ? a : b;
+  const kernel::Placement<float>& far = is_a ? b : a;
+  const float moved = displacement(certificate.far_in_near, relative_pose(near.pose, far.pose),
+                                   shapes.facts(far.shape).reach);
+  return moved < certificate.margin;
+}
+
+}  // namespace manifuzz::scene

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "kernel/packed.hpp"
+#include "scene/shape_table.hpp"
+
+// What a pair was last proven to be, and how far its bodies may move for that to stay proven
+// (derived in certificates.md).
+
+namespace manifuzz::scene {
+
+/// A face of one body, the near one, separates the other, far one.
+struct Certificate {
+  Pose<float> far_in_near;  ///< at the moment of the proof
+  /// The far polygon's vertices may move by less than this, seen from the near one, and the kernel
+  /// still finds it separated; < 0: nothing is proven. Length.
+  float margin = -1;
+  Side near = Side::a;
+};
+
+/// The proof that A and B are separated at these poses, by the face that the kernel finds; proves
+/// nothing where they are nearer than rounding can tell.
+Certificate prove_separated(const ShapeTable& shapes, const kernel::Placement<float>& a,
+                            const kernel::Placement<float>& b);
+
+/// Whether the proof still holds at these poses. The shapes are those of the proof.
+bool still_separated(const Certificate& certificate, const ShapeTable& shapes,
+                     const kernel::Placement<float>& a, const kernel::Placement<float>& b);
+
+}  // namespace manifuzz::scene

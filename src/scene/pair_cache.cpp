@@ -1,0 +1,124 @@
+#include "scene/pair_cache.hpp"
+
+#include <utility>
+
+namespace manifuzz::scene {
+namespace {
+
+constexpr std::size_t kSlotsMin = 16;
+
+/// Of all slots, no more than 3 in 4 are taken.
+bool is_crowded(std::size_t pairs, std::size_t slots) {
+  return 4 * pairs > 3 * slots;
+}
+
+/// Room for one more, in steps that leave little memory unused.
+template <class T>
+void make_room(std::vector<T>& vector, std::size_t size) {
+  if (size > vector.capacity()) vector.reserve(size + size / 8 + 16);
+}
+
+}  // namespace
+
+std::size_t PairCache::home_of(const kernel::BodyPair& pair) const {
+  const std::uint64_t key = (std::uint64_t{pair.a} << 32) | pair.b;
+  const std::uint64_t hash = (key ^ (key >> 29)) * 0x9e3779b97f4a7c15ULL;
+  return (hash >> 32) & (slots_.size() - 1);
+}
+
+std::uint32_t PairCache::find(std::uint32_t body, std::uint32_t other) const {
+  if (slots_.empty()) return kNone;
+  const kernel::BodyPair bodies{std::min(body, other), std::max(body, other)};
+  const std::size_t last = slots_.size() - 1;
+  for (std::size_t slot = home_of(bodies); slots_[slot] != kNone; slot = (slot + 1) & last) {
+    const kernel::BodyPair& found = pairs_[slots_[slot]].bodies;
+    if (found.a == bodies.a && found.b == bodies.b) return slots_[slot];
+  }
+  return kNone;
+}
+
+std::size_t PairCache::slot_of(std::uint32_t pair) const {
+  std::size_t slot = home_of(pairs_[pair].bodies);
+  while (slots_[slot] != pair) slot = (slot + 1) & (slots_.size() - 1);
+  return slot;
+}
+
+void PairCache::add(std::uint32_t body, std::uint32_t other) {
+  const auto pair = static_cast<std::uint32_t>(pairs_.size());
+  make_room(pairs_, pairs_.size() + 1);
+  make_room(links_, links_.size() + 2);
+  pairs_.push_back({{std::min(body, other), std::max(body, other)}, kNone, {}});
+  links_.resize(links_.size() + 2);
+  link(2 * pair);
+  link(2 * pair + 1);
+  if (is_crowded(pairs_.size(), slots_.size())) {
+    widen();
+  } else {
+    insert(pair);
+  }
+}
+
+void PairCache::insert(std::uint32_t pair) {
+  std::size_t slot = home_of(pairs_[pair].bodies);
+  while (slots_[slot] != kNone) slot = (slot + 1) & (slots_.size() - 1);
+  slots_[slot] = pair;
+}
+
+void PairCache::widen() {
+  slots_.assign(std::max(kSlotsMin, 2 * slots_.size()), kNone);
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) insert(i);
+}
+
+/// Closes the gap with those behind that a search would now miss.
+void PairCache::erase(std::size_t slot) {
+  const std::size_t last = slots_.size() - 1;
+  std::size_t gap = slot;
+  for (std::size_t i = (gap + 1) & last; slots_[i] != kNone; i = (i + 1) & last) {
+    const std::size_t home = home_of(pairs_[slots_[i]].bodies);
+    if (((i - home) & last) < ((i - gap) & last)) continue;
+    slots_[gap] = slots_[i];
+    gap = i;
+  }
+  slots_[gap] = kNone;
+}
+
+void PairCache::link(End end) {
+  const std::uint32_t body = body_of(end);
+  if (body >= first_.size()) first_.resize(body + 1, kNone);
+  links_[end] = {first_[body], kNone};
+  if (first_[body] != kNone) links_[first_[body]].previous = end;
+  first_[body] = end;
+}
+
+void PairCache::unlink(End end) {
+  const Links links = links_[end];
+  if (links.next != kNone) links_[links.next].previous = links.previous;
+  (links.previous != kNone ? links_[links.previous].next : first_[body_of(end)]) = links.next;
+}
+
+void PairCache::remove(std::uint32_t pair) {
+  const auto last = static_cast<std::uint32_t>(pairs_.size()) - 1;
+  erase(slot_of(pair));
+  unlink(2 * pair);
+  unlink(2 * pair + 1);
+  if (pair != last) {
+    slots_[slot_of(last)] = pair;
+    for (const End side : {0U, 1U}) {
+      const Links& links = links_[2 * pair + side] = links_[2 * last + side];
+      const End end = 2 * pair + side;
+      if (links.next != kNone) links_[links.next].previous = end;
+      (links.previous != kNone ? links_[links.previous].next : first_[body_of(2 * last + side)]) =
+          end;
+    }
+    pairs_[pair] = pairs_[last];
+  }
+  pairs_.pop_back();
+  links_.resize(links_.size() - 2);
+}
+
+std::size_t PairCache::bytes() const {
+  return pairs_.capacity() * sizeof(Pair) + links_.capacity() * sizeof(Links) +
+         first_.capacity() * sizeof(End) + slots_.capacity() * sizeof(std::uint32_t);
+}
+
+}  // namespace manifuzz::scene

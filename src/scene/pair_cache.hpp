@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/packed.hpp"
+#include "scene/certificates.hpp"
+
+namespace manifuzz::scene {
+
+inline constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+/// A candidate pair and what is known of it.
+struct Pair {
+  kernel::BodyPair bodies;        ///< a < b
+  std::uint32_t contact = kNone;  ///< its contact's index, while the bodies touch
+  Certificate certificate;
+};
+
+/// The candidate pairs: an array without gaps, found by both bodies' indices, and through each body
+/// those it takes part in.
+class PairCache {
+ public:
+  std::size_t size() const { return pairs_.size(); }
+  Pair& operator[](std::uint32_t pair) { return pairs_[pair]; }
+
+  const Pair& operator[](std::uint32_t pair) const { return pairs_[pair]; }
+
+  /// The pair's index, or kNone.
+  std::uint32_t find(std::uint32_t body, std::uint32_t other) const;
+
+  /// Adds a pair that is not there.
+  void add(std::uint32_t body, std::uint32_t other);
+
+  /// Calls `visit(pair, other)` for each pair of a body.
+  template <class Visit>
+  void each_of(std::uint32_t body, const Visit& visit) const;
+
+  /// Removes those pairs of a body for which `is_gone(pair, other)`. Other pairs take their
+  /// indices.
+  template <class IsGone>
+  void remove_each(std::uint32_t body, const IsGone& is_gone);
+
+  std::size_t bytes() const;
+
+ private:
+  /// A pair seen from one of its bodies: twice the pair's index, plus 1 for body b.
+  using End = std::uint32_t;
+
+  /// The neighbours of an end in its body's list.
+  struct Links {
+    End next = kNone;
+    End previous = kNone;
+  };
+
+  std::uint32_t body_of(End end) const {
+    const kernel::BodyPair& bodies = pairs_[end / 2].bodies;
+    return end % 2 == 0 ? bodies.a : bodies.b;
+  }
+  std::uint32_t partner_of(End end) const { return body_of(end ^ 1); }
+  std::size_t home_of(const kernel::BodyPair& pair) const;
+  std::size_t slot_of(std::uint32_t pair) const;
+  void insert(std::uint32_t pair);
+  void erase(std::size_t slot);
+  void widen();
+  void link(End end);
+  void unlink(End end);
+  void remove(std::uint32_t pair);
+
+  std::vector<Pair> pairs_;
+  std::vector<Links> links_;          // by end
+  std::vector<End> first_;            // by body
+  std::vector<std::uint32_t> slots_;  // pairs by the hash of their bodies, linear probing
+};
+
+template <class Visit>
+void PairCache::each_of(std::uint32_t body, const Visit& visit) const {
+  if (body >= first_.size()) return;
+  for (End end = first_[body]; end != kNone; end = links_[end].next)
+    visit(end / 2, partner_of(end));
+}
+
+template <class IsGone>
+void PairCache::remove_each(std::uint32_t body, const IsGone& is_gone) {
+  if (body >= first_.size()) return;
+  for (End end = first_[body]; end != kNone;) {
+    const End next = links_[end].next;
+    const std::uint32_t pair = end / 2;
+    const std::uint32_t last = static_cast<std::uint32_t>(pairs_.size()) - 1;
+    const bool gone = is_gone(pair, partner_of(end));
+    if (gone) remove(pair);
+    const bool is_renumbered = gone && next != kNone && next / 2 == last;
+    end = is_renumbered ? 2 * pair + next % 2 : next;
+  }
+}
+
+}  // namespace manifuzz::scene

@@ -1,0 +1,215 @@
+#include "scene/scene.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace manifuzz;
+using scene::BodyHandle;
+using scene::Defect;
+using scene::Scene;
+using scene::StepResult;
+
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+ConvexPolygon<float> square(float half, float radius = 0) {
+  const std::array<Vector2<float>, 4> corners{
+      {{-half, -half}, {half, -half}, {half, half}, {-half, half}}};
+  return make_polygon<float>(corners, radius);
+}
+
+Pose<float> at(float x, float y) {
+  return {{x, y}, {1, 0}};
+}
+
+/// A row of squares, each touching the next.
+struct Row {
+  Scene scene;
+  std::uint32_t shape = std::get<std::uint32_t>(scene.add_shape(square(0.5F)));
+  std::vector<BodyHandle> bodies;
+
+  explicit Row(int count) {
+    for (int i = 0; i < count; ++i) {
+      bodies.push_back(
+          std::get<BodyHandle>(scene.add(shape, at(0.99F * static_cast<float>(i), 0))));
+    }
+  }
+
+  StepResult step(std::span<const scene::Move> moves = {}) {
+    return std::get<StepResult>(scene.step(moves));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("contacts begin, stay and end") {
+  Row row(3);
+  const StepResult first = row.step();
+  CHECK(first.contacts.size() == 2);
+  CHECK(first.began.size() == 2);
+  CHECK(first.counts.pairs.collided == first.counts.pairs.candidates);
+
+  const StepResult second = row.step();
+  CHECK(second.contacts.size() == 2);
+  CHECK(second.began.empty());
+  CHECK(second.stayed == 2);
+  CHECK(second.counts.pairs.at_rest == second.counts.pairs.candidates);
+
+  const scene::Move away{row.bodies[2], at(9, 0)};
+  const StepResult third = row.step({{away}});
+  REQUIRE(third.ended.size() == 1);
+  CHECK(third.ended[0].a == row.bodies[1]);
+  CHECK(third.ended[0].b == row.bodies[2]);
+  CHECK(third.stayed == 1);
+  CHECK(row.step().ended.empty());
+}
+
+TEST_CASE("a body's contacts end with it, and its place is used again") {
+  Row row(3);
+  row.step();
+  CHECK(row.scene.remove(row.bodies[1]) == std::nullopt);
+  const BodyHandle again = std::get<BodyHandle>(row.scene.add(row.shape, at(0.99F, 0)));
+  CHECK(again.index == row.bodies[1].index);
+  CHECK(again != row.bodies[1]);
+  const StepResult result = row.step();
+  CHECK(result.ended.size() == 2);
+  for (const scene::EndedContact& ended : result.ended) {
+    CHECK((ended.a == row.bodies[1] || ended.b == row.bodies[1]));
+  }
+  CHECK(result.began.size() == 2);
+}
+
+TEST_CASE("a scene at rest looks at nothing, a mover at its own pairs") {
+  Row row(1000);
+  row.step();
+  const scene::Move there{row.bodies[500], row.scene.pose(row.bodies[500])};
+  CHECK(row.step({{there}}).counts.moved == 0);
+  const scene::Move nudge{row.bodies[500], at(0.99F * 500, 0.01F)};
+  const StepResult result = row.step({{nudge}});
+  CHECK(result.counts.moved == 1);
+  CHECK(result.counts.left_boxes == 0);
+  CHECK(result.counts.pairs.collided == 2);
+  CHECK(result.contacts.size() == 999);
+}
+
+TEST_CASE("a pair proven separated is skipped until it has moved by its margin") {
+  Row row(0);
+  const auto add = [&](float x) {
+    return std::get<BodyHandle>(row.scene.add(row.shape, at(x, 0)));
+  };
+  add(0);
+  const BodyHandle b = add(1.1F);
+  CHECK(row.step().counts.proofs == 1);
+  CHECK(row.step({{{b, at(1.05F, 0)}}}).counts.pairs.separated == 1);
+  CHECK(row.step({{{b, at(1.01F, 0)}}}).counts.pairs.separated == 1);
+  const StepResult touching = row.step({{{b, at(1, 0)}}});
+  CHECK(touching.counts.pairs.collided == 1);
+  CHECK(touching.contacts.size() == 1);
+}
+
+TEST_CASE("the time of a step at rest has nothing to do with the bodies: no counter rises") {
+  Row row(100);
+  row.step();
+  const StepResult result = row.step();
+  CHECK(result.counts.moved == 0);
+  CHECK(result.counts.left_boxes == 0);
+  CHECK(result.counts.proofs == 0);
+  CHECK(result.counts.pairs.separated + result.counts.pairs.collided == 0);
+}
+
+TEST_CASE("bodies of every size find each other") {
+  Scene scene;
+  std::vector<BodyHandle> bodies;
+  for (int k = -20; k <= 20; k += 4) {
+    const float half = std::ldexp(1.0F, k);
+    const auto shape = std::get<std::uint32_t>(scene.add_shape(square(half)));
+    bodies.push_back(std::get<BodyHandle>(scene.add(shape, at(half / 2, half / 3))));
+  }
+  const auto result = std::get<StepResult>(scene.step({}));
+  CHECK(result.contacts.size() == bodies.size() * (bodies.size() - 1) / 2);
+}
+
+TEST_CASE("far out, where a float is wider than a body, bodies find each other") {
+  Row row(0);
+  row.scene.add(row.shape, at(1e12F, -1e15F));
+  row.scene.add(row.shape, at(1e12F, -1e15F));
+  row.scene.add(row.shape, at(-1e12F, 1e15F));
+  CHECK(row.step().contacts.size() == 1);
+}
+
+TEST_CASE("memory stays within 300 bytes a body and 200 a pair") {
+  Row row(20'000);
+  row.step();
+  std::vector<scene::Move> moves;
+  for (std::size_t i = 0; i < row.bodies.size(); ++i) {
+    moves.push_back({row.bodies[i], at(0.99F * static_cast<float>(i), 0.001F)});
+  }
+  row.step(moves);
+  CHECK(row.scene.bytes() <= 300 * row.scene.body_count() + 200 * row.scene.pair_count());
+}
+
+namespace {
+
+/// A row's contacts after a step without moves.
+std::size_t contacts_left(Row& row) {
+  return row.step().contacts.size();
+}
+
+}  // namespace
+
+TEST_CASE("a refused move leaves the scene as it was, the moves before it too") {
+  Row row(3);
+  row.step();
+  const auto refused = [&](const Pose<float>& pose) {
+    const std::vector<scene::Move> moves{{row.bodies[0], at(50, 50)}, {row.bodies[2], pose}};
+    const auto result = std::get<scene::RefusedMove>(row.scene.step(moves));
+    CHECK(result.index == 1);
+    CHECK(row.scene.pose(row.bodies[0]) == at(0, 0));
+    CHECK(contacts_left(row) == 2);
+    return result.defect;
+  };
+  CHECK(refused(at(kInfinity, 0)) == Defect::position_not_finite);
+  CHECK(refused(at(0, std::nanf(""))) == Defect::position_not_finite);
+  CHECK(refused(at(2e15F, 0)) == Defect::position_too_far);
+  CHECK(refused({{0, 0}, {1, 0.01F}}) == Defect::rotation_not_unit);
+  CHECK(refused({{0, 0}, {std::nanf(""), 0}}) == Defect::rotation_not_unit);
+}
+
+TEST_CASE("what ended waits for a step that is not refused") {
+  Row row(2);
+  row.step();
+  row.scene.remove(row.bodies[0]);
+  const std::vector<scene::Move> stale{{row.bodies[0], at(0, 0)}};
+  CHECK(std::get<scene::RefusedMove>(row.scene.step(stale)).defect == Defect::unknown_body);
+  CHECK(row.step().ended.size() == 1);
+}
+
+TEST_CASE("unknown bodies and shapes are refused") {
+  Row row(2);
+  row.step();
+  CHECK(row.scene.remove(row.bodies[0]) == std::nullopt);
+  CHECK(row.scene.remove(row.bodies[0]) == Defect::unknown_body);
+  CHECK(row.scene.remove({7, 1}) == Defect::unknown_body);
+  CHECK(row.scene.remove({}) == Defect::unknown_body);
+  CHECK(row.scene.set_shape(row.bodies[0], row.shape) == Defect::unknown_body);
+  CHECK(row.scene.set_shape(row.bodies[1], row.shape + 1) == Defect::unknown_shape);
+  CHECK(std::get<Defect>(row.scene.add(row.shape + 1, at(0, 0))) == Defect::unknown_shape);
+  CHECK(std::get<Defect>(row.scene.add(row.shape, at(kInfinity, 0))) ==
+        Defect::position_not_finite);
+  CHECK(row.scene.body_count() == 1);
+}
+
+TEST_CASE("shapes that leave rounding no room are refused") {
+  Scene scene;
+  CHECK(std::get<Defect>(scene.add_shape(square(1e16F))) == Defect::shape_too_large);
+  CHECK(std::get<Defect>(scene.add_shape(square(1, kInfinity))) == Defect::shape_too_large);
+  const std::array<Vector2<float>, 3> needle{{{0, 0}, {1, 0}, {1, 1e-5F}}};
+  CHECK(std::get<Defect>(scene.add_shape(make_polygon<float>(needle))) == Defect::shape_too_sharp);
+  CHECK(std::get<std::uint32_t>(scene.add_shape(square(1))) == 0);
+}
+
+TEST_CASE("every defect is described") {
+  for (int i = 0; i <= static_cast<int>(Defect::unknown_body); ++i) {
+    CHECK_FALSE(describe(static_cast<Defect>(i)).empty());
+  }
+}
