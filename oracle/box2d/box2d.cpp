@@ -7,36 +7,17 @@
 
 #include <box2d/b2_collision.h>
 #include <box2d/b2_common.h>
-#include <box2d/b2_polygon_shape.h>
+
+#include "oracle/box2d/shape.hpp"
 
 namespace manifuzz {
-namespace {
 
-b2Vec2 to_box2d(const Vector2<float>& v) {
-  return {v.x(), v.y()};
-}
+using box2d::to_box2d;
+
+namespace {
 
 Vector2<double> from_box2d(const b2Vec2& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
-
-b2Transform to_box2d(const Pose<float>& pose) {
-  b2Transform transform;
-  transform.p = to_box2d(pose.position);
-  transform.q.c = pose.rotation.x();
-  transform.q.s = pose.rotation.y();
-  return transform;
-}
-
-b2PolygonShape to_box2d(const ConvexPolygon<float>& polygon) {
-  b2PolygonShape shape;
-  for (int i = 0; i < polygon.count; ++i) {
-    shape.m_vertices[i] = to_box2d(polygon.vertices[i]);
-    shape.m_normals[i] = to_box2d(polygon.normals[i]);
-  }
-  shape.m_count = polygon.count;
-  shape.m_radius = polygon.radius;
-  return shape;
 }
 
 constexpr const char* kSnippet = R"(#include <box2d/box2d.h>

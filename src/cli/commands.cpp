@@ -10,12 +10,13 @@ extern const Command kJudge;
 extern const Command kList;
 extern const Command kProperty;
 extern const Command kReplay;
+extern const Command kScene;
 extern const Command kShow;
 extern const Command kShrink;
 
 std::span<const Command> commands() {
-  static const Command all[] = {kFuzz,     kReplay, kProperty, kCollide, kJudge,
-                                kGenerate, kShrink, kShow,     kBench,   kList};
+  static const Command all[] = {kFuzz,   kReplay, kProperty, kCollide, kJudge, kGenerate,
+                                kShrink, kShow,   kBench,    kScene,   kList};
   return all;
 }
 

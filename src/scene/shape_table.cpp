@@ -7,8 +7,8 @@
 namespace manifuzz::scene {
 namespace {
 
-/// More than what rounding to float takes off.
-constexpr double kRoundUp = 1 + 0x1p-22;
+/// More than rounding to float takes off.
+constexpr double kUpward = 1 + 0x1p-22;
 
 /// At corners sharper than this the padding of boxes would grow without bound.
 constexpr double kSharpnessMin = 1e-5;
@@ -48,7 +48,7 @@ std::variant<std::uint32_t, Defect> ShapeTable::add(const ConvexPolygon<float>& 
   const double length_max = static_cast<double>(kLengthMax);
   if (!(reach <= length_max) || !(polygon.radius <= kLengthMax)) return Defect::shape_too_large;
   if (!(sharpness >= kSharpnessMin)) return Defect::shape_too_sharp;
-  const float reach_up = static_cast<float>(reach * kRoundUp);
+  const float reach_up = static_cast<float>(reach * kUpward);
   facts_.push_back(
       {reach_up, polygon.radius, padding(reach_up, polygon.radius + tie_bias_, sharpness)});
   rows_.push_back(kernel::rows_of(polygon));

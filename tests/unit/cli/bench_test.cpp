@@ -7,6 +7,7 @@
 
 #include "cli/contenders.hpp"
 #include "oracle/exact/truth.hpp"
+#include "report/gnuplot.hpp"
 #include "report/plot.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "cases/shapes.hpp"
 #include "cases/ulps.hpp"
-#include "unit/scene/model.hpp"
+#include "geometry/pose.hpp"
 
 // How bodies of a model move: each a function of a seed.
 

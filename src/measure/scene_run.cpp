@@ -1,0 +1,260 @@
+#include "measure/scene_run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "kernel/batch.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// Up to so many bodies, every step is held against all pairs afresh.
+constexpr std::size_t kAfreshBodiesMax = 1000;
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+template <class Work>
+double ns_of(const Work& work) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  work();
+  return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+}
+
+/// Every pair of bodies, collided by the kernel that the scene uses.
+class Afresh {
+ public:
+  explicit Afresh(const Trajectory& trajectory) : placements_(trajectory.start) {
+    for (const auto& shape : trajectory.shapes) shapes_.add(shape);
+    const auto count = static_cast<std::uint32_t>(placements_.size());
+    for (std::uint32_t a = 0; a < count; ++a) {
+      for (std::uint32_t b = a + 1; b < count; ++b) pairs_.push_back({a, b});
+    }
+    manifolds_.resize(pairs_.size());
+  }
+
+  void move(std::span<const BodyMove> moves) {
+    for (const BodyMove& move : moves) placements_[move.body].pose = move.pose;
+  }
+
+  /// How many contacts differ; bodies' handles have their indices.
+  std::size_t mismatches(std::span<const scene::Contact> contacts) {
+    kernel::collide_pairs(shapes_, placements_, pairs_, 0, manifolds_);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, const Manifold<float>*> right;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      if (manifolds_[i].count > 0) right[{pairs_[i].a, pairs_[i].b}] = &manifolds_[i];
+    }
+    std::size_t wrong = 0;
+    for (const scene::Contact& contact : contacts) {
+      const auto found = right.find({contact.a.index, contact.b.index});
+      if (found == right.end()) {
+        ++wrong;
+        continue;
+      }
+      wrong += *found->second == contact.manifold ? 0 : 1;
+      right.erase(found);
+    }
+    return wrong + right.size();
+  }
+
+ private:
+  kernel::Shapes<float> shapes_;
+  std::vector<kernel::Placement<float>> placements_;
+  std::vector<kernel::BodyPair> pairs_;
+  std::vector<Manifold<float>> manifolds_;
+};
+
+/// The three that go through a trajectory.
+class Race {
+ public:
+  explicit Race(const Trajectory& trajectory) {
+    std::vector<Body> bodies;
+    for (const auto& shape : trajectory.shapes) scene_.add_shape(shape);
+    for (std::size_t i = 0; i < trajectory.start.size(); ++i) {
+      const auto& [shape, pose] = trajectory.start[i];
+      handles_.push_back(std::get<scene::BodyHandle>(scene_.add(shape, pose)));
+      bodies.push_back(trajectory.body(i));
+    }
+    all_ = std::make_unique<Box2dPairs>(bodies);
+    moved_ = std::make_unique<Box2dPairs>(bodies);
+    scene_.step({});
+    all_->step({}, false);
+    moved_->step({}, true);
+  }
+
+  /// The times of the scene, of all pairs and of the moved ones; who begins changes by step.
+  std::array<double, 3> step(std::span<const BodyMove> moves, std::size_t number) {
+    moves_.clear();
+    for (const BodyMove& move : moves) moves_.push_back({handles_[move.body], move.pose});
+    std::array<double, 3> ns{};
+    for (std::size_t i = 0; i < ns.size(); ++i) {
+      const std::size_t turn = (number + i) % ns.size();
+      if (turn == 0) ns[0] = ns_of([&] { take(scene_.step(moves_)); });
+      if (turn == 1) ns[1] = ns_of([&] { all_->step(moves, false); });
+      if (turn == 2) ns[2] = ns_of([&] { moved_->step(moves, true); });
+    }
+    return ns;
+  }
+
+  const scene::Scene& scene() const { return scene_; }
+  const scene::StepResult& result() const { return result_; }
+
+ private:
+  void take(const std::variant<scene::StepResult, scene::RefusedMove>& stepped) {
+    result_ = std::get<0>(stepped);
+  }
+
+  scene::Scene scene_;
+  std::vector<scene::BodyHandle> handles_;
+  std::unique_ptr<Box2dPairs> all_;
+  std::unique_ptr<Box2dPairs> moved_;
+  std::vector<scene::Move> moves_;
+  scene::StepResult result_;
+};
+
+void add_to(scene::StepCounts& sum, const scene::StepCounts& counts) {
+  sum.pairs.at_rest += counts.pairs.at_rest;
+  sum.pairs.separated += counts.pairs.separated;
+  sum.pairs.collided += counts.pairs.collided;
+  sum.pairs.candidates += counts.pairs.candidates;
+  sum.bodies += counts.bodies;
+  sum.moved += counts.moved;
+  sum.left_boxes += counts.left_boxes;
+  sum.pairs_added += counts.pairs_added;
+  sum.pairs_dropped += counts.pairs_dropped;
+  sum.proofs += counts.proofs;
+}
+
+}  // namespace
+
+SceneRun run_scene(std::string_view name, const Trajectory& trajectory) {
+  SceneRun run;
+  run.scene = name;
+  run.bodies = trajectory.start.size();
+  run.steps = trajectory.steps.size();
+  std::optional<Afresh> afresh;
+  if (run.bodies <= kAfreshBodiesMax) {
+    afresh.emplace(trajectory);
+    run.mismatches = 0;
+  }
+  Race race(trajectory);
+  std::vector<double> ns;
+  std::vector<double> over_all;
+  std::vector<double> over_moved;
+  for (std::size_t step = 0; step < run.steps; ++step) {
+    const auto& moves = trajectory.steps[step];
+    const auto [ours, all, moved] = race.step(moves, step);
+    ns.push_back(ours);
+    over_all.push_back(all / ours);
+    over_moved.push_back(moved / ours);
+    add_to(run.counts, race.result().counts);
+    if (!afresh) continue;
+    afresh->move(moves);
+    *run.mismatches += afresh->mismatches(race.result().contacts);
+  }
+  run.ns_per_step = median(ns);
+  run.speedup_over_all = median(over_all);
+  run.speedup_over_moved = median(over_moved);
+  run.contacts = race.result().contacts.size();
+  run.pairs = race.scene().pair_count();
+  run.bytes = race.scene().bytes();
+  return run;
+}
+
+Frame last_frame(const Trajectory& trajectory) {
+  Frame frame;
+  for (std::size_t i = 0; i < trajectory.start.size(); ++i) {
+    frame.bodies.push_back(trajectory.body(i));
+  }
+  for (const auto& moves : trajectory.steps) {
+    for (const BodyMove& move : moves) frame.bodies[move.body].pose = move.pose;
+  }
+  scene::Scene scene;
+  for (const auto& shape : trajectory.shapes) scene.add_shape(shape);
+  for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+    scene.add(trajectory.start[i].shape, frame.bodies[i].pose);
+  }
+  const auto stepped = scene.step({});
+  for (const scene::Contact& contact : std::get<0>(stepped).contacts) {
+    const Pose<float>& a = frame.bodies[contact.a.index].pose;
+    for (int i = 0; i < contact.manifold.count; ++i) {
+      const Vector2<float>& local = contact.manifold.points[i].position;
+      frame.contacts.push_back(transform(a, local).cast<double>());
+    }
+  }
+  return frame;
+}
+
+nlohmann::ordered_json row_json(const SceneRun& run) {
+  const scene::StepCounts& counts = run.counts;
+  nlohmann::ordered_json json{{"scene", run.scene},
+                              {"bodies", run.bodies},
+                              {"steps", run.steps},
+                              {"ns_per_step", run.ns_per_step},
+                              {"speedup_over_all", run.speedup_over_all},
+                              {"speedup_over_moved", run.speedup_over_moved},
+                              {"moved", counts.moved},
+                              {"left_boxes", counts.left_boxes},
+                              {"candidates", counts.pairs.candidates},
+                              {"at_rest", counts.pairs.at_rest},
+                              {"separated", counts.pairs.separated},
+                              {"collided", counts.pairs.collided},
+                              {"proofs", counts.proofs},
+                              {"contacts", run.contacts},
+                              {"pairs", run.pairs},
+                              {"bytes", run.bytes}};
+  json["mismatches"] = nullptr;
+  if (run.mismatches) json["mismatches"] = *run.mismatches;
+  return json;
+}
+
+std::string rows_table(const std::vector<SceneRun>& runs) {
+  std::string text = fmt::format(
+      "{:<14} {:>7} {:>11} {:>7} {:>8} {:>9} {:>7} {:>7} {:>7} {:>10} {:>8} {:>6} {:>10}\n",
+      "scene", "bodies", "us a step", "x all", "x moved", "pairs", "% rest", "% apart", "% run",
+      "% contacts", "% proofs", "bytes", "mismatches");
+  for (const SceneRun& run : runs) {
+    const auto pairs = static_cast<double>(std::max<std::size_t>(1, run.counts.pairs.candidates));
+    const auto share = [&](std::size_t part) { return 100 * static_cast<double>(part) / pairs; };
+    text += fmt::format(
+        "{:<14} {:>7} {:>11.2f} {:>7.2f} {:>8.2f} {:>9} {:>7.1f} {:>7.1f} {:>7.1f} {:>10.1f} "
+        "{:>8.1f} {:>6.0f} {:>10}\n",
+        run.scene, run.bodies, run.ns_per_step / 1000, run.speedup_over_all, run.speedup_over_moved,
+        run.pairs, share(run.counts.pairs.at_rest), share(run.counts.pairs.separated),
+        share(run.counts.pairs.collided), share(run.contacts * run.steps), share(run.counts.proofs),
+        static_cast<double>(run.bytes) / static_cast<double>(run.bodies),
+        run.mismatches ? std::to_string(*run.mismatches) : "-");
+  }
+  return text;
+}
+
+std::optional<double> fitted_exponent(const std::vector<std::pair<double, double>>& points) {
+  double mean_x = 0;
+  double mean_y = 0;
+  const auto count = static_cast<double>(points.size());
+  for (const auto& [x, y] : points) {
+    mean_x += std::log(x) / count;
+    mean_y += std::log(y) / count;
+  }
+  double above = 0;
+  double below = 0;
+  for (const auto& [x, y] : points) {
+    const double off = std::log(x) - mean_x;
+    above += off * (std::log(y) - mean_y);
+    below += off * off;
+  }
+  if (!(below > 0)) return std::nullopt;
+  return above / below;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "measure/trajectory.hpp"
+#include "scene/scene.hpp"
+
+namespace manifuzz {
+
+/// A trajectory gone through by a scene and by both baselines, step by step in turn: Box2D's broad
+/// phase and its `b2CollidePolygons` on every pair (all), or on those of which a body moved
+/// (moved).
+struct SceneRun {
+  std::string scene;
+  std::size_t bodies = 0;
+  std::size_t steps = 0;
+  double ns_per_step = 0;         ///< the median of the steps
+  double speedup_over_all = 0;    ///< the median of the steps' ratios
+  double speedup_over_moved = 0;  ///< likewise
+  scene::StepCounts counts;       ///< sums over the steps
+  std::size_t contacts = 0;       ///< after the last step
+  std::size_t pairs = 0;          ///< candidates after the last step
+  std::size_t bytes = 0;          ///< of bodies and pairs, after the last step
+  /// Contacts that are not as colliding every pair afresh gives them, over all steps; none where
+  /// there are too many bodies for that.
+  std::optional<std::size_t> mismatches;
+};
+
+/// The first step, in which everything is new, is not counted.
+SceneRun run_scene(std::string_view name, const Trajectory& trajectory);
+
+/// Bodies in the world, and the points where they touch.
+struct Frame {
+  std::vector<Body> bodies;
+  std::vector<Vector2<double>> contacts;
+};
+
+/// As a trajectory leaves them.
+Frame last_frame(const Trajectory& trajectory);
+
+/// A row as the JSON has it.
+nlohmann::ordered_json row_json(const SceneRun& run);
+
+/// All rows for people.
+std::string rows_table(const std::vector<SceneRun>& runs);
+
+/// The exponent k of y ~ x^k that fits points best, in logarithms; none for fewer than two x.
+std::optional<double> fitted_exponent(const std::vector<std::pair<double, double>>& points);
+
+}  // namespace manifuzz

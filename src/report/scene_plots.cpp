@@ -1,0 +1,42 @@
+#include "report/scene_plots.hpp"
+
+#include <fmt/format.h>
+
+#include "report/gnuplot.hpp"
+
+namespace manifuzz {
+
+void write_scaling_plot(const std::string& path, const std::vector<ScalingLine>& lines) {
+  std::string data;
+  std::string plot;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    data += fmt::format("$line{} << END\n", i);
+    for (const auto& [bodies, ns] : lines[i].points) data += fmt::format("{} {}\n", bodies, ns);
+    data += "END\n";
+    plot += fmt::format("{}$line{} using 1:2 with linespoints linewidth 2 pointtype 7 title \"{}\"",
+                        i == 0 ? "plot " : ", ", i, lines[i].name);
+  }
+  draw_by_gnuplot(path,
+                  "set title \"Time of a step against bodies\"\nset xlabel \"bodies\"\n"
+                  "set ylabel \"ns a step\"\nset logscale xy\nset format xy \"10^{%T}\"\n"
+                  "set grid\nset key outside right noenhanced\n" +
+                      data + plot + '\n');
+}
+
+void write_skip_plot(const std::string& path, const std::vector<SkipBar>& bars) {
+  std::string rows;
+  for (const SkipBar& bar : bars) {
+    rows += fmt::format("\"{}\" {} {} {}\n", bar.name, bar.at_rest, bar.separated, bar.collided);
+  }
+  draw_by_gnuplot(path,
+                  "set title \"Where candidate pairs went\"\nset ylabel \"% of candidate pairs\"\n"
+                  "set yrange [0:100]\nset style data histograms\nset style histogram rowstacked\n"
+                  "set style fill solid 0.9\nset boxwidth 0.7\nset xtics rotate by -30 noenhanced\n"
+                  "set key outside right\nset grid y\n$bars << END\n" +
+                      rows +
+                      "END\nplot $bars using 2:xtic(1) title \"at rest\" linecolor '#d0d0d0', "
+                      "$bars using 3 title \"proven separated\" linecolor '#8fb3d9', "
+                      "$bars using 4 title \"collided\" linecolor '#1f4e79'\n");
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "geometry/manifold.hpp"
+
+// A scene as its tests see it: the project's own, or a copy with a bug planted into it.
+
+namespace manifuzz::test {
+
+inline constexpr float kTieBias = 0.0005F;
+
+struct Handle {
+  std::uint32_t index = 0;
+  std::uint32_t generation = 0;
+
+  friend bool operator==(const Handle&, const Handle&) = default;
+};
+
+struct Moved {
+  Handle body;
+  Pose<float> pose;
+};
+
+struct Touching {
+  Handle a;
+  Handle b;
+  Manifold<float> manifold;
+};
+
+struct Stepped {
+  std::vector<Touching> contacts;
+  std::vector<std::uint32_t> began;
+  std::vector<std::array<Handle, 2>> ended;
+  std::size_t stayed = 0;
+  std::size_t pairs_counted = 0;  ///< all the reasons' counters, summed
+  std::size_t candidates = 0;
+};
+
+class AnyScene {
+ public:
+  virtual ~AnyScene() = default;
+  virtual void add_shape(const ConvexPolygon<float>& polygon) = 0;
+  virtual Handle add(std::uint32_t shape, const Pose<float>& pose) = 0;
+  virtual void remove(const Handle& body) = 0;
+  virtual void set_shape(const Handle& body, std::uint32_t shape) = 0;
+  virtual std::optional<Stepped> step(const std::vector<Moved>& moves) = 0;
+};
+
+using MakeScene = std::unique_ptr<AnyScene> (*)();
+
+/// `Api` names a scene's types.
+template <class Api>
+class Adapted : public AnyScene {
+ public:
+  static std::unique_ptr<AnyScene> make() { return std::make_unique<Adapted>(); }
+
+  void add_shape(const ConvexPolygon<float>& polygon) override { scene_.add_shape(polygon); }
+  Handle add(std::uint32_t shape, const Pose<float>& pose) override {
+    return plain(std::get<Own>(scene_.add(shape, pose)));
+  }
+  void remove(const Handle& body) override { scene_.remove(own(body)); }
+  void set_shape(const Handle& body, std::uint32_t shape) override {
+    scene_.set_shape(own(body), shape);
+  }
+  std::optional<Stepped> step(const std::vector<Moved>& moves) override {
+    std::vector<typename Api::Move> own_moves;
+    for (const Moved& moved : moves) own_moves.push_back({own(moved.body), moved.pose});
+    const auto stepped = scene_.step(own_moves);
+    const auto* const result = std::get_if<0>(&stepped);
+    if (result == nullptr) return std::nullopt;
+    const auto& pairs = result->counts.pairs;
+    Stepped plainly{{},
+                    {result->began.begin(), result->began.end()},
+                    {},
+                    result->stayed,
+                    pairs.at_rest + pairs.separated + pairs.collided,
+                    pairs.candidates};
+    for (const auto& c : result->contacts) {
+      plainly.contacts.push_back({plain(c.a), plain(c.b), c.manifold});
+    }
+    for (const auto& ended : result->ended) {
+      plainly.ended.push_back({plain(ended.a), plain(ended.b)});
+    }
+    return plainly;
+  }
+
+ private:
+  using Own = typename Api::BodyHandle;
+  static Own own(const Handle& handle) { return {handle.index, handle.generation}; }
+  static Handle plain(const Own& handle) { return {handle.index, handle.generation}; }
+
+  typename Api::Scene scene_{kTieBias};
+};
+
+}  // namespace manifuzz::test

@@ -1,0 +1,90 @@
+#include "unit/scene/crowd.hpp"
+
+#include "unit/scene/model.hpp"
+#include "unit/scene/motion.hpp"
+
+namespace manifuzz::test {
+namespace {
+
+constexpr std::size_t kCrowdBodies = 100;
+constexpr int kCrowdSteps = 60;
+
+/// How a body of the crowd goes on, while nothing happens to it.
+struct Course {
+  Vector2<float> by{0, 0};
+  Vector2<double> turn{1, 0};
+};
+
+Course course(Random& random) {
+  Course course;
+  if (random.chance(0.4)) return course;  // rests
+  const double length = random.magnitude(-16, -3);
+  course.by = (length * random_direction(random)).cast<float>();
+  if (random.chance(0.5)) course.turn = turn_by(random.either_sign(random.magnitude(-16, -4)));
+  return course;
+}
+
+class Crowd {
+ public:
+  Crowd(MakeScene make, std::uint64_t seed) : random_(seed, "crowd", 0), subject_(make) {
+    for (std::size_t i = 0; i < kCrowdBodies; ++i) add();
+  }
+
+  /// What is wrong after some steps, if anything.
+  std::optional<std::string> run() {
+    for (int step = 0; step < kCrowdSteps; ++step) {
+      for (const std::size_t body : model_.alive()) advance(body);
+      if (const auto complaint = subject_.step(model_)) {
+        return "step " + std::to_string(step) + ": " + *complaint;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void add() {
+    const std::uint32_t shape = any_shape();
+    Pose<float> pose = anywhere(random_.bits());
+    pose.position *= 3;
+    model_.bodies.push_back({true, shape, pose});
+    subject_.add(shape, pose);
+    courses_.push_back(course(random_));
+  }
+
+  std::uint32_t any_shape() {
+    static const int last = static_cast<int>(shapes_for_scenes().size()) - 1;
+    return static_cast<std::uint32_t>(random_.integer(0, last));
+  }
+
+  void advance(std::size_t body) {
+    Model::Body& b = model_.bodies[body];
+    if (random_.chance(0.01)) {
+      b.alive = false;
+      subject_.remove(body);
+      return add();
+    }
+    if (random_.chance(0.01)) {
+      b.shape = any_shape();
+      subject_.scene->set_shape(subject_.handles[body], b.shape);
+    }
+    if (random_.chance(0.02)) courses_[body] = course(random_);
+    const Course& on = courses_[body];
+    if (on.by == Vector2<float>(0, 0)) return;
+    b.pose.position += on.by;
+    b.pose.rotation = unit(rotate<double>(on.turn, b.pose.rotation.cast<double>())).cast<float>();
+    subject_.moves.push_back({subject_.handles[body], b.pose});
+  }
+
+  Random random_;
+  Model model_;
+  Subject subject_;
+  std::vector<Course> courses_;
+};
+
+}  // namespace
+
+std::optional<std::string> crowd_complaint(MakeScene make, std::uint64_t seed) {
+  return Crowd(make, seed).run();
+}
+
+}  // namespace manifuzz::test

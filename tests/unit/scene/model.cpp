@@ -1,0 +1,162 @@
+#include "unit/scene/model.hpp"
+
+#include <bit>
+#include <map>
+
+#include "cases/placing.hpp"
+#include "kernel/batch.hpp"
+
+namespace manifuzz::test {
+namespace {
+
+using Contacts = std::map<Ordinals, Manifold<float>>;
+
+bool same_bits(float x, float y) {
+  return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
+}
+
+bool same_bits(const Vector2<float>& v, const Vector2<float>& w) {
+  return same_bits(v.x(), w.x()) && same_bits(v.y(), w.y());
+}
+
+bool same_bits(const Manifold<float>& m, const Manifold<float>& n) {
+  if (m.count != n.count || m.reference != n.reference || !same_bits(m.normal, n.normal)) {
+    return false;
+  }
+  for (int i = 0; i < m.count; ++i) {
+    const ContactPoint<float>& p = m.points[i];
+    const ContactPoint<float>& q = n.points[i];
+    if (!same_bits(p.position, q.position) || !same_bits(p.depth, q.depth) ||
+        !(p.features == q.features)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Ordinals ordered(const Subject& subject, std::size_t i, std::size_t j) {
+  const bool in_order = subject.handles[i].index < subject.handles[j].index;
+  return in_order ? Ordinals{i, j} : Ordinals{j, i};
+}
+
+/// All pairs of bodies by the kernel, nothing skipped.
+Contacts afresh(const Subject& subject, const Model& model) {
+  static const kernel::Shapes<float> shapes = [] {
+    kernel::Shapes<float> all;
+    for (const auto& shape : shapes_for_scenes()) all.add(shape);
+    return all;
+  }();
+  std::vector<kernel::Placement<float>> placements;
+  for (const Model::Body& body : model.bodies) placements.push_back({body.shape, body.pose});
+  std::vector<kernel::BodyPair> pairs;
+  const auto alive = model.alive();
+  for (std::size_t i = 0; i < alive.size(); ++i) {
+    for (std::size_t j = i + 1; j < alive.size(); ++j) {
+      const auto [a, b] = ordered(subject, alive[i], alive[j]);
+      pairs.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+    }
+  }
+  std::vector<Manifold<float>> manifolds(pairs.size());
+  kernel::collide_pairs(shapes, placements, pairs, kTieBias, manifolds);
+  Contacts contacts;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (manifolds[i].count > 0) contacts[{pairs[i].a, pairs[i].b}] = manifolds[i];
+  }
+  return contacts;
+}
+
+/// The bodies that had these handles, the removed ones too.
+std::optional<Ordinals> ordinals_of(const Subject& subject, const Handle& a, const Handle& b) {
+  const auto find = [&](const Handle& handle) {
+    std::size_t i = subject.handles.size();
+    while (i > 0 && !(subject.handles[i - 1] == handle)) --i;
+    return i;
+  };
+  const Ordinals found{find(a), find(b)};
+  if (found[0] == 0 || found[1] == 0) return std::nullopt;
+  return Ordinals{found[0] - 1, found[1] - 1};
+}
+
+/// What is wrong with what began, stayed and ended, and with the counters.
+std::optional<std::string> changes_complaint(const Subject& subject, const Stepped& stepped,
+                                             const std::set<Ordinals>& now) {
+  std::set<Ordinals> began;
+  for (const std::uint32_t i : stepped.began) {
+    if (i >= stepped.contacts.size()) return "a begin that is none";
+    began.insert(*ordinals_of(subject, stepped.contacts[i].a, stepped.contacts[i].b));
+  }
+  for (const Ordinals& pair : began) {
+    if (subject.touching.count(pair) > 0) return "a contact begins again";
+  }
+  std::set<Ordinals> expected = subject.touching;
+  expected.insert(began.begin(), began.end());
+  for (const auto& [a, b] : stepped.ended) {
+    const auto pair = ordinals_of(subject, a, b);
+    if (!pair || expected.erase(*pair) == 0) return "an end that was none";
+  }
+  if (expected != now) return "begun and ended do not lead from the contacts before to these";
+  if (stepped.stayed + began.size() != now.size()) return "the contacts that stayed";
+  if (stepped.pairs_counted != stepped.candidates || stepped.candidates < now.size()) {
+    return "the counters do not add up";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const std::vector<ConvexPolygon<float>>& shapes_for_scenes() {
+  static const std::vector<ConvexPolygon<float>> shapes = [] {
+    std::vector<ConvexPolygon<float>> all;
+    const auto add = [&](const Outline& outline, float radius) {
+      if (const auto polygon = rounded(outline, radius)) all.push_back(*polygon);
+    };
+    add(box(0.5, 0.5), 0);
+    add(box(3, 0.05), 0);
+    add(stretched(regular_outline(3), 1, 0.001), 0);
+    add(box(0.25, 0.5), 0.01F);
+    for (int count = kMinVertices; count <= kMaxVertices; ++count) {
+      Random random(1, "scene shapes", static_cast<std::uint64_t>(count));
+      const float radius = count % 2 == 0 ? 0.0F : 0.02F;
+      add(stretched(random_outline(random, count), 0.5, 0.5), radius);
+    }
+    add(moved(box(0.2, 0.2), {1, 1}), 0);  // its origin lies outside
+    add(box(0.2, 0.3), 0.3F);              // more skin than flesh
+    return all;
+  }();
+  return shapes;
+}
+
+Subject::Subject(MakeScene make) : scene(make()) {
+  for (const auto& shape : shapes_for_scenes()) scene->add_shape(shape);
+}
+
+void Subject::add(std::uint32_t shape, const Pose<float>& pose) {
+  handles.push_back(scene->add(shape, pose));
+}
+
+void Subject::remove(std::size_t ordinal) {
+  std::erase_if(moves, [&](const Moved& moved) { return moved.body == handles[ordinal]; });
+  scene->remove(handles[ordinal]);
+}
+
+std::optional<std::string> Subject::step(const Model& model) {
+  const std::optional<Stepped> stepped = scene->step(moves);
+  moves.clear();
+  if (!stepped) return "the step is refused";
+  std::set<Ordinals> now;
+  const Contacts right = afresh(*this, model);
+  for (const Touching& contact : stepped->contacts) {
+    const auto pair = ordinals_of(*this, contact.a, contact.b);
+    if (!pair) return "a contact of nobody";
+    const auto found = right.find(*pair);
+    if (found == right.end()) return "a contact that is none";
+    if (!same_bits(found->second, contact.manifold)) return "another manifold";
+    if (!now.insert(*pair).second) return "a contact twice";
+  }
+  if (now.size() != right.size()) return "a contact is missing";
+  const auto complaint = changes_complaint(*this, *stepped, now);
+  touching = std::move(now);
+  return complaint;
+}
+
+}  // namespace manifuzz::test
