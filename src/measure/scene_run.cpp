@@ -74,51 +74,74 @@ class Afresh {
   std::vector<Manifold<float>> manifolds_;
 };
 
+/// A scene with a trajectory's bodies, which have the same indices there.
+class Player {
+ public:
+  explicit Player(const Trajectory& trajectory) {
+    for (const auto& shape : trajectory.shapes) scene_.add_shape(shape);
+    for (const auto& [shape, pose] : trajectory.start) {
+      handles_.push_back(std::get<scene::BodyHandle>(scene_.add(shape, pose)));
+    }
+    step({});
+  }
+
+  /// Valid until the next one.
+  const scene::StepResult& step(std::span<const BodyMove> moves) {
+    prepare(moves);
+    return step_prepared();
+  }
+
+  void prepare(std::span<const BodyMove> moves) {
+    moves_.clear();
+    for (const BodyMove& move : moves) moves_.push_back({handles_[move.body], move.pose});
+  }
+  const scene::StepResult& step_prepared() {
+    const auto stepped = scene_.step(moves_);
+    result_ = std::get<scene::StepResult>(stepped);
+    return result_;
+  }
+
+  const scene::Scene& scene() const { return scene_; }
+
+ private:
+  scene::Scene scene_;
+  std::vector<scene::BodyHandle> handles_;
+  std::vector<scene::Move> moves_;
+  scene::StepResult result_;
+};
+
 /// The three that go through a trajectory.
 class Race {
  public:
-  explicit Race(const Trajectory& trajectory) {
+  explicit Race(const Trajectory& trajectory) : ours_(trajectory) {
     std::vector<Body> bodies;
-    for (const auto& shape : trajectory.shapes) scene_.add_shape(shape);
-    for (std::size_t i = 0; i < trajectory.start.size(); ++i) {
-      const auto& [shape, pose] = trajectory.start[i];
-      handles_.push_back(std::get<scene::BodyHandle>(scene_.add(shape, pose)));
-      bodies.push_back(trajectory.body(i));
-    }
+    for (std::size_t i = 0; i < trajectory.start.size(); ++i) bodies.push_back(trajectory.body(i));
     all_ = std::make_unique<Box2dPairs>(bodies);
     moved_ = std::make_unique<Box2dPairs>(bodies);
-    scene_.step({});
     all_->step({}, false);
     moved_->step({}, true);
   }
 
   /// The times of the scene, of all pairs and of the moved ones; who begins changes by step.
   std::array<double, 3> step(std::span<const BodyMove> moves, std::size_t number) {
-    moves_.clear();
-    for (const BodyMove& move : moves) moves_.push_back({handles_[move.body], move.pose});
+    ours_.prepare(moves);
     std::array<double, 3> ns{};
     for (std::size_t i = 0; i < ns.size(); ++i) {
       const std::size_t turn = (number + i) % ns.size();
-      if (turn == 0) ns[0] = ns_of([&] { take(scene_.step(moves_)); });
+      if (turn == 0) ns[0] = ns_of([&] { result_ = ours_.step_prepared(); });
       if (turn == 1) ns[1] = ns_of([&] { all_->step(moves, false); });
       if (turn == 2) ns[2] = ns_of([&] { moved_->step(moves, true); });
     }
     return ns;
   }
 
-  const scene::Scene& scene() const { return scene_; }
+  const scene::Scene& scene() const { return ours_.scene(); }
   const scene::StepResult& result() const { return result_; }
 
  private:
-  void take(const std::variant<scene::StepResult, scene::RefusedMove>& stepped) {
-    result_ = std::get<0>(stepped);
-  }
-
-  scene::Scene scene_;
-  std::vector<scene::BodyHandle> handles_;
+  Player ours_;
   std::unique_ptr<Box2dPairs> all_;
   std::unique_ptr<Box2dPairs> moved_;
-  std::vector<scene::Move> moves_;
   scene::StepResult result_;
 };
 
@@ -135,6 +158,18 @@ void add_to(scene::StepCounts& sum, const scene::StepCounts& counts) {
   sum.proofs += counts.proofs;
 }
 
+/// Apart from what is timed: it would empty the caches.
+std::size_t mismatches(const Trajectory& trajectory) {
+  Player player(trajectory);
+  Afresh afresh(trajectory);
+  std::size_t sum = 0;
+  for (const auto& moves : trajectory.steps) {
+    afresh.move(moves);
+    sum += afresh.mismatches(player.step(moves).contacts);
+  }
+  return sum;
+}
+
 }  // namespace
 
 SceneRun run_scene(std::string_view name, const Trajectory& trajectory) {
@@ -142,11 +177,7 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory) {
   run.scene = name;
   run.bodies = trajectory.start.size();
   run.steps = trajectory.steps.size();
-  std::optional<Afresh> afresh;
-  if (run.bodies <= kAfreshBodiesMax) {
-    afresh.emplace(trajectory);
-    run.mismatches = 0;
-  }
+  if (run.bodies <= kAfreshBodiesMax) run.mismatches = mismatches(trajectory);
   Race race(trajectory);
   std::vector<double> ns;
   std::vector<double> over_all;
@@ -158,9 +189,6 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory) {
     over_all.push_back(all / ours);
     over_moved.push_back(moved / ours);
     add_to(run.counts, race.result().counts);
-    if (!afresh) continue;
-    afresh->move(moves);
-    *run.mismatches += afresh->mismatches(race.result().contacts);
   }
   run.ns_per_step = median(ns);
   run.speedup_over_all = median(over_all);
@@ -179,13 +207,10 @@ Frame last_frame(const Trajectory& trajectory) {
   for (const auto& moves : trajectory.steps) {
     for (const BodyMove& move : moves) frame.bodies[move.body].pose = move.pose;
   }
-  scene::Scene scene;
-  for (const auto& shape : trajectory.shapes) scene.add_shape(shape);
-  for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
-    scene.add(trajectory.start[i].shape, frame.bodies[i].pose);
-  }
-  const auto stepped = scene.step({});
-  for (const scene::Contact& contact : std::get<0>(stepped).contacts) {
+  Player player(trajectory);
+  scene::StepResult last;
+  for (const auto& moves : trajectory.steps) last = player.step(moves);
+  for (const scene::Contact& contact : last.contacts) {
     const Pose<float>& a = frame.bodies[contact.a.index].pose;
     for (int i = 0; i < contact.manifold.count; ++i) {
       const Vector2<float>& local = contact.manifold.points[i].position;

@@ -1,0 +1,64 @@
+#include "measure/scene_run.hpp"
+
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace manifuzz;
+
+TEST_CASE("scene goes through every scene, with the contacts of all pairs afresh") {
+  const test::TemporaryFolder folder;
+  const std::string json = (folder.path() / "scene.json").string();
+  const std::string frame = (folder.path() / "frame.svg").string();
+  const auto outcome = test::run_manifuzz(
+      {"scene", "--bodies", "60", "--steps", "5", "--json", json, "--frame", frame});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto report = nlohmann::json::parse(std::ifstream(json));
+  REQUIRE(report.at("rows").size() == scene_specs().size());
+  for (const auto& row : report.at("rows")) {
+    CAPTURE(row.at("scene"));
+    CHECK(row.at("bodies") == 60);
+    CHECK(row.at("mismatches") == 0);
+    const auto count = [&](const char* name) { return row.at(name).get<std::size_t>(); };
+    CHECK(count("at_rest") + count("separated") + count("collided") == count("candidates"));
+  }
+  std::ifstream svg(frame);
+  const std::string text{std::istreambuf_iterator<char>(svg), {}};
+  CHECK(text.find("class=\"contact\"") != std::string::npos);
+}
+
+TEST_CASE("scene refuses what it does not know") {
+  const auto unknown = test::run_manifuzz({"scene", "--scene", "avalanche"});
+  CHECK(unknown.status == 2);
+  CHECK(unknown.err.find("there is no 'avalanche'; there are pile") != std::string::npos);
+  CHECK(test::run_manifuzz({"scene", "--bodies", "3"}).status == 2);
+  CHECK(test::run_manifuzz({"scene", "--scaling", "plot.pdf"}).status == 2);
+}
+
+TEST_CASE("a scene has the bodies that were asked for, the same each time") {
+  for (const SceneSpec& spec : scene_specs()) {
+    CAPTURE(spec.name);
+    for (const std::size_t bodies : {20, 600}) {
+      const Trajectory once = spec.make(bodies, 3);
+      const Trajectory twice = spec.make(bodies, 3);
+      CHECK(once.start.size() == bodies);
+      REQUIRE(once.steps.size() == 3);
+      for (std::size_t step = 0; step < 3; ++step) {
+        REQUIRE(once.steps[step].size() == twice.steps[step].size());
+        for (std::size_t i = 0; i < once.steps[step].size(); ++i) {
+          CHECK(once.steps[step][i].body == twice.steps[step][i].body);
+          CHECK(once.steps[step][i].pose == twice.steps[step][i].pose);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("the fitted exponent is that of a power") {
+  CHECK(*fitted_exponent({{1, 2}, {2, 8}, {4, 32}}) == Approx(2));
+  CHECK(!fitted_exponent({{3, 1}}));
+}
