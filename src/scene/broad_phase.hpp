@@ -4,16 +4,18 @@
 
 namespace manifuzz::scene {
 
-/// How far a box is fattened, as a share of its body's reach.
+/// How far a box is fattened all round, as a share of its body's reach; and ahead, in steps like
+/// the one that left the box, but no farther than the reach.
 inline constexpr float kFatShare = 0.1F;
+inline constexpr float kFatSteps = 4;
 
 /// Bodies by fattened boxes: only those that left theirs are looked at. What overlaps is a
 /// candidate pair.
 class BroadPhase {
  public:
   /// Brings a body's padded box up to date; true where it left its fattened box (or had none),
-  /// which is then drawn afresh, fattened by `margin`.
-  bool update(std::uint32_t body, const Box& box, float margin);
+  /// which is then drawn afresh.
+  bool update(std::uint32_t body, const Box& box, float reach);
 
   /// Does nothing to a body that was never updated.
   void remove(std::uint32_t body);
@@ -30,10 +32,13 @@ class BroadPhase {
     });
   }
 
-  std::size_t bytes() const { return fat_boxes_.capacity() * sizeof(Box) + grid_.bytes(); }
+  std::size_t bytes() const {
+    return (fat_boxes_.capacity() + boxes_.capacity()) * sizeof(Box) + grid_.bytes();
+  }
 
  private:
   std::vector<Box> fat_boxes_;  // by body
+  std::vector<Box> boxes_;      // by body, as they last were
   Grid grid_;
 };
 

@@ -42,7 +42,7 @@ void Scene::find_candidates() {
     const auto& [shape, pose] = placements_[body];
     const ShapeFacts& facts = shapes_.facts(shape);
     const Box box = padded_box(shapes_.rows(shape), pose, facts.padding);
-    if (!broad_phase_.update(body, box, kFatShare * facts.reach)) continue;
+    if (!broad_phase_.update(body, box, facts.reach)) continue;
     changes_[body] = kLeftBox;
     ++counts_.left_boxes;
   }

@@ -1,9 +1,8 @@
-#include "measure/scene_run.hpp"
-
 #include <fstream>
 
 #include <catch2/catch.hpp>
 
+#include "measure/scene_run.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 

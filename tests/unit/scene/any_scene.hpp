@@ -37,7 +37,9 @@ struct Stepped {
   std::vector<std::uint32_t> began;
   std::vector<std::array<Handle, 2>> ended;
   std::size_t stayed = 0;
-  std::size_t pairs_counted = 0;  ///< all the reasons' counters, summed
+  std::size_t at_rest = 0;
+  std::size_t separated = 0;
+  std::size_t collided = 0;
   std::size_t candidates = 0;
 };
 
@@ -78,7 +80,9 @@ class Adapted : public AnyScene {
                     {result->began.begin(), result->began.end()},
                     {},
                     result->stayed,
-                    pairs.at_rest + pairs.separated + pairs.collided,
+                    pairs.at_rest,
+                    pairs.separated,
+                    pairs.collided,
                     pairs.candidates};
     for (const auto& c : result->contacts) {
       plainly.contacts.push_back({plain(c.a), plain(c.b), c.manifold});

@@ -96,7 +96,9 @@ std::optional<std::string> changes_complaint(const Subject& subject, const Stepp
   }
   if (expected != now) return "begun and ended do not lead from the contacts before to these";
   if (stepped.stayed + began.size() != now.size()) return "the contacts that stayed";
-  if (stepped.pairs_counted != stepped.candidates || stepped.candidates < now.size()) {
+  const std::size_t looked_at = stepped.separated + stepped.collided;
+  if (stepped.at_rest > stepped.candidates || stepped.candidates < now.size() ||
+      stepped.at_rest + looked_at != stepped.candidates) {
     return "the counters do not add up";
   }
   return std::nullopt;
