@@ -75,7 +75,7 @@ TEST_CASE("a count that rose or fell by more than 3% fails, and says how to upda
   CHECK(guard(stored(kCounted, 970)).outcome.status == 1);
 }
 
-TEST_CASE("--update stores what is counted") {
+TEST_CASE("an update stores what is counted") {
   const Guarded guarded = guard(stored(1), {"--update"});
   CHECK(guarded.outcome.status == 0);
   CHECK(guarded.counts == stored(kCounted));
