@@ -7,6 +7,7 @@
 #include "kernel/batch.cpp"
 #include "kernel/cure.cpp"
 #include "kernel/packed.cpp"
+#include "kernel/shape_rows.cpp"
 #include "kernel/shapes.cpp"
 
 namespace manifuzz {
