@@ -23,8 +23,14 @@ PointError error_of(const ContactPoint<double>& reported, const exact::Located<F
           std::abs(exact::leading((Fine(reported.depth) - truth.depth).value))};
 }
 
-MeasuredError against(const Manifold<double>& manifold, const exact::Clip& clip,
-                      const Admissible& right) {
+double largest(const PlainError& share) {
+  return std::max({share.normal, share.position, share.depth});
+}
+
+}  // namespace
+
+MeasuredError error_against(const Manifold<double>& manifold, const exact::Clip& clip,
+                            const Admissible& right) {
   MeasuredError worst;
   worst.clip = &clip;
   const auto normal = exact::true_normal<Fine>(right.pair(), clip.reference);
@@ -49,27 +55,28 @@ MeasuredError against(const Manifold<double>& manifold, const exact::Clip& clip,
   return worst;
 }
 
-double largest(const PlainError& share) {
-  return std::max({share.normal, share.position, share.depth});
-}
-
-}  // namespace
-
 PlainError plain_error(const Manifold<double>& manifold, const Admissible& right) {
   const bool may_be_empty = right.may_be_apart || !right.may_touch;
   if (manifold.count == 0 && may_be_empty) return {};
   if (manifold.count == 0 || right.candidates.empty()) {
     return {.normal = 0, .position = 0, .depth = right.from_contact()};
   }
-  std::optional<PlainError> nearest;
+  const auto nearest = nearest_error(manifold, right);
+  return nearest ? nearest->error : PlainError{};
+}
+
+std::optional<MeasuredError> nearest_error(const Manifold<double>& manifold,
+                                           const Admissible& right) {
+  const auto distance = [](const MeasuredError& measured) {
+    return measured.error.position + measured.error.depth;
+  };
+  std::optional<MeasuredError> nearest;
   for (const exact::Clip* clip : right.candidates) {
-    if (clip->count == 0) continue;
-    const PlainError error = against(manifold, *clip, right).error;
-    if (!nearest || error.position + error.depth < nearest->position + nearest->depth) {
-      nearest = error;
-    }
+    if (manifold.count == 0 || clip->count == 0) continue;
+    const MeasuredError measured = error_against(manifold, *clip, right);
+    if (!nearest || distance(measured) < distance(*nearest)) nearest = measured;
   }
-  return nearest.value_or(PlainError{});
+  return nearest;
 }
 
 std::optional<MeasuredError> measure_error(const Manifold<double>& manifold,
@@ -77,7 +84,7 @@ std::optional<MeasuredError> measure_error(const Manifold<double>& manifold,
   std::optional<MeasuredError> nearest;
   for (const exact::Clip* clip : right.candidates) {
     if (manifold.count == 0 || mismatch(manifold, *clip, right).kind != Kind::none) continue;
-    const MeasuredError measured = against(manifold, *clip, right);
+    const MeasuredError measured = error_against(manifold, *clip, right);
     if (!nearest || largest(measured.share) < largest(nearest->share)) nearest = measured;
   }
   return nearest;

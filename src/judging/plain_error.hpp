@@ -20,8 +20,17 @@ struct MeasuredError {
   const exact::Clip* clip = nullptr;  ///< the right manifold that it was held against
 };
 
+/// Of a manifold with points against one clip that has some.
+MeasuredError error_against(const Manifold<double>& manifold, const exact::Clip& clip,
+                            const Admissible& right);
+
 /// Of a manifold with points that is one of the right ones; values are known to well past double.
 std::optional<MeasuredError> measure_error(const Manifold<double>& manifold,
+                                           const Admissible& right);
+
+/// Of any manifold with points, right or wrong, against the clip nearest to it; none where nothing
+/// may touch.
+std::optional<MeasuredError> nearest_error(const Manifold<double>& manifold,
                                            const Admissible& right);
 
 /// The largest error of any manifold, right or wrong, against the clip nearest to it: a contact

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "measure/stress.hpp"
+
+namespace manifuzz {
+
+/// The first value of a sweep's knob at which a contestant is broken; none where it never is, as
+/// far as was measured.
+std::optional<double> breaking_point(const StressPlan& plan, const StressResult& result,
+                                     const Sweep& sweep, std::size_t contestant);
+
+/// Sweep by collider: breaking points; then the walks. For people.
+std::string stress_table(const StressPlan& plan, const StressResult& result);
+
+/// The arrays "sweeps" and "walks".
+nlohmann::ordered_json stress_sweeps_json(const StressPlan& plan, const StressResult& result);
+nlohmann::ordered_json stress_walks_json(const StressPlan& plan, const StressResult& result);
+
+/// Every step with commas, a heading first.
+std::string stress_csv(const StressPlan& plan, const StressResult& result);
+
+}  // namespace manifuzz

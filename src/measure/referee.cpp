@@ -1,0 +1,146 @@
+#include "measure/referee.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "judging/judge.hpp"
+#include "judging/outside.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// To float; what is beyond it, or no number, is the largest float.
+float bounded(double value) {
+  constexpr float most = std::numeric_limits<float>::max();
+  return value < static_cast<double>(most) ? static_cast<float>(value) : most;
+}
+
+FigureErrors figures(const PlainError& error, double length) {
+  return {bounded(error.depth / length), bounded(error.position / length), bounded(error.normal)};
+}
+
+double roundoff_of(ScalarType scalar) {
+  return scalar == ScalarType::float32 ? 0x1p-24 : 0x1p-53;
+}
+
+bool is_gross(const FigureErrors& of_size) {
+  constexpr auto gross = static_cast<float>(kGrossShare);
+  return of_size.depth > gross || of_size.position > gross || of_size.normal > gross;
+}
+
+Finding finding_of(const Mismatch& mismatch, const Measured& measured) {
+  switch (mismatch.kind) {
+    case Kind::none:
+    case Kind::features:
+      return Finding::right;
+    case Kind::missed_contact:
+      return Finding::missed;
+    case Kind::phantom_contact:
+      return Finding::phantom;
+    case Kind::count:
+      return Finding::wrong_count;
+    default:
+      return is_gross(measured.of_size) ? Finding::gross : Finding::right;
+  }
+}
+
+}  // namespace
+
+Referee::Ruling& Referee::ruling_for(const Declaration& declaration) {
+  for (const auto& ruling : rulings_) {
+    if (ruling->scalar == declaration.scalar && ruling->frame == declaration.frame &&
+        ruling->tie_bias == declaration.tie_bias) {
+      return *ruling;
+    }
+  }
+  Declaration in_a_frame = declaration;
+  in_a_frame.frame = RoundingFrame::local;
+  rulings_.push_back(std::make_unique<Ruling>(Ruling{
+      declaration.scalar, declaration.frame, declaration.tie_bias, admissible(truth_, declaration),
+      bounds(truth_->pair(), in_a_frame, truth_->extent())}));
+  return *rulings_.back();
+}
+
+const Admissible& Referee::right_for(const Declaration& declaration) {
+  return ruling_for(declaration).right;
+}
+
+double Referee::tolerance_for(const Declaration& declaration) {
+  return std::min(ruling_for(declaration).right.bounds.separation, kGrossShare * truth_->size());
+}
+
+bool Referee::is_ill_posed_for(const Declaration& declaration) {
+  return is_ill_posed(truth_->size(), ruling_for(declaration).in_a_frame);
+}
+
+Answer Referee::heard(const Declaration& declaration, Answer answer) {
+  if (std::holds_alternative<PartialManifold>(answer)) {
+    answer = completed(std::move(answer), ruling_for(declaration).right);
+  }
+  const auto* const manifold = std::get_if<Manifold<double>>(&answer);
+  if (manifold == nullptr || is_well_formed(truth_->pair(), *manifold)) return answer;
+  return Lost{Lost::How::malformed, {}};
+}
+
+Measured Referee::measure(const Declaration& declaration, const Answer& answer) {
+  if (std::holds_alternative<Unsupported>(answer)) return {.finding = Finding::unsupported};
+  const auto* const manifold = std::get_if<Manifold<double>>(&answer);
+  if (manifold == nullptr) {
+    return {.finding = Finding::lost, .wrongness = std::numeric_limits<float>::max()};
+  }
+  if (is_ill_posed_for(declaration)) return {.finding = Finding::ill_posed};
+  Measured measured = measure(ruling_for(declaration), declaration, *manifold);
+  if (measured.finding == Finding::missed || measured.finding == Finding::phantom) {
+    measured.wrongness = bounded(ruling_for(declaration).right.from_contact() / truth_->size());
+  } else if (is_wrong(measured.finding)) {
+    measured.wrongness = std::max(measured.of_size.depth, measured.of_size.position);
+  }
+  return measured;
+}
+
+const Manifold<double>& Referee::truth_for(const Declaration& declaration) {
+  Ruling& ruling = ruling_for(declaration);
+  if (ruling.of_truth) return *ruling.of_truth;
+  if (truth_->compare_contact(0) > 0) return ruling.of_truth.emplace();
+  const Side side = truth_->compare_lead_of_b(declaration.tie_bias) > 0 ? Side::b : Side::a;
+  const exact::FaceOf face = truth_->greatest(side);
+  const exact::Clip& clip = truth_->clip(face, truth_->incident_edges(face, 0).front());
+  return ruling.of_truth.emplace(true_manifold(truth_->pair(), clip));
+}
+
+Measured Referee::measure(const Ruling& ruling, const Declaration& declaration,
+                          const Manifold<double>& manifold) {
+  Measured measured;
+  const double tolerance = tolerance_for(declaration);
+  if (manifold.count == 0) {
+    const bool overlaps = truth_->compare_separation(-tolerance) < 0;
+    measured.finding =
+        overlaps ? Finding::missed : finding_of(mismatch(manifold, ruling.right), {});
+    return measured;
+  }
+  auto error = measure_error(manifold, ruling.right);
+  const bool is_right = error.has_value();
+  if (!is_right) error = nearest_error(manifold, ruling.right);
+  if (error) {
+    Admissible in_a_frame = ruling.right;
+    in_a_frame.bounds = ruling.in_a_frame;
+    const MeasuredError of_input = error_against(manifold, *error->clip, in_a_frame);
+    const double worse = std::max(error->error.depth, error->error.position);
+    measured.has_errors = true;
+    measured.of_size = figures(error->error, truth_->size());
+    measured.of_bound = figures(of_input.share, 1);
+    measured.of_extent = bounded(worse / (roundoff_of(declaration.scalar) * truth_->extent()));
+  }
+  if (truth_->compare_contact(tolerance) > 0) {
+    measured.finding = Finding::phantom;
+  } else if (!is_right) {
+    measured.finding = finding_of(mismatch(manifold, ruling.right), measured);
+  }
+  return measured;
+}
+
+Manifold<double> rounded_once(const Manifold<double>& truth) {
+  return manifold_cast<double>(manifold_cast<float>(truth));
+}
+
+}  // namespace manifuzz
