@@ -65,12 +65,8 @@ const Admissible& Referee::right_for(const Declaration& declaration) {
   return ruling_for(declaration).right;
 }
 
-double Referee::tolerance_for(const Declaration& declaration) {
-  return std::min(ruling_for(declaration).right.bounds.separation, kGrossShare * truth_->size());
-}
-
-bool Referee::is_ill_posed_for(const Declaration& declaration) {
-  return is_ill_posed(truth_->size(), ruling_for(declaration).in_a_frame);
+double Referee::tolerance_of(const Ruling& ruling) const {
+  return std::min(ruling.right.bounds.separation, kGrossShare * truth_->size());
 }
 
 Answer Referee::heard(const Declaration& declaration, Answer answer) {
@@ -88,13 +84,14 @@ Measured Referee::measure(const Declaration& declaration, const Answer& answer) 
   if (manifold == nullptr) {
     return {.finding = Finding::lost, .wrongness = std::numeric_limits<float>::max()};
   }
-  if (is_ill_posed_for(declaration)) return {.finding = Finding::ill_posed};
-  Measured measured = measure(ruling_for(declaration), declaration, *manifold);
-  if (measured.finding == Finding::missed || measured.finding == Finding::phantom) {
-    measured.wrongness = bounded(ruling_for(declaration).right.from_contact() / truth_->size());
-  } else if (is_wrong(measured.finding)) {
-    measured.wrongness = std::max(measured.of_size.depth, measured.of_size.position);
-  }
+  Ruling& ruling = ruling_for(declaration);
+  const auto before =
+      std::ranges::find(ruling.measured, *manifold, &std::pair<Manifold<double>, Measured>::first);
+  if (before != ruling.measured.end()) return before->second;
+  const bool decides = !is_ill_posed(truth_->size(), ruling.in_a_frame);
+  const Measured measured =
+      decides ? measure(ruling, *manifold) : Measured{.finding = Finding::ill_posed};
+  ruling.measured.emplace_back(*manifold, measured);
   return measured;
 }
 
@@ -108,33 +105,41 @@ const Manifold<double>& Referee::truth_for(const Declaration& declaration) {
   return ruling.of_truth.emplace(true_manifold(truth_->pair(), clip));
 }
 
-Measured Referee::measure(const Ruling& ruling, const Declaration& declaration,
-                          const Manifold<double>& manifold) {
+Measured Referee::errors_of(const Ruling& ruling, const Manifold<double>& manifold,
+                            bool& is_right) {
+  auto error = measure_error(manifold, ruling.right, fine_);
+  is_right = error.has_value();
+  if (!is_right) error = nearest_error(manifold, ruling.right, fine_);
+  if (!error) return {};
+  Admissible in_a_frame = ruling.right;
+  in_a_frame.bounds = ruling.in_a_frame;
+  const MeasuredError of_input =
+      ruling.frame == RoundingFrame::local
+          ? *error
+          : error_against(manifold, fine_.of(truth_->pair(), *error->clip), in_a_frame);
+  const double worse = std::max(error->error.depth, error->error.position);
+  return {.has_errors = true,
+          .of_size = figures(error->error, truth_->size()),
+          .of_bound = figures(of_input.share, 1),
+          .of_extent = bounded(worse / (roundoff_of(ruling.scalar) * truth_->extent()))};
+}
+
+Measured Referee::measure(Ruling& ruling, const Manifold<double>& manifold) {
+  const double tolerance = tolerance_of(ruling);
   Measured measured;
-  const double tolerance = tolerance_for(declaration);
-  if (manifold.count == 0) {
-    const bool overlaps = truth_->compare_separation(-tolerance) < 0;
-    measured.finding =
-        overlaps ? Finding::missed : finding_of(mismatch(manifold, ruling.right), {});
-    return measured;
-  }
-  auto error = measure_error(manifold, ruling.right);
-  const bool is_right = error.has_value();
-  if (!is_right) error = nearest_error(manifold, ruling.right);
-  if (error) {
-    Admissible in_a_frame = ruling.right;
-    in_a_frame.bounds = ruling.in_a_frame;
-    const MeasuredError of_input = error_against(manifold, *error->clip, in_a_frame);
-    const double worse = std::max(error->error.depth, error->error.position);
-    measured.has_errors = true;
-    measured.of_size = figures(error->error, truth_->size());
-    measured.of_bound = figures(of_input.share, 1);
-    measured.of_extent = bounded(worse / (roundoff_of(declaration.scalar) * truth_->extent()));
-  }
-  if (truth_->compare_contact(tolerance) > 0) {
+  bool is_right = false;
+  if (manifold.count > 0) measured = errors_of(ruling, manifold, is_right);
+  if (manifold.count == 0 && truth_->compare_separation(-tolerance) < 0) {
+    measured.finding = Finding::missed;
+  } else if (manifold.count > 0 && truth_->compare_contact(tolerance) > 0) {
     measured.finding = Finding::phantom;
   } else if (!is_right) {
     measured.finding = finding_of(mismatch(manifold, ruling.right), measured);
+  }
+  if (measured.finding == Finding::missed || measured.finding == Finding::phantom) {
+    measured.wrongness = bounded(ruling.right.from_contact() / truth_->size());
+  } else if (is_wrong(measured.finding)) {
+    measured.wrongness = std::max(measured.of_size.depth, measured.of_size.position);
   }
   return measured;
 }

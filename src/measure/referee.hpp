@@ -60,12 +60,6 @@ class Referee {
   const exact::Truth& truth() const { return *truth_; }
   /// What is right for such a collider, found once for all that declare alike.
   const Admissible& right_for(const Declaration& declaration);
-  /// Missed and phantom contacts are beyond the separation's bound, or beyond 1% of the size where
-  /// the bound is wider: no distance from the origin excuses more.
-  double tolerance_for(const Declaration& declaration);
-  /// Whether it finds out at all: bounds in A's frame, whatever frame it rounds in.
-  bool is_ill_posed_for(const Declaration& declaration);
-
   /// The answer as it is measured: a partial manifold completed, nonsense lost.
   Answer heard(const Declaration& declaration, Answer answer);
   /// Of an answer that was heard.
@@ -84,12 +78,19 @@ class Referee {
     Admissible right;
     Bounds in_a_frame;
     std::optional<Manifold<double>> of_truth{};
+    /// Colliders that declare alike often answer alike.
+    std::vector<std::pair<Manifold<double>, Measured>> measured{};
   };
   Ruling& ruling_for(const Declaration& declaration);
-  Measured measure(const Ruling& ruling, const Declaration& declaration,
-                   const Manifold<double>& manifold);
+  Measured measure(Ruling& ruling, const Manifold<double>& manifold);
+  Measured errors_of(const Ruling& ruling, const Manifold<double>& manifold, bool& is_right);
+
+  /// Missed and phantom contacts are beyond the separation's bound, or beyond 1% of the size where
+  /// the bound is wider: no distance from the origin excuses more.
+  double tolerance_of(const Ruling& ruling) const;
 
   std::shared_ptr<const exact::Truth> truth_;
+  FineClips fine_;
   std::vector<std::unique_ptr<Ruling>> rulings_;
 };
 
