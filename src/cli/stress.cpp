@@ -16,6 +16,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/parties.hpp"
+#include "cli/stress_pictures.hpp"
 #include "cli/stress_report.hpp"
 #include "kernel/target.hpp"
 #include "report/provenance.hpp"
@@ -38,6 +39,7 @@ struct Options {
   bool quick = false;
   std::string json;
   std::string csv;
+  std::string pictures;
 };
 
 void choose_sweeps(const std::vector<std::string>& names, StressPlan& plan) {
@@ -145,6 +147,7 @@ int stress(const Options& options) {
       options.json.empty() ? "" : report_json(plan, result).dump(1, '\t') + '\n';
   if (!options.csv.empty()) write_file(options.csv, stress_csv(plan, result));
   if (!options.json.empty() && options.json != "-") write_file(options.json, text);
+  if (!options.pictures.empty()) write_stress_pictures(options.pictures, plan, result);
   const std::string note = result.interrupted ? "interrupted: what was measured until then\n" : "";
   write_to_reader(options.json == "-" ? text : note + stress_table(plan, result));
   return 0;
@@ -172,6 +175,10 @@ Run define(CLI::App& app) {
   app.add_option("--json", options->json, "every step as JSON, to a file or - for stdout")
       ->type_name("FILE");
   app.add_option("--csv", options->csv, "every step with commas")->type_name("FILE");
+  app.add_option("--pictures", options->pictures,
+                 "error against each sweep's knob, DIR/SWEEP.svg and DIR/SWEEP.png")
+      ->type_name("DIR")
+      ->check(not_blank);
   return [options] { return stress(*options); };
 }
 
