@@ -1,6 +1,7 @@
 #include "measure/stress.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -11,6 +12,7 @@
 #include "cases/file.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
+#include "cli/breaking_points.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
@@ -18,6 +20,7 @@
 #include "cli/parties.hpp"
 #include "cli/stress_pictures.hpp"
 #include "cli/stress_report.hpp"
+#include "cli/stress_save.hpp"
 #include "kernel/target.hpp"
 #include "report/provenance.hpp"
 
@@ -40,6 +43,9 @@ struct Options {
   std::string json;
   std::string csv;
   std::string pictures;
+  std::string save;
+  std::string baseline;
+  std::string store;
 };
 
 void choose_sweeps(const std::vector<std::string>& names, StressPlan& plan) {
@@ -77,7 +83,9 @@ std::vector<Contestant> contestants_of(const Options& options) {
   if (chosen.empty()) {
     for (const ColliderEntry& entry : colliders()) {
       try {
-        chosen.push_back(entry.make());
+        Collider collider = entry.make();
+        if (options.quick && collider.is_isolated()) continue;
+        chosen.push_back(std::move(collider));
       } catch (const UserError& error) {
         write_error(fmt::format("left out: {}\n", error.what()));
       }
@@ -133,8 +141,30 @@ nlohmann::ordered_json report_json(const StressPlan& plan, const StressResult& r
   return json;
 }
 
+/// What a run found is saved, even after it was interrupted; a second signal ends the saving.
+void save(const StressPlan& plan, const StressResult& result, const std::string& folder) {
+  Interruption interruption;
+  const ProgressLine line;
+  const std::string corpus = std::filesystem::proximate(folder).string();
+  save_worst(plan, result, corpus, interruption,
+             [&](const std::string& name) { line.show("saving " + name); });
+}
+
+void write_files(const StressPlan& plan, const StressResult& result, const Options& options,
+                 const std::string& json) {
+  if (!options.csv.empty()) write_file(options.csv, stress_csv(plan, result));
+  if (!options.json.empty() && options.json != "-") write_file(options.json, json);
+  if (!options.pictures.empty()) write_stress_pictures(options.pictures, plan, result);
+  if (!options.save.empty()) save(plan, result, options.save);
+  if (options.store.empty()) return;
+  if (result.interrupted) throw UserError("--store: interrupted, nothing is stored");
+  write_file(options.store, breaking_points_json(plan, result).dump(1, '\t') + '\n');
+}
+
 int stress(const Options& options) {
   const StressPlan plan = plan_of(options);
+  nlohmann::ordered_json stored;
+  if (!options.baseline.empty()) stored = read_breaking_points(options.baseline, plan);
   StressResult result;
   {
     Interruption interruption;
@@ -145,12 +175,14 @@ int stress(const Options& options) {
   }
   const std::string text =
       options.json.empty() ? "" : report_json(plan, result).dump(1, '\t') + '\n';
-  if (!options.csv.empty()) write_file(options.csv, stress_csv(plan, result));
-  if (!options.json.empty() && options.json != "-") write_file(options.json, text);
-  if (!options.pictures.empty()) write_stress_pictures(options.pictures, plan, result);
-  const std::string note = result.interrupted ? "interrupted: what was measured until then\n" : "";
-  write_to_reader(options.json == "-" ? text : note + stress_table(plan, result));
-  return 0;
+  write_files(plan, result, options, text);
+  std::string report = result.interrupted ? "interrupted: what was measured until then\n" : "";
+  report += stress_table(plan, result);
+  std::vector<std::string> worse;
+  if (!options.baseline.empty()) worse = moved_down(plan, result, stored);
+  if (!worse.empty()) report += fmt::format("\nworse than stored:\n{}\n", fmt::join(worse, "\n"));
+  write_to_reader(options.json == "-" ? text : report);
+  return worse.empty() ? 0 : 1;
 }
 
 Run define(CLI::App& app) {
@@ -171,13 +203,26 @@ Run define(CLI::App& app) {
   add_whole_number(app, "--frames", options->frames, "a walk; 1000000 if not given", 1);
   add_whole_number(app, "--seed", options->seed, "what the cases hang on; 1 if not given");
   add_whole_number(app, "--jobs", options->jobs, "how many processes; one a core if not given", 1);
-  app.add_flag("--quick", options->quick, "fewer cases, in less than 20 s");
+  app.add_flag(
+      "--quick", options->quick,
+      "fewer cases, and no collider in a process of its own unless it is named: less than 20 s");
   app.add_option("--json", options->json, "every step as JSON, to a file or - for stdout")
       ->type_name("FILE");
   app.add_option("--csv", options->csv, "every step with commas")->type_name("FILE");
   app.add_option("--pictures", options->pictures,
                  "error against each sweep's knob, DIR/SWEEP.svg and DIR/SWEEP.png")
       ->type_name("DIR")
+      ->check(not_blank);
+  app.add_option("--save", options->save,
+                 "a corpus for the worst: wrong cases shrunk, and clip's worst of every sweep")
+      ->type_name("DIR")
+      ->check(not_blank);
+  app.add_option("--baseline", options->baseline,
+                 "breaking points that were stored: none may have moved down")
+      ->type_name("FILE")
+      ->check(not_blank);
+  app.add_option("--store", options->store, "stores the breaking points, for --baseline")
+      ->type_name("FILE")
       ->check(not_blank);
   return [options] { return stress(*options); };
 }

@@ -18,7 +18,7 @@ PlotLine line_of(const Sweep& sweep, const Contestant& contestant,
                  const std::vector<StepTally>& steps) {
   PlotLine line{.name = contestant.name, .points = {}, .breaks_at = {}};
   line.is_ideal = contestant.name == kIdealName;
-  if (line.is_ideal) line.name = "ideal: truth rounded to float";
+  if (line.is_ideal) line.name = "the truth, rounded to float";
   const auto breaking = breaking_step(steps);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const bool breaks_here = i == breaking && !line.is_ideal;

@@ -1,7 +1,6 @@
 #include "cli/stress_report.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -40,16 +39,20 @@ Json figures_json(const FigureSpreads& figures) {
           {"normal", spread_json(figures.normal)}};
 }
 
+Json counts_json(const StepTally& step) {
+  return {{"cases", step.cases},
+          {"unsupported", step.unsupported},
+          {"ill_posed", step.ill_posed},
+          {"contacts", step.contacts},
+          {"missed", step.missed},
+          {"phantom", step.phantom},
+          {"wrong_count", step.wrong_count},
+          {"gross", step.gross},
+          {"lost", step.lost}};
+}
+
 Json step_json(const StepTally& step) {
-  Json json{{"cases", step.cases},
-            {"unsupported", step.unsupported},
-            {"ill_posed", step.ill_posed},
-            {"contacts", step.contacts},
-            {"missed", step.missed},
-            {"phantom", step.phantom},
-            {"wrong_count", step.wrong_count},
-            {"gross", step.gross},
-            {"lost", step.lost}};
+  Json json = counts_json(step);
   json.update(figures_json(step.of_size));
   json["of_bound"] = figures_json(step.of_bound);
   json["roundoffs_of_extent"] = spread_json(step.of_extent);
@@ -133,13 +136,6 @@ std::string walk_rows(const StressPlan& plan, const StressResult& result, const 
 
 }  // namespace
 
-std::optional<double> breaking_point(const StressPlan& plan, const StressResult& result,
-                                     const Sweep& sweep, std::size_t contestant) {
-  static_cast<void>(plan);
-  const auto step = breaking_step(result.steps(sweep, contestant));
-  return step ? std::optional(sweep.values[*step]) : std::nullopt;
-}
-
 std::string stress_table(const StressPlan& plan, const StressResult& result) {
   std::string text;
   if (!plan.sweeps.empty()) {
@@ -170,10 +166,13 @@ Json stress_sweeps_json(const StressPlan& plan, const StressResult& result) {
     for (std::size_t i = 0; i < plan.contestants.size(); ++i) {
       if (plan.contestants[i].walks_only) continue;
       const auto steps = result.steps(*sweep, i);
-      const auto point = breaking_point(plan, result, *sweep, i);
-      Json row{{"sweep", sweep->name},   {"collider", plan.contestants[i].name},
-               {"unit", sweep->unit},    {"breaking_point", point ? Json(*point) : Json()},
-               {"steps", Json::array()}, {"worst", worst_json(plan, *sweep, steps)}};
+      const auto breaking = breaking_step(steps);
+      Json row{{"sweep", sweep->name},
+               {"collider", plan.contestants[i].name},
+               {"unit", sweep->unit},
+               {"breaking_point", breaking ? Json(sweep->values[*breaking]) : Json()},
+               {"steps", Json::array()},
+               {"worst", worst_json(plan, *sweep, steps)}};
       for (std::size_t k = 0; k < steps.size(); ++k) {
         Json step{{"x", sweep->values[k]}};
         step.update(step_json(steps[k]));
@@ -197,7 +196,7 @@ Json stress_walks_json(const StressPlan& plan, const StressResult& result) {
                {"flickers", changes_json(tally->walk.flickers)},
                {"jumps", changes_json(tally->walk.jumps)},
                {"features", changes_json(tally->walk.features)}};
-      row.update(step_json(*tally));
+      row.update(counts_json(*tally));
       rows.push_back(std::move(row));
     }
   }

@@ -8,11 +8,6 @@
 
 namespace manifuzz {
 
-/// The first value of a sweep's knob at which a contestant is broken; none where it never is, as
-/// far as was measured.
-std::optional<double> breaking_point(const StressPlan& plan, const StressResult& result,
-                                     const Sweep& sweep, std::size_t contestant);
-
 /// Sweep by collider: breaking points; then the walks. For people.
 std::string stress_table(const StressPlan& plan, const StressResult& result);
 

@@ -28,19 +28,19 @@ bool is_gross(const FigureErrors& of_size) {
   return of_size.depth > gross || of_size.position > gross || of_size.normal > gross;
 }
 
-Finding finding_of(const Mismatch& mismatch, const Measured& measured) {
+Assessment assessment_of(const Mismatch& mismatch, const Measured& measured) {
   switch (mismatch.kind) {
     case Kind::none:
     case Kind::features:
-      return Finding::right;
+      return Assessment::right;
     case Kind::missed_contact:
-      return Finding::missed;
+      return Assessment::missed;
     case Kind::phantom_contact:
-      return Finding::phantom;
+      return Assessment::phantom;
     case Kind::count:
-      return Finding::wrong_count;
+      return Assessment::wrong_count;
     default:
-      return is_gross(measured.of_size) ? Finding::gross : Finding::right;
+      return is_gross(measured.of_size) ? Assessment::gross : Assessment::right;
   }
 }
 
@@ -79,10 +79,10 @@ Answer Referee::heard(const Declaration& declaration, Answer answer) {
 }
 
 Measured Referee::measure(const Declaration& declaration, const Answer& answer) {
-  if (std::holds_alternative<Unsupported>(answer)) return {.finding = Finding::unsupported};
+  if (std::holds_alternative<Unsupported>(answer)) return {.assessment = Assessment::unsupported};
   const auto* const manifold = std::get_if<Manifold<double>>(&answer);
   if (manifold == nullptr) {
-    return {.finding = Finding::lost, .wrongness = std::numeric_limits<float>::max()};
+    return {.assessment = Assessment::lost, .wrongness = std::numeric_limits<float>::max()};
   }
   Ruling& ruling = ruling_for(declaration);
   const auto before =
@@ -90,7 +90,7 @@ Measured Referee::measure(const Declaration& declaration, const Answer& answer) 
   if (before != ruling.measured.end()) return before->second;
   const bool decides = !is_ill_posed(truth_->size(), ruling.in_a_frame);
   const Measured measured =
-      decides ? measure(ruling, *manifold) : Measured{.finding = Finding::ill_posed};
+      decides ? measure(ruling, *manifold) : Measured{.assessment = Assessment::ill_posed};
   ruling.measured.emplace_back(*manifold, measured);
   return measured;
 }
@@ -130,15 +130,15 @@ Measured Referee::measure(Ruling& ruling, const Manifold<double>& manifold) {
   bool is_right = false;
   if (manifold.count > 0) measured = errors_of(ruling, manifold, is_right);
   if (manifold.count == 0 && truth_->compare_separation(-tolerance) < 0) {
-    measured.finding = Finding::missed;
+    measured.assessment = Assessment::missed;
   } else if (manifold.count > 0 && truth_->compare_contact(tolerance) > 0) {
-    measured.finding = Finding::phantom;
+    measured.assessment = Assessment::phantom;
   } else if (!is_right) {
-    measured.finding = finding_of(mismatch(manifold, ruling.right), measured);
+    measured.assessment = assessment_of(mismatch(manifold, ruling.right), measured);
   }
-  if (measured.finding == Finding::missed || measured.finding == Finding::phantom) {
+  if (measured.assessment == Assessment::missed || measured.assessment == Assessment::phantom) {
     measured.wrongness = bounded(ruling.right.from_contact() / truth_->size());
-  } else if (is_wrong(measured.finding)) {
+  } else if (is_wrong(measured.assessment)) {
     measured.wrongness = std::max(measured.of_size.depth, measured.of_size.position);
   }
   return measured;

@@ -14,7 +14,7 @@ namespace manifuzz {
 inline constexpr double kGrossShare = 0.01;
 
 /// What an answer comes to.
-enum class Finding {
+enum class Assessment {
   unsupported,
   ill_posed,    ///< not even in A's frame do the collider's roundoffs leave 95% of the size
   right,        ///< nothing is wrong with it but its errors
@@ -33,7 +33,7 @@ struct FigureErrors {
 };
 
 struct Measured {
-  Finding finding = Finding::right;
+  Assessment assessment = Assessment::right;
   bool has_errors = false;  ///< it has points, and there is something to hold them against
   FigureErrors of_size{};   ///< as shares of the size; the normal's a length
   /// As shares of the bounds that a collider of its scalar has in A's frame: of what the input
@@ -48,8 +48,8 @@ struct Measured {
 };
 
 /// Whether that is against the collider.
-inline bool is_wrong(Finding finding) {
-  return finding > Finding::right;
+inline bool is_wrong(Assessment assessment) {
+  return assessment > Assessment::right;
 }
 
 /// All that is right for one case, for colliders of several declarations.

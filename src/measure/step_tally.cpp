@@ -40,23 +40,23 @@ FigureSpreads spreads_of(const Contacts& contacts, const FiguresOf& figures_of) 
           spread(&FigureErrors::normal)};
 }
 
-std::uint64_t* count_of(StepTally& tally, Finding finding) {
-  switch (finding) {
-    case Finding::unsupported:
+std::uint64_t* count_of(StepTally& tally, Assessment assessment) {
+  switch (assessment) {
+    case Assessment::unsupported:
       return &tally.unsupported;
-    case Finding::ill_posed:
+    case Assessment::ill_posed:
       return &tally.ill_posed;
-    case Finding::missed:
+    case Assessment::missed:
       return &tally.missed;
-    case Finding::phantom:
+    case Assessment::phantom:
       return &tally.phantom;
-    case Finding::wrong_count:
+    case Assessment::wrong_count:
       return &tally.wrong_count;
-    case Finding::gross:
+    case Assessment::gross:
       return &tally.gross;
-    case Finding::lost:
+    case Assessment::lost:
       return &tally.lost;
-    case Finding::right:
+    case Assessment::right:
       break;
   }
   return nullptr;
@@ -66,18 +66,20 @@ std::uint64_t* count_of(StepTally& tally, Finding finding) {
 
 void StepCollector::add(std::uint64_t index, const Measured& measured) {
   ++counts_.cases;
-  if (std::uint64_t* const count = count_of(counts_, measured.finding)) ++*count;
-  if (is_wrong(measured.finding) && measured.wrongness > worst_wrongness_) {
-    worst_wrongness_ = measured.wrongness;
+  if (std::uint64_t* const count = count_of(counts_, measured.assessment)) ++*count;
+  const bool is_first = is_wrong(measured.assessment) && counts_.wrong() == 1;
+  if (is_first || (is_wrong(measured.assessment) && measured.wrongness > counts_.wrongness)) {
+    counts_.wrongness = measured.wrongness;
     counts_.worst_wrong = index;
   }
   if (!measured.has_errors) return;
-  contacts_.push_back({index, measured.of_size, measured.of_bound, measured.of_extent});
+  ++counts_.contacts;
+  if (errors_ == Errors::kept)
+    contacts_.push_back({index, measured.of_size, measured.of_bound, measured.of_extent});
 }
 
 StepTally StepCollector::tally() const {
   StepTally tally = counts_;
-  tally.contacts = contacts_.size();
   tally.of_size = spreads_of(contacts_, [](const Contact& c) { return c.of_size; });
   tally.of_bound = spreads_of(contacts_, [](const Contact& c) { return c.of_bound; });
   tally.of_extent = spread_of(contacts_, [](const Contact& c) { return c.of_extent; });

@@ -52,6 +52,7 @@ struct StepTally {
   FigureSpreads of_bound;
   Spread of_extent;
   std::uint64_t worst_wrong = 0;  ///< the case of the wrong answer that is farthest off
+  float wrongness = 0;            ///< how far, as a share of the size
   WalkTally walk;
 
   std::uint64_t well_posed() const { return cases - unsupported - ill_posed; }
@@ -61,18 +62,21 @@ struct StepTally {
 /// Collects what a collider is measured by, case by case.
 class StepCollector {
  public:
+  enum class Errors { kept, counted };  ///< counted alone: no spreads, and no memory for them
+  explicit StepCollector(Errors errors = Errors::kept) : errors_(errors) {}
+
   void add(std::uint64_t index, const Measured& measured);
   StepTally tally() const;
 
  private:
   struct Contact {
-    std::uint64_t index;
+    std::uint64_t index;  ///< of the case
     FigureErrors of_size;
     FigureErrors of_bound;
     float of_extent;
   };
+  Errors errors_;
   StepTally counts_;
-  float worst_wrongness_ = -1;
   std::vector<Contact> contacts_;
 };
 

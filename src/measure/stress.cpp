@@ -15,7 +15,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kPollSeconds = 0.1;
-constexpr double kSilentSecondsMax = 10;  ///< over a case, and over adding up a unit
+constexpr double kSilentSecondsMax = 30;  ///< over a case, and over adding up a unit
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();

@@ -35,7 +35,7 @@ struct Seat {
   std::size_t number = 0;
   std::vector<Answer> answers{};  ///< to a block, of one in a process of its own
   bool has_given_up = false;      ///< in its own process it does nothing but die
-  StepCollector collector{};
+  StepCollector collector;
   WalkWatch watch{};
 };
 
@@ -94,10 +94,13 @@ bool LostCases::has(std::size_t contestant, std::uint64_t index) const {
 bool run_unit(const StressPlan& plan, const Unit& unit, UnitDesk& desk,
               const std::function<bool()>& go_on,
               const std::function<void(std::uint64_t)>& on_cases, StepTally* tallies) {
+  const auto errors =
+      unit.walk != nullptr ? StepCollector::Errors::counted : StepCollector::Errors::kept;
   std::vector<Seat> seats;
   for (std::size_t i = 0; i < plan.contestants.size(); ++i) {
     if (unit.walk == nullptr && plan.contestants[i].walks_only) continue;
-    seats.push_back({.contestant = &plan.contestants[i], .number = i});
+    seats.push_back(
+        {.contestant = &plan.contestants[i], .number = i, .collector = StepCollector(errors)});
   }
   CaseSource source(plan, unit);
   const std::uint64_t total = cases_of(plan, unit);
