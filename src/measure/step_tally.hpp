@@ -15,12 +15,16 @@ struct Spread {
   float p999 = 0;
   float max = 0;
   std::uint64_t worst = 0;  ///< the case of the largest, the first of equals
+
+  friend bool operator==(const Spread&, const Spread&) = default;
 };
 
 struct FigureSpreads {
   Spread depth;
   Spread position;
   Spread normal;
+
+  friend bool operator==(const FigureSpreads&, const FigureSpreads&) = default;
 };
 
 /// Changes from one frame of a walk to the next that the truth does not ask for.
@@ -28,6 +32,8 @@ struct Changes {
   std::uint64_t with_margin = 0;   ///< what decides was beyond the bound in both frames
   std::uint64_t within_bound = 0;  ///< rounding may decide
   std::uint64_t first = 0;         ///< the frame of the first with margin
+
+  friend bool operator==(const Changes&, const Changes&) = default;
 };
 
 struct WalkTally {
@@ -35,6 +41,8 @@ struct WalkTally {
   Changes flickers;            ///< of the reference
   Changes jumps;               ///< of a point, farther than the truth's and both bounds
   Changes features;            ///< or the number of points
+
+  friend bool operator==(const WalkTally&, const WalkTally&) = default;
 };
 
 /// One collider in one step of a sweep: plain data that lies in shared memory.
@@ -57,6 +65,8 @@ struct StepTally {
 
   std::uint64_t well_posed() const { return cases - unsupported - ill_posed; }
   std::uint64_t wrong() const { return missed + phantom + wrong_count + gross + lost; }
+
+  friend bool operator==(const StepTally&, const StepTally&) = default;
 };
 
 /// Collects what a collider is measured by, case by case.

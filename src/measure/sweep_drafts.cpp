@@ -37,8 +37,16 @@ void stand_near(Random& random, Draft& draft) {
   const double far = 2 * span(draft);
   const double x = random.uniform(-far, far);
   const double y = random.uniform(-far, far);
-  draft.world.position = {x, y};
+  // A float, so that A stands where the drawing has it.
+  draft.world.position = Vector2<double>(x, y).cast<float>().cast<double>();
   draft.exact_gap = true;
+}
+
+bool place_exactly(PairCase& pair, const std::function<Vector2<double>(const Faces&)>& place) {
+  pair.a.pose.position = pair.b.pose.position = {0, 0};
+  if (!shift_vertices(pair.b, place(faces_of(pair)))) return false;
+  put_apart(pair, place(faces_of(pair)));
+  return true;
 }
 
 double gap_error(const PairCase& pair, double gap) {

@@ -21,7 +21,7 @@
         "an overlap from the whole size to almost none")                                          \
   SWEEP(collinear, "turn at a vertex", "its tangent", falling({10, 5, 2}, -1, -9),                \
         "a vertex on a face at the contact, ever less out of line")                               \
-  SWEEP(chamfer, "chamfer", "share of the size", falling({10, 5, 3, 2}, -1, -7),                  \
+  SWEEP(chamfer, "chamfer", "share of its polygon's size", falling({10, 5, 3, 2}, -1, -7),        \
         "a corner at the contact cut ever smaller")                                               \
   SWEEP(off_unit, "rotation off unit", "|cos^2 + sin^2 - 1|", kOffUnitValues,                     \
         "rotations that are ever less unit")                                                      \

@@ -9,23 +9,6 @@
 namespace manifuzz::turn {
 namespace {
 
-/// Two benign outlines in any meeting, each with axes of its own.
-Draft benign_pair(Random& random, double scale_a, double scale_b) {
-  const Outline a = stretched(benign_outline(random), scale_a, scale_a);
-  const Outline b = stretched(benign_outline(random), scale_b, scale_b);
-  Draft draft = any_meeting(random, a, b);
-  give_own_axes(random, draft.a);
-  give_own_axes(random, draft.b);
-  return draft;
-}
-
-std::optional<PairCase> sized(Random& random, double scale) {
-  Draft draft = benign_pair(random, scale, scale);
-  meet(random, draft);
-  stand_near(random, draft);
-  return settle(draft);
-}
-
 double diameter(const Outline& outline) {
   double squared = 0;
   for (int i = 0; i < outline.count; ++i) {
@@ -35,6 +18,27 @@ double diameter(const Outline& outline) {
     }
   }
   return std::sqrt(squared);
+}
+
+/// Two outlines in any meeting, each with axes of its own.
+Draft met(Random& random, const Outline& a, const Outline& b) {
+  Draft draft = any_meeting(random, a, b);
+  give_own_axes(random, draft.a);
+  give_own_axes(random, draft.b);
+  return draft;
+}
+
+Draft benign_pair(Random& random, double scale_a, double scale_b) {
+  const Outline a = stretched(benign_outline(random), scale_a, scale_a);
+  const Outline b = stretched(benign_outline(random), scale_b, scale_b);
+  return met(random, a, b);
+}
+
+std::optional<PairCase> sized(Random& random, double scale) {
+  Draft draft = benign_pair(random, scale, scale);
+  meet(random, draft);
+  stand_near(random, draft);
+  return settle(draft);
 }
 
 }  // namespace
@@ -56,7 +60,10 @@ std::optional<PairCase> large(Random& random, double value) {
 }
 
 std::optional<PairCase> ratio(Random& random, double value) {
-  Draft draft = benign_pair(random, 1, 1 / value);
+  const Outline large = benign_outline(random);
+  const Outline regular = benign_outline(random);
+  const double scale = diameter(large) / (value * diameter(regular));
+  Draft draft = met(random, large, stretched(regular, scale, scale));
   meet(random, draft);
   stand_near(random, draft);
   return settle(maybe_swapped(random, draft));
@@ -65,7 +72,7 @@ std::optional<PairCase> ratio(Random& random, double value) {
 std::optional<PairCase> depth(Random& random, double value) {
   constexpr double roomy = 10;  // deep enough for all of B
   Draft draft = benign_pair(random, roomy, 1);
-  draft.gap = -value * diameter(draft.b.outline);
+  draft.gap = -value * std::min(diameter(draft.a.outline), diameter(draft.b.outline));
   stand_near(random, draft);
   draft = maybe_swapped(random, draft);
   const auto pair = settle(draft);

@@ -1,6 +1,9 @@
 // Sweeps that come near to where a decision turns, in steps of an ulp at 1.
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "cases/ties.hpp"
 #include "cases/ulps.hpp"
@@ -11,6 +14,16 @@ namespace manifuzz::turn {
 namespace {
 
 constexpr double kUlp = 0x1p-23;
+constexpr double kAccuracy = 0.05 * kUlp;
+
+/// The greatest separation of one side's faces, with B at p from A.
+double greatest(const Faces& faces, Side side, const Vector2<double>& p) {
+  double separation = -std::numeric_limits<double>::infinity();
+  for (int k = 0; k < faces.count; ++k) {
+    if (faces.side(k) == side) separation = std::max(separation, faces.separation(k, p));
+  }
+  return separation;
+}
 
 /// A's face and B's that separate alike, but for B's lead.
 std::optional<PairCase> tied_sides(Random& random, double lead) {
@@ -28,23 +41,26 @@ std::optional<PairCase> tied_sides(Random& random, double lead) {
   const auto place = [&](const Faces& of) {
     return place_at(of, tie->face_a, level - lead, tie->face_b, level);
   };
-  // The positions next to the origin, where floats are dense.
-  pair->a.pose.position = pair->b.pose.position = {0, 0};
-  if (!shift_vertices(pair->b, place(faces))) return std::nullopt;
-  put_apart(*pair, place(faces_of(*pair)));
-  return pair;
+  if (!place_exactly(*pair, place)) return std::nullopt;
+  const Faces placed = faces_of(*pair);
+  const Vector2<double> at = apart(*pair);
+  const double off = greatest(placed, Side::b, at) - greatest(placed, Side::a, at) - lead;
+  return std::abs(off) < kAccuracy ? pair : std::nullopt;
 }
 
-/// B's corner points straight at A's face, but for `tilt`: the edges on both sides of it tie.
+/// B's corner points straight at A's face, but for `tilt`: the edges on both sides of it tie. B is
+/// mirror-symmetric to the last bit, and nothing may move its vertices.
 std::optional<PairCase> tied_edges(Random& random, double tilt) {
   const Outline a = benign_outline(random);
   Draft draft;
-  draft.a.outline = face_up(a, random.integer(0, a.count - 1), random.uniform(0.2, 0.8));
+  const Outline up = face_up(a, random.integer(0, a.count - 1), random.uniform(0.2, 0.8));
+  draft.a.outline = turned(up, unit({1, tilt}));
   const double scale = random.magnitude(-1, 0);
   const Outline b = moved(regular_outline(random_count(random)), {0, -1});
-  draft.b.outline = turned(upside_down(stretched(b, scale, scale)), unit({1, tilt}));
+  draft.b.outline = upside_down(stretched(b, scale, scale));
   draft.gap = -random.uniform(0.001, 0.1) * span(draft);
   stand_near(random, draft);
+  draft.exact_gap = false;
   return settle(maybe_swapped(random, draft));
 }
 
@@ -72,7 +88,17 @@ std::optional<PairCase> touch(Random& random, double value) {
   if (random.chance(0.25)) draft.radius_a = draft.radius_b = 0.01F;
   draft.gap = random.either_sign(value * kUlp);
   stand_near(random, draft);
-  return settle(draft);
+  auto pair = settle(draft);
+  if (!pair) return std::nullopt;
+  const double target = total_radius(*pair) + *draft.gap;
+  Vector2<double> start = apart(*pair);
+  const auto place = [&](const Faces& faces) {
+    const Vector2<double> from = std::exchange(start, {0, 0});
+    return slide(faces, from, rotate(draft.world.rotation, draft.direction), target);
+  };
+  if (!place_exactly(*pair, place)) return std::nullopt;
+  const double off = separation(faces_of(*pair), apart(*pair)) - target;
+  return std::abs(off) < kAccuracy ? pair : std::nullopt;
 }
 
 std::optional<PairCase> corner(Random& random, double value) {
