@@ -22,13 +22,14 @@
 #include "cli/stress_report.hpp"
 #include "cli/stress_save.hpp"
 #include "kernel/target.hpp"
+#include "measure/flush_to_zero.hpp"
 #include "report/provenance.hpp"
 
 namespace manifuzz {
 namespace {
 
-constexpr std::uint64_t kQuickCases = 1000;
-constexpr std::uint64_t kQuickFrames = 20'000;
+constexpr std::uint64_t kQuickCases = 600;
+constexpr std::uint64_t kQuickFrames = 10'000;
 
 struct Options {
   std::vector<std::string> sweeps;
@@ -40,6 +41,7 @@ struct Options {
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> jobs;
   bool quick = false;
+  bool flush_to_zero = false;
   std::string json;
   std::string csv;
   std::string pictures;
@@ -111,6 +113,10 @@ StressPlan plan_of(const Options& options) {
   plan.contestants = contestants_of(options);
   plan.seed = options.seed.value_or(plan.seed);
   plan.cases = options.cases.value_or(options.quick ? kQuickCases : plan.cases);
+  plan.flush_to_zero = options.flush_to_zero;
+  if (plan.flush_to_zero && !can_flush_to_zero()) {
+    throw UserError("--flush-to-zero: this processor cannot, or not as it is known here");
+  }
   plan.frames = options.frames.value_or(options.quick ? kQuickFrames : plan.frames);
   const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
   plan.jobs = static_cast<int>(std::min<std::uint64_t>(options.jobs.value_or(cores), 1024));
@@ -134,6 +140,7 @@ nlohmann::ordered_json report_json(const StressPlan& plan, const StressResult& r
   json["machine"]["instruction_set"] = kernel::targets().front();
   json["cases"] = plan.cases;
   json["frames"] = plan.frames;
+  json["flush_to_zero"] = plan.flush_to_zero;
   json["seconds"] = result.seconds;
   json["interrupted"] = result.interrupted;
   json["sweeps"] = stress_sweeps_json(plan, result);
@@ -163,6 +170,7 @@ void write_files(const StressPlan& plan, const StressResult& result, const Optio
 
 int stress(const Options& options) {
   const StressPlan plan = plan_of(options);
+  if (!options.pictures.empty()) make_picture_folder(options.pictures);
   nlohmann::ordered_json stored;
   if (!options.baseline.empty()) stored = read_breaking_points(options.baseline, plan);
   StressResult result;
@@ -206,6 +214,8 @@ Run define(CLI::App& app) {
   app.add_flag(
       "--quick", options->quick,
       "fewer cases, and no collider in a process of its own unless it is named: less than 20 s");
+  app.add_flag("--flush-to-zero", options->flush_to_zero,
+               "colliders in this process compute without subnormal numbers, as engines may");
   app.add_option("--json", options->json, "every step as JSON, to a file or - for stdout")
       ->type_name("FILE");
   app.add_option("--csv", options->csv, "every step with commas")->type_name("FILE");

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/text.hpp"
 #include "cases/user_error.hpp"
 
 namespace manifuzz {
@@ -50,14 +51,16 @@ LinePlot plot_of(const StressPlan& plan, const StressResult& result, const Sweep
   return plot;
 }
 
-void write_stress_pictures(const std::filesystem::path& folder, const StressPlan& plan,
-                           const StressResult& result) {
+void make_picture_folder(const std::filesystem::path& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
-  if (failed) {
-    throw UserError(fmt::format("--pictures: {}: cannot make the folder: {}", folder.string(),
-                                failed.message()));
-  }
+  if (!failed) return;
+  throw UserError(fmt::format("--pictures: {}: cannot make the folder: {}",
+                              printable(folder.string(), 200), failed.message()));
+}
+
+void write_stress_pictures(const std::filesystem::path& folder, const StressPlan& plan,
+                           const StressResult& result) {
   for (const Sweep* const sweep : plan.sweeps) {
     const LinePlot plot = plot_of(plan, result, *sweep);
     if (plot.lines.empty()) continue;

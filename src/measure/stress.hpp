@@ -36,6 +36,7 @@ struct StressPlan {
   std::uint64_t cases = 100'000;     ///< a step
   std::uint64_t frames = 1'000'000;  ///< a walk
   int jobs = 1;
+  bool flush_to_zero = false;  ///< while a collider in this process is asked
 };
 
 /// What a job does in one go: a step of a sweep, or a walk.

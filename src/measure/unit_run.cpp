@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "measure/flush_to_zero.hpp"
 #include "measure/walk_watch.hpp"
 
 namespace manifuzz {
@@ -53,8 +54,8 @@ void ask_for_block(Seat& seat, std::span<const PairCase> pairs, UnitDesk& desk,
   seat.has_given_up = answered < pairs.size() && go_on();
 }
 
-Answer answer_of(Seat& seat, std::size_t in_block, std::uint64_t index, Referee& referee,
-                 UnitDesk& desk) {
+Answer answer_of(const StressPlan& plan, Seat& seat, std::size_t in_block, std::uint64_t index,
+                 Referee& referee, UnitDesk& desk) {
   const Collider& collider = seat.contestant->collider;
   if (desk.lost.has(seat.number, index)) return Lost{};
   if (collider.is_isolated()) return std::move(seat.answers[in_block]);
@@ -63,19 +64,22 @@ Answer answer_of(Seat& seat, std::size_t in_block, std::uint64_t index, Referee&
     return truth.count > 0 ? Answer(rounded_once(truth)) : Answer(Unsupported{});
   }
   desk.contestant.store(static_cast<int>(seat.number), std::memory_order_relaxed);
-  Answer answer = collider.collide(referee.truth().pair());
+  Answer answer = [&] {
+    const FlushToZero flushing(plan.flush_to_zero);
+    return collider.collide(referee.truth().pair());
+  }();
   desk.contestant.store(kNobody, std::memory_order_relaxed);
   return answer;
 }
 
-void measure_case(const Unit& unit, std::vector<Seat>& seats, const PairCase& pair,
-                  std::size_t in_block, std::uint64_t index, UnitDesk& desk) {
+void measure_case(const StressPlan& plan, const Unit& unit, std::vector<Seat>& seats,
+                  const PairCase& pair, std::size_t in_block, std::uint64_t index, UnitDesk& desk) {
   desk.index.store(index, std::memory_order_relaxed);
   Referee referee(pair);
   for (Seat& seat : seats) {
     const Declaration& declaration = seat.contestant->collider.declaration;
     const Answer answer =
-        referee.heard(declaration, answer_of(seat, in_block, index, referee, desk));
+        referee.heard(declaration, answer_of(plan, seat, in_block, index, referee, desk));
     seat.collector.add(index, referee.measure(declaration, answer));
     if (unit.walk != nullptr) seat.watch.see(index, referee, declaration, answer);
   }
@@ -111,7 +115,7 @@ bool run_unit(const StressPlan& plan, const Unit& unit, UnitDesk& desk,
     for (Seat& seat : seats) ask_for_block(seat, pairs, desk, go_on);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (!go_on()) return false;
-      measure_case(unit, seats, pairs[i], i, begin + i, desk);
+      measure_case(plan, unit, seats, pairs[i], i, begin + i, desk);
     }
     on_cases(pairs.size());
   }
