@@ -145,7 +145,10 @@ Measured Referee::measure(Ruling& ruling, const Manifold<double>& manifold) {
 }
 
 Manifold<double> rounded_once(const Manifold<double>& truth) {
-  return manifold_cast<double>(manifold_cast<float>(truth));
+  auto rounded = manifold_cast<double>(manifold_cast<float>(truth));
+  // A depth of nothing may be less than nothing by the double's last digit.
+  for (auto& point : rounded.points) point.depth = std::max(point.depth, 0.0);
+  return rounded;
 }
 
 }  // namespace manifuzz
