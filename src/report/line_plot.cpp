@@ -48,7 +48,7 @@ std::string commands_of(const LinePlot& plot, const std::vector<PlotLine>& lines
   std::string text = fmt::format(
       "set title \"{}\" noenhanced\nset xlabel \"{}\" noenhanced\nset ylabel \"{}\" noenhanced\n"
       "set logscale xy\nset format '10^{{%T}}'\nset grid linecolor '#dddddd'\n"
-      "set key below Left reverse horizontal noenhanced samplen 2\n"
+      "set key below Left reverse horizontal noenhanced samplen 2 height 1\n"
       "set xrange [*:*]{} noextend\nset yrange [*:*]\nset offsets 0, 0, graph 0.05, graph 0.05\n",
       plot.title, plot.x_label, plot.y_label, plot.falls ? " reverse" : "");
   std::string drawing = fmt::format(
