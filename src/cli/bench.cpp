@@ -17,6 +17,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "kernel/target.hpp"
+#include "report/gnuplot.hpp"
 #include "report/plot.hpp"
 #include "report/provenance.hpp"
 

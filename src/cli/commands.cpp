@@ -12,10 +12,11 @@ extern const Command kProperty;
 extern const Command kReplay;
 extern const Command kShow;
 extern const Command kShrink;
+extern const Command kStress;
 
 std::span<const Command> commands() {
-  static const Command all[] = {kFuzz,     kReplay, kProperty, kCollide, kJudge,
-                                kGenerate, kShrink, kShow,     kBench,   kList};
+  static const Command all[] = {kFuzz,   kReplay, kProperty, kCollide, kJudge, kGenerate,
+                                kShrink, kShow,   kBench,    kStress,  kList};
   return all;
 }
 

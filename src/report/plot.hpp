@@ -22,11 +22,8 @@ struct Plot {
 /// The points that no other is left of and below, by x.
 std::vector<PlotPoint> front(std::vector<PlotPoint> points);
 
-/// Throws UserError where `path` ends neither in .svg nor in .png.
-void expect_plot_name(const std::string& path);
-
-/// Draws points with their names on two logarithmic axes, and their front as a line, by gnuplot.
-/// `path` ends in .svg or .png. Throws UserError where it does not, or where gnuplot is missing.
+/// Draws points with their names on two logarithmic axes, and their front as a line, as
+/// `draw_by_gnuplot` does.
 void write_plot(const std::string& path, const Plot& plot);
 
 }  // namespace manifuzz

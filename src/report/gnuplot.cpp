@@ -1,0 +1,45 @@
+#include "report/gnuplot.hpp"
+
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "cases/text.hpp"
+#include "cases/user_error.hpp"
+
+namespace manifuzz {
+namespace {
+
+std::string terminal_of(const std::string& path) {
+  if (path.ends_with(".svg")) return "svg size 900,600 font 'sans,14' background 'white'";
+  if (path.ends_with(".png")) return "pngcairo size 900,600 font 'sans,11'";
+  throw UserError(
+      fmt::format("{}: the name of an SVG or PNG file is expected", printable(path, 200)));
+}
+
+bool run_gnuplot(const std::string& script) {
+  std::FILE* const gnuplot = popen("gnuplot", "w");
+  if (gnuplot == nullptr) return false;
+  std::fwrite(script.data(), 1, script.size(), gnuplot);
+  return pclose(gnuplot) == 0;
+}
+
+}  // namespace
+
+void expect_plot_name(const std::string& path) {
+  terminal_of(path);
+}
+
+void draw_by_gnuplot(const std::string& path, const std::string& commands) {
+  const std::string terminal = terminal_of(path);
+  const std::string unfinished = path + ".unfinished";
+  const std::string to = fmt::format("set terminal {}\nset output '{}'\n", terminal, unfinished);
+  if (!run_gnuplot(to + commands)) {
+    std::filesystem::remove(unfinished);
+    throw UserError(fmt::format("{}: gnuplot could not draw it; is it installed?", path));
+  }
+  std::filesystem::rename(unfinished, path);
+}
+
+}  // namespace manifuzz
