@@ -55,6 +55,15 @@ HWY_INLINE void consider(const Strip<D>& s, int polygon, int index, hn::Vec<D> s
   greatest.edge = select<D>(is_greater, edge, greatest.edge);
 }
 
+/// What the search starts from: face 0 stays where no separation is greater than -infinity.
+template <class D>
+HWY_INLINE FaceSeparations<D> first_face(D d, const Strip<D>& s, int polygon) {
+  const auto* const corner = s.corner(polygon, 0);
+  return {none_yet(d).separation,
+          s.load2(corner + 2),
+          {hn::Zero(DInt<D>()), s.load2(corner), s.load2(corner + kCornerRows)}};
+}
+
 template <class D>
 struct BothSeparations {
   FaceSeparations<D> of_a;
@@ -70,7 +79,7 @@ HWY_INLINE BothSeparations<D> greatest_separations(D d, const Strip<D>& s) {
   alignas(64) T most_opposed[kMaxVertices][hn::MaxLanes(D())];
   for (int j = 0; j < s.count_max[1]; ++j) hn::Store(hn::Neg(infinity), d, most_opposed[j]);
 
-  BothSeparations<D> both{none_yet(d), none_yet(d)};
+  BothSeparations<D> both{first_face(d, s, 0), first_face(d, s, 1)};
   for (int i = 0; i < s.count_max[0]; ++i) {
     const auto* const face = s.corner(0, i);
     const Lanes2<D> origin = s.load2(face);
