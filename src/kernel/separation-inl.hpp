@@ -35,12 +35,9 @@ struct FaceSeparations {
 };
 
 template <class D>
-HWY_INLINE FaceSeparations<D> none_yet(D d) {
-  const auto zero = hn::Zero(d);
-  const Lanes2<D> nowhere{zero, zero};
-  return {hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity()),
-          nowhere,
-          {hn::Zero(DInt<D>()), nowhere, nowhere}};
+HWY_INLINE LaneEdge<D> first_edge(const Strip<D>& s, int polygon) {
+  const auto* const corner = s.corner(polygon, 0);
+  return {hn::Zero(DInt<D>()), s.load2(corner), s.load2(corner + kCornerRows)};
 }
 
 /// Takes face `index` of a polygon where it lies farther in front: of equals, the first stays.
@@ -58,10 +55,8 @@ HWY_INLINE void consider(const Strip<D>& s, int polygon, int index, hn::Vec<D> s
 /// What the search starts from: face 0 stays where no separation is greater than -infinity.
 template <class D>
 HWY_INLINE FaceSeparations<D> first_face(D d, const Strip<D>& s, int polygon) {
-  const auto* const corner = s.corner(polygon, 0);
-  return {none_yet(d).separation,
-          s.load2(corner + 2),
-          {hn::Zero(DInt<D>()), s.load2(corner), s.load2(corner + kCornerRows)}};
+  return {hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity()),
+          s.load2(s.corner(polygon, 0) + 2), first_edge(s, polygon)};
 }
 
 template <class D>
