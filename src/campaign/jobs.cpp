@@ -5,12 +5,12 @@
 #include <chrono>
 #include <csignal>
 #include <optional>
-#include <sys/wait.h>
 #include <vector>
 
 #include "cases/random.hpp"
 #include "judging/outside.hpp"
 #include "oracle/external/limits.hpp"
+#include "oracle/external/watched_process.hpp"
 
 namespace manifuzz {
 namespace {
@@ -176,39 +176,28 @@ class Job {
  public:
   Job(const Plan& plan, Office& office) : plan_(plan), office_(office) { start(); }
 
-  bool alive() const { return process_ > 0; }
+  bool alive() const { return process_.alive(); }
   const Tally& tally() const { return desk_->tally; }
 
   /// Takes note of an end, and goes on behind a lost case.
   void look_after() {
     if (!alive()) return;
-    if (desk_->next != seen_ || desk_->pulse != pulse_) {
-      seen_ = desk_->next;
-      pulse_ = desk_->pulse;
-      seen_at_ = Clock::now();
-    } else if (seconds_since(seen_at_) > case_seconds_max(plan_.subject, plan_.oracle)) {
-      kill_and_wait(process_);
-      lose_case(Verdict::timed_out);
-      return;
-    }
-    int status = 0;
-    if (waitpid(process_, &status, WNOHANG) != process_) return;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
-      process_ = 0;
-    } else {
-      lose_case(Verdict::crashed);
+    const std::uint64_t pulse = desk_->next + static_cast<std::uint64_t>(desk_->pulse);
+    switch (process_.look(pulse, case_seconds_max(plan_.subject, plan_.oracle))) {
+      case WatchedProcess::State::crashed:
+        return lose_case(Verdict::crashed);
+      case WatchedProcess::State::hung:
+        return lose_case(Verdict::timed_out);
+      default:
+        return;
     }
   }
 
-  void kill() {
-    if (alive()) kill_and_wait(process_);
-    process_ = 0;
-  }
+  void kill() { process_.kill(); }
 
  private:
   void start() {
-    seen_at_ = Clock::now();
-    process_ = spawn([this] { run_job(plan_, office_, *desk_); });
+    process_.start([this] { run_job(plan_, office_, *desk_); });
   }
 
   void lose_case(Verdict verdict) {
@@ -219,17 +208,13 @@ class Job {
     desk_->tally.add(plan_.regime_of(number), number, where,
                      {.bucket = bucket_of_lost(verdict, fault_in(phase))});
     desk_->next.fetch_add(1);
-    process_ = 0;
     if (!office_.stop) start();
   }
 
   const Plan& plan_;
   Office& office_;
   Shared<Desk> desk_;
-  pid_t process_ = 0;
-  CaseNumber seen_ = 0;
-  int pulse_ = 0;
-  Clock::time_point seen_at_;
+  WatchedProcess process_;
 };
 
 std::unique_ptr<Tally> added(const std::vector<std::unique_ptr<Job>>& jobs) {

@@ -131,13 +131,13 @@ int bench(const Options& options) {
   kernel::use_target(kernel::targets().front());
   const nlohmann::ordered_json json = report_json(rows, ran, how.seed);
   const std::string text = json.dump(2) + '\n';
-  for (const std::string& picture : options.pictures) write_plot(picture, plot_of(rows));
   if (!options.csv.empty()) write_file(options.csv, rows_csv(rows));
   if (!options.json.empty() && options.json != "-") write_file(options.json, text);
   const std::string machine =
       fmt::format("{}, {}\n\n", json["machine"]["processor"].get<std::string>(),
                   json["compiler"].get<std::string>());
   write_to_reader(options.json == "-" ? text : machine + rows_table(rows));
+  for (const std::string& picture : options.pictures) write_plot(picture, plot_of(rows));
   return 0;
 }
 
@@ -148,11 +148,13 @@ Run define(CLI::App& app) {
                  "one to time besides box2d, again for more; all if not given")
       ->type_name("C")
       ->allow_extra_args(false);
-  app.add_option("--regime", options->regimes,
-                 "a regime besides generic, again for more; all if not given")
-      ->type_name("R")
-      ->allow_extra_args(false);
-  app.add_flag("--quick", options->quick, "the usual workload alone, in less than 30 s");
+  CLI::Option* const regime =
+      app.add_option("--regime", options->regimes,
+                     "a regime besides generic, again for more; all if not given")
+          ->type_name("R")
+          ->allow_extra_args(false);
+  app.add_flag("--quick", options->quick, "the usual workload alone, in less than 30 s")
+      ->excludes(regime);
   app.add_option("--json", options->json, "the rows as JSON, to a file or - for stdout")
       ->type_name("FILE");
   app.add_option("--csv", options->csv, "the rows with commas")->type_name("FILE");

@@ -56,11 +56,11 @@ Collider make_phaser_box2d() {
 
 const std::vector<ColliderEntry>& colliders() {
   static const std::vector<ColliderEntry> all = {
-      {"clip", [] { return make_clip(); }},
-      {"clip64", [] { return make_clip64(); }},
-      {"pair", [] { return manifuzz::make_pair(); }},
-      {"batch", [] { return make_batch(); }},
-      {"batch64", [] { return make_batch64(); }},
+      {"clip", [] { return make_clip(); }, true},
+      {"clip64", [] { return make_clip64(); }, true},
+      {"pair", [] { return manifuzz::make_pair(); }, true},
+      {"batch", [] { return make_batch(); }, true},
+      {"batch64", [] { return make_batch64(); }, true},
       {"box2d", [] { return make_box2d(); }},
       {"chipmunk", make_chipmunk},
       {"planck", make_planck},

@@ -10,6 +10,7 @@ namespace manifuzz {
 struct ColliderEntry {
   std::string_view name;
   Collider (*make)();
+  bool is_ours = false;  ///< of this repository, not one that it is held against
 };
 
 /// Every collider there is, in the order of `list colliders`.

@@ -13,10 +13,11 @@ extern const Command kReplay;
 extern const Command kScene;
 extern const Command kShow;
 extern const Command kShrink;
+extern const Command kStress;
 
 std::span<const Command> commands() {
   static const Command all[] = {kFuzz,   kReplay, kProperty, kCollide, kJudge, kGenerate,
-                                kShrink, kShow,   kBench,    kScene,   kList};
+                                kShrink, kShow,   kBench,    kStress,  kScene, kList};
   return all;
 }
 

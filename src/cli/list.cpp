@@ -11,6 +11,8 @@
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "judging/ledger.hpp"
+#include "measure/sweep.hpp"
+#include "measure/walk.hpp"
 
 namespace manifuzz {
 namespace {
@@ -42,6 +44,19 @@ std::string list_regimes() {
   return lines;
 }
 
+std::string list_sweeps() {
+  std::string lines;
+  for (const Sweep& sweep : sweeps()) {
+    lines += fmt::format("{:<10} {}: {} ({}), {:g} to {:g} in {} steps\n", sweep.name,
+                         sweep.description, sweep.knob, sweep.unit, sweep.values.front(),
+                         sweep.values.back(), sweep.values.size());
+  }
+  for (const Walk& walk : walks()) {
+    lines += fmt::format("{:<10} {}\n", walk.name, walk.description);
+  }
+  return lines;
+}
+
 std::string list_ledger() {
   std::string lines;
   for (const LedgerEntry& entry : ledger()) {
@@ -56,8 +71,10 @@ struct Catalogue {
   std::string (*list)();
 };
 
-constexpr Catalogue kCatalogues[] = {
-    {"colliders", list_colliders}, {"regimes", list_regimes}, {"ledger", list_ledger}};
+constexpr Catalogue kCatalogues[] = {{"colliders", list_colliders},
+                                     {"regimes", list_regimes},
+                                     {"ledger", list_ledger},
+                                     {"sweeps", list_sweeps}};
 
 int list(const std::string& what) {
   std::string names;
@@ -76,7 +93,7 @@ int list(const std::string& what) {
 
 Run define(CLI::App& app) {
   const auto what = std::make_shared<std::string>();
-  app.add_option("WHAT", *what, "colliders, regimes or ledger")->required();
+  app.add_option("WHAT", *what, "colliders, regimes, ledger or sweeps")->required();
   return [what] { return list(*what); };
 }
 
@@ -84,6 +101,8 @@ Run define(CLI::App& app) {
 
 extern const Command kList;
 const Command kList{"list", "What there is, a line each.",
-                    "manifuzz list colliders\nmanifuzz list regimes\nmanifuzz list ledger", define};
+                    "manifuzz list colliders\nmanifuzz list regimes\nmanifuzz list ledger\n"
+                    "manifuzz list sweeps",
+                    define};
 
 }  // namespace manifuzz

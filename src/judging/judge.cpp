@@ -16,18 +16,6 @@ double distance(const Vector2<double>& p, const Vector2<double>& q) {
   return std::sqrt(apart.dot(apart));
 }
 
-bool is_well_formed(const PairCase& pair, const Manifold<double>& m) {
-  if (m.count < 0 || m.count > 2) return false;
-  if (m.count > 0 && !m.normal.allFinite()) return false;
-  const auto exists = [](const Feature& feature, const Body& body) {
-    return feature.index < body.polygon.count;
-  };
-  return std::all_of(m.points.begin(), m.points.begin() + m.count, [&](const auto& point) {
-    return point.position.allFinite() && std::isfinite(point.depth) && point.depth >= 0 &&
-           exists(point.features.a, pair.a) && exists(point.features.b, pair.b);
-  });
-}
-
 bool matches_one(const Manifold<double>& manifold, const Clip& clip, const Admissible& right) {
   return mismatch(manifold, clip, right).kind == Kind::none;
 }
@@ -242,6 +230,18 @@ bool plainly_agree(const exact::Truth& truth, const Declaration& of_subject,
 }
 
 }  // namespace
+
+bool is_well_formed(const PairCase& pair, const Manifold<double>& m) {
+  if (m.count < 0 || m.count > 2) return false;
+  if (m.count > 0 && !m.normal.allFinite()) return false;
+  const auto exists = [](const Feature& feature, const Body& body) {
+    return feature.index < body.polygon.count;
+  };
+  return std::all_of(m.points.begin(), m.points.begin() + m.count, [&](const auto& point) {
+    return point.position.allFinite() && std::isfinite(point.depth) && point.depth >= 0 &&
+           exists(point.features.a, pair.a) && exists(point.features.b, pair.b);
+  });
+}
 
 Standing standing(const exact::Truth& truth) {
   const double above = truth.separation() - total_radius(truth.pair());

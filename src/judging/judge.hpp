@@ -26,6 +26,10 @@ struct Judgement {
   ErrorShare of_oracle{};
 };
 
+/// Whether it says what a manifold can say: 0 to 2 points, finite figures, no depth below zero,
+/// features that exist.
+bool is_well_formed(const PairCase& pair, const Manifold<double>& manifold);
+
 /// Where a case stands by the truth alone.
 struct Standing {
   bool touching = false;  ///< S <= total radius, exactly

@@ -6,7 +6,7 @@
 namespace manifuzz {
 namespace {
 
-using Fine = exact::Approximate<exact::DoubleDouble>;
+using Fine = FineClip::Number;
 
 double length(const Fine& x, const Fine& y) {
   return exact::leading(sqrt(x * x + y * y).value);
@@ -23,20 +23,36 @@ PointError error_of(const ContactPoint<double>& reported, const exact::Located<F
           std::abs(exact::leading((Fine(reported.depth) - truth.depth).value))};
 }
 
-MeasuredError against(const Manifold<double>& manifold, const exact::Clip& clip,
-                      const Admissible& right) {
+double largest(const PlainError& share) {
+  return std::max({share.normal, share.position, share.depth});
+}
+
+}  // namespace
+
+FineClip::FineClip(const PairCase& pair, const exact::Clip& of)
+    : clip(&of), normal(exact::true_normal<Number>(pair, of.reference)) {
+  for (int k = 0; k < of.count; ++k) {
+    points[k] = exact::locate<Number>(pair, of, of.points[k].end);
+  }
+}
+
+const FineClip& FineClips::of(const PairCase& pair, const exact::Clip& clip) {
+  const auto known = std::ranges::find(known_, &clip, [](const auto& fine) { return fine->clip; });
+  if (known != known_.end()) return **known;
+  return *known_.emplace_back(std::make_unique<const FineClip>(pair, clip));
+}
+
+MeasuredError error_against(const Manifold<double>& manifold, const FineClip& truth,
+                            const Admissible& right) {
+  const exact::Clip& clip = *truth.clip;
   MeasuredError worst;
   worst.clip = &clip;
-  const auto normal = exact::true_normal<Fine>(right.pair(), clip.reference);
-  worst.error.normal =
-      length(Fine(manifold.normal.x()) - normal.x, Fine(manifold.normal.y()) - normal.y);
+  worst.error.normal = length(Fine(manifold.normal.x()) - truth.normal.x,
+                              Fine(manifold.normal.y()) - truth.normal.y);
   worst.share.normal = worst.error.normal / right.bounds.normal;
   for (int i = 0; i < manifold.count; ++i) {
     std::array<PointError, 2> errors;
-    for (int k = 0; k < clip.count; ++k) {
-      errors[k] =
-          error_of(manifold.points[i], exact::locate<Fine>(right.pair(), clip, clip.points[k].end));
-    }
+    for (int k = 0; k < clip.count; ++k) errors[k] = error_of(manifold.points[i], truth.points[k]);
     const int k = clip.count > 1 && errors[1].position < errors[0].position ? 1 : 0;
     const PointError& off = errors[k];
     worst.error.position = std::max(worst.error.position, off.position);
@@ -49,35 +65,43 @@ MeasuredError against(const Manifold<double>& manifold, const exact::Clip& clip,
   return worst;
 }
 
-double largest(const PlainError& share) {
-  return std::max({share.normal, share.position, share.depth});
-}
-
-}  // namespace
-
 PlainError plain_error(const Manifold<double>& manifold, const Admissible& right) {
   const bool may_be_empty = right.may_be_apart || !right.may_touch;
   if (manifold.count == 0 && may_be_empty) return {};
   if (manifold.count == 0 || right.candidates.empty()) {
     return {.normal = 0, .position = 0, .depth = right.from_contact()};
   }
-  std::optional<PlainError> nearest;
+  FineClips fine;
+  const auto nearest = nearest_error(manifold, right, fine);
+  return nearest ? nearest->error : PlainError{};
+}
+
+std::optional<MeasuredError> nearest_error(const Manifold<double>& manifold,
+                                           const Admissible& right, FineClips& fine) {
+  const auto distance = [](const MeasuredError& measured) {
+    return measured.error.position + measured.error.depth;
+  };
+  std::optional<MeasuredError> nearest;
   for (const exact::Clip* clip : right.candidates) {
-    if (clip->count == 0) continue;
-    const PlainError error = against(manifold, *clip, right).error;
-    if (!nearest || error.position + error.depth < nearest->position + nearest->depth) {
-      nearest = error;
-    }
+    if (manifold.count == 0 || clip->count == 0) continue;
+    const MeasuredError measured = error_against(manifold, fine.of(right.pair(), *clip), right);
+    if (!nearest || distance(measured) < distance(*nearest)) nearest = measured;
   }
-  return nearest.value_or(PlainError{});
+  return nearest;
 }
 
 std::optional<MeasuredError> measure_error(const Manifold<double>& manifold,
                                            const Admissible& right) {
+  FineClips fine;
+  return measure_error(manifold, right, fine);
+}
+
+std::optional<MeasuredError> measure_error(const Manifold<double>& manifold,
+                                           const Admissible& right, FineClips& fine) {
   std::optional<MeasuredError> nearest;
   for (const exact::Clip* clip : right.candidates) {
     if (manifold.count == 0 || mismatch(manifold, *clip, right).kind != Kind::none) continue;
-    const MeasuredError measured = against(manifold, *clip, right);
+    const MeasuredError measured = error_against(manifold, fine.of(right.pair(), *clip), right);
     if (!nearest || largest(measured.share) < largest(nearest->share)) nearest = measured;
   }
   return nearest;

@@ -17,7 +17,7 @@ template <class D>
 HWY_INLINE LaneEdge<D> incident_edge(D d, const Strip<D>& s, hn::Mask<D> incident_is_a,
                                      const Lanes2<D>& normal) {
   auto least = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::infinity());
-  LaneEdge<D> incident = none_yet(d).edge;
+  LaneEdge<D> incident = first_edge(s, 0);  // until the first product, which is less than infinity
   const auto consider_edges = [&](int first, int last, const auto& at, hn::Mask<D> among) {
     Lanes2<D> vertex = at(first, 0);
     for (int k = first; k < last; ++k) {

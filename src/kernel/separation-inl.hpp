@@ -35,12 +35,9 @@ struct FaceSeparations {
 };
 
 template <class D>
-HWY_INLINE FaceSeparations<D> none_yet(D d) {
-  const auto zero = hn::Zero(d);
-  const Lanes2<D> nowhere{zero, zero};
-  return {hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity()),
-          nowhere,
-          {hn::Zero(DInt<D>()), nowhere, nowhere}};
+HWY_INLINE LaneEdge<D> first_edge(const Strip<D>& s, int polygon) {
+  const auto* const corner = s.corner(polygon, 0);
+  return {hn::Zero(DInt<D>()), s.load2(corner), s.load2(corner + kCornerRows)};
 }
 
 /// Takes face `index` of a polygon where it lies farther in front: of equals, the first stays.
@@ -53,6 +50,13 @@ HWY_INLINE void consider(const Strip<D>& s, int polygon, int index, hn::Vec<D> s
   greatest.separation = hn::IfThenElse(is_greater, separation, greatest.separation);
   greatest.normal = select<D>(is_greater, s.load2(corner + 2), greatest.normal);
   greatest.edge = select<D>(is_greater, edge, greatest.edge);
+}
+
+/// What the search starts from: face 0 stays where no separation is greater than -infinity.
+template <class D>
+HWY_INLINE FaceSeparations<D> first_face(D d, const Strip<D>& s, int polygon) {
+  return {hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity()),
+          s.load2(s.corner(polygon, 0) + 2), first_edge(s, polygon)};
 }
 
 template <class D>
@@ -70,7 +74,7 @@ HWY_INLINE BothSeparations<D> greatest_separations(D d, const Strip<D>& s) {
   alignas(64) T most_opposed[kMaxVertices][hn::MaxLanes(D())];
   for (int j = 0; j < s.count_max[1]; ++j) hn::Store(hn::Neg(infinity), d, most_opposed[j]);
 
-  BothSeparations<D> both{none_yet(d), none_yet(d)};
+  BothSeparations<D> both{first_face(d, s, 0), first_face(d, s, 1)};
   for (int i = 0; i < s.count_max[0]; ++i) {
     const auto* const face = s.corner(0, i);
     const Lanes2<D> origin = s.load2(face);

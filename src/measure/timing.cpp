@@ -37,11 +37,17 @@ double median(std::vector<double> values) {
 }
 
 void initialize(const TimingOptions& options) {
-  std::array<std::string, 4> words{
-      "manifuzz", "--benchmark_enable_random_interleaving=true",
+  // Each flag that the environment could set otherwise.
+  std::array<std::string, 8> words{
+      "manifuzz",
+      "--benchmark_enable_random_interleaving=true",
+      "--benchmark_filter=.",
+      "--benchmark_report_aggregates_only=false",
+      "--benchmark_list_tests=false",
+      "--benchmark_out=",
       fmt::format("--benchmark_repetitions={}", options.repetitions),
       fmt::format("--benchmark_min_time={}", options.repetition_seconds)};
-  std::array<char*, 4> arguments{};
+  std::array<char*, 8> arguments{};
   std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());

@@ -1,10 +1,13 @@
 #include "report/gnuplot.hpp"
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "cases/file.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 
@@ -33,13 +36,19 @@ void expect_plot_name(const std::string& path) {
 
 void draw_by_gnuplot(const std::string& path, const std::string& commands) {
   const std::string terminal = terminal_of(path);
-  const std::string unfinished = path + ".unfinished";
-  const std::string to = fmt::format("set terminal {}\nset output '{}'\n", terminal, unfinished);
-  if (!run_gnuplot(to + commands)) {
-    std::filesystem::remove(unfinished);
+  // The name stands in gnuplot's script, so it is never the user's.
+  std::string drawn = (std::filesystem::temp_directory_path() / "manifuzz-plot-XXXXXX").string();
+  const int file = mkstemp(drawn.data());
+  if (file < 0) throw UserError(fmt::format("{}: cannot be written", drawn));
+  close(file);
+  const bool is_drawn =
+      run_gnuplot(fmt::format("set terminal {}\nset output '{}'\n", terminal, drawn) + commands);
+  const std::string picture = InputFile(drawn).read_all();
+  std::filesystem::remove(drawn);
+  if (!is_drawn || picture.empty()) {
     throw UserError(fmt::format("{}: gnuplot could not draw it; is it installed?", path));
   }
-  std::filesystem::rename(unfinished, path);
+  write_file(path, picture);
 }
 
 }  // namespace manifuzz

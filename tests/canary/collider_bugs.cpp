@@ -1,11 +1,9 @@
-#include <cmath>
-
 #include "campaign/findings.hpp"
+#include "canary/blame.hpp"
 #include "canary/planted.hpp"
 #include "canary/search.hpp"
 #include "cases/regime.hpp"
 #include "cases/shrink.hpp"
-#include "judging/judge.hpp"
 #include "judging/properties.hpp"
 #include "oracle/box2d/box2d.hpp"
 
@@ -16,18 +14,6 @@ namespace {
 
 /// One round of the regimes in so many goes to the collider in double, too, and to every property.
 constexpr std::uint64_t kPropertyShare = 8;
-
-/// The bucket in which the judge blames somebody.
-std::optional<Bucket> blame(const PairCase& pair, const Collider& subject, const Collider& oracle) {
-  const Answer of_subject = subject.collide(pair);
-  const Answer of_oracle = oracle.collide(pair);
-  const Testimony testimony{subject.declaration, of_subject};
-  const Testimony against{oracle.declaration, of_oracle};
-  const auto truth = std::make_shared<const exact::Truth>(pair);
-  if (plainly_agree(*truth, testimony, against)) return std::nullopt;
-  const Bucket bucket = judge(truth, testimony, against).bucket;
-  return is_failure(bucket) ? std::optional(bucket) : std::nullopt;
-}
 
 std::string sentence(const Property& property) {
   return "property " + std::string(property.name);

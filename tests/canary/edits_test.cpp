@@ -13,14 +13,15 @@ namespace {
 
 constexpr const char* kSource = "namespace manifuzz {\n  int one = 1;\n  int two = 2;\n}\n";
 
-test::Outcome plant(const std::string& table, const char* source = kSource) {
+test::Outcome plant(const std::string& table, const char* source = kSource,
+                    const char* path = "src", const char* suffix = "") {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "src");
   folder.write("src/a.cpp", source);
   const std::string output = (folder.path() / "out.cpp").string();
-  test::Outcome outcome =
-      test::run_program({MANIFUZZ_PLANT, folder.write("edits.txt", table), folder.path().string(),
-                         output, "src/a.cpp", "0", "1", "--edits", "src", "src/a.cpp"});
+  test::Outcome outcome = test::run_program({MANIFUZZ_PLANT, folder.write("edits.txt", table),
+                                             folder.path().string(), output, "src/a.cpp", "0", "1",
+                                             "--edits", path, "--as", suffix, "src/a.cpp"});
   if (outcome.status == 0) outcome.out = canary::read_text(output);
   return outcome;
 }
@@ -37,6 +38,25 @@ TEST_CASE("an edit is planted under a namespace of its own") {
   CHECK(
       planted.out.find("namespace manifuzz::planted::wrong_two {\n  int one = 1;\nint two = 3;") !=
       std::string::npos);
+}
+
+TEST_CASE("edits are those in a folder, or in one file") {
+  const char* const table = "wrong_two: two is three\nsrc/a.cpp\n-int two = 2;\n+int two = 3;\n";
+  for (const char* path : {"src", "src/a.cpp"}) {
+    CHECK(plant(table, kSource, path).out.find("two = 3") != std::string::npos);
+  }
+  for (const char* path : {"sr", "src/a.cp", "src/b.cpp"}) {
+    CHECK(plant(table, kSource, path).out.find("two = 3") == std::string::npos);
+  }
+}
+
+TEST_CASE(
+    "each root that has a bug may give it a name of its own, and each copy its include guard") {
+  const char* const guarded = "#define MANIFUZZ_A_INL\nnamespace manifuzz { }\nint two = 2;\n";
+  const auto planted =
+      plant("wrong_two: why\nsrc/a.cpp\n-int two = 2;\n+int two = 3;\n", guarded, "src", "_in_a");
+  CHECK(planted.out.find("namespace manifuzz::planted::wrong_two_in_a { }") != std::string::npos);
+  CHECK(planted.out.find("#define MANIFUZZ_A_INL_wrong_two_in_a\n") != std::string::npos);
 }
 
 TEST_CASE("an edit that no longer applies fails the build") {

@@ -15,24 +15,38 @@
 // Writes a translation unit that holds a copy of some sources for each planted bug, its edit
 // applied, in a namespace of its own:
 //
-//   plant TABLE SOURCE_DIR OUTPUT ROOT SHARE SHARES {--edits FOLDER FILE...}...
+//   plant TABLE SOURCE_DIR OUTPUT ROOT SHARE SHARES {--edits PATH [--as SUFFIX] FILE...}...
 //
-// ROOT is the file to compile. A bug whose edit is in a file of FOLDER gets copies of the FILEs it
-// includes; all else is shared. Of all such bugs, every SHARES-th from SHARE on is taken.
+// ROOT is the file to compile. A bug whose edit is in PATH, a file or a folder, gets copies of the
+// FILEs it includes; all else is shared. SUFFIX makes its name another one, where several roots
+// have the bug. Of all such bugs, every SHARES-th from SHARE on is taken.
 
 using namespace manifuzz::canary;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// The files to be copied for bugs in files of one folder.
+/// The files to be copied for bugs in a file, or in the files of a folder.
 struct Part {
-  std::string folder;
+  std::string path;
+  std::string suffix;
   std::set<std::string> copied;
+
+  bool has(const std::string& file) const { return file == path || file.starts_with(path + "/"); }
 };
 
 bool is_word_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Highway includes files that end so once a target; each copy has an include guard of its own.
+std::string with_own_guard(std::string line, const std::string& bug) {
+  constexpr std::string_view ending = "_INL";
+  if (line.starts_with('#') && line.find("MANIFUZZ_") != std::string::npos) {
+    const std::size_t at = line.find(ending);
+    if (at != std::string::npos) line.insert(at + ending.size(), "_" + bug);
+  }
+  return line;
 }
 
 /// Each time `word` stands in the text as a word of its own, `by` takes its place.
@@ -77,7 +91,8 @@ class Copies {
       }
       return;
     }
-    const std::string named = with_word_replaced(line, "PLANTED_BUG", edit_.bug);
+    const std::string guarded = with_own_guard(line, edit_.bug);
+    const std::string named = with_word_replaced(guarded, "PLANTED_BUG", edit_.bug);
     text_ += with_word_replaced(named, "manifuzz", "manifuzz::planted::" + edit_.bug) + "\n";
   }
 
@@ -106,9 +121,11 @@ std::vector<Part> read_parts(std::span<char*> arguments) {
   std::vector<Part> parts;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i] == std::string("--edits") && i + 1 < arguments.size()) {
-      parts.push_back({std::string(arguments[++i]) + "/", {}});
+      parts.push_back({arguments[++i], {}, {}});
     } else if (parts.empty()) {
-      throw std::runtime_error("files come after --edits FOLDER");
+      throw std::runtime_error("files come after --edits PATH");
+    } else if (arguments[i] == std::string("--as") && i + 1 < arguments.size()) {
+      parts.back().suffix = arguments[++i];
     } else {
       parts.back().copied.insert(arguments[i]);
     }
@@ -133,12 +150,12 @@ void plant(std::span<char*> arguments) {
   const std::vector<Part> parts = read_parts(arguments.subspan(6));
   std::string text = "// Made by plant.cpp from the table of planted bugs.\n";
   int taken = 0;
-  for (const Edit& edit : read_edits(arguments[0])) {
-    const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part& candidate) {
-      return edit.file.rfind(candidate.folder, 0) == 0;
-    });
+  for (Edit& edit : read_edits(arguments[0])) {
+    const auto part = std::find_if(parts.begin(), parts.end(),
+                                   [&](const Part& candidate) { return candidate.has(edit.file); });
     if (part == parts.end() || taken++ % shares != share) continue;
     edited(edit, read_text(source / edit.file));  // wherever it is, it must apply
+    edit.bug += part->suffix;
     Copies copies(source, edit, *part);
     copies.add(root);
     text += opening(edit) + copies.text();

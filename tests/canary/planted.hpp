@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "clipping/placed_pair.hpp"
 #include "geometry/collider.hpp"
 #include "judging/bucket.hpp"
 
@@ -18,8 +20,37 @@ using JudgeOf = Bucket (*)(const PairCase& pair, const Declaration& subject,
                            const Answer& of_subject, const Declaration& oracle,
                            const Answer& of_oracle);
 
+/// What the kernel for one pair says of a pair, query by query.
+struct PairAnswers {
+  Manifold<float> manifold;
+  bool touches = false;
+  bool separation_touches = false;  ///< as `separation` sees it
+  float separation = 0;
+};
+
+/// A kernel for one pair, with a bug in it, about each pair in turn: every query without a hint, or
+/// with the one that it left before.
+using AskPair = std::vector<PairAnswers> (*)(std::span<const PairCase> pairs, float tie_bias,
+                                             bool hinted);
+
+/// Named here: copies of the clean code have a namespace `clipping` of their own.
+template <class Scalar>
+using Placed = clipping::PlacedPair<Scalar>;
+
+/// A kernel for many pairs, with a bug in it: the manifolds of all of them by one call.
+template <class Scalar>
+struct PlantedBatch {
+  using Collide = void (*)(std::span<const Placed<Scalar>> pairs, Scalar tie_bias,
+                           Manifold<Scalar>* out);
+  Collide from_indices;
+  Collide packed;
+};
+
 /// Registers the test that a planted bug is caught. To be called before main.
 bool add_collider(const char* bug, MakeCollider make);
 bool add_judge(const char* bug, JudgeOf judge_of);
+bool add_pair(const char* bug, AskPair ask);
+bool add_batch(const char* bug, const PlantedBatch<float>& batch,
+               const PlantedBatch<double>& batch64);
 
 }  // namespace manifuzz::canary

@@ -49,6 +49,7 @@ struct PlantedBug {
   std::string name;
   std::uint64_t cases_max = 0;  ///< within which it must be caught
   std::function<std::optional<Sighting>(const Haystack&)> search;
+  bool in_kernel = false;  ///< told by promises, too, which are no buckets
 };
 
 /// Whether it is a copy as it is, in which nothing may be noticed.

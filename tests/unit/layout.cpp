@@ -14,12 +14,12 @@ namespace {
 
 /// cli -> {report, campaign, measure} -> judging -> {cases, oracle} -> geometry, and
 /// {cli, measure} -> scene -> kernel -> clipping -> geometry. Of oracle/, the colliders outside
-/// talk in the formats of cases/, and lend campaigns their processes.
+/// talk in the formats of cases/, and lend campaigns and measurements their processes.
 const std::map<std::string, std::set<std::string>> kArrows = {
     {"cli", {"report", "campaign", "measure", "scene", "external"}},
     {"report", {"judging"}},
     {"campaign", {"judging", "external"}},
-    {"measure", {"judging", "scene"}},
+    {"measure", {"judging", "scene", "external"}},
     {"judging", {"cases", "oracle"}},
     {"cases", {"geometry"}},
     {"oracle", {"geometry"}},

@@ -1,0 +1,246 @@
+#include "measure/stress.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cases/file.hpp"
+#include "cases/text.hpp"
+#include "cases/user_error.hpp"
+#include "cli/breaking_points.hpp"
+#include "cli/colliders.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/parties.hpp"
+#include "cli/stress_pictures.hpp"
+#include "cli/stress_report.hpp"
+#include "cli/stress_save.hpp"
+#include "kernel/target.hpp"
+#include "measure/flush_to_zero.hpp"
+#include "report/provenance.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr std::uint64_t kQuickCases = 600;
+constexpr std::uint64_t kQuickFrames = 10'000;
+
+struct Options {
+  std::vector<std::string> sweeps;
+  std::vector<std::string> colliders;
+  ColliderChoice program{"collider", "", ""};
+  OutsideOptions outside;
+  std::optional<std::uint64_t> cases;
+  std::optional<std::uint64_t> frames;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> jobs;
+  bool quick = false;
+  bool flush_to_zero = false;
+  std::string json;
+  std::string csv;
+  std::string pictures;
+  std::string save;
+  std::string baseline;
+  std::string store;
+};
+
+void choose_sweeps(const std::vector<std::string>& names, StressPlan& plan) {
+  std::vector<std::string_view> known;
+  for (const Sweep& sweep : sweeps()) {
+    if (names.empty()) plan.sweeps.push_back(&sweep);
+    known.push_back(sweep.name);
+  }
+  for (const Walk& walk : walks()) {
+    if (names.empty()) plan.walks.push_back(&walk);
+    known.push_back(walk.name);
+  }
+  for (const std::string& name : names) {
+    if (const Sweep* const sweep = find_sweep(name)) {
+      plan.sweeps.push_back(sweep);
+    } else if (const Walk* const walk = find_walk(name)) {
+      plan.walks.push_back(walk);
+    } else {
+      throw UserError(fmt::format("--sweep: there is no '{}'; there are {}", printable(name),
+                                  fmt::join(known, ", ")));
+    }
+  }
+}
+
+/// Every collider that is there, or those that are named; of each that takes a tie bias, a variant
+/// for the walks.
+std::vector<Contestant> contestants_of(const Options& options) {
+  std::vector<Collider> chosen;
+  for (const std::string& name : options.colliders) {
+    chosen.push_back(find_collider(ColliderChoice{"collider", name, ""}, options.outside));
+  }
+  if (!options.program.command.empty()) {
+    chosen.push_back(find_collider(options.program, options.outside));
+  }
+  if (chosen.empty()) {
+    for (const ColliderEntry& entry : colliders()) {
+      try {
+        Collider collider = entry.make();
+        if (options.quick && collider.is_isolated()) continue;
+        chosen.push_back(std::move(collider));
+      } catch (const UserError& error) {
+        write_error(fmt::format("left out: {}\n", error.what()));
+      }
+    }
+  }
+  std::vector<Contestant> contestants{ideal_contestant()};
+  for (const Collider& collider : chosen) {
+    const std::string name = collider.declaration.name;
+    contestants.push_back({name, collider});
+    if (collider.with_tie_bias) {
+      contestants.push_back({name + " with a bias", collider.with_tie_bias(kWalkBias), true});
+    }
+  }
+  if (contestants.size() > kContestantsMax) {
+    throw UserError("--collider: that is too many at once");
+  }
+  return contestants;
+}
+
+StressPlan plan_of(const Options& options) {
+  StressPlan plan;
+  choose_sweeps(options.sweeps, plan);
+  plan.contestants = contestants_of(options);
+  plan.seed = options.seed.value_or(plan.seed);
+  plan.cases = options.cases.value_or(options.quick ? kQuickCases : plan.cases);
+  plan.flush_to_zero = options.flush_to_zero;
+  if (plan.flush_to_zero && !can_flush_to_zero()) {
+    throw UserError("--flush-to-zero: this processor cannot, or not as it is known here");
+  }
+  plan.frames = options.frames.value_or(options.quick ? kQuickFrames : plan.frames);
+  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
+  plan.jobs = static_cast<int>(std::min<std::uint64_t>(options.jobs.value_or(cores), 1024));
+  return plan;
+}
+
+std::string progress_line(const StressProgress& progress) {
+  const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
+  const double left = share > 0 ? progress.seconds / share - progress.seconds : 0;
+  return fmt::format("{} of {} cases, {:.0f} a second, {:.0f} s left", progress.done,
+                     progress.total, static_cast<double>(progress.done) / progress.seconds, left);
+}
+
+nlohmann::ordered_json report_json(const StressPlan& plan, const StressResult& result) {
+  std::vector<Declaration> declarations;
+  for (const Contestant& contestant : plan.contestants) {
+    const bool is_collider = contestant.name != kIdealName && !contestant.walks_only;
+    if (is_collider) declarations.push_back(contestant.collider.declaration);
+  }
+  nlohmann::ordered_json json = provenance(plan.seed, declarations);
+  json["machine"]["instruction_set"] = kernel::targets().front();
+  json["cases"] = plan.cases;
+  json["frames"] = plan.frames;
+  json["flush_to_zero"] = plan.flush_to_zero;
+  json["seconds"] = result.seconds;
+  json["interrupted"] = result.interrupted;
+  json["sweeps"] = stress_sweeps_json(plan, result);
+  json["walks"] = stress_walks_json(plan, result);
+  return json;
+}
+
+/// What a run found is saved, even after it was interrupted; a second signal ends the saving.
+void save(const StressPlan& plan, const StressResult& result, const std::string& folder) {
+  Interruption interruption;
+  const ProgressLine line;
+  const std::string corpus = std::filesystem::proximate(folder).string();
+  save_worst(plan, result, corpus, interruption,
+             [&](const std::string& name) { line.show("saving " + name); });
+}
+
+void write_files(const StressPlan& plan, const StressResult& result, const Options& options,
+                 const std::string& json) {
+  if (!options.csv.empty()) write_file(options.csv, stress_csv(plan, result));
+  if (!options.json.empty() && options.json != "-") write_file(options.json, json);
+  if (!options.pictures.empty()) write_stress_pictures(options.pictures, plan, result);
+  if (!options.save.empty()) save(plan, result, options.save);
+  if (options.store.empty()) return;
+  if (result.interrupted) throw UserError("--store: interrupted, nothing is stored");
+  write_file(options.store, breaking_points_json(plan, result).dump(1, '\t') + '\n');
+}
+
+int stress(const Options& options) {
+  const StressPlan plan = plan_of(options);
+  if (!options.pictures.empty()) make_picture_folder(options.pictures);
+  nlohmann::ordered_json stored;
+  if (!options.baseline.empty()) stored = read_breaking_points(options.baseline, plan);
+  StressResult result;
+  {
+    Interruption interruption;
+    const ProgressLine line;
+    result = run_stress(plan, interruption, [&](const StressProgress& progress) {
+      line.show(progress_line(progress));
+    });
+  }
+  const std::string text =
+      options.json.empty() ? "" : report_json(plan, result).dump(1, '\t') + '\n';
+  write_files(plan, result, options, text);
+  std::string report = result.interrupted ? "interrupted: what was measured until then\n" : "";
+  report += stress_table(plan, result);
+  std::vector<std::string> worse;
+  if (!options.baseline.empty()) worse = moved_down(plan, result, stored);
+  if (!worse.empty()) report += fmt::format("\nworse than stored:\n{}\n", fmt::join(worse, "\n"));
+  write_to_reader(options.json == "-" ? text : report);
+  return worse.empty() ? 0 : 1;
+}
+
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("--sweep", options->sweeps, "a sweep or a walk, again for more; all if not given")
+      ->type_name("S")
+      ->allow_extra_args(false);
+  app.add_option("--collider", options->colliders,
+                 "a collider, again for more; all that are there if not given")
+      ->type_name("C|LIBRARY.so")
+      ->allow_extra_args(false);
+  app.add_option("--collider-command", options->program.command,
+                 "one more, as a program: case lines in, manifold lines out")
+      ->type_name("COMMAND")
+      ->check(not_blank);
+  add_outside(app, options->outside);
+  add_whole_number(app, "--cases", options->cases, "a step; 100000 if not given", 1);
+  add_whole_number(app, "--frames", options->frames, "a walk; 1000000 if not given", 1);
+  add_whole_number(app, "--seed", options->seed, "what the cases hang on; 1 if not given");
+  add_whole_number(app, "--jobs", options->jobs, "how many processes; one a core if not given", 1);
+  app.add_flag(
+      "--quick", options->quick,
+      "fewer cases, and no collider in a process of its own unless it is named: less than 20 s");
+  app.add_flag("--flush-to-zero", options->flush_to_zero,
+               "colliders in this process compute without subnormal numbers, as engines may");
+  app.add_option("--json", options->json, "every step as JSON, to a file or - for stdout")
+      ->type_name("FILE");
+  app.add_option("--csv", options->csv, "every step with commas")->type_name("FILE");
+  app.add_option("--pictures", options->pictures,
+                 "error against each sweep's knob, DIR/SWEEP.svg and DIR/SWEEP.png")
+      ->type_name("DIR")
+      ->check(not_blank);
+  app.add_option("--save", options->save,
+                 "a corpus for the worst: wrong cases shrunk, and clip's worst of every sweep")
+      ->type_name("DIR")
+      ->check(not_blank);
+  app.add_option("--baseline", options->baseline,
+                 "breaking points that were stored: none may have moved down")
+      ->type_name("FILE")
+      ->check(not_blank);
+  app.add_option("--store", options->store, "stores the breaking points, for --baseline")
+      ->type_name("FILE")
+      ->check(not_blank);
+  return [options] { return stress(*options); };
+}
+
+}  // namespace
+
+extern const Command kStress;
+const Command kStress{"stress", "Numerical stability: a knob turned until each collider breaks.",
+                      "manifuzz stress --quick --sweep distance", define};
+
+}  // namespace manifuzz

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "measure/stress.hpp"
+
+namespace manifuzz {
+
+/// Writes the worst of a run to a corpus, a file a sweep and collider, over those of runs before:
+/// - where a collider is wrong, by the judge too: the case on which it is farthest off, shrunk, in
+///   the folder of its verdict;
+/// - of `clip` otherwise, against Box2D: the case of its largest error, as a case on which it must
+///   stay right.
+/// Returns how many were written. `on_file` is told of each before it is shrunk. Throws UserError
+/// where one cannot be written, and Interrupted.
+std::size_t save_worst(const StressPlan& plan, const StressResult& result,
+                       const std::filesystem::path& corpus, Interruption& interruption,
+                       const std::function<void(const std::string&)>& on_file);
+
+}  // namespace manifuzz

@@ -1,0 +1,22 @@
+#include "canary/blame.hpp"
+
+#include <memory>
+
+namespace manifuzz::canary {
+
+std::optional<Bucket> blame(const PairCase& pair, const Testimony& subject,
+                            const Testimony& oracle) {
+  const auto truth = std::make_shared<const exact::Truth>(pair);
+  if (plainly_agree(*truth, subject, oracle)) return std::nullopt;
+  const Bucket bucket = judge(truth, subject, oracle).bucket;
+  return is_failure(bucket) ? std::optional(bucket) : std::nullopt;
+}
+
+std::optional<Bucket> blame(const PairCase& pair, const Collider& subject, const Collider& oracle) {
+  const Answer of_subject = subject.collide(pair);
+  const Answer of_oracle = oracle.collide(pair);
+  return blame(pair, Testimony{subject.declaration, of_subject},
+               Testimony{oracle.declaration, of_oracle});
+}
+
+}  // namespace manifuzz::canary

@@ -1,0 +1,276 @@
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "canary/blame.hpp"
+#include "canary/planted.hpp"
+#include "canary/search.hpp"
+#include "cases/regime.hpp"
+#include "cases/shrink.hpp"
+#include "clipping/collide.hpp"
+#include "clipping/collider.hpp"
+#include "oracle/box2d/box2d.hpp"
+
+// Bugs planted into the kernels: a manifold must differ from the clean code's, or a hint must
+// change an answer. What the judge says of such a manifold is reported first.
+
+namespace manifuzz::canary {
+namespace {
+
+constexpr std::uint64_t kCases = 40'000;
+
+/// Something that a kernel promises and does not keep.
+struct Broken {
+  std::string promise;
+  std::string kernel{};            ///< whose manifold it is about, where it is about one
+  std::optional<Answer> answer{};  ///< that manifold
+  Declaration declaration{};
+};
+
+/// About a case, the number of which tells in which company, by which bias and by which motion.
+using Look = std::function<std::optional<Broken>(std::uint64_t number, const PairCase& pair)>;
+
+std::optional<Noticed> noticed_by_judge(const Look& look, std::uint64_t number,
+                                        const PairCase& pair) {
+  static const Collider oracle = make_box2d();
+  const auto broken = look(number, pair);
+  if (!broken || !broken->answer) return std::nullopt;
+  const Answer of_oracle = oracle.collide(pair);
+  const auto bucket = blame(pair, Testimony{broken->declaration, *broken->answer},
+                            Testimony{oracle.declaration, of_oracle});
+  if (!bucket) return std::nullopt;
+  return Noticed{"judge of " + broken->kernel, to_string(*bucket)};
+}
+
+std::optional<Noticed> noticed_by_promise(const Look& look, std::uint64_t number,
+                                          const PairCase& pair) {
+  const auto broken = look(number, pair);
+  if (!broken) return std::nullopt;
+  return Noticed{broken->promise, broken->promise};
+}
+
+using NoticeOf = std::optional<Noticed> (*)(const Look&, std::uint64_t, const PairCase&);
+
+std::optional<Sighting> search_with(const Haystack& haystack, const Look& look, NoticeOf notice) {
+  return search(
+      haystack,
+      [&](std::uint64_t number, const PairCase& pair) { return notice(look, number, pair); },
+      [&](std::uint64_t number, const PairCase& pair, const Noticed& noticed) {
+        return shrink(pair, [&](const PairCase& smaller) {
+          const auto again = notice(look, number, smaller);
+          return again && again->look == noticed.look;
+        });
+      });
+}
+
+/// What the judge sees first, which is asked about that many cases at most (it need not see every
+/// bug), then the first promise that is not kept. `look` at all of them, `look_at_manifold` is
+/// cheaper.
+bool add_kernel(const char* bug, const Look& look, const Look& look_at_manifold,
+                std::uint64_t judged_max) {
+  const auto search_both = [=](const Haystack& haystack) {
+    Haystack to_judge = haystack;
+    to_judge.cases_max = std::min(haystack.cases_max, haystack.first + judged_max);
+    auto judged = search_with(to_judge, look_at_manifold, noticed_by_judge);
+    auto broken = search_with(haystack, look, noticed_by_promise);
+    if (!judged) return broken;
+    if (broken) judged->noticed.by += ", " + broken->noticed.by;
+    return judged;
+  };
+  return add_planted_bug(
+      {.name = bug, .cases_max = kCases, .search = search_both, .in_kernel = true});
+}
+
+/// Every other round of the regimes.
+float tie_bias(std::uint64_t number) {
+  return number / regimes().size() % 2 == 0 ? 0.0F : 0.0005F;
+}
+
+/// Whether the chosen features' clip misses the overlap: what is found is the cure's.
+bool is_cured(const PairCase& pair) {
+  const ConvexPolygon<float>& a = pair.a.polygon;
+  const auto b = transform(relative_pose(pair.a.pose, pair.b.pose), pair.b.polygon);
+  const auto manifold = clipping::collide_in_frame(a, b);
+  if (manifold.count == 0) return false;
+  constexpr float no_limit = std::numeric_limits<float>::infinity();
+  const auto of_a = clipping::greatest_separation(a, b, no_limit);
+  const auto of_b = clipping::greatest_separation(b, a, no_limit);
+  const clipping::ContactFeatures features =
+      of_b.separation > of_a.separation
+          ? clipping::ContactFeatures{Side::b, of_b.face,
+                                      clipping::incident_edge(a, b.normals[of_b.face])}
+          : clipping::ContactFeatures{Side::a, of_a.face,
+                                      clipping::incident_edge(b, a.normals[of_a.face])};
+  return manifold != clipping::clip_features(a, b, features);
+}
+
+/// One case of each regime, and one that needs the cure.
+const std::vector<PairCase>& companions() {
+  static const std::vector<PairCase> all = [] {
+    std::vector<PairCase> made;
+    for (const Regime& regime : regimes()) made.push_back(generate(2, regime, 0));
+    const Regime& regime = *find_regime("near_collinear");
+    std::uint64_t index = 0;
+    while (!is_cured(generate(2, regime, index))) ++index;
+    made.push_back(generate(2, regime, index));
+    return made;
+  }();
+  return all;
+}
+
+/// What the clean code says of a pair.
+PairAnswers clean_answers(const PairCase& pair, float bias) {
+  const ConvexPolygon<float>& a = pair.a.polygon;
+  const auto b = transform(relative_pose(pair.a.pose, pair.b.pose), pair.b.polygon);
+  constexpr float no_limit = std::numeric_limits<float>::infinity();
+  const float separation = std::max(clipping::greatest_separation(a, b, no_limit).separation,
+                                    clipping::greatest_separation(b, a, no_limit).separation);
+  const bool touches = !(separation > a.radius + b.radius);
+  return {clipping::collide_in_frame(a, b, bias), touches, touches, separation};
+}
+
+/// Which answer is another than it should be; of pairs that do not touch, any separation by more
+/// than the total radius is right.
+std::string difference(const PairAnswers& said, const PairAnswers& right, float total_radius) {
+  if (said.manifold != right.manifold) return "pair";
+  if (said.touches != right.touches) return "touches";
+  const bool separation_is_right =
+      right.touches ? said.separation == right.separation : said.separation > total_radius;
+  return separation_is_right && said.separation_touches == right.touches ? "" : "separation";
+}
+
+/// The pair, a little farther, turned, another pair, the pair again, far apart, and again.
+std::vector<PairCase> motion(std::uint64_t number, const PairCase& pair) {
+  Random random(number, "motion", 0);
+  const auto farther = [&](double sizes) {
+    PairCase moved = pair;
+    const double x = random.uniform(-1, 1) * sizes * size(pair);
+    const double y = random.uniform(-1, 1) * sizes * size(pair);
+    moved.b.pose.position += Vector2<double>(x, y).cast<float>();
+    return moved;
+  };
+  const PairCase near = farther(0.1);
+  PairCase turned = pair;
+  turned.b.pose.rotation = companions()[number % companions().size()].b.pose.rotation;
+  const PairCase& other = companions()[(number + 7) % companions().size()];
+  return {pair, near, turned, other, pair, farther(2), pair, near};
+}
+
+float radius_of_both(const PairCase& pair) {
+  return pair.a.polygon.radius + pair.b.polygon.radius;
+}
+
+/// By answers without hints.
+std::optional<Broken> broken_by_pair(AskPair ask, std::uint64_t number, const PairCase& pair) {
+  const float bias = tie_bias(number);
+  const PairAnswers said = ask({&pair, 1}, bias, false)[0];
+  const std::string what = difference(said, clean_answers(pair, bias), radius_of_both(pair));
+  if (what.empty()) return std::nullopt;
+  if (what != "pair") return Broken{what + " differs from clip"};
+  return Broken{"pair differs from clip", "pair", manifold_cast<double>(said.manifold),
+                make_clip(static_cast<double>(bias)).declaration};
+}
+
+/// By answers that are others with hints than without.
+std::optional<Broken> broken_by_hints(AskPair ask, std::uint64_t number, const PairCase& pair) {
+  const std::vector<PairCase> steps = motion(number, pair);
+  const std::vector<PairAnswers> without = ask(steps, tie_bias(number), false);
+  const std::vector<PairAnswers> with_hints = ask(steps, tie_bias(number), true);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const std::string what = difference(with_hints[i], without[i], radius_of_both(steps[i]));
+    if (!what.empty()) return Broken{"a hint misleads " + what};
+  }
+  return std::nullopt;
+}
+
+/// One among others: at both ends, and in the middle.
+template <class T>
+std::vector<T> crowd(const std::vector<T>& others, const T& one, std::size_t size) {
+  std::vector<T> all;
+  for (std::size_t i = 0; i < size; ++i) all.push_back(others[i % others.size()]);
+  for (const std::size_t i : {std::size_t{0}, size / 2, size - 1}) all[i] = one;
+  return all;
+}
+
+/// More than a block, no whole number of them; now and then more than the kernels group at once.
+std::size_t crowd_size(std::uint64_t number) {
+  return number % 1000 == 999 ? 4200 : 23;
+}
+
+template <class Scalar>
+const std::vector<Placed<Scalar>>& placed_companions() {
+  static const std::vector<Placed<Scalar>> all = [] {
+    std::vector<Placed<Scalar>> placed;
+    for (const PairCase& pair : companions()) placed.push_back(clipping::placed_pair<Scalar>(pair));
+    return placed;
+  }();
+  return all;
+}
+
+template <class Scalar>
+Answer answer(Manifold<Scalar> manifold, Scalar local_per_world) {
+  for (ContactPoint<Scalar>& point : manifold.points) point.position *= local_per_world;
+  return manifold_cast<double>(manifold);
+}
+
+/// Whether the pair, wherever it stands, has another manifold than by the clean code.
+template <class Scalar>
+std::optional<Broken> broken_by_batch(typename PlantedBatch<Scalar>::Collide collide,
+                                      const std::string& kernel, const Collider& clean,
+                                      std::uint64_t number, const PairCase& pair) {
+  const Scalar bias = tie_bias(number);
+  const auto placed = clipping::placed_pair<Scalar>(pair);
+  const auto right =
+      clipping::collide(placed.a, placed.b, relative_pose(placed.pose_a, placed.pose_b), bias);
+  const auto all = crowd(placed_companions<Scalar>(), placed, crowd_size(number));
+  std::vector<Manifold<Scalar>> manifolds(all.size());
+  collide(all, bias, manifolds.data());
+  for (const std::size_t i : {std::size_t{0}, all.size() / 2, all.size() - 1}) {
+    if (manifolds[i] == right) continue;
+    return Broken{kernel + " differs from " + clean.declaration.name, kernel,
+                  answer(manifolds[i], placed.local_per_world),
+                  clean.with_tie_bias(static_cast<double>(bias)).declaration};
+  }
+  return std::nullopt;
+}
+
+/// Asked in one of four ways, in turn; each regime comes to all of them, by either bias.
+std::optional<Broken> broken_by_batches(const PlantedBatch<float>& batch,
+                                        const PlantedBatch<double>& batch64, std::uint64_t number,
+                                        const PairCase& pair) {
+  static const Collider clip = make_clip();
+  static const Collider clip64 = make_clip64();
+  switch ((number + number / regimes().size() / 2) % 4) {
+    case 0:
+      return broken_by_batch<float>(batch.from_indices, "batch", clip, number, pair);
+    case 1:
+      return broken_by_batch<float>(batch.packed, "batch packed", clip, number, pair);
+    case 2:
+      return broken_by_batch<double>(batch64.from_indices, "batch64", clip64, number, pair);
+    default:
+      return broken_by_batch<double>(batch64.packed, "batch64 packed", clip64, number, pair);
+  }
+}
+
+}  // namespace
+
+bool add_pair(const char* bug, AskPair ask) {
+  const auto look_at_manifold = [ask](std::uint64_t number, const PairCase& pair) {
+    return broken_by_pair(ask, number, pair);
+  };
+  const auto look = [ask](std::uint64_t number, const PairCase& pair) {
+    auto broken = broken_by_pair(ask, number, pair);
+    return broken ? broken : broken_by_hints(ask, number, pair);
+  };
+  return add_kernel(bug, look, look_at_manifold, kCases / 4);
+}
+
+bool add_batch(const char* bug, const PlantedBatch<float>& batch,
+               const PlantedBatch<double>& batch64) {
+  const auto look = [batch, batch64](std::uint64_t number, const PairCase& pair) {
+    return broken_by_batches(batch, batch64, number, pair);
+  };
+  return add_kernel(bug, look, look, kCases / 20);  // twenty-three pairs a case
+}
+
+}  // namespace manifuzz::canary

@@ -1,0 +1,63 @@
+// Copied for each bug planted into the kernels for many pairs, and compiled under the bug's
+// namespace.
+#include <memory>
+
+#include "canary/one_target.hpp"
+#include "canary/planted.hpp"
+#include "kernel/batch.cpp"
+#include "kernel/cure.cpp"
+#include "kernel/packed.cpp"
+#include "kernel/shape_rows.cpp"
+#include "kernel/shapes.cpp"
+
+namespace manifuzz {
+namespace {
+
+/// Arrays, not vectors: those cost more to compile than the kernels.
+template <class Scalar>
+struct Scene {
+  explicit Scene(std::span<const canary::Placed<Scalar>> placed)
+      : count(placed.size()),
+        bodies(new kernel::Placement<Scalar>[2 * count]),
+        pairs(new kernel::BodyPair[count]) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      bodies[2 * i] = {shapes.add(placed[i].a), placed[i].pose_a};
+      bodies[2 * i + 1] = {shapes.add(placed[i].b), placed[i].pose_b};
+      pairs[i] = {2 * i, 2 * i + 1};
+    }
+  }
+
+  std::size_t count;
+  kernel::Shapes<Scalar> shapes;
+  std::unique_ptr<kernel::Placement<Scalar>[]> bodies;
+  std::unique_ptr<kernel::BodyPair[]> pairs;
+};
+
+template <class Scalar>
+void from_indices(std::span<const canary::Placed<Scalar>> placed, Scalar tie_bias,
+                  Manifold<Scalar>* out) {
+  const Scene<Scalar> scene(placed);
+  kernel::collide_pairs(scene.shapes, {scene.bodies.get(), 2 * scene.count},
+                        {scene.pairs.get(), scene.count}, tie_bias, {out, scene.count});
+}
+
+template <class Scalar>
+void packed(std::span<const canary::Placed<Scalar>> placed, Scalar tie_bias,
+            Manifold<Scalar>* out) {
+  const Scene<Scalar> scene(placed);
+  const kernel::PackedPairs<Scalar> pairs(scene.shapes, {scene.bodies.get(), 2 * scene.count},
+                                          {scene.pairs.get(), scene.count});
+  const std::unique_ptr<kernel::ManifoldBlock<Scalar>[]> blocks(
+      new kernel::ManifoldBlock<Scalar>[pairs.block_count()]());
+  kernel::collide_packed(pairs, tie_bias, {blocks.get(), pairs.block_count()});
+  for (std::size_t i = 0; i < scene.count; ++i) {
+    const auto column = static_cast<int>(i % kernel::kBlockPairs);
+    out[i] = kernel::manifold(blocks[i / kernel::kBlockPairs], column);
+  }
+}
+
+[[maybe_unused]] const bool planted = canary::add_batch(
+    "PLANTED_BUG", {from_indices<float>, packed<float>}, {from_indices<double>, packed<double>});
+
+}  // namespace
+}  // namespace manifuzz

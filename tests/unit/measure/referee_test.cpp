@@ -1,0 +1,105 @@
+#include "measure/referee.hpp"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "clipping/collider.hpp"
+#include "oracle/box2d/box2d.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// Two squares of side 2, B above A by less than 2.
+PairCase squares(float height, float far = 0) {
+  const Vector2<float> corners[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  Body body;
+  body.polygon = make_polygon<float>(corners);
+  PairCase pair{body, body};
+  pair.a.pose.position = {far, 0};
+  pair.b.pose.position = {far + 0.5F, height};
+  return pair;
+}
+
+const Declaration& of_clip() {
+  static const Collider clip = make_clip();
+  return clip.declaration;
+}
+
+Manifold<double> right_answer(const PairCase& pair) {
+  return std::get<Manifold<double>>(make_clip().collide(pair));
+}
+
+Assessment assessed(const PairCase& pair, const Answer& answer,
+                    const Declaration& declaration = of_clip()) {
+  Referee referee(pair);
+  return referee.measure(declaration, referee.heard(declaration, answer)).assessment;
+}
+
+}  // namespace
+
+TEST_CASE("what is right is measured, what is wrong named") {
+  const PairCase pair = squares(1.75F);
+  const Manifold<double> right = right_answer(pair);
+  REQUIRE(right.count == 2);
+  CHECK(assessed(pair, right) == Assessment::right);
+  CHECK(assessed(pair, Manifold<double>{}) == Assessment::missed);
+  CHECK(assessed(squares(2.25F), right) == Assessment::phantom);
+  Manifold<double> one = right;
+  one.count = 1;
+  CHECK(assessed(pair, one) == Assessment::wrong_count);
+  Manifold<double> shifted = right;
+  shifted.points[0].position.x() += 0.1;
+  CHECK(assessed(pair, shifted) == Assessment::gross);
+  Manifold<double> nonsense = right;
+  nonsense.points[1].depth = std::nan("");
+  CHECK(assessed(pair, nonsense) == Assessment::lost);
+  CHECK(assessed(pair, Lost{}) == Assessment::lost);
+  CHECK(assessed(pair, Unsupported{}) == Assessment::unsupported);
+}
+
+TEST_CASE("errors are shares of the size, of the bound, and roundoffs of the extent") {
+  const PairCase pair = squares(1.75F);
+  Manifold<double> deeper = right_answer(pair);
+  const double off = 0x1p-20;
+  deeper.points[0].depth += off;
+  Referee referee(pair);
+  const Measured measured = referee.measure(of_clip(), deeper);
+  REQUIRE(measured.has_errors);
+  CHECK(measured.assessment == Assessment::right);  // beyond the bound, but not grossly
+  CHECK(measured.of_size.depth == Approx(off / size(pair)));
+  CHECK(measured.of_size.position == 0);
+  CHECK(measured.of_size.normal == 0);
+  const Bounds bound = bounds(pair, of_clip());
+  CHECK(measured.of_bound.depth == Approx(off / bound.separation));
+  CHECK(measured.of_extent == Approx(off * 0x1p24 / extent(pair)));
+}
+
+TEST_CASE("no distance from the origin excuses a lost contact or makes a case ill posed") {
+  const PairCase far = squares(1.75F, 0x1p22F);
+  const Declaration box2d = make_box2d().declaration;
+  REQUIRE(is_ill_posed(far, bounds(far, box2d)));  // for the judge, by the collider's own frame
+  CHECK(assessed(far, Manifold<double>{}, box2d) == Assessment::missed);
+  CHECK(assessed(far, right_answer(far), box2d) == Assessment::right);
+}
+
+TEST_CASE("what float cannot tell is ill posed") {
+  PairCase pair = squares(1.75F);
+  for (auto& vertex : pair.b.polygon.vertices) vertex.x() += 0x1p22F;
+  for (int i = 0; i < 4; ++i) pair.a.polygon.vertices[i].x() += 0x1p22F;
+  CHECK(assessed(pair, right_answer(pair)) == Assessment::ill_posed);
+  CHECK(assessed(pair, make_clip64().collide(pair), make_clip64().declaration) ==
+        Assessment::right);
+}
+
+TEST_CASE("the truth, rounded once, errs by at most its roundoff") {
+  const PairCase pair = squares(1.7F);
+  Referee referee(pair);
+  const Manifold<double> ideal = rounded_once(referee.truth_for(of_clip()));
+  REQUIRE(ideal.count == 2);
+  const Measured measured = referee.measure(of_clip(), ideal);
+  CHECK(measured.assessment == Assessment::right);
+  CHECK(measured.of_extent <= 1);
+}
+
+}  // namespace manifuzz

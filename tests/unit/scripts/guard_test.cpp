@@ -1,0 +1,105 @@
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.hpp"
+#include "support/source_tree.hpp"
+#include "support/temporary_folder.hpp"
+
+// scripts/guard over stand-ins for valgrind and for what it counts.
+
+using namespace manifuzz::test;
+using Json = nlohmann::json;
+
+namespace {
+
+/// What the stand-in counts of everything.
+constexpr int kCounted = 1000;
+
+Json stored(int clip, int others = kCounted) {
+  return {
+      {"build", "a build"},
+      {"target", "a target"},
+      {"instructions",
+       {{"clip", clip}, {"pair", others}, {"batch packed", others}, {"batch indices", others}}}};
+}
+
+struct Guarded {
+  Outcome outcome;
+  Json counts;  ///< as stored afterwards
+};
+
+Guarded guard(const Json& counts, const std::vector<std::string>& options = {}) {
+  const TemporaryFolder folder;
+  const auto program = [&](const std::string& name, const std::string& body) {
+    std::string path = folder.write(name, "#!/bin/sh\n" + body);
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    return path;
+  };
+  const std::string counter = program("counter", "echo a build\n");
+  program("valgrind",
+          "echo a target\necho '==7== Collected : " + std::to_string(kCounted) + "' >&2\n");
+  const std::string file = folder.write("counts.json", counts.dump());
+  std::vector<std::string> command{"env", "MANIFUZZ_COUNTER=" + counter, "MANIFUZZ_COUNTS=" + file,
+                                   "PATH=" + folder.path().string() + ":" + std::getenv("PATH"),
+                                   (source_dir() / "scripts/guard").string()};
+  command.insert(command.end(), options.begin(), options.end());
+  Guarded guarded{run_program(command), {}};
+  guarded.counts = Json::parse(std::ifstream(file));
+  return guarded;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("counts within 3% of the stored ones pass") {
+  for (const int clip : {kCounted, 971, 1030}) CHECK(guard(stored(clip)).outcome.status == 0);
+}
+
+TEST_CASE("a count that rose or fell by more than 3% fails, and says how to update") {
+  for (const int clip : {970, 1031}) {
+    const Outcome outcome = guard(stored(clip)).outcome;
+    CHECK(outcome.status == 1);
+    CHECK(contains(outcome.out, "clip: stored " + std::to_string(clip) + ", counted 1000, "));
+    CHECK(contains(outcome.out, "scripts/guard --update"));
+  }
+  CHECK(contains(guard(stored(970)).outcome.out, "+3.09%"));
+  CHECK(contains(guard(stored(1031)).outcome.out, "-3.01%"));
+  CHECK(guard(stored(kCounted, 970)).outcome.status == 1);
+}
+
+TEST_CASE("an update stores what is counted") {
+  const Guarded guarded = guard(stored(1), {"--update"});
+  CHECK(guarded.outcome.status == 0);
+  CHECK(guarded.counts == stored(kCounted));
+}
+
+TEST_CASE("counts of another build or target are not checked, and it says so") {
+  for (const char* key : {"build", "target"}) {
+    Json counts = stored(1);
+    counts[key] = "another";
+    const Outcome outcome = guard(counts).outcome;
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "scripts/guard: skipped: the stored counts are for "));
+  }
+}
+
+TEST_CASE("the guard refuses other options and counts that are not there") {
+  for (const auto& options :
+       std::vector<std::vector<std::string>>{{"--check"}, {"--update", "1"}}) {
+    const Outcome outcome = guard(stored(kCounted), options).outcome;
+    CHECK(outcome.status == 2);
+    CHECK(contains(outcome.err, "takes no option but --update"));
+  }
+  CHECK(guard(Json::object()).outcome.status == 2);
+  Json counts = stored(kCounted);
+  counts["instructions"].erase("batch packed");
+  CHECK(guard(counts).outcome.status == 2);
+}
