@@ -8,26 +8,35 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "kernel/target.hpp"
-#include "measure/scene_run.hpp"
+#include "cli/scene_report.hpp"
 #include "report/frame_picture.hpp"
 #include "report/gnuplot.hpp"
-#include "report/provenance.hpp"
-#include "report/scene_plots.hpp"
 
 namespace manifuzz {
 namespace {
 
 constexpr std::size_t kBodiesMax = 1'000'000;
 
+/// A hundredth of a body.
+constexpr float kMotion = 0.01F;
+
 struct Options {
   std::vector<std::string> scenes;
   std::vector<std::size_t> bodies;
   std::optional<std::uint64_t> steps;
+  std::string mode = "strict";
+  std::optional<float> motion;
   std::string json;
   std::string scaling;
   std::string skipped;
+  std::string recycling;
   std::string frame;
+
+  std::vector<std::size_t> sizes() const {
+    return bodies.empty() ? std::vector<std::size_t>{100, 1'000, 10'000} : bodies;
+  }
+  int steps_or_default() const { return static_cast<int>(steps.value_or(30)); }
+  float recycled_motion() const { return mode == "recycle" ? motion.value_or(kMotion) : 0; }
 };
 
 std::vector<const SceneSpec*> chosen_scenes(const std::vector<std::string>& names) {
@@ -44,83 +53,68 @@ std::vector<const SceneSpec*> chosen_scenes(const std::vector<std::string>& name
   return chosen;
 }
 
-std::vector<SceneRun> run_all(const Options& options) {
-  const std::vector<std::size_t> sizes =
-      options.bodies.empty() ? std::vector<std::size_t>{100, 1'000, 10'000} : options.bodies;
+/// Each chosen scene at each number of bodies.
+template <class Visit>
+void for_each_scene(const Options& options, std::span<const std::size_t> sizes,
+                    std::string_view doing, const Visit& visit) {
   const ProgressLine line;
-  std::vector<SceneRun> runs;
   for (const SceneSpec* const spec : chosen_scenes(options.scenes)) {
     for (const std::size_t bodies : sizes) {
-      line.show(fmt::format("{} of {} bodies", spec->name, bodies));
-      const int steps = static_cast<int>(options.steps.value_or(30));
-      runs.push_back(run_scene(spec->name, spec->make(bodies, steps)));
+      line.show(fmt::format("{}: {} of {} bodies", doing, spec->name, bodies));
+      visit(*spec, spec->make(bodies, options.steps_or_default()));
     }
   }
-  return runs;
 }
 
-/// The runs of one scene, which follow each other.
-std::vector<ScalingLine> scaling_lines(const std::vector<SceneRun>& runs) {
-  std::vector<ScalingLine> lines;
-  for (const SceneRun& run : runs) {
-    if (lines.empty() || lines.back().name != run.scene) lines.push_back({run.scene, {}});
-    lines.back().points.emplace_back(static_cast<double>(run.bodies), run.ns_per_step);
-  }
-  for (ScalingLine& line : lines) {
-    const auto exponent = fitted_exponent(line.points);
-    if (exponent) line.name += fmt::format(", exponent {:.2f}", *exponent);
-  }
-  return lines;
-}
-
-/// Of each scene the run of the most bodies.
-std::vector<SkipBar> skip_bars(const std::vector<SceneRun>& runs) {
-  std::vector<SkipBar> bars;
-  for (const SceneRun& run : runs) {
-    if (bars.empty() || bars.back().name != run.scene) bars.emplace_back();
-    const scene::PairCounts& pairs = run.counts.pairs;
-    const auto all = static_cast<double>(std::max<std::size_t>(1, pairs.candidates));
-    const auto percent = [&](std::size_t part) { return 100 * static_cast<double>(part) / all; };
-    bars.back() = {run.scene, percent(pairs.at_rest), percent(pairs.separated),
-                   percent(pairs.collided)};
-  }
-  return bars;
+SceneReport run_all(const Options& options) {
+  SceneReport report;
+  const auto sizes = options.sizes();
+  for_each_scene(
+      options, sizes, "timing", [&](const SceneSpec& spec, const Trajectory& trajectory) {
+        report.runs.push_back(
+            run_scene(spec.name, trajectory, {.recycled_motion = options.recycled_motion()}));
+      });
+  if (options.recycling.empty()) return report;
+  const std::span<const std::size_t> first(sizes.data(), 1);
+  for_each_scene(options, first, "recycling",
+                 [&](const SceneSpec& spec, const Trajectory& trajectory) {
+                   RecyclingCurve& curve = report.curves.emplace_back();
+                   curve.scene = spec.name;
+                   curve.bodies = trajectory.start.size();
+                   for (const float motion : kRecyclingMotions) {
+                     curve.runs.push_back(run_recycling(trajectory, motion));
+                   }
+                 });
+  return report;
 }
 
 /// The last step of the first scene, at its first number of bodies.
 std::string frame_of(const Options& options) {
   const SceneSpec& spec = *chosen_scenes(options.scenes).front();
-  const std::size_t bodies = options.bodies.empty() ? 100 : options.bodies.front();
-  const Trajectory trajectory = spec.make(bodies, static_cast<int>(options.steps.value_or(30)));
+  const std::size_t bodies = options.sizes().front();
+  const Trajectory trajectory = spec.make(bodies, options.steps_or_default());
   const Frame frame = last_frame(trajectory);
   return frame_svg(frame.bodies, frame.contacts, fmt::format("{} of {} bodies", spec.name, bodies));
 }
 
-nlohmann::ordered_json report_json(const std::vector<SceneRun>& runs) {
-  nlohmann::ordered_json json = provenance(1, {});
-  json["machine"]["instruction_set"] = kernel::targets().front();
-  json["rows"] = nlohmann::ordered_json::array();
-  for (const SceneRun& run : runs) json["rows"].push_back(row_json(run));
-  json["exponents"] = nlohmann::ordered_json::object();
-  for (const ScalingLine& line : scaling_lines(runs)) {
-    const auto exponent = fitted_exponent(line.points);
-    if (exponent) json["exponents"][line.name.substr(0, line.name.find(','))] = *exponent;
-  }
-  return json;
-}
-
 int scene_command(const Options& options) {
-  for (const std::string& picture : {options.scaling, options.skipped}) {
+  for (const std::string& picture : {options.scaling, options.skipped, options.recycling}) {
     if (!picture.empty()) expect_plot_name(picture);
   }
-  const std::vector<SceneRun> runs = run_all(options);
-  const std::string text = report_json(runs).dump(2) + '\n';
-  if (!options.scaling.empty()) write_scaling_plot(options.scaling, scaling_lines(runs));
-  if (!options.skipped.empty()) write_skip_plot(options.skipped, skip_bars(runs));
-  if (!options.frame.empty()) write_file(options.frame, frame_of(options));
+  if (options.motion && options.mode != "recycle") {
+    throw UserError("--recycled-motion: needs --mode recycle");
+  }
+  const SceneReport report = run_all(options);
+  const std::string text = report_json(report).dump(2) + '\n';
   if (!options.json.empty() && options.json != "-") write_file(options.json, text);
-  write_to_reader(options.json == "-" ? text : rows_table(runs));
-  return std::ranges::any_of(runs,
+  if (!options.scaling.empty()) write_line_plot(options.scaling, scaling_plot(report.runs));
+  if (!options.skipped.empty()) write_skip_plot(options.skipped, skip_bars(report.runs));
+  if (!options.recycling.empty()) write_line_plot(options.recycling, recycling_plot(report.curves));
+  if (!options.frame.empty()) write_file(options.frame, frame_of(options));
+  std::string tables = rows_table(report.runs);
+  if (!report.curves.empty()) tables += '\n' + curves_table(report.curves);
+  write_to_reader(options.json == "-" ? text : tables);
+  return std::ranges::any_of(report.runs,
                              [](const SceneRun& run) { return run.mismatches.value_or(0) > 0; })
              ? 1
              : 0;
@@ -138,11 +132,25 @@ Run define(CLI::App& app) {
       ->allow_extra_args(false);
   add_whole_number(app, "--steps", options->steps, "how many; 30 if not given", 1)
       ->check(CLI::Range(1, 100'000));
+  app.add_option("--mode", options->mode,
+                 "strict: contacts as colliding all pairs afresh gives them, bit for bit; recycle: "
+                 "touching pairs keep theirs, carried along; strict if not given")
+      ->type_name("M")
+      ->check(CLI::IsMember({"strict", "recycle"}));
+  app.add_option("--recycled-motion", options->motion,
+                 "how far a body may move before its contacts are not recycled, a length; 0.01 if "
+                 "not given")
+      ->type_name("L")
+      ->check(CLI::Range(1e-6F, 10.0F));
   app.add_option("--json", options->json, "the rows as JSON, to a file or - for stdout")
       ->type_name("FILE");
   app.add_option("--scaling", options->scaling, "time against bodies, FILE.svg or FILE.png")
       ->type_name("FILE");
   app.add_option("--skipped", options->skipped, "where pairs went, by scene, FILE.svg or FILE.png")
+      ->type_name("FILE");
+  app.add_option("--recycling", options->recycling,
+                 "what recycling costs at eight motions: pairs skipped against error, judged; "
+                 "FILE.svg or FILE.png")
       ->type_name("FILE");
   app.add_option("--frame", options->frame, "the first scene's last step with its contacts, as SVG")
       ->type_name("FILE");

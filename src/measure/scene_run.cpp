@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "kernel/batch.hpp"
+#include "measure/scene_player.hpp"
 
 namespace manifuzz {
 namespace {
@@ -74,46 +75,11 @@ class Afresh {
   std::vector<Manifold<float>> manifolds_;
 };
 
-/// A scene with a trajectory's bodies, which have the same indices there.
-class Player {
- public:
-  explicit Player(const Trajectory& trajectory) {
-    for (const auto& shape : trajectory.shapes) scene_.add_shape(shape);
-    for (const auto& [shape, pose] : trajectory.start) {
-      handles_.push_back(std::get<scene::BodyHandle>(scene_.add(shape, pose)));
-    }
-    step({});
-  }
-
-  /// Valid until the next one.
-  const scene::StepResult& step(std::span<const BodyMove> moves) {
-    prepare(moves);
-    return step_prepared();
-  }
-
-  void prepare(std::span<const BodyMove> moves) {
-    moves_.clear();
-    for (const BodyMove& move : moves) moves_.push_back({handles_[move.body], move.pose});
-  }
-  const scene::StepResult& step_prepared() {
-    const auto stepped = scene_.step(moves_);
-    result_ = std::get<scene::StepResult>(stepped);
-    return result_;
-  }
-
-  const scene::Scene& scene() const { return scene_; }
-
- private:
-  scene::Scene scene_;
-  std::vector<scene::BodyHandle> handles_;
-  std::vector<scene::Move> moves_;
-  scene::StepResult result_;
-};
-
 /// The three that go through a trajectory.
 class Race {
  public:
-  explicit Race(const Trajectory& trajectory) : ours_(trajectory) {
+  Race(const Trajectory& trajectory, const scene::Settings& settings)
+      : ours_(trajectory, settings) {
     std::vector<Body> bodies;
     for (std::size_t i = 0; i < trajectory.start.size(); ++i) bodies.push_back(trajectory.body(i));
     all_ = std::make_unique<Box2dPairs>(bodies);
@@ -128,7 +94,7 @@ class Race {
     std::array<double, 3> ns{};
     for (std::size_t i = 0; i < ns.size(); ++i) {
       const std::size_t turn = (number + i) % ns.size();
-      if (turn == 0) ns[0] = ns_of([&] { result_ = ours_.step_prepared(); });
+      if (turn == 0) ns[0] = ns_of([&] { ours_.step_prepared(); });
       if (turn == 1) ns[1] = ns_of([&] { all_->step(moves, false); });
       if (turn == 2) ns[2] = ns_of([&] { moved_->step(moves, true); });
     }
@@ -136,18 +102,18 @@ class Race {
   }
 
   const scene::Scene& scene() const { return ours_.scene(); }
-  const scene::StepResult& result() const { return result_; }
+  const scene::StepResult& result() const { return ours_.result(); }
 
  private:
-  Player ours_;
+  ScenePlayer ours_;
   std::unique_ptr<Box2dPairs> all_;
   std::unique_ptr<Box2dPairs> moved_;
-  scene::StepResult result_;
 };
 
 void add_to(scene::StepCounts& sum, const scene::StepCounts& counts) {
   sum.pairs.at_rest += counts.pairs.at_rest;
   sum.pairs.separated += counts.pairs.separated;
+  sum.pairs.recycled += counts.pairs.recycled;
   sum.pairs.collided += counts.pairs.collided;
   sum.pairs.candidates += counts.pairs.candidates;
   sum.bodies += counts.bodies;
@@ -160,7 +126,7 @@ void add_to(scene::StepCounts& sum, const scene::StepCounts& counts) {
 
 /// Apart from what is timed: it would empty the caches.
 std::size_t mismatches(const Trajectory& trajectory) {
-  Player player(trajectory);
+  ScenePlayer player(trajectory, {});
   Afresh afresh(trajectory);
   std::size_t sum = 0;
   for (const auto& moves : trajectory.steps) {
@@ -172,13 +138,15 @@ std::size_t mismatches(const Trajectory& trajectory) {
 
 }  // namespace
 
-SceneRun run_scene(std::string_view name, const Trajectory& trajectory) {
+SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
+                   const scene::Settings& settings) {
   SceneRun run;
   run.scene = name;
   run.bodies = trajectory.start.size();
   run.steps = trajectory.steps.size();
-  if (run.bodies <= kAfreshBodiesMax) run.mismatches = mismatches(trajectory);
-  Race race(trajectory);
+  const bool is_strict = settings.recycled_motion == 0;
+  if (is_strict && run.bodies <= kAfreshBodiesMax) run.mismatches = mismatches(trajectory);
+  Race race(trajectory, settings);
   std::vector<double> ns;
   std::vector<double> over_all;
   std::vector<double> over_moved;
@@ -195,7 +163,7 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory) {
   run.speedup_over_moved = median(over_moved);
   run.contacts = race.result().contacts.size();
   run.pairs = race.scene().pair_count();
-  run.bytes = race.scene().bytes();
+  run.memory = race.scene().memory();
   return run;
 }
 
@@ -207,7 +175,7 @@ Frame last_frame(const Trajectory& trajectory) {
   for (const auto& moves : trajectory.steps) {
     for (const BodyMove& move : moves) frame.bodies[move.body].pose = move.pose;
   }
-  Player player(trajectory);
+  ScenePlayer player(trajectory, {});
   scene::StepResult last;
   for (const auto& moves : trajectory.steps) last = player.step(moves);
   for (const scene::Contact& contact : last.contacts) {
@@ -233,11 +201,13 @@ nlohmann::ordered_json row_json(const SceneRun& run) {
                               {"candidates", counts.pairs.candidates},
                               {"at_rest", counts.pairs.at_rest},
                               {"separated", counts.pairs.separated},
+                              {"recycled", counts.pairs.recycled},
                               {"collided", counts.pairs.collided},
                               {"proofs", counts.proofs},
                               {"contacts", run.contacts},
                               {"pairs", run.pairs},
-                              {"bytes", run.bytes}};
+                              {"bytes_of_bodies", run.memory.bodies},
+                              {"bytes_of_pairs", run.memory.pairs}};
   json["mismatches"] = nullptr;
   if (run.mismatches) json["mismatches"] = *run.mismatches;
   return json;
@@ -245,20 +215,22 @@ nlohmann::ordered_json row_json(const SceneRun& run) {
 
 std::string rows_table(const std::vector<SceneRun>& runs) {
   std::string text = fmt::format(
-      "{:<14} {:>7} {:>11} {:>7} {:>8} {:>9} {:>7} {:>7} {:>7} {:>10} {:>8} {:>6} {:>10}\n",
-      "scene", "bodies", "us a step", "x all", "x moved", "pairs", "% rest", "% apart", "% run",
-      "% contacts", "% proofs", "bytes", "mismatches");
+      "{:<14} {:>7} {:>10} {:>7} {:>8} {:>9} {:>7} {:>7} {:>10} {:>10} {:>9} {:>7} {:>7} {:>10}\n",
+      "scene", "bodies", "us a step", "x all", "x moved", "pairs", "% rest", "% apart",
+      "% recycled", "% collided", "contacts", "B/body", "B/pair", "mismatches");
   for (const SceneRun& run : runs) {
-    const auto pairs = static_cast<double>(std::max<std::size_t>(1, run.counts.pairs.candidates));
-    const auto share = [&](std::size_t part) { return 100 * static_cast<double>(part) / pairs; };
+    const auto per = [](std::size_t part, std::size_t all) {
+      return static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, all));
+    };
+    const scene::PairCounts& pairs = run.counts.pairs;
+    const auto percent = [&](std::size_t part) { return 100 * per(part, pairs.candidates); };
     text += fmt::format(
-        "{:<14} {:>7} {:>11.2f} {:>7.2f} {:>8.2f} {:>9} {:>7.1f} {:>7.1f} {:>7.1f} {:>10.1f} "
-        "{:>8.1f} {:>6.0f} {:>10}\n",
+        "{:<14} {:>7} {:>10.2f} {:>7.2f} {:>8.2f} {:>9} {:>7.1f} {:>7.1f} {:>10.1f} {:>10.1f} "
+        "{:>9} {:>7.0f} {:>7.0f} {:>10}\n",
         run.scene, run.bodies, run.ns_per_step / 1000, run.speedup_over_all, run.speedup_over_moved,
-        run.pairs, share(run.counts.pairs.at_rest), share(run.counts.pairs.separated),
-        share(run.counts.pairs.collided), share(run.contacts * run.steps), share(run.counts.proofs),
-        static_cast<double>(run.bytes) / static_cast<double>(run.bodies),
-        run.mismatches ? std::to_string(*run.mismatches) : "-");
+        run.pairs, percent(pairs.at_rest), percent(pairs.separated), percent(pairs.recycled),
+        percent(pairs.collided), run.contacts, per(run.memory.bodies, run.bodies),
+        per(run.memory.pairs, run.pairs), run.mismatches ? std::to_string(*run.mismatches) : "-");
   }
   return text;
 }

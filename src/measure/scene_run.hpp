@@ -24,14 +24,15 @@ struct SceneRun {
   scene::StepCounts counts;       ///< sums over the steps
   std::size_t contacts = 0;       ///< after the last step
   std::size_t pairs = 0;          ///< candidates after the last step
-  std::size_t bytes = 0;          ///< of bodies and pairs, after the last step
+  scene::Memory memory;           ///< after the last step
   /// Contacts that are not as colliding every pair afresh gives them, over all steps; none where
-  /// there are too many bodies for that.
+  /// there are too many bodies for that, or contacts are recycled.
   std::optional<std::size_t> mismatches;
 };
 
 /// The first step, in which everything is new, is not counted.
-SceneRun run_scene(std::string_view name, const Trajectory& trajectory);
+SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
+                   const scene::Settings& settings);
 
 /// Bodies in the world, and the points where they touch.
 struct Frame {

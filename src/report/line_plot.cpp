@@ -11,9 +11,10 @@ namespace manifuzz {
 namespace {
 
 /// Told apart by those who cannot tell red from green, too (Okabe and Ito's).
-constexpr std::array<std::string_view, 7> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                   "#e69f00", "#56b4e9", "#5c3a1e"};
-constexpr std::array kPointTypes{7, 5, 9, 11, 13, 6, 4};
+constexpr std::array<std::string_view, 9> kColours{"#0072b2", "#d55e00", "#009e73",
+                                                   "#cc79a7", "#e69f00", "#56b4e9",
+                                                   "#5c3a1e", "#222222", "#8a8a00"};
+constexpr std::array kPointTypes{7, 5, 9, 11, 13, 6, 4, 8, 10};
 
 /// What is drawn where an error is 0, or too small for the picture.
 constexpr double kFloor = 1e-18;
@@ -51,17 +52,24 @@ std::string commands_of(const LinePlot& plot, const std::vector<PlotLine>& lines
       "set key below Left reverse horizontal noenhanced samplen 2 height 1\n"
       "set xrange [*:*]{} noextend\nset yrange [*:*]\nset offsets 0, 0, graph 0.05, graph 0.05\n",
       plot.title, plot.x_label, plot.y_label, plot.falls ? " reverse" : "");
-  std::string drawing = fmt::format(
-      "plot {} with lines linewidth 1.5 linecolor '#aa0000' title \"broken above\"", plot.limit);
+  std::vector<std::string> drawings;
+  if (plot.limit) {
+    drawings.push_back(fmt::format(
+        "{} with lines linewidth 1.5 linecolor '#aa0000' title \"broken above\"", *plot.limit));
+  }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     text += block(fmt::format("line{}", i), data_of(lines[i].points));
     if (lines[i].breaks_at) {
       text += block(fmt::format("break{}", i), data_of({lines[i].points[*lines[i].breaks_at]}));
     }
-    drawing += ", " + drawn(lines[i], i);
+    drawings.push_back(drawn(lines[i], i));
   }
-  return text + drawing + ", NaN with points pointtype 2 pointsize 2 linewidth 3 linecolor " +
-         "'#333333' title \"breaks here\"\n";
+  if (plot.limit) {
+    drawings.emplace_back(
+        "NaN with points pointtype 2 pointsize 2 linewidth 3 linecolor '#333333' "
+        "title \"breaks here\"");
+  }
+  return fmt::format("{}plot {}\n", text, fmt::join(drawings, ", "));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace manifuzz {
 
-/// One thing's error against a knob.
+/// One thing against a knob.
 struct PlotLine {
   std::string name;
   std::vector<std::pair<double, double>> points;  ///< x above 0; y 0 or more
@@ -18,8 +18,8 @@ struct LinePlot {
   std::string title;
   std::string x_label;
   std::string y_label;
-  bool falls = false;  ///< the axis of x runs from the largest to the smallest
-  double limit = 0;    ///< a level line: above it a line has broken
+  bool falls = false;             ///< the axis of x runs from the largest to the smallest
+  std::optional<double> limit{};  ///< a level line: above it a line has broken
   std::vector<PlotLine> lines;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/roundings.hpp"
 #include "scene/shape_table.hpp"
 
 namespace manifuzz::scene {
@@ -19,6 +20,13 @@ inline bool overlap(const Box& p, const Box& q) {
 inline bool contains(const Box& outer, const Box& inner) {
   return outer.x_min <= inner.x_min && outer.y_min <= inner.y_min && outer.x_max >= inner.x_max &&
          outer.y_max >= inner.y_max;
+}
+
+/// How far the inner box may grow all round without leaving the outer one, rounded down.
+inline float slack(const Box& outer, const Box& inner) {
+  const float x = std::min(inner.x_min - outer.x_min, outer.x_max - inner.x_max);
+  const float y = std::min(inner.y_min - outer.y_min, outer.y_max - inner.y_max);
+  return kRoundDown * std::min(x, y);
 }
 
 inline Box grown(const Box& box, float by) {

@@ -4,18 +4,31 @@
 
 namespace manifuzz::scene {
 
-/// How far a box is fattened all round, as a share of its body's reach; and ahead, in steps like
-/// the one that left the box, but no farther than the reach.
+/// How far a box is fattened all round, as a share of its body's reach; and ahead, as a multiple of
+/// how far the body went since it was last looked at, but no farther than the reach.
 inline constexpr float kFatShare = 0.1F;
-inline constexpr float kFatSteps = 4;
+inline constexpr float kFatAhead = 4;
 
 /// Bodies by fattened boxes: only those that left theirs are looked at. What overlaps is a
 /// candidate pair.
 class BroadPhase {
  public:
-  /// Brings a body's padded box up to date; true where it left its fattened box (or had none),
-  /// which is then drawn afresh.
-  bool update(std::uint32_t body, const Box& box, float reach);
+  /// Whether a body that is where `update` last found it, but for this motion, has not left its
+  /// fattened box for certain (certificates.md, "Boxes").
+  bool is_still_inside(std::uint32_t body, const Pose<float>& pose, float reach) const {
+    if (body >= anchors_.size()) return false;
+    const Anchor& anchor = anchors_[body];
+    return displacement(anchor.pose, pose, reach) < anchor.slack;
+  }
+
+  /// Brings a body's padded box at this pose up to date; true where it left its fattened box (or
+  /// had none), which is then drawn afresh.
+  bool update(std::uint32_t body, const Box& box, const Pose<float>& pose, float reach);
+
+  /// Of a body whose box changes with no motion: its shape is another one.
+  void forget_slack(std::uint32_t body) {
+    if (body < anchors_.size()) anchors_[body].slack = 0;
+  }
 
   /// Does nothing to a body that was never updated.
   void remove(std::uint32_t body);
@@ -33,12 +46,20 @@ class BroadPhase {
   }
 
   std::size_t bytes() const {
-    return (fat_boxes_.capacity() + boxes_.capacity()) * sizeof(Box) + grid_.bytes();
+    return fat_boxes_.capacity() * sizeof(Box) + anchors_.capacity() * sizeof(Anchor) +
+           grid_.bytes();
   }
 
  private:
-  std::vector<Box> fat_boxes_;  // by body
-  std::vector<Box> boxes_;      // by body, as they last were
+  /// Where a body was when its box was last looked at, and how far its vertices may move from
+  /// there; 0: not at all.
+  struct Anchor {
+    Pose<float> pose;
+    float slack = 0;
+  };
+
+  std::vector<Box> fat_boxes_;   // by body
+  std::vector<Anchor> anchors_;  // by body
   Grid grid_;
 };
 

@@ -9,15 +9,6 @@ namespace {
 /// What both separations may be off by, and both relative poses, as a share of the extent.
 constexpr float kErrors = 2 * kSeparationError + 16 * kRoundoff;
 
-/// More than the roundings of a displacement, and than what the extent grows by meanwhile.
-constexpr float kRoundUp = 1.001F;
-
-/// At least how far any vertex of a polygon of this reach has moved from one pose to another.
-float displacement(const Pose<float>& from, const Pose<float>& to, float reach) {
-  return kRoundUp * (length_at_most(to.position - from.position) +
-                     reach * length_at_most(to.rotation - from.rotation));
-}
-
 }  // namespace
 
 Certificate prove_separated(const ShapeTable& shapes, const kernel::Placement<float>& a,
@@ -36,8 +27,8 @@ Certificate prove_separated(const ShapeTable& shapes, const kernel::Placement<fl
   return proof;
 }
 
-bool still_separated(const Certificate& certificate, const ShapeTable& shapes,
-                     const kernel::Placement<float>& a, const kernel::Placement<float>& b) {
+bool still_holds(const Certificate& certificate, const ShapeTable& shapes,
+                 const kernel::Placement<float>& a, const kernel::Placement<float>& b) {
   if (certificate.margin <= 0) return false;
   const bool is_a = certificate.near == Side::a;
   const kernel::Placement<float>& near = is_a ? a : b;

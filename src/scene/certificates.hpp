@@ -8,11 +8,12 @@
 
 namespace manifuzz::scene {
 
-/// A face of one body, the near one, separates the other, far one.
+/// A face of one body, the near one, separates the other, far one; or, of a pair that touches, how
+/// long its manifold is recycled.
 struct Certificate {
-  Pose<float> far_in_near;  ///< at the moment of the proof
+  Pose<float> far_in_near;  ///< at that moment
   /// The far polygon's vertices may move by less than this, seen from the near one, and the kernel
-  /// still finds it separated; < 0: nothing is proven. Length.
+  /// still finds it separated, or the manifold is still recycled; <= 0: nothing is proven. Length.
   float margin = -1;
   Side near = Side::a;
 };
@@ -22,8 +23,8 @@ struct Certificate {
 Certificate prove_separated(const ShapeTable& shapes, const kernel::Placement<float>& a,
                             const kernel::Placement<float>& b);
 
-/// Whether the proof still holds at these poses. The shapes are those of the proof.
-bool still_separated(const Certificate& certificate, const ShapeTable& shapes,
-                     const kernel::Placement<float>& a, const kernel::Placement<float>& b);
+/// Whether the bodies have moved by less than the margin. The shapes are those of the proof.
+bool still_holds(const Certificate& certificate, const ShapeTable& shapes,
+                 const kernel::Placement<float>& a, const kernel::Placement<float>& b);
 
 }  // namespace manifuzz::scene

@@ -25,6 +25,7 @@ struct EndedContact {
 struct PairCounts {
   std::size_t at_rest = 0;    ///< neither body moved: not looked at
   std::size_t separated = 0;  ///< a separating face was proven to separate still
+  std::size_t recycled = 0;   ///< touching ones, carried along: 0 in strict mode
   std::size_t collided = 0;   ///< by the kernel
   std::size_t candidates = 0;
 };

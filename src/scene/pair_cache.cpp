@@ -116,9 +116,13 @@ void PairCache::remove(std::uint32_t pair) {
   links_.resize(links_.size() - 2);
 }
 
-std::size_t PairCache::bytes() const {
+std::size_t PairCache::bytes_by_body() const {
+  return first_.capacity() * sizeof(End);
+}
+
+std::size_t PairCache::bytes_by_pair() const {
   return pairs_.capacity() * sizeof(Pair) + links_.capacity() * sizeof(Links) +
-         first_.capacity() * sizeof(End) + slots_.capacity() * sizeof(std::uint32_t);
+         slots_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace manifuzz::scene

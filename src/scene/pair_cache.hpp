@@ -42,7 +42,8 @@ class PairCache {
   template <class IsGone>
   void remove_each(std::uint32_t body, const IsGone& is_gone);
 
-  std::size_t bytes() const;
+  std::size_t bytes_by_body() const;
+  std::size_t bytes_by_pair() const;
 
  private:
   /// A pair seen from one of its bodies: twice the pair's index, plus 1 for body b.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/vector.hpp"
+#include "geometry/pose.hpp"
 
 // The constants of certificates.md, which derives them.
 
@@ -25,6 +25,18 @@ inline float length_at_most(const Vector2<float>& v) {
   const float x = std::abs(v.x());
   const float y = std::abs(v.y());
   return std::max(x, y) + 0.41422F * std::min(x, y);
+}
+
+/// More than the roundings of a displacement, and than what the extent grows by meanwhile.
+inline constexpr float kRoundUp = 1.001F;
+
+/// Less than the roundings of a difference of two floats add.
+inline constexpr float kRoundDown = 0.999F;
+
+/// At least how far any vertex of a polygon of this reach has moved from one pose to another.
+inline float displacement(const Pose<float>& from, const Pose<float>& to, float reach) {
+  return kRoundUp * (length_at_most(to.position - from.position) +
+                     reach * length_at_most(to.rotation - from.rotation));
 }
 
 }  // namespace manifuzz::scene

@@ -57,6 +57,7 @@ std::optional<Defect> Scene::set_shape(BodyHandle body, std::uint32_t shape) {
   placements_[body.index].shape = shape;
   pairs_.each_of(body.index,
                  [&](std::uint32_t pair, std::uint32_t) { pairs_[pair].certificate = {}; });
+  broad_phase_.forget_slack(body.index);
   mark_changed(body.index);
   return std::nullopt;
 }
@@ -90,14 +91,19 @@ void Scene::end_contact(std::uint32_t pair) {
   pairs_[pairs_.find(last.a.index, last.b.index)].contact = contact;
   contacts_[contact] = last;
   contacts_.pop_back();
+  if (!collided_.empty()) {
+    collided_[contact] = collided_.back();
+    collided_.pop_back();
+  }
   pairs_[pair].contact = kNone;
 }
 
-std::size_t Scene::bytes() const {
+Memory Scene::memory() const {
   const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
-  return of(placements_) + of(generations_) + of(free_) + of(changes_) + of(changed_) +
-         broad_phase_.bytes() + pairs_.bytes() + of(contacts_) + of(waiting_) +
-         of(waiting_bodies_) + of(manifolds_) + of(began_) + of(ended_);
+  return {of(placements_) + of(generations_) + of(free_) + of(changes_) + of(changed_) +
+              broad_phase_.bytes() + pairs_.bytes_by_body(),
+          pairs_.bytes_by_pair() + of(contacts_) + of(collided_) + of(waiting_) +
+              of(waiting_bodies_) + of(manifolds_) + of(began_) + of(ended_)};
 }
 
 }  // namespace manifuzz::scene

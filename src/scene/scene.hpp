@@ -13,8 +13,8 @@
 //   certificates   pairs proven to be separated still are skipped
 //   batch kernel   the rest is collided
 //
-// A step's contacts are those of colliding every pair of bodies afresh, bit for bit; what did not
-// move is not even looked at.
+// A step's contacts are those of colliding every pair of bodies afresh, bit for bit, unless they
+// are asked to be recycled; what did not move is not even looked at.
 
 namespace manifuzz::scene {
 
@@ -24,10 +24,23 @@ struct RefusedMove {
   Defect defect{};
 };
 
+/// What holds for all pairs of a scene.
+struct Settings {
+  /// A face of B is taken only where it leads by more than this (a length, >= 0).
+  float tie_bias = 0;
+  /// Pairs that touch keep their contact, carried along rigidly, until a vertex has moved by this,
+  /// seen from the other body (a length). 0 is strict: the same bits as colliding them afresh.
+  float recycled_motion = 0;
+};
+
+struct Memory {
+  std::size_t bodies = 0;  ///< bytes
+  std::size_t pairs = 0;   ///< bytes, of contacts and of those that wait for the kernel too
+};
+
 class Scene {
  public:
-  /// A face of B is taken only where it leads by more than `tie_bias` (a length, >= 0).
-  explicit Scene(float tie_bias = 0) : tie_bias_(tie_bias), shapes_(tie_bias) {}
+  explicit Scene(const Settings& settings = {}) : settings_(settings), shapes_(settings.tie_bias) {}
 
   // What is given a defect's value has changed nothing.
 
@@ -48,8 +61,8 @@ class Scene {
   std::size_t body_count() const { return body_count_; }
   std::size_t pair_count() const { return pairs_.size(); }
 
-  /// What bodies and pairs take, the shapes left out.
-  std::size_t bytes() const;
+  /// What it takes, the shapes left out.
+  Memory memory() const;
 
  private:
   enum Change : std::uint8_t { kUnchanged, kChanged, kLeftBox };
@@ -67,12 +80,17 @@ class Scene {
   void look_at_pairs();
   void look_at(std::uint32_t pair);
   void collide_waiting();
+  Pose<float> b_in_a(const kernel::BodyPair& bodies) const {
+    return relative_pose(placements_[bodies.a].pose, placements_[bodies.b].pose);
+  }
+  void keep_for_recycling(std::uint32_t pair);
+  void recycle(std::uint32_t pair);
   void conclude(std::uint32_t pair, const Manifold<float>& manifold);
   void begin_contact(std::uint32_t pair);
   void end_contact(std::uint32_t pair);
   StepResult result();
 
-  float tie_bias_;
+  Settings settings_;
   ShapeTable shapes_;
   std::size_t body_count_ = 0;
   std::vector<kernel::Placement<float>> placements_;  // by body
@@ -83,6 +101,7 @@ class Scene {
   BroadPhase broad_phase_;
   PairCache pairs_;
   std::vector<Contact> contacts_;
+  std::vector<Manifold<float>> collided_;  // by contact, as the kernel gave it; unless strict
 
   // Of the step under way.
   std::vector<std::uint32_t> waiting_;  // pairs for the kernel, and their bodies

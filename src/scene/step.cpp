@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "kernel/batch.hpp"
+#include "scene/recycled.hpp"
 #include "scene/scene.hpp"
 
 namespace manifuzz::scene {
@@ -41,8 +42,9 @@ void Scene::find_candidates() {
   for (const std::uint32_t body : changed_) {
     const auto& [shape, pose] = placements_[body];
     const ShapeFacts& facts = shapes_.facts(shape);
+    if (broad_phase_.is_still_inside(body, pose, facts.reach)) continue;
     const Box box = padded_box(shapes_.rows(shape), pose, facts.padding);
-    if (!broad_phase_.update(body, box, facts.reach)) continue;
+    if (!broad_phase_.update(body, box, pose, facts.reach)) continue;
     changes_[body] = kLeftBox;
     ++counts_.left_boxes;
   }
@@ -86,8 +88,12 @@ void Scene::look_at_pairs() {
 
 void Scene::look_at(std::uint32_t pair) {
   const auto& [bodies, contact, certificate] = pairs_[pair];
-  if (still_separated(certificate, shapes_, placements_[bodies.a], placements_[bodies.b])) {
-    ++counts_.pairs.separated;
+  if (still_holds(certificate, shapes_, placements_[bodies.a], placements_[bodies.b])) {
+    if (contact == kNone) {
+      ++counts_.pairs.separated;
+    } else {
+      recycle(pair);
+    }
     return;
   }
   waiting_.push_back(pair);
@@ -97,7 +103,8 @@ void Scene::look_at(std::uint32_t pair) {
 
 void Scene::collide_waiting() {
   manifolds_.resize(std::max(manifolds_.size(), waiting_.size()));
-  kernel::collide_pairs(shapes_.for_pairs(), placements_, waiting_bodies_, tie_bias_, manifolds_);
+  kernel::collide_pairs(shapes_.for_pairs(), placements_, waiting_bodies_, settings_.tie_bias,
+                        manifolds_);
   for (std::size_t i = 0; i < waiting_.size(); ++i) conclude(waiting_[i], manifolds_[i]);
   counts_.pairs.collided += waiting_.size();
   waiting_.clear();
@@ -110,6 +117,7 @@ void Scene::conclude(std::uint32_t pair, const Manifold<float>& manifold) {
     if (pairs_[pair].contact == kNone) begin_contact(pair);
     contacts_[pairs_[pair].contact].manifold = manifold;
     pairs_[pair].certificate = {};
+    if (settings_.recycled_motion > 0) keep_for_recycling(pair);
     return;
   }
   end_contact(pair);
@@ -117,12 +125,27 @@ void Scene::conclude(std::uint32_t pair, const Manifold<float>& manifold) {
   ++counts_.proofs;
 }
 
+void Scene::keep_for_recycling(std::uint32_t pair) {
+  const auto& [bodies, contact, certificate] = pairs_[pair];
+  collided_.resize(contacts_.size());
+  collided_[contact] = contacts_[contact].manifold;
+  pairs_[pair].certificate = {b_in_a(bodies), settings_.recycled_motion, Side::a};
+}
+
+/// From what the kernel gave, whenever that was: nothing accumulates.
+void Scene::recycle(std::uint32_t pair) {
+  const auto& [bodies, contact, certificate] = pairs_[pair];
+  contacts_[contact].manifold =
+      recycled(collided_[contact], certificate.far_in_near, b_in_a(bodies));
+  ++counts_.pairs.recycled;
+}
+
 StepResult Scene::result() {
   for (std::uint32_t& pair : began_) pair = pairs_[pair].contact;
   counts_.bodies = body_count_;
   PairCounts& pairs = counts_.pairs;
   pairs.candidates = pairs_.size();
-  pairs.at_rest = pairs.candidates - pairs.separated - pairs.collided;
+  pairs.at_rest = pairs.candidates - pairs.separated - pairs.recycled - pairs.collided;
   ended_reported_ = std::ssize(ended_);
   return {contacts_, began_, ended_, contacts_.size() - began_.size(), counts_};
 }

@@ -98,7 +98,7 @@ class Adapted : public AnyScene {
   static Own own(const Handle& handle) { return {handle.index, handle.generation}; }
   static Handle plain(const Own& handle) { return {handle.index, handle.generation}; }
 
-  typename Api::Scene scene_{kTieBias};
+  typename Api::Scene scene_{{.tie_bias = kTieBias}};
 };
 
 }  // namespace manifuzz::test
