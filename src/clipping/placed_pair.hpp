@@ -31,7 +31,7 @@ inline PlacedPair<double> placed_pair_scaled(const PairCase& pair) {
     const double k = std::sqrt(rotation.dot(rotation));
     polygon = polygon_cast<double>(body.polygon);
     for (int i = 0; i < polygon.count; ++i) polygon.vertices[i] *= k;
-    pose = {body.pose.position.cast<double>(), rotation / k};
+    pose = {body.pose.position.cast<double>(), unit_direction(rotation)};
     return k;
   };
   placed.local_per_world = 1 / place(pair.a, placed.a, placed.pose_a);

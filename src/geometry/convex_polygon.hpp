@@ -54,10 +54,7 @@ std::string_view describe(PolygonDefect defect);
 template <class Scalar>
 Vector2<Scalar> outward_normal(const Vector2<Scalar>& from, const Vector2<Scalar>& to) {
   const Vector2<double> edge = to.template cast<double>() - from.template cast<double>();
-  const double longest = edge.cwiseAbs().maxCoeff();
-  const Vector2<double> scaled = edge / longest;  // so that no square over- or underflows
-  return Vector2<double>(clockwise_quarter(scaled) / std::sqrt(scaled.dot(scaled)))
-      .template cast<Scalar>();
+  return clockwise_quarter(unit_direction(edge)).template cast<Scalar>();
 }
 
 /// The polygon with these vertices, which must be free of defects.

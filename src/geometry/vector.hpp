@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/Core>
 
 namespace manifuzz {
@@ -24,6 +27,23 @@ Vector2<Scalar> clockwise_quarter(const Vector2<Scalar>& v) {
 template <class Scalar>
 Vector2<Scalar> counter_clockwise_quarter(const Vector2<Scalar>& v) {
   return {-v.y(), v.x()};
+}
+
+/// v over its length, within two roundoffs: the quotients' own direction and one last rounding. The
+/// length's error is taken out by what 1 - |n|^2 leaves, which is computed exactly but for its last
+/// sum. Not of the zero vector.
+inline Vector2<double> unit_direction(const Vector2<double>& v) {
+  const double squared = v.dot(v);
+  if (!(squared > 0x1p-900 && squared < 0x1p900)) {  // or else the squares lose digits
+    const int exponent = std::ilogb(v.cwiseAbs().maxCoeff());
+    return unit_direction({std::ldexp(v.x(), -exponent), std::ldexp(v.y(), -exponent)});
+  }
+  const Vector2<double> n = v / std::sqrt(squared);
+  const double xx = n.x() * n.x();
+  const double yy = n.y() * n.y();
+  const double dropped = std::fma(n.x(), n.x(), -xx) + std::fma(n.y(), n.y(), -yy);
+  const double residue = ((1 - std::max(xx, yy)) - std::min(xx, yy)) - dropped;
+  return n + n * (residue / 2);
 }
 
 }  // namespace manifuzz

@@ -14,8 +14,8 @@ struct Constants {
   double position;
 };
 constexpr Constants kOfFloat{15, 9, 6, 10};
-constexpr Constants kOfDouble{18, 14, 9, 10};
-constexpr double kOfWorldNormal = 4;  ///< more for a double one's normal in world coordinates
+constexpr Constants kOfDouble{26, 17, 12, 14};
+constexpr double kOfWorldNormal = 9;  ///< more for a double one's normal in world coordinates
 
 double roundoff(ScalarType scalar) {
   return scalar == ScalarType::float32 ? std::numeric_limits<float>::epsilon() / 2.0

@@ -8,12 +8,13 @@ namespace manifuzz {
 /// them. With u the roundoff of its scalar and E the extent (plus the total radius, plus the larger
 /// |position| where it rounds in the world):
 ///
-///   separation, reference, contact boundary   15 u E   (18 in double)
-///   incident dot                               9 u     (14)
-///   normal                                     6 u      (9, in world coordinates 13)
+///   separation, reference, contact boundary   15 u E   (26 in double)
+///   incident dot                               9 u     (17)
+///   normal                                     6 u     (12, in world coordinates 21)
 ///   position                                  10 u E, and 15 u E / cos at ends that are clipped or
-///   depth                                     15 u E, and 15 u E tan   nearly so, of the angle
-///                                             (18)        between incident edge and reference face
+///                                             (14)        nearly so, of the angle between incident
+///   depth                                     15 u E, and 15 u E tan   edge and reference face
+///                                             (26)
 ///
 /// each plus the rotations' defect |c^2 + s^2 - 1| (times E) for a float collider, which may take
 /// the transpose for the inverse.

@@ -37,7 +37,7 @@ struct Measured {
   bool has_errors = false;  ///< it has points, and there is something to hold them against
   FigureErrors of_size{};   ///< as shares of the size; the normal's a length
   /// As shares of the bounds that a collider of its scalar has in A's frame: of what the input
-  /// determines. A bound is 15 roundoffs of the extent (18 in double), times the case's condition.
+  /// determines. A bound is 15 roundoffs of the extent (26 in double), times the case's condition.
   FigureErrors of_bound{};
   /// Depth's or position's, whichever is larger, in roundoffs of the extent: 2^-24, 2^-53 in
   /// double.

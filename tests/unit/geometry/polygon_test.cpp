@@ -74,6 +74,23 @@ TEST_CASE("normals are right to half a unit in the last place") {
   }
 }
 
+TEST_CASE("a unit direction is within two roundoffs of the true one") {
+  std::mt19937_64 bits(2);
+  const auto draw = [&bits] { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1; };
+  for (int n = 0; n < 100'000; ++n) {
+    const int slope = static_cast<int>(bits() % 20);
+    const Vector2<double> v(draw(), std::ldexp(draw(), -slope));
+    const Vector2<double> direction = unit_direction(v);
+    const long double x = v.x();
+    const long double y = v.y();
+    const long double length = std::sqrt(x * x + y * y);
+    const long double off_x = direction.x() - x / length;
+    const long double off_y = direction.y() - y / length;
+    CAPTURE(v.x(), v.y());
+    REQUIRE(std::sqrt(off_x * off_x + off_y * off_y) <= 2.01L * 0x1p-53L);
+  }
+}
+
 TEST_CASE("normals neither over- nor underflow") {
   constexpr float tiny = std::numeric_limits<float>::denorm_min();
   constexpr float huge = std::numeric_limits<float>::max();
