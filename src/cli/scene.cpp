@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cases/corpus.hpp"
 #include "cases/file.hpp"
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
@@ -31,6 +32,7 @@ struct Options {
   std::string skipped;
   std::string recycling;
   std::string frame;
+  std::string save;
 
   std::vector<std::size_t> sizes() const {
     return bodies.empty() ? std::vector<std::size_t>{100, 1'000, 10'000} : bodies;
@@ -97,6 +99,19 @@ std::string frame_of(const Options& options) {
   return frame_svg(frame.bodies, frame.contacts, fmt::format("{} of {} bodies", spec.name, bodies));
 }
 
+/// A pair that mismatched is met in a scene by the tests from then on, as all of the corpus.
+void save_findings(const std::string& folder, const std::vector<SceneRun>& runs) {
+  for (const SceneRun& run : runs) {
+    for (const PairCase& pair : run.findings) {
+      CorpusCase finding;
+      finding.pair = pair;
+      finding.note = fmt::format("In the scene {} of {} bodies it was not as it is afresh.",
+                                 run.scene, run.bodies);
+      write_corpus_case(folder, finding);
+    }
+  }
+}
+
 int scene_command(const Options& options) {
   for (const std::string& picture : {options.scaling, options.skipped, options.recycling}) {
     if (!picture.empty()) expect_plot_name(picture);
@@ -111,6 +126,7 @@ int scene_command(const Options& options) {
   if (!options.skipped.empty()) write_skip_plot(options.skipped, skip_bars(report.runs));
   if (!options.recycling.empty()) write_line_plot(options.recycling, recycling_plot(report.curves));
   if (!options.frame.empty()) write_file(options.frame, frame_of(options));
+  if (!options.save.empty()) save_findings(options.save, report.runs);
   std::string tables = rows_table(report.runs);
   if (!report.curves.empty()) tables += '\n' + curves_table(report.curves);
   write_to_reader(options.json == "-" ? text : tables);
@@ -144,6 +160,8 @@ Run define(CLI::App& app) {
       ->check(CLI::Range(1e-6F, 10.0F));
   app.add_option("--json", options->json, "the rows as JSON, to a file or - for stdout")
       ->type_name("FILE");
+  app.add_option("--save", options->save, "a corpus for pairs that are not as they are afresh")
+      ->type_name("DIR");
   app.add_option("--scaling", options->scaling, "time against bodies, FILE.svg or FILE.png")
       ->type_name("FILE");
   app.add_option("--skipped", options->skipped, "where pairs went, by scene, FILE.svg or FILE.png")

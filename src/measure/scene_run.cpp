@@ -18,6 +18,8 @@ namespace {
 /// Up to so many bodies, every step is held against all pairs afresh.
 constexpr std::size_t kAfreshBodiesMax = 1000;
 
+constexpr std::size_t kFindingsMax = 16;
+
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -35,7 +37,8 @@ double ns_of(const Work& work) {
 /// Every pair of bodies, collided by the kernel that the scene uses.
 class Afresh {
  public:
-  explicit Afresh(const Trajectory& trajectory) : placements_(trajectory.start) {
+  explicit Afresh(const Trajectory& trajectory)
+      : polygons_(trajectory.shapes), placements_(trajectory.start) {
     for (const auto& shape : trajectory.shapes) shapes_.add(shape);
     const auto count = static_cast<std::uint32_t>(placements_.size());
     for (std::uint32_t a = 0; a < count; ++a) {
@@ -48,27 +51,34 @@ class Afresh {
     for (const BodyMove& move : moves) placements_[move.body].pose = move.pose;
   }
 
-  /// How many contacts differ; bodies' handles have their indices.
-  std::size_t mismatches(std::span<const scene::Contact> contacts) {
+  /// The pairs whose contacts differ; bodies' handles have their indices.
+  std::vector<kernel::BodyPair> mismatches(std::span<const scene::Contact> contacts) {
     kernel::collide_pairs(shapes_, placements_, pairs_, 0, manifolds_);
     std::map<std::pair<std::uint32_t, std::uint32_t>, const Manifold<float>*> right;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       if (manifolds_[i].count > 0) right[{pairs_[i].a, pairs_[i].b}] = &manifolds_[i];
     }
-    std::size_t wrong = 0;
+    std::vector<kernel::BodyPair> wrong;
     for (const scene::Contact& contact : contacts) {
-      const auto found = right.find({contact.a.index, contact.b.index});
-      if (found == right.end()) {
-        ++wrong;
-        continue;
-      }
-      wrong += *found->second == contact.manifold ? 0 : 1;
-      right.erase(found);
+      const kernel::BodyPair bodies{contact.a.index, contact.b.index};
+      const auto found = right.find({bodies.a, bodies.b});
+      if (found == right.end() || !(*found->second == contact.manifold)) wrong.push_back(bodies);
+      if (found != right.end()) right.erase(found);
     }
-    return wrong + right.size();
+    for (const auto& [bodies, manifold] : right) wrong.push_back({bodies.first, bodies.second});
+    return wrong;
+  }
+
+  /// The pair as it is now.
+  PairCase pair(const kernel::BodyPair& bodies) const {
+    const auto body = [&](std::uint32_t i) {
+      return Body{polygons_[placements_[i].shape], placements_[i].pose};
+    };
+    return {body(bodies.a), body(bodies.b)};
   }
 
  private:
+  std::vector<ConvexPolygon<float>> polygons_;
   kernel::Shapes<float> shapes_;
   std::vector<kernel::Placement<float>> placements_;
   std::vector<kernel::BodyPair> pairs_;
@@ -124,16 +134,19 @@ void add_to(scene::StepCounts& sum, const scene::StepCounts& counts) {
   sum.proofs += counts.proofs;
 }
 
-/// Apart from what is timed: it would empty the caches.
-std::size_t mismatches(const Trajectory& trajectory) {
+/// Holds a scene against every pair afresh. Apart from what is timed: it would empty the caches.
+void look_for_mismatches(const Trajectory& trajectory, SceneRun& run) {
   ScenePlayer player(trajectory, {});
   Afresh afresh(trajectory);
-  std::size_t sum = 0;
+  run.mismatches = 0;
   for (const auto& moves : trajectory.steps) {
     afresh.move(moves);
-    sum += afresh.mismatches(player.step(moves).contacts);
+    const auto wrong = afresh.mismatches(player.step(moves).contacts);
+    *run.mismatches += wrong.size();
+    for (const kernel::BodyPair& bodies : wrong) {
+      if (run.findings.size() < kFindingsMax) run.findings.push_back(afresh.pair(bodies));
+    }
   }
-  return sum;
 }
 
 }  // namespace
@@ -145,7 +158,7 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
   run.bodies = trajectory.start.size();
   run.steps = trajectory.steps.size();
   const bool is_strict = settings.recycled_motion == 0;
-  if (is_strict && run.bodies <= kAfreshBodiesMax) run.mismatches = mismatches(trajectory);
+  if (is_strict && run.bodies <= kAfreshBodiesMax) look_for_mismatches(trajectory, run);
   Race race(trajectory, settings);
   std::vector<double> ns;
   std::vector<double> over_all;

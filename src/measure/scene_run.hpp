@@ -28,6 +28,7 @@ struct SceneRun {
   /// Contacts that are not as colliding every pair afresh gives them, over all steps; none where
   /// there are too many bodies for that, or contacts are recycled.
   std::optional<std::size_t> mismatches;
+  std::vector<PairCase> findings;  ///< the first of the pairs that mismatched
 };
 
 /// The first step, in which everything is new, is not counted.

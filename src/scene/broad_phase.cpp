@@ -6,10 +6,6 @@
 namespace manifuzz::scene {
 namespace {
 
-/// Holds no box.
-constexpr Box kNowhere{std::numeric_limits<float>::infinity(), 0,
-                       -std::numeric_limits<float>::infinity(), 0};
-
 /// The box fattened all round, and ahead of where the body comes from.
 Box fattened(const Box& box, const Vector2<float>& motion, float reach) {
   const auto ahead = [&](float way) { return std::clamp(kFatAhead * way, 0.0F, reach); };
@@ -24,28 +20,22 @@ Box fattened(const Box& box, const Vector2<float>& motion, float reach) {
 }  // namespace
 
 bool BroadPhase::update(std::uint32_t body, const Box& box, const Pose<float>& pose, float reach) {
-  if (body >= fat_boxes_.size()) {
-    fat_boxes_.resize(body + 1, kNowhere);
-    anchors_.resize(body + 1);
-  }
-  Box& fat_box = fat_boxes_[body];
+  if (body >= anchors_.size()) anchors_.resize(body + 1);
   Anchor& anchor = anchors_[body];
-  const bool is_new = fat_box.x_min > fat_box.x_max;
-  const bool left = !contains(fat_box, box);
+  const bool is_new = !grid_.holds(body);
+  const bool left = is_new || !contains(grid_.box(body), box);
   if (left) {
     const Vector2<float> motion =
-        is_new ? Vector2<float>(0, 0) : pose.position - anchor.pose.position;
-    fat_box = fattened(box, motion, reach);
-    grid_.place(body, fat_box);
+        is_new ? Vector2<float>(0, 0) : Vector2<float>(pose.position - anchor.pose.position);
+    grid_.place(body, fattened(box, motion, reach));
   }
-  anchor = {pose, slack(fat_box, box)};
+  anchor = {pose, slack(grid_.box(body), box)};
   return left;
 }
 
 void BroadPhase::remove(std::uint32_t body) {
-  if (body >= fat_boxes_.size() || fat_boxes_[body].x_min > fat_boxes_[body].x_max) return;
+  if (!grid_.holds(body)) return;
   grid_.remove(body);
-  fat_boxes_[body] = kNowhere;
   anchors_[body].slack = 0;
 }
 

@@ -34,21 +34,18 @@ class BroadPhase {
   void remove(std::uint32_t body);
 
   bool overlap(std::uint32_t body, std::uint32_t other) const {
-    return scene::overlap(fat_boxes_[body], fat_boxes_[other]);
+    return scene::overlap(grid_.box(body), grid_.box(other));
   }
 
   /// Calls `found(other)` for every other body whose fattened box overlaps this one's.
   template <class Found>
   void partners(std::uint32_t body, const Found& found) const {
-    grid_.near(fat_boxes_[body], [&](std::uint32_t other) {
-      if (other != body && overlap(body, other)) found(other);
+    grid_.near(grid_.box(body), [&](std::uint32_t other) {
+      if (other != body) found(other);
     });
   }
 
-  std::size_t bytes() const {
-    return fat_boxes_.capacity() * sizeof(Box) + anchors_.capacity() * sizeof(Anchor) +
-           grid_.bytes();
-  }
+  std::size_t bytes() const { return anchors_.capacity() * sizeof(Anchor) + grid_.bytes(); }
 
  private:
   /// Where a body was when its box was last looked at, and how far its vertices may move from
@@ -58,9 +55,8 @@ class BroadPhase {
     float slack = 0;
   };
 
-  std::vector<Box> fat_boxes_;   // by body
   std::vector<Anchor> anchors_;  // by body
-  Grid grid_;
+  Grid grid_;                    // of the fattened boxes
 };
 
 }  // namespace manifuzz::scene

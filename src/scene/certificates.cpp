@@ -27,15 +27,4 @@ Certificate prove_separated(const ShapeTable& shapes, const kernel::Placement<fl
   return proof;
 }
 
-bool still_holds(const Certificate& certificate, const ShapeTable& shapes,
-                 const kernel::Placement<float>& a, const kernel::Placement<float>& b) {
-  if (certificate.margin <= 0) return false;
-  const bool is_a = certificate.near == Side::a;
-  const kernel::Placement<float>& near = is_a ? a : b;
-  const kernel::Placement<float>& far = is_a ? b : a;
-  const float moved = displacement(certificate.far_in_near, relative_pose(near.pose, far.pose),
-                                   shapes.facts(far.shape).reach);
-  return moved < certificate.margin;
-}
-
 }  // namespace manifuzz::scene

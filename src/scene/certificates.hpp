@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernel/packed.hpp"
+#include "scene/roundings.hpp"
 #include "scene/shape_table.hpp"
 
 // What a pair was last proven to be, and how far its bodies may move for that to stay proven
@@ -24,7 +25,14 @@ Certificate prove_separated(const ShapeTable& shapes, const kernel::Placement<fl
                             const kernel::Placement<float>& b);
 
 /// Whether the bodies have moved by less than the margin. The shapes are those of the proof.
-bool still_holds(const Certificate& certificate, const ShapeTable& shapes,
-                 const kernel::Placement<float>& a, const kernel::Placement<float>& b);
+inline bool still_holds(const Certificate& certificate, const ShapeTable& shapes,
+                        const kernel::Placement<float>& a, const kernel::Placement<float>& b) {
+  const bool is_a = certificate.near == Side::a;
+  const kernel::Placement<float>& near = is_a ? a : b;
+  const kernel::Placement<float>& far = is_a ? b : a;
+  const float moved = displacement(certificate.far_in_near, relative_pose(near.pose, far.pose),
+                                   shapes.facts(far.shape).reach);
+  return moved < certificate.margin;
+}
 
 }  // namespace manifuzz::scene

@@ -27,7 +27,6 @@ Grid::Cell Grid::cell_of(const Box& box) {
                                  static_cast<double>(box.y_max) - static_cast<double>(box.y_min));
   int level = 0;
   std::frexp(extent, &level);
-  level += level & 1;  // every other power of two
   const double width = std::ldexp(1.0, level);
   return {level, cell_at(middle(box.x_min, box.x_max), width),
           cell_at(middle(box.y_min, box.y_max), width)};
@@ -56,6 +55,7 @@ Grid::Level& Grid::level_of(int level) {
 void Grid::place(std::uint32_t body, const Box& box) {
   if (body >= entries_.size()) entries_.resize(body + 1);
   const Cell cell = cell_of(box);
+  entries_[body].box = box;
   if (entries_[body].placed) {
     if (entries_[body].cell == cell) return;
     remove(body);

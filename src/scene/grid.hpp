@@ -8,7 +8,7 @@
 
 namespace manifuzz::scene {
 
-/// Bodies by where their boxes are: square cells in levels, each four times as wide as the one
+/// Bodies by where their boxes are: square cells in levels, each twice as wide as the one
 /// below. A body is in one cell, that of its box's middle on the lowest level whose cells are no
 /// narrower than the box; so whatever overlaps a box has its middle within half a cell of it. Cells
 /// take no memory of their own: bodies hang in lists by the hash of their cell.
@@ -19,8 +19,12 @@ class Grid {
 
   void remove(std::uint32_t body);
 
-  /// Calls `found(body)` for every body whose box might overlap this one: those in the cells that
-  /// it comes near.
+  bool holds(std::uint32_t body) const { return body < entries_.size() && entries_[body].placed; }
+
+  /// Of a body that it holds.
+  const Box& box(std::uint32_t body) const { return entries_[body].box; }
+
+  /// Calls `found(body)` for every body whose box overlaps this one.
   template <class Found>
   void near(const Box& box, const Found& found) const;
 
@@ -35,6 +39,7 @@ class Grid {
   };
 
   struct Entry {
+    Box box;
     Cell cell;
     std::uint32_t next = kNone;
     std::uint32_t previous = kNone;
@@ -50,9 +55,6 @@ class Grid {
   /// The cells of a level that a box comes near.
   struct Range {
     int x_min, y_min, x_max, y_max;
-    bool holds(const Cell& cell) const {
-      return cell.x >= x_min && cell.x <= x_max && cell.y >= y_min && cell.y <= y_max;
-    }
     double cells() const { return (1.0 + x_max - x_min) * (1.0 + y_max - y_min); }
   };
 
@@ -80,7 +82,7 @@ void Grid::near(const Box& box, const Found& found) const {
     if (range.cells() > static_cast<double>(placed_)) {  // a giant among dwarfs
       for (std::uint32_t i = 0; i < entries_.size(); ++i) {
         const Entry& entry = entries_[i];
-        if (entry.placed && entry.cell.level == level.level && range.holds(entry.cell)) found(i);
+        if (entry.placed && entry.cell.level == level.level && overlap(entry.box, box)) found(i);
       }
       continue;
     }
@@ -88,7 +90,8 @@ void Grid::near(const Box& box, const Found& found) const {
       for (int x = range.x_min; x <= range.x_max; ++x) {
         const Cell cell{level.level, x, y};
         for (std::uint32_t i = buckets_[bucket_of(cell)]; i != kNone; i = entries_[i].next) {
-          if (entries_[i].cell == cell) found(i);
+          // Another cell's bodies may hang in the same list.
+          if (overlap(entries_[i].box, box) && entries_[i].cell == cell) found(i);
         }
       }
     }

@@ -45,9 +45,9 @@ std::size_t PairCache::slot_of(std::uint32_t pair) const {
 
 void PairCache::add(std::uint32_t body, std::uint32_t other) {
   const auto pair = static_cast<std::uint32_t>(pairs_.size());
-  make_room(pairs_, pairs_.size() + 1);
-  make_room(links_, links_.size() + 2);
-  pairs_.push_back({{std::min(body, other), std::max(body, other)}, kNone, {}});
+  make_room(pairs_, pairs_.size() + 2);  // and for one aside
+  make_room(links_, links_.size() + 4);
+  pairs_.push_back({{std::min(body, other), std::max(body, other)}, {}});
   links_.resize(links_.size() + 2);
   link(2 * pair);
   link(2 * pair + 1);
@@ -96,22 +96,36 @@ void PairCache::unlink(End end) {
   (links.previous != kNone ? links_[links.previous].next : first_[body_of(end)]) = links.next;
 }
 
+/// What is at `to` is forgotten; nothing is left at `from`.
+void PairCache::renumber(std::uint32_t from, std::uint32_t to) {
+  slots_[slot_of(from)] = to;
+  pairs_[to] = pairs_[from];
+  for (const End side : {0U, 1U}) {
+    const End end = 2 * to + side;
+    const Links& links = links_[end] = links_[2 * from + side];
+    if (links.next != kNone) links_[links.next].previous = end;
+    (links.previous != kNone ? links_[links.previous].next : first_[body_of(end)]) = end;
+  }
+}
+
+void PairCache::swap(std::uint32_t pair, std::uint32_t other) {
+  if (pair == other) return;
+  const auto aside = static_cast<std::uint32_t>(pairs_.size());
+  pairs_.emplace_back();
+  links_.resize(links_.size() + 2);
+  renumber(pair, aside);
+  renumber(other, pair);
+  renumber(aside, other);
+  pairs_.pop_back();
+  links_.resize(links_.size() - 2);
+}
+
 void PairCache::remove(std::uint32_t pair) {
   const auto last = static_cast<std::uint32_t>(pairs_.size()) - 1;
   erase(slot_of(pair));
   unlink(2 * pair);
   unlink(2 * pair + 1);
-  if (pair != last) {
-    slots_[slot_of(last)] = pair;
-    for (const End side : {0U, 1U}) {
-      const Links& links = links_[2 * pair + side] = links_[2 * last + side];
-      const End end = 2 * pair + side;
-      if (links.next != kNone) links_[links.next].previous = end;
-      (links.previous != kNone ? links_[links.previous].next : first_[body_of(2 * last + side)]) =
-          end;
-    }
-    pairs_[pair] = pairs_[last];
-  }
+  if (pair != last) renumber(last, pair);
   pairs_.pop_back();
   links_.resize(links_.size() - 2);
 }

@@ -13,13 +13,13 @@ inline constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 /// A candidate pair and what is known of it.
 struct Pair {
-  kernel::BodyPair bodies;        ///< a < b
-  std::uint32_t contact = kNone;  ///< its contact's index, while the bodies touch
+  kernel::BodyPair bodies;  ///< a < b
   Certificate certificate;
 };
 
-/// The candidate pairs: an array without gaps, found by both bodies' indices, and through each body
-/// those it takes part in.
+/// The candidate pairs: an array without gaps, those that touch before those that do not; found by
+/// both bodies' indices, and through each body those it takes part in. Indices hold until a pair is
+/// removed, begins or ends to touch.
 class PairCache {
  public:
   std::size_t size() const { return pairs_.size(); }
@@ -37,10 +37,20 @@ class PairCache {
   template <class Visit>
   void each_of(std::uint32_t body, const Visit& visit) const;
 
-  /// Removes those pairs of a body for which `is_gone(pair, other)`. Other pairs take their
-  /// indices.
-  template <class IsGone>
-  void remove_each(std::uint32_t body, const IsGone& is_gone);
+  /// Pairs of lower index touch, the others do not.
+  std::uint32_t touching() const { return touching_; }
+
+  /// A pair begins to touch, as the last of those that do.
+  void begin_touching(std::uint32_t pair) { swap(pair, touching_++); }
+
+  /// A pair touches no longer; the last of those that do takes its index. Its new index.
+  std::uint32_t end_touching(std::uint32_t pair) {
+    swap(pair, --touching_);
+    return touching_;
+  }
+
+  /// Of a pair that does not touch.
+  void remove(std::uint32_t pair);
 
   std::size_t bytes_by_body() const;
   std::size_t bytes_by_pair() const;
@@ -67,8 +77,10 @@ class PairCache {
   void widen();
   void link(End end);
   void unlink(End end);
-  void remove(std::uint32_t pair);
+  void renumber(std::uint32_t from, std::uint32_t to);
+  void swap(std::uint32_t pair, std::uint32_t other);
 
+  std::uint32_t touching_ = 0;
   std::vector<Pair> pairs_;
   std::vector<Links> links_;          // by end
   std::vector<End> first_;            // by body
@@ -80,20 +92,6 @@ void PairCache::each_of(std::uint32_t body, const Visit& visit) const {
   if (body >= first_.size()) return;
   for (End end = first_[body]; end != kNone; end = links_[end].next)
     visit(end / 2, partner_of(end));
-}
-
-template <class IsGone>
-void PairCache::remove_each(std::uint32_t body, const IsGone& is_gone) {
-  if (body >= first_.size()) return;
-  for (End end = first_[body]; end != kNone;) {
-    const End next = links_[end].next;
-    const std::uint32_t pair = end / 2;
-    const std::uint32_t last = static_cast<std::uint32_t>(pairs_.size()) - 1;
-    const bool gone = is_gone(pair, partner_of(end));
-    if (gone) remove(pair);
-    const bool is_renumbered = gone && next != kNone && next / 2 == last;
-    end = is_renumbered ? 2 * pair + next % 2 : next;
-  }
 }
 
 }  // namespace manifuzz::scene

@@ -28,6 +28,7 @@ std::variant<BodyHandle, Defect> Scene::add(std::uint32_t shape, const Pose<floa
     placements_.emplace_back();
     generations_.push_back(0);
     changes_.push_back(kUnchanged);
+    known_in_.push_back(0);
   }
   const std::uint32_t body = free_.back();
   free_.pop_back();
@@ -40,10 +41,7 @@ std::variant<BodyHandle, Defect> Scene::add(std::uint32_t shape, const Pose<floa
 
 std::optional<Defect> Scene::remove(BodyHandle body) {
   if (!is_known(body)) return Defect::unknown_body;
-  pairs_.remove_each(body.index, [&](std::uint32_t pair, std::uint32_t) {
-    end_contact(pair);
-    return true;
-  });
+  drop_pairs(body.index, [](std::uint32_t) { return true; });
   broad_phase_.remove(body.index);
   ++generations_[body.index];
   --body_count_;
@@ -75,35 +73,32 @@ void Scene::place(const Move& move) {
   mark_changed(move.body.index);
 }
 
-void Scene::begin_contact(std::uint32_t pair) {
-  const auto [a, b] = pairs_[pair].bodies;
-  pairs_[pair].contact = static_cast<std::uint32_t>(contacts_.size());
-  contacts_.push_back({handle(a), handle(b), {}});
-  began_.push_back(pair);
+void Scene::begin_contact(const Contact& contact) {
+  const std::uint32_t pair = pairs_.find(contact.a.index, contact.b.index);
+  pairs_.begin_touching(pair);
+  began_.push_back(static_cast<std::uint32_t>(contacts_.size()));
+  contacts_.push_back(contact);
+  if (settings_.recycled_motion > 0) keep_for_recycling(began_.back());
 }
 
-/// The last contact takes the ended one's index.
-void Scene::end_contact(std::uint32_t pair) {
-  const std::uint32_t contact = pairs_[pair].contact;
-  if (contact == kNone) return;
-  ended_.push_back({contacts_[contact].a, contacts_[contact].b});
-  const Contact& last = contacts_.back();
-  pairs_[pairs_.find(last.a.index, last.b.index)].contact = contact;
-  contacts_[contact] = last;
+std::uint32_t Scene::end_contact(std::uint32_t pair) {
+  ended_.push_back({contacts_[pair].a, contacts_[pair].b});
+  contacts_[pair] = contacts_.back();
   contacts_.pop_back();
   if (!collided_.empty()) {
-    collided_[contact] = collided_.back();
+    collided_[pair] = collided_.back();
     collided_.pop_back();
   }
-  pairs_[pair].contact = kNone;
+  return pairs_.end_touching(pair);
 }
 
 Memory Scene::memory() const {
   const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
   return {of(placements_) + of(generations_) + of(free_) + of(changes_) + of(changed_) +
-              broad_phase_.bytes() + pairs_.bytes_by_body(),
+              of(known_in_) + broad_phase_.bytes() + pairs_.bytes_by_body(),
           pairs_.bytes_by_pair() + of(contacts_) + of(collided_) + of(waiting_) +
-              of(waiting_bodies_) + of(manifolds_) + of(began_) + of(ended_)};
+              of(waiting_bodies_) + of(manifolds_) + of(began_) + of(ended_) + of(beginning_) +
+              of(ending_) + of(gone_)};
 }
 
 }  // namespace manifuzz::scene

@@ -76,9 +76,15 @@ class Scene {
   void place(const Move& move);
 
   void find_candidates();
-  void drop_candidates(std::uint32_t body);
+  void find_partners(std::uint32_t body);
+  /// Of a body, those with bodies for which `is_gone(other)`. Returns how many.
+  template <class IsGone>
+  std::size_t drop_pairs(std::uint32_t body, const IsGone& is_gone);
   void look_at_pairs();
-  void look_at(std::uint32_t pair);
+  void look_at_touching(std::uint32_t pair);
+  void look_at_apart(std::uint32_t pair);
+  bool is_proven(std::uint32_t pair) const;
+  void wait(std::uint32_t pair);
   void collide_waiting();
   Pose<float> b_in_a(const kernel::BodyPair& bodies) const {
     return relative_pose(placements_[bodies.a].pose, placements_[bodies.b].pose);
@@ -86,8 +92,10 @@ class Scene {
   void keep_for_recycling(std::uint32_t pair);
   void recycle(std::uint32_t pair);
   void conclude(std::uint32_t pair, const Manifold<float>& manifold);
-  void begin_contact(std::uint32_t pair);
-  void end_contact(std::uint32_t pair);
+  void begin_and_end();
+  void begin_contact(const Contact& contact);
+  /// The pair's new index.
+  std::uint32_t end_contact(std::uint32_t pair);
   StepResult result();
 
   Settings settings_;
@@ -98,15 +106,20 @@ class Scene {
   std::vector<std::uint32_t> free_;                   // bodies' places to be used again
   std::vector<Change> changes_;                       // by body
   std::vector<std::uint32_t> changed_;                // bodies, each once
+  std::vector<std::uint64_t> known_in_;               // by body: the last search that knew it
+  std::uint64_t search_ = 0;
   BroadPhase broad_phase_;
   PairCache pairs_;
-  std::vector<Contact> contacts_;
-  std::vector<Manifold<float>> collided_;  // by contact, as the kernel gave it; unless strict
+  std::vector<Contact> contacts_;          // by pair, of those that touch
+  std::vector<Manifold<float>> collided_;  // likewise, as the kernel gave them; unless strict
 
   // Of the step under way.
   std::vector<std::uint32_t> waiting_;  // pairs for the kernel, and their bodies
   std::vector<kernel::BodyPair> waiting_bodies_;
   std::vector<Manifold<float>> manifolds_;
+  std::vector<Contact> beginning_;
+  std::vector<kernel::BodyPair> ending_;
+  std::vector<std::uint32_t> gone_;  // bodies whose pairs with another are dropped
   StepCounts counts_;
 
   // What a step reports.
@@ -114,5 +127,18 @@ class Scene {
   std::vector<EndedContact> ended_;
   std::ptrdiff_t ended_reported_ = 0;  // by the last step; those behind wait for the next
 };
+
+template <class IsGone>
+std::size_t Scene::drop_pairs(std::uint32_t body, const IsGone& is_gone) {
+  gone_.clear();
+  pairs_.each_of(body, [&](std::uint32_t, std::uint32_t other) {
+    if (is_gone(other)) gone_.push_back(other);
+  });
+  for (const std::uint32_t other : gone_) {
+    const std::uint32_t pair = pairs_.find(body, other);
+    pairs_.remove(pair < pairs_.touching() ? end_contact(pair) : pair);
+  }
+  return gone_.size();
+}
 
 }  // namespace manifuzz::scene

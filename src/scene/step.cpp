@@ -27,6 +27,7 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves) {
   for (const Move& move : moves) place(move);
   find_candidates();
   look_at_pairs();
+  begin_and_end();
   for (const std::uint32_t body : changed_) changes_[body] = kUnchanged;
   changed_.clear();
   return result();
@@ -50,54 +51,65 @@ void Scene::find_candidates() {
   }
   for (const std::uint32_t body : changed_) {
     if (changes_[body] != kLeftBox) continue;
-    drop_candidates(body);
-    broad_phase_.partners(body, [&](std::uint32_t other) {
-      if (pairs_.find(body, other) != kNone) return;
-      pairs_.add(body, other);
-      ++counts_.pairs_added;
-    });
+    find_partners(body);
   }
 }
 
-void Scene::drop_candidates(std::uint32_t body) {
-  pairs_.remove_each(body, [&](std::uint32_t pair, std::uint32_t other) {
-    if (broad_phase_.overlap(body, other)) return false;
-    end_contact(pair);
-    ++counts_.pairs_dropped;
-    return true;
+void Scene::find_partners(std::uint32_t body) {
+  ++search_;
+  counts_.pairs_dropped += drop_pairs(body, [&](std::uint32_t other) {
+    known_in_[other] = search_;
+    return !broad_phase_.overlap(body, other);
+  });
+  broad_phase_.partners(body, [&](std::uint32_t other) {
+    if (known_in_[other] == search_) return;
+    pairs_.add(body, other);
+    ++counts_.pairs_added;
   });
 }
 
 void Scene::look_at_pairs() {
   if (kAllPairsShare * changed_.size() >= body_count_) {
-    const auto count = static_cast<std::uint32_t>(pairs_.size());
-    for (std::uint32_t pair = 0; pair < count; ++pair) {
+    const auto moved = [&](std::uint32_t pair) {
       const auto [a, b] = pairs_[pair].bodies;
-      if (changes_[a] != kUnchanged || changes_[b] != kUnchanged) look_at(pair);
+      return changes_[a] != kUnchanged || changes_[b] != kUnchanged;
+    };
+    const auto count = static_cast<std::uint32_t>(pairs_.size());
+    for (std::uint32_t pair = 0; pair < pairs_.touching(); ++pair) {
+      if (moved(pair)) look_at_touching(pair);
+    }
+    for (std::uint32_t pair = pairs_.touching(); pair < count; ++pair) {
+      if (moved(pair)) look_at_apart(pair);
     }
   } else {
     for (const std::uint32_t body : changed_) {
       pairs_.each_of(body, [&](std::uint32_t pair, std::uint32_t other) {
         const bool is_others = changes_[other] != kUnchanged && other < body;
-        if (!is_others) look_at(pair);
+        if (!is_others) pair < pairs_.touching() ? look_at_touching(pair) : look_at_apart(pair);
       });
     }
   }
   collide_waiting();
 }
 
-void Scene::look_at(std::uint32_t pair) {
-  const auto& [bodies, contact, certificate] = pairs_[pair];
-  if (still_holds(certificate, shapes_, placements_[bodies.a], placements_[bodies.b])) {
-    if (contact == kNone) {
-      ++counts_.pairs.separated;
-    } else {
-      recycle(pair);
-    }
-    return;
-  }
+bool Scene::is_proven(std::uint32_t pair) const {
+  const auto& [bodies, certificate] = pairs_[pair];
+  return still_holds(certificate, shapes_, placements_[bodies.a], placements_[bodies.b]);
+}
+
+void Scene::look_at_touching(std::uint32_t pair) {
+  if (settings_.recycled_motion > 0 && is_proven(pair)) return recycle(pair);
+  wait(pair);
+}
+
+void Scene::look_at_apart(std::uint32_t pair) {
+  if (!is_proven(pair)) return wait(pair);
+  ++counts_.pairs.separated;
+}
+
+void Scene::wait(std::uint32_t pair) {
   waiting_.push_back(pair);
-  waiting_bodies_.push_back(bodies);
+  waiting_bodies_.push_back(pairs_[pair].bodies);
   if (waiting_.size() == kWaitingMax) collide_waiting();
 }
 
@@ -111,43 +123,55 @@ void Scene::collide_waiting() {
   waiting_bodies_.clear();
 }
 
+/// Pairs that begin or end to touch are put where they belong at the end: until then all keep their
+/// indices.
 void Scene::conclude(std::uint32_t pair, const Manifold<float>& manifold) {
   const kernel::BodyPair bodies = pairs_[pair].bodies;
+  const bool touched = pair < pairs_.touching();
   if (manifold.count > 0) {
-    if (pairs_[pair].contact == kNone) begin_contact(pair);
-    contacts_[pairs_[pair].contact].manifold = manifold;
-    pairs_[pair].certificate = {};
-    if (settings_.recycled_motion > 0) keep_for_recycling(pair);
+    if (touched) {
+      contacts_[pair].manifold = manifold;
+      if (settings_.recycled_motion > 0) keep_for_recycling(pair);
+    } else {
+      beginning_.push_back({handle(bodies.a), handle(bodies.b), manifold});
+    }
     return;
   }
-  end_contact(pair);
+  if (touched) ending_.push_back(bodies);
   pairs_[pair].certificate = prove_separated(shapes_, placements_[bodies.a], placements_[bodies.b]);
   ++counts_.proofs;
 }
 
+void Scene::begin_and_end() {
+  for (const kernel::BodyPair& bodies : ending_) end_contact(pairs_.find(bodies.a, bodies.b));
+  for (const Contact& contact : beginning_) begin_contact(contact);
+  ending_.clear();
+  beginning_.clear();
+  if (beginning_.capacity() > kWaitingMax)
+    beginning_ = std::vector<Contact>();  // a first step's are no measure
+}
+
 void Scene::keep_for_recycling(std::uint32_t pair) {
-  const auto& [bodies, contact, certificate] = pairs_[pair];
   collided_.resize(contacts_.size());
-  collided_[contact] = contacts_[contact].manifold;
-  pairs_[pair].certificate = {b_in_a(bodies), settings_.recycled_motion, Side::a};
+  collided_[pair] = contacts_[pair].manifold;
+  pairs_[pair].certificate = {b_in_a(pairs_[pair].bodies), settings_.recycled_motion, Side::a};
 }
 
 /// From what the kernel gave, whenever that was: nothing accumulates.
 void Scene::recycle(std::uint32_t pair) {
-  const auto& [bodies, contact, certificate] = pairs_[pair];
-  contacts_[contact].manifold =
-      recycled(collided_[contact], certificate.far_in_near, b_in_a(bodies));
+  const auto& [bodies, certificate] = pairs_[pair];
+  contacts_[pair].manifold = recycled(collided_[pair], certificate.far_in_near, b_in_a(bodies));
   ++counts_.pairs.recycled;
 }
 
 StepResult Scene::result() {
-  for (std::uint32_t& pair : began_) pair = pairs_[pair].contact;
   counts_.bodies = body_count_;
   PairCounts& pairs = counts_.pairs;
   pairs.candidates = pairs_.size();
   pairs.at_rest = pairs.candidates - pairs.separated - pairs.recycled - pairs.collided;
   ended_reported_ = std::ssize(ended_);
-  return {contacts_, began_, ended_, contacts_.size() - began_.size(), counts_};
+  const std::size_t stayed = contacts_.size() - began_.size();
+  return {contacts_, began_, ended_, stayed, counts_};
 }
 
 }  // namespace manifuzz::scene

@@ -6,6 +6,7 @@
 #include "scene/certificates.cpp"
 #include "scene/grid.cpp"
 #include "scene/pair_cache.cpp"
+#include "scene/recycled.cpp"
 #include "scene/scene.cpp"
 #include "scene/shape_table.cpp"
 #include "scene/step.cpp"
