@@ -4,10 +4,15 @@
 
 namespace manifuzz::scene {
 
-/// How far a box is fattened all round, as a share of its body's reach; and ahead, as a multiple of
-/// how far the body went since it was last looked at, but no farther than the reach.
-inline constexpr float kFatShare = 0.1F;
-inline constexpr float kFatAhead = 4;
+/// How far a box is fattened, as shares of its body's reach.
+struct Fatness {
+  float all_round;
+  float ahead_max;  ///< and in the direction of its motion, no farther than this,
+  float ahead;      ///< a multiple of how far the body went since it was last looked at
+};
+inline constexpr Fatness kAmongOthers{0.1F, 1, 4};
+/// A box without partners may be fat: it costs nothing there.
+inline constexpr Fatness kAlone{0.8F, 3, 12};
 
 /// Bodies by fattened boxes: only those that left theirs are looked at. What overlaps is a
 /// candidate pair.
@@ -23,7 +28,10 @@ class BroadPhase {
 
   /// Brings a body's padded box at this pose up to date; true where it left its fattened box (or
   /// had none), which is then drawn afresh.
-  bool update(std::uint32_t body, const Box& box, const Pose<float>& pose, float reach);
+  bool update(std::uint32_t body, const Box& box, const Pose<float>& pose, float reach,
+              const Fatness& fatness);
+
+  bool holds(std::uint32_t body) const { return grid_.holds(body); }
 
   /// Of a body whose box changes with no motion: its shape is another one.
   void forget_slack(std::uint32_t body) {

@@ -27,6 +27,7 @@ Grid::Cell Grid::cell_of(const Box& box) {
                                  static_cast<double>(box.y_max) - static_cast<double>(box.y_min));
   int level = 0;
   std::frexp(extent, &level);
+  level += level & 1;  // every other power of two
   const double width = std::ldexp(1.0, level);
   return {level, cell_at(middle(box.x_min, box.x_max), width),
           cell_at(middle(box.y_min, box.y_max), width)};

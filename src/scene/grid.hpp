@@ -8,7 +8,7 @@
 
 namespace manifuzz::scene {
 
-/// Bodies by where their boxes are: square cells in levels, each twice as wide as the one
+/// Bodies by where their boxes are: square cells in levels, each four times as wide as the one
 /// below. A body is in one cell, that of its box's middle on the lowest level whose cells are no
 /// narrower than the box; so whatever overlaps a box has its middle within half a cell of it. Cells
 /// take no memory of their own: bodies hang in lists by the hash of their cell.

@@ -30,6 +30,9 @@ class PairCache {
   /// The pair's index, or kNone.
   std::uint32_t find(std::uint32_t body, std::uint32_t other) const;
 
+  /// Whether a body has any pairs.
+  bool has_any(std::uint32_t body) const { return body < first_.size() && first_[body] != kNone; }
+
   /// Adds a pair that is not there.
   void add(std::uint32_t body, std::uint32_t other);
 

@@ -45,7 +45,9 @@ void Scene::find_candidates() {
     const ShapeFacts& facts = shapes_.facts(shape);
     if (broad_phase_.is_still_inside(body, pose, facts.reach)) continue;
     const Box box = padded_box(shapes_.rows(shape), pose, facts.padding);
-    if (!broad_phase_.update(body, box, pose, facts.reach)) continue;
+    const bool is_alone = broad_phase_.holds(body) && !pairs_.has_any(body);
+    const Fatness& fatness = is_alone ? kAlone : kAmongOthers;
+    if (!broad_phase_.update(body, box, pose, facts.reach, fatness)) continue;
     changes_[body] = kLeftBox;
     ++counts_.left_boxes;
   }
