@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kWaitingMax = 4096;
 
 /// Once one body in so many moved, all pairs are gone through, in the order of memory.
-constexpr std::size_t kAllPairsShare = 4;
+constexpr std::size_t kAllPairsShare = 16;
 
 }  // namespace
 
