@@ -115,9 +115,10 @@ nlohmann::ordered_json report_json(const SceneReport& report) {
   json["machine"]["instruction_set"] = kernel::targets().front();
   json["rows"] = nlohmann::ordered_json::array();
   for (const SceneRun& run : report.runs) json["rows"].push_back(row_json(run));
-  json["exponents"] = nlohmann::ordered_json::object();
+  json["exponents"] = nlohmann::ordered_json::array();
   for (const auto& [scene, points] : times_by_scene(report.runs)) {
-    if (const auto exponent = fitted_exponent(points)) json["exponents"][scene] = *exponent;
+    const auto exponent = fitted_exponent(points);
+    if (exponent) json["exponents"].push_back({{"scene", scene}, {"exponent", *exponent}});
   }
   json["recycling"] = nlohmann::ordered_json::array();
   for (const RecyclingCurve& curve : report.curves) json["recycling"].push_back(curve_json(curve));

@@ -157,6 +157,7 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
   run.scene = name;
   run.bodies = trajectory.start.size();
   run.steps = trajectory.steps.size();
+  run.recycled_motion = settings.recycled_motion;
   const bool is_strict = settings.recycled_motion == 0;
   if (is_strict && run.bodies <= kAfreshBodiesMax) look_for_mismatches(trajectory, run);
   Race race(trajectory, settings);
@@ -203,25 +204,30 @@ Frame last_frame(const Trajectory& trajectory) {
 
 nlohmann::ordered_json row_json(const SceneRun& run) {
   const scene::StepCounts& counts = run.counts;
-  nlohmann::ordered_json json{{"scene", run.scene},
-                              {"bodies", run.bodies},
-                              {"steps", run.steps},
-                              {"ns_per_step", run.ns_per_step},
-                              {"speedup_over_all", run.speedup_over_all},
-                              {"speedup_over_moved", run.speedup_over_moved},
-                              {"moved", counts.moved},
-                              {"left_boxes", counts.left_boxes},
-                              {"candidates", counts.pairs.candidates},
-                              {"at_rest", counts.pairs.at_rest},
-                              {"separated", counts.pairs.separated},
-                              {"recycled", counts.pairs.recycled},
-                              {"collided", counts.pairs.collided},
-                              {"proofs", counts.proofs},
-                              {"contacts", run.contacts},
-                              {"pairs", run.pairs},
-                              {"bytes_of_bodies", run.memory.bodies},
-                              {"bytes_of_pairs", run.memory.pairs}};
-  json["mismatches"] = nullptr;
+  nlohmann::ordered_json json{
+      {"scene", run.scene},
+      {"bodies", run.bodies},
+      {"moving", static_cast<double>(counts.moved) / static_cast<double>(run.steps)},
+      {"mode", run.recycled_motion > 0 ? "recycle" : "strict"},
+      {"recycled_motion", run.recycled_motion},
+      {"steps", run.steps},
+      {"ns_per_step", run.ns_per_step},
+      {"speedup_over_box2d", run.speedup_over_all},
+      {"speedup_over_box2d_moved", run.speedup_over_moved},
+      {"mismatches", nullptr},
+      {"candidates", counts.pairs.candidates},
+      {"skipped",
+       {{"at_rest", counts.pairs.at_rest},
+        {"separated", counts.pairs.separated},
+        {"recycled", counts.pairs.recycled}}},
+      {"computed", counts.pairs.collided},
+      {"left_boxes", counts.left_boxes},
+      {"proofs", counts.proofs},
+      {"contacts", run.contacts},
+      {"pairs", run.pairs},
+      {"bytes", run.memory.bodies + run.memory.pairs},
+      {"bytes_of_bodies", run.memory.bodies},
+      {"bytes_of_pairs", run.memory.pairs}};
   if (run.mismatches) json["mismatches"] = *run.mismatches;
   return json;
 }

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "measure/scene_recycling.hpp"
 #include "measure/scene_run.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
@@ -22,12 +23,43 @@ TEST_CASE("scene goes through every scene, with the contacts of all pairs afresh
     CAPTURE(row.at("scene"));
     CHECK(row.at("bodies") == 60);
     CHECK(row.at("mismatches") == 0);
-    const auto count = [&](const char* name) { return row.at(name).get<std::size_t>(); };
-    CHECK(count("at_rest") + count("separated") + count("collided") == count("candidates"));
+    CHECK(row.at("mode") == "strict");
+    const auto& skipped = row.at("skipped");
+    std::size_t sum = row.at("computed").get<std::size_t>();
+    for (const auto& [reason, count] : skipped.items()) sum += count.get<std::size_t>();
+    CHECK(sum == row.at("candidates").get<std::size_t>());
+    CHECK(skipped.at("recycled") == 0);
+    for (const char* const key :
+         {"moving", "steps", "ns_per_step", "speedup_over_box2d", "bytes"}) {
+      CHECK(row.at(key).is_number());
+    }
   }
   std::ifstream svg(frame);
   const std::string text{std::istreambuf_iterator<char>(svg), {}};
   CHECK(text.find("class=\"contact\"") != std::string::npos);
+}
+
+TEST_CASE("scene recycles on request, and says what that skips and costs") {
+  const test::TemporaryFolder folder;
+  const std::string json = (folder.path() / "scene.json").string();
+  const std::string plot = (folder.path() / "recycling.svg").string();
+  const auto outcome =
+      test::run_manifuzz({"scene", "--scene", "pyramid", "--bodies", "100", "--steps", "8",
+                          "--mode", "recycle", "--json", json, "--recycling", plot});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto report = nlohmann::json::parse(std::ifstream(json));
+  const auto& row = report.at("rows").at(0);
+  CHECK(row.at("mode") == "recycle");
+  CHECK(row.at("mismatches").is_null());
+  CHECK(row.at("skipped").at("recycled").get<int>() > 0);
+  const auto& points = report.at("recycling").at(0).at("points");
+  REQUIRE(points.size() == kRecyclingMotions.size());
+  CHECK(points.front().at("skipped") == 0.0);
+  CHECK(points.front().at("depth").at("max").get<double>() < 1e-5);
+  CHECK(points.back().at("skipped").get<double>() > 0.9);
+  CHECK(points.back().at("depth").at("p999") > points.front().at("depth").at("p999"));
+  CHECK(std::filesystem::exists(plot));
 }
 
 TEST_CASE("scene refuses what it does not know") {
@@ -36,6 +68,8 @@ TEST_CASE("scene refuses what it does not know") {
   CHECK(unknown.err.find("there is no 'avalanche'; there are pile") != std::string::npos);
   CHECK(test::run_manifuzz({"scene", "--bodies", "3"}).status == 2);
   CHECK(test::run_manifuzz({"scene", "--scaling", "plot.pdf"}).status == 2);
+  CHECK(test::run_manifuzz({"scene", "--mode", "loose"}).status == 2);
+  CHECK(test::run_manifuzz({"scene", "--recycled-motion", "0.1"}).status == 2);
 }
 
 TEST_CASE("a scene has the bodies that were asked for, the same each time") {
