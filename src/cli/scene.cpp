@@ -96,7 +96,16 @@ std::string frame_of(const Options& options) {
   const std::size_t bodies = options.sizes().front();
   const Trajectory trajectory = spec.make(bodies, options.steps_or_default());
   const Frame frame = last_frame(trajectory);
-  return frame_svg(frame.bodies, frame.contacts, fmt::format("{} of {} bodies", spec.name, bodies));
+  std::vector<FramePoint> points;
+  for (const scene::Contact& contact : frame.contacts) {
+    const Pose<float>& a = frame.bodies[contact.a.index].pose;
+    const Vector2<float> normal = rotate(a.rotation, contact.manifold.normal);
+    for (int i = 0; i < contact.manifold.count; ++i) {
+      const Vector2<float> position = transform(a, contact.manifold.points[i].position);
+      points.push_back({position.cast<double>(), normal.cast<double>()});
+    }
+  }
+  return frame_svg(frame.bodies, points, fmt::format("{} of {} bodies", spec.name, bodies));
 }
 
 /// A pair that mismatched is met in a scene by the tests from then on, as all of the corpus.

@@ -52,6 +52,7 @@ LinePlot scaling_plot(const std::vector<SceneRun>& runs) {
   LinePlot plot{.title = "time of a step against bodies",
                 .x_label = "bodies",
                 .y_label = "ns a step",
+                .is_linear_in_x = false,
                 .falls = false,
                 .limit = {},
                 .lines = {}};
@@ -65,17 +66,18 @@ LinePlot scaling_plot(const std::vector<SceneRun>& runs) {
 
 LinePlot recycling_plot(const std::vector<RecyclingCurve>& curves) {
   LinePlot plot{.title = "what recycling costs",
-                .x_label = "share of the pairs that strict mode would collide, skipped",
+                .x_label = "pairs skipped, % of those that strict mode would collide",
                 .y_label = "error of depth or position, 99.9%, share of the size",
+                .is_linear_in_x = true,
                 .falls = false,
                 .limit = {},
                 .lines = {}};
   for (const RecyclingCurve& curve : curves) {
     Points points;
     for (const RecyclingRun& run : curve.runs) {
-      if (run.skipped > 0) points.emplace_back(run.skipped, error_of(run.judged));
+      points.emplace_back(100 * run.skipped, error_of(run.judged));
     }
-    if (!points.empty()) plot.lines.push_back({curve.scene, points, {}});
+    if (points.back().first > 0) plot.lines.push_back({curve.scene, points, {}});
   }
   return plot;
 }

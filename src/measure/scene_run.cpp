@@ -192,13 +192,7 @@ Frame last_frame(const Trajectory& trajectory) {
   ScenePlayer player(trajectory, {});
   scene::StepResult last;
   for (const auto& moves : trajectory.steps) last = player.step(moves);
-  for (const scene::Contact& contact : last.contacts) {
-    const Pose<float>& a = frame.bodies[contact.a.index].pose;
-    for (int i = 0; i < contact.manifold.count; ++i) {
-      const Vector2<float>& local = contact.manifold.points[i].position;
-      frame.contacts.push_back(transform(a, local).cast<double>());
-    }
-  }
+  frame.contacts.assign(last.contacts.begin(), last.contacts.end());
   return frame;
 }
 

@@ -36,10 +36,10 @@ struct SceneRun {
 SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
                    const scene::Settings& settings);
 
-/// Bodies in the world, and the points where they touch.
+/// Bodies in the world, and how they touch; their handles have the bodies' indices.
 struct Frame {
   std::vector<Body> bodies;
-  std::vector<Vector2<double>> contacts;
+  std::vector<scene::Contact> contacts;
 };
 
 /// As a trajectory leaves them.

@@ -13,7 +13,12 @@ constexpr double kMargin = 20;
 
 constexpr std::string_view kStyle =
     ".body { fill: #cfe0f0; stroke: #1f4e79; stroke-width: 1 }\n"
-    ".contact { fill: #c0392b }\n";
+    ".ground { fill: #ffffff }\n"
+    ".contact { fill: #c0392b }\n"
+    ".normal { stroke: #c0392b; stroke-width: 1.5 }\n";
+
+/// In pixels.
+constexpr double kNormalLength = 9;
 
 /// The corners of a body in the world.
 Region region_of(const Body& body) {
@@ -43,20 +48,27 @@ struct Mapping {
 
 }  // namespace
 
-std::string frame_svg(std::span<const Body> bodies, std::span<const Vector2<double>> contacts,
+std::string frame_svg(std::span<const Body> bodies, std::span<const FramePoint> points,
                       std::string_view title) {
   std::vector<Region> regions;
   Mapping mapping;
   for (const Body& body : bodies) {
     for (const Point& corner : regions.emplace_back(region_of(body))) mapping.include(corner);
   }
+  const Point size = mapping.size();
   Svg svg;
+  svg.polygon({{0, 0}, {size.x(), 0}, size, {0, size.y()}}, "ground");
   for (Region& region : regions) {
     std::ranges::transform(region, region.begin(), mapping);
     svg.polygon(region, "body");
   }
-  for (const Point& contact : contacts) svg.circle(mapping(contact), 2, "contact");
-  return svg.finish(mapping.size().x(), mapping.size().y(), title, kStyle);
+  for (const FramePoint& point : points) {
+    const Point at = mapping(point.position);
+    const Point along(point.normal.x(), -point.normal.y());
+    svg.line({at, at + kNormalLength * along}, "normal");
+    svg.circle(at, 2.5, "contact");
+  }
+  return svg.finish(size.x(), size.y(), title, kStyle);
 }
 
 }  // namespace manifuzz

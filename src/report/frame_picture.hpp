@@ -7,8 +7,14 @@
 
 namespace manifuzz {
 
-/// Bodies and the points where they touch, both in the world, as an SVG document.
-std::string frame_svg(std::span<const Body> bodies, std::span<const Vector2<double>> contacts,
+/// A contact point in the world.
+struct FramePoint {
+  Vector2<double> position;
+  Vector2<double> normal;  ///< unit
+};
+
+/// Bodies and the points where they touch, with their normals, as an SVG document.
+std::string frame_svg(std::span<const Body> bodies, std::span<const FramePoint> points,
                       std::string_view title);
 
 }  // namespace manifuzz

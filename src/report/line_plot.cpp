@@ -47,11 +47,13 @@ std::string drawn(const PlotLine& line, std::size_t number) {
 
 std::string commands_of(const LinePlot& plot, const std::vector<PlotLine>& lines) {
   std::string text = fmt::format(
-      "set title \"{}\" noenhanced\nset xlabel \"{}\" noenhanced\nset ylabel \"{}\" noenhanced\n"
-      "set logscale xy\nset format '10^{{%T}}'\nset grid linecolor '#dddddd'\n"
+      "set title \"{}\" noenhanced\nset xlabel \"{}\" noenhanced\nset ylabel \"{}\" noenhanced\n",
+      plot.title, plot.x_label, plot.y_label);
+  text += fmt::format(
+      "set logscale {0}\nset format {0} '10^{{%T}}'\nset grid linecolor '#dddddd'\n"
       "set key below Left reverse horizontal noenhanced samplen 2 height 1\n"
-      "set xrange [*:*]{} noextend\nset yrange [*:*]\nset offsets 0, 0, graph 0.05, graph 0.05\n",
-      plot.title, plot.x_label, plot.y_label, plot.falls ? " reverse" : "");
+      "set xrange [*:*]{1} noextend\nset yrange [*:*]\nset offsets 0, 0, graph 0.05, graph 0.05\n",
+      plot.is_linear_in_x ? "y" : "xy", plot.falls ? " reverse" : "");
   std::vector<std::string> drawings;
   if (plot.limit) {
     drawings.push_back(fmt::format(

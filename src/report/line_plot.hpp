@@ -9,7 +9,7 @@ namespace manifuzz {
 /// One thing against a knob.
 struct PlotLine {
   std::string name;
-  std::vector<std::pair<double, double>> points;  ///< x above 0; y 0 or more
+  std::vector<std::pair<double, double>> points;  ///< y 0 or more; x above 0 if logarithmic
   std::optional<std::size_t> breaks_at;           ///< the point that is marked
   bool is_ideal = false;                          ///< drawn as a thin dashed line, for comparison
 };
@@ -18,6 +18,7 @@ struct LinePlot {
   std::string title;
   std::string x_label;
   std::string y_label;
+  bool is_linear_in_x = false;
   bool falls = false;             ///< the axis of x runs from the largest to the smallest
   std::optional<double> limit{};  ///< a level line: above it a line has broken
   std::vector<PlotLine> lines;
@@ -26,7 +27,7 @@ struct LinePlot {
 /// Lines of equal points as one, with their names: colliders often answer alike.
 std::vector<PlotLine> merged(std::vector<PlotLine> lines);
 
-/// Draws the merged lines on two logarithmic axes, as `draw_by_gnuplot` does.
+/// Draws the merged lines, y logarithmic and x too unless it is linear, as `draw_by_gnuplot` does.
 void write_line_plot(const std::string& path, const LinePlot& plot);
 
 }  // namespace manifuzz
