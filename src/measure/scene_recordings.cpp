@@ -1,9 +1,9 @@
 #include "measure/scene_recordings.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "cases/placing.hpp"
+#include "geometry/same_bits.hpp"
 #include "measure/scene_scripts.hpp"
 #include "oracle/box2d/world.hpp"
 
@@ -38,14 +38,6 @@ struct Stage {
     add_fixed(0.5, wall_height / 2, width - 0.5, wall_height / 2);
   }
 };
-
-bool same_bits(const Pose<float>& p, const Pose<float>& q) {
-  const auto same = [](const Vector2<float>& v, const Vector2<float>& w) {
-    return std::bit_cast<std::uint64_t>(std::array{v.x(), v.y()}) ==
-           std::bit_cast<std::uint64_t>(std::array{w.x(), w.y()});
-  };
-  return same(p.position, q.position) && same(p.rotation, q.rotation);
-}
 
 /// The stage's recording after `warm_up` steps, side by side until there are enough bodies.
 Trajectory recorded(const Stage& stage, std::size_t bodies, int warm_up, int steps) {

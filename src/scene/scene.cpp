@@ -1,20 +1,8 @@
 #include "scene/scene.hpp"
 
-#include <bit>
+#include "geometry/same_bits.hpp"
 
 namespace manifuzz::scene {
-namespace {
-
-bool same_bits(const Vector2<float>& v, const Vector2<float>& w) {
-  const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x); };
-  return bits(v.x()) == bits(w.x()) && bits(v.y()) == bits(w.y());
-}
-
-bool same_bits(const Pose<float>& p, const Pose<float>& q) {
-  return same_bits(p.position, q.position) && same_bits(p.rotation, q.rotation);
-}
-
-}  // namespace
 
 std::variant<std::uint32_t, Defect> Scene::add_shape(const ConvexPolygon<float>& polygon) {
   return shapes_.add(polygon);

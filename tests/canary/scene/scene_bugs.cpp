@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kRuns = 4000;
 constexpr int kRunsUnedited = 200;
-constexpr std::uint64_t kCrowds = 5;
+constexpr std::uint64_t kCrowds = 10;
 
 class Silence : public rc::detail::TestListener {
  public:

@@ -15,9 +15,9 @@ struct Course {
   Vector2<double> turn{1, 0};
 };
 
-Course course(Random& random) {
+Course course(Random& random, double resting) {
   Course course;
-  if (random.chance(0.4)) return course;  // rests
+  if (random.chance(resting)) return course;
   const double length = random.magnitude(-16, -3);
   course.by = (length * random_direction(random)).cast<float>();
   if (random.chance(0.5)) course.turn = turn_by(random.either_sign(random.magnitude(-16, -4)));
@@ -26,7 +26,8 @@ Course course(Random& random) {
 
 class Crowd {
  public:
-  Crowd(MakeScene make, std::uint64_t seed) : random_(seed, "crowd", 0), subject_(make) {
+  Crowd(MakeScene make, std::uint64_t seed)
+      : random_(seed, "crowd", 0), resting_(seed % 2 == 0 ? 0.4 : 0.96), subject_(make) {
     for (std::size_t i = 0; i < kCrowdBodies; ++i) add();
   }
 
@@ -48,7 +49,7 @@ class Crowd {
     pose.position *= 3;
     model_.bodies.push_back({true, shape, pose});
     subject_.add(shape, pose);
-    courses_.push_back(course(random_));
+    courses_.push_back(course(random_, resting_));
   }
 
   std::uint32_t any_shape() {
@@ -67,7 +68,7 @@ class Crowd {
       b.shape = any_shape();
       subject_.scene->set_shape(subject_.handles[body], b.shape);
     }
-    if (random_.chance(0.02)) courses_[body] = course(random_);
+    if (random_.chance(0.02)) courses_[body] = course(random_, resting_);
     const Course& on = courses_[body];
     if (on.by == Vector2<float>(0, 0)) return;
     b.pose.position += on.by;
@@ -76,6 +77,7 @@ class Crowd {
   }
 
   Random random_;
+  double resting_;  // the share of bodies: where few move, a scene goes another way
   Model model_;
   Subject subject_;
   std::vector<Course> courses_;

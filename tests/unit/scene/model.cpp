@@ -1,9 +1,9 @@
 #include "unit/scene/model.hpp"
 
-#include <bit>
 #include <map>
 
 #include "cases/placing.hpp"
+#include "geometry/same_bits.hpp"
 #include "kernel/batch.hpp"
 
 namespace manifuzz::test {
@@ -11,13 +11,7 @@ namespace {
 
 using Contacts = std::map<Ordinals, Manifold<float>>;
 
-bool same_bits(float x, float y) {
-  return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
-}
-
-bool same_bits(const Vector2<float>& v, const Vector2<float>& w) {
-  return same_bits(v.x(), w.x()) && same_bits(v.y(), w.y());
-}
+using manifuzz::same_bits;
 
 bool same_bits(const Manifold<float>& m, const Manifold<float>& n) {
   if (m.count != n.count || m.reference != n.reference || !same_bits(m.normal, n.normal)) {
