@@ -27,6 +27,7 @@ struct Options {
   std::optional<std::uint64_t> steps;
   std::string mode = "strict";
   std::optional<float> motion;
+  bool without_certificates = false;
   std::string json;
   std::string scaling;
   std::string skipped;
@@ -38,7 +39,10 @@ struct Options {
     return bodies.empty() ? std::vector<std::size_t>{100, 1'000, 10'000} : bodies;
   }
   int steps_or_default() const { return static_cast<int>(steps.value_or(30)); }
-  float recycled_motion() const { return mode == "recycle" ? motion.value_or(kMotion) : 0; }
+  scene::Settings settings() const {
+    return {.recycled_motion = mode == "recycle" ? motion.value_or(kMotion) : 0,
+            .certificates = !without_certificates};
+  }
 };
 
 std::vector<const SceneSpec*> chosen_scenes(const std::vector<std::string>& names) {
@@ -71,11 +75,10 @@ void for_each_scene(const Options& options, std::span<const std::size_t> sizes,
 SceneReport run_all(const Options& options) {
   SceneReport report;
   const auto sizes = options.sizes();
-  for_each_scene(
-      options, sizes, "timing", [&](const SceneSpec& spec, const Trajectory& trajectory) {
-        report.runs.push_back(
-            run_scene(spec.name, trajectory, {.recycled_motion = options.recycled_motion()}));
-      });
+  for_each_scene(options, sizes, "timing",
+                 [&](const SceneSpec& spec, const Trajectory& trajectory) {
+                   report.runs.push_back(run_scene(spec.name, trajectory, options.settings()));
+                 });
   if (options.recycling.empty()) return report;
   const std::span<const std::size_t> first(sizes.data(), 1);
   for_each_scene(options, first, "recycling",
@@ -167,6 +170,8 @@ Run define(CLI::App& app) {
                  "not given")
       ->type_name("L")
       ->check(CLI::Range(1e-6F, 10.0F));
+  app.add_flag("--without-certificates", options->without_certificates,
+               "collide every pair that moved, whatever was proven");
   app.add_option("--json", options->json, "the rows as JSON, to a file or - for stdout")
       ->type_name("FILE");
   app.add_option("--save", options->save, "a corpus for pairs that are not as they are afresh")

@@ -135,8 +135,9 @@ void add_to(scene::StepCounts& sum, const scene::StepCounts& counts) {
 }
 
 /// Holds a scene against every pair afresh. Apart from what is timed: it would empty the caches.
-void look_for_mismatches(const Trajectory& trajectory, SceneRun& run) {
-  ScenePlayer player(trajectory, {});
+void look_for_mismatches(const Trajectory& trajectory, const scene::Settings& settings,
+                         SceneRun& run) {
+  ScenePlayer player(trajectory, settings);
   Afresh afresh(trajectory);
   run.mismatches = 0;
   for (const auto& moves : trajectory.steps) {
@@ -159,7 +160,7 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
   run.steps = trajectory.steps.size();
   run.recycled_motion = settings.recycled_motion;
   const bool is_strict = settings.recycled_motion == 0;
-  if (is_strict && run.bodies <= kAfreshBodiesMax) look_for_mismatches(trajectory, run);
+  if (is_strict && run.bodies <= kAfreshBodiesMax) look_for_mismatches(trajectory, settings, run);
   Race race(trajectory, settings);
   std::vector<double> ns;
   std::vector<double> over_all;

@@ -31,6 +31,9 @@ struct Settings {
   /// Pairs that touch keep their contact, carried along rigidly, until a vertex has moved by this,
   /// seen from the other body (a length). 0 is strict: the same bits as colliding them afresh.
   float recycled_motion = 0;
+  /// Pairs are proven separated, and then skipped. Off, all pairs that moved are collided: the same
+  /// contacts, sooner where nothing stays proven for long.
+  bool certificates = true;
 };
 
 struct Memory {

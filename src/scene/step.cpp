@@ -105,7 +105,7 @@ void Scene::look_at_touching(std::uint32_t pair) {
 }
 
 void Scene::look_at_apart(std::uint32_t pair) {
-  if (!is_proven(pair)) return wait(pair);
+  if (!settings_.certificates || !is_proven(pair)) return wait(pair);
   ++counts_.pairs.separated;
 }
 
@@ -140,6 +140,7 @@ void Scene::conclude(std::uint32_t pair, const Manifold<float>& manifold) {
     return;
   }
   if (touched) ending_.push_back(bodies);
+  if (!settings_.certificates) return;
   pairs_[pair].certificate = prove_separated(shapes_, placements_[bodies.a], placements_[bodies.b]);
   ++counts_.proofs;
 }

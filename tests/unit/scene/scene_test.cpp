@@ -107,6 +107,23 @@ TEST_CASE("a pair proven separated is skipped until it has moved by its margin")
   CHECK(touching.contacts.size() == 1);
 }
 
+TEST_CASE("without certificates every pair that moved is collided, to the same contacts") {
+  scene::Scene with;
+  scene::Scene without({.certificates = false});
+  const auto contacts_after = [](scene::Scene& scene, float x) {
+    const auto shape = std::get<std::uint32_t>(scene.add_shape(square(0.5F)));
+    scene.add(shape, at(0, 0));
+    const auto b = std::get<BodyHandle>(scene.add(shape, at(1.1F, 0)));
+    scene.step({});
+    return std::get<StepResult>(scene.step({{{b, at(x, 0)}}}));
+  };
+  CHECK(contacts_after(with, 1.05F).counts.pairs.separated == 1);
+  const StepResult apart = contacts_after(without, 1.05F);
+  CHECK(apart.counts.pairs.collided == apart.counts.pairs.candidates - apart.counts.pairs.at_rest);
+  CHECK(apart.counts.proofs == 0);
+  CHECK(contacts_after(without, 0.9F).counts.pairs.separated == 0);
+}
+
 TEST_CASE("the time of a step at rest has nothing to do with the bodies: no counter rises") {
   Row row(100);
   row.step();
