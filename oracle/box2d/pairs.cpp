@@ -1,6 +1,7 @@
 #include "oracle/box2d/pairs.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <box2d/b2_broad_phase.h>
@@ -40,6 +41,7 @@ void* as_data(std::uintptr_t body) {
 
 struct Box2dPairs::State {
   std::vector<Placed> bodies;
+  std::vector<std::uint32_t> moved;  ///< bodies, since the last step
   std::vector<Pair> pairs;
   b2BroadPhase broad_phase;
 
@@ -58,7 +60,7 @@ struct Box2dPairs::State {
   void move(const BodyMove& move) {
     Placed& body = bodies[move.body];
     body.transform = box2d::to_box2d(move.pose);
-    body.moved = true;
+    if (!std::exchange(body.moved, true)) moved.push_back(move.body);
     const b2AABB before = body.box;
     body.box = box_of(body);
     b2AABB swept;
@@ -82,16 +84,16 @@ Box2dPairs::Box2dPairs(std::span<const Body> bodies) : state_(std::make_unique<S
     placed.box = box_of(placed);
     placed.proxy = state_->broad_phase.CreateProxy(placed.box, as_data(i));
     placed.moved = true;
+    state_->moved.push_back(static_cast<std::uint32_t>(i));
   }
 }
 
 Box2dPairs::~Box2dPairs() = default;
 
-std::size_t Box2dPairs::step(std::span<const BodyMove> moves, bool skip_unmoved) {
+void Box2dPairs::step(std::span<const BodyMove> moves, bool skip_unmoved) {
   State& state = *state_;
   for (const BodyMove& move : moves) state.move(move);
   state.broad_phase.UpdatePairs(&state);
-  std::size_t collided = 0;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < state.pairs.size(); ++i) {
     Pair& pair = state.pairs[i];
@@ -101,18 +103,13 @@ std::size_t Box2dPairs::step(std::span<const BodyMove> moves, bool skip_unmoved)
     if ((is_active || !skip_unmoved) && state.is_apart(pair)) continue;
     if (is_active || !skip_unmoved) {
       b2CollidePolygons(&pair.manifold, &a.shape, a.transform, &b.shape, b.transform);
-      ++collided;
     }
     if (kept != i) state.pairs[kept] = pair;
     ++kept;
   }
   state.pairs.resize(kept);
-  for (Placed& body : state.bodies) body.moved = false;
-  return collided;
-}
-
-std::size_t Box2dPairs::pair_count() const {
-  return state_->pairs.size();
+  for (const std::uint32_t body : state.moved) state.bodies[body].moved = false;
+  state.moved.clear();
 }
 
 }  // namespace manifuzz

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -25,11 +24,8 @@ class Box2dPairs {
   Box2dPairs(const Box2dPairs&) = delete;
   Box2dPairs& operator=(const Box2dPairs&) = delete;
 
-  /// Collides all pairs, or those alone of which a body moved, as sleep allows. Gives the number of
-  /// manifolds that were computed.
-  std::size_t step(std::span<const BodyMove> moves, bool skip_unmoved);
-
-  std::size_t pair_count() const;
+  /// Collides all pairs, or those alone of which a body moved, as sleep allows.
+  void step(std::span<const BodyMove> moves, bool skip_unmoved);
 
  private:
   struct State;

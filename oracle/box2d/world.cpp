@@ -16,7 +16,6 @@ b2Body* add(b2World& world, const WorldBody& from) {
   definition.type = from.is_fixed ? b2_staticBody : b2_dynamicBody;
   definition.position = box2d::to_box2d(from.body.pose.position);
   definition.angle = std::atan2(from.body.pose.rotation.y(), from.body.pose.rotation.x());
-  definition.linearVelocity = box2d::to_box2d(from.velocity);
   b2Body* const body = world.CreateBody(&definition);
   const b2PolygonShape shape = box2d::to_box2d(from.body.polygon);
   b2FixtureDef fixture;

@@ -11,7 +11,6 @@ namespace manifuzz {
 struct WorldBody {
   Body body;
   bool is_fixed = false;
-  Vector2<float> velocity{0, 0};  ///< a second
 };
 
 /// The poses of all bodies after each step of `b2World::Step` (b2_world.cpp): 1/60 s, 8 and 3

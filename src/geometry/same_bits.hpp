@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "geometry/pose.hpp"
+#include "geometry/manifold.hpp"
 
 namespace manifuzz {
 
@@ -18,6 +18,22 @@ inline bool same_bits(const Vector2<float>& v, const Vector2<float>& w) {
 
 inline bool same_bits(const Pose<float>& p, const Pose<float>& q) {
   return same_bits(p.position, q.position) && same_bits(p.rotation, q.rotation);
+}
+
+/// Of manifolds with points.
+inline bool same_bits(const Manifold<float>& m, const Manifold<float>& n) {
+  if (m.count != n.count || m.reference != n.reference || !same_bits(m.normal, n.normal)) {
+    return false;
+  }
+  for (int i = 0; i < m.count; ++i) {
+    const ContactPoint<float>& p = m.points[i];
+    const ContactPoint<float>& q = n.points[i];
+    if (!same_bits(p.position, q.position) || !same_bits(p.depth, q.depth) ||
+        !(p.features == q.features)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace manifuzz

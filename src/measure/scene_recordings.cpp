@@ -22,7 +22,7 @@ struct Stage {
 
   void add(std::uint32_t shape, double x, double y, bool is_fixed = false) {
     const Pose<float> pose{Vector2<double>(x, y).cast<float>(), {1, 0}};
-    bodies.push_back({{shapes[shape], pose}, is_fixed, {0, 0}});
+    bodies.push_back({{shapes[shape], pose}, is_fixed});
     shape_of.push_back(shape);
   }
 

@@ -14,15 +14,11 @@ class Sampler {
  public:
   Sampler(const Trajectory& trajectory, std::size_t contacts)
       : declaration_(make_batch(0).declaration),
-        every_(1 + contacts * trajectory.steps.size() / kJudged) {
-    for (std::size_t i = 0; i < trajectory.start.size(); ++i) bodies_.push_back(trajectory.body(i));
-  }
+        every_(1 + contacts * trajectory.steps.size() / kJudged),
+        bodies_(trajectory.bodies()) {}
 
-  void move(std::span<const BodyMove> moves) {
-    for (const BodyMove& move : moves) bodies_[move.body].pose = move.pose;
-  }
-
-  void look_at(std::span<const scene::Contact> contacts) {
+  void look_at(std::span<const BodyMove> moves, std::span<const scene::Contact> contacts) {
+    apply(moves, bodies_);
     for (const scene::Contact& contact : contacts) {
       if (seen_++ % every_ != 0) continue;
       Referee referee({bodies_[contact.a.index], bodies_[contact.b.index]});
@@ -41,21 +37,31 @@ class Sampler {
   StepCollector judged_;
 };
 
-}  // namespace
-
-RecyclingRun run_recycling(const Trajectory& trajectory, float motion) {
+/// How many pairs were collided, and how good the contacts are.
+std::pair<std::size_t, StepTally> recycled_at(const Trajectory& trajectory, float motion) {
   ScenePlayer player(trajectory, {.recycled_motion = motion});
   Sampler sampler(trajectory, player.result().contacts.size());
-  scene::PairCounts sum;
+  std::size_t collided = 0;
   for (const auto& moves : trajectory.steps) {
     const scene::StepResult& result = player.step(moves);
-    sampler.move(moves);
-    sampler.look_at(result.contacts);
-    sum.recycled += result.counts.pairs.recycled;
-    sum.collided += result.counts.pairs.collided;
+    sampler.look_at(moves, result.contacts);
+    collided += result.counts.pairs.collided;
   }
-  const auto all = static_cast<double>(std::max<std::size_t>(1, sum.recycled + sum.collided));
-  return {motion, static_cast<double>(sum.recycled) / all, sampler.tally()};
+  return {collided, sampler.tally()};
+}
+
+}  // namespace
+
+std::vector<RecyclingRun> run_recycling(const Trajectory& trajectory) {
+  std::vector<RecyclingRun> runs;
+  std::size_t strict = 0;
+  for (const float motion : kRecyclingMotions) {
+    const auto [collided, judged] = recycled_at(trajectory, motion);
+    if (motion == 0) strict = collided;
+    const double kept = strict == 0 ? 1 : static_cast<double>(collided) / static_cast<double>(strict);
+    runs.push_back({motion, 1 - kept, judged});
+  }
+  return runs;
 }
 
 }  // namespace manifuzz

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
-#include "measure/trajectory.hpp"
+#include "measure/scene_afresh.hpp"
 #include "scene/scene.hpp"
 
 namespace manifuzz {
@@ -26,10 +25,7 @@ struct SceneRun {
   std::size_t contacts = 0;       ///< after the last step
   std::size_t pairs = 0;          ///< candidates after the last step
   scene::Memory memory;           ///< after the last step
-  /// Contacts that are not as colliding every pair afresh gives them, over all steps; none where
-  /// there are too many bodies for that, or contacts are recycled.
-  std::optional<std::size_t> mismatches;
-  std::vector<PairCase> findings;  ///< the first of the pairs that mismatched
+  AfreshCheck afresh;             ///< of no step where contacts are recycled
 };
 
 /// The first step, in which everything is new, is not counted.
@@ -43,7 +39,7 @@ struct Frame {
 };
 
 /// As a trajectory leaves them.
-Frame last_frame(const Trajectory& trajectory);
+Frame last_frame(const Trajectory& trajectory, const scene::Settings& settings);
 
 /// A row as the JSON has it.
 nlohmann::ordered_json row_json(const SceneRun& run);

@@ -15,8 +15,18 @@ struct Trajectory {
   std::vector<kernel::Placement<float>> start;
   std::vector<std::vector<BodyMove>> steps;
 
-  Body body(std::size_t i) const { return {shapes[start[i].shape], start[i].pose}; }
+  /// As they start.
+  std::vector<Body> bodies() const {
+    std::vector<Body> all;
+    for (const auto& [shape, pose] : start) all.push_back({shapes[shape], pose});
+    return all;
+  }
 };
+
+/// Puts bodies where they are now.
+inline void apply(std::span<const BodyMove> moves, std::vector<Body>& bodies) {
+  for (const BodyMove& move : moves) bodies[move.body].pose = move.pose;
+}
 
 /// A named family of scenes, of any number of bodies.
 struct SceneSpec {

@@ -17,6 +17,9 @@ struct BodyHandle {
   friend bool operator==(const BodyHandle&, const BodyHandle&) = default;
 };
 
+/// No body, no pair, no end of a list.
+inline constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
 /// Where a body stands from this step on, in the world.
 struct Move {
   BodyHandle body;
@@ -34,6 +37,7 @@ enum class Defect {
   rotation_not_unit,
   shape_too_large,
   shape_too_sharp,
+  setting_not_a_length,
   unknown_shape,
   unknown_body,
 };

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "scene/box.hpp"
@@ -57,8 +56,6 @@ class Grid {
     int x_min, y_min, x_max, y_max;
     double cells() const { return (1.0 + x_max - x_min) * (1.0 + y_max - y_min); }
   };
-
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
   static Cell cell_of(const Box& box);
   static Range range_of(const Box& box, int level);

@@ -1,15 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "kernel/packed.hpp"
 #include "scene/certificates.hpp"
 
 namespace manifuzz::scene {
-
-inline constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 /// A candidate pair and what is known of it.
 struct Pair {

@@ -1,8 +1,21 @@
 #include "scene/scene.hpp"
 
+#include <cassert>
+
 #include "geometry/same_bits.hpp"
 
 namespace manifuzz::scene {
+
+std::optional<Defect> find_defect(const Settings& settings) {
+  for (const float length : {settings.tie_bias, settings.recycled_motion}) {
+    if (!(length >= 0 && length <= kLengthMax)) return Defect::setting_not_a_length;
+  }
+  return std::nullopt;
+}
+
+Scene::Scene(const Settings& settings) : settings_(settings), shapes_(settings.tie_bias) {
+  assert(!find_defect(settings));
+}
 
 std::variant<std::uint32_t, Defect> Scene::add_shape(const ConvexPolygon<float>& polygon) {
   return shapes_.add(polygon);

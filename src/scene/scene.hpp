@@ -36,6 +36,9 @@ struct Settings {
   bool certificates = true;
 };
 
+/// The first defect of settings, or none.
+std::optional<Defect> find_defect(const Settings& settings);
+
 struct Memory {
   std::size_t bodies = 0;  ///< bytes
   std::size_t pairs = 0;   ///< bytes, of contacts and of those that wait for the kernel too
@@ -43,7 +46,8 @@ struct Memory {
 
 class Scene {
  public:
-  explicit Scene(const Settings& settings = {}) : settings_(settings), shapes_(settings.tie_bias) {}
+  /// The settings must be free of defects.
+  explicit Scene(const Settings& settings = {});
 
   // What is given a defect's value has changed nothing.
 

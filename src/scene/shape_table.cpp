@@ -30,7 +30,7 @@ double half_angle_sine(const ConvexPolygon<float>& polygon, int corner) {
 /// `rounded_by` is the radius and the tie bias.
 float padding(float reach, float rounded_by, double sharpness) {
   const float share =
-      12 * kSeparationError + static_cast<float>(40 * static_cast<double>(kRoundoff) / sharpness);
+      13 * kSeparationError + static_cast<float>(40 * static_cast<double>(kRoundoff) / sharpness);
   return 1.4143F * rounded_by + share * (reach + rounded_by) + kUnderflow;
 }
 

@@ -11,23 +11,6 @@ namespace {
 
 using Contacts = std::map<Ordinals, Manifold<float>>;
 
-using manifuzz::same_bits;
-
-bool same_bits(const Manifold<float>& m, const Manifold<float>& n) {
-  if (m.count != n.count || m.reference != n.reference || !same_bits(m.normal, n.normal)) {
-    return false;
-  }
-  for (int i = 0; i < m.count; ++i) {
-    const ContactPoint<float>& p = m.points[i];
-    const ContactPoint<float>& q = n.points[i];
-    if (!same_bits(p.position, q.position) || !same_bits(p.depth, q.depth) ||
-        !(p.features == q.features)) {
-      return false;
-    }
-  }
-  return true;
-}
-
 Ordinals ordered(const Subject& subject, std::size_t i, std::size_t j) {
   const bool in_order = subject.handles[i].index < subject.handles[j].index;
   return in_order ? Ordinals{i, j} : Ordinals{j, i};

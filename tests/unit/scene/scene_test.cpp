@@ -226,6 +226,16 @@ TEST_CASE("shapes that leave rounding no room are refused") {
   CHECK(std::get<std::uint32_t>(scene.add_shape(square(1))) == 0);
 }
 
+TEST_CASE("settings that are no lengths are found") {
+  const float nan = std::nanf("");
+  CHECK(find_defect(scene::Settings{}) == std::nullopt);
+  CHECK(find_defect(scene::Settings{.tie_bias = 0.5F, .recycled_motion = 1e15F}) == std::nullopt);
+  for (const float unfit : {nan, -1.0F, kInfinity, 2e15F}) {
+    CHECK(find_defect(scene::Settings{.tie_bias = unfit}) == Defect::setting_not_a_length);
+    CHECK(find_defect(scene::Settings{.recycled_motion = unfit}) == Defect::setting_not_a_length);
+  }
+}
+
 TEST_CASE("every defect is described") {
   for (int i = 0; i <= static_cast<int>(Defect::unknown_body); ++i) {
     CHECK_FALSE(describe(static_cast<Defect>(i)).empty());
