@@ -179,6 +179,8 @@ nlohmann::ordered_json report_json(const StressPlan& plan, const StressResult& r
   return json;
 }
 
+constexpr std::string_view kCutShort = "manifuzz: interrupted, not all was written\n";
+
 /// Runs what writes an output; where it cannot be written, says so: no other is lost by that.
 bool attempt(const std::function<void()>& write) {
   try {
@@ -187,7 +189,7 @@ bool attempt(const std::function<void()>& write) {
   } catch (const UserError& error) {
     write_error(fmt::format("manifuzz: {}\n", error.what()));
   } catch (const Interrupted&) {
-    write_error("manifuzz: interrupted, not all was saved\n");
+    write_error(kCutShort);
   }
   return false;
 }
@@ -215,13 +217,15 @@ bool write_files(const StressPlan& plan, const StressResult& result, const Optio
     write_file(options.store, breaking_points_json(plan, result, stored).dump(1, '\t') + '\n');
   });
   also(!options.save.empty(), [&] { save(plan, result, options.save, interruption); });
+  if (options.pictures.empty()) return is_written;
   for (const Sweep* const sweep : plan.sweeps) {
-    also(!options.pictures.empty() && !interruption.requested(),
-         [&] { write_stress_pictures(options.pictures, plan, result, *sweep); });
+    if (interruption.requested()) {
+      write_error(kCutShort);
+      return false;
+    }
+    also(true, [&] { write_stress_pictures(options.pictures, plan, result, *sweep); });
   }
-  if (!interruption.requested()) return is_written;
-  write_error("manifuzz: interrupted, not all was written\n");
-  return false;
+  return is_written;
 }
 
 std::string report_text(const StressPlan& plan, const StressResult& result,

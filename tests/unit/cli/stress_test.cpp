@@ -216,6 +216,12 @@ TEST_CASE("the worst cases are saved, and replay finds them as they were") {
   }
   CHECK(of_clip == 2);
   CHECK(of_box2d >= 1);
+  const std::string far = read(corpus / "seeds" / "stress-distance-clip.json");
+  CHECK(Json::parse(far).at("expect").at("verdict") != "ill_posed");
+  const Outcome milder = run_manifuzz({"stress", "--sweep", "distance", "--collider", "clip",
+                                       "--cases", "3", "--save", corpus.string()});
+  CHECK(milder.err.find("stress-distance-clip.json is worse") != std::string::npos);
+  CHECK(read(corpus / "seeds" / "stress-distance-clip.json") == far);
   const Outcome replayed = run_manifuzz({"replay", corpus.string()});
   INFO(replayed.out);
   CHECK(replayed.status == 0);
