@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/guarded.hpp"
 #include "cases/file.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
@@ -50,6 +51,12 @@ struct Options {
   std::string store;
 };
 
+/// One that is named twice is run once.
+template <class Family>
+void choose(const Family* family, std::vector<const Family*>& chosen) {
+  if (std::ranges::find(chosen, family) == chosen.end()) chosen.push_back(family);
+}
+
 void choose_sweeps(const std::vector<std::string>& names, StressPlan& plan) {
   std::vector<std::string_view> known;
   for (const Sweep& sweep : sweeps()) {
@@ -62,13 +69,20 @@ void choose_sweeps(const std::vector<std::string>& names, StressPlan& plan) {
   }
   for (const std::string& name : names) {
     if (const Sweep* const sweep = find_sweep(name)) {
-      plan.sweeps.push_back(sweep);
+      choose(sweep, plan.sweeps);
     } else if (const Walk* const walk = find_walk(name)) {
-      plan.walks.push_back(walk);
+      choose(walk, plan.walks);
     } else {
       throw UserError(fmt::format("--sweep: there is no '{}'; there are {}", printable(name),
                                   fmt::join(known, ", ")));
     }
+  }
+}
+
+void expect_names_of_their_own(const std::vector<Contestant>& contestants) {
+  for (auto one = contestants.begin(); one != contestants.end(); ++one) {
+    if (std::ranges::find(contestants.begin(), one, one->name, &Contestant::name) == one) continue;
+    throw UserError(fmt::format("--collider: there is more than one '{}'", printable(one->name)));
   }
 }
 
@@ -101,6 +115,7 @@ std::vector<Contestant> contestants_of(const Options& options) {
       contestants.push_back({name + " with a bias", collider.with_tie_bias(kWalkBias), true});
     }
   }
+  expect_names_of_their_own(contestants);
   if (contestants.size() > kContestantsMax) {
     throw UserError("--collider: that is too many at once");
   }
@@ -130,7 +145,21 @@ std::string progress_line(const StressProgress& progress) {
                      progress.total, static_cast<double>(progress.done) / progress.seconds, left);
 }
 
-nlohmann::ordered_json report_json(const StressPlan& plan, const StressResult& result) {
+/// What a run has against it; nothing where all is as stored, or nothing is.
+std::string objections(const Comparison& comparison) {
+  std::string text;
+  if (!comparison.worse.empty()) {
+    text += fmt::format("\nworse than stored:\n{}\n", fmt::join(comparison.worse, "\n"));
+  }
+  if (!comparison.not_compared.empty()) {
+    text += fmt::format("\ninterrupted, and not compared:\n{}\n",
+                        fmt::join(comparison.not_compared, "\n"));
+  }
+  return text;
+}
+
+nlohmann::ordered_json report_json(const StressPlan& plan, const StressResult& result,
+                                   const Comparison& comparison) {
   std::vector<Declaration> declarations;
   for (const Contestant& contestant : plan.contestants) {
     const bool is_collider = contestant.name != kIdealName && !contestant.walks_only;
@@ -143,54 +172,95 @@ nlohmann::ordered_json report_json(const StressPlan& plan, const StressResult& r
   json["flush_to_zero"] = plan.flush_to_zero;
   json["seconds"] = result.seconds;
   json["interrupted"] = result.interrupted;
+  json["worse"] = comparison.worse;
+  json["not_compared"] = comparison.not_compared;
   json["sweeps"] = stress_sweeps_json(plan, result);
   json["walks"] = stress_walks_json(plan, result);
   return json;
 }
 
-/// What a run found is saved, even after it was interrupted; a second signal ends the saving.
-void save(const StressPlan& plan, const StressResult& result, const std::string& folder) {
-  Interruption interruption;
+constexpr std::string_view kCutShort = "manifuzz: interrupted, not all was written\n";
+
+/// Runs what writes an output; where it cannot be written, says so: no other is lost by that.
+bool attempt(const std::function<void()>& write) {
+  try {
+    write();
+    return true;
+  } catch (const UserError& error) {
+    write_error(fmt::format("manifuzz: {}\n", error.what()));
+  } catch (const Interrupted&) {
+    write_error(kCutShort);
+  }
+  return false;
+}
+
+void save(const StressPlan& plan, const StressResult& result, const std::string& folder,
+          Interruption& interruption) {
   const ProgressLine line;
   const std::string corpus = std::filesystem::proximate(folder).string();
   save_worst(plan, result, corpus, interruption,
              [&](const std::string& name) { line.show("saving " + name); });
 }
 
-void write_files(const StressPlan& plan, const StressResult& result, const Options& options,
-                 const std::string& json) {
-  if (!options.csv.empty()) write_file(options.csv, stress_csv(plan, result));
-  if (!options.json.empty() && options.json != "-") write_file(options.json, json);
-  if (!options.pictures.empty()) write_stress_pictures(options.pictures, plan, result);
-  if (!options.save.empty()) save(plan, result, options.save);
-  if (options.store.empty()) return;
-  if (result.interrupted) throw UserError("--store: interrupted, nothing is stored");
-  write_file(options.store, breaking_points_json(plan, result).dump(1, '\t') + '\n');
+/// What a run found is written, even after it was interrupted; another signal ends the writing.
+bool write_files(const StressPlan& plan, const StressResult& result, const Options& options,
+                 const std::string& json, const nlohmann::ordered_json& stored,
+                 Interruption& interruption) {
+  bool is_written = true;
+  const auto also = [&](bool is_asked, const std::function<void()>& write) {
+    if (is_asked) is_written = attempt(write) && is_written;
+  };
+  also(!options.json.empty() && options.json != "-", [&] { write_file(options.json, json); });
+  also(!options.csv.empty(), [&] { write_file(options.csv, stress_csv(plan, result)); });
+  also(!options.store.empty(), [&] {
+    if (result.interrupted) throw UserError("--store: interrupted, nothing is stored");
+    write_file(options.store, breaking_points_json(plan, result, stored).dump(1, '\t') + '\n');
+  });
+  also(!options.save.empty(), [&] { save(plan, result, options.save, interruption); });
+  if (options.pictures.empty()) return is_written;
+  for (const Sweep* const sweep : plan.sweeps) {
+    if (interruption.requested()) {
+      write_error(kCutShort);
+      return false;
+    }
+    also(true, [&] { write_stress_pictures(options.pictures, plan, result, *sweep); });
+  }
+  return is_written;
+}
+
+std::string report_text(const StressPlan& plan, const StressResult& result,
+                        const Comparison& comparison) {
+  std::string text = result.interrupted ? "interrupted: what was measured until then\n" : "";
+  text += stress_table(plan, result);
+  return text + objections(comparison);
 }
 
 int stress(const Options& options) {
   const StressPlan plan = plan_of(options);
   if (!options.pictures.empty()) make_picture_folder(options.pictures);
+  std::vector<StoredPoint> baseline;
+  if (!options.baseline.empty()) baseline = read_breaking_points(options.baseline, plan);
   nlohmann::ordered_json stored;
-  if (!options.baseline.empty()) stored = read_breaking_points(options.baseline, plan);
+  if (!options.store.empty()) stored = stored_before(options.store, plan);
+  Interruption interruption;
   StressResult result;
   {
-    Interruption interruption;
     const ProgressLine line;
     result = run_stress(plan, interruption, [&](const StressProgress& progress) {
       line.show(progress_line(progress));
     });
   }
-  const std::string text =
-      options.json.empty() ? "" : report_json(plan, result).dump(1, '\t') + '\n';
-  write_files(plan, result, options, text);
-  std::string report = result.interrupted ? "interrupted: what was measured until then\n" : "";
-  report += stress_table(plan, result);
-  std::vector<std::string> worse;
-  if (!options.baseline.empty()) worse = moved_down(plan, result, stored);
-  if (!worse.empty()) report += fmt::format("\nworse than stored:\n{}\n", fmt::join(worse, "\n"));
-  write_to_reader(options.json == "-" ? text : report);
-  return worse.empty() ? 0 : 1;
+  interruption.forgive();
+  const Comparison comparison = compare(plan, result, baseline);
+  const std::string json =
+      options.json.empty() ? "" : report_json(plan, result, comparison).dump(1, '\t') + '\n';
+  const bool has_table = options.json != "-";
+  if (!has_table) write_error(objections(comparison));
+  const bool is_said =
+      attempt([&] { write_to_reader(has_table ? report_text(plan, result, comparison) : json); });
+  const bool is_written = write_files(plan, result, options, json, stored, interruption);
+  if (!is_said || !is_written) return 2;
+  return comparison.worse.empty() && comparison.not_compared.empty() ? 0 : 1;
 }
 
 Run define(CLI::App& app) {
@@ -231,7 +301,8 @@ Run define(CLI::App& app) {
                  "breaking points that were stored: none may have moved down")
       ->type_name("FILE")
       ->check(not_blank);
-  app.add_option("--store", options->store, "stores the breaking points, for --baseline")
+  app.add_option("--store", options->store,
+                 "stores the breaking points, for --baseline, over those in it")
       ->type_name("FILE")
       ->check(not_blank);
   return [options] { return stress(*options); };

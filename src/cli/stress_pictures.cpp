@@ -60,13 +60,11 @@ void make_picture_folder(const std::filesystem::path& folder) {
 }
 
 void write_stress_pictures(const std::filesystem::path& folder, const StressPlan& plan,
-                           const StressResult& result) {
-  for (const Sweep* const sweep : plan.sweeps) {
-    const LinePlot plot = plot_of(plan, result, *sweep);
-    if (plot.lines.empty()) continue;
-    for (const char* const ending : {"svg", "png"}) {
-      write_line_plot((folder / fmt::format("{}.{}", sweep->name, ending)).string(), plot);
-    }
+                           const StressResult& result, const Sweep& sweep) {
+  const LinePlot plot = plot_of(plan, result, sweep);
+  if (plot.lines.empty()) return;
+  for (const char* const ending : {"svg", "png"}) {
+    write_line_plot((folder / fmt::format("{}.{}", sweep.name, ending)).string(), plot);
   }
 }
 

@@ -14,8 +14,8 @@ LinePlot plot_of(const StressPlan& plan, const StressResult& result, const Sweep
 /// Throws UserError where it is not there and cannot be made.
 void make_picture_folder(const std::filesystem::path& folder);
 
-/// DIR/SWEEP.svg and DIR/SWEEP.png for every sweep of the plan. Throws UserError.
+/// DIR/SWEEP.svg and DIR/SWEEP.png, where anything of the sweep was measured. Throws UserError.
 void write_stress_pictures(const std::filesystem::path& folder, const StressPlan& plan,
-                           const StressResult& result);
+                           const StressResult& result, const Sweep& sweep);
 
 }  // namespace manifuzz

@@ -1,18 +1,23 @@
 #include "cli/stress_save.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "campaign/findings.hpp"
 #include "campaign/guarded.hpp"
+#include "cases/text.hpp"
 #include "cli/colliders.hpp"
+#include "cli/output.hpp"
 
 namespace manifuzz {
 namespace {
 
 constexpr std::string_view kSteady = "clip";
 constexpr std::string_view kOracle = "box2d";
+/// Where Box2D's world frame leaves nothing to decide, far from the origin.
+constexpr std::string_view kFineOracle = "clip64";
 
 /// A case worth keeping: where it was met.
 struct Witness {
@@ -40,6 +45,7 @@ Worst worst_of(const StressResult& result, const Unit& family, std::size_t conte
     const StepTally& tally = result.tallies[i][contestant];
     if (tally.wrong() > 0) wrong.take(unit, tally.worst_wrong, tally.wrongness);
     if (unit.walk != nullptr || tally.contacts == 0) continue;  // a walk keeps no errors
+    if (tally.ill_posed > 0) continue;  // a case on which nobody is wrong holds nothing
     for (const Spread& spread : {tally.of_size.depth, tally.of_size.position}) {
       error.take(unit, spread.worst, spread.max);
     }
@@ -64,11 +70,64 @@ std::string where(const Witness& witness, std::uint64_t seed) {
                      sweep.values[witness.unit.step], seed, witness.index);
 }
 
+/// Whether the collider is wrong, and by how much: the order in which witnesses are worse.
+std::pair<bool, float> badness_of(const Collider& collider, const PairCase& pair,
+                                  Interruption& interruption) {
+  const Declaration& declaration = collider.declaration;
+  Referee referee(pair);
+  const Answer answer = referee.heard(declaration, ask_guarded(collider, pair, interruption));
+  const Measured measured = referee.measure(declaration, answer);
+  const bool wrong = is_wrong(measured.assessment);
+  return {wrong,
+          wrong ? measured.wrongness : std::max(measured.of_size.depth, measured.of_size.position)};
+}
+
+/// Whether a run before has saved a worse witness, which is then kept.
+bool has_worse(const std::filesystem::path& file, const Collider& collider, const PairCase& pair,
+               Interruption& interruption) {
+  if (!std::filesystem::exists(file)) return false;
+  const PairCase saved = read_case_file(file.string()).pair;
+  if (badness_of(collider, saved, interruption) <= badness_of(collider, pair, interruption)) {
+    return false;
+  }
+  write_error(
+      fmt::format("kept: {} is worse than what this run met\n", printable(file.string(), 200)));
+  return true;
+}
+
 /// A collider of this repository is put to the test, any other is held against one.
 std::pair<Collider, Collider> parties_of(const Collider& collider) {
   const ColliderEntry* const entry = find_entry(collider.declaration.name);
   if (entry != nullptr && entry->is_ours) return {collider, find_collider(kOracle)};
   return {find_collider(kSteady), collider};
+}
+
+/// Whether it was written: it is a fault by the judge too, or clip's, and no milder than before.
+bool save_witness(const StressPlan& plan, const Contestant& contestant, const Witness& witness,
+                  const std::filesystem::path& corpus, const std::string& name,
+                  Interruption& interruption) {
+  const Collider& collider = contestant.collider;
+  const bool is_steady = contestant.name == kSteady;
+  auto [subject, oracle] = parties_of(collider);
+  PairCase pair = case_of(plan, witness.unit, witness.index);
+  Judgement judgement = judge_guarded(pair, subject, oracle, interruption);
+  if (is_steady && judgement.bucket.verdict == Verdict::ill_posed) {
+    oracle = find_collider(kFineOracle);
+    judgement = judge_guarded(pair, subject, oracle, interruption);
+  }
+  const bool is_fault = judgement.bucket.fault != Fault::none;
+  if (!is_fault && !is_steady) return false;
+  if (is_fault) {
+    pair = shrink_finding(pair, subject, oracle, interruption).pair;
+    judgement = judge_guarded(pair, subject, oracle, interruption);
+  }
+  const auto file = corpus / corpus_folder(judgement.bucket, oracle.declaration.name) / name;
+  if (has_worse(file, collider, pair, interruption)) return false;
+  CorpusCase saved = recorded_case(pair, judgement, subject, oracle, interruption);
+  saved.note += fmt::format(" {} of {}.", is_fault ? "Shrunk from the worst" : "The worst",
+                            where(witness, plan.seed));
+  write_file(file, format_case(saved));
+  return true;
 }
 
 }  // namespace
@@ -90,21 +149,7 @@ std::size_t save_worst(const StressPlan& plan, const StressResult& result,
       const Witness& witness = worst.wrong ? *worst.wrong : *worst.error;
       const std::string name = fmt::format("stress-{}-{}.json", name_of(family), contestant.name);
       on_file(name);
-      const auto [subject, oracle] = parties_of(contestant.collider);
-      PairCase pair = case_of(plan, witness.unit, witness.index);
-      Judgement judgement = judge_guarded(pair, subject, oracle, interruption);
-      const bool is_fault = judgement.bucket.fault != Fault::none;
-      if (!is_fault && !is_steady) continue;
-      if (is_fault) {
-        pair = shrink_finding(pair, subject, oracle, interruption).pair;
-        judgement = judge_guarded(pair, subject, oracle, interruption);
-      }
-      CorpusCase saved = recorded_case(pair, judgement, subject, oracle, interruption);
-      saved.note += fmt::format(" {} of {}.", is_fault ? "Shrunk from the worst" : "The worst",
-                                where(witness, plan.seed));
-      const auto folder = corpus / corpus_folder(judgement.bucket, oracle.declaration.name);
-      write_file(folder / name, format_case(saved));
-      ++written;
+      if (save_witness(plan, contestant, witness, corpus, name, interruption)) ++written;
     }
   }
   return written;

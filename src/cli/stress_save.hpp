@@ -7,10 +7,12 @@
 
 namespace manifuzz {
 
-/// Writes the worst of a run to a corpus, a file a sweep and collider, over those of runs before:
+/// Writes the worst of a run to a corpus, a file a sweep and collider, over those of runs before
+/// that are no worse:
 /// - where a collider is wrong, by the judge too: the case on which it is farthest off, shrunk, in
 ///   the folder of its verdict;
-/// - of `clip` otherwise, against Box2D: the case of its largest error, as a case on which it must
+/// - of `clip` otherwise, against Box2D or, where that leaves nothing to decide, clip64: the case
+/// of its largest error, as a case on which it must
 ///   stay right.
 /// Returns how many were written. `on_file` is told of each before it is shrunk. Throws UserError
 /// where one cannot be written, and Interrupted.

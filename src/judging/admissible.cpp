@@ -47,12 +47,6 @@ bool nearly_clipped(const Admissible& right, const Clip& clip, const ClipPoint& 
          compare_margin(right.pair(), clip, point.end, right.bounds.separation) <= 0;
 }
 
-/// A point that a right collider may leave out: too shallow, or of an edge that may miss the slab.
-bool is_optional(const Admissible& right, const Clip& clip, const ClipPoint& point) {
-  return compare_depth(right.pair(), clip, point, depth_bound(right, clip, point)) <= 0 ||
-         may_miss(right, clip);
-}
-
 /// Whether a reported point has the true place and depth.
 bool matches(const Admissible& right, const Clip& clip, const ClipPoint& point,
              const ContactPoint<double>& reported) {
@@ -122,6 +116,11 @@ double depth_bound(const Admissible& right, const Clip& clip, const ClipPoint& p
 bool may_miss(const Admissible& right, const Clip& clip) {
   return compare_gap(right.pair(), clip, -right.bounds.separation) >= 0 ||
          compare_width(right.pair(), clip, right.bounds.separation) <= 0;
+}
+
+bool is_optional(const Admissible& right, const Clip& clip, const ClipPoint& point) {
+  return compare_depth(right.pair(), clip, point, depth_bound(right, clip, point)) <= 0 ||
+         may_miss(right, clip);
 }
 
 bool may_be_empty(const Admissible& right, const Clip& clip) {

@@ -41,6 +41,9 @@ double depth_bound(const Admissible& right, const exact::Clip& clip, const exact
 /// Whether the incident edge misses the slab, or nearly; or the slab is narrower than rounding.
 bool may_miss(const Admissible& right, const exact::Clip& clip);
 
+/// A point that a right collider may leave out: too shallow, or of an edge that may miss the slab.
+bool is_optional(const Admissible& right, const exact::Clip& clip, const exact::ClipPoint& point);
+
 /// Whether the clip may keep nothing: it may miss, or lies in front of the face, or nearly.
 bool may_be_empty(const Admissible& right, const exact::Clip& clip);
 

@@ -28,20 +28,22 @@ bool is_gross(const FigureErrors& of_size) {
   return of_size.depth > gross || of_size.position > gross || of_size.normal > gross;
 }
 
-Assessment assessment_of(const Mismatch& mismatch, const Measured& measured) {
-  switch (mismatch.kind) {
-    case Kind::none:
-    case Kind::features:
-      return Assessment::right;
-    case Kind::missed_contact:
-      return Assessment::missed;
-    case Kind::phantom_contact:
-      return Assessment::phantom;
-    case Kind::count:
-      return Assessment::wrong_count;
-    default:
-      return is_gross(measured.of_size) ? Assessment::gross : Assessment::right;
-  }
+/// Whether the manifold has a point of its own, within `reach`, for each that must be there, and
+/// none besides. One may stand for two that are within bound of each other.
+bool has_points_of(const exact::Clip& clip, const Manifold<double>& manifold,
+                   const Admissible& right, double reach) {
+  const auto has = [&](int k, int i) {
+    const exact::ClipPoint& point = clip.points[k];
+    if (is_optional(right, clip, point)) return true;
+    return i < manifold.count &&
+           (manifold.points[i].position - point.position()).stableNorm() <= reach;
+  };
+  if (manifold.count > clip.count) return false;
+  if (clip.count == 1) return has(0, 0);
+  const double bound = std::max(position_bound(right, clip, clip.points[0]),
+                                position_bound(right, clip, clip.points[1]));
+  if (compare_apart(right.pair(), clip, 2 * bound) <= 0) return has(0, 0) || has(1, 0);
+  return (has(0, 0) && has(1, 1)) || (has(0, 1) && has(1, 0));
 }
 
 }  // namespace
@@ -88,9 +90,7 @@ Measured Referee::measure(const Declaration& declaration, const Answer& answer) 
   const auto before =
       std::ranges::find(ruling.measured, *manifold, &std::pair<Manifold<double>, Measured>::first);
   if (before != ruling.measured.end()) return before->second;
-  const bool decides = !is_ill_posed(truth_->size(), ruling.in_a_frame);
-  const Measured measured =
-      decides ? measure(ruling, *manifold) : Measured{.assessment = Assessment::ill_posed};
+  const Measured measured = measure(ruling, *manifold);
   ruling.measured.emplace_back(*manifold, measured);
   return measured;
 }
@@ -124,18 +124,39 @@ Measured Referee::errors_of(const Ruling& ruling, const Manifold<double>& manifo
           .of_extent = bounded(worse / (roundoff_of(ruling.scalar) * truth_->extent()))};
 }
 
-Measured Referee::measure(Ruling& ruling, const Manifold<double>& manifold) {
+bool Referee::has_wrong_count(const Ruling& ruling, const Manifold<double>& manifold) {
+  Admissible right = ruling.right;
+  right.bounds.separation = tolerance_of(ruling);
+  const double reach = kGrossShare * truth_->size();
+  right.bounds.position = std::min(right.bounds.position, reach);
+  return std::ranges::none_of(right.candidates, [&](const exact::Clip* clip) {
+    if (!has_points_of(*clip, manifold, right, reach)) return false;
+    const PlainError error = error_against(manifold, fine_.of(truth_->pair(), *clip), right).error;
+    return !is_gross(figures(error, truth_->size()));
+  });
+}
+
+Assessment Referee::assess(const Ruling& ruling, const Manifold<double>& manifold,
+                           const FigureErrors& of_size, bool is_right) {
+  if (is_ill_posed(truth_->size(), ruling.in_a_frame)) return Assessment::ill_posed;
   const double tolerance = tolerance_of(ruling);
+  if (manifold.count == 0) {
+    const bool is_missed = truth_->compare_separation(-tolerance) < 0 ||
+                           mismatch(manifold, ruling.right).kind != Kind::none;
+    return is_missed ? Assessment::missed : Assessment::right;
+  }
+  if (truth_->compare_contact(tolerance) > 0) return Assessment::phantom;
+  if (is_gross(of_size)) return Assessment::gross;
+  const bool is_excused = is_right && tolerance == ruling.right.bounds.separation;
+  if (!is_excused && has_wrong_count(ruling, manifold)) return Assessment::wrong_count;
+  return Assessment::right;
+}
+
+Measured Referee::measure(Ruling& ruling, const Manifold<double>& manifold) {
   Measured measured;
   bool is_right = false;
   if (manifold.count > 0) measured = errors_of(ruling, manifold, is_right);
-  if (manifold.count == 0 && truth_->compare_separation(-tolerance) < 0) {
-    measured.assessment = Assessment::missed;
-  } else if (manifold.count > 0 && truth_->compare_contact(tolerance) > 0) {
-    measured.assessment = Assessment::phantom;
-  } else if (!is_right) {
-    measured.assessment = assessment_of(mismatch(manifold, ruling.right), measured);
-  }
+  measured.assessment = assess(ruling, manifold, measured.of_size, is_right);
   if (measured.assessment == Assessment::missed || measured.assessment == Assessment::phantom) {
     measured.wrongness = bounded(ruling.right.from_contact() / truth_->size());
   } else if (is_wrong(measured.assessment)) {

@@ -16,12 +16,14 @@ inline constexpr double kGrossShare = 0.01;
 /// What an answer comes to.
 enum class Assessment {
   unsupported,
-  ill_posed,    ///< not even in A's frame do the collider's roundoffs leave 95% of the size
+  /// Not even in A's frame do the collider's roundoffs leave 95% of the size: its errors are
+  /// measured, and nothing else is held against it.
+  ill_posed,
   right,        ///< nothing is wrong with it but its errors
   missed,       ///< no contact, though they overlap by more than the tolerance
   phantom,      ///< a contact, though they are apart by more than the tolerance
-  wrong_count,  ///< of contact points
-  gross,        ///< not one of the right manifolds, and grossly off
+  gross,        ///< grossly off
+  wrong_count,  ///< not off, but a point that must be there is not, or there is one too many
   lost,         ///< the collider died, hung, or answered nonsense
 };
 
@@ -84,9 +86,12 @@ class Referee {
   Ruling& ruling_for(const Declaration& declaration);
   Measured measure(Ruling& ruling, const Manifold<double>& manifold);
   Measured errors_of(const Ruling& ruling, const Manifold<double>& manifold, bool& is_right);
+  Assessment assess(const Ruling& ruling, const Manifold<double>& manifold,
+                    const FigureErrors& of_size, bool is_right);
+  bool has_wrong_count(const Ruling& ruling, const Manifold<double>& manifold);
 
-  /// Missed and phantom contacts are beyond the separation's bound, or beyond 1% of the size where
-  /// the bound is wider: no distance from the origin excuses more.
+  /// What rounding may decide: the separation's bound, or 1% of the size where the bound is wider,
+  /// for no distance from the origin excuses more.
   double tolerance_of(const Ruling& ruling) const;
 
   std::shared_ptr<const exact::Truth> truth_;

@@ -50,7 +50,7 @@ struct StepTally {
   std::uint64_t cases = 0;
   std::uint64_t unsupported = 0;
   std::uint64_t ill_posed = 0;
-  std::uint64_t contacts = 0;  ///< with points, of those that are well posed
+  std::uint64_t contacts = 0;  ///< with points that were measured
   std::uint64_t missed = 0;
   std::uint64_t phantom = 0;
   std::uint64_t wrong_count = 0;

@@ -104,7 +104,7 @@ class Job {
     if (contestant == kNobody) {
       throw std::runtime_error("stress: a job died and no collider was at work; this is a defect");
     }
-    desk_->at_work.lost.add(static_cast<std::size_t>(contestant), desk_->at_work.index);
+    desk_->at_work.lost[static_cast<std::size_t>(contestant)].add(desk_->at_work.index);
     if (!work_.office.stop) start();
   }
 

@@ -57,7 +57,7 @@ void ask_for_block(Seat& seat, std::span<const PairCase> pairs, UnitDesk& desk,
 Answer answer_of(const StressPlan& plan, Seat& seat, std::size_t in_block, std::uint64_t index,
                  Referee& referee, UnitDesk& desk) {
   const Collider& collider = seat.contestant->collider;
-  if (desk.lost.has(seat.number, index)) return Lost{};
+  if (desk.lost[seat.number].has(index)) return Lost{};
   if (collider.is_isolated()) return std::move(seat.answers[in_block]);
   if (!collider.collide) {
     const Manifold<double>& truth = referee.truth_for(collider.declaration);
@@ -88,11 +88,18 @@ void measure_case(const StressPlan& plan, const Unit& unit, std::vector<Seat>& s
 
 }  // namespace
 
-bool LostCases::has(std::size_t contestant, std::uint64_t index) const {
-  const std::size_t count = counts[contestant];
-  const auto* const begin = cases[contestant].begin();
-  if (count == kLostMax && index > cases[contestant][count - 1]) return true;
-  return std::find(begin, begin + count, index) != begin + count;
+void LostCases::add(std::uint64_t index) {
+  if (count == kLostMax) {
+    given_up_from = 0;
+    return;
+  }
+  cases[count++] = index;
+  if (count == kLostMax) given_up_from = index;
+}
+
+bool LostCases::has(std::uint64_t index) const {
+  const auto* const end = cases.begin() + count;
+  return index >= given_up_from || std::find(cases.begin(), end, index) != end;
 }
 
 bool run_unit(const StressPlan& plan, const Unit& unit, UnitDesk& desk,

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <functional>
+#include <limits>
 
 #include "measure/stress.hpp"
 
@@ -11,16 +12,17 @@ namespace manifuzz {
 /// After so many lost cases a collider has lost the rest of its unit: crashes are slow.
 inline constexpr std::size_t kLostMax = 20;
 
-/// The cases at which contestants took their process along.
+/// The cases at which a contestant took its process along.
 struct LostCases {
-  std::array<std::array<std::uint64_t, kLostMax>, kContestantsMax> cases{};
-  std::array<std::size_t, kContestantsMax> counts{};
+  std::array<std::uint64_t, kLostMax> cases{};
+  std::size_t count = 0;
+  /// It is not asked from here on, having died too often.
+  std::uint64_t given_up_from = std::numeric_limits<std::uint64_t>::max();
 
-  void add(std::size_t contestant, std::uint64_t index) {
-    cases[contestant][counts[contestant]++] = index;
-  }
+  /// One that dies of what it answered before is not asked again: reruns would have no end.
+  void add(std::uint64_t index);
   /// Whether the contestant is not to be asked: it died of this case, or of too many before it.
-  bool has(std::size_t contestant, std::uint64_t index) const;
+  bool has(std::uint64_t index) const;
 };
 
 /// Nobody is being asked.
@@ -28,10 +30,10 @@ inline constexpr int kNobody = -1;
 
 /// What a job is at, where its parent can see it.
 struct UnitDesk {
-  std::atomic<std::uint64_t> index{0};   ///< the case at work
-  std::atomic<int> contestant{kNobody};  ///< who is being asked
-  std::atomic<std::uint64_t> pulse{0};   ///< moves while anything does
-  LostCases lost;
+  std::atomic<std::uint64_t> index{0};            ///< the case at work
+  std::atomic<int> contestant{kNobody};           ///< who is being asked
+  std::atomic<std::uint64_t> pulse{0};            ///< moves while anything does
+  std::array<LostCases, kContestantsMax> lost{};  ///< by contestant
 };
 
 /// Runs a unit from its first case on, and tells `on_cases` of every block that is done. False

@@ -28,6 +28,24 @@ bool run_gnuplot(const std::string& script) {
   return pclose(gnuplot) == 0;
 }
 
+/// An empty file under a name of its own, removed at the end.
+class DrawnFile {
+ public:
+  DrawnFile() : path_((std::filesystem::temp_directory_path() / "manifuzz-plot-XXXXXX").string()) {
+    const int file = mkstemp(path_.data());
+    if (file < 0) throw UserError(fmt::format("{}: cannot be written", path_));
+    close(file);
+  }
+  ~DrawnFile() { unlink(path_.c_str()); }
+  DrawnFile(const DrawnFile&) = delete;
+  DrawnFile& operator=(const DrawnFile&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
 }  // namespace
 
 void expect_plot_name(const std::string& path) {
@@ -37,14 +55,10 @@ void expect_plot_name(const std::string& path) {
 void draw_by_gnuplot(const std::string& path, const std::string& commands) {
   const std::string terminal = terminal_of(path);
   // The name stands in gnuplot's script, so it is never the user's.
-  std::string drawn = (std::filesystem::temp_directory_path() / "manifuzz-plot-XXXXXX").string();
-  const int file = mkstemp(drawn.data());
-  if (file < 0) throw UserError(fmt::format("{}: cannot be written", drawn));
-  close(file);
-  const bool is_drawn =
-      run_gnuplot(fmt::format("set terminal {}\nset output '{}'\n", terminal, drawn) + commands);
-  const std::string picture = InputFile(drawn).read_all();
-  std::filesystem::remove(drawn);
+  const DrawnFile drawn;
+  const bool is_drawn = run_gnuplot(
+      fmt::format("set terminal {}\nset output '{}'\n", terminal, drawn.path()) + commands);
+  const std::string picture = InputFile(drawn.path()).read_all();
   if (!is_drawn || picture.empty()) {
     throw UserError(fmt::format("{}: gnuplot could not draw it; is it installed?", path));
   }

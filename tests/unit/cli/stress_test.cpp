@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -21,6 +22,25 @@ Outcome run_small(std::vector<std::string> more) {
                                "300",     "--collider", "clip",     "--collider", "box2d"};
   all.insert(all.end(), more.begin(), more.end());
   return run_manifuzz(all);
+}
+
+/// Few cases of one sweep.
+Outcome run_distance(std::vector<std::string> more) {
+  std::vector<std::string> all{"stress", "--sweep",    "distance", "--cases",    "100", "--frames",
+                               "300",    "--collider", "box2d",    "--collider", "clip"};
+  all.insert(all.end(), more.begin(), more.end());
+  return run_manifuzz(all);
+}
+
+/// As --store writes it after few cases, with these breaking points of `distance`.
+Json baseline_of(const Json& points) {
+  return {{"format", "manifuzz/breaking_points/1"},
+          {"seed", 1},
+          {"cases", 100},
+          {"frames", 300},
+          {"flush_to_zero", false},
+          {"sweeps", {{"distance", points}}},
+          {"walks", {{"sliding", {{"clip", 0}}}}}};
 }
 
 std::string read(const fs::path& path) {
@@ -91,6 +111,98 @@ TEST_CASE("a breaking point below the stored one is status 1, and named") {
   CHECK(run_small({"--baseline", folder.write("worse.json", points.dump())}).status == 0);
 }
 
+TEST_CASE("what is worse than stored is in the JSON, and said on stderr") {
+  const TemporaryFolder folder;
+  const std::string stored = folder.write("stored.json", baseline_of({{"box2d", nullptr}}).dump());
+  const Outcome outcome = run_distance({"--baseline", stored, "--json", "-"});
+  CHECK(outcome.status == 1);
+  CHECK(outcome.err.find("distance: box2d breaks at") != std::string::npos);
+  CHECK(Json::parse(outcome.out).at("worse").size() == 1);
+}
+
+TEST_CASE("a baseline that is damaged, or of another run, is refused before anything is run") {
+  const TemporaryFolder folder;
+  const Json good = baseline_of({{"box2d", 1.0}});
+  const auto with = [&](const char* pointer, const Json& value) {
+    Json changed = good;
+    changed[Json::json_pointer(pointer)] = value;
+    return changed;
+  };
+  const auto refuses = [&](const Json& baseline, const std::string& named) {
+    const Outcome outcome =
+        run_small({"--baseline", folder.write("baseline.json", baseline.dump())});
+    INFO(baseline.dump() << ": " << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+    CHECK(outcome.err.find(named) != std::string::npos);
+    CHECK(outcome.out.empty());
+  };
+  CHECK(run_distance({"--baseline", folder.write("good.json", good.dump())}).status == 0);
+  refuses(with("/sweeps/distance/box2d", 12345), "distance, box2d");
+  refuses(with("/sweeps/distance/box2d", "never"), "distance, box2d");
+  refuses(with("/walks/sliding/clip", nullptr), "sliding, clip");
+  refuses(with("/walks/sliding/clip", -1), "sliding, clip");
+  refuses(with("/sweeps", Json::array()), "sweeps");
+  refuses(with("/sweeps/distance", 1), "distance");
+  refuses(with("/sweeps/distance", Json::object())
+              .patch(Json::parse(R"([{"op": "remove", "path": "/walks/sliding"}])")),
+          "nothing");
+  refuses(with("/flush_to_zero", true), "flush_to_zero");
+  refuses(with("/cases", 7), "cases");
+  const Outcome frames =
+      run_distance({"--baseline", folder.write("frames.json", with("/frames", 7).dump())});
+  CHECK(frames.status == 0);  // no walk is compared
+}
+
+TEST_CASE("what is stored of one sweep is added to what is there, on the same terms") {
+  const TemporaryFolder folder;
+  const std::string stored = (folder.path() / "stored.json").string();
+  REQUIRE(run_small({"--store", stored}).status == 0);
+  const Json whole = Json::parse(read(stored));
+  Json points = whole;
+  points["sweeps"]["distance"]["box2d"] = nullptr;
+  folder.write("stored.json", points.dump());
+  REQUIRE(run_distance({"--store", stored}).status == 0);
+  CHECK(Json::parse(read(stored)) == whole);
+  const Outcome other = run_distance({"--store", stored, "--seed", "7"});
+  CHECK(other.status == 2);
+  CHECK(is_one_clear_line(other.err));
+  CHECK(run_distance({"--store", folder.write("notes.txt", "my notes")}).status == 2);
+  CHECK(read(folder.path() / "notes.txt") == "my notes");
+  CHECK(Json::parse(read(stored)) == whole);
+}
+
+TEST_CASE("an output that cannot be written loses neither the table nor the others") {
+  const TemporaryFolder folder;
+  const std::string csv = (folder.path() / "stress.csv").string();
+  const fs::path pictures = folder.path() / "pictures";
+  fs::create_directories(pictures / "distance.png");
+  const Outcome outcome =
+      run_small({"--json", "/dev/full", "--csv", csv, "--pictures", pictures.string()});
+  INFO(outcome.err);
+  CHECK(outcome.status == 2);
+  CHECK(outcome.out.find("breaking points") != std::string::npos);
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 2);
+  CHECK(read(csv).starts_with("sweep,"));
+  CHECK(fs::file_size(pictures / "collinear.png") > 1000);
+}
+
+TEST_CASE("a sweep that is named twice is run once, a collider refused") {
+  const Outcome sweeps = run_distance({"--sweep", "distance", "--json", "-"});
+  CHECK(Json::parse(sweeps.out).at("sweeps").size() == 3);
+  const TemporaryFolder folder;
+  const std::string ideal = folder.write("ideal", "echo '{\"declaration\": {}}'; cat\n");
+  fs::permissions(ideal, fs::perms::owner_all);
+  for (const auto& [option, value] :
+       {std::pair("--collider", std::string("clip")), std::pair("--collider-command", ideal)}) {
+    const Outcome outcome = run_distance({option, value});
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+    CHECK(outcome.err.find("more than one") != std::string::npos);
+  }
+}
+
 TEST_CASE("the worst cases are saved, and replay finds them as they were") {
   const TemporaryFolder folder;
   const fs::path corpus = folder.path() / "corpus";
@@ -104,6 +216,12 @@ TEST_CASE("the worst cases are saved, and replay finds them as they were") {
   }
   CHECK(of_clip == 2);
   CHECK(of_box2d >= 1);
+  const std::string far = read(corpus / "seeds" / "stress-distance-clip.json");
+  CHECK(Json::parse(far).at("expect").at("verdict") != "ill_posed");
+  const Outcome milder = run_manifuzz({"stress", "--sweep", "distance", "--collider", "clip",
+                                       "--cases", "3", "--save", corpus.string()});
+  CHECK(milder.err.find("stress-distance-clip.json is worse") != std::string::npos);
+  CHECK(read(corpus / "seeds" / "stress-distance-clip.json") == far);
   const Outcome replayed = run_manifuzz({"replay", corpus.string()});
   INFO(replayed.out);
   CHECK(replayed.status == 0);
@@ -112,11 +230,17 @@ TEST_CASE("the worst cases are saved, and replay finds them as they were") {
 TEST_CASE("an interrupted stress keeps what it measured") {
   const TemporaryFolder folder;
   const std::string json = (folder.path() / "stress.json").string();
+  const std::string baseline = folder.write(
+      "baseline.json",
+      R"({"format": "manifuzz/breaking_points/1", "seed": 1, "flush_to_zero": false, "cases": 20000,
+          "sweeps": {"touch": {"clip": null}, "large": {"clip": null}}, "walks": {}})");
   const Outcome outcome =
-      run_program({"timeout", "--signal=INT", "3", manifuzz_path(), "stress", "--sweep", "touch",
-                   "--collider", "clip", "--cases", "20000", "--sweep", "large", "--json", json});
+      run_program({"timeout", "--preserve-status", "--signal=INT", "3", manifuzz_path(), "stress",
+                   "--sweep", "touch", "--collider", "clip", "--cases", "20000", "--sweep", "large",
+                   "--json", json, "--baseline", baseline});
   INFO(outcome.err);
-  CHECK(outcome.status == 124);  // what timeout says of a program it had to signal
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.find("large: clip: 0 of") != std::string::npos);
   CHECK(outcome.out.find("interrupted") != std::string::npos);
   CHECK(Json::parse(read(json)).at("interrupted") == true);
 }
@@ -151,7 +275,9 @@ TEST_CASE("stress refuses what it cannot do in one line") {
     std::vector<std::string> all{"stress", "--cases",    "10",  "--sweep",
                                  "touch",  "--collider", "clip"};
     if (arguments[0] == "--cases") all = {"stress", "--sweep", "touch", "--collider", "clip"};
-    if (arguments.size() > 2) all = {"stress", "--cases", "100", "--frames", "300"};
+    if (arguments.size() > 2) {
+      all = {"stress", "--cases", "100", "--frames", "300", "--collider", "clip"};
+    }
     all.insert(all.end(), arguments.begin(), arguments.end());
     const Outcome outcome = run_manifuzz(all);
     INFO(arguments[0] << ' ' << arguments[1] << ": " << outcome.err);

@@ -58,6 +58,23 @@ TEST_CASE("what is right is measured, what is wrong named") {
   CHECK(assessed(pair, Unsupported{}) == Assessment::unsupported);
 }
 
+TEST_CASE("points that are slightly off, or bear another's features, are counted all the same") {
+  const PairCase pair = squares(1.75F);
+  const Manifold<double> right = right_answer(pair);
+  Manifold<double> twice = right;
+  twice.points[1] = twice.points[0];
+  CHECK(assessed(pair, twice) == Assessment::wrong_count);
+  twice.points[1].depth += 1e-4;
+  CHECK(assessed(pair, twice) == Assessment::wrong_count);
+  Manifold<double> one = right;
+  one.count = 1;
+  one.points[0].features = right.points[1].features;
+  CHECK(assessed(pair, one) == Assessment::wrong_count);
+  Manifold<double> deeper = right;
+  deeper.points[1].depth += 1e-4;
+  CHECK(assessed(pair, deeper) == Assessment::right);
+}
+
 TEST_CASE("errors are shares of the size, of the bound, and roundoffs of the extent") {
   const PairCase pair = squares(1.75F);
   Manifold<double> deeper = right_answer(pair);
@@ -75,19 +92,34 @@ TEST_CASE("errors are shares of the size, of the bound, and roundoffs of the ext
   CHECK(measured.of_extent == Approx(off * 0x1p24 / extent(pair)));
 }
 
-TEST_CASE("no distance from the origin excuses a lost contact or makes a case ill posed") {
+TEST_CASE(
+    "no distance from the origin excuses a lost contact, a lost point or a gross error, or makes a "
+    "case ill posed") {
   const PairCase far = squares(1.75F, 0x1p22F);
   const Declaration box2d = make_box2d().declaration;
   REQUIRE(is_ill_posed(far, bounds(far, box2d)));  // for the judge, by the collider's own frame
   CHECK(assessed(far, Manifold<double>{}, box2d) == Assessment::missed);
-  CHECK(assessed(far, right_answer(far), box2d) == Assessment::right);
+  const Manifold<double> right = right_answer(far);
+  CHECK(assessed(far, right, box2d) == Assessment::right);
+  Manifold<double> shifted = right;
+  shifted.points[0].position.x() += 0.1;
+  CHECK(assessed(far, shifted, box2d) == Assessment::gross);
+  Manifold<double> one = right;
+  one.count = 1;
+  CHECK(assessed(far, one, box2d) == Assessment::wrong_count);
 }
 
-TEST_CASE("what float cannot tell is ill posed") {
+TEST_CASE("what float cannot tell is ill posed, and its errors are measured") {
   PairCase pair = squares(1.75F);
   for (auto& vertex : pair.b.polygon.vertices) vertex.x() += 0x1p22F;
   for (int i = 0; i < 4; ++i) pair.a.polygon.vertices[i].x() += 0x1p22F;
-  CHECK(assessed(pair, right_answer(pair)) == Assessment::ill_posed);
+  Referee referee(pair);
+  Manifold<double> deep = right_answer(pair);
+  deep.points[0].depth += 1;
+  const Measured measured = referee.measure(of_clip(), deep);
+  CHECK(measured.assessment == Assessment::ill_posed);
+  REQUIRE(measured.has_errors);
+  CHECK(measured.of_size.depth > 0.25);
   CHECK(assessed(pair, make_clip64().collide(pair), make_clip64().declaration) ==
         Assessment::right);
 }

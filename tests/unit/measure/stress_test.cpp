@@ -6,6 +6,7 @@
 
 #include "clipping/collider.hpp"
 #include "kernel/collider.hpp"
+#include "measure/unit_run.hpp"
 
 namespace manifuzz {
 namespace {
@@ -111,6 +112,20 @@ TEST_CASE("one that does nothing but die has lost the rest of the step, soon") {
   const StressResult result = run(plan);
   for (const StepTally& step : result.steps(*plan.sweeps[0], 0)) CHECK(step.lost == 400);
   for (const StepTally& step : result.steps(*plan.sweeps[0], 1)) CHECK(step.lost == 0);
+}
+
+TEST_CASE("one that dies again and again is given up, in whatever order its deaths come") {
+  LostCases onward;
+  for (std::uint64_t i = 1; i <= kLostMax; ++i) onward.add(10 * i);
+  CHECK(onward.has(10));
+  CHECK_FALSE(onward.has(11));
+  CHECK(onward.has(10 * kLostMax + 1));
+  LostCases backward;
+  for (std::uint64_t i = 0; i < kLostMax; ++i) backward.add(1000 - i);
+  CHECK_FALSE(backward.has(5));
+  backward.add(5);
+  CHECK(backward.has(0));
+  CHECK(backward.count == kLostMax);
 }
 
 TEST_CASE("nonsense is counted") {
