@@ -12,6 +12,7 @@
 #include "cli/output.hpp"
 #include "judging/ledger.hpp"
 #include "measure/sweep.hpp"
+#include "measure/trajectory.hpp"
 #include "measure/walk.hpp"
 
 namespace manifuzz {
@@ -57,6 +58,14 @@ std::string list_sweeps() {
   return lines;
 }
 
+std::string list_scenes() {
+  std::string lines;
+  for (const SceneSpec& spec : scene_specs()) {
+    lines += fmt::format("{:<14} {}\n", spec.name, spec.sentence);
+  }
+  return lines;
+}
+
 std::string list_ledger() {
   std::string lines;
   for (const LedgerEntry& entry : ledger()) {
@@ -74,7 +83,8 @@ struct Catalogue {
 constexpr Catalogue kCatalogues[] = {{"colliders", list_colliders},
                                      {"regimes", list_regimes},
                                      {"ledger", list_ledger},
-                                     {"sweeps", list_sweeps}};
+                                     {"sweeps", list_sweeps},
+                                     {"scenes", list_scenes}};
 
 int list(const std::string& what) {
   std::string names;
@@ -93,7 +103,7 @@ int list(const std::string& what) {
 
 Run define(CLI::App& app) {
   const auto what = std::make_shared<std::string>();
-  app.add_option("WHAT", *what, "colliders, regimes, ledger or sweeps")->required();
+  app.add_option("WHAT", *what, "colliders, regimes, ledger, sweeps or scenes")->required();
   return [what] { return list(*what); };
 }
 
@@ -102,7 +112,7 @@ Run define(CLI::App& app) {
 extern const Command kList;
 const Command kList{"list", "What there is, a line each.",
                     "manifuzz list colliders\nmanifuzz list regimes\nmanifuzz list ledger\n"
-                    "manifuzz list sweeps",
+                    "manifuzz list sweeps\nmanifuzz list scenes",
                     define};
 
 }  // namespace manifuzz

@@ -43,6 +43,16 @@ void write_to_reader(std::string_view text) {
   }
 }
 
+bool attempt(const std::function<void()>& write) {
+  try {
+    write();
+    return true;
+  } catch (const UserError& error) {
+    write_error(fmt::format("manifuzz: {}\n", error.what()));
+    return false;
+  }
+}
+
 ProgressLine::ProgressLine() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {

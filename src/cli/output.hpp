@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,10 @@ class Output {
 /// Writes all of it to the standard output; a reader that is gone stops nothing, for what a command
 /// has to say is in its status too.
 void write_to_reader(std::string_view text);
+
+/// Runs what writes an output; where that throws a UserError, says so and returns false: no other
+/// output is lost by that.
+bool attempt(const std::function<void()>& write);
 
 /// One line on a terminal, written over and over; nothing where stderr is no terminal.
 class ProgressLine {

@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <memory>
+#include <set>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cases/corpus.hpp"
 #include "cases/file.hpp"
+#include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
@@ -18,15 +21,21 @@ namespace {
 
 constexpr std::size_t kBodiesMax = 1'000'000;
 
+/// Poses that a trajectory keeps: 20 bytes each.
+constexpr std::size_t kPosesMax = 100'000'000;
+
 /// A hundredth of a body.
-constexpr float kMotion = 0.01F;
+constexpr double kMotion = 0.01;
+
+/// Ten bodies.
+constexpr double kMotionMax = 10;
 
 struct Options {
   std::vector<std::string> scenes;
   std::vector<std::size_t> bodies;
   std::optional<std::uint64_t> steps;
   std::string mode = "strict";
-  std::optional<float> motion;
+  std::optional<double> motion;
   bool without_certificates = false;
   std::string json;
   std::string scaling;
@@ -35,24 +44,32 @@ struct Options {
   std::string frame;
   std::string save;
 
+  /// Rising, each once.
   std::vector<std::size_t> sizes() const {
-    return bodies.empty() ? std::vector<std::size_t>{100, 1'000, 10'000} : bodies;
+    if (bodies.empty()) return {100, 1'000, 10'000};
+    const std::set<std::size_t> distinct(bodies.begin(), bodies.end());
+    return {distinct.begin(), distinct.end()};
   }
   int steps_or_default() const { return static_cast<int>(steps.value_or(30)); }
   scene::Settings settings() const {
-    return {.recycled_motion = mode == "recycle" ? motion.value_or(kMotion) : 0,
+    const auto length = static_cast<float>(motion.value_or(kMotion));
+    return {.recycled_motion = mode == "recycle" ? length : 0,
             .certificates = !without_certificates};
   }
 };
 
+/// One that is named twice is gone through once.
 std::vector<const SceneSpec*> chosen_scenes(const std::vector<std::string>& names) {
   std::vector<const SceneSpec*> chosen;
   for (const std::string& name : names) {
-    chosen.push_back(find_scene(name));
-    if (chosen.back() != nullptr) continue;
-    std::string known;
-    for (const SceneSpec& spec : scene_specs()) known += fmt::format(" {}", spec.name);
-    throw UserError(fmt::format("--scene: there is no '{}'; there are{}", name, known));
+    const SceneSpec* const spec = find_scene(name);
+    if (spec == nullptr) {
+      std::string known;
+      for (const SceneSpec& each : scene_specs()) known += fmt::format(" {}", each.name);
+      throw UserError(
+          fmt::format("--scene: there is no '{}'; there are{}", printable(name), known));
+    }
+    if (std::ranges::find(chosen, spec) == chosen.end()) chosen.push_back(spec);
   }
   if (!chosen.empty()) return chosen;
   for (const SceneSpec& spec : scene_specs()) chosen.push_back(&spec);
@@ -86,19 +103,17 @@ SceneReport run_all(const Options& options) {
                    RecyclingCurve& curve = report.curves.emplace_back();
                    curve.scene = spec.name;
                    curve.bodies = trajectory.start.size();
-                   for (const float motion : kRecyclingMotions) {
-                     curve.runs.push_back(run_recycling(trajectory, motion));
-                   }
+                   curve.runs = run_recycling(trajectory);
                  });
   return report;
 }
 
-/// The last step of the first scene, at its first number of bodies.
+/// The last step of the first scene, at its least number of bodies.
 std::string frame_of(const Options& options) {
   const SceneSpec& spec = *chosen_scenes(options.scenes).front();
   const std::size_t bodies = options.sizes().front();
   const Trajectory trajectory = spec.make(bodies, options.steps_or_default());
-  const Frame frame = last_frame(trajectory);
+  const Frame frame = last_frame(trajectory, options.settings());
   std::vector<FramePoint> points;
   for (const scene::Contact& contact : frame.contacts) {
     const Pose<float>& a = frame.bodies[contact.a.index].pose;
@@ -114,7 +129,7 @@ std::string frame_of(const Options& options) {
 /// A pair that mismatched is met in a scene by the tests from then on, as all of the corpus.
 void save_findings(const std::string& folder, const std::vector<SceneRun>& runs) {
   for (const SceneRun& run : runs) {
-    for (const PairCase& pair : run.findings) {
+    for (const PairCase& pair : run.afresh.findings) {
       CorpusCase finding;
       finding.pair = pair;
       finding.note = fmt::format("In the scene {} of {} bodies it was not as it is afresh.",
@@ -124,28 +139,57 @@ void save_findings(const std::string& folder, const std::vector<SceneRun>& runs)
   }
 }
 
-int scene_command(const Options& options) {
+/// What can be said before anything is run.
+void expect_possible(const Options& options) {
+  chosen_scenes(options.scenes);
   for (const std::string& picture : {options.scaling, options.skipped, options.recycling}) {
     if (!picture.empty()) expect_plot_name(picture);
+  }
+  if (!options.frame.empty() && !options.frame.ends_with(".svg")) {
+    throw UserError(
+        fmt::format("--frame: {}: a name that ends in .svg is expected", printable(options.frame)));
   }
   if (options.motion && options.mode != "recycle") {
     throw UserError("--recycled-motion: needs --mode recycle");
   }
+  if (options.motion && !(*options.motion > 0 && *options.motion <= kMotionMax)) {
+    throw UserError(fmt::format("--recycled-motion: {} is not above 0 and at most {}",
+                                *options.motion, kMotionMax));
+  }
+  const auto steps = static_cast<std::size_t>(options.steps_or_default());
+  if (options.sizes().back() > kPosesMax / steps) {
+    throw UserError(fmt::format("--bodies, --steps: {} bodies for {} steps are more than {} poses",
+                                options.sizes().back(), steps, kPosesMax));
+  }
+}
+
+bool write_outputs(const Options& options, const SceneReport& report, const std::string& json) {
+  bool is_written = true;
+  const auto also = [&](bool is_asked, const std::function<void()>& write) {
+    if (is_asked) is_written = attempt(write) && is_written;
+  };
+  also(!options.json.empty() && options.json != "-", [&] { write_file(options.json, json); });
+  also(!options.save.empty(), [&] { save_findings(options.save, report.runs); });
+  also(!options.frame.empty(), [&] { write_file(options.frame, frame_of(options)); });
+  also(!options.scaling.empty(),
+       [&] { write_line_plot(options.scaling, scaling_plot(report.runs)); });
+  also(!options.skipped.empty(), [&] { write_skip_plot(options.skipped, skip_bars(report.runs)); });
+  also(!options.recycling.empty(),
+       [&] { write_line_plot(options.recycling, recycling_plot(report.curves)); });
+  return is_written;
+}
+
+int scene_command(const Options& options) {
+  expect_possible(options);
   const SceneReport report = run_all(options);
-  const std::string text = report_json(report).dump(2) + '\n';
-  if (!options.json.empty() && options.json != "-") write_file(options.json, text);
-  if (!options.scaling.empty()) write_line_plot(options.scaling, scaling_plot(report.runs));
-  if (!options.skipped.empty()) write_skip_plot(options.skipped, skip_bars(report.runs));
-  if (!options.recycling.empty()) write_line_plot(options.recycling, recycling_plot(report.curves));
-  if (!options.frame.empty()) write_file(options.frame, frame_of(options));
-  if (!options.save.empty()) save_findings(options.save, report.runs);
+  const std::string json = report_json(report).dump(2) + '\n';
   std::string tables = rows_table(report.runs);
   if (!report.curves.empty()) tables += '\n' + curves_table(report.curves);
-  write_to_reader(options.json == "-" ? text : tables);
-  return std::ranges::any_of(report.runs,
-                             [](const SceneRun& run) { return run.mismatches.value_or(0) > 0; })
-             ? 1
-             : 0;
+  const bool is_said = attempt([&] { write_to_reader(options.json == "-" ? json : tables); });
+  const bool is_written = write_outputs(options, report, json);
+  if (!is_said || !is_written) return 2;
+  const auto has_mismatch = [](const SceneRun& run) { return run.afresh.mismatches > 0; };
+  return std::ranges::any_of(report.runs, has_mismatch) ? 1 : 0;
 }
 
 Run define(CLI::App& app) {
@@ -160,16 +204,15 @@ Run define(CLI::App& app) {
       ->allow_extra_args(false);
   add_whole_number(app, "--steps", options->steps, "how many; 30 if not given", 1)
       ->check(CLI::Range(1, 100'000));
-  app.add_option("--mode", options->mode,
-                 "strict: contacts as colliding all pairs afresh gives them, bit for bit; recycle: "
-                 "touching pairs keep theirs, carried along; strict if not given")
+  app.add_option(
+         "--mode", options->mode,
+         "strict: contacts as colliding all pairs afresh gives them, bit for bit (checked, up to "
+         "10000 bodies); recycle: "
+         "touching pairs keep theirs, carried along; strict if not given")
       ->type_name("M")
       ->check(CLI::IsMember({"strict", "recycle"}));
-  app.add_option("--recycled-motion", options->motion,
-                 "how far a body may move before its contacts are not recycled, a length; 0.01 if "
-                 "not given")
-      ->type_name("L")
-      ->check(CLI::Range(1e-6F, 10.0F));
+  add_length(app, "--recycled-motion", options->motion,
+             "how far a body may move before its contacts are not recycled; 0.01 if not given");
   app.add_flag("--without-certificates", options->without_certificates,
                "collide every pair that moved, whatever was proven");
   app.add_option("--json", options->json, "the rows as JSON, to a file or - for stdout")

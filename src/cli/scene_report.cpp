@@ -77,7 +77,7 @@ LinePlot recycling_plot(const std::vector<RecyclingCurve>& curves) {
     for (const RecyclingRun& run : curve.runs) {
       points.emplace_back(100 * run.skipped, error_of(run.judged));
     }
-    if (points.back().first > 0) plot.lines.push_back({curve.scene, points, {}});
+    plot.lines.push_back({curve.scene, points, {}});
   }
   return plot;
 }

@@ -7,8 +7,8 @@ namespace manifuzz {
 
 /// What a strict scene's contacts were held against: every pair of bodies, collided afresh.
 struct AfreshCheck {
-  std::size_t steps = 0;       ///< those that were held against it, spread over the trajectory
-  std::size_t mismatches = 0;  ///< contacts that differ by a bit, are missing or too many
+  std::size_t steps = 0;           ///< those that were held against it, spread over the trajectory
+  std::size_t mismatches = 0;      ///< contacts that differ by a bit, are missing or too many
   std::vector<PairCase> findings;  ///< the first of them
 };
 

@@ -18,7 +18,7 @@ class Sampler {
         bodies_(trajectory.bodies()) {}
 
   void look_at(std::span<const BodyMove> moves, std::span<const scene::Contact> contacts) {
-    apply(moves, bodies_);
+    move_bodies(moves, bodies_);
     for (const scene::Contact& contact : contacts) {
       if (seen_++ % every_ != 0) continue;
       Referee referee({bodies_[contact.a.index], bodies_[contact.b.index]});
@@ -58,7 +58,8 @@ std::vector<RecyclingRun> run_recycling(const Trajectory& trajectory) {
   for (const float motion : kRecyclingMotions) {
     const auto [collided, judged] = recycled_at(trajectory, motion);
     if (motion == 0) strict = collided;
-    const double kept = strict == 0 ? 1 : static_cast<double>(collided) / static_cast<double>(strict);
+    const double kept =
+        strict == 0 ? 1 : static_cast<double>(collided) / static_cast<double>(strict);
     runs.push_back({motion, 1 - kept, judged});
   }
   return runs;

@@ -7,9 +7,10 @@ namespace manifuzz {
 
 /// What recycling makes of a scene: what it skips, and what that does to the contacts.
 struct RecyclingRun {
-  float motion = 0;    ///< scene::Settings::recycled_motion; 0 is strict
-  double skipped = 0;  ///< how many fewer pairs are collided than in strict mode, as a share of those
-  StepTally judged;    ///< of a sample of the contacts, spread over all steps
+  float motion = 0;  ///< scene::Settings::recycled_motion; 0 is strict
+  double skipped =
+      0;             ///< how many fewer pairs are collided than in strict mode, as a share of those
+  StepTally judged;  ///< of a sample of the contacts, spread over all steps
 };
 
 /// The motions of a curve: lengths, in scenes of bodies about 1 wide. Strict mode comes first.

@@ -108,7 +108,7 @@ Frame last_frame(const Trajectory& trajectory, const scene::Settings& settings) 
   Frame frame{trajectory.bodies(), {}};
   ScenePlayer player(trajectory, settings);
   for (const auto& moves : trajectory.steps) {
-    apply(moves, frame.bodies);
+    move_bodies(moves, frame.bodies);
     player.step(moves);
   }
   const auto contacts = player.result().contacts;
@@ -164,7 +164,8 @@ std::string rows_table(const std::vector<SceneRun>& runs) {
         run.scene, run.bodies, run.ns_per_step / 1000, run.speedup_over_all, run.speedup_over_moved,
         run.pairs, percent(pairs.at_rest), percent(pairs.separated), percent(pairs.recycled),
         percent(pairs.collided), run.contacts, per(run.memory.bodies, run.bodies),
-        per(run.memory.pairs, run.pairs), run.afresh.steps > 0 ? std::to_string(run.afresh.mismatches) : "-");
+        per(run.memory.pairs, run.pairs),
+        run.afresh.steps > 0 ? std::to_string(run.afresh.mismatches) : "-");
   }
   return text;
 }

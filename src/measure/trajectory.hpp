@@ -24,7 +24,7 @@ struct Trajectory {
 };
 
 /// Puts bodies where they are now.
-inline void apply(std::span<const BodyMove> moves, std::vector<Body>& bodies) {
+inline void move_bodies(std::span<const BodyMove> moves, std::vector<Body>& bodies) {
   for (const BodyMove& move : moves) bodies[move.body].pose = move.pose;
 }
 
