@@ -1,8 +1,10 @@
 #include "cli/stress_report.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cases/json.hpp"
 
@@ -89,32 +91,65 @@ Json changes_json(const Changes& changes) {
           {"first_with_margin", changes.with_margin > 0 ? Json(changes.first) : Json()}};
 }
 
+std::string unbroken(const Sweep& sweep, const std::vector<StepTally>& steps) {
+  if (steps.size() < sweep.values.size()) return fmt::format("({} steps)", steps.size());
+  const auto has_contact = [](const StepTally& step) { return step.contacts > 0; };
+  return std::ranges::any_of(steps, has_contact) ? "never" : "-";
+}
+
 std::string row_of_breaking_points(const StressPlan& plan, const StressResult& result,
                                    const Sweep& sweep) {
   std::string row = fmt::format("{:<10}", sweep.name);
   for (const std::size_t i : competing(plan, false)) {
     const auto steps = result.steps(sweep, i);
     const auto step = breaking_step(steps);
-    const bool is_whole = steps.size() == sweep.values.size();
-    row += fmt::format(" {:>13}", step       ? fmt::format("{:g}", sweep.values[*step])
-                                  : is_whole ? "never"
-                                             : fmt::format("({} steps)", steps.size()));
+    row += fmt::format(" {:>13}",
+                       step ? fmt::format("{:g}", sweep.values[*step]) : unbroken(sweep, steps));
   }
   return row + fmt::format("  {}\n", sweep.unit);
 }
 
-/// From where on none, or nearly none, of a sweep's cases can be decided in float.
-std::string ill_posed_row(const StressPlan& plan, const StressResult& result, const Sweep& sweep) {
+/// A row under the table that says something of each collider to which it applies; none where it
+/// applies to nobody. `said(steps)` is nothing where it does not.
+template <class Said>
+std::string row_of_remarks(const StressPlan& plan, const StressResult& result, const Sweep& sweep,
+                           std::string_view what, const Said& said) {
+  std::vector<std::string> remarks;
   for (const std::size_t i : competing(plan, false)) {
-    const auto steps = result.steps(sweep, i);
+    const std::string remark = said(result.steps(sweep, i));
+    if (!remark.empty()) remarks.push_back(plan.contestants[i].name + " " + remark);
+  }
+  if (remarks.empty()) return {};
+  return fmt::format("{}: {}: {}\n", sweep.name, what, fmt::join(remarks, ", "));
+}
+
+/// From where on none, or nearly none, of a sweep's cases can be decided in the collider's scalar.
+std::string ill_posed_row(const StressPlan& plan, const StressResult& result, const Sweep& sweep) {
+  const auto said = [&sweep](const std::vector<StepTally>& steps) -> std::string {
     const auto most = std::ranges::find_if(steps, [](const StepTally& step) {
       return 2 * step.ill_posed > step.cases - step.unsupported;
     });
-    if (most == steps.end()) continue;
-    return fmt::format("{}: for {}, most cases are ill posed from {:g} on\n", sweep.name,
-                       plan.contestants[i].name, sweep.values[most - steps.begin()]);
-  }
-  return {};
+    if (most == steps.end()) return {};
+    return fmt::format("from {:g}", sweep.values[most - steps.begin()]);
+  };
+  return row_of_remarks(plan, result, sweep, "most cases are ill posed", said);
+}
+
+/// How much of a sweep a collider does not take part in.
+std::string unsupported_row(const StressPlan& plan, const StressResult& result,
+                            const Sweep& sweep) {
+  const auto said = [](const std::vector<StepTally>& steps) -> std::string {
+    std::uint64_t cases = 0;
+    std::uint64_t unsupported = 0;
+    for (const StepTally& step : steps) {
+      cases += step.cases;
+      unsupported += step.unsupported;
+    }
+    if (unsupported == 0) return {};
+    return fmt::format("{:.3g}%",
+                       100 * static_cast<double>(unsupported) / static_cast<double>(cases));
+  };
+  return row_of_remarks(plan, result, sweep, "cases unsupported", said);
 }
 
 std::string walk_rows(const StressPlan& plan, const StressResult& result, const Walk& walk) {
@@ -134,6 +169,36 @@ std::string walk_rows(const StressPlan& plan, const StressResult& result, const 
   return rows;
 }
 
+constexpr std::size_t kSpreadColumns = 21;
+constexpr std::size_t kWalkColumns = 7;
+
+std::array<Spread, kSpreadColumns / 3> spreads_of(const StepTally& step) {
+  return {step.of_size.depth,     step.of_size.position, step.of_size.normal, step.of_bound.depth,
+          step.of_bound.position, step.of_bound.normal,  step.of_extent};
+}
+
+std::string csv_heading() {
+  std::string text =
+      "sweep,collider,x,cases,unsupported,ill_posed,contacts,missed,phantom,wrong_count,gross,lost";
+  for (const char* const figure : {"depth", "position", "normal", "depth_of_bound",
+                                   "position_of_bound", "normal_of_bound", "roundoffs_of_extent"}) {
+    text += fmt::format(",{0}_median,{0}_p999,{0}_max", figure);
+  }
+  text += ",touching";
+  for (const char* const change : {"flickers", "jumps", "features"}) {
+    text += fmt::format(",{0}_with_margin,{0}_within_bound", change);
+  }
+  return text + '\n';
+}
+
+/// What a step of a sweep and a walk, which has no `x`, have in common.
+std::string csv_start(std::string_view name, const Contestant& contestant, const std::string& x,
+                      const StepTally& tally) {
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", name, contestant.name, x, tally.cases,
+                     tally.unsupported, tally.ill_posed, tally.contacts, tally.missed,
+                     tally.phantom, tally.wrong_count, tally.gross, tally.lost);
+}
+
 }  // namespace
 
 std::string stress_table(const StressPlan& plan, const StressResult& result) {
@@ -147,7 +212,10 @@ std::string stress_table(const StressPlan& plan, const StressResult& result) {
     for (const Sweep* const sweep : plan.sweeps) {
       text += row_of_breaking_points(plan, result, *sweep);
     }
-    for (const Sweep* const sweep : plan.sweeps) text += ill_posed_row(plan, result, *sweep);
+    for (const Sweep* const sweep : plan.sweeps) {
+      text += ill_posed_row(plan, result, *sweep);
+      text += unsupported_row(plan, result, *sweep);
+    }
   }
   if (!plan.walks.empty()) {
     text += fmt::format(
@@ -204,26 +272,32 @@ Json stress_walks_json(const StressPlan& plan, const StressResult& result) {
 }
 
 std::string stress_csv(const StressPlan& plan, const StressResult& result) {
-  std::string text =
-      "sweep,collider,x,cases,unsupported,ill_posed,contacts,missed,phantom,wrong_count,gross,lost,"
-      "depth_median,depth_p999,depth_max,position_median,position_p999,position_max,"
-      "normal_median,normal_p999,normal_max\n";
+  std::string text = csv_heading();
   for (const Sweep* const sweep : plan.sweeps) {
     for (std::size_t i = 0; i < plan.contestants.size(); ++i) {
       if (plan.contestants[i].walks_only) continue;
       const auto steps = result.steps(*sweep, i);
       for (std::size_t k = 0; k < steps.size(); ++k) {
-        const StepTally& step = steps[k];
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", sweep->name,
-                            plan.contestants[i].name, sweep->values[k], step.cases,
-                            step.unsupported, step.ill_posed, step.contacts, step.missed,
-                            step.phantom, step.wrong_count, step.gross, step.lost);
-        for (const Spread& spread :
-             {step.of_size.depth, step.of_size.position, step.of_size.normal}) {
+        text += csv_start(sweep->name, plan.contestants[i], fmt::format("{}", sweep->values[k]),
+                          steps[k]);
+        for (const Spread& spread : spreads_of(steps[k])) {
           text += fmt::format(",{},{},{}", spread.median, spread.p999, spread.max);
         }
-        text += '\n';
+        text += std::string(kWalkColumns, ',') + '\n';
       }
+    }
+  }
+  for (const Walk* const walk : plan.walks) {
+    for (std::size_t i = 0; i < plan.contestants.size(); ++i) {
+      const StepTally* const tally = result.walk(*walk, i);
+      if (tally == nullptr) continue;
+      text += csv_start(walk->name, plan.contestants[i], "", *tally);
+      text += std::string(kSpreadColumns, ',') + fmt::format(",{}", tally->walk.touching);
+      for (const Changes& changes :
+           {tally->walk.flickers, tally->walk.jumps, tally->walk.features}) {
+        text += fmt::format(",{},{}", changes.with_margin, changes.within_bound);
+      }
+      text += '\n';
     }
   }
   return text;

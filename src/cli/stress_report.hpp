@@ -15,7 +15,8 @@ std::string stress_table(const StressPlan& plan, const StressResult& result);
 nlohmann::ordered_json stress_sweeps_json(const StressPlan& plan, const StressResult& result);
 nlohmann::ordered_json stress_walks_json(const StressPlan& plan, const StressResult& result);
 
-/// Every step with commas, a heading first.
+/// Every step with commas, then the walks, a heading first; columns that are not for a row are
+/// empty.
 std::string stress_csv(const StressPlan& plan, const StressResult& result);
 
 }  // namespace manifuzz

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -82,7 +83,17 @@ TEST_CASE("stress writes a table, JSON, CSV and pictures of what it measured") {
       CHECK(row.at("breaking_point") > 1e4);
     }
   }
-  CHECK(read(csv).starts_with("sweep,collider,x,"));
+  std::istringstream lines(read(csv));
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line.starts_with("sweep,collider,x,"));
+  const auto columns = std::count(line.begin(), line.end(), ',');
+  int of_walks = 0;
+  while (std::getline(lines, line)) {
+    CHECK(std::count(line.begin(), line.end(), ',') == columns);
+    of_walks += line.starts_with("sliding,") ? 1 : 0;
+  }
+  CHECK(of_walks == 4);
   for (const char* name : {"distance.svg", "distance.png", "collinear.svg", "collinear.png"}) {
     CHECK(fs::file_size(pictures / name) > 1000);
   }
@@ -232,17 +243,30 @@ TEST_CASE("an interrupted stress keeps what it measured") {
   const std::string json = (folder.path() / "stress.json").string();
   const std::string baseline = folder.write(
       "baseline.json",
-      R"({"format": "manifuzz/breaking_points/1", "seed": 1, "flush_to_zero": false, "cases": 20000,
+      R"({"format": "manifuzz/breaking_points/1", "seed": 1, "flush_to_zero": false, "cases": 500000,
           "sweeps": {"touch": {"clip": null}, "large": {"clip": null}}, "walks": {}})");
   const Outcome outcome =
       run_program({"timeout", "--preserve-status", "--signal=INT", "3", manifuzz_path(), "stress",
-                   "--sweep", "touch", "--collider", "clip", "--cases", "20000", "--sweep", "large",
-                   "--json", json, "--baseline", baseline});
+                   "--sweep", "touch", "--collider", "clip", "--cases", "500000", "--sweep",
+                   "large", "--json", json, "--baseline", baseline});
   INFO(outcome.err);
   CHECK(outcome.status == 1);
   CHECK(outcome.out.find("large: clip: 0 of") != std::string::npos);
   CHECK(outcome.out.find("interrupted") != std::string::npos);
   CHECK(Json::parse(read(json)).at("interrupted") == true);
+}
+
+TEST_CASE("of a collider that answers nothing no breaking point is said") {
+  const TemporaryFolder folder;
+  const std::string idle = folder.write("idle",
+                                        "echo '{\"declaration\": {}}'\nwhile read -r line; do echo "
+                                        "'{\"unsupported\": \"idle\"}'; done\n");
+  fs::permissions(idle, fs::perms::owner_all);
+  const Outcome outcome = run_distance({"--collider-command", idle});
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.out.find("distance: cases unsupported: idle 100%") != std::string::npos);
+  CHECK(outcome.out.find("  -  world lengths") != std::string::npos);
 }
 
 TEST_CASE("colliders without subnormal numbers are measured too") {
