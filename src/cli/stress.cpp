@@ -179,27 +179,16 @@ nlohmann::ordered_json report_json(const StressPlan& plan, const StressResult& r
   return json;
 }
 
-constexpr std::string_view kCutShort = "manifuzz: interrupted, not all was written\n";
-
-/// Runs what writes an output; where it cannot be written, says so: no other is lost by that.
-bool attempt(const std::function<void()>& write) {
-  try {
-    write();
-    return true;
-  } catch (const UserError& error) {
-    write_error(fmt::format("manifuzz: {}\n", error.what()));
-  } catch (const Interrupted&) {
-    write_error(kCutShort);
-  }
-  return false;
-}
-
 void save(const StressPlan& plan, const StressResult& result, const std::string& folder,
           Interruption& interruption) {
   const ProgressLine line;
   const std::string corpus = std::filesystem::proximate(folder).string();
-  save_worst(plan, result, corpus, interruption,
-             [&](const std::string& name) { line.show("saving " + name); });
+  try {
+    save_worst(plan, result, corpus, interruption,
+               [&](const std::string& name) { line.show("saving " + name); });
+  } catch (const Interrupted&) {
+    throw UserError("--save: interrupted, not all was saved");
+  }
 }
 
 /// What a run found is written, even after it was interrupted; another signal ends the writing.
@@ -220,7 +209,7 @@ bool write_files(const StressPlan& plan, const StressResult& result, const Optio
   if (options.pictures.empty()) return is_written;
   for (const Sweep* const sweep : plan.sweeps) {
     if (interruption.requested()) {
-      write_error(kCutShort);
+      write_error("manifuzz: --pictures: interrupted, not all were drawn\n");
       return false;
     }
     also(true, [&] { write_stress_pictures(options.pictures, plan, result, *sweep); });
