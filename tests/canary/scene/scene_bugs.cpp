@@ -18,7 +18,7 @@
 namespace manifuzz::canary {
 namespace {
 
-constexpr int kRuns = 4000;
+constexpr int kRuns = 1500;
 constexpr int kRunsUnedited = 200;
 constexpr std::uint64_t kCrowds = 10;
 
