@@ -145,6 +145,9 @@ void expect_possible(const Options& options) {
   for (const std::string& picture : {options.scaling, options.skipped, options.recycling}) {
     if (!picture.empty()) expect_plot_name(picture);
   }
+  if (!options.scaling.empty() && options.sizes().size() < 2) {
+    throw UserError("--scaling: needs two numbers of bodies or more");
+  }
   if (!options.frame.empty() && !options.frame.ends_with(".svg")) {
     throw UserError(
         fmt::format("--frame: {}: a name that ends in .svg is expected", printable(options.frame)));

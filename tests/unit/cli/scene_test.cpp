@@ -68,6 +68,8 @@ TEST_CASE("scene refuses what it does not know") {
   CHECK(unknown.err.find("there is no 'avalanche'; there are pile") != std::string::npos);
   CHECK(test::run_manifuzz({"scene", "--bodies", "3"}).status == 2);
   CHECK(test::run_manifuzz({"scene", "--scaling", "plot.pdf"}).status == 2);
+  CHECK(test::run_manifuzz({"scene", "--bodies", "10", "--scaling", "plot.svg"}).status == 2);
+  CHECK(test::run_manifuzz({"scene", "--frame", "frame.png"}).status == 2);
   CHECK(test::run_manifuzz({"scene", "--mode", "loose"}).status == 2);
   CHECK(test::run_manifuzz({"scene", "--recycled-motion", "0.1"}).status == 2);
 }
