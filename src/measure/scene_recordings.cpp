@@ -72,8 +72,8 @@ Stage pile_stage(std::size_t bodies) {
   stage.enclose(2.0 + 1.2 * static_cast<double>(dynamic / columns));
   Random random(1, "pile", 0);
   for (std::uint32_t i = 0; i < dynamic; ++i) {
-    const double x = 1.4 + 1.1 * (i % columns) + random.uniform(-0.1, 0.1);
-    stage.add(i % mixed, x, 0.6 + 1.1 * (i / columns));
+    const double x = 1.4 + 1.1 * static_cast<double>(i % columns) + random.uniform(-0.1, 0.1);
+    stage.add(i % mixed, x, 0.6 + 1.1 * static_cast<double>(i / columns));
   }
   return stage;
 }
