@@ -74,4 +74,9 @@ std::optional<ConvexPolygon<float>> rounded(const Outline& outline, float radius
 /// polygon.
 std::optional<PairCase> settle(const Draft& draft);
 
+/// A rotation by an angle of tangent 2 t / (1 - t^2).
+inline Vector2<double> turn_by(double t) {
+  return Vector2<double>(1 - t * t, 2 * t) / (1 + t * t);
+}
+
 }  // namespace manifuzz

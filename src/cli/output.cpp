@@ -43,13 +43,13 @@ void write_to_reader(std::string_view text) {
   }
 }
 
-bool attempt(const std::function<void()>& write) {
+void Outputs::write(bool is_asked, const std::function<void()>& write_it) {
+  if (!is_asked) return;
   try {
-    write();
-    return true;
+    write_it();
   } catch (const UserError& error) {
     write_error(fmt::format("manifuzz: {}\n", error.what()));
-    return false;
+    are_written_ = false;
   }
 }
 

@@ -27,9 +27,17 @@ class Output {
 /// has to say is in its status too.
 void write_to_reader(std::string_view text);
 
-/// Runs what writes an output; where that throws a UserError, says so and returns false: no other
-/// output is lost by that.
-bool attempt(const std::function<void()>& write);
+/// Outputs that are written one by one: one that fails is named, and no other is lost by that.
+class Outputs {
+ public:
+  /// Runs what writes an output, if it is asked for; it may throw a UserError.
+  void write(bool is_asked, const std::function<void()>& write_it);
+
+  bool are_written() const { return are_written_; }
+
+ private:
+  bool are_written_ = true;
+};
 
 /// One line on a terminal, written over and over; nothing where stderr is no terminal.
 class ProgressLine {

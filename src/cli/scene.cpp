@@ -166,20 +166,18 @@ void expect_possible(const Options& options) {
   }
 }
 
-bool write_outputs(const Options& options, const SceneReport& report, const std::string& json) {
-  bool is_written = true;
-  const auto also = [&](bool is_asked, const std::function<void()>& write) {
-    if (is_asked) is_written = attempt(write) && is_written;
-  };
-  also(!options.json.empty() && options.json != "-", [&] { write_file(options.json, json); });
-  also(!options.save.empty(), [&] { save_findings(options.save, report.runs); });
-  also(!options.frame.empty(), [&] { write_file(options.frame, frame_of(options)); });
-  also(!options.scaling.empty(),
-       [&] { write_line_plot(options.scaling, scaling_plot(report.runs)); });
-  also(!options.skipped.empty(), [&] { write_skip_plot(options.skipped, skip_bars(report.runs)); });
-  also(!options.recycling.empty(),
-       [&] { write_line_plot(options.recycling, recycling_plot(report.curves)); });
-  return is_written;
+void write_files(const Options& options, const SceneReport& report, const std::string& json,
+                 Outputs& outputs) {
+  outputs.write(!options.json.empty() && options.json != "-",
+                [&] { write_file(options.json, json); });
+  outputs.write(!options.save.empty(), [&] { save_findings(options.save, report.runs); });
+  outputs.write(!options.frame.empty(), [&] { write_file(options.frame, frame_of(options)); });
+  outputs.write(!options.scaling.empty(),
+                [&] { write_line_plot(options.scaling, scaling_plot(report.runs)); });
+  outputs.write(!options.skipped.empty(),
+                [&] { write_skip_plot(options.skipped, skip_bars(report.runs)); });
+  outputs.write(!options.recycling.empty(),
+                [&] { write_line_plot(options.recycling, recycling_plot(report.curves)); });
 }
 
 int scene_command(const Options& options) {
@@ -188,9 +186,10 @@ int scene_command(const Options& options) {
   const std::string json = report_json(report).dump(2) + '\n';
   std::string tables = rows_table(report.runs);
   if (!report.curves.empty()) tables += '\n' + curves_table(report.curves);
-  const bool is_said = attempt([&] { write_to_reader(options.json == "-" ? json : tables); });
-  const bool is_written = write_outputs(options, report, json);
-  if (!is_said || !is_written) return 2;
+  Outputs outputs;
+  outputs.write(true, [&] { write_to_reader(options.json == "-" ? json : tables); });
+  write_files(options, report, json, outputs);
+  if (!outputs.are_written()) return 2;
   const auto has_mismatch = [](const SceneRun& run) { return run.afresh.mismatches > 0; };
   return std::ranges::any_of(report.runs, has_mismatch) ? 1 : 0;
 }

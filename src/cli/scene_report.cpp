@@ -49,13 +49,8 @@ nlohmann::ordered_json curve_json(const RecyclingCurve& curve) {
 }  // namespace
 
 LinePlot scaling_plot(const std::vector<SceneRun>& runs) {
-  LinePlot plot{.title = "time of a step against bodies",
-                .x_label = "bodies",
-                .y_label = "ns a step",
-                .is_linear_in_x = false,
-                .falls = false,
-                .limit = {},
-                .lines = {}};
+  LinePlot plot{
+      .title = "time of a step against bodies", .x_label = "bodies", .y_label = "ns a step"};
   for (const auto& [scene, points] : times_by_scene(runs)) {
     const auto exponent = fitted_exponent(points);
     const std::string suffix = exponent ? fmt::format(", exponent {:.2f}", *exponent) : "";
@@ -68,10 +63,7 @@ LinePlot recycling_plot(const std::vector<RecyclingCurve>& curves) {
   LinePlot plot{.title = "what recycling costs",
                 .x_label = "pairs skipped, % of those that strict mode would collide",
                 .y_label = "error of depth or position, 99.9%, share of the size",
-                .is_linear_in_x = true,
-                .falls = false,
-                .limit = {},
-                .lines = {}};
+                .is_linear_in_x = true};
   for (const RecyclingCurve& curve : curves) {
     Points points;
     for (const RecyclingRun& run : curve.runs) {

@@ -192,29 +192,26 @@ void save(const StressPlan& plan, const StressResult& result, const std::string&
 }
 
 /// What a run found is written, even after it was interrupted; another signal ends the writing.
-bool write_files(const StressPlan& plan, const StressResult& result, const Options& options,
+void write_files(const StressPlan& plan, const StressResult& result, const Options& options,
                  const std::string& json, const nlohmann::ordered_json& stored,
-                 Interruption& interruption) {
-  bool is_written = true;
-  const auto also = [&](bool is_asked, const std::function<void()>& write) {
-    if (is_asked) is_written = attempt(write) && is_written;
-  };
-  also(!options.json.empty() && options.json != "-", [&] { write_file(options.json, json); });
-  also(!options.csv.empty(), [&] { write_file(options.csv, stress_csv(plan, result)); });
-  also(!options.store.empty(), [&] {
+                 Interruption& interruption, Outputs& outputs) {
+  outputs.write(!options.json.empty() && options.json != "-",
+                [&] { write_file(options.json, json); });
+  outputs.write(!options.csv.empty(), [&] { write_file(options.csv, stress_csv(plan, result)); });
+  outputs.write(!options.store.empty(), [&] {
     if (result.interrupted) throw UserError("--store: interrupted, nothing is stored");
     write_file(options.store, breaking_points_json(plan, result, stored).dump(1, '\t') + '\n');
   });
-  also(!options.save.empty(), [&] { save(plan, result, options.save, interruption); });
-  if (options.pictures.empty()) return is_written;
+  outputs.write(!options.save.empty(), [&] { save(plan, result, options.save, interruption); });
+  if (options.pictures.empty()) return;
   for (const Sweep* const sweep : plan.sweeps) {
-    if (interruption.requested()) {
-      write_error("manifuzz: --pictures: interrupted, not all were drawn\n");
-      return false;
-    }
-    also(true, [&] { write_stress_pictures(options.pictures, plan, result, *sweep); });
+    const bool is_cut_short = interruption.requested();
+    outputs.write(true, [&] {
+      if (is_cut_short) throw UserError("--pictures: interrupted, not all were drawn");
+      write_stress_pictures(options.pictures, plan, result, *sweep);
+    });
+    if (is_cut_short) return;
   }
-  return is_written;
 }
 
 std::string report_text(const StressPlan& plan, const StressResult& result,
@@ -245,10 +242,11 @@ int stress(const Options& options) {
       options.json.empty() ? "" : report_json(plan, result, comparison).dump(1, '\t') + '\n';
   const bool has_table = options.json != "-";
   if (!has_table) write_error(objections(comparison));
-  const bool is_said =
-      attempt([&] { write_to_reader(has_table ? report_text(plan, result, comparison) : json); });
-  const bool is_written = write_files(plan, result, options, json, stored, interruption);
-  if (!is_said || !is_written) return 2;
+  Outputs outputs;
+  outputs.write(true,
+                [&] { write_to_reader(has_table ? report_text(plan, result, comparison) : json); });
+  write_files(plan, result, options, json, stored, interruption, outputs);
+  if (!outputs.are_written()) return 2;
   return comparison.worse.empty() && comparison.not_compared.empty() ? 0 : 1;
 }
 

@@ -12,8 +12,7 @@ namespace manifuzz {
 /// - where a collider is wrong, by the judge too: the case on which it is farthest off, shrunk, in
 ///   the folder of its verdict;
 /// - of `clip` otherwise, against Box2D or, where that leaves nothing to decide, clip64: the case
-/// of its largest error, as a case on which it must
-///   stay right.
+///   of its largest error, as a case on which it must stay right.
 /// Returns how many were written. `on_file` is told of each before it is shrunk. Throws UserError
 /// where one cannot be written, and Interrupted.
 std::size_t save_worst(const StressPlan& plan, const StressResult& result,

@@ -15,8 +15,8 @@ void collide_packed(const PackedPairs<double>& pairs, double tie_bias,
                     std::span<ManifoldBlock<double>> out);
 
 /// `out[i]` becomes the manifold of `pairs[i]`, in the frame of its A; where there are no points,
-/// the rest of it is unspecified. Shapes and poses are fetched
-/// by index, pairs grouped by their vertex counts on the way.
+/// the rest of it is unspecified. Shapes and poses are fetched by index, pairs grouped by their
+/// vertex counts on the way.
 void collide_pairs(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
                    std::span<const BodyPair> pairs, float tie_bias, std::span<Manifold<float>> out);
 void collide_pairs(const Shapes<double>& shapes, std::span<const Placement<double>> bodies,

@@ -8,16 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "measure/median.hpp"
 #include "measure/scene_player.hpp"
 
 namespace manifuzz {
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 template <class Work>
 double ns_of(const Work& work) {

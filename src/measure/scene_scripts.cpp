@@ -9,10 +9,6 @@ namespace {
 
 constexpr float kSkin = 0.01F;
 
-Vector2<double> turn_by(double t) {
-  return Vector2<double>(1 - t * t, 2 * t) / (1 + t * t);
-}
-
 /// How a body goes on from step to step.
 struct Course {
   Vector2<double> by{0, 0};

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "kernel/target.hpp"
+#include "measure/median.hpp"
 
 namespace manifuzz {
 namespace {
@@ -29,12 +30,6 @@ class Collecting : public benchmark::BenchmarkReporter {
  private:
   std::map<std::string, std::vector<double>> seconds_;
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 void initialize(const TimingOptions& options) {
   // Each flag that the environment could set otherwise.

@@ -21,7 +21,7 @@ struct LinePlot {
   bool is_linear_in_x = false;
   bool falls = false;             ///< the axis of x runs from the largest to the smallest
   std::optional<double> limit{};  ///< a level line: above it a line has broken
-  std::vector<PlotLine> lines;
+  std::vector<PlotLine> lines{};
 };
 
 /// Lines of equal points as one, with their names: colliders often answer alike.

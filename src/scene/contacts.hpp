@@ -33,7 +33,6 @@ struct PairCounts {
 /// What the other parts of a step did.
 struct StepCounts {
   PairCounts pairs;
-  std::size_t bodies = 0;
   std::size_t moved = 0;       ///< bodies that moved, were added or got another shape
   std::size_t left_boxes = 0;  ///< of them, those that left their fattened box
   std::size_t pairs_added = 0;

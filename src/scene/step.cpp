@@ -168,7 +168,6 @@ void Scene::recycle(std::uint32_t pair) {
 }
 
 StepResult Scene::result() {
-  counts_.bodies = body_count_;
   PairCounts& pairs = counts_.pairs;
   pairs.candidates = pairs_.size();
   pairs.at_rest = pairs.candidates - pairs.separated - pairs.recycled - pairs.collided;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cases/placing.hpp"
 #include "cases/shapes.hpp"
 #include "cases/ulps.hpp"
 #include "geometry/pose.hpp"
@@ -10,11 +11,6 @@ namespace manifuzz::test {
 
 inline Random motion(std::uint64_t seed) {
   return Random(seed, "scene motion", 0);
-}
-
-/// A rotation by an angle of tangent 2 t / (1 - t^2).
-inline Vector2<double> turn_by(double t) {
-  return Vector2<double>(1 - t * t, 2 * t) / (1 + t * t);
 }
 
 inline Pose<float> anywhere(std::uint64_t seed) {

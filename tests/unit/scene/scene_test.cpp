@@ -48,6 +48,7 @@ TEST_CASE("contacts begin, stay and end") {
   CHECK(first.contacts.size() == 2);
   CHECK(first.began.size() == 2);
   CHECK(first.counts.pairs.collided == first.counts.pairs.candidates);
+  CHECK(first.counts.pairs_added == first.counts.pairs.candidates);
 
   const StepResult second = row.step();
   CHECK(second.contacts.size() == 2);
@@ -61,6 +62,8 @@ TEST_CASE("contacts begin, stay and end") {
   CHECK(third.ended[0].a == row.bodies[1]);
   CHECK(third.ended[0].b == row.bodies[2]);
   CHECK(third.stayed == 1);
+  CHECK(third.counts.pairs_dropped ==
+        second.counts.pairs.candidates - third.counts.pairs.candidates);
   CHECK(row.step().ended.empty());
 }
 
