@@ -1,0 +1,100 @@
+// The head of the page: what ran, and what came of it in one sentence.
+
+function section(id, title, ...children) {
+  const node = element("section", { id, "aria-labelledby": `${id}-title` },
+    element("h2", { id: `${id}-title` }, title), ...children);
+  byId("sections").append(element("a", { href: `#${id}` }, title));
+  return node;
+}
+
+function facts(pairs) {
+  const shown = pairs.filter(([, value]) => value !== "" && value !== null && value !== undefined);
+  return element("dl", { class: "facts" }, shown.map(([name, value]) =>
+    element("div", {}, element("dt", {}, name), element("dd", {}, value))));
+}
+
+function versionsOf(result) {
+  return Object.entries(result.versions ?? {}).map(([name, version]) => `${name} ${version}`.trim()).join(", ");
+}
+
+function machineOf(result) {
+  const { processor, cores, instruction_set } = result.machine ?? {};
+  return [processor, cores && counted(cores, "core"), instruction_set].filter(Boolean).join(", ");
+}
+
+// What every command that measures says of itself.
+function provenance(path, result, more = []) {
+  return facts([["file", path], ...more, ["seed", result.seed === undefined ? "" : String(result.seed)],
+    ["versions", versionsOf(result)], ["machine", machineOf(result)], ["compiler", result.compiler]]);
+}
+
+// Buckets that no right collider and no ledger entry explains: of the runs, and else of the cases.
+function unexplainedBuckets() {
+  const buckets = new Set();
+  for (const { result } of report.fuzz) {
+    for (const { bucket, verdict } of result.buckets ?? []) if (UNEXPLAINED.has(verdict)) buckets.add(bucket);
+  }
+  for (const one of report.cases) if (UNEXPLAINED.has(one.verdict)) buckets.add(one.bucket || one.id);
+  return buckets.size;
+}
+
+function fellShort() {
+  const failed = report.replay.reduce((sum, { result }) => sum + (result.failed ?? 0), 0);
+  const mismatches = report.scene.flatMap(({ result }) => result.rows ?? []).reduce((sum, row) => sum + (row.mismatches ?? 0), 0);
+  const worse = report.stress.reduce((sum, { result }) => sum + (result.worse?.length ?? 0), 0);
+  return [failed > 0 && `${counted(failed, "replayed case")} failed`,
+    mismatches > 0 && counted(mismatches, "mismatch", "mismatches"),
+    worse > 0 && counted(worse, "breaking point got worse", "breaking points got worse"),
+    report.fuzz.some(({ result }) => result.vacuous) && "a vacuous run"].filter(Boolean);
+}
+
+function verdictSentence() {
+  const unexplained = unexplainedBuckets();
+  const bad = [unexplained > 0 && `${counted(unexplained, "bucket")} unexplained`, ...fellShort()].filter(Boolean);
+  if (bad.length > 0) return { text: bad.join(", "), isBad: true };
+  if (report.fuzz.length > 0 || report.replay.length > 0 || report.cases.length > 0) {
+    return { text: "Nothing unexplained", isBad: false };
+  }
+  const measured = ["bench", "stress", "scene"].filter((kind) => report[kind].length > 0);
+  return { text: measured.length > 0 ? `Measured: ${measured.join(", ")}` : "Nothing to show", isBad: false };
+}
+
+function pairsOfColliders() {
+  const runs = report.fuzz.map(({ result }) => result);
+  const pairs = new Set([...runs, ...report.cases].filter(({ subject, oracle }) => subject && oracle)
+    .map(({ subject, oracle }) => `${subject} against ${oracle}`));
+  return [...pairs];
+}
+
+function headline() {
+  const pairs = pairsOfColliders();
+  const ran = report.fuzz.reduce((sum, { result }) => sum + (result.cases ?? 0), 0);
+  const seconds = report.fuzz.reduce((sum, { result }) => sum + (result.seconds ?? 0), 0);
+  return [pairs.slice(0, 3).join("; ") + (pairs.length > 3 ? ` and ${counted(pairs.length - 3, "more pair")}` : ""),
+    ran > 0 && `${counted(ran, "case")} in ${brief(seconds)} s`,
+    report.cases.length > 0 && `${counted(report.cases.length, "file")} shown`].filter(Boolean).join(" \u00b7 ");
+}
+
+function errorsBox() {
+  if (report.errors.length === 0) return null;
+  return element("div", { class: "errors", role: "alert" },
+    element("strong", {}, `${counted(report.errors.length, "file or part", "files or parts")} could not be read`),
+    element("ul", {}, report.errors.map((error) => element("li", {}, error))));
+}
+
+function summarySection() {
+  const sentence = verdictSentence();
+  const title = pairsOfColliders()[0] ?? "manifuzz";
+  document.title = `${title}: ${sentence.text.toLowerCase()}`;
+  return element("section", { id: "summary", "aria-label": "Summary" },
+    element("h1", { class: sentence.isBad ? "bad" : "good" }, sentence.text),
+    element("p", { class: "headline" }, headline()), errorsBox());
+}
+
+function footer() {
+  const sources = report.sources.map(({ path, kind, cases }) =>
+    element("li", {}, element("code", {}, path), ` ${kind}${Number.isFinite(cases) ? `, ${counted(cases, "case")}` : ""}`));
+  return [element("p", {}, `manifuzz ${report.version}`), report.command ? copyLine(report.command) : null,
+    sources.length > 0 ? element("details", {}, element("summary", {}, `Made from ${counted(sources.length, "source")}`),
+      element("ul", {}, sources)) : null];
+}
