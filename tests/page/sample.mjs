@@ -38,15 +38,35 @@ function faceIndex(points, side, count) {
   return vertices.find((v) => vertices.includes((v + 1) % count)) ?? null;
 }
 
+/** Of the two faces at a vertex, the one that looks most against `normal`. */
+function facingAt(vertices, vertex, normal) {
+  const towards = (face) => {
+    const [from, to] = [vertices[face], vertices[(face + 1) % vertices.length]];
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+    return ((to[1] - from[1]) * normal[0] - (to[0] - from[0]) * normal[1]) / length;
+  };
+  const before = (vertex + vertices.length - 1) % vertices.length;
+  return towards(before) < towards(vertex) ? before : vertex;
+}
+
+function incidentIndex(points, side, body, normal) {
+  const index = faceIndex(points, side, body.vertices.length);
+  const feature = points[0].features?.[side] ?? '';
+  if (index !== null || !normal || !feature.startsWith('v')) return index;
+  const outward = side === 0 ? normal.map((x) => -x) : normal;
+  return facingAt(worldVertices(body, body.position ?? [0, 0]), Number(feature.slice(1)), outward);
+}
+
 function manifoldOf(manifold, given, origin) {
   const points = manifold.points ?? [];
   if (points.length === 0) return {normal: null, reference: null, face: null, edge: null, points: []};
   const reference = manifold.reference ?? null;
   const side = reference === 'b' ? 1 : 0;
-  const counts = [given.a.vertices.length, given.b.vertices.length];
+  const bodies = [given.a, given.b];
   return {
     normal: manifold.normal ?? null, reference,
-    face: faceIndex(points, side, counts[side]), edge: faceIndex(points, 1 - side, counts[1 - side]),
+    face: faceIndex(points, side, bodies[side].vertices.length),
+    edge: incidentIndex(points, 1 - side, bodies[1 - side], manifold.normal),
     points: points.map(({position, depth, features}) => ({
       position: [position[0] - origin[0], position[1] - origin[1]], world: position, depth, features,
     })),

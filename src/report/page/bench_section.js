@@ -40,10 +40,7 @@ function drawBenchLabels(chart, points) {
   const places = points.map(({ x, y }) => [chart.x(x), chart.y(y)]);
   for (const [x, y] of places) labels.take({ left: x - 6, right: x + 6, top: y - 6, bottom: y + 6 });
   points.forEach(({ name }, i) => {
-    let found = null;
-    for (const gap of [8, 20, 34, 50, 66]) {
-      found ??= labels.find(places[i], name, { gap, towards: [0.1, -1], isOptional: true });
-    }
+    const found = labels.find(places[i], name, { gaps: [8, 20, 34, 50, 66], towards: [0.1, -1], isOptional: true });
     if (found === null) return;
     const center = [(found.left + found.right) / 2, found.bottom - 3.5];
     if (Math.abs(center[1] - 4 - places[i][1]) > 20) {
@@ -57,7 +54,8 @@ function benchChart(rows, chosen) {
   const { quantity } = chosen;
   const points = benchPoints(rows, chosen, quantity);
   if (points.length === 0) return [element("p", { class: "quiet" }, "No row has both a time and this error.")];
-  const chart = makeChart({ width: 880, height: 400, label: `Time a pair against ${quantity} error` });
+  const width = Math.min(Math.max(620, byId("main").clientWidth - 48), 1152);
+  const chart = makeChart({ width, height: 430, label: `Time a pair against ${quantity} error` });
   const times = decadesAround(points.map(({ x }) => x));
   // Room for the names above and below the extreme points.
   const [low, high] = decadesAround(points.map(({ y }) => y));

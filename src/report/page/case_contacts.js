@@ -125,7 +125,7 @@ function drawDepthLabels(view) {
       if (written.some((other) => other.text === text && distance(other.at, at) < 24)) return;
       written.push({ at, text });
       const outward = outwardDirection(manifold) ?? [0, 1];
-      const box = view.labels.find(at, `depth ${text}`, { gap: 13, towards: [-outward[0], outward[1]] });
+      const box = view.labels.find(at, `depth ${text}`, { gaps: [13, 26], towards: [-outward[0], outward[1]] });
       putLabel(view, `depth ${role} ${i}`, box, `depth ${text}`, `depth-word ${role}`);
     });
   }

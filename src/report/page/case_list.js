@@ -3,9 +3,10 @@
 const CARDS_AT_ONCE = 16;
 const list = { groups: [], shown: 0, order: [] };
 
+// What lies above the window does not count: a jump to a later section must not fill the list.
 const nearEnd = new IntersectionObserver((entries) => {
   if (entries.some((entry) => entry.isIntersecting)) growList();
-}, { rootMargin: "800px 0px" });
+}, { rootMargin: "-25% 0px 800px 0px" });
 
 function growList(most = CARDS_AT_ONCE) {
   const next = list.groups.slice(list.shown, list.shown + most);

@@ -1,6 +1,6 @@
 // A case as a picture: the same one for the thumbnails and for the viewer.
 
-const CASE_LAYERS = ["fills", "planes", "edges", "thick", "normal", "bars", "labels", "marks", "face-targets", "targets", "scale"];
+const CASE_LAYERS = ["fills", "planes", "edges", "thick", "normal", "bars", "labels", "marks", "face-targets", "vertex-targets", "point-targets", "scale"];
 const SHOW_ALL = { truth: true, subject: true, oracle: true, planes: true, numbers: true };
 
 function wholeBox(one) {
@@ -51,8 +51,8 @@ function drawCase(view) {
   drawFrame(view);
   drawFaceTargets(view);
   if (!view.isThumbnail) drawScaleBar(view);
-  drawVertices({ ...view, show: { ...view.show, numbers: view.show.numbers && !view.isThumbnail } });
   drawPoints(view);
+  drawVertices(view);
   if (!view.isThumbnail) drawDepthLabels(view);
   drawLetters(view);
   view.painter.finish();

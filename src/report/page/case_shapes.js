@@ -56,7 +56,7 @@ function drawLetters(view) {
     const center = [(box.left + box.right) / 2, (box.bottom + box.top) / 2];
     const isThin = Math.min(box.right - box.left, box.top - box.bottom) < 26;
     const letter = side.toUpperCase();
-    const found = view.labels.find(center, letter, { gap: isThin ? 9 : 0, towards: i === 0 ? [-0.6, -1] : [0.6, -1], size: 16 });
+    const found = view.labels.find(center, letter, { gaps: isThin ? [9, 18] : [0, 12, 24], towards: i === 0 ? [-0.6, -1] : [0.6, -1], size: 16 });
     putLabel(view, `letter ${side}`, found, letter, `letter ${side}`);
   });
 }
@@ -86,8 +86,8 @@ function drawVertices(view) {
       if (!isSeen(view, vertex)) return;
       const at = toScreen(view.camera, vertex);
       putTarget(view, `vertex ${side}${v}`, "circle", { cx: pixels(at[0]), cy: pixels(at[1]), r: 7 });
-      if (!view.show.numbers) return;
-      const box = view.labels.find(at, String(v), { gap: 5, towards: awayFrom(body, vertex), size: 11, isOptional: true });
+      if (!view.show.numbers || view.isThumbnail) return;
+      const box = view.labels.find(at, String(v), { gaps: [5], towards: awayFrom(body, vertex), size: 11, isOptional: true });
       putLabel(view, `number ${side}${v}`, box, String(v), `vertex ${side}`);
     });
   });
@@ -105,8 +105,9 @@ function drawFaceTargets(view) {
 // Something that shows a tooltip; `key` says what it is. Points come in the order of tabs, the rest by keys.
 function putTarget(view, key, tag, attributes, isInTabs = false) {
   if (!view.describe) return;
-  view.painter.put(key.startsWith("face") ? "face-targets" : "targets", key, tag, {
-    class: `target ${key.split(" ")[0]}`, "data-key": key, tabindex: isInTabs ? 0 : -1,
+  const [kind] = key.split(" ");
+  view.painter.put(`${kind}-targets`, key, tag, {
+    class: `target ${kind}`, "data-key": key, tabindex: isInTabs ? 0 : -1,
     role: "img", "aria-label": view.describe(key).join(", "), ...attributes,
   });
 }

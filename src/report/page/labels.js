@@ -35,9 +35,9 @@ function makeLabels(frame) {
     take(box) {
       taken.push(box);
     },
-    // The best place beside the anchor, or null if all are taken and the label may be left out.
-    find(anchor, text, { gap = 8, towards = [1, -0.2], size = 12, isOptional = false } = {}) {
-      const places = placesAround(anchor, labelWidth(text, size), gap, towards);
+    // The best place beside the anchor, in the order of `gaps`; null if all are taken and the label may be left out.
+    find(anchor, text, { gaps, towards = [1, -0.2], size = 12, isOptional = false }) {
+      const places = gaps.flatMap((gap) => placesAround(anchor, labelWidth(text, size), gap, towards));
       const costs = places.map(cost);
       const least = Math.min(...costs);
       if (least > 0 && isOptional) return null;

@@ -13,7 +13,8 @@ function brief(value) {
 
 // Every figure: reads back to the same double.
 function full(value) {
-  return Number.isFinite(value) ? String(value) : NOT_FINITE;
+  if (!Number.isFinite(value)) return NOT_FINITE;
+  return value !== 0 && Math.abs(value) < 1e-4 ? value.toExponential() : String(value);
 }
 
 function place(point) {
@@ -39,7 +40,8 @@ function short(value) {
   if (!Number.isFinite(value)) return "";
   if (value === 0) return "0";
   const size = Math.abs(value);
-  if (size >= 0.01 && size < 1e5) return String(Number(value.toPrecision(3)));
+  if (size >= 1000 && size < 1e5) return whole(Number(value.toPrecision(3)));
+  if (size >= 0.01 && size < 1000) return String(Number(value.toPrecision(3)));
   return value.toExponential(1).replace("e+", "e");
 }
 

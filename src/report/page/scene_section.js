@@ -45,7 +45,7 @@ function sceneTable(rows) {
     columns.push(["over box2d on what moved", (row) => speedBar(row.speedup_over_box2d_moved, most, "second"), "number speed"]);
   }
   columns.push(["skipped and computed", shareBar, "shares"], ["ns a step", (row) => whole(Math.round(row.ns_per_step ?? NaN)), "number"],
-    ["bodies", (row) => whole(row.bodies), "number"], ["moving", (row) => short(row.moving), "number"],
+    ["bodies", (row) => whole(row.bodies), "number"], ["moving", (row) => whole(Math.round(row.moving ?? NaN)), "number"],
     ["candidates", (row) => whole(row.candidates), "number"], ["mismatches", (row) => whole(row.mismatches), "number"],
     ["bytes", (row) => whole(row.bytes), "number"]);
   return table("Scenes", columns, rows);
@@ -64,8 +64,8 @@ function sceneRun({ path, result }) {
   explainTargets(drawn, ".mark-target", (node) => node.dataset.lines.split("|"));
   return element("article", { class: "run" },
     element("p", { class: "quiet" }, "Speedup bars are logarithmic and start at 1."), drawn,
-    exponents.length > 0 ? table("Exponents", [["scene", ({ scene }) => words(scene ?? "")],
-      ["time grows with bodies to the power", ({ exponent }) => short(exponent), "number"]], exponents) : null,
+    exponents.length > 0 ? element("div", { class: "narrow" }, table("Exponents", [["scene", ({ scene }) => words(scene ?? "")],
+      ["time grows with bodies to the power", ({ exponent }) => short(exponent), "number"]], exponents)) : null,
     provenance(path, result));
 }
 

@@ -94,7 +94,7 @@ function stressRun({ path, result }) {
   const plots = ({ quantity }) => [element("div", { class: "small-plots" },
     [...bySweep(sweeps)].map(([name, all]) => stressChart(name, all, quantity, colliders)))];
   return element("article", { class: "run" },
-    element("p", { class: "quiet" }, "Errors as a share of the size, the 99.9th of a hundred. Steps get harder to the right; a cross marks where a collider breaks."),
+    element("p", { class: "quiet" }, "Errors as a share of the size: what one contact in a thousand exceeds. Steps get harder to the right; a cross marks where a collider breaks."),
     chosenFigure([{ name: "quantity", label: "Error of", options }], plots),
     element("h3", {}, "Breaking points"), breakingPoints(sweeps, colliders), provenance(path, result));
 }

@@ -71,7 +71,7 @@ function headline() {
   const ran = report.fuzz.reduce((sum, { result }) => sum + (result.cases ?? 0), 0);
   const seconds = report.fuzz.reduce((sum, { result }) => sum + (result.seconds ?? 0), 0);
   return [pairs.slice(0, 3).join("; ") + (pairs.length > 3 ? ` and ${counted(pairs.length - 3, "more pair")}` : ""),
-    ran > 0 && `${counted(ran, "case")} in ${brief(seconds)} s`,
+    ran > 0 && `${counted(ran, "case")} in ${short(seconds)} s`,
     report.cases.length > 0 && `${counted(report.cases.length, "file")} shown`].filter(Boolean).join(" \u00b7 ");
 }
 

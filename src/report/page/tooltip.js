@@ -1,10 +1,11 @@
 // One tooltip for pictures and plots. It lies in the dialog that is open: what is outside is covered.
 
-// The first line is the title. `box` is what it explains, in the window's coordinates.
-function showTooltip(lines, box, host) {
+// The first line of each block is its title. `box` is what they explain, in the window's coordinates.
+function showTooltip(blocks, box, host) {
   const tip = byId("tooltip");
   host.append(tip);
-  tip.replaceChildren(...lines.filter(Boolean).map((line, i) => element(i === 0 ? "strong" : "span", {}, line)));
+  tip.replaceChildren(...blocks.flatMap((lines) =>
+    lines.filter(Boolean).map((line, i) => element(i === 0 ? "strong" : "span", {}, line))));
   tip.hidden = false;
   const { width, height } = tip.getBoundingClientRect();
   const room = { right: document.documentElement.clientWidth, bottom: window.innerHeight };
@@ -18,12 +19,19 @@ function hideTooltip() {
   byId("tooltip").hidden = true;
 }
 
+// Under the pointer, everything of the same layer; else the target alone.
+function coincident(target, event, selector) {
+  if (!(event instanceof PointerEvent)) return [target];
+  const here = document.elementsFromPoint(event.clientX, event.clientY).filter((node) => node.matches(selector));
+  return here.includes(target) ? here.filter((node) => node.parentNode === target.parentNode) : [target];
+}
+
 // Shows `describe(target)` for what lies under the pointer or has the focus, of what `selector` finds.
 function explainTargets(root, selector, describe, host = document.body) {
   const explain = (event) => {
     const target = event.target.closest?.(selector);
     if (!target) return hideTooltip();
-    return showTooltip(describe(target), target.getBoundingClientRect(), host);
+    return showTooltip(coincident(target, event, selector).map(describe), target.getBoundingClientRect(), host);
   };
   root.addEventListener("pointerover", explain);
   root.addEventListener("pointerdown", explain);

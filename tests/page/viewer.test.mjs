@@ -1,0 +1,224 @@
+// The viewer of one case: what it shows, how it zooms, what it copies.
+
+import assert from 'node:assert/strict';
+import {after, before, test} from 'node:test';
+
+import {startBrowser} from './browser.mjs';
+import {corpusCases, reportOf} from './sample.mjs';
+
+const cases = corpusCases();
+const witness = cases.find(({file}) => file.includes('witness-box2d-no-contact-on-tied-features'));
+const tie = cases.find((one) => one.parties[0].manifolds.length > 1 && one.parties[1].manifolds[0]?.points.length === 2);
+const hashOf = ({file}) => `#case=${encodeURIComponent(file)}`;
+
+let browser;
+let path;
+before(async () => {
+  browser = await startBrowser();
+  path = browser.write(reportOf({cases}));
+});
+after(() => browser.stop());
+
+/** A test on a case that was opened by its link. */
+function onCase(name, one, check, options = {}) {
+  test(name, async () => {
+    const opened = await browser.open(path, {hash: hashOf(one), ...options});
+    await opened.page.locator('#stage .target').first().waitFor({state: 'attached'});
+    await check(opened.page, opened);
+    assert.deepEqual(opened.troubles, []);
+    await opened.close();
+  });
+}
+
+/** Where a contact point of `role` is drawn, in the window. */
+async function drawnAt(page, role = 'subject', index = 0) {
+  const box = await page.locator(`[data-key="point ${role} ${index}"]`).boundingBox();
+  return [box.x + box.width / 2, box.y + box.height / 2];
+}
+
+/** Waits until all that was asked for is drawn. */
+function drawn(page) {
+  return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+function near(actual, expected, tolerance) {
+  actual.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) <= tolerance, `${actual} is not within ${tolerance} of ${expected}`));
+}
+
+onCase('a link opens its case, and says everything of it', witness, async (page) => {
+  const text = await page.textContent('#viewer');
+  for (const part of [witness.file, witness.note, 'no contact', 'leaves out 1 point', '100.0009994506836', witness.bucket, '32,168']) {
+    assert.ok(text.includes(part), part);
+  }
+});
+
+onCase('a point says its collider, position, depth and features', tie, async (page) => {
+  await drawn(page);
+  await page.mouse.move(...await drawnAt(page));
+  const text = await page.textContent('#tooltip');
+  const point = tie.parties[1].manifolds[0].points[0];
+  for (const part of ['clip (subject)', String(point.world[0]), String(point.world[1]), String(point.depth), point.features[0], point.features[1]]) {
+    assert.ok(text.includes(part), `${part} in ${text}`);
+  }
+});
+
+onCase('vertices and faces are explained too, by keys alone', witness, async (page) => {
+  await page.locator('#stage svg').focus();
+  const seen = new Set();
+  for (let i = 0; i < 16; ++i) {
+    await page.keyboard.press('.');
+    seen.add((await page.textContent('#tooltip strong')).split(',')[0]);
+  }
+  for (const title of ['clip (subject)', 'judge (truth)', 'A vertex 1', 'B vertex 2', 'A face 0', 'B face 2']) assert.ok(seen.has(title), title);
+});
+
+onCase('points can be reached by the tab key, and keep the focus while the picture moves', witness, async (page) => {
+  await page.locator('#stage svg').focus();
+  await page.keyboard.press('Tab');
+  const key = () => page.evaluate(() => document.activeElement.dataset.key);
+  assert.match(await key(), /^point /);
+  const before = await key();
+  await page.keyboard.press('Shift+ArrowLeft');
+  await drawn(page);
+  assert.equal(await key(), before);
+  assert.ok(await page.locator('#tooltip').isVisible());
+});
+
+onCase('the wheel zooms a million times at the pointer, and points stay where they belong', tie, async (page) => {
+  await drawn(page);
+  const anchor = await drawnAt(page);
+  const start = await page.evaluate(() => ({...viewing.camera}));
+  await page.mouse.move(...anchor);
+  for (let i = 0; i < 20; ++i) await page.mouse.wheel(0, -240);
+  await drawn(page);
+  const camera = await page.evaluate(() => ({...viewing.camera}));
+  assert.ok(camera.scale / start.scale > 1e6 && camera.scale / start.scale < 1.1e6);
+  near(await drawnAt(page), anchor, 1);
+  // The other places, computed from the camera that the page says it has.
+  const stage = await page.locator('#stage').boundingBox();
+  const [x, y] = tie.parties[1].manifolds[0].points[0].position;
+  const at = [stage.x + stage.width / 2 + (x - camera.x) * camera.scale, stage.y + stage.height / 2 - (y - camera.y) * camera.scale];
+  near(await drawnAt(page), at, 0.6);
+});
+
+onCase('nothing is drawn far outside the picture, however close', witness, async (page) => {
+  for (let i = 0; i < 24; ++i) await page.evaluate(() => viewing.zoom(2));
+  await drawn(page);
+  const greatest = await page.evaluate(() => Math.max(...[...document.querySelectorAll('#stage svg [d]')]
+    .flatMap((node) => node.getAttribute('d').match(/-?[\d.]+(e[+-]?\d+)?/g)).map((value) => Math.abs(Number(value)))));
+  assert.ok(greatest < 5000, String(greatest));
+});
+
+onCase('dragging moves, and a double click, 0 and the button reset', witness, async (page) => {
+  await drawn(page);
+  const start = await drawnAt(page);
+  const stage = await page.locator('#stage').boundingBox();
+  const [x, y] = [stage.x + 120, stage.y + 120];
+  const drag = async () => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 40, y + 25, {steps: 4});
+    await page.mouse.up();
+    await drawn(page);
+    near(await drawnAt(page), [start[0] + 40, start[1] + 25], 1);
+  };
+  for (const reset of [() => page.mouse.dblclick(x, y), () => page.keyboard.press('0'), () => page.click('text=Whole')]) {
+    await drag();
+    await reset();
+    await drawn(page);
+    near(await drawnAt(page), start, 0.6);
+  }
+});
+
+onCase('two fingers zoom', witness, async (page) => {
+  await drawn(page);
+  const before = await page.evaluate(() => viewing.camera.scale);
+  await page.evaluate(() => {
+    const svg = document.querySelector('#stage svg');
+    svg.setPointerCapture = () => {};
+    const touch = (type, pointerId, clientX) => svg.dispatchEvent(new PointerEvent(type, {pointerId, clientX, clientY: 400, bubbles: true, button: 0}));
+    touch('pointerdown', 11, 300);
+    touch('pointerdown', 12, 400);
+    touch('pointermove', 12, 500);
+    touch('pointerup', 11, 300);
+    touch('pointerup', 12, 500);
+  });
+  const after = await page.evaluate(() => viewing.camera.scale);
+  assert.ok(Math.abs(after / before - 2) < 1e-9, String(after / before));
+});
+
+onCase('the picture fits the contact on demand', witness, async (page) => {
+  await page.click('text=Fit points');
+  await drawn(page);
+  const [stage, at] = [await page.locator('#stage').boundingBox(), await drawnAt(page)];
+  assert.ok(at[0] > stage.x && at[0] < stage.x + stage.width && at[1] > stage.y && at[1] < stage.y + stage.height);
+});
+
+onCase('switches hide and show what they name', tie, async (page) => {
+  const parts = {truth: '.mark.truth', subject: '.mark.subject', oracle: '.mark.oracle', planes: '#stage .plane', numbers: '#stage text.vertex'};
+  await drawn(page);
+  for (const [name, selector] of Object.entries(parts)) {
+    const all = await page.locator(`#stage ${selector.replace('#stage ', '')}`).count();
+    assert.ok(all > 0, name);
+    await page.locator(`input[data-show=${name}]`).uncheck();
+    await drawn(page);
+    assert.equal(await page.locator(`#stage ${selector.replace('#stage ', '')}`).count(), 0, name);
+    await page.locator(`input[data-show=${name}]`).check();
+    await drawn(page);
+    assert.equal(await page.locator(`#stage ${selector.replace('#stage ', '')}`).count(), all, name);
+  }
+});
+
+onCase('each of several right manifolds is stepped to', tie, async (page) => {
+  const rights = tie.parties[0].manifolds.length;
+  assert.equal(await page.textContent('#right-count'), `right manifold 1 of ${rights}`);
+  const truth = () => page.textContent('.party.truth');
+  const first = await truth();
+  await page.click('[aria-label="next right manifold"]');
+  assert.equal(await page.textContent('#right-count'), `right manifold 2 of ${rights}`);
+  assert.notEqual(await truth(), first);
+  await page.keyboard.press('[');
+  assert.equal(await truth(), first);
+});
+
+onCase('j and k go through the cases, and the address follows', cases[3], async (page) => {
+  const title = () => page.textContent('.viewer-title p');
+  const first = await title();
+  await page.keyboard.press('j');
+  assert.notEqual(await title(), first);
+  assert.ok((await title()).includes(decodeURIComponent(new URL(page.url()).hash.slice('#case='.length))));
+  await page.keyboard.press('k');
+  assert.equal(await title(), first);
+  await page.keyboard.press('Escape');
+  await page.locator('#viewer').waitFor({state: 'hidden'});
+  assert.equal(new URL(page.url()).hash, '');
+});
+
+const clipboard = (page) => page.evaluate(() => navigator.clipboard.readText());
+
+onCase('the command, the case and the file name are copied', witness, async (page) => {
+  await page.locator('.details .copy-line button').first().click();
+  await page.locator('.copy.done').waitFor();
+  assert.equal(await clipboard(page), witness.commands[0]);
+  await page.getByText('Copy the case').click();
+  await page.waitForFunction(async (text) => await navigator.clipboard.readText() === text, witness.case);
+  await page.getByText('Copy the file name').click();
+  await page.waitForFunction(async (text) => await navigator.clipboard.readText() === text, witness.file);
+}, {permissions: ['clipboard-read', 'clipboard-write']});
+
+onCase('copying works where the page may not use the clipboard itself', witness, async (page) => {
+  await page.locator('.details .copy-line button').first().click();
+  await page.locator('.copy.done').waitFor();
+  await page.keyboard.press('Escape');
+  await page.focus('#search');
+  await page.keyboard.press('Control+V');
+  assert.equal(await page.inputValue('#search'), witness.commands[0]);
+}, {init: () => Object.defineProperty(navigator, 'clipboard', {value: undefined})});
+
+test('a link to a case that is not there leaves the page as it is', async () => {
+  const {page, troubles, close} = await browser.open(path, {hash: '#case=%E0%A4%A'});
+  assert.ok(await page.locator('.card').first().isVisible());
+  assert.ok(!await page.locator('#viewer').isVisible());
+  assert.deepEqual(troubles, []);
+  await close();
+});
