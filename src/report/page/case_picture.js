@@ -8,8 +8,14 @@ function wholeBox(one) {
   return boxOf(boxes.flatMap((box) => [[box.left, box.bottom], [box.right, box.top]]));
 }
 
+// Both polygons, and the points that colliders report beside them; what lies far off is left out.
 function wholeCamera(one, width, height, margin) {
-  return fitBox(wholeBox(one), width, height, margin);
+  const box = wholeBox(one);
+  const reach = 2 * Math.max(box.right - box.left, box.top - box.bottom);
+  const center = middle([box.left, box.bottom], [box.right, box.top]);
+  const points = one.parties.flatMap(({ manifolds }) => manifolds.flatMap((manifold) => manifold.points))
+    .map(({ position }) => position).filter((position) => isPoint(position) && distance(position, center) < reach);
+  return fitBox(boxOf([[box.left, box.bottom], [box.right, box.top], ...points]), width, height, margin);
 }
 
 // Every contact point that is shown, with both ends of its depth.

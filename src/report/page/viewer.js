@@ -10,16 +10,14 @@ Object.assign(viewing, {
     viewing.isWaiting = true;
     requestAnimationFrame(() => {
       viewing.isWaiting = false;
-      if (byId("viewer").open && viewing.painter) drawViewing();
+      if (byId("viewer").open && viewing.camera) drawViewing();
     });
   },
   look(camera) {
-    if (!viewing.camera) return;
     viewing.camera = limited(camera, viewing.whole);
     viewing.redraw();
   },
   zoom(factor, at) {
-    if (!viewing.camera) return;
     const { scale, width, height } = viewing.camera;
     const next = limited({ scale: scale * factor }, viewing.whole).scale;
     viewing.look(zoomAt(viewing.camera, at ?? [width / 2, height / 2], next / scale));
@@ -32,10 +30,9 @@ Object.assign(viewing, {
     else viewing.look(cameraOn(places, viewing.one, viewing.camera.width, viewing.camera.height));
   },
   fitPoints() {
-    if (viewing.camera) viewing.fitPlaces(contactPlaces(viewing));
+    viewing.fitPlaces(contactPlaces(viewing));
   },
   fitOverlap() {
-    if (!viewing.camera) return;
     viewing.fitPlaces(overlapOf(...viewing.one.bodies.map((body) => outlineOf(body, flatFor(viewing.whole)))));
   },
   // A point so closely that its distance to the truth, where there is one, can be seen.
@@ -69,6 +66,7 @@ Object.assign(viewing, {
 function drawViewing() {
   const { camera, one, whole, show, right, painter, svg } = viewing;
   drawCase({ painter, camera, one, show, right, isThumbnail: false, describe: (key) => describeTarget(one, key, right) });
+  svg.dataset.camera = [camera.x, camera.y, camera.scale].join(" ");
   byId("zoom-factor").textContent = `${brief(Number((camera.scale / whole.scale).toPrecision(2)))}\u00d7`;
   const focused = svg.contains(document.activeElement) ? document.activeElement : null;
   if (focused?.matches(".target")) focused.dispatchEvent(new FocusEvent("focusin", { bubbles: true }));
@@ -154,7 +152,7 @@ function closeViewer() {
 
 function startViewer() {
   const dialog = byId("viewer");
-  onKeys(dialog, { ...viewerKeys(viewing), "?": openHelp });
+  onKeys(dialog, () => ({ ...caseKeys(viewing), ...(viewing.camera ? pictureKeys(viewing) : {}), "?": openHelp }));
   dialog.addEventListener("close", closeViewer);
   addEventListener("hashchange", openFromHash);
   openFromHash();

@@ -54,15 +54,20 @@ function focusTarget(svg, step) {
   targets[(at + step + targets.length + (at < 0 && step < 0 ? 1 : 0)) % targets.length]?.focus({ preventScroll: true });
 }
 
-function viewerKeys(viewing) {
+function pictureKeys(viewing) {
   const pan = (right, down) => () => viewing.look(panBy(viewing.camera, right, down));
-  return { j: () => viewing.go(1), k: () => viewing.go(-1), ArrowRight: () => viewing.go(1), ArrowLeft: () => viewing.go(-1),
-    ArrowDown: () => viewing.go(1), ArrowUp: () => viewing.go(-1),
+  return {
     "0": () => viewing.reset(), f: () => viewing.fitPoints(), o: () => viewing.fitOverlap(),
     "+": () => viewing.zoom(2), "=": () => viewing.zoom(2), "-": () => viewing.zoom(1 / 2),
     "[": () => viewing.stepRight(-1), "]": () => viewing.stepRight(1),
     ".": () => focusTarget(viewing.svg, 1), ",": () => focusTarget(viewing.svg, -1),
-    "Shift ArrowRight": pan(-60, 0), "Shift ArrowLeft": pan(60, 0), "Shift ArrowDown": pan(0, -60), "Shift ArrowUp": pan(0, 60) };
+    "Shift ArrowRight": pan(-60, 0), "Shift ArrowLeft": pan(60, 0), "Shift ArrowDown": pan(0, -60), "Shift ArrowUp": pan(0, 60),
+  };
+}
+
+function caseKeys(viewing) {
+  const [next, previous] = [() => viewing.go(1), () => viewing.go(-1)];
+  return { j: next, ArrowRight: next, ArrowDown: next, k: previous, ArrowLeft: previous, ArrowUp: previous };
 }
 
 // What is typed into a field, or with a modifier of the browser's, is none of ours.
@@ -70,9 +75,11 @@ function isTyping(event) {
   return event.ctrlKey || event.metaKey || event.altKey || event.target.matches?.("input:not([type=checkbox]), select, textarea");
 }
 
-function onKeys(node, keys) {
+// `keysNow()` gives what each key does at the moment.
+function onKeys(node, keysNow) {
   node.addEventListener("keydown", (event) => {
     const name = event.shiftKey && event.key.startsWith("Arrow") ? `Shift ${event.key}` : event.key;
+    const keys = keysNow();
     if (isTyping(event) || !keys[name]) return;
     event.preventDefault();
     keys[name]();

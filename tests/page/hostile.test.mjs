@@ -1,0 +1,169 @@
+// Data that is large, odd or ill-meant.
+
+import assert from 'node:assert/strict';
+import {after, before, test} from 'node:test';
+
+import {startBrowser} from './browser.mjs';
+import {caseOf, corpusCases, fixture, reportOf} from './sample.mjs';
+
+let browser;
+before(async () => {
+  browser = await startBrowser();
+});
+after(() => browser.stop());
+
+/** A test on a page of its own, which must log nothing. */
+function onData(name, data, check, options = {}) {
+  test(name, async () => {
+    const opened = await browser.open(browser.write(data), options);
+    await check(opened.page);
+    assert.deepEqual(opened.troubles, []);
+    await opened.close();
+  });
+}
+
+const [sample] = corpusCases().filter(({file}) => file.includes('oracle-known-missed_contact-incident-b-e93298bc.json'));
+const square = (scale, aspect = 1) => [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) => [x * scale * aspect, y * scale]);
+
+/** Two overlapping boxes with a contact point, `scale` in size. */
+function boxes(file, scale, aspect, radius = 0) {
+  const bodies = {a: {vertices: square(scale, aspect), radius}, b: {vertices: square(scale, aspect), radius, position: [0, 1.5 * scale]}};
+  const points = [-1, 1].map((sign) => ({position: [sign * scale * aspect, 0.5 * scale], depth: 0.5 * scale, features: ['f2', sign < 0 ? 'v0' : 'v1']}));
+  const manifold = {normal: [0, 1], reference: 'a', points};
+  const manifolds = ['judge', 'clip', 'box2d'].map((collider) => ({collider, ...manifold}));
+  return caseOf({...bodies, expect: {subject: 'clip', oracle: 'box2d', verdict: 'agree', bucket: '', manifolds}}, file);
+}
+
+async function openFirst(page) {
+  await page.locator('.witness').first().click();
+  await page.locator('#viewer[open]').waitFor();
+}
+
+for (const [name, ...shape] of [['tiny', 1e-18, 1], ['huge', 1e18, 1], ['long', 1, 1e8], ['rounded and tiny', 1e-18, 1, 1e-18], ['rounded and long', 1e-4, 1e8, 1e-2]]) {
+  onData(`${name} polygons are drawn, and every point in its place`, reportOf({cases: [boxes(`${name}.json`, ...shape)]}), async (page) => {
+    await openFirst(page);
+    await page.locator('#stage .target.point').first().waitFor();
+    assert.equal(await page.locator('#stage .target.point').count(), 6);
+    assert.equal(await page.locator('#stage .reference').count(), 1);
+    const stage = await page.locator('#stage').boundingBox();
+    const boxes = await page.locator('#stage .target.point').evaluateAll((nodes) => nodes.map((node) => node.getBoundingClientRect().toJSON()));
+    for (const box of boxes) assert.ok(box.left > stage.x - 12 && box.right < stage.x + stage.width + 12 && box.top > stage.y && box.bottom < stage.y + stage.height);
+    const across = boxes.map((box) => box.x);
+    assert.ok(Math.max(...across) - Math.min(...across) > 150);
+    await page.keyboard.press('f');
+    await page.keyboard.press('o');
+    assert.ok(!(await page.locator('#stage').innerHTML()).includes('NaN'));
+  });
+}
+
+const evil = '</script><img src=x onerror="document.title=\'owned\'">\'"&amp;<b>\u202eevil\u2066';
+const names = {...sample, file: `${evil}.json`, sentence: evil, note: evil, regime: evil, subject: evil, oracle: evil, bucket: `a/b/${evil}/d/e`,
+  commands: [evil], case: evil, property: evil, map: 'data:text/html,<script>1</script>', map_words: [evil]};
+
+onData('what the data says is text, never HTML', reportOf({cases: [names], errors: [evil], command: evil, version: evil,
+  sources: [{path: evil, kind: evil, cases: null}]}), async (page) => {
+  assert.equal(await page.locator('img').count(), 0);
+  await openFirst(page);
+  assert.equal(await page.textContent('#viewer-title'), evil);
+  assert.ok((await page.textContent('.details')).includes(evil));
+  assert.equal(await page.locator('img, main b:has-text("evil")').count(), 0);
+  assert.notEqual(await page.title(), 'owned');
+  await page.keyboard.press('Escape');
+  assert.ok((await page.textContent('footer')).includes(evil));
+});
+
+const long = 'long'.repeat(500);
+onData('very long words stick out nowhere', reportOf({cases: [{...sample, file: `${long}.json`, sentence: long, note: long, bucket: `a/b/${long}/d/e`,
+  subject: long, commands: [long]}], errors: [long], command: long}), async (page) => {
+  assert.ok(await page.evaluate(() => document.scrollingElement.scrollWidth) <= 360);
+  await openFirst(page);
+  assert.ok(await page.locator('.viewer-body').evaluate((node) => node.scrollWidth) <= 360);
+}, {viewport: {width: 360, height: 740}});
+
+/** Every number of the case is gone; its texts stay. */
+function numberless(value) {
+  if (typeof value === 'number') return null;
+  if (Array.isArray(value)) return value.map(numberless);
+  if (value === null || typeof value !== 'object') return value;
+  return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, numberless(inner)]));
+}
+
+onData('a case without any number says so', reportOf({cases: [numberless(sample)]}), async (page) => {
+  assert.match(await page.textContent('.thumbnail-holder'), /not drawable/);
+  await openFirst(page);
+  assert.match(await page.textContent('#stage'), /cannot be drawn/);
+  for (const key of ['+', '-', '0', 'f', 'o', '.', ',', '[', 'Shift+ArrowUp']) await page.keyboard.press(key);
+});
+
+onData('answers without numbers are told beside polygons that are drawn', reportOf({cases: [{...sample, parties: sample.parties.map(numberless)}]}), async (page) => {
+  await openFirst(page);
+  await page.locator('#stage .edge').first().waitFor({state: 'attached'});
+  assert.ok((await page.textContent('.details')).includes('not finite'));
+  await page.keyboard.press('f');
+  assert.ok(!(await page.locator('#stage').innerHTML()).includes('NaN'));
+});
+
+onData('a case with bodies alone is shown', reportOf({cases: [{file: 'bare.json', bodies: sample.bodies}]}), async (page) => {
+  await openFirst(page);
+  await page.locator('#stage .edge').first().waitFor({state: 'attached'});
+  assert.match(await page.textContent('.viewer-title'), /bare\.json/);
+});
+
+onData('a page of nothing says so', reportOf(), async (page) => {
+  assert.equal(await page.textContent('h1'), 'Nothing to show');
+  assert.equal(await page.locator('main section').count(), 1);
+});
+
+onData('keys that are missing are nothing', {format: 'manifuzz/report/1'}, async (page) => {
+  assert.equal(await page.textContent('h1'), 'Nothing to show');
+});
+
+onData('a bench alone is a page', reportOf({bench: [fixture('bench')]}), async (page) => {
+  assert.equal(await page.textContent('h1'), 'Measured: bench');
+  assert.deepEqual(await page.locator('#sections a').allTextContents(), ['Bench']);
+});
+
+const holes = Object.fromEntries(['fuzz', 'replay', 'bench', 'stress', 'scene'].map((kind) => [kind, [
+  {path: `${kind}.json`, result: numberless(fixture(kind).result)}, {path: 'empty.json', result: {}}]]));
+onData('results without numbers, and without anything, are shown', reportOf(holes), async (page) => {
+  assert.equal(await page.locator('#sections a').count(), 5);
+  assert.ok(!(await page.content()).includes('="NaN'));
+});
+
+const thousand = corpusCases().filter(({bodies}) => bodies[0].vertices.length > 2);
+const many = Array.from({length: 1000}, (_, i) => {
+  const one = thousand[i % thousand.length];
+  return {...one, file: `many/${i}-${one.file}`, smallest: null, role: 'smallest', bucket: one.bucket && `${one.bucket}${Math.floor(i / 2)}`};
+});
+
+onData('a thousand cases cost what is looked at', reportOf({cases: many}), async (page) => {
+  assert.match(await page.textContent('#shown-count'), /^1,000 files/);
+  const drawn = () => page.locator('svg.thumbnail').count();
+  const nodes = () => page.evaluate(() => document.querySelectorAll('*').length);
+  assert.ok(await drawn() <= 40, `${await drawn()} pictures`);
+  assert.ok(await nodes() < 8000, `${await nodes()} elements`);
+  for (let i = 0; i < 12; ++i) {
+    await page.mouse.wheel(0, 3000);
+    await page.waitForTimeout(40);
+    assert.ok(await drawn() <= 60, `${await drawn()} pictures`);
+  }
+  assert.ok(await page.locator('.card').count() > 16);
+  await page.locator('#search').evaluate((field) => field.scrollIntoView({behavior: 'instant'}));
+  await page.fill('#search', 'many/77');
+  assert.match(await page.textContent('#shown-count'), /^11 files/);
+});
+
+onData('a thousand cases are filtered without a long task', reportOf({cases: many}), async (page) => {
+  const longest = await page.evaluate(async () => {
+    const tasks = [];
+    new PerformanceObserver((all) => tasks.push(...all.getEntries().map(({duration}) => duration))).observe({type: 'longtask', buffered: false});
+    const search = document.getElementById('search');
+    for (const text of ['t', 'ti', 'tie', '', 'known', 'known chip', '']) {
+      search.value = text;
+      search.dispatchEvent(new Event('input'));
+      await new Promise((done) => setTimeout(done, 150));
+    }
+    return Math.max(0, ...tasks);
+  });
+  assert.ok(longest < 1000, `${longest} ms`);
+});
