@@ -4,7 +4,8 @@
 
 namespace manifuzz {
 
-/// `page/page.html`, in which `@style@`, `@script@` and `@data@` stand once each for what goes there.
+/// `page/page.html`, in which `@style@`, `@script@` and `@data@` stand once each for what goes
+/// there.
 extern const std::string_view kPageTemplate;
 
 /// The style sheets of `page/files.txt`, one after the other.

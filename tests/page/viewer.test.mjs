@@ -162,6 +162,15 @@ onCase('the picture fits the contact on demand', witness, async (page) => {
   assert.ok(at[0] > stage.x && at[0] < stage.x + stage.width && at[1] > stage.y && at[1] < stage.y + stage.height);
 });
 
+onCase('an overlap too thin to see is brought close', witness, async (page) => {
+  await drawn(page);
+  const width = async () => (await page.locator('#stage .overlap').boundingBox()).width;
+  assert.ok(await width() < 1);
+  await page.click('text=Fit thickness');
+  await drawn(page);
+  assert.ok(await width() > 100);
+});
+
 onCase('switches hide and show what they name', tie, async (page) => {
   const parts = {truth: '.mark.truth', subject: '.mark.subject', oracle: '.mark.oracle', planes: '#stage .plane', numbers: '#stage text.vertex'};
   await drawn(page);

@@ -47,12 +47,21 @@ function drawShapes(view) {
   drawFill(view, "overlap", overlapOf(...outlines), "overlap");
 }
 
-// The letters A and B, in the middle of what can be seen of each.
+// The widest piece of `seen` beside the other polygon; all of it where there is none.
+function ownPart(view, seen, other) {
+  const pieces = outlineFaces(other.vertices).map(([from, to]) => {
+    const direction = unit(minus(to, from));
+    return clipPolygon(seen, (point) => cross(minus(point, from), direction));
+  }).filter((piece) => piece.length >= 3 && thicknessOf(piece) * view.camera.scale > 8);
+  return pieces.reduce((best, next) => (best === null || thicknessOf(next) > thicknessOf(best) ? next : best), null) ?? seen;
+}
+
+// The letters A and B, in the middle of what can be seen of each alone.
 function drawLetters(view) {
   SIDES.forEach((side, i) => {
     const seen = clipPolygonToBox(view.one.bodies[i].vertices, view.frame);
     if (seen.length < 3) return;
-    const box = boxOf(seen.map((point) => toScreen(view.camera, point)));
+    const box = boxOf(ownPart(view, seen, view.one.bodies[1 - i]).map((point) => toScreen(view.camera, point)));
     const center = [(box.left + box.right) / 2, (box.bottom + box.top) / 2];
     const isThin = Math.min(box.right - box.left, box.top - box.bottom) < 26;
     const letter = side.toUpperCase();

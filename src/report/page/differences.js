@@ -40,7 +40,8 @@ function differenceInWords(difference, one) {
   if (difference.points.length === 0) return difference.count === 0 ? "as the truth" : `leaves out ${counted(-difference.count, "point")}`;
   const parts = [];
   if (difference.count !== 0) parts.push(`${counted(Math.abs(difference.count), "point")} too ${difference.count > 0 ? "many" : "few"}`);
-  if (Number.isFinite(difference.worst)) {
+  if (difference.worst === 0) parts.push("position as the truth");
+  else if (Number.isFinite(difference.worst)) {
     const share = one.size > 0 ? `, ${short(difference.worst / one.size)} of the size` : "";
     parts.push(`position off by ${short(difference.worst)}${share}`);
   }

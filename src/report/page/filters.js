@@ -3,7 +3,7 @@
 const filters = { verdicts: new Set(), regime: "", text: "", sort: "verdict" };
 
 const SORTS = {
-  verdict: ["verdict, then magnitude", verdictRank],
+  verdict: ["verdict, magnitude", verdictRank],
   magnitude: ["magnitude", (group) => -(greatest(group.cases.map((one) => one.magnitude)) ?? -1)],
   count: ["count", (group) => -(greatest(group.cases.map((one) => one.count)) ?? -1)],
   severity: ["severity", (group) => -(greatest(group.cases.map((one) => one.severity)) ?? -1)],

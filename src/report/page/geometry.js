@@ -82,6 +82,15 @@ function overlapOf(a, b) {
   return common.length >= 3 ? common : [];
 }
 
+// How thick a convex polygon is where it is thinnest.
+function thicknessOf(polygon) {
+  return Math.min(...polygon.map((from, i) => {
+    const direction = unit(minus(polygon[(i + 1) % polygon.length], from));
+    const away = polygon.map((point) => cross(direction, minus(point, from)));
+    return direction[0] === 0 && direction[1] === 0 ? Infinity : Math.max(...away);
+  }));
+}
+
 // The arc from angle `from` to `to`, in steps that `isFlat(start, end, sagitta)` accepts as straight; without its end.
 function arcPoints(center, radius, from, to, isFlat, depth = 0) {
   const at = (angle) => along(center, [Math.cos(angle), Math.sin(angle)], radius);

@@ -3,7 +3,7 @@
 const PAGE_KEYS = [["/", "search"], ["j  k", "next and previous case in the list"], ["Enter", "open the case"], ["?", "this help"]];
 const CASE_KEYS = [["j  k", "next and previous case; also the arrows"], ["+  \u2212", "zoom; also the wheel, or two fingers"],
   ["Shift + arrows", "move; also by dragging"], ["0", "show everything; also a double click"], ["f", "zoom to the contact points"],
-  ["o", "zoom to the overlap"], [".  ,", "step through points, vertices and faces"], ["[  ]", "step through the right manifolds"], ["Esc", "close"]];
+  ["o", "zoom to the overlap"], ["t", "zoom to the overlap's thickness"], [".  ,", "step through points, vertices and faces"], ["[  ]", "step through the right manifolds"], ["Esc", "close"]];
 const MARKS = [["reference", "reference face"], ["incident", "incident edge"], ["plane", "side plane"]];
 
 function keyList(keys) {
@@ -12,9 +12,7 @@ function keyList(keys) {
 }
 
 function lineMark(css) {
-  const svg = svgElement("svg", { class: "role-mark picture", viewBox: "0 0 24 16", width: 24, height: 16, "aria-hidden": "true" });
-  svg.append(svgElement("path", { class: css, d: "M3 8H21" }));
-  return svg;
+  return markSvg((svg) => svg.append(svgElement("path", { class: css, d: "M3 12H21" })));
 }
 
 function markList() {

@@ -35,6 +35,17 @@ Object.assign(viewing, {
   fitOverlap() {
     viewing.fitPlaces(overlapOf(...viewing.one.bodies.map((body) => outlineOf(body, flatFor(viewing.whole)))));
   },
+  // So closely that the overlap, or else the thinner polygon, has a width to see.
+  fitThickness() {
+    const overlap = overlapOf(...viewing.one.bodies.map(({ vertices }) => vertices));
+    const shapes = overlap.length > 0 ? [overlap] : viewing.one.bodies.map(({ vertices }) => vertices);
+    const thin = shapes.reduce((best, next) => (thicknessOf(next) < thicknessOf(best) ? next : best));
+    const thickness = thicknessOf(thin);
+    if (!(thickness > 0)) return viewing.fitPlaces(thin);
+    const { width, height } = viewing.camera;
+    const [x, y] = [0, 1].map((axis) => thin.reduce((sum, point) => sum + point[axis] / thin.length, 0));
+    return viewing.look({ x, y, width, height, scale: Math.min(width, height) / 4 / thickness });
+  },
   // A point so closely that its distance to the truth, where there is one, can be seen.
   locate(role, index) {
     const party = partyOf(viewing.one, role);

@@ -38,10 +38,18 @@ function describeTarget(one, key, right) {
     ...(body.radius > 0 ? [`radius ${full(body.radius)}`] : [])];
 }
 
-function roleMark(role) {
-  const svg = svgElement("svg", { class: "role-mark picture", viewBox: "0 0 24 16", width: 24, height: 16, "aria-hidden": "true" });
-  putMark({ painter: { put: (layer, key, tag, attributes) => svg.append(svgElement(tag, attributes)) }, isThumbnail: true }, role, role, [12, 8]);
+// A mark of the pictures, to stand in a text.
+function markSvg(draw) {
+  const svg = svgElement("svg", { class: "role-mark picture", viewBox: "0 0 24 24", width: 20, height: 20, "aria-hidden": "true" });
+  draw(svg);
   return svg;
+}
+
+function roleMark(role) {
+  return markSvg((svg) => {
+    const painter = { put: (layer, key, tag, attributes) => svg.append(svgElement(tag, attributes)) };
+    putMark({ painter, isThumbnail: false }, role, role, [12, 12]);
+  });
 }
 
 function pointRow(one, role, right, point, index, locate) {

@@ -57,7 +57,7 @@ function focusTarget(svg, step) {
 function pictureKeys(viewing) {
   const pan = (right, down) => () => viewing.look(panBy(viewing.camera, right, down));
   return {
-    "0": () => viewing.reset(), f: () => viewing.fitPoints(), o: () => viewing.fitOverlap(),
+    "0": () => viewing.reset(), f: () => viewing.fitPoints(), o: () => viewing.fitOverlap(), t: () => viewing.fitThickness(),
     "+": () => viewing.zoom(2), "=": () => viewing.zoom(2), "-": () => viewing.zoom(1 / 2),
     "[": () => viewing.stepRight(-1), "]": () => viewing.stepRight(1),
     ".": () => focusTarget(viewing.svg, 1), ",": () => focusTarget(viewing.svg, -1),

@@ -9,9 +9,7 @@ function toggle(viewing, name, mark, label) {
 }
 
 function planeMark() {
-  const svg = svgElement("svg", { class: "role-mark picture", viewBox: "0 0 24 16", width: 24, height: 16, "aria-hidden": "true" });
-  svg.append(svgElement("path", { class: "plane", d: "M1 8H23" }));
-  return svg;
+  return markSvg((svg) => svg.append(svgElement("path", { class: "plane", d: "M1 12H23" })));
 }
 
 function toggles(viewing) {
@@ -40,5 +38,6 @@ function zoomButtons(viewing) {
     button("+", () => viewing.zoom(2), { "aria-label": "zoom in", title: "zoom in (+)" }),
     button("Whole", () => viewing.reset(), { title: "show everything (0)" }),
     button("Fit points", () => viewing.fitPoints(), { title: "zoom to the contact (f)" }),
-    button("Fit overlap", () => viewing.fitOverlap(), { title: "zoom to the overlap (o)" }));
+    button("Fit overlap", () => viewing.fitOverlap(), { title: "zoom to the overlap (o)" }),
+    button("Fit thickness", () => viewing.fitThickness(), { title: "zoom to the overlap's thickness (t)" }));
 }
