@@ -3,13 +3,17 @@
 #include <cmath>
 
 namespace manifuzz {
-namespace {
 
-bool is_over(std::uint64_t hits, double expected) {
-  return static_cast<double>(hits) > expected + 5 * std::sqrt(expected) + 5;
+bool holds_budgets(const Plan& plan) {
+  return !plan.context.radius || plan.is_narrowed;
 }
 
-}  // namespace
+bool is_over_budget(const LedgerEntry& entry, std::string_view regime, std::uint64_t hits,
+                    std::uint64_t cases) {
+  if (regime == "corpus") return false;
+  const double expected = budget_per_million(entry, regime) * 1e-6 * static_cast<double>(cases);
+  return static_cast<double>(hits) > expected + 5 * std::sqrt(expected) + 5;
+}
 
 std::vector<LedgerCount> ledger_counts(const Tally& tally, const Plan& plan) {
   std::vector<LedgerCount> counts;
@@ -20,10 +24,9 @@ std::vector<LedgerCount> ledger_counts(const Tally& tally, const Plan& plan) {
       const std::uint64_t hits = tally.explained[index_of(entry)][r];
       count.hits += hits;
       const std::string_view regime = plan.regimes[r]->name;
-      const double expected =
-          budget_per_million(entry, regime) * 1e-6 * static_cast<double>(tally.regimes[r].cases);
-      const bool budgeted = (!plan.context.radius || plan.is_narrowed) && regime != "corpus";
-      if (budgeted && is_over(hits, expected)) count.over_budget.emplace_back(regime);
+      if (holds_budgets(plan) && is_over_budget(entry, regime, hits, tally.regimes[r].cases)) {
+        count.over_budget.emplace_back(regime);
+      }
     }
     counts.push_back(count);
   }

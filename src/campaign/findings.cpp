@@ -58,6 +58,11 @@ std::string note_of(const PairCase& pair, const Judgement& judgement, const Coll
                      name_of(bucket.kind, kKindNames), exact::Truth(pair).separation());
 }
 
+std::optional<double> recorded_magnitude(const Judgement& judgement) {
+  if (judgement.bucket.verdict == Verdict::agree) return std::nullopt;
+  return judgement.magnitude;
+}
+
 /// The share of the neighbours that fail alike, to three digits; none where nobody is at fault and
 /// nothing differs. A fair sample of the map's cells, right to about 0.01, in about 15 ms.
 std::optional<double> recorded_severity(const PairCase& pair, const Bucket& finding,
@@ -74,11 +79,14 @@ std::optional<double> recorded_severity(const PairCase& pair, const Bucket& find
 
 }  // namespace
 
+std::string finding_key(const Expectation& expect) {
+  return key_of(expect.bucket, expect.subject, expect.oracle);
+}
+
 KnownBuckets::KnownBuckets(std::span<const CorpusCase> corpus) {
   for (const CorpusCase& known : corpus) {
     if (!known.expect) continue;
-    files_.emplace(key_of(known.expect->bucket, known.expect->subject, known.expect->oracle),
-                   known.path);
+    files_.emplace(finding_key(*known.expect), known.path);
   }
 }
 
@@ -141,7 +149,8 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
       .verdict = std::string(to_string(judgement.bucket.verdict)),
       .bucket = to_string(judgement.bucket),
       .manifolds = {},
-      .severity = recorded_severity(pair, judgement.bucket, subject, oracle, interruption)};
+      .severity = recorded_severity(pair, judgement.bucket, subject, oracle, interruption),
+      .magnitude = recorded_magnitude(judgement)};
   for (const Manifold<double>& right : right_manifolds(admissible(pair, subject.declaration))) {
     recorded.expect->manifolds.push_back({std::string(kJudgeName), right});
   }

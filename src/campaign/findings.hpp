@@ -21,8 +21,10 @@ struct Finding {
   std::string file;     ///< of the corpus, where one shows it; else empty
 };
 
-/// Which buckets a corpus shows already. Ties count whoever the colliders were; a fault counts for
-/// the collider at fault.
+/// What a finding is one of: its bucket and who is at fault. Ties count whoever the colliders were.
+std::string finding_key(const Expectation& expect);
+
+/// Which buckets a corpus shows already, by their keys.
 class KnownBuckets {
  public:
   explicit KnownBuckets(std::span<const CorpusCase> corpus);

@@ -24,39 +24,22 @@ std::string name_of(const fs::path& path) {
 }
 
 /// Adds the files of cases in `folder` and below; a folder that cannot be read is an error line.
-void add_folder(const fs::path& folder, std::vector<fs::path>& files, Corpus& corpus) {
+void add_folder(const fs::path& folder, std::vector<fs::path>& files,
+                std::vector<std::string>& errors) {
   std::error_code error;
   fs::directory_iterator entry(folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     std::error_code unknown;
     if (entry->is_directory(unknown) && !entry->is_symlink(unknown)) {
-      add_folder(entry->path(), files, corpus);
+      add_folder(entry->path(), files, errors);
     } else if (holds_cases(entry->path()) && !entry->is_other(unknown)) {
       files.push_back(entry->path());
     }
   }
   if (error) {
-    corpus.errors.push_back(
+    errors.push_back(
         fmt::format("{}: cannot read the folder: {}", name_of(folder), error.message()));
   }
-}
-
-std::vector<fs::path> find_files(std::span<const fs::path> paths, Corpus& corpus) {
-  std::vector<fs::path> files;
-  for (const auto& path : paths) {
-    std::error_code error;
-    if (fs::is_directory(path, error)) {
-      add_folder(path, files, corpus);
-    } else if (fs::exists(path, error) && !holds_cases(path)) {
-      corpus.errors.push_back(
-          fmt::format("{}: not a file of cases; *.json or *.jsonl is expected", name_of(path)));
-    } else {
-      files.push_back(path);
-    }
-  }
-  std::sort(files.begin(), files.end());
-  files.erase(std::unique(files.begin(), files.end()), files.end());
-  return files;
 }
 
 void read_lines_file(const std::string& path, Corpus& corpus) {
@@ -96,9 +79,28 @@ std::string look_of(const CorpusCase& corpus_case) {
 
 }  // namespace
 
+std::vector<fs::path> find_case_files(std::span<const fs::path> paths,
+                                      std::vector<std::string>& errors) {
+  std::vector<fs::path> files;
+  for (const auto& path : paths) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+      add_folder(path, files, errors);
+    } else if (fs::exists(path, error) && !holds_cases(path)) {
+      errors.push_back(
+          fmt::format("{}: not a file of cases; *.json or *.jsonl is expected", name_of(path)));
+    } else {
+      files.push_back(path);
+    }
+  }
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  return files;
+}
+
 Corpus read_corpus(std::span<const fs::path> paths) {
   Corpus corpus;
-  for (const auto& path : find_files(paths, corpus)) {
+  for (const auto& path : find_case_files(paths, corpus.errors)) {
     try {
       if (path.extension() == ".jsonl") {
         read_lines_file(path.string(), corpus);
@@ -124,8 +126,12 @@ fs::path write_corpus_case(const fs::path& folder, const CorpusCase& corpus_case
   return path;
 }
 
+fs::path worst_beside(const fs::path& file) {
+  return fs::path(file).replace_extension(".worst.json");
+}
+
 void write_worst_case(const fs::path& file, const CorpusCase& worst) {
-  write_file(fs::path(file).replace_extension(".worst.json"), format_case(worst));
+  write_file(worst_beside(file), format_case(worst));
 }
 
 }  // namespace manifuzz

@@ -28,8 +28,9 @@ struct Expectation {
   std::string oracle;
   std::string verdict;
   std::string bucket;
-  std::vector<NamedAnswer> manifolds;   ///< the right ones by kJudgeName, then the colliders'
-  std::optional<double> severity = {};  ///< the share of neighbours that fail alike, 0 to 1
+  std::vector<NamedAnswer> manifolds;    ///< the right ones by kJudgeName, then the colliders'
+  std::optional<double> severity = {};   ///< the share of neighbours that fail alike, 0 to 1
+  std::optional<double> magnitude = {};  ///< the worst error as a share of the size, or infinite
 };
 
 /// A case as corpus/README.md describes it; a bare pair case is one without the other keys.
@@ -64,6 +65,11 @@ struct Corpus {
   std::vector<std::string> errors;  ///< one line for each file or folder that is broken
 };
 
+/// The files of cases (*.json, *.jsonl) among these and in these folders and below, sorted by path.
+/// What is neither adds an error line.
+std::vector<std::filesystem::path> find_case_files(std::span<const std::filesystem::path> paths,
+                                                   std::vector<std::string>& errors);
+
 /// Every case in these files (*.json: one case; *.jsonl: one a line) and folders (all such files in
 /// them and below), sorted by path. What is broken gives an error line, the rest is read all the
 /// same.
@@ -78,7 +84,10 @@ std::string corpus_file_name(const CorpusCase& corpus_case);
 std::filesystem::path write_corpus_case(const std::filesystem::path& folder,
                                         const CorpusCase& corpus_case);
 
-/// Writes the case that `file` was shrunk from beside it: name.worst.json for name.json.
+/// The file beside `file` for the case that it was shrunk from: name.worst.json for name.json.
+std::filesystem::path worst_beside(const std::filesystem::path& file);
+
+/// Writes that case there.
 void write_worst_case(const std::filesystem::path& file, const CorpusCase& worst);
 
 }  // namespace manifuzz

@@ -1,4 +1,5 @@
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -46,14 +47,26 @@ double read_share(const JsonView& value) {
   value.fail(fmt::format("{} is not a share; a number from 0 to 1 is expected", share));
 }
 
+/// 0 or more; null stands for infinity.
+double read_magnitude(const JsonView& value) {
+  if (value.is_null()) return std::numeric_limits<double>::infinity();
+  const double magnitude = value.number();
+  if (magnitude >= 0) return magnitude;
+  value.fail(fmt::format("{} is no magnitude; a number from 0 is expected", magnitude));
+}
+
 Expectation read_expectation(const JsonView& object, const PairCase& pair) {
-  object.expect_keys({"subject", "oracle", "verdict", "bucket", "severity", "manifolds"});
+  object.expect_keys(
+      {"subject", "oracle", "verdict", "bucket", "severity", "magnitude", "manifolds"});
   Expectation expect{read_string(object, "subject"),
                      read_string(object, "oracle"),
                      read_string(object, "verdict"),
                      read_string(object, "bucket"),
                      {}};
   if (const auto severity = object.find("severity")) expect.severity = read_share(*severity);
+  if (const auto magnitude = object.find("magnitude")) {
+    expect.magnitude = read_magnitude(*magnitude);
+  }
   if (const auto manifolds = object.find("manifolds")) {
     for (std::size_t i = 0; i < manifolds->length("an array of manifolds"); ++i) {
       expect.manifolds.push_back(read_answer((*manifolds)[i], pair));
@@ -97,6 +110,10 @@ void append_expectation(std::string& out, const PairCase& pair, const Expectatio
   if (expect.severity) {
     out.append(separator) += "\"severity\": ";
     append_number(out, *expect.severity);
+  }
+  if (expect.magnitude) {
+    out.append(separator) += "\"magnitude\": ";
+    append_number(out, *expect.magnitude);
   }
   if (!expect.manifolds.empty()) {
     out.append(separator) += "\"manifolds\": [";

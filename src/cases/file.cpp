@@ -114,7 +114,7 @@ std::size_t InputFile::read(char* to, std::size_t size) {
   return static_cast<std::size_t>(count);
 }
 
-std::string InputFile::read_all() {
+std::string InputFile::read_all(std::size_t most) {
   std::string text;
   while (true) {
     const std::size_t had = text.size();
@@ -122,8 +122,9 @@ std::string InputFile::read_all() {
     const std::size_t count = read(text.data() + had, kChunk);
     text.resize(had + count);
     if (count == 0) return text;
-    if (text.size() > kLongestCase) {
-      throw UserError(fmt::format("{}: is larger than 1 MiB; one case is expected", name_));
+    if (text.size() > most) {
+      throw UserError(
+          fmt::format("{}: is larger than {} MiB; that is too much to read", name_, most >> 20));
     }
   }
 }

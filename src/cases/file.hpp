@@ -25,8 +25,8 @@ class InputFile {
 
   /// Up to `size` bytes, 0 at the end.
   std::size_t read(char* to, std::size_t size);
-  /// All that is left, at most kLongestCase bytes of it.
-  std::string read_all();
+  /// All that is left, at most `most` bytes: by default what one case may take.
+  std::string read_all(std::size_t most = kLongestCase);
   /// As errors name it: the path, or "stdin".
   const std::string& name() const { return name_; }
 

@@ -75,15 +75,24 @@ std::string finding_rows(const CampaignReport& report) {
 
 }  // namespace
 
-bool is_vacuous(const CampaignReport& report) {
+bool is_vacuous(std::span<const RegimeCount> regimes) {
   std::uint64_t cases = 0;
   std::uint64_t touching = 0;
-  for (std::size_t i = 0; i < report.plan.regimes.size(); ++i) {
-    if (report.plan.regimes[i]->name == "separated") continue;
-    cases += report.run.tally->regimes[i].cases;
-    touching += report.run.tally->regimes[i].touching;
+  for (const RegimeCount& regime : regimes) {
+    if (regime.name == "separated") continue;
+    cases += regime.cases;
+    touching += regime.touching;
   }
   return cases >= kVacuousCases && touching == 0;
+}
+
+bool is_vacuous(const CampaignReport& report) {
+  std::vector<RegimeCount> counts;
+  for (std::size_t i = 0; i < report.plan.regimes.size(); ++i) {
+    const RegimeTally& regime = report.run.tally->regimes[i];
+    counts.push_back({report.plan.regimes[i]->name, regime.cases, regime.touching});
+  }
+  return is_vacuous(counts);
 }
 
 bool has_failed(const CampaignReport& report) {
@@ -152,6 +161,7 @@ nlohmann::ordered_json summary_json(const CampaignReport& report) {
   json["interrupted"] = report.run.interrupted;
   json["stopped_early"] = report.run.hopeless != Fault::none;
   json["first"] = report.plan.first;
+  json["budgets_hold"] = holds_budgets(report.plan);
   json["regimes"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < report.plan.regimes.size(); ++i) {
     const RegimeTally& regime = tally.regimes[i];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,12 @@ struct CampaignReport {
 
 /// A run of so many cases outside the regime `separated` in which nothing touched proves nothing.
 inline constexpr std::uint64_t kVacuousCases = 1000;
+struct RegimeCount {
+  std::string_view name;
+  std::uint64_t cases = 0;
+  std::uint64_t touching = 0;
+};
+bool is_vacuous(std::span<const RegimeCount> regimes);
 bool is_vacuous(const CampaignReport& report);
 
 /// Whether the campaign found what its status must tell: anything against the subject, a bucket of

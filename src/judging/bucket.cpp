@@ -1,5 +1,8 @@
 #include "judging/bucket.hpp"
 
+#include <functional>
+#include <map>
+
 namespace manifuzz {
 
 std::string to_string(const Bucket& bucket) {
@@ -35,6 +38,18 @@ Bucket bucket_at(std::size_t index) {
   bucket.verdict = static_cast<Verdict>(take(kVerdictNames.size()));
   bucket.fault = static_cast<Fault>(index);
   return bucket;
+}
+
+std::optional<Bucket> find_bucket(std::string_view name) {
+  static const std::map<std::string, Bucket, std::less<>> all = [] {
+    std::map<std::string, Bucket, std::less<>> by_name;
+    for (std::size_t i = 0; i < kBucketCount; ++i) {
+      by_name.emplace(to_string(bucket_at(i)), bucket_at(i));
+    }
+    return by_name;
+  }();
+  const auto found = all.find(name);
+  return found == all.end() ? std::nullopt : std::optional(found->second);
 }
 
 bool is_unexplained(Verdict verdict) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -79,6 +80,9 @@ inline constexpr std::size_t kBucketCount = kFaultNames.size() * kVerdictNames.s
                                             kSideNames.size();
 std::size_t index_of(const Bucket& bucket);
 Bucket bucket_at(std::size_t index);
+
+/// The bucket of that name, as `to_string` writes it.
+std::optional<Bucket> find_bucket(std::string_view name);
 
 /// Counted as unexplained: somebody is wrong and no ledger entry says so.
 bool is_unexplained(Verdict verdict);

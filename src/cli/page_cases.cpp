@@ -1,0 +1,203 @@
+#include "cli/page_cases.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "campaign/survey.hpp"
+#include "cases/text.hpp"
+#include "cases/user_error.hpp"
+#include "cli/colliders.hpp"
+#include "report/map_picture.hpp"
+#include "report/map_words.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr std::string_view kWorst = ".worst.json";
+
+/// What the file records of that collider's answer.
+const Answer* recorded_answer(const CorpusCase& given, const std::string& name) {
+  if (!given.expect) return nullptr;
+  const auto& manifolds = given.expect->manifolds;
+  const auto found = std::ranges::find(manifolds, name, &NamedAnswer::collider);
+  return found == manifolds.end() ? nullptr : &found->answer;
+}
+
+Party party_of(const CorpusCase& given, const std::string& name, const Collider* collider,
+               Interruption& interruption) {
+  Party party;
+  if (collider != nullptr) party.declaration = collider->declaration;
+  party.declaration.name = name;
+  if (given.found && given.found->versions.contains(name)) {
+    party.declaration.version = given.found->versions.at(name);
+  }
+  if (const Answer* const answer = recorded_answer(given, name)) {
+    party.answer = *answer;
+  } else if (collider != nullptr) {
+    party.answer = ask_guarded(*collider, given.pair, interruption);
+  } else {
+    party.answer = Lost{Lost::How::crashed, "no answer is recorded"};
+  }
+  return party;
+}
+
+bool is_alike(const Manifold<double>& m, const Manifold<double>& n) {
+  const auto same = [&](int i) { return m.points[i].features == n.points[i].features; };
+  return m.count == n.count && m.reference == n.reference && (m.count < 1 || same(0)) &&
+         (m.count < 2 || same(1));
+}
+
+/// What is right, the subject's own manifold first where it is one of them.
+std::vector<Manifold<double>> right_of(const PageCase& page_case) {
+  std::vector<Manifold<double>> right;
+  const CorpusCase& given = page_case.shown.given;
+  if (page_case.is_judged) {
+    right = right_manifolds(admissible(given.pair, page_case.shown.subject.declaration));
+  } else if (given.expect) {
+    for (const NamedAnswer& named : given.expect->manifolds) {
+      const auto* const manifold = std::get_if<Manifold<double>>(&named.answer);
+      if (named.collider == kJudgeName && manifold != nullptr) right.push_back(*manifold);
+    }
+  }
+  if (page_case.shown.subject.manifold() == nullptr) return right;
+  const Manifold<double>& own = *page_case.shown.subject.manifold();
+  std::ranges::stable_partition(right, [&](const auto& other) { return is_alike(other, own); });
+  return right;
+}
+
+PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
+                      Interruption& interruption) {
+  const Expectation expect = given.expect.value_or(Expectation{});
+  const auto or_usual = [](const std::string& name, const std::string& usual) {
+    return name.empty() ? usual : name;
+  };
+  const std::string subject_name = or_usual(expect.subject, colliders.subject());
+  const std::string oracle_name = or_usual(expect.oracle, colliders.oracle());
+  const Collider* const subject = colliders.find(subject_name);
+  const Collider* const oracle = colliders.find(oracle_name);
+  PageCase page_case{.shown = {given,
+                               party_of(given, subject_name, subject, interruption),
+                               party_of(given, oracle_name, oracle, interruption),
+                               {}},
+                     .is_judged = subject != nullptr && oracle != nullptr,
+                     .right = {},
+                     .smallest = {},
+                     .count = {},
+                     .commands = {},
+                     .map = {}};
+  ShownCase& shown = page_case.shown;
+  if (page_case.is_judged) {
+    shown.judgement = judge(given.pair, {shown.subject.declaration, shown.subject.answer},
+                            {shown.oracle.declaration, shown.oracle.answer});
+  }
+  page_case.right = right_of(page_case);
+  return page_case;
+}
+
+/// What runs say of a bucket: how often they met it, and the commands that repeat it.
+void add_runs(PageCase& page_case, const std::vector<Result>& results) {
+  const auto& expect = page_case.shown.given.expect;
+  if (!expect) return;
+  for (const Result& result : results) {
+    if (result.kind != "fuzz" || result.json.value("oracle", "") != expect->oracle ||
+        result.json.value("subject", "") != expect->subject) {
+      continue;
+    }
+    for (const auto& bucket : result.json["buckets"]) {
+      if (bucket.value("bucket", "") != expect->bucket) continue;
+      page_case.count = page_case.count.value_or(0) + bucket.value("count", std::uint64_t{0});
+      page_case.commands.push_back(bucket.value("command", ""));
+    }
+  }
+}
+
+PageMap map_of(const PageCase& page_case, NamedColliders& colliders, Interruption& interruption) {
+  const ShownCase& shown = page_case.shown;
+  const PairCase& pair = shown.given.pair;
+  const Grid grid = grid_around(exact::Truth(pair));
+  const Neighbourhood map =
+      survey(pair, *colliders.find(shown.subject.declaration.name),
+             *colliders.find(shown.oracle.declaration.name), grid, grid.cell_count(), interruption);
+  if (interruption.requested()) throw Interrupted();
+  return {map_png(shown, map), {grid_in_words(grid), severity_in_words(shown, map)}};
+}
+
+/// Those that deserve a map the most first: somebody is wrong and nothing explains it; somebody is
+/// wrong; the others.
+int rank_of(const PageCase& page_case) {
+  const Verdict verdict = page_case.shown.judgement.bucket.verdict;
+  if (is_unexplained(verdict)) return 0;
+  return verdict == Verdict::known ? 1 : 2;
+}
+
+void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size_t maps_max,
+              Interruption& interruption) {
+  std::set<std::tuple<std::string, std::string, std::string>> seen;
+  std::vector<PageCase*> wanted;
+  for (PageCase& page_case : cases) {
+    const ShownCase& shown = page_case.shown;
+    const bool is_first =
+        page_case.is_judged && page_case.smallest.empty() &&
+        shown.judgement.bucket.verdict != Verdict::agree &&
+        seen.emplace(to_string(shown.judgement.bucket), shown.subject.declaration.name,
+                     shown.oracle.declaration.name)
+            .second;
+    if (is_first) wanted.push_back(&page_case);
+  }
+  std::ranges::stable_sort(wanted, {}, [](const PageCase* c) { return rank_of(*c); });
+  wanted.resize(std::min(wanted.size(), maps_max));
+  for (PageCase* page_case : wanted) page_case->map = map_of(*page_case, colliders, interruption);
+}
+
+}  // namespace
+
+NamedColliders::NamedColliders(const Parties& given) {
+  const auto take = [&](const ColliderChoice& choice, std::string& name) {
+    if (choice.name.empty() && choice.command.empty()) return;
+    const Collider collider = find_collider(choice, given.outside);
+    name = collider.declaration.name;
+    known_[name] = collider;
+  };
+  take(given.subject, subject_);
+  take(given.oracle, oracle_);
+}
+
+const Collider* NamedColliders::find(const std::string& name) {
+  auto known = known_.find(name);
+  if (known == known_.end()) {
+    std::optional<Collider> made;
+    try {
+      if (const ColliderEntry* const entry = find_entry(name)) made = entry->make();
+    } catch (const UserError&) {
+      // It is not installed: the page shows what files record of it.
+    }
+    known = known_.emplace(name, std::move(made)).first;
+  }
+  return known->second ? &*known->second : nullptr;
+}
+
+std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& colliders,
+                                 std::size_t maps_max, Interruption& interruption) {
+  std::set<std::string> paths;
+  for (const CorpusCase& given : files.corpus.cases) paths.insert(given.path);
+  std::vector<PageCase> cases;
+  for (const CorpusCase& given : files.corpus.cases) {
+    if (interruption.requested()) throw Interrupted();
+    PageCase page_case = page_case_of(given, colliders, interruption);
+    if (given.path.ends_with(kWorst)) {
+      const std::string stem = given.path.substr(0, given.path.size() - kWorst.size());
+      if (paths.contains(stem + ".json")) page_case.smallest = stem + ".json";
+    }
+    page_case.commands.push_back("manifuzz show " + quoted_for_shell(given.path));
+    add_runs(page_case, files.results);
+    cases.push_back(std::move(page_case));
+  }
+  add_maps(cases, colliders, maps_max, interruption);
+  return cases;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "campaign/guarded.hpp"
+#include "cli/parties.hpp"
+#include "cli/results.hpp"
+#include "report/page.hpp"
+
+namespace manifuzz {
+
+/// The colliders that cases name, each made once; those that options give go by what they declare.
+class NamedColliders {
+ public:
+  /// Empty choices give nothing. Throws UserError.
+  explicit NamedColliders(const Parties& given);
+
+  /// nullptr where there is none of that name, or where it cannot be had.
+  const Collider* find(const std::string& name);
+
+  /// Whom a case that names nobody is put to: those given, else clip and box2d.
+  const std::string& subject() const { return subject_; }
+  const std::string& oracle() const { return oracle_; }
+
+ private:
+  std::string subject_ = "clip";
+  std::string oracle_ = "box2d";
+  std::map<std::string, std::optional<Collider>> known_;
+};
+
+/// The cases of the page, in the order of their files. Answers are those that a file records; else
+/// its colliders are asked. At most `maps_max` buckets get the map of their smallest witness, those
+/// with somebody wrong first. Throws Interrupted.
+std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& colliders,
+                                 std::size_t maps_max, Interruption& interruption);
+
+}  // namespace manifuzz

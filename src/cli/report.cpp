@@ -1,0 +1,86 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cases/file.hpp"
+#include "cases/text.hpp"
+#include "cases/user_error.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/page_cases.hpp"
+#include "cli/parties.hpp"
+#include "cli/report_page.hpp"
+#include "cli/results.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr std::uint64_t kMapsMax = 1000;
+
+struct Options {
+  std::vector<std::string> paths;
+  Parties parties{{"subject", "", ""}, {"oracle", "", ""}, {}};
+  std::string output = "report.html";
+  std::optional<std::uint64_t> maps;
+};
+
+int report(const Options& options) {
+  if (options.maps.value_or(0) > kMapsMax) {
+    throw UserError(fmt::format("--maps: {} are too many; take 0 to {}", *options.maps, kMapsMax));
+  }
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& path : options.paths) paths.push_back(std::filesystem::proximate(path));
+  if (paths.empty()) paths.emplace_back("corpus");
+  const RunFiles files = read_run_files(paths);
+  for (const std::string& error : files.corpus.errors) {
+    write_error(fmt::format("manifuzz: {}\n", error));
+  }
+  if (files.corpus.cases.empty() && files.results.empty()) {
+    throw UserError("report: there is nothing to report; name folders of cases and --json files");
+  }
+  NamedColliders colliders(options.parties);
+  const std::string html = report_page(files, colliders, options.maps.value_or(kMapsUsual));
+  if (options.output == "-") {
+    write_to_reader(html);
+  } else {
+    write_file(options.output, html);
+    write_to_reader(fmt::format("{}: {} cases, {} results\n", options.output,
+                                files.corpus.cases.size(), files.results.size()));
+  }
+  if (files.corpus.errors.empty()) return 0;
+  throw UserError(fmt::format("report: {} of the files could not be read; the page has the rest",
+                              files.corpus.errors.size()));
+}
+
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("paths", options->paths,
+                 "folders and files of cases, and what --json wrote; corpus if not given")
+      ->type_name("PATH");
+  app.add_option("--output", options->output, "the page, - for stdout")
+      ->type_name("FILE.html")
+      ->check(not_blank)
+      ->capture_default_str();
+  add_whole_number(app, "--maps", options->maps,
+                   "of how many buckets the neighbourhood is drawn; 12 if not given");
+  add_collider(app, options->parties.subject,
+               "whom cases that name nobody are put to; clip if not given");
+  add_collider(app, options->parties.oracle, "the one it is held against; box2d if not given");
+  add_outside(app, options->parties.outside);
+  return [options] { return report(*options); };
+}
+
+}  // namespace
+
+extern const Command kReport;
+const Command kReport{"report", "A page of what was found and measured: one HTML file.",
+                      "manifuzz fuzz --seed 1 --cases 100000 --json run.json\n"
+                      "manifuzz report corpus run.json --output report.html",
+                      define};
+
+}  // namespace manifuzz

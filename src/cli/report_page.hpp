@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "cli/page_cases.hpp"
+#include "cli/results.hpp"
+
+namespace manifuzz {
+
+/// Of so many buckets the neighbourhood is drawn where nobody says how many: a few seconds.
+inline constexpr std::size_t kMapsUsual = 12;
+
+/// The page of these files. Throws Interrupted.
+std::string report_page(const RunFiles& files, NamedColliders& colliders, std::size_t maps_max);
+
+}  // namespace manifuzz
