@@ -5,16 +5,14 @@
 #include <string>
 #include <string_view>
 #include <unistd.h>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "cli/usage.hpp"
 #include "oracle/external/child.hpp"
 #include "oracle/external/process.hpp"
 
@@ -28,18 +26,6 @@ int complain(std::string_view what) {
   return kBadUsage;
 }
 
-int complain_of_command(const CLI::App& app) {
-  const auto words = app.remaining();
-  const bool is_word = !words.empty() && !words[0].starts_with('-');
-  const std::string wrong = words.empty() ? std::string("a command is missing")
-                            : is_word ? fmt::format("there is no command '{}'", printable(words[0]))
-                                      : fmt::format("there is no option '{}'", printable(words[0]));
-  std::vector<std::string_view> names;
-  for (const Command& command : commands()) names.push_back(command.name);
-  return complain(
-      fmt::format("{}; the commands are {}; try manifuzz --help", wrong, fmt::join(names, ", ")));
-}
-
 /// Help goes to stdout; what cannot be parsed gives one line on stderr.
 int answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) {
@@ -49,20 +35,7 @@ int answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
     out.flush();
     return 0;
   }
-  const auto used = app.get_subcommands();
-  if (used.empty()) return complain_of_command(app);
-  return complain(fmt::format("{0}: {1}; try manifuzz {0} --help", used[0]->get_name(),
-                              printable(error.what(), 300)));
-}
-
-/// Indented, a command line each.
-std::string help_on_example(std::string_view example) {
-  std::string text = "Example:\n  ";
-  for (const char c : example) {
-    text += c;
-    if (c == '\n') text += "  ";
-  }
-  return text + "\n";
+  return complain(complaint_about_usage(app, error));
 }
 
 int run(int argc, char** argv) {

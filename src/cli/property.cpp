@@ -5,11 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "campaign/property_run.hpp"
 #include "cases/corpus.hpp"
-#include "cases/text.hpp"
+#include "cases/nearest.hpp"
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
@@ -43,8 +42,7 @@ std::vector<const Property*> choose(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     chosen.push_back(find_property(name));
     if (chosen.back() == nullptr) {
-      throw UserError(fmt::format("property: there is no '{}'; there are {}", printable(name),
-                                  fmt::join(known, ", ")));
+      throw UserError("property: " + no_such("property", name, known));
     }
   }
   return chosen;

@@ -7,6 +7,7 @@
 
 #include "cases/corpus.hpp"
 #include "cases/file.hpp"
+#include "cases/nearest.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
@@ -64,10 +65,9 @@ std::vector<const SceneSpec*> chosen_scenes(const std::vector<std::string>& name
   for (const std::string& name : names) {
     const SceneSpec* const spec = find_scene(name);
     if (spec == nullptr) {
-      std::string known;
-      for (const SceneSpec& each : scene_specs()) known += fmt::format(" {}", each.name);
-      throw UserError(
-          fmt::format("--scene: there is no '{}'; there are{}", printable(name), known));
+      std::vector<std::string_view> known;
+      for (const SceneSpec& each : scene_specs()) known.emplace_back(each.name);
+      throw UserError("--scene: " + no_such("scene", name, known));
     }
     if (std::ranges::find(chosen, spec) == chosen.end()) chosen.push_back(spec);
   }

@@ -11,6 +11,7 @@
 
 #include "campaign/guarded.hpp"
 #include "cases/file.hpp"
+#include "cases/nearest.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/breaking_points.hpp"
@@ -73,8 +74,7 @@ void choose_sweeps(const std::vector<std::string>& names, StressPlan& plan) {
     } else if (const Walk* const walk = find_walk(name)) {
       choose(walk, plan.walks);
     } else {
-      throw UserError(fmt::format("--sweep: there is no '{}'; there are {}", printable(name),
-                                  fmt::join(known, ", ")));
+      throw UserError("--sweep: " + no_such("sweep", name, known));
     }
   }
 }
