@@ -137,7 +137,9 @@ int bench(const Options& options) {
   const std::string machine =
       fmt::format("{}, {}\n\n", json["machine"]["processor"].get<std::string>(),
                   json["compiler"].get<std::string>());
-  write_to_reader(options.json == "-" ? text : machine + rows_table(rows));
+  if (!leaves_out_tables({options.json, options.csv})) {
+    write_to_reader(options.json == "-" ? text : machine + rows_table(rows));
+  }
   for (const std::string& picture : options.pictures) write_plot(picture, plot_of(rows));
   return 0;
 }

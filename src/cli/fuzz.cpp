@@ -167,7 +167,10 @@ int fuzz(Options options) {
   constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
   const std::string json =
       options.json.empty() ? "" : summary_json(report).dump(2, ' ', false, replace) + '\n';
-  write_to_reader(options.json == "-" ? json : summary_table(report));
+  const bool is_terse = leaves_out_tables({options.json});
+  write_to_reader(options.json == "-" ? json
+                  : is_terse          ? objections(report)
+                                      : summary_table(report));
   if (!json.empty() && options.json != "-") write_file(options.json, json);
   if (!saving.first_error.empty()) throw UserError(saving.first_error);
   return has_failed(report) ? 1 : 0;

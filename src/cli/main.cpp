@@ -22,7 +22,7 @@ namespace {
 constexpr int kBadUsage = 2;
 
 int complain(std::string_view what) {
-  write_error(fmt::format("manifuzz: {}\n", what));
+  write_complaint(what);
   return kBadUsage;
 }
 
@@ -42,16 +42,20 @@ int run(int argc, char** argv) {
   CLI::App app{"Contact points by clipping, and the harness that proves them.", "manifuzz"};
   app.set_version_flag("--version", "manifuzz " MANIFUZZ_VERSION);
   app.require_subcommand(1);
+  add_common_options(app);
   std::map<const CLI::App*, Run> runs;
   for (const Command& command : commands()) {
     CLI::App* const sub =
         app.add_subcommand(std::string(command.name), std::string(command.summary));
     sub->footer(help_on_example(command.example));
     runs[sub] = command.define(*sub);
+    add_common_options(*sub);
   }
   try {
     app.parse(argc, argv);
+    obey_common_options(app);
   } catch (const CLI::ParseError& error) {
+    obey_common_options(app);
     return answer_parse_error(app, error);
   }
   return runs.at(app.get_subcommands().front())();

@@ -15,6 +15,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/parties.hpp"
+#include "report/style.hpp"
 
 namespace manifuzz {
 namespace {
@@ -79,8 +80,9 @@ int run(const Options& options) {
   bool all_passed = true;
   for (const Property* property : chosen) {
     const PropertyResult result = run_property(*property, subject, plan);
-    out.write(fmt::format("{} {}: {}\n{}\n", result.passed ? "ok  " : "FAIL", property->name,
-                          property->sentence, result.report));
+    if (result.passed && is_quiet()) continue;
+    out.write(fmt::format("{} {}: {}\n{}\n", result.passed ? good("ok  ") : bad("FAIL"),
+                          property->name, property->sentence, result.report));
     if (!result.passed && result.failing) {
       out.write(fmt::format("repeat with RC_PARAMS=\"{}\"\n", result.reproduce));
       if (!options.no_save) {

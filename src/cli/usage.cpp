@@ -1,5 +1,6 @@
 #include "cli/usage.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
@@ -7,6 +8,8 @@
 #include "cases/nearest.hpp"
 #include "cases/text.hpp"
 #include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "report/style.hpp"
 
 namespace manifuzz {
 namespace {
@@ -18,7 +21,7 @@ bool is_option(const std::string& word) {
 /// The first that looks like an option, which is the one to blame for the words behind it; else the
 /// first, or nothing.
 std::string one_to_blame(const std::vector<std::string>& words) {
-  const auto option = std::find_if(words.begin(), words.end(), is_option);
+  const auto option = std::ranges::find_if(words, is_option);
   if (option != words.end()) return option->substr(0, option->find('='));
   return words.empty() ? "" : words.front();
 }
@@ -63,6 +66,25 @@ std::string complaint_about_usage(const CLI::App& app, const CLI::ParseError& er
                                ? fmt::format("'{}' is a word too many", printable(word))
                                : printable(error.what(), 300);
   return fmt::format("{}: {}", command.get_name(), with_help_of(what, command.get_name()));
+}
+
+void add_common_options(CLI::App& app) {
+  const std::string quiet =
+      "no progress, no remarks; unsaid is what is well, and what a file says in its place";
+  const std::string plain = "no colours on a terminal; NO_COLOR in the environment does the same";
+  app.add_flag("--quiet", quiet);
+  app.add_flag("--no-color", plain);
+}
+
+void obey_common_options(const CLI::App& app) {
+  const auto is_given = [&app](const char* name) {
+    const auto commands_used = app.get_subcommands();
+    return app.count(name) > 0 || std::ranges::any_of(commands_used, [name](const CLI::App* used) {
+             return used->count(name) > 0;
+           });
+  };
+  if (is_given("--quiet")) be_quiet();
+  if (!is_given("--no-color")) allow_colours();
 }
 
 std::string help_on_example(std::string_view example) {

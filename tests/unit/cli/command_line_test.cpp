@@ -22,7 +22,7 @@ struct BadUsage {
 
 const std::vector<BadUsage>& bad_usages() {
   static const std::vector<BadUsage> all = {
-      {"no command", {}, "a command is missing; the commands are"},
+      {"no command", {"--quiet"}, "a command is missing; try manifuzz --help"},
       {"an unknown command", {"colide"}, "there is no command 'colide'; did you mean 'collide'?"},
       {"a command like no other", {"xyzzy"}, "there is no command 'xyzzy'; there are fuzz,"},
       {"an unknown option before the command", {"--fast"}, "there is no option '--fast'"},
