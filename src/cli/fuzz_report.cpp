@@ -144,6 +144,9 @@ std::string summary_table(const CampaignReport& report) {
   text += regime_rows(report) + '\n' + verdict_rows(tally);
   if (!report.ledger.empty()) text += '\n' + ledger_rows(report);
   if (!report.findings.empty()) text += '\n' + finding_rows(report, is_any);
+  if (report.plan.until_new && !has_new(report.findings)) {
+    text += "\nnothing new: the corpus shows each of these already\n";
+  }
   text += vacuous_in_words(report);
   if (report.baseline)
     text += '\n' + differences_in_words(report.baseline->terms, terms_in(summary_json(report))) +
@@ -237,6 +240,7 @@ std::string progress_line(const Plan& plan, const Progress& progress) {
       fmt::format("{} cases, {:.0f} a second; agree {}, tie {}, known {}, unexplained {}",
                   tally.cases(), per_second, tally.count(Verdict::agree), tally.count(Verdict::tie),
                   tally.count(Verdict::known), tally.unexplained());
+  if (plan.until_new) line += "; waiting for a new bucket";
   if (plan.seconds || plan.cases) line += fmt::format("; {:.0f} s left", std::max(0.0, left));
   return line;
 }
