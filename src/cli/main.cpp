@@ -11,6 +11,7 @@
 
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
+#include "cli/next_steps.hpp"
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
 #include "oracle/external/child.hpp"
@@ -38,6 +39,13 @@ int answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
   return complain(complaint_about_usage(app, error));
 }
 
+/// A call without arguments is answered in full; but a script that has lost its command must not
+/// pass, so its status is that of bad usage.
+int answer_bare_call(const char* program) {
+  write_to_reader(next_steps(program, "corpus"));
+  return complain("a command is missing; above are some to begin with");
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Contact points by clipping, and the harness that proves them.", "manifuzz"};
   app.set_version_flag("--version", "manifuzz " MANIFUZZ_VERSION);
@@ -51,6 +59,7 @@ int run(int argc, char** argv) {
     runs[sub] = command.define(*sub);
     add_common_options(*sub);
   }
+  if (argc < 2) return answer_bare_call(argc > 0 ? argv[0] : "manifuzz");
   try {
     app.parse(argc, argv);
     obey_common_options(app);
