@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cases/nearest.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 
@@ -46,8 +47,9 @@ void check_snippet(std::string_view snippet, std::string_view prefix) {
     }
     const std::string_view key = word.substr(2, word.find_first_of("[{(") - 2);
     if (std::ranges::find(kSnippetKeys, key) == kSnippetKeys.end()) {
-      throw UserError(fmt::format("{}snippet: there is no '@{}@'; there are {}", prefix,
-                                  printable(word), fmt::join(kSnippetKeys, ", ")));
+      throw UserError(fmt::format("{}snippet: there is no '@{}@'{}; there are {}", prefix,
+                                  printable(word), did_you_mean(key, kSnippetKeys),
+                                  fmt::join(kSnippetKeys, ", ")));
     }
     at = snippet.find('@', end + 1);
   }

@@ -1,5 +1,6 @@
 #include "campaign/findings.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -107,6 +108,10 @@ std::vector<Finding> findings(const Tally& tally, const Plan& plan, const KnownB
     found.push_back(finding);
   }
   return found;
+}
+
+bool has_new(std::span<const Finding> found) {
+  return std::ranges::any_of(found, &Finding::is_new);
 }
 
 Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,

@@ -38,6 +38,9 @@ class KnownBuckets {
 /// Every bucket of the tally but agree, in the order of the bucket's index.
 std::vector<Finding> findings(const Tally& tally, const Plan& plan, const KnownBuckets& known);
 
+/// Whether one of them is new.
+bool has_new(std::span<const Finding> found);
+
 /// A shrunk case keeps at least this share of the magnitude.
 inline constexpr double kMagnitudeShareKept = 0.5;
 

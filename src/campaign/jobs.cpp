@@ -37,6 +37,7 @@ struct Office {
   std::atomic<Fault> hopeless{Fault::none};  ///< who never answers, so that going on is no use
   std::array<char, 256> why{};               ///< of the one that gave up first
   std::atomic<CaseNumber> undealt{0};
+  CaseNumber end = 0;
 
   void give_up(Fault party, const std::string& reason) {
     Fault nobody = Fault::none;
@@ -154,12 +155,11 @@ void run_block(const Plan& plan, Office& office, Desk& desk, Correspondence& wit
 void run_job(const Plan& plan, Office& office, Desk& desk) {
   Correspondence with_subject{plan.subject, Fault::subject};
   Correspondence with_oracle{plan.oracle, Fault::oracle};
-  const CaseNumber total = plan.cases_max();
   while (!office.stop.load(std::memory_order_relaxed)) {
     if (desk.next >= desk.end) {
       const CaseNumber begin = office.undealt.fetch_add(kBlock);
-      if (begin >= total) return;
-      desk.end = total - begin < kBlock ? total : begin + kBlock;
+      if (begin >= office.end) return;
+      desk.end = office.end - begin < kBlock ? office.end : begin + kBlock;
       desk.next = begin;
     }
     run_block(plan, office, desk, with_subject, with_oracle);
@@ -225,10 +225,12 @@ std::unique_ptr<Tally> added(const std::vector<std::unique_ptr<Job>>& jobs) {
 
 }  // namespace
 
-JobsResult run_jobs(const Plan& plan, Interruption& interruption,
+JobsResult run_jobs(const Plan& plan, Stretch stretch, Interruption& interruption,
                     const std::function<void(const Progress&)>& on_progress) {
   const auto start = Clock::now();
   const Shared<Office> office;
+  office->undealt = stretch.begin;
+  office->end = stretch.end;
   std::vector<std::unique_ptr<Job>> jobs;
   for (int i = 0; i < plan.jobs; ++i) jobs.push_back(std::make_unique<Job>(plan, *office));
 

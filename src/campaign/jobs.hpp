@@ -24,10 +24,16 @@ struct JobsResult {
   std::string why_hopeless{};    ///< its last end, in words
 };
 
-/// Runs every case of the plan, in as many child processes. A child that dies or hangs loses the
-/// case it was at, which becomes a finding, and another goes on behind it. `on_progress` runs a few
-/// times a second.
-JobsResult run_jobs(const Plan& plan, Interruption& interruption,
+/// The cases from `begin` to before `end`.
+struct Stretch {
+  CaseNumber begin = 0;
+  CaseNumber end = 0;
+};
+
+/// Runs every case of that stretch of the plan, in as many child processes. A child that dies or
+/// hangs loses the case it was at, which becomes a finding, and another goes on behind it.
+/// `on_progress` runs a few times a second.
+JobsResult run_jobs(const Plan& plan, Stretch stretch, Interruption& interruption,
                     const std::function<void(const Progress&)>& on_progress);
 
 }  // namespace manifuzz

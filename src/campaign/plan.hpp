@@ -24,6 +24,7 @@ struct Plan {
   std::uint64_t first = 0;             ///< index in each regime of its first case
   std::optional<std::uint64_t> cases;  ///< of all regimes together; none: until time is up
   std::optional<double> seconds;
+  bool until_new = false;  ///< it ends where a bucket is found that its corpus does not show
   int jobs = 1;
   /// Two colliders can be wrong alike: of the cases on which they plainly agree, one in so many is
   /// judged all the same.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cases/nearest.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 
@@ -52,7 +53,9 @@ void JsonView::expect_keys(std::initializer_list<std::string_view> allowed) cons
   for (std::size_t i = 0; i < node().children; ++i) {
     const std::string_view key = tree_->view(tree_->nodes[member].key);
     if (std::find(allowed.begin(), allowed.end(), key) == allowed.end()) {
-      fail(fmt::format("unknown key \"{}\"; the keys are {}", printable(key),
+      const auto meant = nearest(key, {allowed.begin(), allowed.end()});
+      fail(fmt::format("unknown key \"{}\"; {} keys are {}", printable(key),
+                       meant ? fmt::format("did you mean \"{}\"? The", *meant) : "the",
                        fmt::join(allowed, ", ")));
     }
     member += tree_->nodes[member].extent;

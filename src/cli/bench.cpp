@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "cases/file.hpp"
+#include "cases/nearest.hpp"
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/contenders.hpp"
@@ -62,7 +63,7 @@ std::vector<Contender> chosen_contenders(const std::vector<std::string>& names) 
   std::vector<Contender> chosen;
   std::vector<std::string> known;
   for (Contender& contender : contenders()) {
-    if (known.empty() || known.back() != contender.name) known.push_back(contender.name);
+    if (std::ranges::find(known, contender.name) == known.end()) known.push_back(contender.name);
     const bool is_named = std::ranges::find(names, contender.name) != names.end();
     if (names.empty() || is_named || contender.name == kPaceMaker) {
       chosen.push_back(std::move(contender));
@@ -70,8 +71,8 @@ std::vector<Contender> chosen_contenders(const std::vector<std::string>& names) 
   }
   for (const std::string& name : names) {
     if (std::ranges::find(known, name) != known.end()) continue;
-    throw UserError(
-        fmt::format("--collider: there is no '{}'; there are {}", name, fmt::join(known, ", ")));
+    const std::vector<std::string_view> views(known.begin(), known.end());
+    throw UserError("--collider: " + no_such("collider", name, views));
   }
   return chosen;
 }
@@ -136,7 +137,9 @@ int bench(const Options& options) {
   const std::string machine =
       fmt::format("{}, {}\n\n", json["machine"]["processor"].get<std::string>(),
                   json["compiler"].get<std::string>());
-  write_to_reader(options.json == "-" ? text : machine + rows_table(rows));
+  if (!leaves_out_tables({options.json, options.csv})) {
+    write_to_reader(options.json == "-" ? text : machine + rows_table(rows));
+  }
   for (const std::string& picture : options.pictures) write_plot(picture, plot_of(rows));
   return 0;
 }

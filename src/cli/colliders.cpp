@@ -5,8 +5,8 @@
 #include <iterator>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "cases/nearest.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "clipping/collider.hpp"
@@ -79,8 +79,8 @@ Collider find_collider(std::string_view name) {
   std::vector<std::string_view> names;
   std::transform(colliders().begin(), colliders().end(), std::back_inserter(names),
                  [](const ColliderEntry& e) { return e.name; });
-  throw UserError(fmt::format("there is no collider '{}'; there are {}, and ./LIBRARY.so",
-                              printable(name), fmt::join(names, ", ")));
+  names.emplace_back("./LIBRARY.so");
+  throw UserError(no_such("collider", name, names));
 }
 
 }  // namespace manifuzz

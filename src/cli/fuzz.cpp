@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "campaign/guarded.hpp"
+#include "campaign/rounds.hpp"
 #include "cases/file.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
@@ -39,6 +40,7 @@ struct Options {
   std::string corpus = "corpus";
   std::string json;
   bool no_save = false;
+  bool until_new = false;
   std::string baseline;
 };
 
@@ -69,7 +71,10 @@ Plan plan_of(const Options& options) {
   plan.first = options.first.value_or(0);
   plan.cases = options.cases;
   expect_indices(plan.first, plan.cases.value_or(1), plan.regimes.size());
-  if (!options.cases) plan.seconds = options.seconds.value_or(kDefaultSeconds);
+  plan.until_new = options.until_new;
+  plan.seconds = options.seconds;
+  const bool is_unlimited = !options.cases && !options.seconds && !options.until_new;
+  if (is_unlimited) plan.seconds = kDefaultSeconds;
   plan.jobs = jobs_of(options);
   plan.judge_every = options.judge_every.value_or(kJudgeEvery);
   return plan;
@@ -144,14 +149,15 @@ int fuzz(Options options) {
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
+  const KnownBuckets known(corpus.cases);
   JobsResult run;
   {
     Interruption interruption;
     ProgressLine line;
-    run = run_jobs(plan, interruption,
+    run = run_plan(plan, known, interruption,
                    [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
   }
-  std::vector<Finding> found = findings(*run.tally, plan, KnownBuckets(corpus.cases));
+  std::vector<Finding> found = findings(*run.tally, plan, known);
   Saving saving;
   if (!options.no_save) saving = save_new(found, plan, options);
   run.interrupted = run.interrupted || saving.interrupted;
@@ -167,7 +173,10 @@ int fuzz(Options options) {
   constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
   const std::string json =
       options.json.empty() ? "" : summary_json(report).dump(2, ' ', false, replace) + '\n';
-  write_to_reader(options.json == "-" ? json : summary_table(report));
+  const bool is_terse = leaves_out_tables({options.json});
+  write_to_reader(options.json == "-" ? json
+                  : is_terse          ? objections(report)
+                                      : summary_table(report));
   if (!json.empty() && options.json != "-") write_file(options.json, json);
   if (!saving.first_error.empty()) throw UserError(saving.first_error);
   return has_failed(report) ? 1 : 0;
@@ -182,6 +191,9 @@ Run define(CLI::App& app) {
       add_whole_number(app, "--cases", options->cases, "how many cases, all regimes together", 1);
   add_length(app, "--seconds", options->seconds, "how long, all regimes together; 10 if not given")
       ->excludes(cases);
+  app.add_flag("--until-new", options->until_new,
+               "until something is found that the corpus does not show; without --cases or "
+               "--seconds there is no other end");
   add_whole_number(app, "--first", options->first, "the first index in each regime");
   add_whole_number(app, "--jobs", options->jobs, "how many processes; one a core if not given", 1);
   add_whole_number(app, "--judge-every", options->judge_every,
@@ -210,6 +222,8 @@ Run define(CLI::App& app) {
 extern const Command kFuzz;
 const Command kFuzz{
     "fuzz", "A campaign: random cases to two colliders; what differs is judged, shrunk, saved.",
-    "manifuzz fuzz --regime sliver --seed 1 --cases 100000", define};
+    "manifuzz fuzz --regime sliver --seed 1 --cases 100000\n"
+    "manifuzz fuzz --until-new --regime sliver --seed 1 --cases 20000",
+    define};
 
 }  // namespace manifuzz

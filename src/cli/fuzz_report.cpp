@@ -7,6 +7,7 @@
 
 #include "cases/text.hpp"
 #include "report/provenance.hpp"
+#include "report/style.hpp"
 
 namespace manifuzz {
 namespace {
@@ -35,9 +36,17 @@ std::string regime_rows(const CampaignReport& report) {
 std::string verdict_rows(const Tally& tally) {
   std::string text;
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
-    text += fmt::format("{:<18}{:>14}\n", kVerdictNames[i], tally.verdicts[i]);
+    const std::string name = fmt::format("{:<18}", kVerdictNames[i]);
+    const bool is_bad = tally.verdicts[i] > 0 && is_unexplained(static_cast<Verdict>(i));
+    text += fmt::format("{}{:>14}\n", is_bad ? bad(name) : name, tally.verdicts[i]);
   }
   return text + fmt::format("{:<18}{:>14}\n", "unexplained", tally.unexplained());
+}
+
+std::string over_budget_in_words(const LedgerCount& count) {
+  if (count.over_budget.empty()) return "";
+  return fmt::format("  {}\n",
+                     bad(fmt::format("over its budget in {}", fmt::join(count.over_budget, ", "))));
 }
 
 std::string ledger_rows(const CampaignReport& report) {
@@ -45,10 +54,21 @@ std::string ledger_rows(const CampaignReport& report) {
   for (const LedgerCount& count : report.ledger) {
     text += fmt::format("{:<36}{:>14}{}\n", count.entry->id, count.hits,
                         count.hits == 0 ? "  never fired" : "");
-    if (count.over_budget.empty()) continue;
-    text += fmt::format("  over its budget in {}\n", fmt::join(count.over_budget, ", "));
+    text += over_budget_in_words(count);
   }
   return text;
+}
+
+std::string vacuous_in_words(const CampaignReport& report) {
+  if (!is_vacuous(report)) return "";
+  return "\nvacuous: nothing touched, so nothing was shown; choose other regimes or a radius\n";
+}
+
+std::string interrupted_in_words(const CampaignReport& report) {
+  if (!report.run.interrupted) return "";
+  return "\ninterrupted: what was found until then is counted" +
+         (report.unsaved == 0 ? " and kept\n"
+                              : fmt::format(", but {} findings are not saved\n", report.unsaved));
 }
 
 /// Why a campaign that was not interrupted ended before its cases did.
@@ -60,11 +80,25 @@ std::string hopeless_in_words(const CampaignReport& report) {
                      collider.declaration.name, printable(report.run.why_hopeless, 200));
 }
 
-std::string finding_rows(const CampaignReport& report) {
+bool is_any(const Finding&) {
+  return true;
+}
+
+/// Anything against the subject, and what is new against the oracle.
+bool decides_status(const Finding& finding) {
+  return is_failure(finding.bucket) ||
+         (finding.is_new && finding.bucket.verdict == Verdict::oracle_wrong);
+}
+
+std::string finding_rows(const CampaignReport& report, bool (*is_shown)(const Finding&)) {
   std::string text;
   for (const Finding& finding : report.findings) {
-    text += fmt::format("{}{}: {} times, worst {:.2g} of the size\n", finding.is_new ? "new " : "",
-                        to_string(finding.bucket), finding.tally.count, finding.tally.magnitude);
+    if (!is_shown(finding)) continue;
+    const std::string bucket = to_string(finding.bucket);
+    text += fmt::format("{}{}: {} times, worst {:.2g} of the size\n",
+                        finding.is_new ? fresh("new ") : "",
+                        decides_status(finding) ? bad(bucket) : bucket, finding.tally.count,
+                        finding.tally.magnitude);
     if (!finding.file.empty()) text += fmt::format("  {}\n", finding.file);
     if (finding.is_new || is_unexplained(finding.bucket.verdict)) {
       text += fmt::format("  {}\n", command_of(report, finding));
@@ -99,10 +133,7 @@ bool has_failed(const CampaignReport& report) {
   return is_vacuous(report) ||
          std::any_of(report.ledger.begin(), report.ledger.end(),
                      [](const LedgerCount& count) { return !count.over_budget.empty(); }) ||
-         std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
-           return is_failure(finding.bucket) ||
-                  (finding.is_new && finding.bucket.verdict == Verdict::oracle_wrong);
-         });
+         std::any_of(report.findings.begin(), report.findings.end(), decides_status);
 }
 
 std::string command_of(const CampaignReport& report, const Finding& finding) {
@@ -121,20 +152,25 @@ std::string summary_table(const CampaignReport& report) {
                   rate(tally.cases(), report.run.seconds), report.plan.jobs, report.plan.seed);
   text += regime_rows(report) + '\n' + verdict_rows(tally);
   if (!report.ledger.empty()) text += '\n' + ledger_rows(report);
-  if (!report.findings.empty()) text += '\n' + finding_rows(report);
-  if (is_vacuous(report)) {
-    text += "\nvacuous: nothing touched, so nothing was shown; choose other regimes or a radius\n";
+  if (!report.findings.empty()) text += '\n' + finding_rows(report, is_any);
+  if (report.plan.until_new && !has_new(report.findings)) {
+    text += "\nnothing new: the corpus shows each of these already\n";
   }
+  text += vacuous_in_words(report);
   if (report.baseline)
     text += '\n' + differences_in_words(report.baseline->terms, terms_in(summary_json(report))) +
             comparison_rows(compared(report.baseline->buckets, report.findings));
-  text += hopeless_in_words(report);
-  if (report.run.interrupted) {
-    text += "\ninterrupted: what was found until then is counted";
-    text += report.unsaved == 0 ? " and kept\n"
-                                : fmt::format(", but {} findings are not saved\n", report.unsaved);
+  return text + hopeless_in_words(report) + interrupted_in_words(report);
+}
+
+std::string objections(const CampaignReport& report) {
+  std::string text = finding_rows(report, decides_status);
+  for (const LedgerCount& count : report.ledger) {
+    if (!count.over_budget.empty()) {
+      text += fmt::format("{}\n{}", count.entry->id, over_budget_in_words(count));
+    }
   }
-  return text;
+  return text + vacuous_in_words(report) + hopeless_in_words(report) + interrupted_in_words(report);
 }
 
 nlohmann::ordered_json summary_json(const CampaignReport& report) {
@@ -210,10 +246,13 @@ std::string progress_line(const Plan& plan, const Progress& progress) {
   if (plan.cases && per_second > 0) {
     left = static_cast<double>(*plan.cases - std::min(*plan.cases, tally.cases())) / per_second;
   }
-  return fmt::format(
-      "{} cases, {:.0f} a second; agree {}, tie {}, known {}, unexplained {}; {:.0f} s left",
-      tally.cases(), per_second, tally.count(Verdict::agree), tally.count(Verdict::tie),
-      tally.count(Verdict::known), tally.unexplained(), std::max(0.0, left));
+  std::string line =
+      fmt::format("{} cases, {:.0f} a second; agree {}, tie {}, known {}, unexplained {}",
+                  tally.cases(), per_second, tally.count(Verdict::agree), tally.count(Verdict::tie),
+                  tally.count(Verdict::known), tally.unexplained());
+  if (plan.until_new) line += "; waiting for a new bucket";
+  if (plan.seconds || plan.cases) line += fmt::format("; {:.0f} s left", std::max(0.0, left));
+  return line;
 }
 
 }  // namespace manifuzz

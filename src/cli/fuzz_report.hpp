@@ -44,6 +44,9 @@ std::string command_of(const CampaignReport& report, const Finding& finding);
 /// For people: regimes, verdicts (zeros too), findings with their commands.
 std::string summary_table(const CampaignReport& report);
 
+/// What of that decides the status, alone; nothing where all is well.
+std::string objections(const CampaignReport& report);
+
 nlohmann::ordered_json summary_json(const CampaignReport& report);
 
 /// One line of a running campaign: cases, rate, verdicts that count, time left.

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "cases/text.hpp"
+#include "cases/nearest.hpp"
 #include "cases/user_error.hpp"
 
 namespace manifuzz {
@@ -20,10 +17,7 @@ std::vector<const Regime*> choose_regimes(const std::vector<std::string>& names)
   }
   for (const std::string& name : names) {
     const Regime* const regime = find_regime(name);
-    if (regime == nullptr) {
-      throw UserError(fmt::format("--regime: there is no regime '{}'; there are {}",
-                                  printable(name), fmt::join(known, ", ")));
-    }
+    if (regime == nullptr) throw UserError("--regime: " + no_such("regime", name, known));
     const bool again = std::find(chosen.begin(), chosen.end(), regime) != chosen.end();
     if (!again) chosen.push_back(regime);
   }

@@ -1,11 +1,12 @@
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cases/nearest.hpp"
 #include "cases/regime.hpp"
-#include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
@@ -87,7 +88,7 @@ constexpr Catalogue kCatalogues[] = {{"colliders", list_colliders},
                                      {"scenes", list_scenes}};
 
 int list(const std::string& what) {
-  std::string names;
+  std::vector<std::string_view> names;
   for (const Catalogue& catalogue : kCatalogues) {
     if (catalogue.name == what) {
       Output out;
@@ -95,10 +96,9 @@ int list(const std::string& what) {
       out.flush();
       return 0;
     }
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", catalogue.name);
+    names.push_back(catalogue.name);
   }
-  throw UserError(
-      fmt::format("list: there is no '{}' to list; there are {}", printable(what), names));
+  throw UserError("list: " + no_such("list of", what, names));
 }
 
 Run define(CLI::App& app) {

@@ -5,16 +5,15 @@
 #include <string>
 #include <string_view>
 #include <unistd.h>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
+#include "cli/next_steps.hpp"
 #include "cli/output.hpp"
+#include "cli/usage.hpp"
 #include "oracle/external/child.hpp"
 #include "oracle/external/process.hpp"
 
@@ -24,20 +23,8 @@ namespace {
 constexpr int kBadUsage = 2;
 
 int complain(std::string_view what) {
-  write_error(fmt::format("manifuzz: {}\n", what));
+  write_complaint(what);
   return kBadUsage;
-}
-
-int complain_of_command(const CLI::App& app) {
-  const auto words = app.remaining();
-  const bool is_word = !words.empty() && !words[0].starts_with('-');
-  const std::string wrong = words.empty() ? std::string("a command is missing")
-                            : is_word ? fmt::format("there is no command '{}'", printable(words[0]))
-                                      : fmt::format("there is no option '{}'", printable(words[0]));
-  std::vector<std::string_view> names;
-  for (const Command& command : commands()) names.push_back(command.name);
-  return complain(
-      fmt::format("{}; the commands are {}; try manifuzz --help", wrong, fmt::join(names, ", ")));
 }
 
 /// Help goes to stdout; what cannot be parsed gives one line on stderr.
@@ -49,36 +36,35 @@ int answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
     out.flush();
     return 0;
   }
-  const auto used = app.get_subcommands();
-  if (used.empty()) return complain_of_command(app);
-  return complain(fmt::format("{0}: {1}; try manifuzz {0} --help", used[0]->get_name(),
-                              printable(error.what(), 300)));
+  return complain(complaint_about_usage(app, error));
 }
 
-/// Indented, a command line each.
-std::string help_on_example(std::string_view example) {
-  std::string text = "Example:\n  ";
-  for (const char c : example) {
-    text += c;
-    if (c == '\n') text += "  ";
-  }
-  return text + "\n";
+/// A call without arguments is answered in full; but a script that has lost its command must not
+/// pass, so its status is that of bad usage.
+int answer_bare_call(const char* program) {
+  write_to_reader(next_steps(program, "corpus"));
+  return complain("a command is missing; above are some to begin with");
 }
 
 int run(int argc, char** argv) {
   CLI::App app{"Contact points by clipping, and the harness that proves them.", "manifuzz"};
   app.set_version_flag("--version", "manifuzz " MANIFUZZ_VERSION);
   app.require_subcommand(1);
+  add_common_options(app);
   std::map<const CLI::App*, Run> runs;
   for (const Command& command : commands()) {
     CLI::App* const sub =
         app.add_subcommand(std::string(command.name), std::string(command.summary));
     sub->footer(help_on_example(command.example));
     runs[sub] = command.define(*sub);
+    add_common_options(*sub);
   }
+  if (argc < 2) return answer_bare_call(argc > 0 ? argv[0] : "manifuzz");
   try {
     app.parse(argc, argv);
+    obey_common_options(app);
   } catch (const CLI::ParseError& error) {
+    obey_common_options(app);
     return answer_parse_error(app, error);
   }
   return runs.at(app.get_subcommands().front())();

@@ -1,5 +1,6 @@
 #include "cli/output.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -8,11 +9,38 @@
 #include <fmt/format.h>
 
 #include "cases/user_error.hpp"
+#include "report/style.hpp"
 
 namespace manifuzz {
+namespace {
+
+bool quiet = false;
+
+}  // namespace
 
 void write_error(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void write_complaint(std::string_view what) {
+  write_error(fmt::format("{} {}\n", bad_on_stderr("manifuzz:"), what));
+}
+
+void be_quiet() {
+  quiet = true;
+}
+
+bool is_quiet() {
+  return quiet;
+}
+
+bool leaves_out_tables(std::initializer_list<std::string_view> files) {
+  const auto takes_data = [](std::string_view file) { return !file.empty() && file != "-"; };
+  return quiet && std::ranges::any_of(files, takes_data);
+}
+
+void write_remark(std::string_view line) {
+  if (!quiet) write_error(fmt::format("{}\n", line));
 }
 
 void Output::write(std::string_view text) {
@@ -48,19 +76,19 @@ void Outputs::write(bool is_asked, const std::function<void()>& write_it) {
   try {
     write_it();
   } catch (const UserError& error) {
-    write_error(fmt::format("manifuzz: {}\n", error.what()));
+    write_complaint(error.what());
     are_written_ = false;
   }
 }
 
-ProgressLine::ProgressLine() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine() : is_shown_(!quiet && is_able_terminal(STDERR_FILENO)) {}
 
 ProgressLine::~ProgressLine() {
   show("");
 }
 
 void ProgressLine::show(std::string_view text) const {
-  if (is_terminal_) write_error("\r" + std::string(text) + "\x1b[K");
+  if (is_shown_) write_error("\r" + std::string(text) + "\x1b[K");
 }
 
 }  // namespace manifuzz

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,20 @@ namespace manifuzz {
 
 /// Writes to the standard error as far as it goes: one that is closed or full stops nothing.
 void write_error(std::string_view text);
+
+/// What is wrong, a line on the standard error: "manifuzz: what".
+void write_complaint(std::string_view what);
+
+/// From now on nothing but data, what is wrong, and what decides a status.
+void be_quiet();
+bool is_quiet();
+
+/// Whether tables are left out: when quiet, where one of these files (empty: none, "-": stdout)
+/// takes what they say.
+bool leaves_out_tables(std::initializer_list<std::string_view> files);
+
+/// A line on the standard error that nothing hangs on; none when quiet.
+void write_remark(std::string_view line);
 
 /// Thrown where nobody reads the output any more: the command ends, quietly.
 struct OutputClosed {};
@@ -39,7 +54,8 @@ class Outputs {
   bool are_written_ = true;
 };
 
-/// One line on a terminal, written over and over; nothing where stderr is no terminal.
+/// One line on a terminal, written over and over; nothing when quiet, and where stderr is no
+/// terminal that could erase it.
 class ProgressLine {
  public:
   ProgressLine();
@@ -50,7 +66,7 @@ class ProgressLine {
   void show(std::string_view text) const;
 
  private:
-  bool is_terminal_;
+  bool is_shown_;
 };
 
 }  // namespace manifuzz

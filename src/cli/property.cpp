@@ -5,17 +5,17 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "campaign/property_run.hpp"
 #include "cases/corpus.hpp"
-#include "cases/text.hpp"
+#include "cases/nearest.hpp"
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/parties.hpp"
+#include "report/style.hpp"
 
 namespace manifuzz {
 namespace {
@@ -43,8 +43,7 @@ std::vector<const Property*> choose(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     chosen.push_back(find_property(name));
     if (chosen.back() == nullptr) {
-      throw UserError(fmt::format("property: there is no '{}'; there are {}", printable(name),
-                                  fmt::join(known, ", ")));
+      throw UserError("property: " + no_such("property", name, known));
     }
   }
   return chosen;
@@ -81,8 +80,9 @@ int run(const Options& options) {
   bool all_passed = true;
   for (const Property* property : chosen) {
     const PropertyResult result = run_property(*property, subject, plan);
-    out.write(fmt::format("{} {}: {}\n{}\n", result.passed ? "ok  " : "FAIL", property->name,
-                          property->sentence, result.report));
+    if (result.passed && is_quiet()) continue;
+    out.write(fmt::format("{} {}: {}\n{}\n", result.passed ? good("ok  ") : bad("FAIL"),
+                          property->name, property->sentence, result.report));
     if (!result.passed && result.failing) {
       out.write(fmt::format("repeat with RC_PARAMS=\"{}\"\n", result.reproduce));
       if (!options.no_save) {

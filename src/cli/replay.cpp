@@ -19,6 +19,7 @@
 #include "cli/parties.hpp"
 #include "report/junit.hpp"
 #include "report/provenance.hpp"
+#include "report/style.hpp"
 
 namespace manifuzz {
 namespace {
@@ -86,15 +87,21 @@ ReplayRun run_all(const std::vector<CorpusCase>& cases, const Collider& subject,
   return run;
 }
 
-std::string summary(const ReplayRun& run, const Collider& subject, const Collider& oracle) {
+std::string failures(const ReplayRun& run) {
   std::string text;
   for (const JUnitTest& test : run.tests) {
     if (test.failure.empty()) continue;
-    text += fmt::format("FAIL {}: {}\n", printable(test.name, 200), test.failure);
+    text += fmt::format("{} {}: {}\n", bad("FAIL"), printable(test.name, 200), test.failure);
   }
-  return text + fmt::format("{} against {}: {} cases, {} passed, {} failed, in {:.2f} s\n",
-                            subject.declaration.name, oracle.declaration.name, run.cases,
-                            run.cases - run.failures.size(), run.failures.size(), run.seconds);
+  return text;
+}
+
+std::string summary(const ReplayRun& run, const Collider& subject, const Collider& oracle) {
+  if (is_quiet()) return failures(run);
+  return failures(run) + fmt::format("{} against {}: {} cases, {} passed, {} failed, in {:.2f} s\n",
+                                     subject.declaration.name, oracle.declaration.name, run.cases,
+                                     run.cases - run.failures.size(), run.failures.size(),
+                                     run.seconds);
 }
 
 int replay(const Options& options) {
@@ -104,7 +111,7 @@ int replay(const Options& options) {
   const Collider oracle = find_oracle(options.parties);
   const Corpus corpus = read_corpus(paths);
   for (const std::string& error : corpus.errors) {
-    write_error(fmt::format("manifuzz: {}\n", error));
+    write_complaint(error);
   }
 
   const ReplayRun run = run_all(corpus.cases, subject, oracle);

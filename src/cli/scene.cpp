@@ -7,6 +7,7 @@
 
 #include "cases/corpus.hpp"
 #include "cases/file.hpp"
+#include "cases/nearest.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
@@ -64,10 +65,9 @@ std::vector<const SceneSpec*> chosen_scenes(const std::vector<std::string>& name
   for (const std::string& name : names) {
     const SceneSpec* const spec = find_scene(name);
     if (spec == nullptr) {
-      std::string known;
-      for (const SceneSpec& each : scene_specs()) known += fmt::format(" {}", each.name);
-      throw UserError(
-          fmt::format("--scene: there is no '{}'; there are{}", printable(name), known));
+      std::vector<std::string_view> known;
+      for (const SceneSpec& each : scene_specs()) known.emplace_back(each.name);
+      throw UserError("--scene: " + no_such("scene", name, known));
     }
     if (std::ranges::find(chosen, spec) == chosen.end()) chosen.push_back(spec);
   }
@@ -180,12 +180,24 @@ void write_files(const Options& options, const SceneReport& report, const std::s
                 [&] { write_line_plot(options.recycling, recycling_plot(report.curves)); });
 }
 
+/// What decides the status, alone.
+std::string mismatches_in_words(const std::vector<SceneRun>& runs) {
+  std::string text;
+  for (const SceneRun& run : runs) {
+    if (run.afresh.mismatches == 0) continue;
+    text += fmt::format("{} of {} bodies: {} mismatches\n", run.scene, run.bodies,
+                        run.afresh.mismatches);
+  }
+  return text;
+}
+
 int scene_command(const Options& options) {
   expect_possible(options);
   const SceneReport report = run_all(options);
   const std::string json = report_json(report).dump(2) + '\n';
   std::string tables = rows_table(report.runs);
   if (!report.curves.empty()) tables += '\n' + curves_table(report.curves);
+  if (leaves_out_tables({options.json})) tables = mismatches_in_words(report.runs);
   Outputs outputs;
   outputs.write(true, [&] { write_to_reader(options.json == "-" ? json : tables); });
   write_files(options, report, json, outputs);

@@ -11,6 +11,7 @@
 #include "cases/file.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
+#include "cli/case_argument.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
@@ -28,7 +29,7 @@ namespace {
 constexpr std::uint64_t kMapStepMax = 100'000;
 
 struct Options {
-  std::string file;
+  CaseArgument given;
   Parties parties{{"subject", "", ""}, {"oracle", "", ""}, {}};
   std::string svg;
   bool upstream = false;
@@ -79,11 +80,12 @@ std::string write_map(const Options& options, const ShownCase& shown, const Coll
 
 int show(const Options& options) {
   check_map(options);
-  const CorpusCase given = read_case_file(options.file);
+  const std::string file = case_file(options.given);
+  const CorpusCase given = read_case_file(file);
   const Expectation recorded = given.expect.value_or(Expectation{});
   Parties parties = options.parties;
-  parties.subject = chosen(options.file, parties.subject, recorded.subject, "clip");
-  parties.oracle = chosen(options.file, parties.oracle, recorded.oracle, "box2d");
+  parties.subject = chosen(file, parties.subject, recorded.subject, "clip");
+  parties.oracle = chosen(file, parties.oracle, recorded.oracle, "box2d");
   const Collider subject = find_subject(parties);
   const Collider oracle = find_oracle(parties);
   Interruption interruption;
@@ -107,7 +109,7 @@ int show(const Options& options) {
 
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("file", options->file, "a case, - for stdin")->type_name("FILE")->required();
+  add_case_argument(app, options->given);
   add_collider(app, options->parties.subject,
                "the collider under test; if not given, the one the case names, or clip");
   add_collider(app, options->parties.oracle,
@@ -132,7 +134,8 @@ extern const Command kShow;
 const Command kShow{
     "show", "A case as text and as a picture: polygons, contact points, verdict.",
     "manifuzz generate --seed 1 --regime boxes --cases 1 | manifuzz show - --svg case.svg "
-    "--map case.png",
+    "--map case.png\n"
+    "manifuzz show oracle/known/missed_contact/none/b",
     define};
 
 }  // namespace manifuzz

@@ -8,6 +8,7 @@
 #include "campaign/guarded.hpp"
 #include "cases/file.hpp"
 #include "cases/user_error.hpp"
+#include "cli/case_argument.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/parties.hpp"
@@ -16,7 +17,7 @@ namespace manifuzz {
 namespace {
 
 struct Options {
-  std::string file;
+  CaseArgument given;
   Parties parties;
   std::string output = "-";
 };
@@ -24,13 +25,14 @@ struct Options {
 int shrink_file(const Options& options) {
   const Collider subject = find_subject(options.parties);
   const Collider oracle = find_oracle(options.parties);
-  const CorpusCase given = read_case_file(options.file);
+  const std::string file = case_file(options.given);
+  const CorpusCase given = read_case_file(file);
   Interruption interruption;
   const Judgement root = judge_guarded(given.pair, subject, oracle, interruption);
   if (root.bucket.verdict == Verdict::agree) {
     throw UserError(
-        fmt::format("{}: {} and {} agree on it; a case on which they differ is expected",
-                    options.file, subject.declaration.name, oracle.declaration.name));
+        fmt::format("{}: {} and {} agree on it; a case on which they differ is expected", file,
+                    subject.declaration.name, oracle.declaration.name));
   }
   const PairCase smallest = shrink_finding(given.pair, subject, oracle, interruption).pair;
   const Judgement judgement = judge_guarded(smallest, subject, oracle, interruption);
@@ -48,7 +50,7 @@ int shrink_file(const Options& options) {
 
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("file", options->file, "a case, - for stdin")->type_name("FILE")->required();
+  add_case_argument(app, options->given);
   add_parties(app, options->parties);
   app.add_option("--output", options->output, "where the smallest case goes, - for stdout")
       ->type_name("FILE")

@@ -11,6 +11,7 @@
 
 #include "campaign/guarded.hpp"
 #include "cases/file.hpp"
+#include "cases/nearest.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/breaking_points.hpp"
@@ -73,8 +74,7 @@ void choose_sweeps(const std::vector<std::string>& names, StressPlan& plan) {
     } else if (const Walk* const walk = find_walk(name)) {
       choose(walk, plan.walks);
     } else {
-      throw UserError(fmt::format("--sweep: there is no '{}'; there are {}", printable(name),
-                                  fmt::join(known, ", ")));
+      throw UserError("--sweep: " + no_such("sweep", name, known));
     }
   }
 }
@@ -103,7 +103,7 @@ std::vector<Contestant> contestants_of(const Options& options) {
         if (options.quick && collider.is_isolated()) continue;
         chosen.push_back(std::move(collider));
       } catch (const UserError& error) {
-        write_error(fmt::format("left out: {}\n", error.what()));
+        write_remark(fmt::format("left out: {}", error.what()));
       }
     }
   }
@@ -242,9 +242,11 @@ int stress(const Options& options) {
       options.json.empty() ? "" : report_json(plan, result, comparison).dump(1, '\t') + '\n';
   const bool has_table = options.json != "-";
   if (!has_table) write_error(objections(comparison));
+  const bool is_terse = leaves_out_tables({options.json, options.csv});
+  const std::string text =
+      is_terse ? objections(comparison) : report_text(plan, result, comparison);
   Outputs outputs;
-  outputs.write(true,
-                [&] { write_to_reader(has_table ? report_text(plan, result, comparison) : json); });
+  outputs.write(true, [&] { write_to_reader(has_table ? text : json); });
   write_files(plan, result, options, json, stored, interruption, outputs);
   if (!outputs.are_written()) return 2;
   return comparison.worse.empty() && comparison.not_compared.empty() ? 0 : 1;

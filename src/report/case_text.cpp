@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cases/text.hpp"
+#include "report/style.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -146,7 +147,9 @@ void write_answer(Text& text, const PairCase& pair, const Party& party, std::str
 }
 
 void write_verdict(Text& text, const Judgement& judgement) {
-  text.row("verdict", to_string(judgement.bucket.verdict));
+  const Verdict verdict = judgement.bucket.verdict;
+  const std::string_view name = to_string(verdict);
+  text.row("verdict", is_unexplained(verdict) ? bad(name) : std::string(name));
   text.row("bucket", to_string(judgement.bucket));
   text.row("magnitude", digits(judgement.magnitude) + " of the size");
   if (judgement.explanation == nullptr) return;

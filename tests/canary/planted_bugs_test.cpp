@@ -41,7 +41,7 @@ Plan plan_of(Collider subject, std::uint64_t cases = 40'000) {
 
 std::unique_ptr<Tally> run(const Plan& plan) {
   Interruption interruption;
-  JobsResult result = run_jobs(plan, interruption, [](const Progress&) {});
+  JobsResult result = run_jobs(plan, {0, plan.cases_max()}, interruption, [](const Progress&) {});
   CHECK(result.tally->cases() == *plan.cases);
   return std::move(result.tally);
 }

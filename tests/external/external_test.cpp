@@ -56,7 +56,7 @@ Plan plan_of(const Collider& subject) {
 
 JobsResult run(const Plan& plan) {
   Interruption interruption;
-  return run_jobs(plan, interruption, [](const Progress&) {});
+  return run_jobs(plan, {0, plan.cases_max()}, interruption, [](const Progress&) {});
 }
 
 /// How many of the plan's cases a collider that is told so has no luck with.

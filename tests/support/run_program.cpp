@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <fcntl.h>
+#include <pty.h>
 #include <spawn.h>
 #include <stdexcept>
 #include <sys/mman.h>
@@ -57,18 +59,13 @@ class ScratchFile {
   int descriptor_;
 };
 
-}  // namespace
-
-Outcome run_program(const std::vector<std::string>& command, std::string_view input) {
-  ScratchFile in;
-  ScratchFile out;
-  ScratchFile err;
-  in.fill(input);
+/// Starts a command (looked up in PATH unless it has a slash) on these descriptors.
+pid_t start(const std::vector<std::string>& command, int in, int out, int err) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, in.descriptor(), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, out.descriptor(), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, err.descriptor(), STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, in, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -76,10 +73,43 @@ Outcome run_program(const std::vector<std::string>& command, std::string_view in
   errno = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   check(errno == 0, arguments[0]);
+  return child;
+}
+
+/// Waits for a child: its exit status, or 128 + the signal that ended it.
+int status_of(pid_t child) {
   int status = 0;
   check(waitpid(child, &status, 0) == child, "waitpid");
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), out.content(),
-          err.content()};
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+Outcome run_program(const std::vector<std::string>& command, std::string_view input) {
+  ScratchFile in;
+  ScratchFile out;
+  ScratchFile err;
+  in.fill(input);
+  const int status = status_of(start(command, in.descriptor(), out.descriptor(), err.descriptor()));
+  return {status, out.content(), err.content()};
+}
+
+Outcome run_on_terminal(const std::vector<std::string>& command) {
+  int screen = 0;
+  int line = 0;
+  check(openpty(&screen, &line, nullptr, nullptr, nullptr) == 0, "openpty");
+  fcntl(screen, F_SETFD, FD_CLOEXEC);
+  const pid_t child = start(command, line, line, line);
+  close(line);
+  Outcome outcome;
+  char chunk[4096];
+  // The read fails when the last program on the terminal has ended.
+  for (ssize_t count = 0; (count = read(screen, chunk, sizeof chunk)) > 0;) {
+    outcome.out.append(chunk, static_cast<std::size_t>(count));
+  }
+  close(screen);
+  outcome.status = status_of(child);
+  return outcome;
 }
 
 Outcome run_manifuzz(std::vector<std::string> arguments, std::string_view input) {

@@ -16,6 +16,9 @@ struct Outcome {
 /// Runs a command (looked up in PATH unless it has a slash) with `input` on its standard input.
 Outcome run_program(const std::vector<std::string>& command, std::string_view input = {});
 
+/// Runs a command on a terminal of its own; `out` is all that it shows, of either stream.
+Outcome run_on_terminal(const std::vector<std::string>& command);
+
 /// Runs the built manifuzz.
 Outcome run_manifuzz(std::vector<std::string> arguments, std::string_view input = {});
 

@@ -65,7 +65,7 @@ TEST_CASE("scene recycles on request, and says what that skips and costs") {
 TEST_CASE("scene refuses what it does not know") {
   const auto unknown = test::run_manifuzz({"scene", "--scene", "avalanche"});
   CHECK(unknown.status == 2);
-  CHECK(unknown.err.find("there is no 'avalanche'; there are pile") != std::string::npos);
+  CHECK(unknown.err.find("there is no scene 'avalanche'; there are pile") != std::string::npos);
   CHECK(test::run_manifuzz({"scene", "--bodies", "3"}).status == 2);
   CHECK(test::run_manifuzz({"scene", "--scaling", "plot.pdf"}).status == 2);
   CHECK(test::run_manifuzz({"scene", "--bodies", "10", "--scaling", "plot.svg"}).status == 2);
