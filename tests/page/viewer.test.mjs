@@ -49,6 +49,17 @@ async function cameraOf(page) {
   return {x, y, scale};
 }
 
+/** Zooms 2^20 times by the wheel, the pointer on a contact point; a pointer is no more exact than a pixel, so it aims anew. */
+async function zoomToPoint(page) {
+  for (let i = 0; i < 20; ++i) {
+    const at = await drawnAt(page);
+    await page.mouse.move(...at);
+    await page.mouse.wheel(0, -240);
+    await drawn(page);
+    near(await drawnAt(page), at, 2);
+  }
+}
+
 function near(actual, expected, tolerance) {
   actual.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) <= tolerance, `${actual} is not within ${tolerance} of ${expected}`));
 }
@@ -94,13 +105,7 @@ onCase('points can be reached by the tab key, and keep the focus while the pictu
 
 onCase('the wheel zooms a million times at the pointer, and points stay where they belong', tie, async (page) => {
   const start = await cameraOf(page);
-  for (let i = 0; i < 20; ++i) {
-    const at = await drawnAt(page);
-    await page.mouse.move(...at);
-    await page.mouse.wheel(0, -240);
-    await drawn(page);
-    near(await drawnAt(page), at, 2);
-  }
+  await zoomToPoint(page);
   const camera = await cameraOf(page);
   assert.ok(camera.scale / start.scale > 1e6 && camera.scale / start.scale < 1.1e6);
   // Its place, computed from the camera that the page says it has.
@@ -110,9 +115,10 @@ onCase('the wheel zooms a million times at the pointer, and points stay where th
   near(await drawnAt(page), at, 0.6);
 });
 
-onCase('nothing is drawn far outside the picture, however close', witness, async (page) => {
-  for (let i = 0; i < 24; ++i) await page.keyboard.press('+');
+onCase('nothing is drawn far outside the picture, however close', tie, async (page) => {
   await drawn(page);
+  await zoomToPoint(page);
+  assert.ok(await page.locator('#stage .edge').count() > 0);
   const greatest = await page.evaluate(() => Math.max(...[...document.querySelectorAll('#stage svg [d]')]
     .flatMap((node) => node.getAttribute('d').match(/-?[\d.]+(e[+-]?\d+)?/g)).map((value) => Math.abs(Number(value)))));
   assert.ok(greatest < 5000, String(greatest));
@@ -196,6 +202,24 @@ onCase('each of several right manifolds is stepped to', tie, async (page) => {
   assert.notEqual(await truth(), first);
   await page.keyboard.press('[');
   assert.equal(await truth(), first);
+});
+
+onCase('a finger that taps a point gets it explained', witness, async (page) => {
+  await drawn(page);
+  await page.touchscreen.tap(...await drawnAt(page));
+  await page.waitForTimeout(100);
+  assert.match(await page.textContent('#tooltip'), /clip \(subject\)/);
+  assert.ok(await page.locator('#tooltip').isVisible());
+}, {hasTouch: true});
+
+onCase('points of the next case are explained too', tie, async (page) => {
+  for (let i = 0; i < 2; ++i) {
+    await drawn(page);
+    await page.locator('#stage .target.point').last().focus();
+    assert.ok(await page.locator('#tooltip').isVisible());
+    await page.keyboard.press('j');
+    assert.ok(!await page.locator('#tooltip').isVisible());
+  }
 });
 
 onCase('j and k go through the cases, and the address follows', cases[3], async (page) => {

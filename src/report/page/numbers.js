@@ -41,7 +41,7 @@ function short(value) {
   if (value === 0) return "0";
   const size = Math.abs(value);
   if (size >= 1000 && size < 1e5) return whole(Number(value.toPrecision(3)));
-  if (size >= 0.01 && size < 1000) return String(Number(value.toPrecision(3)));
+  if (size >= 0.001 && size < 1000) return String(Number(value.toPrecision(3)));
   return value.toExponential(1).replace("e+", "e");
 }
 

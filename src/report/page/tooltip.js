@@ -15,8 +15,12 @@ function showTooltip(blocks, box, host) {
   tip.style.top = `${above >= 4 ? above : Math.min(box.bottom + 10, room.bottom - height - 4)}px`;
 }
 
+// Back to the page: the dialog's contents are replaced.
 function hideTooltip() {
-  byId("tooltip").hidden = true;
+  const tip = byId("tooltip");
+  if (tip.hidden) return;
+  tip.hidden = true;
+  document.body.append(tip);
 }
 
 // Under the pointer, everything of the same layer; else the target alone.
@@ -36,6 +40,7 @@ function explainTargets(root, selector, describe, host = document.body) {
   root.addEventListener("pointerover", explain);
   root.addEventListener("pointerdown", explain);
   root.addEventListener("focusin", explain);
-  root.addEventListener("pointerleave", hideTooltip);
+  // A finger leaves as soon as it is lifted: what it pointed at stays explained.
+  root.addEventListener("pointerleave", (event) => event.pointerType === "touch" || hideTooltip());
   root.addEventListener("focusout", hideTooltip);
 }
