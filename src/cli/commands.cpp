@@ -13,11 +13,12 @@ extern const Command kReplay;
 extern const Command kScene;
 extern const Command kShow;
 extern const Command kShrink;
+extern const Command kSmoke;
 extern const Command kStress;
 
 std::span<const Command> commands() {
-  static const Command all[] = {kFuzz,   kReplay, kProperty, kCollide, kJudge, kGenerate,
-                                kShrink, kShow,   kBench,    kStress,  kScene, kList};
+  static const Command all[] = {kFuzz,   kReplay, kProperty, kSmoke,  kCollide, kJudge, kGenerate,
+                                kShrink, kShow,   kBench,    kStress, kScene,   kList};
   return all;
 }
 

@@ -86,14 +86,16 @@ bool is_vacuous(const CampaignReport& report) {
   return cases >= kVacuousCases && touching == 0;
 }
 
+bool decides_status(const Finding& finding) {
+  return is_failure(finding.bucket) ||
+         (finding.is_new && finding.bucket.verdict == Verdict::oracle_wrong);
+}
+
 bool has_failed(const CampaignReport& report) {
   return is_vacuous(report) ||
          std::any_of(report.ledger.begin(), report.ledger.end(),
                      [](const LedgerCount& count) { return !count.over_budget.empty(); }) ||
-         std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
-           return is_failure(finding.bucket) ||
-                  (finding.is_new && finding.bucket.verdict == Verdict::oracle_wrong);
-         });
+         std::any_of(report.findings.begin(), report.findings.end(), decides_status);
 }
 
 std::string command_of(const CampaignReport& report, const Finding& finding) {
