@@ -90,7 +90,7 @@ struct Interruption::Masks {
   sigset_t stop;
 };
 
-Interruption::Interruption() : masks_(new Masks) {
+Interruption::Interruption(Deadline deadline) : masks_(new Masks), deadline_(deadline) {
   sigemptyset(&masks_->stop);
   sigaddset(&masks_->stop, SIGINT);
   sigaddset(&masks_->stop, SIGTERM);
@@ -113,7 +113,7 @@ void Interruption::wait(double seconds) {
 }
 
 bool Interruption::requested() {
-  return requests() > forgiven_;
+  return requests() > forgiven_ || has_passed(deadline_);
 }
 
 int Interruption::requests() {

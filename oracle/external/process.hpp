@@ -1,8 +1,10 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <new>
+#include <optional>
 #include <sys/types.h>
 
 namespace manifuzz {
@@ -56,19 +58,25 @@ class Descendants {
   Descendants& operator=(const Descendants&) = delete;
 };
 
+/// A moment by which work must stop; none: it may take as long as it takes.
+using Deadline = std::optional<std::chrono::steady_clock::time_point>;
+inline bool has_passed(const Deadline& deadline) {
+  return deadline && std::chrono::steady_clock::now() >= *deadline;
+}
+
 /// Holds SIGINT and SIGTERM back for as long as it lives, so that work can stop in good order.
 class Interruption {
  public:
-  Interruption();
+  explicit Interruption(Deadline deadline = {});
   ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
   /// Waits until a signal or a child's end, at most so long.
   void wait(double seconds);
-  /// Whether somebody asked to stop, since this lives.
+  /// Whether somebody asked to stop, since this lives, or the deadline has passed.
   bool requested();
-  /// How often.
+  /// How often somebody asked.
   int requests();
   /// From here on only a signal more counts as a request.
   void forgive() { forgiven_ = requests(); }
@@ -76,6 +84,7 @@ class Interruption {
  private:
   struct Masks;
   Masks* masks_;
+  Deadline deadline_;
   int requests_ = 0;
   int forgiven_ = 0;
 };

@@ -103,28 +103,48 @@ std::unordered_map<std::string, rc::detail::Reproduce> failures_to_repeat(
   }
 }
 
+/// The collider, which declines whatever there is no time for: after the deadline a property holds
+/// of all that is left, shrinking included.
+Collider until(const Collider& collider, const Deadline& deadline) {
+  if (!deadline) return collider;
+  Collider hurried = collider;
+  hurried.collide = [collider, deadline](const PairCase& pair) -> Answer {
+    const auto go_on = [&] { return !has_passed(deadline); };
+    Answer answer = Unsupported{"time is up"};
+    if (!collider.is_isolated()) return go_on() ? collider.collide(pair) : answer;
+    return collider.collide_many({&pair, 1}, {&answer, 1}, go_on) == 1 ? answer
+                                                                       : Unsupported{"time is up"};
+  };
+  return hurried;
+}
+
 void describe_failure(PropertyResult& result, const rc::detail::FailureResult& failure,
-                      const std::string& id, const Property& property, const Collider& collider) {
+                      const std::string& id) {
   rc::detail::Configuration repeat;
   repeat.reproduce[id] = failure.reproduce;
   result.reproduce = rc::detail::configToMinimalString(repeat);
   if (failure.counterExample.empty()) return;
   const std::string& line = failure.counterExample.front().second;
   result.failing = parse_case(line, FormatKey::optional).pair;
-  result.why = check(property, collider, *result.failing).why;
 }
 
 }  // namespace
 
-PropertyResult run_property(const Property& property, const Collider& collider,
+PropertyResult run_property(const Property& property, const Collider& subject,
                             const PropertyPlan& plan) {
+  const Collider collider = until(subject, plan.deadline);
+  PropertyResult result;
   const auto testable = [&] {
+    if (has_passed(plan.deadline)) return;
     const Drawn drawn = *any_case(property, collider, plan.corpus).as("case");
     const Outcome outcome = check(property, collider, drawn.pair);
     RC_TAG(drawn.regime, std::string(name_of(outcome.kind)));
     const Standing where = standing(exact::Truth(drawn.pair));
     RC_CLASSIFY(where.touching, std::string("touching"));
-    if (outcome.kind == Outcome::Kind::fails) RC_FAIL(outcome.why);
+    if (result.why.empty() && !has_passed(plan.deadline)) ++result.cases;
+    if (outcome.kind != Outcome::Kind::fails) return;
+    result.why = outcome.why;  // whatever it is shrunk to fails alike
+    RC_FAIL(outcome.why);
   };
   rc::detail::TestParams params;
   params.seed = plan.seed;
@@ -137,14 +157,15 @@ PropertyResult run_property(const Property& property, const Collider& collider,
       rc::detail::checkProperty(rc::detail::toProperty(testable), metadata, params, silence,
                                 failures_to_repeat(plan.rc_params));
 
-  PropertyResult result;
   result.passed = outcome.is<rc::detail::SuccessResult>();
   std::ostringstream report;
   rc::detail::printResultMessage(outcome, report);
   result.report = report.str();
   if (outcome.is<rc::detail::FailureResult>()) {
-    describe_failure(result, outcome.get<rc::detail::FailureResult>(), metadata.id, property,
-                     collider);
+    describe_failure(result, outcome.get<rc::detail::FailureResult>(), metadata.id);
+  }
+  if (result.passed && result.cases < plan.cases && plan.rc_params.empty()) {
+    result.report = fmt::format("OK, passed {} of {} tests; time was up", result.cases, plan.cases);
   }
   return result;
 }

@@ -7,6 +7,7 @@
 
 #include "geometry/collider.hpp"
 #include "judging/properties.hpp"
+#include "oracle/external/process.hpp"
 
 namespace manifuzz {
 
@@ -16,10 +17,12 @@ struct PropertyPlan {
   int cases = 1000;
   std::span<const PairCase> corpus;  ///< what the regime `corpus` may mutate
   std::string rc_params;             ///< of a failure to repeat, as `reproduce` below has it
+  Deadline deadline{};               ///< what comes after is left out
 };
 
 struct PropertyResult {
   bool passed = false;
+  int cases = 0;                    ///< that were asked about, before anything was shrunk
   std::string report;               ///< what RapidCheck says: the distribution, or the failure
   std::optional<PairCase> failing;  ///< the smallest found
   std::string why;

@@ -50,6 +50,7 @@ void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
     ++of_regime.near;
   }
   if (is_unexplained(bucket.verdict)) ++of_regime.unexplained;
+  if (is_failure(bucket)) ++of_regime.failures;
   ++verdicts[static_cast<std::size_t>(bucket.verdict)];
   if (bucket.verdict != Verdict::agree) buckets[index_of(bucket)].add(number, judgement.magnitude);
   if (judgement.explanation != nullptr) ++explained[index_of(*judgement.explanation)][regime];
@@ -64,6 +65,7 @@ void Tally::add(const Tally& tally) {
     regimes[i].touching += tally.regimes[i].touching;
     regimes[i].near += tally.regimes[i].near;
     regimes[i].unexplained += tally.regimes[i].unexplained;
+    regimes[i].failures += tally.regimes[i].failures;
   }
   for (std::size_t i = 0; i < buckets.size(); ++i) buckets[i].add(tally.buckets[i]);
   for (std::size_t i = 0; i < explained.size(); ++i) {

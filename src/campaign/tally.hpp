@@ -28,6 +28,7 @@ struct RegimeTally {
   std::uint64_t touching = 0;  ///< by the truth
   std::uint64_t near = 0;      ///< not touching, but near
   std::uint64_t unexplained = 0;
+  std::uint64_t failures = 0;  ///< against the subject
 };
 
 /// Counts of a run, or of one job of it: plain data that lies in shared memory and that no order of

@@ -15,11 +15,13 @@ extern const Command kReport;
 extern const Command kScene;
 extern const Command kShow;
 extern const Command kShrink;
+extern const Command kSmoke;
 extern const Command kStress;
 
 std::span<const Command> commands() {
-  static const Command all[] = {kFuzz, kReplay, kProperty, kCollide, kJudge,  kGenerate, kShrink,
-                                kShow, kBench,  kStress,   kScene,   kReport, kMerge,    kList};
+  static const Command all[] = {kFuzz,   kReplay,   kProperty, kSmoke, kCollide,
+                                kJudge,  kGenerate, kShrink,   kShow,  kBench,
+                                kStress, kScene,    kReport,   kMerge, kList};
   return all;
 }
 

@@ -8,17 +8,18 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "campaign/guarded.hpp"
-#include "campaign/rounds.hpp"
 #include "cases/file.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
+#include "cli/ci_output.hpp"
 #include "cli/commands.hpp"
 #include "cli/fuzz_report.hpp"
+#include "cli/fuzz_run.hpp"
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/parties.hpp"
+#include "cli/report_page.hpp"
 
 namespace manifuzz {
 namespace {
@@ -42,6 +43,8 @@ struct Options {
   bool no_save = false;
   bool until_new = false;
   std::string baseline;
+  std::string report;
+  CiOutput ci;
 };
 
 int jobs_of(const Options& options) {
@@ -64,10 +67,11 @@ Plan plan_of(const Options& options) {
   plan.subject = find_subject(options.parties, options.tie_bias);
   plan.oracle = find_oracle(options.parties);
   plan.regimes = choose_regimes(options.regimes);
-  plan.is_narrowed = !options.radius && !(plan.subject.declaration.takes_radius &&
-                                          plan.oracle.declaration.takes_radius);
-  if (options.radius) plan.context.radius = radius_of(*options.radius);
-  if (plan.is_narrowed) plan.context.radius = 0.0F;
+  if (options.radius) {
+    plan.context.radius = radius_of(*options.radius);
+  } else {
+    narrow_to_colliders(plan);
+  }
   plan.first = options.first.value_or(0);
   plan.cases = options.cases;
   expect_indices(plan.first, plan.cases.value_or(1), plan.regimes.size());
@@ -80,14 +84,10 @@ Plan plan_of(const Options& options) {
   return plan;
 }
 
-/// This program as it was called, relative to the working folder, so that a kept output holds no
-/// absolute path; then whatever a case hangs on besides regime, seed and index.
+/// The beginning of a command that repeats a case: whatever it hangs on besides regime, seed and
+/// index.
 std::string repeating_command(const Options& options) {
-  std::string program = "manifuzz";
-  std::error_code unknown;
-  const auto self = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  if (!unknown) program = quoted_for_shell(std::filesystem::relative(self, unknown).string());
-  std::string command = fmt::format("{} fuzz {}", program, options_again(options.parties));
+  std::string command = fmt::format("{} fuzz {}", this_program(), options_again(options.parties));
   if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
   if (options.radius) command += fmt::format(" --radius {}", *options.radius);
   if (options.judge_every) command += fmt::format(" --judge-every {}", *options.judge_every);
@@ -95,48 +95,18 @@ std::string repeating_command(const Options& options) {
   return command;
 }
 
-/// How saving went: one finding that cannot be written does not lose the others.
-struct Saving {
-  std::string first_error;
-  bool interrupted = false;
-  std::size_t unsaved = 0;
-};
-
-/// A second signal ends the saving. The first one ended the shrinking: what it cut short is begun
-/// again without.
-void save_unless_hurried(Finding& finding, const Plan& plan, const std::string& corpus,
-                         Interruption& interruption) {
-  try {
-    save_finding(finding, plan, corpus, interruption);
-  } catch (const Interrupted&) {
-    if (interruption.requests() > 1) throw;
-    interruption.forgive();
-    save_finding(finding, plan, corpus, interruption);
-  }
-}
-
-/// What a campaign found is saved, even after it was interrupted.
-Saving save_new(std::vector<Finding>& found, const Plan& plan, const Options& options) {
-  Interruption interruption;
-  ProgressLine line;
-  Saving saving;
-  for (Finding& finding : found) {
-    if (!finding.is_new) continue;
-    if (interruption.requests() > 1) {
-      ++saving.unsaved;
-      continue;
-    }
-    line.show("shrinking " + to_string(finding.bucket));
-    try {
-      save_unless_hurried(finding, plan, options.corpus, interruption);
-    } catch (const Interrupted&) {
-      ++saving.unsaved;
-    } catch (const UserError& error) {
-      if (saving.first_error.empty()) saving.first_error = error.what();
-    }
-  }
-  saving.interrupted = interruption.requests() > 0;
-  return saving;
+/// The page of this campaign and its corpus.
+std::string page_of(const Plan& plan, const nlohmann::ordered_json& summary,
+                    const Options& options) {
+  const bool is_kept = !options.json.empty() && options.json != "-";
+  const std::string run = is_kept ? std::filesystem::proximate(options.json).string() : "this run";
+  RunFiles files{read_corpus_folder(options.corpus), {{run, "fuzz", summary}}};
+  NamedColliders colliders(plan.subject, plan.oracle);
+  const std::string again =
+      is_kept ? fmt::format("{} report {} {}", this_program(), quoted_for_shell(options.corpus),
+                            quoted_for_shell(run))
+              : "";
+  return report_page(files, colliders, kMapsUsual, again);
 }
 
 int fuzz(Options options) {
@@ -150,16 +120,11 @@ int fuzz(Options options) {
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
   const KnownBuckets known(corpus.cases);
-  JobsResult run;
-  {
-    Interruption interruption;
-    ProgressLine line;
-    run = run_plan(plan, known, interruption,
-                   [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
-  }
+  JobsResult run = run_watched(plan, known);
   std::vector<Finding> found = findings(*run.tally, plan, known);
+  Interruption interruption;
   Saving saving;
-  if (!options.no_save) saving = save_new(found, plan, options);
+  if (!options.no_save) saving = save_new(found, plan, options.corpus, interruption);
   run.interrupted = run.interrupted || saving.interrupted;
 
   const CampaignReport report{plan,
@@ -171,14 +136,24 @@ int fuzz(Options options) {
                               repeating_command(options)};
   // A path or a command need not be UTF-8.
   constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  const std::string json =
-      options.json.empty() ? "" : summary_json(report).dump(2, ' ', false, replace) + '\n';
+  const nlohmann::ordered_json summary = summary_json(report);
+  const std::string json = options.json.empty() ? "" : summary.dump(2, ' ', false, replace) + '\n';
+  Outputs outputs;
   const bool is_terse = leaves_out_tables({options.json});
-  write_to_reader(options.json == "-" ? json
-                  : is_terse          ? objections(report)
-                                      : summary_table(report));
-  if (!json.empty() && options.json != "-") write_file(options.json, json);
+  outputs.write(true, [&] {
+    write_to_reader(options.json == "-" ? json
+                    : is_terse          ? objections(report)
+                                        : summary_table(report));
+  });
+  outputs.write(!json.empty() && options.json != "-", [&] { write_file(options.json, json); });
+  const TestSuite suite = fuzz_suite(report, shows_pictures(options.ci), interruption);
+  write_ci({options.ci.junit, options.json == "-"}, {&suite, 1}, outputs);
+  outputs.write(!options.report.empty(), [&] {
+    write_file(options.report, page_of(plan, summary, options));
+    write_remark("page " + options.report);
+  });
   if (!saving.first_error.empty()) throw UserError(saving.first_error);
+  if (!outputs.are_written()) return 2;
   return has_failed(report) ? 1 : 0;
 }
 
@@ -214,6 +189,10 @@ Run define(CLI::App& app) {
       ->check(not_blank);
   app.add_option("--json", options->json, "the summary as JSON, to a file or - for stdout")
       ->type_name("FILE");
+  app.add_option("--report", options->report, "a page of this run and its corpus, too")
+      ->type_name("FILE.html")
+      ->check(not_blank);
+  add_junit(app, options->ci);
   return [options] { return fuzz(*options); };
 }
 

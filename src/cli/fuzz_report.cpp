@@ -129,6 +129,11 @@ bool is_vacuous(const CampaignReport& report) {
   return is_vacuous(counts);
 }
 
+bool decides_status(const Finding& finding) {
+  return is_failure(finding.bucket) ||
+         (finding.is_new && finding.bucket.verdict == Verdict::oracle_wrong);
+}
+
 bool has_failed(const CampaignReport& report) {
   return is_vacuous(report) ||
          std::any_of(report.ledger.begin(), report.ledger.end(),

@@ -34,6 +34,10 @@ struct RegimeCount {
 bool is_vacuous(std::span<const RegimeCount> regimes);
 bool is_vacuous(const CampaignReport& report);
 
+/// Whether a finding is one that the status must tell: anything against the subject, and what is
+/// new against the oracle.
+bool decides_status(const Finding& finding);
+
 /// Whether the campaign found what its status must tell: anything against the subject, a bucket of
 /// the oracle's that is new, an entry of the ledger over its budget, or a vacuous run.
 bool has_failed(const CampaignReport& report);

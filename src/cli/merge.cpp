@@ -93,7 +93,7 @@ int merge(const Options& options) {
   MergedRuns runs = merged_runs(files.results);
   std::vector<std::string> errors = files.corpus.errors;
   errors.insert(errors.end(), runs.errors.begin(), runs.errors.end());
-  for (const std::string& error : errors) write_error(fmt::format("manifuzz: {}\n", error));
+  for (const std::string& error : errors) write_complaint(error);
   if (files.corpus.cases.empty() && runs.json.is_null()) {
     throw UserError("merge: there is nothing to merge; name folders of cases and --json files");
   }

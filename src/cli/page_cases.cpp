@@ -11,6 +11,7 @@
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/colliders.hpp"
+#include "cli/parties.hpp"
 #include "report/map_picture.hpp"
 #include "report/map_words.hpp"
 
@@ -155,15 +156,10 @@ void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size
 
 }  // namespace
 
-NamedColliders::NamedColliders(const Parties& given) {
-  const auto take = [&](const ColliderChoice& choice, std::string& name) {
-    if (choice.name.empty() && choice.command.empty()) return;
-    const Collider collider = find_collider(choice, given.outside);
-    name = collider.declaration.name;
-    known_[name] = collider;
-  };
-  take(given.subject, subject_);
-  take(given.oracle, oracle_);
+NamedColliders::NamedColliders(const std::optional<Collider>& subject,
+                               const std::optional<Collider>& oracle) {
+  if (subject) known_[subject_ = subject->declaration.name] = subject;
+  if (oracle) known_[oracle_ = oracle->declaration.name] = oracle;
 }
 
 const Collider* NamedColliders::find(const std::string& name) {
@@ -192,7 +188,8 @@ std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& collider
       const std::string stem = given.path.substr(0, given.path.size() - kWorst.size());
       if (paths.contains(stem + ".json")) page_case.smallest = stem + ".json";
     }
-    page_case.commands.push_back("manifuzz show " + quoted_for_shell(given.path));
+    page_case.commands.push_back(
+        fmt::format("{} show {}", this_program(), quoted_for_shell(given.path)));
     add_runs(page_case, files.results);
     cases.push_back(std::move(page_case));
   }

@@ -5,17 +5,15 @@
 #include <string>
 
 #include "campaign/guarded.hpp"
-#include "cli/parties.hpp"
 #include "cli/results.hpp"
 #include "report/page.hpp"
 
 namespace manifuzz {
 
-/// The colliders that cases name, each made once; those that options give go by what they declare.
+/// The colliders that cases name, each made once; those that are given go by what they declare.
 class NamedColliders {
  public:
-  /// Empty choices give nothing. Throws UserError.
-  explicit NamedColliders(const Parties& given);
+  NamedColliders(const std::optional<Collider>& subject, const std::optional<Collider>& oracle);
 
   /// nullptr where there is none of that name, or where it cannot be had.
   const Collider* find(const std::string& name);

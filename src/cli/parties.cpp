@@ -116,11 +116,21 @@ Collider find_collider(const ColliderChoice& choice, const OutsideOptions& outsi
 }
 
 std::string options_again(const Parties& parties) {
-  std::string text = option_again(parties.subject) + ' ' + option_again(parties.oracle);
-  if (parties.outside.in_process) text += " --in-process";
-  if (parties.outside.time_limit)
-    text += fmt::format(" --time-limit {}", *parties.outside.time_limit);
+  return option_again(parties.subject) + ' ' + options_again(parties.oracle, parties.outside);
+}
+
+std::string options_again(const ColliderChoice& choice, const OutsideOptions& outside) {
+  std::string text = option_again(choice);
+  if (outside.in_process) text += " --in-process";
+  if (outside.time_limit) text += fmt::format(" --time-limit {}", *outside.time_limit);
   return text;
+}
+
+std::string this_program() {
+  std::error_code unknown;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  if (unknown) return "manifuzz";
+  return quoted_for_shell(std::filesystem::relative(self, unknown).string());
 }
 
 }  // namespace manifuzz

@@ -49,7 +49,12 @@ inline Collider find_oracle(const Parties& parties) {
 /// Whether that names a collider in `list colliders` or a shared library.
 bool is_findable(const std::string& name);
 
-/// The options that choose the same parties again, for a shell.
+/// The options that choose the same parties, or one collider, again, for a shell.
 std::string options_again(const Parties& parties);
+std::string options_again(const ColliderChoice& choice, const OutsideOptions& outside);
+
+/// This program as it can be called again, relative to the working folder, so that a kept output
+/// holds no absolute path; for a shell.
+std::string this_program();
 
 }  // namespace manifuzz

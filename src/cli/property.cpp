@@ -1,4 +1,5 @@
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -6,16 +7,16 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "campaign/property_run.hpp"
 #include "cases/corpus.hpp"
 #include "cases/nearest.hpp"
 #include "cases/user_error.hpp"
+#include "cli/ci_output.hpp"
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/parties.hpp"
-#include "report/style.hpp"
+#include "cli/property_check.hpp"
 
 namespace manifuzz {
 namespace {
@@ -31,6 +32,7 @@ struct Options {
   std::optional<std::uint64_t> seed;
   std::string corpus = "corpus";
   bool no_save = false;
+  CiOutput ci;
 };
 
 std::vector<const Property*> choose(const std::vector<std::string>& names) {
@@ -49,16 +51,12 @@ std::vector<const Property*> choose(const std::vector<std::string>& names) {
   return chosen;
 }
 
-/// Writes the failing case to the corpus and returns its path.
-std::string save(const Options& options, const Property& property, const Collider& subject,
-                 const PropertyResult& result) {
-  CorpusCase failing;
-  failing.pair = *result.failing;
-  failing.property = std::string(property.name);
-  failing.note = fmt::format("{} {}: {}: {}.", subject.declaration.name,
-                             subject.declaration.version, property.sentence, result.why);
-  const auto folder = std::filesystem::path(options.corpus) / "regressions";
-  return write_corpus_case(folder, failing).string();
+/// What repeats a property beside RC_PARAMS; no absolute path goes into what is kept.
+std::string options_again(const Options& options, std::uint64_t seed) {
+  std::string text =
+      fmt::format("{} --seed {}", options_again(options.subject, options.outside), seed);
+  const auto corpus = std::filesystem::proximate(options.corpus).string();
+  return corpus == "corpus" ? text : text + " --corpus " + quoted_for_shell(corpus);
 }
 
 int run(const Options& options) {
@@ -76,23 +74,22 @@ int run(const Options& options) {
   plan.corpus = pairs;
   if (const char* const rc_params = std::getenv("RC_PARAMS")) plan.rc_params = rc_params;
 
-  Output out;
-  bool all_passed = true;
-  for (const Property* property : chosen) {
-    const PropertyResult result = run_property(*property, subject, plan);
-    if (result.passed && is_quiet()) continue;
-    out.write(fmt::format("{} {}: {}\n{}\n", result.passed ? good("ok  ") : bad("FAIL"),
-                          property->name, property->sentence, result.report));
-    if (!result.passed && result.failing) {
-      out.write(fmt::format("repeat with RC_PARAMS=\"{}\"\n", result.reproduce));
-      if (!options.no_save) {
-        out.write(fmt::format("saved {}\n", save(options, *property, subject, result)));
-      }
-    }
-    out.flush();
-    all_passed = all_passed && result.passed;
-  }
-  return all_passed ? 0 : 1;
+  Outputs outputs;
+  const std::vector<CheckedProperty> checked = check_properties(
+      chosen, subject, plan, options.no_save ? "" : options.corpus,
+      [&](const CheckedProperty& one) {
+        if (one.result.passed && is_quiet()) return;
+        Output out;
+        out.write(property_text(one));
+        out.flush();
+        outputs.write(!one.why_unsaved.empty(), [&] { throw UserError(one.why_unsaved); });
+      });
+  Interruption interruption;
+  const TestSuite suite = property_suite(checked, subject, options_again(options, plan.seed),
+                                         shows_pictures(options.ci), interruption);
+  write_ci(options.ci, {&suite, 1}, outputs);
+  if (!outputs.are_written()) return 2;
+  return suite.failures() == 0 ? 0 : 1;
 }
 
 Run define(CLI::App& app) {
@@ -107,6 +104,7 @@ Run define(CLI::App& app) {
       ->type_name("DIR")
       ->capture_default_str();
   app.add_flag("--no-save", options->no_save, "save nothing");
+  add_junit(app, options->ci);
   return [options] { return run(*options); };
 }
 

@@ -29,6 +29,20 @@ struct Options {
   std::optional<std::uint64_t> maps;
 };
 
+std::optional<Collider> chosen(const ColliderChoice& choice, const OutsideOptions& outside) {
+  if (choice.name.empty() && choice.command.empty()) return std::nullopt;
+  return find_collider(choice, outside);
+}
+
+std::string repeating_command(const std::vector<std::filesystem::path>& paths,
+                              const Options& options) {
+  std::string command = this_program() + " report";
+  for (const auto& path : paths) command += ' ' + quoted_for_shell(path.string());
+  if (options.maps) command += fmt::format(" --maps {}", *options.maps);
+  const auto output = std::filesystem::proximate(options.output);
+  return command + " --output " + quoted_for_shell(output.string());
+}
+
 int report(const Options& options) {
   if (options.maps.value_or(0) > kMapsMax) {
     throw UserError(fmt::format("--maps: {} are too many; take 0 to {}", *options.maps, kMapsMax));
@@ -38,19 +52,21 @@ int report(const Options& options) {
   if (paths.empty()) paths.emplace_back("corpus");
   const RunFiles files = read_run_files(paths);
   for (const std::string& error : files.corpus.errors) {
-    write_error(fmt::format("manifuzz: {}\n", error));
+    write_complaint(error);
   }
   if (files.corpus.cases.empty() && files.results.empty()) {
     throw UserError("report: there is nothing to report; name folders of cases and --json files");
   }
-  NamedColliders colliders(options.parties);
-  const std::string html = report_page(files, colliders, options.maps.value_or(kMapsUsual));
+  NamedColliders colliders(chosen(options.parties.subject, options.parties.outside),
+                           chosen(options.parties.oracle, options.parties.outside));
+  const std::string html = report_page(files, colliders, options.maps.value_or(kMapsUsual),
+                                       repeating_command(paths, options));
   if (options.output == "-") {
     write_to_reader(html);
   } else {
     write_file(options.output, html);
-    write_to_reader(fmt::format("{}: {} cases, {} results\n", options.output,
-                                files.corpus.cases.size(), files.results.size()));
+    write_remark(fmt::format("{}: {} cases, {} results", options.output, files.corpus.cases.size(),
+                             files.results.size()));
   }
   if (files.corpus.errors.empty()) return 0;
   throw UserError(fmt::format("report: {} of the files could not be read; the page has the rest",

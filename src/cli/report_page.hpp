@@ -10,7 +10,9 @@ namespace manifuzz {
 /// Of so many buckets the neighbourhood is drawn where nobody says how many: a few seconds.
 inline constexpr std::size_t kMapsUsual = 12;
 
-/// The page of these files. Throws Interrupted.
-std::string report_page(const RunFiles& files, NamedColliders& colliders, std::size_t maps_max);
+/// The page of these files; `command` makes it again, or is empty. Throws UserError when
+/// interrupted.
+std::string report_page(const RunFiles& files, NamedColliders& colliders, std::size_t maps_max,
+                        const std::string& command);
 
 }  // namespace manifuzz

@@ -16,10 +16,12 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/parties.hpp"
+#include "cli/shown.hpp"
 #include "report/case_picture.hpp"
 #include "report/case_text.hpp"
 #include "report/map_picture.hpp"
 #include "report/map_words.hpp"
+#include "report/text_picture.hpp"
 #include "report/upstream.hpp"
 
 namespace manifuzz {
@@ -33,6 +35,7 @@ struct Options {
   Parties parties{{"subject", "", ""}, {"oracle", "", ""}, {}};
   std::string svg;
   bool upstream = false;
+  bool text_picture = false;
   std::optional<std::string> map;
   std::optional<std::uint64_t> map_step;
 };
@@ -89,14 +92,12 @@ int show(const Options& options) {
   const Collider subject = find_subject(parties);
   const Collider oracle = find_oracle(parties);
   Interruption interruption;
-  const ShownCase shown{given,
-                        {subject.declaration, ask_guarded(subject, given.pair, interruption)},
-                        {oracle.declaration, ask_guarded(oracle, given.pair, interruption)},
-                        judge_guarded(given.pair, subject, oracle, interruption)};
+  const ShownCase shown = ask_both(given, subject, oracle, interruption);
   if (!options.svg.empty() && options.svg != "-") write_file(options.svg, case_svg(shown));
   std::string text = options.svg == "-" ? case_svg(shown)
                      : options.upstream ? upstream_report(shown, options_again(parties))
                                         : case_text(shown);
+  if (options.text_picture && options.svg != "-") text += '\n' + text_picture(shown);
   if (options.map) {
     const std::string words = write_map(options, shown, subject, oracle, interruption);
     if (options.svg != "-") text += words;
@@ -119,6 +120,8 @@ Run define(CLI::App& app) {
       ->type_name("FILE");
   app.add_flag("--upstream", options->upstream,
                "a report for the authors of the collider at fault, with a program that shows it");
+  app.add_flag("--text-picture", options->text_picture,
+               "a picture of characters too, below the text");
   app.add_option(
          "--map", options->map,
          "the case's neighbours as a PNG: one vertex moved by ulps, what each says, who fails")

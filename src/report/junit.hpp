@@ -3,16 +3,12 @@
 #include <span>
 #include <string>
 
+#include "report/test_suite.hpp"
+
 namespace manifuzz {
 
-/// One test of a JUnit report; `failure` is empty where it passed.
-struct JUnitTest {
-  std::string name;
-  std::string failure;
-  double seconds = 0;
-};
-
-/// A JUnit XML document with one suite.
-std::string junit_xml(const std::string& suite, std::span<const JUnitTest> tests);
+/// A JUnit XML document, valid by the schema of Jenkins: a test case for each test, its class being
+/// the suite; the command and the picture are the failure's text.
+std::string junit_xml(std::span<const TestSuite> suites);
 
 }  // namespace manifuzz

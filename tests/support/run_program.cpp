@@ -59,6 +59,17 @@ class ScratchFile {
   int descriptor_;
 };
 
+/// This environment without what a GitHub workflow sets: tests that run in one must not write to
+/// its summary. `env` in front of a command sets what a test wants.
+std::vector<char*> plain_environment() {
+  std::vector<char*> variables;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    if (!std::string_view(*variable).starts_with("GITHUB_")) variables.push_back(*variable);
+  }
+  variables.push_back(nullptr);
+  return variables;
+}
+
 /// Starts a command (looked up in PATH unless it has a slash) on these descriptors.
 pid_t start(const std::vector<std::string>& command, int in, int out, int err) {
   posix_spawn_file_actions_t actions;
@@ -69,8 +80,9 @@ pid_t start(const std::vector<std::string>& command, int in, int out, int err) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
+  std::vector<char*> variables = plain_environment();
   pid_t child = 0;
-  errno = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  errno = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), variables.data());
   posix_spawn_file_actions_destroy(&actions);
   check(errno == 0, arguments[0]);
   return child;

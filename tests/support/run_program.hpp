@@ -13,7 +13,8 @@ struct Outcome {
   std::string err;
 };
 
-/// Runs a command (looked up in PATH unless it has a slash) with `input` on its standard input.
+/// Runs a command (looked up in PATH unless it has a slash) with `input` on its standard input, in
+/// this environment but for what a GitHub workflow sets.
 Outcome run_program(const std::vector<std::string>& command, std::string_view input = {});
 
 /// Runs a command on a terminal of its own; `out` is all that it shows, of either stream.

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "campaign/property_run.hpp"
+#include "cli/ci_output.hpp"
+#include "oracle/external/process.hpp"
+
+namespace manifuzz {
+
+/// A property that was run over a collider.
+struct CheckedProperty {
+  const Property* property = nullptr;
+  PropertyResult result;
+  double seconds = 0;
+  std::string saved{};        ///< the file its failing case was written to, or empty
+  std::string why_unsaved{};  ///< why it could not be
+
+  /// Whether there was no time for a single case.
+  bool is_left_out() const { return result.passed && result.cases == 0; }
+};
+
+/// Every one of these properties; failing cases go to the folder `save_to`, unless it is empty.
+/// `on_checked` runs after each.
+std::vector<CheckedProperty> check_properties(
+    const std::vector<const Property*>& chosen, const Collider& subject, const PropertyPlan& plan,
+    const std::string& save_to, const std::function<void(const CheckedProperty&)>& on_checked);
+
+/// For people: what RapidCheck says, how to repeat a failure, and where its case went.
+std::string property_text(const CheckedProperty& checked);
+
+/// The properties as a suite, of which `options` choose the collider, the seed and the corpus
+/// again; the first failures with pictures, if those are wanted and as far as there is time.
+TestSuite property_suite(const std::vector<CheckedProperty>& checked, const Collider& subject,
+                         const std::string& options, bool with_pictures,
+                         Interruption& interruption);
+
+}  // namespace manifuzz

@@ -1,0 +1,33 @@
+#include "cli/shown.hpp"
+
+#include "campaign/guarded.hpp"
+#include "report/text_picture.hpp"
+
+namespace manifuzz {
+
+ShownCase ask_both(const CorpusCase& given, const Collider& subject, const Collider& oracle,
+                   Interruption& interruption) {
+  return {given,
+          {subject.declaration, ask_guarded(subject, given.pair, interruption)},
+          {oracle.declaration, ask_guarded(oracle, given.pair, interruption)},
+          judge_guarded(given.pair, subject, oracle, interruption)};
+}
+
+void add_picture(TestFailure& failure, const CorpusCase& given, const Collider& subject,
+                 const Collider& oracle, Interruption& interruption) {
+  try {
+    failure.picture = text_picture(ask_both(given, subject, oracle, interruption));
+  } catch (const Interrupted&) {
+  }
+}
+
+void add_picture(TestFailure& failure, const PairCase& pair, const Collider& subject,
+                 Interruption& interruption) {
+  try {
+    const Party party{subject.declaration, ask_guarded(subject, pair, interruption)};
+    failure.picture = text_picture(pair, {&party, 1});
+  } catch (const Interrupted&) {
+  }
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,107 @@
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "support/run_program.hpp"
+#include "support/source_tree.hpp"
+#include "support/temporary_folder.hpp"
+
+// scripts/ci over a stand-in for manifuzz that writes down how it was called.
+
+using namespace manifuzz::test;
+using Catch::Contains;
+
+namespace {
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Somebody's repository with a case in its corpus; the stand-in saves a new one beside it.
+struct Repository {
+  TemporaryFolder folder;
+
+  explicit Repository(int status) {
+    std::filesystem::create_directories(folder.path() / "corpus" / "ties");
+    folder.write("corpus/old.json", "{}");
+    // Older than whatever a run saves.
+    std::filesystem::last_write_time(
+        folder.path() / "corpus/old.json",
+        std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+    const std::string program =
+        folder.write("stand-in",
+                     "#!/bin/sh\n[ \"$1\" != --help ] || exit 0\nprintf '<%s>' \"$@\" > called\n"
+                     "echo '{}' > corpus/ties/new.json\nexit " +
+                         std::to_string(status) + "\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  }
+
+  Outcome ci(const std::vector<std::string>& variables) const {
+    std::vector<std::string> command{"env", "-C", folder.path().string(), "MANIFUZZ=./stand-in",
+                                     "MANIFUZZ_SEED=7"};
+    command.insert(command.end(), variables.begin(), variables.end());
+    command.push_back((source_dir() / "scripts/ci").string());
+    return run_program(command);
+  }
+  std::string called() const { return read(folder.path() / "called"); }
+};
+
+}  // namespace
+
+TEST_CASE("CI runs a smoke test of clip if nothing else is asked for") {
+  const Repository repository(0);
+  const Outcome outcome = repository.ci({});
+  CAPTURE(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK(repository.called() ==
+        "<smoke><--junit><manifuzz-results/junit.xml><--subject><clip><--oracle><box2d>"
+        "<--seed><7><--corpus><corpus>");
+  CHECK(read(repository.folder.path() / "manifuzz-results/status") == "passed\n");
+}
+
+TEST_CASE("what CI is told is data to the shell") {
+  const Repository repository(0);
+  const std::string evil = "node x.mjs; $(touch pwned) `touch pwned` \" ' > pwned";
+  CHECK(repository
+            .ci({"MANIFUZZ_SUBJECT_COMMAND=" + evil, "MANIFUZZ_ORACLE=$(touch pwned)",
+                 "MANIFUZZ_MODE=fuzz", "MANIFUZZ_SECONDS=5; touch pwned"})
+            .status == 0);
+  CHECK_THAT(repository.called(), Contains("<--subject-command><" + evil + ">") &&
+                                      Contains("<--seconds><5; touch pwned>"));
+  CHECK_FALSE(std::filesystem::exists(repository.folder.path() / "pwned"));
+}
+
+TEST_CASE("CI passes the status on, and says it in a word where a workflow asks") {
+  for (const auto& [status, word] : {std::pair(0, "passed"), {1, "failed"}, {2, "error"}}) {
+    const Repository repository(status);
+    const Outcome outcome = repository.ci({"GITHUB_OUTPUT=outputs", "MANIFUZZ_OUTPUT=out"});
+    CHECK(outcome.status == status);
+    CHECK(read(repository.folder.path() / "outputs") ==
+          "junit=out/junit.xml\nstatus=" + std::string(word) + "\nresults=out\n");
+  }
+}
+
+TEST_CASE("CI keeps what was saved, and not what was known") {
+  const Repository repository(1);
+  repository.ci({});
+  const auto findings = repository.folder.path() / "manifuzz-results/findings";
+  CHECK(std::filesystem::exists(findings / "ties/new.json"));
+  CHECK_FALSE(std::filesystem::exists(findings / "old.json"));
+}
+
+TEST_CASE("a mode that there is not is one clear line") {
+  const Repository repository(0);
+  const Outcome outcome = repository.ci({"MANIFUZZ_MODE=all"});
+  CHECK(outcome.status == 2);
+  CHECK(is_one_clear_line(outcome.err));
+}
+
+TEST_CASE("the seed is that of the commit under test") {
+  const Repository repository(0);
+  repository.ci({"MANIFUZZ_SEED=", "GITHUB_SHA=000000000000010123456789abcdef0123456789"});
+  CHECK_THAT(repository.called(), Contains("<--seed><16>"));
+}
