@@ -9,19 +9,21 @@ namespace manifuzz::clipping {
 /// An end of the incident edge, as far as it has been clipped, and the features that make it.
 template <class Scalar>
 struct ClipEnd {
-  Vector2<Scalar> position{0, 0};
-  Feature reference;
-  Feature incident;
+  Vector2<Scalar> position{0, 0};  ///< in the polygons' common frame
+  Feature reference;               ///< of the polygon whose face clips
+  Feature incident;                ///< of the other
 };
 
 /// The incident edge from its first vertex to its second.
 template <class Scalar>
 using ClipEdge = std::array<ClipEnd<Scalar>, 2>;
 
+/// A vertex, by its index.
 inline Feature vertex(int index) {
   return {Feature::Kind::vertex, static_cast<unsigned char>(index)};
 }
 
+/// A face, by its index.
 inline Feature face(int index) {
   return {Feature::Kind::face, static_cast<unsigned char>(index)};
 }

@@ -15,6 +15,7 @@
 // rotations are taken to be unit. Rounded polygons touch up to the total radius, and side planes
 // are widened by it, as in Box2D 2.4 (b2_collide_polygon.cpp).
 
+/// Contact points by clipping, step by step, in float and double.
 namespace manifuzz::clipping {
 
 /// The manifold of two polygons that stand in one frame. B's face becomes the reference only where

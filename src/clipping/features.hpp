@@ -9,9 +9,9 @@ namespace manifuzz::clipping {
 
 /// The two features that touch: a face of one polygon, an edge of the other.
 struct ContactFeatures {
-  Side reference_side = Side::a;
-  int reference = 0;  ///< the face that clips, of the polygon `reference_side`
-  int incident = 0;   ///< the edge that is clipped, of the other polygon
+  Side reference_side = Side::a;  ///< the polygon whose face clips
+  int reference = 0;              ///< the face that clips, of the polygon `reference_side`
+  int incident = 0;               ///< the edge that is clipped, of the other polygon
 };
 
 /// The vertex farthest along `direction`, the first of equals.

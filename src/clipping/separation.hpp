@@ -9,7 +9,7 @@ namespace manifuzz::clipping {
 /// A face and how far the other polygon lies in front of it.
 template <class Scalar>
 struct FaceSeparation {
-  int face = 0;
+  int face = 0;                                                  ///< its index
   Scalar separation = -std::numeric_limits<Scalar>::infinity();  ///< along the normal; < 0 overlaps
   int deepest = 0;                                               ///< the other polygon's vertex
 };

@@ -11,7 +11,9 @@
 
 namespace manifuzz {
 
+/// A polygon has at least so many vertices.
 inline constexpr int kMinVertices = 3;
+/// A polygon has at most so many vertices.
 inline constexpr int kMaxVertices = 8;
 
 /// A convex polygon in its own frame: 3 to 8 vertices in counter-clockwise order, strictly convex.
@@ -20,13 +22,16 @@ inline constexpr int kMaxVertices = 8;
 /// `make_polygon`, or through `find_defect` first where the vertices are not trusted.
 template <class Scalar>
 struct ConvexPolygon {
-  std::array<Vector2<Scalar>, kMaxVertices> vertices;
-  std::array<Vector2<Scalar>, kMaxVertices> normals;
-  int count = 0;
-  Scalar radius = 0;
+  std::array<Vector2<Scalar>, kMaxVertices> vertices;  ///< `count` of them, counter-clockwise
+  std::array<Vector2<Scalar>, kMaxVertices> normals;   ///< of each face, outward, unit
+  int count = 0;                                       ///< kMinVertices to kMaxVertices
+  Scalar radius = 0;                                   ///< a length, >= 0
 
+  /// The index of the vertex, or face, after this one, counted round.
   int next(int i) const { return i + 1 < count ? i + 1 : 0; }
+  /// The index of the vertex, or face, before this one, counted round.
   int previous(int i) const { return i > 0 ? i - 1 : count - 1; }
+  /// The vertices.
   std::span<const Vector2<Scalar>> corners() const {
     return {vertices.data(), static_cast<std::size_t>(count)};
   }

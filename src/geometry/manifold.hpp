@@ -5,13 +5,15 @@
 
 #include "geometry/pair_case.hpp"
 
+/// Polygons, poses and manifolds.
 namespace manifuzz {
 
 /// A corner or a face of a polygon; face i runs from vertex i to vertex i + 1.
 struct Feature {
+  /// Which of the two.
   enum class Kind : unsigned char { vertex, face };
-  Kind kind = Kind::vertex;
-  unsigned char index = 0;
+  Kind kind = Kind::vertex;  ///< which of the two
+  unsigned char index = 0;   ///< of the vertex or face, from 0
 
   friend bool operator==(const Feature&, const Feature&) = default;
 };
@@ -19,17 +21,18 @@ struct Feature {
 /// What makes a contact point: A's feature and B's. An unclipped end of the incident edge is the
 /// reference face and an incident vertex; a crossing is a reference vertex and the incident face.
 struct FeaturePair {
-  Feature a;
-  Feature b;
+  Feature a;  ///< of A
+  Feature b;  ///< of B
 
   friend bool operator==(const FeaturePair&, const FeaturePair&) = default;
 };
 
+/// A point of a manifold.
 template <class Scalar>
 struct ContactPoint {
   Vector2<Scalar> position{0, 0};  ///< on the incident edge, in A's frame
   Scalar depth = 0;                ///< total radius - separation, a world length, >= 0
-  FeaturePair features;
+  FeaturePair features;            ///< what makes it, to know it again by
 
   friend bool operator==(const ContactPoint&, const ContactPoint&) = default;
 };
@@ -44,10 +47,10 @@ struct ContactPoint {
 /// quite unit scales A's frame, and `depth` is measured outside it.
 template <class Scalar>
 struct Manifold {
-  int count = 0;
-  Side reference = Side::a;
-  Vector2<Scalar> normal{0, 0};
-  std::array<ContactPoint<Scalar>, 2> points;
+  int count = 0;                               ///< of points: 0, 1 or 2
+  Side reference = Side::a;                    ///< whose face it is that clips
+  Vector2<Scalar> normal{0, 0};                ///< unit, from A to B, in A's frame
+  std::array<ContactPoint<Scalar>, 2> points;  ///< `count` of them
 };
 
 /// Equal where it counts: manifolds without points are all equal.
@@ -70,6 +73,7 @@ void order_points(Manifold<Scalar>& manifold) {
   }
 }
 
+/// The same manifold in another scalar.
 template <class To, class From>
 Manifold<To> manifold_cast(const Manifold<From>& from) {
   Manifold<To> to;

@@ -7,26 +7,30 @@
 
 namespace manifuzz {
 
+/// One of the two polygons of a pair.
 enum class Side : unsigned char { a, b };
 
+/// A of B, B of A.
 constexpr Side other(Side side) {
   return side == Side::a ? Side::b : Side::a;
 }
 
 /// A polygon and where it stands in the world. Floats, the very ones that every collider gets.
 struct Body {
-  ConvexPolygon<float> polygon;
-  Pose<float> pose;
+  ConvexPolygon<float> polygon;  ///< in the body's own frame
+  Pose<float> pose;              ///< in the world
 
   friend bool operator==(const Body&, const Body&) = default;
 };
 
 /// Two convex polygons with a pose each: the unit everything passes around.
 struct PairCase {
-  Body a;
-  Body b;
+  Body a;  ///< the manifold is in its frame
+  Body b;  ///< the normal points to it
 
+  /// The body on this side.
   const Body& operator[](Side side) const { return side == Side::a ? a : b; }
+  /// The body on this side.
   Body& operator[](Side side) { return side == Side::a ? a : b; }
   friend bool operator==(const PairCase&, const PairCase&) = default;
 };

@@ -12,24 +12,38 @@ inline constexpr double kRotationTolerance = 1e-5;
 /// A frame in the plane: a local point v lies at R v + position, R = [[cos, -sin], [sin, cos]].
 template <class Scalar>
 struct Pose {
-  Vector2<Scalar> position{0, 0};
+  Vector2<Scalar> position{0, 0};  ///< of the frame's origin
   Vector2<Scalar> rotation{1, 0};  ///< (cos, sin), of unit length within kRotationTolerance
 
   friend bool operator==(const Pose&, const Pose&) = default;
 };
 
+/// A product rounded to the scalar, never part of a fused operation: g++ 12 fuses the products of
+/// rotations that it vectorises (vfmaddsub), in spite of -ffp-contract=off.
+template <class Scalar>
+Scalar rounded_product(Scalar x, Scalar y) {
+  Scalar product = x * y;
+#if defined(__FMA__) && defined(__GNUC__) && !defined(__clang__)
+  asm("" : "+x"(product));
+#endif
+  return product;
+}
+
 /// R v.
 template <class Scalar>
 Vector2<Scalar> rotate(const Vector2<Scalar>& rotation, const Vector2<Scalar>& v) {
-  return {rotation.x() * v.x() - rotation.y() * v.y(), rotation.y() * v.x() + rotation.x() * v.y()};
+  return {rounded_product(rotation.x(), v.x()) - rounded_product(rotation.y(), v.y()),
+          rounded_product(rotation.y(), v.x()) + rounded_product(rotation.x(), v.y())};
 }
 
 /// R^T v: the inverse of `rotate`, up to the factor cos^2 + sin^2.
 template <class Scalar>
 Vector2<Scalar> rotate_back(const Vector2<Scalar>& rotation, const Vector2<Scalar>& v) {
-  return {rotation.x() * v.x() + rotation.y() * v.y(), rotation.x() * v.y() - rotation.y() * v.x()};
+  return {rounded_product(rotation.x(), v.x()) + rounded_product(rotation.y(), v.y()),
+          rounded_product(rotation.x(), v.y()) - rounded_product(rotation.y(), v.x())};
 }
 
+/// R v + position: a local point, placed.
 template <class Scalar>
 Vector2<Scalar> transform(const Pose<Scalar>& pose, const Vector2<Scalar>& v) {
   return rotate(pose.rotation, v) + pose.position;
@@ -43,6 +57,7 @@ Pose<Scalar> relative_pose(const Pose<Scalar>& a, const Pose<Scalar>& b) {
           rotate_back(a.rotation, b.rotation)};
 }
 
+/// Whether |cos^2 + sin^2 - 1| is at most kRotationTolerance.
 template <class Scalar>
 bool is_unit_rotation(const Vector2<Scalar>& rotation) {
   const double c = static_cast<double>(rotation.x());

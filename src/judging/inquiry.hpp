@@ -65,18 +65,4 @@ enum class Features { compared, ignored };
 Outcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
                       const Manifold<double>& got, const Tolerance& within, Features features);
 
-// The properties, by what they are about.
-Outcome swapping_mirrors(Inquiry& ask, const PairCase& pair);
-Outcome renumbering_changes_features_only(Inquiry& ask, const PairCase& pair);
-Outcome quarter_turns_move(Inquiry& ask, const PairCase& pair);
-Outcome translations_move(Inquiry& ask, const PairCase& pair);
-Outcome powers_of_two_scale(Inquiry& ask, const PairCase& pair);
-Outcome given_normal_agrees(Inquiry& ask, const PairCase& pair);
-Outcome points_lie_where_they_say(Inquiry& ask, const PairCase& pair);
-Outcome depth_is_the_overlap(Inquiry& ask, const PairCase& pair);
-Outcome depth_moves_apart(Inquiry& ask, const PairCase& pair);
-Outcome float_and_double_agree(Inquiry& ask, const PairCase& pair);
-Outcome overlap_is_never_empty(Inquiry& ask, const PairCase& pair);
-Outcome manifold_is_admissible(Inquiry& ask, const PairCase& pair);
-
 }  // namespace manifuzz

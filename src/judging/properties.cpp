@@ -5,39 +5,14 @@
 
 #include "judging/inquiry.hpp"
 #include "judging/ledger.hpp"
+#include "judging/property_list.hpp"
 
 namespace manifuzz {
 namespace {
 
-constexpr std::array kProperties{
-    Property{"swapping-mirrors", "swapping A and B mirrors the manifold, outside ties",
-             swapping_mirrors},
-    Property{"renumbering", "renumbering the vertices changes features only, outside ties",
-             renumbering_changes_features_only},
-    Property{"quarter-turns", "a quarter turn of the world moves the manifold along, outside ties",
-             quarter_turns_move},
-    Property{"translations",
-             "a translation that floats can represent moves the manifold along, outside ties",
-             translations_move},
-    Property{"powers-of-two", "scaling by a power of two scales the manifold, bit for bit",
-             powers_of_two_scale},
-    Property{"given-normal", "the given-normal entry agrees with collide, outside ties",
-             given_normal_agrees},
-    Property{"points-in-place",
-             "points lie on the incident edge, in the slab, behind the reference face, in order",
-             points_lie_where_they_say},
-    Property{"depth-is-overlap",
-             "at bias 0 and S <= 0 the largest depth is the total radius minus S",
-             depth_is_the_overlap},
-    Property{"depth-moves-apart",
-             "moving B by the depth along the normal leaves them touching at zero, and on by t "
-             "separates them by t",
-             depth_moves_apart},
-    Property{"float-and-double", "float and double agree within bound", float_and_double_agree},
-    Property{"never-empty", "overlapping is never empty", overlap_is_never_empty},
-    Property{"admissible", "every manifold is one of the right ones, within bound",
-             manifold_is_admissible},
-};
+#define MANIFUZZ_ENTRY(function, name, sentence) Property{name, sentence, function},
+constexpr std::array kProperties{MANIFUZZ_PROPERTIES(MANIFUZZ_ENTRY)};
+#undef MANIFUZZ_ENTRY
 
 bool is_explained(const Collider& collider, const PairCase& pair) {
   const Answer answer = ask(collider, pair);

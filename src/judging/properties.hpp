@@ -30,7 +30,7 @@ struct Property {
   Outcome (*holds)(Inquiry& ask, const PairCase& pair);
 };
 
-/// Every property. One is added here, and nowhere else.
+/// Every property: property_list.hpp has them.
 std::span<const Property> properties();
 
 /// The property of that name, or nullptr.

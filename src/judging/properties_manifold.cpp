@@ -5,6 +5,7 @@
 
 #include "judging/inquiry.hpp"
 #include "judging/judge.hpp"
+#include "judging/property_list.hpp"
 
 namespace manifuzz {
 namespace {

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "judging/inquiry.hpp"
+#include "judging/property_list.hpp"
 
 namespace manifuzz {
 namespace {

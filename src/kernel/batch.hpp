@@ -11,6 +11,7 @@ namespace manifuzz::kernel {
 /// `out` holds a block for each of the pairs'; columns beyond the last pair repeat it.
 void collide_packed(const PackedPairs<float>& pairs, float tie_bias,
                     std::span<ManifoldBlock<float>> out);
+/// The same in double.
 void collide_packed(const PackedPairs<double>& pairs, double tie_bias,
                     std::span<ManifoldBlock<double>> out);
 
@@ -19,6 +20,7 @@ void collide_packed(const PackedPairs<double>& pairs, double tie_bias,
 /// vertex counts on the way.
 void collide_pairs(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
                    std::span<const BodyPair> pairs, float tie_bias, std::span<Manifold<float>> out);
+/// The same in double.
 void collide_pairs(const Shapes<double>& shapes, std::span<const Placement<double>> bodies,
                    std::span<const BodyPair> pairs, double tie_bias,
                    std::span<Manifold<double>> out);

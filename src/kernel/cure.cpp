@@ -2,10 +2,13 @@
 
 #include "clipping/collide.hpp"
 
+// The clean code is flattened into each function here: as functions of its own, which the linker
+// keeps once a program, it might come from a user's object file, compiled for another processor.
+
 namespace manifuzz::kernel {
 
 template <class Scalar>
-Manifold<Scalar> deepest_contact(const ColumnPair<Scalar>& pair) {
+[[gnu::flatten]] Manifold<Scalar> deepest_contact(const ColumnPair<Scalar>& pair) {
   ConvexPolygon<Scalar> polygons[2];
   for (int p = 0; p < 2; ++p) {
     polygons[p].count = pair.count[p];
@@ -20,8 +23,9 @@ Manifold<Scalar> deepest_contact(const ColumnPair<Scalar>& pair) {
   return clipping::deepest_contact(polygons[0], polygons[1]);
 }
 
-Manifold<float> cured(const ShapeRows& a, const ShapeRows& b, const Manifold<float>& manifold,
-                      float separation, float greatest) {
+[[gnu::flatten]] Manifold<float> cured(const ShapeRows& a, const ShapeRows& b,
+                                       const Manifold<float>& manifold, float separation,
+                                       float greatest) {
   const ConvexPolygon<float> polygon_a = polygon_of(a);
   const ConvexPolygon<float> polygon_b = polygon_of(b);
   return clipping::misses_deepest(polygon_a, polygon_b, manifold, separation, greatest)
@@ -29,7 +33,8 @@ Manifold<float> cured(const ShapeRows& a, const ShapeRows& b, const Manifold<flo
              : manifold;
 }
 
-Manifold<float> collide_cleanly(const ShapeRows& a, const ShapeRows& b, float tie_bias) {
+[[gnu::flatten]] Manifold<float> collide_cleanly(const ShapeRows& a, const ShapeRows& b,
+                                                 float tie_bias) {
   return clipping::collide_in_frame(polygon_of(a), polygon_of(b), tie_bias);
 }
 

@@ -13,11 +13,13 @@
 
 namespace manifuzz::kernel {
 
+/// How many pairs a block holds.
 inline constexpr int kBlockPairs = 16;
 
+/// One quantity of every pair of a block.
 template <class Scalar>
 struct alignas(64) Row {
-  Scalar column[kBlockPairs];
+  Scalar column[kBlockPairs];  ///< one a pair
 };
 
 /// An integer as wide as the scalar: it fills the same lanes.
@@ -43,27 +45,28 @@ constexpr int polygon_rows(int count_max) {
   return kCornerRows * count_max + 2;
 }
 
+/// The rows of a block of the largest polygons.
 inline constexpr int kBlockRowsMax = kCorners + 2 * polygon_rows(kMaxVertices);
 
 /// A body: which shape, and where it stands.
 template <class Scalar>
 struct Placement {
-  std::uint32_t shape = 0;
-  Pose<Scalar> pose;
+  std::uint32_t shape = 0;  ///< its index among the `Shapes`
+  Pose<Scalar> pose;        ///< in the world
 };
 
 /// Two bodies, by their indices.
 struct BodyPair {
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
+  std::uint32_t a = 0;  ///< its manifold is in the frame of this one
+  std::uint32_t b = 0;  ///< its normal points to this one
 };
 
 /// Sixteen pairs: `PairRow`s, then A's rows, then B's.
 template <class Scalar>
 struct PairBlock {
-  const Row<Scalar>* rows = nullptr;
-  int count_a = 0;  ///< the most corners of any A
-  int count_b = 0;
+  const Row<Scalar>* rows = nullptr;  ///< all of them
+  int count_a = 0;                    ///< the most corners of any A
+  int count_b = 0;                    ///< the most corners of any B
 };
 
 /// Many pairs, laid out for the kernel. Pairs of equal vertex counts are best kept together: a
@@ -71,10 +74,13 @@ struct PairBlock {
 template <class Scalar>
 class PackedPairs {
  public:
+  /// Lays out the pairs in this order, sixteen a block.
   PackedPairs(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
               std::span<const BodyPair> pairs);
 
+  /// How many blocks the pairs fill; the last may be filled up with its last pair.
   std::size_t block_count() const { return blocks_.size(); }
+  /// A block, for as long as this object lives.
   PairBlock<Scalar> block(std::size_t index) const {
     const Block& block = blocks_[index];
     return {rows_.data() + block.first_row, block.count_a, block.count_b};
@@ -94,7 +100,7 @@ class PackedPairs {
 /// The manifolds of a block of pairs.
 template <class Scalar>
 struct ManifoldBlock {
-  Row<LaneInt<Scalar>> count;
+  Row<LaneInt<Scalar>> count;        ///< of points: 0, 1 or 2
   Row<LaneInt<Scalar>> reference;    ///< 0: A's face, 1: B's
   Row<Scalar> normal[2];             ///< x, y
   Row<Scalar> position[2][2];        ///< of each point: x, y

@@ -6,13 +6,14 @@
 // One pair at a time, a face a lane. Equal to `clipping::collide`, bit for bit, on every
 // instruction set. Asking for less costs less: `touches` and `separation` end where they know.
 
+/// The manifolds of `clipping::collide`, bit for bit, faster: one pair or many at once.
 namespace manifuzz::kernel {
 
 /// A face of one polygon: the one that separated the pair, or won, last time. It is tried first:
 /// where it still separates, nothing else is looked at.
 struct FaceHint {
-  Side side = Side::a;
-  int face = -1;  ///< none yet
+  Side side = Side::a;  ///< whose face
+  int face = -1;        ///< its index; -1: none yet
 
   friend bool operator==(const FaceHint&, const FaceHint&) = default;
 };
@@ -21,9 +22,9 @@ struct FaceHint {
 /// equals. Else a face that separates by more than the total radius, which need not be the
 /// greatest.
 struct PairSeparation {
-  bool touches = false;
+  bool touches = false;  ///< no face separates by more than the total radius
   float separation = 0;  ///< < 0 overlaps
-  FaceHint face;
+  FaceHint face;         ///< whose separation it is
 };
 
 /// `clipping::collide(a, b, b_in_a, tie_bias)`. A hint, where one is given, is used and brought up
@@ -36,7 +37,8 @@ Manifold<float> collide(const ShapeRows& a, const ShapeRows& b, const Pose<float
 bool touches(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
              FaceHint* hint = nullptr);
 
-/// A hint may change which separating face is reported, nothing else.
+/// How far apart the polygons are. A hint may change which separating face is reported, nothing
+/// else.
 PairSeparation separation(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
                           FaceHint* hint = nullptr);
 

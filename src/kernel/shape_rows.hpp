@@ -8,16 +8,18 @@ namespace manifuzz::kernel {
 /// coordinate of every face. The places past the last corner repeat the first, which changes no
 /// result: of equals, the first counts.
 struct alignas(64) ShapeRows {
-  float x[kMaxVertices];
-  float y[kMaxVertices];
-  float normal_x[kMaxVertices];
-  float normal_y[kMaxVertices];
-  int count = 0;
-  float radius = 0;
+  float x[kMaxVertices];         ///< of each vertex
+  float y[kMaxVertices];         ///< of each vertex
+  float normal_x[kMaxVertices];  ///< of each face
+  float normal_y[kMaxVertices];  ///< of each face
+  int count = 0;                 ///< of vertices
+  float radius = 0;              ///< a length, >= 0
 };
 
+/// A polygon, laid out.
 ShapeRows rows_of(const ConvexPolygon<float>& polygon);
 
+/// The polygon that was laid out.
 ConvexPolygon<float> polygon_of(const ShapeRows& rows);
 
 }  // namespace manifuzz::kernel

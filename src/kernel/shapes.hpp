@@ -16,7 +16,7 @@ inline constexpr int kCornerScalars = 4;
 /// no result: of equals, the first counts.
 template <class Scalar>
 struct alignas(64) ShapeCorners {
-  std::array<Scalar, std::size_t{kCornerScalars} * kMaxVertices> scalars{};
+  std::array<Scalar, std::size_t{kCornerScalars} * kMaxVertices> scalars{};  ///< corner by corner
 };
 
 /// The polygons that a scene's bodies refer to by index. Each is laid out once, when it is added.
@@ -26,8 +26,11 @@ class Shapes {
   /// The new shape's index.
   std::uint32_t add(const ConvexPolygon<Scalar>& polygon);
 
+  /// A shape, as the kernels fetch it.
   const ShapeCorners<Scalar>& corners(std::uint32_t shape) const { return corners_[shape]; }
+  /// How many vertices a shape has.
   unsigned count(std::uint32_t shape) const { return counts_[shape]; }
+  /// A shape's radius, a length.
   Scalar radius(std::uint32_t shape) const { return radii_[shape]; }
   bool has_radius() const { return has_radius_; }  ///< of any shape: it is not 0
 

@@ -11,7 +11,7 @@ namespace manifuzz::scene {
 /// A body of a scene, for as long as it is in it: what is added in its place later has another
 /// generation. (A place comes round to a generation again after 2^31 removals.)
 struct BodyHandle {
-  std::uint32_t index = 0;
+  std::uint32_t index = 0;       ///< of its place in the scene
   std::uint32_t generation = 0;  ///< odd; 0 names no body
 
   friend bool operator==(const BodyHandle&, const BodyHandle&) = default;
@@ -22,8 +22,8 @@ inline constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 /// Where a body stands from this step on, in the world.
 struct Move {
-  BodyHandle body;
-  Pose<float> pose;
+  BodyHandle body;   ///< which one
+  Pose<float> pose;  ///< in the world
 };
 
 /// No coordinate of a position and no reach or radius of a shape is larger: products of two stay

@@ -16,12 +16,13 @@
 // A step's contacts are those of colliding every pair of bodies afresh, bit for bit, unless they
 // are asked to be recycled; what did not move is not even looked at.
 
+/// Whole scenes, step after step.
 namespace manifuzz::scene {
 
 /// The first move of a step that is refused, and why.
 struct RefusedMove {
-  std::size_t index = 0;
-  Defect defect{};
+  std::size_t index = 0;  ///< among the moves of the step
+  Defect defect{};        ///< why
 };
 
 /// What holds for all pairs of a scene.
@@ -39,23 +40,27 @@ struct Settings {
 /// The first defect of settings, or none.
 std::optional<Defect> find_defect(const Settings& settings);
 
+/// What a scene takes.
 struct Memory {
   std::size_t bodies = 0;  ///< bytes
   std::size_t pairs = 0;   ///< bytes, of contacts and of those that wait for the kernel too
 };
 
+/// Bodies that come, go and move, and the contacts between them, step after step. What it refuses,
+/// giving a `Defect`, has changed nothing.
 class Scene {
  public:
   /// The settings must be free of defects.
   explicit Scene(const Settings& settings = {});
 
-  // What is given a defect's value has changed nothing.
-
   /// The new shape's index. The polygon must be free of `PolygonDefect`s.
   std::variant<std::uint32_t, Defect> add_shape(const ConvexPolygon<float>& polygon);
 
+  /// A new body, of a shape that was added, at a pose in the world.
   std::variant<BodyHandle, Defect> add(std::uint32_t shape, const Pose<float>& pose);
+  /// Takes a body out; its contacts are reported as ended by the next step.
   std::optional<Defect> remove(BodyHandle body);
+  /// Gives a body another shape, which the next step looks at.
   std::optional<Defect> set_shape(BodyHandle body, std::uint32_t shape);
 
   /// Puts bodies where they are now and brings the contacts up to date. Of two moves of one body
@@ -65,7 +70,9 @@ class Scene {
   /// Of a body that is in the scene.
   const Pose<float>& pose(BodyHandle body) const { return placements_[body.index].pose; }
 
+  /// How many bodies are in the scene.
   std::size_t body_count() const { return body_count_; }
+  /// How many pairs of bodies are candidates.
   std::size_t pair_count() const { return pairs_.size(); }
 
   /// What it takes, the shapes left out.

@@ -1,6 +1,5 @@
-// The C++ of README.md, compiled as it stands there and run.
-
-#include <vector>
+// The collider of README.md, compiled as it stands there and run; tests/install/ does so with the
+// library's code.
 
 #include <catch2/catch.hpp>
 
@@ -10,21 +9,6 @@
 
 namespace manifuzz {
 namespace {
-
-/// The depths that the library's snippet finds between two boxes of side 2.
-std::vector<float> depths_of_boxes(const Pose<float>& pose_a, const Pose<float>& pose_b) {
-  std::vector<float> depths;
-  const auto complain = [&](std::string_view) { return depths; };
-  const auto use = [&](const auto&, const auto&, float depth) { depths.push_back(depth); };
-#include "readme_2.inc"
-  return depths;
-}
-
-TEST_CASE("the library's snippet finds both depths of two boxes a quarter into each other") {
-  const Pose<float> pose_a;
-  const Pose<float> pose_b{{1.75F, 0.5F}, {1, 0}};
-  CHECK(depths_of_boxes(pose_a, pose_b) == std::vector<float>{0.25F, 0.25F});
-}
 
 TEST_CASE("the adapter's plain article gives no contact for two triangles that overlap by 100") {
   const Collider mine = make_mine();

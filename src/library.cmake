@@ -1,0 +1,78 @@
+# The folders that make up the library: what others may use, and what is installed.
+
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+# Headers include each other from src/, which is no name for others to find them by: they get
+# copies, <manifuzz/geometry/vector.hpp> and so on, written when CMake runs.
+set(manifuzz_include ${PROJECT_BINARY_DIR}/include)
+
+# clang counts -Wsign-conversion to -Wconversion; indices are ints here, which need not worry others.
+set(manifuzz_quiet [[
+#ifdef __clang__
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wsign-conversion"
+#endif
+]])
+set(manifuzz_as_before [[
+
+#ifdef __clang__
+#pragma clang diagnostic pop
+#endif
+]])
+
+# manifuzz_public_header(header): the copy of a header of this folder.
+function(manifuzz_public_header header)
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header})
+  file(READ ${header} text)
+  string(REGEX REPLACE "#include \"([a-z]+/)" "#include \"manifuzz/\\1" text "${text}")
+  string(REPLACE "#pragma once\n" "#pragma once\n${manifuzz_quiet}" text "${text}${manifuzz_as_before}")
+  file(CONFIGURE OUTPUT ${manifuzz_include}/manifuzz/${folder}/${header} CONTENT "${text}" @ONLY)
+endfunction()
+
+# manifuzz_public_library(name HEADERS file... [SOURCES file...] LINKS target... [PRIVATE_LINKS target...]):
+# a folder of the library, manifuzz::name to others. HEADERS are the public ones, and those that
+# they include.
+function(manifuzz_public_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 LIB "" "" "HEADERS;SOURCES;LINKS;PRIVATE_LINKS")
+  set(target manifuzz_${name})
+  if(LIB_SOURCES)
+    set(kind STATIC)
+    set(scope PUBLIC)
+  else()
+    set(kind INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(${target} ${kind} ${LIB_SOURCES})
+  add_library(manifuzz::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  foreach(header IN LISTS LIB_HEADERS)
+    manifuzz_public_header(${header})
+  endforeach()
+  list(TRANSFORM LIB_HEADERS PREPEND ${manifuzz_include}/manifuzz/${name}/)
+  target_sources(${target} ${scope}
+    FILE_SET HEADERS BASE_DIRS ${manifuzz_include} FILES ${LIB_HEADERS})
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_link_libraries(${target} ${scope} ${LIB_LINKS})
+  if(LIB_SOURCES)
+    # Whoever uses it may be a shared library, whose own symbols these are not.
+    set_target_properties(${target} PROPERTIES
+      POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:manifuzz_options> ${LIB_PRIVATE_LINKS})
+  endif()
+endfunction()
+
+# manifuzz_install(name...): these libraries, their headers, and the CMake package.
+function(manifuzz_install)
+  set(package ${CMAKE_INSTALL_LIBDIR}/cmake/manifuzz)
+  list(TRANSFORM ARGV PREPEND manifuzz_ OUTPUT_VARIABLE targets)
+  install(TARGETS ${targets} EXPORT manifuzzTargets FILE_SET HEADERS
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT manifuzzTargets NAMESPACE manifuzz:: DESTINATION ${package})
+  write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/manifuzzConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+  install(FILES manifuzzConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/manifuzzConfigVersion.cmake
+    DESTINATION ${package})
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endfunction()
