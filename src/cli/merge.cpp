@@ -88,8 +88,7 @@ std::string summary(const RunFiles& files, const MergedRuns& runs, std::size_t f
 int merge(const Options& options) {
   expect_empty(options.output);
   const std::vector<fs::path> paths(options.paths.begin(), options.paths.end());
-  RunFiles files = read_run_files(paths);
-  std::erase_if(files.results, [](const Result& result) { return result.kind != "fuzz"; });
+  const RunFiles files = read_run_files(paths);
   MergedRuns runs = merged_runs(files.results);
   std::vector<std::string> errors = files.corpus.errors;
   errors.insert(errors.end(), runs.errors.begin(), runs.errors.end());

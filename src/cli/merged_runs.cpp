@@ -38,6 +38,11 @@ bool overlap(const Json& part, const Json& with) {
   });
 }
 
+void expect_fuzz(const Result& result) {
+  if (result.kind == "fuzz") return;
+  throw UserError(fmt::format("is a result of {}; those of fuzz can be added up", result.kind));
+}
+
 void expect_addable(const Json& sum, const Json& run) {
   for (const char* const key : {"subject", "oracle", "versions"}) {
     if (sum.at(key) == run.at(key)) continue;
@@ -203,6 +208,7 @@ MergedRuns merged_runs(std::span<const Result> results) {
   MergedRuns merged;
   for (const Result& result : results) {
     try {
+      expect_fuzz(result);
       Json sum = merged.json.is_null() ? nothing_of(result.json) : merged.json;
       add_run(sum, result.json);
       merged.json = std::move(sum);
