@@ -75,6 +75,7 @@ Cases matching(const std::vector<CorpusCase>& corpus, const Matches& matches) {
 [[noreturn]] void complain_of_several(const CaseArgument& argument, const Cases& found) {
   std::vector<std::string> names;
   for (const CorpusCase* const known : found) names.push_back(printable(file_name(*known), 200));
+  std::ranges::sort(names);
   const std::size_t listed = std::min(names.size(), kListedMax);
   names.resize(listed);
   const std::string more =

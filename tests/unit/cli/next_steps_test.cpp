@@ -47,8 +47,10 @@ TEST_CASE("the next steps work when pasted, with a corpus and without") {
     const auto commands = commands_in(steps.out);
     CHECK(commands.size() == (has_corpus ? 5U : 3U));
     for (std::string command : commands) {
-      const std::size_t ten = command.find("--seconds 10");
-      if (ten != std::string::npos) command.replace(ten, 12, "--cases 100");
+      for (const std::string_view length : {"--seconds 10", "--cases 20000"}) {
+        const std::size_t at = command.find(length);
+        if (at != std::string::npos) command.replace(at, length.size(), "--cases 100 --no-save");
+      }
       const Outcome outcome =
           run_program({"sh", "-c", "cd \"$0\" && " + command, folder.path().string()});
       CAPTURE(command, outcome.err);
