@@ -73,8 +73,8 @@ void append_summary(const std::string& file, std::span<const TestSuite> suites) 
   std::ofstream stream(file, std::ios::binary | std::ios::app);
   stream << step_summary(suites, room, image_of) << std::flush;
   if (stream) return;
-  write_error(fmt::format("manifuzz: {}: cannot write the step summary: {}\n", printable(file, 200),
-                          std::strerror(errno)));
+  write_complaint(fmt::format("{}: cannot write the step summary: {}", printable(file, 200),
+                              std::strerror(errno)));
 }
 
 }  // namespace

@@ -15,9 +15,11 @@
 #include "cli/fuzz_run.hpp"
 #include "cli/input.hpp"
 #include "cli/options.hpp"
+#include "cli/output.hpp"
 #include "cli/parties.hpp"
 #include "cli/property_check.hpp"
 #include "cli/replay_run.hpp"
+#include "report/style.hpp"
 
 namespace manifuzz {
 namespace {
@@ -78,7 +80,7 @@ ReplayRun replay_some(const Smoke& smoke) {
   Interruption interruption(smoke.schedule.at(kReplayShare));
   const ReplayRun run = replay_cases(smoke.corpus.cases, smoke.subject, smoke.oracle, interruption);
   if (interruption.requests() > 0) throw UserError("smoke: interrupted");
-  write_to_reader(replay_text(run, smoke.subject, smoke.oracle) + '\n');
+  write_to_reader(replay_text(run, smoke.subject, smoke.oracle) + (is_quiet() ? "" : "\n"));
   return run;
 }
 
@@ -86,7 +88,7 @@ ReplayRun replay_some(const Smoke& smoke) {
 std::string brief_text(const CheckedProperty& checked) {
   const auto& [name, sentence] = std::tie(checked.property->name, checked.property->sentence);
   if (checked.is_left_out()) return fmt::format("--   {}: left out, for time was up\n", name);
-  return fmt::format("ok   {}: {}, {} cases\n", name, sentence, checked.result.cases);
+  return fmt::format("{} {}: {}, {} cases\n", good("ok  "), name, sentence, checked.result.cases);
 }
 
 std::vector<CheckedProperty> check_some(const Smoke& smoke, const std::string& save_to,
@@ -99,6 +101,7 @@ std::vector<CheckedProperty> check_some(const Smoke& smoke, const std::string& s
   plan.corpus = smoke.pairs;
   plan.deadline = smoke.schedule.at(kPropertyShare);
   const auto tell = [&](const CheckedProperty& one) {
+    if (one.result.passed && is_quiet()) return;
     write_to_reader(one.result.passed ? brief_text(one) : property_text(one));
     outputs.write(!one.why_unsaved.empty(), [&] { throw UserError(one.why_unsaved); });
   };
@@ -163,7 +166,7 @@ int run(const Options& options) {
       {},
       saving.unsaved,
       fmt::format("{} fuzz {}{}", this_program(), again, smoke.corpus_again())};
-  std::string text = '\n' + summary_table(report);
+  std::string text = is_quiet() ? objections(report) : '\n' + summary_table(report);
   if (saving.unsaved > 0) {
     text += fmt::format("\n{} findings are not saved, for time was up\n", saving.unsaved);
   }

@@ -131,7 +131,7 @@ TEST_CASE("a quiet campaign says what decides its status, where a file has the r
   CHECK(silent.out + silent.err == "");
 }
 
-TEST_CASE("a quiet replay or property names failures alone") {
+TEST_CASE("a quiet replay, property or smoke run names failures alone") {
   const std::vector<std::string> replay{"replay", MANIFUZZ_SOURCE_DIR "/corpus/seeds"};
   CHECK(run_manifuzz(replay).out.find("passed") != std::string::npos);
   const Outcome quiet = run_manifuzz({"--quiet", replay[0], replay[1]});
@@ -145,6 +145,12 @@ TEST_CASE("a quiet replay or property names failures alone") {
       {"property", "depth-is-overlap", "--quiet", "--cases", "10", "--seed", "1", "--no-save"});
   CHECK(property.status == 0);
   CHECK(property.out + property.err == "");
+  const TemporaryFolder folder;
+  const Outcome smoke =
+      run_manifuzz({"smoke", "--quiet", "--oracle", "clip64", "--seed", "1", "--seconds", "2",
+                    "--no-save", "--corpus", (folder.path() / "corpus").string()});
+  CHECK(smoke.status == 0);
+  CHECK(smoke.out + smoke.err == "");
 }
 
 TEST_CASE("quiet or not, data stays and errors stay") {
