@@ -84,12 +84,6 @@ bool is_any(const Finding&) {
   return true;
 }
 
-/// Anything against the subject, and what is new against the oracle.
-bool decides_status(const Finding& finding) {
-  return is_failure(finding.bucket) ||
-         (finding.is_new && finding.bucket.verdict == Verdict::oracle_wrong);
-}
-
 std::string finding_rows(const CampaignReport& report, bool (*is_shown)(const Finding&)) {
   std::string text;
   for (const Finding& finding : report.findings) {
