@@ -9,6 +9,7 @@
 
 #include "cases/corpus.hpp"
 #include "cases/nearest.hpp"
+#include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/ci_output.hpp"
 #include "cli/commands.hpp"
