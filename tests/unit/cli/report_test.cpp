@@ -131,7 +131,8 @@ TEST_CASE("a page names what it could not read, and shows the rest") {
       "good.jsonl",
       R"({"a": {"vertices": [[0,0],[1,0],[0,1]]}, "b": {"vertices": [[0,0],[1,0],[0,1]]}})");
   const std::string page = folder.path() / "page.html";
-  const Outcome outcome = run_manifuzz({"report", folder.path().string(), "--output", page});
+  const Outcome outcome =
+      run_manifuzz({"report", "--quiet", folder.path().string(), "--output", page});
   CHECK(outcome.status == 2);
   CHECK(lines_of(outcome.err).size() == 2);
   const Json data = data_of(text_of(page));

@@ -34,7 +34,7 @@ struct Repository {
         std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
     const std::string program =
         folder.write("stand-in",
-                     "#!/bin/sh\n[ \"$1\" != --help ] || exit 0\nprintf '<%s>' \"$@\" > called\n"
+                     "#!/bin/sh\n{ printf '<%s>' \"$@\"; echo; } >> called\n"
                      "echo '{}' > corpus/ties/new.json\nexit " +
                          std::to_string(status) + "\n");
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
@@ -59,7 +59,9 @@ TEST_CASE("CI runs a smoke test of clip if nothing else is asked for") {
   CHECK(outcome.status == 0);
   CHECK(repository.called() ==
         "<smoke><--junit><manifuzz-results/junit.xml><--subject><clip><--oracle><box2d>"
-        "<--seed><7><--corpus><corpus>");
+        "<--seed><7><--corpus><corpus>\n"
+        "<report><manifuzz-results/findings><--subject><clip><--oracle><box2d>"
+        "<--output><manifuzz-results/report.html>\n");
   CHECK(read(repository.folder.path() / "manifuzz-results/status") == "passed\n");
 }
 
