@@ -66,7 +66,8 @@ std::vector<Manifold<double>> right_of(const PageCase& page_case) {
   }
   if (page_case.shown.subject.manifold() == nullptr) return right;
   const Manifold<double>& own = *page_case.shown.subject.manifold();
-  std::ranges::stable_partition(right, [&](const auto& other) { return is_alike(other, own); });
+  std::stable_partition(right.begin(), right.end(),
+                        [&](const auto& other) { return is_alike(other, own); });
   return right;
 }
 
