@@ -105,14 +105,14 @@ void add_runs(PageCase& page_case, const std::vector<Result>& results) {
   const auto& expect = page_case.shown.given.expect;
   if (!expect) return;
   for (const Result& result : results) {
-    if (result.kind != "fuzz" || result.json.value("oracle", "") != expect->oracle ||
-        result.json.value("subject", "") != expect->subject) {
+    if (result.kind != "fuzz" || result.json.at("oracle") != expect->oracle ||
+        result.json.at("subject") != expect->subject) {
       continue;
     }
-    for (const auto& bucket : result.json["buckets"]) {
-      if (bucket.value("bucket", "") != expect->bucket) continue;
-      page_case.count = page_case.count.value_or(0) + bucket.value("count", std::uint64_t{0});
-      page_case.commands.push_back(bucket.value("command", ""));
+    for (const auto& bucket : result.json.at("buckets")) {
+      if (bucket.at("bucket") != expect->bucket) continue;
+      page_case.count = page_case.count.value_or(0) + bucket.at("count").get<std::uint64_t>();
+      page_case.commands.push_back(bucket.at("command"));
     }
   }
 }

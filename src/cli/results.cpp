@@ -1,5 +1,6 @@
 #include "cli/results.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -22,22 +23,41 @@ constexpr std::array kKindKeys{KindKey{"fuzz", "buckets"}, KindKey{"replay", "fa
                                KindKey{"stress", "sweeps"}, KindKey{"scene", "exponents"},
                                KindKey{"bench", "rows"}};
 
-/// The command that wrote it, or empty.
-std::string_view kind_of(const nlohmann::ordered_json& json) {
-  if (!json.is_object() || !json.contains("machine")) return {};
-  for (const KindKey& known : kKindKeys) {
-    if (json.contains(known.key)) return known.kind;
+/// What wrote it, or nullptr.
+const KindKey* kind_of(const nlohmann::ordered_json& json) {
+  if (!json.is_object() || !json.contains("machine")) return nullptr;
+  const auto known =
+      std::ranges::find_if(kKindKeys, [&](const KindKey& kind) { return json.contains(kind.key); });
+  return known == kKindKeys.end() ? nullptr : &*known;
+}
+
+/// Whether a row of `fuzz` says which bucket it is of, how often that was met, and how again.
+bool is_bucket(const nlohmann::ordered_json& row) {
+  return row.is_object() && row.contains("bucket") && row["bucket"].is_string() &&
+         row.contains("count") && row["count"].is_number_unsigned() && row.contains("command") &&
+         row["command"].is_string();
+}
+
+bool is_whole(const nlohmann::ordered_json& json, const KindKey& kind) {
+  const auto& rows = json.at(kind.key);
+  if (!rows.is_array()) return false;
+  if (kind.kind != "fuzz") {
+    return std::ranges::all_of(rows, [](const auto& row) { return row.is_object(); });
   }
-  return {};
+  const auto names = [&](const char* key) { return json.contains(key) && json[key].is_string(); };
+  return names("subject") && names("oracle") && std::ranges::all_of(rows, is_bucket);
 }
 
 void read_run_file(const std::filesystem::path& path, RunFiles& files) {
   if (path.extension() == ".json") {
     InputFile file(path.string());
     auto json = nlohmann::ordered_json::parse(file.read_all(kLongestResult), nullptr, false);
-    const std::string_view kind = kind_of(json);
-    if (!kind.empty()) {
-      files.results.push_back({path.string(), kind, std::move(json)});
+    if (const KindKey* const known = kind_of(json)) {
+      if (!is_whole(json, *known)) {
+        throw UserError(
+            fmt::format("{}: what {} --json writes is expected", file.name(), known->kind));
+      }
+      files.results.push_back({path.string(), known->kind, std::move(json)});
       return;
     }
   }

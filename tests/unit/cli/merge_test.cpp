@@ -135,8 +135,8 @@ TEST_CASE("merging names broken files and results of other cases, and merges the
   const std::vector<std::string> lines = lines_of(outcome.err);
   REQUIRE(lines.size() == 4);
   CHECK(lines[0].find("p/broken.json: ") != std::string::npos);
-  CHECK(lines[1].find("q.json: counts cases of seed 2 from 500 on") != std::string::npos);
-  CHECK(lines[2].find("s.json: what fuzz --json writes is expected") != std::string::npos);
+  CHECK(lines[2].find("q.json: counts cases of seed 2 from 500 on") != std::string::npos);
+  CHECK(lines[1].find("s.json: what fuzz --json writes is expected") != std::string::npos);
   CHECK(lines[3].find("3 of the files") != std::string::npos);
   const Json all = Json::parse(text_of(folder.path() / "all.json"));
   CHECK(all["cases"] == 4000);

@@ -141,6 +141,22 @@ TEST_CASE("a page names what it could not read, and shows the rest") {
   CHECK(data["errors"][0].get<std::string>().find("broken.json") != std::string::npos);
 }
 
+TEST_CASE("results that are no results are named, and the page has the rest") {
+  const TemporaryFolder folder;
+  folder.write("a.json", R"({"machine": 5, "subject": 1, "buckets": [1]})");
+  folder.write("b.json", R"({"machine": {}, "rows": {"x": 1}})");
+  folder.write("c.json", R"({"machine": {}, "sweeps": []})");
+  const std::string page = folder.path() / "page.html";
+  const Outcome outcome =
+      run_manifuzz({"report", "--quiet", folder.path().string(), "--output", page});
+  CHECK(outcome.status == 2);
+  const auto lines = lines_of(outcome.err);
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[0].ends_with("a.json: what fuzz --json writes is expected"));
+  CHECK(lines[1].ends_with("b.json: what bench --json writes is expected"));
+  CHECK(data_of(text_of(page))["stress"].size() == 1);
+}
+
 TEST_CASE("a page of nothing is an error, and nothing is written") {
   const TemporaryFolder folder;
   const std::string page = folder.path() / "page.html";
