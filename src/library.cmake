@@ -31,11 +31,10 @@ function(manifuzz_public_header header)
   file(CONFIGURE OUTPUT ${manifuzz_include}/manifuzz/${folder}/${header} CONTENT "${text}" @ONLY)
 endfunction()
 
-# manifuzz_public_library(name HEADERS file... [SOURCES file...] LINKS target... [PRIVATE_LINKS target...]):
-# a folder of the library, manifuzz::name to others. HEADERS are the public ones, and those that
-# they include.
+# manifuzz_public_library(name HEADERS file... [SOURCES file...] LINKS target...): a folder of the
+# library, manifuzz::name to others. HEADERS are the public ones, and those that they include.
 function(manifuzz_public_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 LIB "" "" "HEADERS;SOURCES;LINKS;PRIVATE_LINKS")
+  cmake_parse_arguments(PARSE_ARGV 1 LIB "" "" "HEADERS;SOURCES;LINKS")
   set(target manifuzz_${name})
   if(LIB_SOURCES)
     set(kind STATIC)
@@ -59,8 +58,16 @@ function(manifuzz_public_library name)
     # Whoever uses it may be a shared library, whose own symbols these are not.
     set_target_properties(${target} PROPERTIES
       POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
-    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:manifuzz_options> ${LIB_PRIVATE_LINKS})
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:manifuzz_options>)
   endif()
+endfunction()
+
+# manifuzz_use_highway(target): vector code of its own. Highway 1.0.3 does not compile where the
+# compiler may use all that AVX3_DL has, as with -march=native on newer processors: it forgets that
+# target among those to dispatch to. Nothing here gains by it.
+function(manifuzz_use_highway target)
+  target_compile_definitions(${target} PRIVATE HWY_DISABLED_TARGETS=HWY_AVX3_DL)
+  target_link_libraries(${target} PRIVATE hwy::hwy)
 endfunction()
 
 # manifuzz_install(name...): these libraries, their headers, and the CMake package.
