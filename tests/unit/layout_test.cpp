@@ -2,23 +2,18 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include <catch2/catch.hpp>
 
 #include "support/run_program.hpp"
 #include "support/source_tree.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace manifuzz::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string read(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// The paths git keeps; in a tree without git, every file of the folders that hold sources.
 std::vector<std::string> committed_paths() {
@@ -49,7 +44,7 @@ const std::vector<SourceFile>& tree() {
     std::vector<SourceFile> found;
     for (const std::string& path : committed_paths()) {
       if (fs::is_regular_file(source_dir() / path))
-        found.push_back({path, read(source_dir() / path)});
+        found.push_back({path, text_of(source_dir() / path)});
     }
     return found;
   }();

@@ -34,9 +34,7 @@ TEST_CASE("scene goes through every scene, with the contacts of all pairs afresh
       CHECK(row.at(key).is_number());
     }
   }
-  std::ifstream svg(frame);
-  const std::string text{std::istreambuf_iterator<char>(svg), {}};
-  CHECK(text.find("class=\"contact\"") != std::string::npos);
+  CHECK(test::text_of(frame).find("class=\"contact\"") != std::string::npos);
 }
 
 TEST_CASE("scene recycles on request, and says what that skips and costs") {

@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include <catch2/catch.hpp>
@@ -13,11 +12,6 @@ using namespace manifuzz::test;
 using Catch::Contains;
 
 namespace {
-
-std::string read(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// A smoke run of a second over one case of the corpus.
 Outcome smoke(const TemporaryFolder& folder, const std::vector<std::string>& more) {
@@ -46,7 +40,7 @@ TEST_CASE("smoke replays, checks properties and runs a campaign, in one JUnit re
   CHECK_THAT(outcome.out, Contains("clip against box2d 2.4.1: "));
   const auto suites = [&] {
     std::vector<std::string> names;
-    for (const Element& element : read_svg(read(folder.path() / "junit.xml"))) {
+    for (const Element& element : read_svg(text_of(folder.path() / "junit.xml"))) {
       if (element.name == "testsuite") names.push_back(element.attributes.at("name"));
     }
     return names;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 
@@ -44,11 +43,6 @@ Json baseline_of(const Json& points) {
           {"walks", {{"sliding", {{"clip", 0}}}}}};
 }
 
-std::string read(const fs::path& path) {
-  std::ifstream stream(path);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 }  // namespace
 
 TEST_CASE("stress writes a table, JSON, CSV and pictures of what it measured") {
@@ -62,7 +56,7 @@ TEST_CASE("stress writes a table, JSON, CSV and pictures of what it measured") {
   REQUIRE(outcome.status == 0);
   CHECK(outcome.out.find("distance") != std::string::npos);
   CHECK(outcome.out.find("never") != std::string::npos);
-  const Json report = Json::parse(read(json));
+  const Json report = Json::parse(text_of(json));
   for (const char* key : {"machine", "compiler", "seed", "versions"}) CHECK(report.contains(key));
   CHECK(report.at("interrupted") == false);
   CHECK(report.at("walks").size() == 4);  // the ideal, clip, clip with a bias, box2d
@@ -83,7 +77,7 @@ TEST_CASE("stress writes a table, JSON, CSV and pictures of what it measured") {
       CHECK(row.at("breaking_point") > 1e4);
     }
   }
-  std::istringstream lines(read(csv));
+  std::istringstream lines(text_of(csv));
   std::string line;
   std::getline(lines, line);
   CHECK(line.starts_with("sweep,collider,x,"));
@@ -113,7 +107,7 @@ TEST_CASE("a breaking point below the stored one is status 1, and named") {
   const std::string stored = (folder.path() / "stored.json").string();
   REQUIRE(run_small({"--store", stored}).status == 0);
   CHECK(run_small({"--baseline", stored}).status == 0);
-  Json points = Json::parse(read(stored));
+  Json points = Json::parse(text_of(stored));
   points["sweeps"]["distance"]["box2d"] = nullptr;
   const Outcome worse = run_small({"--baseline", folder.write("better.json", points.dump())});
   CHECK(worse.status == 1);
@@ -169,18 +163,18 @@ TEST_CASE("what is stored of one sweep is added to what is there, on the same te
   const TemporaryFolder folder;
   const std::string stored = (folder.path() / "stored.json").string();
   REQUIRE(run_small({"--store", stored}).status == 0);
-  const Json whole = Json::parse(read(stored));
+  const Json whole = Json::parse(text_of(stored));
   Json points = whole;
   points["sweeps"]["distance"]["box2d"] = nullptr;
   folder.write("stored.json", points.dump());
   REQUIRE(run_distance({"--store", stored}).status == 0);
-  CHECK(Json::parse(read(stored)) == whole);
+  CHECK(Json::parse(text_of(stored)) == whole);
   const Outcome other = run_distance({"--store", stored, "--seed", "7"});
   CHECK(other.status == 2);
   CHECK(is_one_clear_line(other.err));
   CHECK(run_distance({"--store", folder.write("notes.txt", "my notes")}).status == 2);
-  CHECK(read(folder.path() / "notes.txt") == "my notes");
-  CHECK(Json::parse(read(stored)) == whole);
+  CHECK(text_of(folder.path() / "notes.txt") == "my notes");
+  CHECK(Json::parse(text_of(stored)) == whole);
 }
 
 TEST_CASE("an output that cannot be written loses neither the table nor the others") {
@@ -194,7 +188,7 @@ TEST_CASE("an output that cannot be written loses neither the table nor the othe
   CHECK(outcome.status == 2);
   CHECK(outcome.out.find("breaking points") != std::string::npos);
   CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 2);
-  CHECK(read(csv).starts_with("sweep,"));
+  CHECK(text_of(csv).starts_with("sweep,"));
   CHECK(fs::file_size(pictures / "collinear.png") > 1000);
 }
 
@@ -227,12 +221,12 @@ TEST_CASE("the worst cases are saved, and replay finds them as they were") {
   }
   CHECK(of_clip == 2);
   CHECK(of_box2d >= 1);
-  const std::string far = read(corpus / "seeds" / "stress-distance-clip.json");
+  const std::string far = text_of(corpus / "seeds" / "stress-distance-clip.json");
   CHECK(Json::parse(far).at("expect").at("verdict") != "ill_posed");
   const Outcome milder = run_manifuzz({"stress", "--sweep", "distance", "--collider", "clip",
                                        "--cases", "3", "--save", corpus.string()});
   CHECK(milder.err.find("stress-distance-clip.json is worse") != std::string::npos);
-  CHECK(read(corpus / "seeds" / "stress-distance-clip.json") == far);
+  CHECK(text_of(corpus / "seeds" / "stress-distance-clip.json") == far);
   const Outcome replayed = run_manifuzz({"replay", corpus.string()});
   INFO(replayed.out);
   CHECK(replayed.status == 0);
@@ -253,7 +247,7 @@ TEST_CASE("an interrupted stress keeps what it measured") {
   CHECK(outcome.status == 1);
   CHECK(outcome.out.find("large: clip: 0 of") != std::string::npos);
   CHECK(outcome.out.find("interrupted") != std::string::npos);
-  CHECK(Json::parse(read(json)).at("interrupted") == true);
+  CHECK(Json::parse(text_of(json)).at("interrupted") == true);
 }
 
 TEST_CASE("of a collider that answers nothing no breaking point is said") {

@@ -1,8 +1,6 @@
 #include "report/line_plot.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include <catch2/catch.hpp>
 
@@ -40,8 +38,7 @@ TEST_CASE("a picture of lines names them and what is on its axes") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "lines.svg";
   write_line_plot(path.string(), plot());
-  std::ifstream stream(path);
-  const std::string svg{std::istreambuf_iterator<char>(stream), {}};
+  const std::string svg = test::text_of(path);
   for (const char* text : {"a title", "knob", "error", "clip, pair", "other", "breaks here"}) {
     CAPTURE(text);
     CHECK(svg.find(text) != std::string::npos);

@@ -1,6 +1,4 @@
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include <catch2/catch.hpp>
 
@@ -22,11 +20,6 @@ std::string case_line() {
   return line + '\n';
 }
 
-std::string read(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 }  // namespace
 
 TEST_CASE("show writes the text, and the picture where it is asked for") {
@@ -38,8 +31,8 @@ TEST_CASE("show writes the text, and the picture where it is asked for") {
   CHECK(outcome.status == 0);
   CHECK(outcome.err.empty());
   CHECK_THAT(outcome.out, Contains("agree within rounding"));
-  CHECK_THAT(all_text(read_svg(read(picture))), Contains("agree within rounding"));
-  CHECK(read(picture).find(folder.path().string()) == std::string::npos);
+  CHECK_THAT(all_text(read_svg(text_of(picture))), Contains("agree within rounding"));
+  CHECK(text_of(picture).find(folder.path().string()) == std::string::npos);
 }
 
 TEST_CASE("show - reads stdin, --svg - writes the picture alone") {
@@ -73,7 +66,7 @@ TEST_CASE("show --map writes the map and says how severe the case is") {
   CHECK(outcome.err.empty());
   CHECK_THAT(outcome.out, Contains("a step being 8 ulps"));
   CHECK_THAT(outcome.out, Contains("severity 0: somebody is wrong on 0 of 16641 neighbours"));
-  CHECK(read(map).starts_with("\x89PNG\r\n\x1a\n"));
+  CHECK(text_of(map).starts_with("\x89PNG\r\n\x1a\n"));
   CHECK(read_svg(run_manifuzz({"show", file, "--map", map, "--svg", "-"}).out).size() > 1);
 }
 
