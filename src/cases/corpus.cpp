@@ -15,6 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kEnding = ".json";
+constexpr std::string_view kWorstEnding = ".worst.json";
+
 bool holds_cases(const fs::path& path) {
   return path.extension() == ".json" || path.extension() == ".jsonl";
 }
@@ -77,6 +80,24 @@ std::string look_of(const CorpusCase& corpus_case) {
   return look;
 }
 
+bool is_of_same_finding(const CorpusCase& known, const CorpusCase& other) {
+  const Expectation expect = known.expect.value_or(Expectation{});
+  const Expectation of_other = other.expect.value_or(Expectation{});
+  return known.property == other.property && expect.bucket == of_other.bucket &&
+         expect.subject == of_other.subject && expect.oracle == of_other.oracle;
+}
+
+/// Whether nothing is lost by writing the case there: no file, or what was known of its finding.
+bool is_free_for(const fs::path& file, const CorpusCase& corpus_case) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(file, unknown)) return true;
+  try {
+    return is_of_same_finding(read_case_file(file.string()), corpus_case);
+  } catch (const UserError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 std::vector<fs::path> find_case_files(std::span<const fs::path> paths,
@@ -98,19 +119,21 @@ std::vector<fs::path> find_case_files(std::span<const fs::path> paths,
   return files;
 }
 
+void read_case_files(const fs::path& path, Corpus& corpus) {
+  try {
+    if (path.extension() == ".jsonl") {
+      read_lines_file(path.string(), corpus);
+    } else {
+      corpus.cases.push_back(read_case_file(path.string()));
+    }
+  } catch (const UserError& error) {
+    corpus.errors.emplace_back(error.what());
+  }
+}
+
 Corpus read_corpus(std::span<const fs::path> paths) {
   Corpus corpus;
-  for (const auto& path : find_case_files(paths, corpus.errors)) {
-    try {
-      if (path.extension() == ".jsonl") {
-        read_lines_file(path.string(), corpus);
-      } else {
-        corpus.cases.push_back(read_case_file(path.string()));
-      }
-    } catch (const UserError& error) {
-      corpus.errors.emplace_back(error.what());
-    }
-  }
+  for (const auto& path : find_case_files(paths, corpus.errors)) read_case_files(path, corpus);
   return corpus;
 }
 
@@ -120,14 +143,33 @@ std::string corpus_file_name(const CorpusCase& corpus_case) {
   return fmt::format("{}-{:08x}.json", look_of(corpus_case), mix(hash_of(text)) >> 32);
 }
 
+fs::path corpus_file(const fs::path& folder, const CorpusCase& corpus_case) {
+  const fs::path usual = folder / corpus_file_name(corpus_case);
+  fs::path file = usual;
+  for (int turn = 2; !is_free_for(file, corpus_case); ++turn) {
+    file = folder / fmt::format("{}-{}{}", usual.stem().string(), turn, kEnding);
+  }
+  return file;
+}
+
 fs::path write_corpus_case(const fs::path& folder, const CorpusCase& corpus_case) {
-  fs::path path = folder / corpus_file_name(corpus_case);
+  fs::path path = corpus_file(folder, corpus_case);
   write_file(path, format_case(corpus_case));
   return path;
 }
 
 fs::path worst_beside(const fs::path& file) {
-  return fs::path(file).replace_extension(".worst.json");
+  return fs::path(file).replace_extension(kWorstEnding);
+}
+
+bool is_worst(std::string_view path) {
+  return path.ends_with(kWorstEnding);
+}
+
+std::string shrunk_beside(std::string_view path) {
+  if (!is_worst(path)) return std::string(path);
+  path.remove_suffix(kWorstEnding.size());
+  return std::string(path) + std::string(kEnding);
 }
 
 void write_worst_case(const fs::path& file, const CorpusCase& worst) {

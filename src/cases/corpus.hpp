@@ -50,6 +50,9 @@ enum class FormatKey { required, optional };
 /// or a line and column; callers put the file's name before it.
 CorpusCase parse_case(std::string_view text, FormatKey format_key);
 
+/// The same of a value that is parsed already.
+CorpusCase read_case(const JsonView& root, FormatKey format_key);
+
 /// The case on a line that is not blank; errors as `parse_case`.
 CorpusCase parse_line(const Line& line);
 
@@ -70,7 +73,10 @@ struct Corpus {
 std::vector<std::filesystem::path> find_case_files(std::span<const std::filesystem::path> paths,
                                                    std::vector<std::string>& errors);
 
-/// Every case in these files (*.json: one case; *.jsonl: one a line) and folders (all such files in
+/// Adds the cases of one file (*.json: one case; *.jsonl: one a line), or an error line.
+void read_case_files(const std::filesystem::path& path, Corpus& corpus);
+
+/// Every case in these files and folders (all such files in
 /// them and below), sorted by path. What is broken gives an error line, the rest is read all the
 /// same.
 Corpus read_corpus(std::span<const std::filesystem::path> paths);
@@ -79,13 +85,23 @@ Corpus read_corpus(std::span<const std::filesystem::path> paths);
 /// a hash of its pair. Cases with equal pairs and equal buckets share it.
 std::string corpus_file_name(const CorpusCase& corpus_case);
 
-/// Writes the case into the folder, whole or not at all, over a file of the same name. Returns its
+/// Where the case belongs in the folder: the file of that name, or, where that holds what is no
+/// finding of these colliders, the first of name-2.json, name-3.json, ... that does or is free.
+std::filesystem::path corpus_file(const std::filesystem::path& folder,
+                                  const CorpusCase& corpus_case);
+
+/// Writes the case there, whole or not at all, over what was known of the same finding. Returns its
 /// path. Throws UserError.
 std::filesystem::path write_corpus_case(const std::filesystem::path& folder,
                                         const CorpusCase& corpus_case);
 
 /// The file beside `file` for the case that it was shrunk from: name.worst.json for name.json.
 std::filesystem::path worst_beside(const std::filesystem::path& file);
+
+/// Whether a file's name says that it is such a case, and the file that it was shrunk to: the
+/// path itself for any other.
+bool is_worst(std::string_view path);
+std::string shrunk_beside(std::string_view path);
 
 /// Writes that case there.
 void write_worst_case(const std::filesystem::path& file, const CorpusCase& worst);

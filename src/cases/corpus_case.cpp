@@ -1,5 +1,4 @@
 #include <iterator>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -47,14 +46,6 @@ double read_share(const JsonView& value) {
   value.fail(fmt::format("{} is not a share; a number from 0 to 1 is expected", share));
 }
 
-/// 0 or more; null stands for infinity.
-double read_magnitude(const JsonView& value) {
-  if (value.is_null()) return std::numeric_limits<double>::infinity();
-  const double magnitude = value.number();
-  if (magnitude >= 0) return magnitude;
-  value.fail(fmt::format("{} is no magnitude; a number from 0 is expected", magnitude));
-}
-
 Expectation read_expectation(const JsonView& object, const PairCase& pair) {
   object.expect_keys(
       {"subject", "oracle", "verdict", "bucket", "severity", "magnitude", "manifolds"});
@@ -64,9 +55,7 @@ Expectation read_expectation(const JsonView& object, const PairCase& pair) {
                      read_string(object, "bucket"),
                      {}};
   if (const auto severity = object.find("severity")) expect.severity = read_share(*severity);
-  if (const auto magnitude = object.find("magnitude")) {
-    expect.magnitude = read_magnitude(*magnitude);
-  }
+  if (const auto magnitude = object.find("magnitude")) expect.magnitude = magnitude->magnitude();
   if (const auto manifolds = object.find("manifolds")) {
     for (std::size_t i = 0; i < manifolds->length("an array of manifolds"); ++i) {
       expect.manifolds.push_back(read_answer((*manifolds)[i], pair));
@@ -132,7 +121,10 @@ void append_expectation(std::string& out, const PairCase& pair, const Expectatio
 CorpusCase parse_case(std::string_view text, FormatKey format_key) {
   if (is_blank(text)) throw UserError("is empty; one case is expected");
   const JsonTree tree = parse_json(text);
-  const JsonView root(tree);
+  return read_case(JsonView(tree), format_key);
+}
+
+CorpusCase read_case(const JsonView& root, FormatKey format_key) {
   root.expect_keys({"format", "a", "b", "found", "expect", "property", "note"});
   check_format(root, format_key);
   CorpusCase corpus_case;

@@ -90,8 +90,7 @@ class TreeBuilder final : public nlohmann::json_sax<Parser> {
       error_ = fmt::format("{}: the key \"{}\" is repeated; give it once", tree.path_of(object),
                            printable(key));
     } else if (tree.nodes[object].children == kMostKeys) {
-      error_ =
-          fmt::format("{}: has more than {} keys; a case needs 7", tree.path_of(object), kMostKeys);
+      error_ = fmt::format("{}: has more than {} keys", tree.path_of(object), kMostKeys);
     }
     key_ = keep(key);
     return error_.empty();
@@ -131,7 +130,7 @@ class TreeBuilder final : public nlohmann::json_sax<Parser> {
 
   bool open(JsonType type) {
     if (open_.size() == kDeepest) {
-      error_ = fmt::format("$: nested deeper than {} levels; a case needs 5", kDeepest);
+      error_ = fmt::format("$: nested deeper than {} levels", kDeepest);
       return false;
     }
     add({.type = type, .extent = JsonTree::kStillOpen});

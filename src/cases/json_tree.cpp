@@ -91,6 +91,16 @@ std::size_t JsonView::length(std::string_view expected) const {
   return node().children;
 }
 
+std::vector<JsonView> JsonView::elements(std::string_view expected) const {
+  std::vector<JsonView> all;
+  std::size_t element = index_ + 1;
+  for (std::size_t i = 0; i < length(expected); ++i) {
+    all.push_back(JsonView(*tree_, element));
+    element += tree_->nodes[element].extent;
+  }
+  return all;
+}
+
 JsonView JsonView::operator[](std::size_t i) const {
   std::size_t element = index_ + 1;
   for (; i > 0; --i) element += tree_->nodes[element].extent;
@@ -105,6 +115,13 @@ bool JsonView::boolean() const {
 double JsonView::number() const {
   expect_type(JsonType::number, "a number");
   return node().number;
+}
+
+double JsonView::magnitude() const {
+  if (is_null()) return std::numeric_limits<double>::infinity();
+  const double value = number();
+  if (value >= 0) return value;
+  fail(fmt::format("{} is no magnitude; a number from 0 is expected", value));
 }
 
 float JsonView::number_as_float() const {

@@ -64,6 +64,7 @@ class JsonView {
   explicit JsonView(const JsonTree& tree) : JsonView(tree, 0) {}
 
   bool is_null() const { return node().type == JsonType::null; }
+  bool is_object() const { return node().type == JsonType::object; }
 
   /// Fails unless this is an object whose keys are all among `allowed`.
   void expect_keys(std::initializer_list<std::string_view> allowed) const;
@@ -75,11 +76,15 @@ class JsonView {
 
   /// The length of an array; anything else fails with `expected` ("an array of two numbers").
   std::size_t length(std::string_view expected = "an array") const;
+  /// The elements of an array, in one pass.
+  std::vector<JsonView> elements(std::string_view expected = "an array") const;
   /// Element i of an array, i below its length; takes i steps.
   JsonView operator[](std::size_t i) const;
 
   bool boolean() const;
   double number() const;
+  /// 0 or more; null stands for infinity, which JSON has not.
+  double magnitude() const;
   /// The nearest double, then the nearest float; beyond the largest float is an error.
   float number_as_float() const;
   std::uint64_t whole_number() const;

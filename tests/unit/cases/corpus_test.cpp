@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <sys/stat.h>
@@ -42,11 +41,6 @@ CorpusCase sample_case() {
 
 Corpus read_corpus_at(const fs::path& path) {
   return read_corpus({&path, 1});
-}
-
-std::string content_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::ptrdiff_t files_in(const fs::path& folder) {
@@ -137,10 +131,31 @@ TEST_CASE("A file is named by its bucket and its pair alone") {
   CHECK(corpus_file_name(sample).starts_with("------etc-passwd--"));
 }
 
+TEST_CASE("A case is never written over another finding, nor over what is no case") {
+  const test::TemporaryFolder folder;
+  CorpusCase sample = sample_case();
+  const fs::path usual = write_corpus_case(folder.path(), sample);
+  sample.expect->subject = "pair";
+  const fs::path second = write_corpus_case(folder.path(), sample);
+  CHECK(second.stem().string() == usual.stem().string() + "-2");
+  CHECK(read_case_file(usual.string()).expect->subject == "clip");
+  CHECK(write_corpus_case(folder.path(), sample) == second);
+  folder.write(usual.filename().string(), "not a case");
+  CHECK(corpus_file(folder.path(), sample_case()).stem().string() == usual.stem().string() + "-3");
+}
+
+TEST_CASE("The file of what a case was shrunk from is told by its name") {
+  CHECK(worst_beside("a/b.json") == "a/b.worst.json");
+  CHECK(is_worst("a/b.worst.json"));
+  CHECK_FALSE(is_worst("a/b.json"));
+  CHECK(shrunk_beside("a/b.worst.json") == "a/b.json");
+  CHECK(shrunk_beside("a/b.json") == "a/b.json");
+}
+
 TEST_CASE("A case is written whole, with its folder, and read back") {
   const test::TemporaryFolder folder;
   const fs::path path = write_corpus_case(folder.path() / "new" / "folder", sample_case());
-  CHECK(content_of(path) == format_case(sample_case()));
+  CHECK(test::text_of(path) == format_case(sample_case()));
   CHECK(write_corpus_case(folder.path() / "new" / "folder", sample_case()) == path);
   CHECK(files_in(path.parent_path()) == 1);
   const Corpus corpus = read_corpus_at(folder.path());
