@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <string>
 
@@ -16,11 +15,6 @@ using Catch::Contains;
 
 namespace {
 
-std::string read(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// Somebody's repository with a case in its corpus; the stand-in saves a new one beside it.
 struct Repository {
   TemporaryFolder folder;
@@ -32,11 +26,13 @@ struct Repository {
     std::filesystem::last_write_time(
         folder.path() / "corpus/old.json",
         std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
-    const std::string program =
-        folder.write("stand-in",
-                     "#!/bin/sh\n{ printf '<%s>' \"$@\"; echo; } >> called\n"
-                     "echo '{}' > corpus/ties/new.json\nexit " +
-                         std::to_string(status) + "\n");
+    const std::string program = folder.write(
+        "stand-in",
+        "#!/bin/sh\n{ printf '<%s>' \"$@\"; echo; } >> called\n"
+        "echo '{}' > corpus/ties/new.json\n"
+        "for word; do [ \"$before\" != --junit ] || echo xml > \"$word\"; before=$word; done\n"
+        "exit " +
+            std::to_string(status) + "\n");
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   }
 
@@ -47,7 +43,7 @@ struct Repository {
     command.push_back((source_dir() / "scripts/ci").string());
     return run_program(command);
   }
-  std::string called() const { return read(folder.path() / "called"); }
+  std::string called() const { return text_of(folder.path() / "called"); }
 };
 
 }  // namespace
@@ -62,7 +58,7 @@ TEST_CASE("CI runs a smoke test of clip if nothing else is asked for") {
         "<--seed><7><--corpus><corpus>\n"
         "<report><manifuzz-results/findings><--subject><clip><--oracle><box2d>"
         "<--output><manifuzz-results/report.html>\n");
-  CHECK(read(repository.folder.path() / "manifuzz-results/status") == "passed\n");
+  CHECK(text_of(repository.folder.path() / "manifuzz-results/status") == "passed\n");
 }
 
 TEST_CASE("what CI is told is data to the shell") {
@@ -82,9 +78,23 @@ TEST_CASE("CI passes the status on, and says it in a word where a workflow asks"
     const Repository repository(status);
     const Outcome outcome = repository.ci({"GITHUB_OUTPUT=outputs", "MANIFUZZ_OUTPUT=out"});
     CHECK(outcome.status == status);
-    CHECK(read(repository.folder.path() / "outputs") ==
+    CHECK(text_of(repository.folder.path() / "outputs") ==
           "junit=out/junit.xml\nstatus=" + std::string(word) + "\nresults=out\n");
   }
+}
+
+TEST_CASE("CI takes nothing of an earlier run for this one's") {
+  const Repository repository(0);
+  repository.ci({"MANIFUZZ_MODE=fuzz"});
+  const auto results = repository.folder.path() / "manifuzz-results";
+  repository.folder.write("manifuzz-results/results.json", "{}");
+  CHECK(repository.ci({"GITHUB_OUTPUT=outputs", "MANIFUZZ=/bin/false"}).status == 1);
+  for (const char* const name : {"junit.xml", "results.json", "report.html", "findings/ties"}) {
+    CAPTURE(name);
+    CHECK_FALSE(std::filesystem::exists(results / name));
+  }
+  CHECK(text_of(repository.folder.path() / "outputs") ==
+        "junit=\nstatus=failed\nresults=manifuzz-results\n");
 }
 
 TEST_CASE("CI keeps what was saved, and not what was known") {
