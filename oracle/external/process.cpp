@@ -84,13 +84,21 @@ void kill_and_wait(pid_t child) {
   wait_for(child);
 }
 
+namespace {
+
+/// How often somebody asked any of them to stop.
+int seen = 0;
+
+}  // namespace
+
 struct Interruption::Masks {
   sigset_t held;
   sigset_t before;
   sigset_t stop;
 };
 
-Interruption::Interruption(Deadline deadline) : masks_(new Masks), deadline_(deadline) {
+Interruption::Interruption(Deadline deadline)
+    : masks_(new Masks), deadline_(deadline), before_(seen) {
   sigemptyset(&masks_->stop);
   sigaddset(&masks_->stop, SIGINT);
   sigaddset(&masks_->stop, SIGTERM);
@@ -109,7 +117,7 @@ void Interruption::wait(double seconds) {
   const auto whole = static_cast<time_t>(seconds);
   const timespec timeout{whole, static_cast<long>((seconds - static_cast<double>(whole)) * 1e9)};
   const int signal = sigtimedwait(&masks_->held, nullptr, &timeout);
-  if (signal == SIGINT || signal == SIGTERM) ++requests_;
+  if (signal == SIGINT || signal == SIGTERM) ++seen;
 }
 
 bool Interruption::requested() {
@@ -118,8 +126,8 @@ bool Interruption::requested() {
 
 int Interruption::requests() {
   const timespec at_once{0, 0};
-  while (sigtimedwait(&masks_->stop, nullptr, &at_once) > 0) ++requests_;
-  return requests_;
+  while (sigtimedwait(&masks_->stop, nullptr, &at_once) > 0) ++seen;
+  return seen - before_;
 }
 
 }  // namespace manifuzz

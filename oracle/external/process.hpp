@@ -64,7 +64,8 @@ inline bool has_passed(const Deadline& deadline) {
   return deadline && std::chrono::steady_clock::now() >= *deadline;
 }
 
-/// Holds SIGINT and SIGTERM back for as long as it lives, so that work can stop in good order.
+/// Holds SIGINT and SIGTERM back for as long as it lives, so that work can stop in good order. One
+/// that lives around another counts its requests too.
 class Interruption {
  public:
   explicit Interruption(Deadline deadline = {});
@@ -85,7 +86,7 @@ class Interruption {
   struct Masks;
   Masks* masks_;
   Deadline deadline_;
-  int requests_ = 0;
+  int before_;  ///< requests to those before this one
   int forgiven_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 #include <tuple>
 
 #include "campaign/findings.hpp"
@@ -11,14 +12,6 @@
 
 namespace manifuzz {
 namespace {
-
-constexpr std::string_view kWorst = ".worst.json";
-
-/// The file without its ending: the same for a case and for what it was shrunk from.
-std::string stem_of(const std::string& path) {
-  const std::string_view ending = path.ends_with(kWorst) ? kWorst : ".json";
-  return path.ends_with(ending) ? path.substr(0, path.size() - ending.size()) : path;
-}
 
 std::string key_of(const CorpusCase& known) {
   if (known.expect && !known.expect->bucket.empty()) return finding_key(*known.expect);
@@ -41,21 +34,28 @@ auto size_of(const CorpusCase& known) {
 
 using Members = std::vector<const CorpusCase*>;
 
+/// The least by an order that is not cheap to tell.
 template <class Order>
 const CorpusCase& least(const Members& members, const Order& order) {
-  return **std::ranges::min_element(members, {}, [&](const auto* known) { return order(*known); });
+  const CorpusCase* best = members.front();
+  auto rank = order(*best);
+  for (const CorpusCase* known : std::span(members).subspan(1)) {
+    auto other = order(*known);
+    if (!(other < rank)) continue;
+    best = known;
+    rank = std::move(other);
+  }
+  return *best;
 }
 
 Gathered gathered_of(const Members& members) {
-  std::set<std::string> shrunk_from;  // stems of which the worst is there
+  std::set<std::string> shrunk;  // files beside which lies what they were shrunk from
   for (const CorpusCase* known : members) {
-    if (known->path.ends_with(kWorst)) shrunk_from.insert(stem_of(known->path));
+    if (is_worst(known->path)) shrunk.insert(shrunk_beside(known->path));
   }
   Members as_seen;
   for (const CorpusCase* known : members) {
-    const bool is_shrunk =
-        !known->path.ends_with(kWorst) && shrunk_from.contains(stem_of(known->path));
-    if (!is_shrunk) as_seen.push_back(known);
+    if (!shrunk.contains(known->path)) as_seen.push_back(known);
   }
   Gathered kept{least(members, size_of), {}};
   const CorpusCase& worst = least(as_seen, badness);

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include <fmt/format.h>
 
-#include "cases/file.hpp"
+#include "cases/text.hpp"
 #include "cases/user_error.hpp"
+#include "cli/results.hpp"
 
 namespace manifuzz {
 namespace {
@@ -16,84 +16,81 @@ constexpr double kWorseFrom = 1.1;
 
 struct Part {
   std::string_view name;
-  std::vector<std::string> Comparison::*buckets;
+  std::vector<std::string> BucketComparison::*buckets;
 };
-constexpr std::array kParts{Part{"new", &Comparison::appeared}, Part{"worse", &Comparison::worse},
-                            Part{"still", &Comparison::still}, Part{"gone", &Comparison::gone}};
+constexpr std::array kParts{
+    Part{"new", &BucketComparison::appeared}, Part{"worse", &BucketComparison::worse},
+    Part{"still", &BucketComparison::still}, Part{"gone", &BucketComparison::gone}};
 
-/// JSON has no infinity: null stands for it.
-double magnitude_of(const nlohmann::ordered_json& bucket) {
-  const auto& magnitude = bucket.at("magnitude");
-  return magnitude.is_null() ? std::numeric_limits<double>::infinity() : magnitude.get<double>();
+std::string in_words(const std::optional<std::uint64_t>& seed) {
+  return seed ? std::to_string(*seed) : "several";
+}
+
+struct Term {
+  std::string_view name;
+  std::string value;
+};
+
+std::array<Term, 4> terms_of(const FuzzResult& result) {
+  return {Term{"oracle", result.oracle}, Term{"seed", in_words(result.seed)},
+          Term{"first", std::to_string(result.first)},
+          Term{"cases", std::to_string(result.cases())}};
 }
 
 }  // namespace
 
-nlohmann::ordered_json terms_in(const nlohmann::ordered_json& report) {
-  nlohmann::ordered_json terms;
-  for (const char* const key : {"oracle", "seed", "first", "cases"}) {
-    terms[key] = report.value(key, nlohmann::ordered_json());
-  }
-  terms["regimes"] = nlohmann::ordered_json();
-  if (!report.contains("regimes")) return terms;
-  for (const auto& regime : report.at("regimes")) terms["regimes"].push_back(regime.at("name"));
-  return terms;
-}
-
-EarlierRun read_baseline(const std::string& path) {
-  InputFile file(path);
-  EarlierRun earlier;
+FuzzResult read_baseline(const std::string& path) {
   try {
-    const auto report = nlohmann::ordered_json::parse(file.read_all());
-    for (const auto& bucket :
-         report.at("buckets").get_ref<const nlohmann::ordered_json::array_t&>()) {
-      earlier.buckets.push_back({bucket.at("bucket").get<std::string>(), magnitude_of(bucket)});
-    }
-    earlier.terms = terms_in(report);
-  } catch (const nlohmann::json::exception&) {
-    throw UserError(
-        fmt::format("--baseline: {}: what fuzz --json writes is expected", file.name()));
+    const Result result = read_result(path);
+    if (result.fuzz) return *result.fuzz;
+    throw UserError(fmt::format("{}: is a result of {}; one of fuzz is expected",
+                                printable(path, 200), result.kind));
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("--baseline: {}", error.what()));
   }
-  return earlier;
 }
 
-std::string differences_in_words(const nlohmann::ordered_json& earlier,
-                                 const nlohmann::ordered_json& now) {
+std::string differences_in_words(const FuzzResult& earlier, const FuzzResult& now) {
   std::string text;
-  for (const auto& [key, value] : now.items()) {
-    const auto& before = earlier.at(key);
-    if (before == value) continue;
-    const std::string pair =
-        value.is_array() ? key : fmt::format("{} ({}, now {})", key, before.dump(), value.dump());
-    text += text.empty() ? pair : ", " + pair;
+  const auto add = [&](std::string_view difference) {
+    text += text.empty() ? "" : ", ";
+    text += difference;
+  };
+  const auto before = terms_of(earlier);
+  const auto after = terms_of(now);
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    if (before[i].value == after[i].value) continue;
+    add(fmt::format("{} ({}, now {})", after[i].name, before[i].value, after[i].value));
   }
+  const bool same_regimes = std::ranges::equal(earlier.regimes, now.regimes, {},
+                                               &RegimeResult::name, &RegimeResult::name);
+  if (!same_regimes) add("regimes");
   if (text.empty()) return text;
   return fmt::format("the baseline differs in {}: what is new or gone may be due to that\n", text);
 }
 
-Comparison compared(const std::vector<EarlierBucket>& earlier, const std::vector<Finding>& now) {
-  Comparison comparison;
-  for (const Finding& finding : now) {
-    const std::string name = to_string(finding.bucket);
-    const auto before = std::ranges::find(earlier, name, &EarlierBucket::bucket);
-    if (before == earlier.end()) {
-      comparison.appeared.push_back(name);
-    } else if (finding.tally.magnitude > kWorseFrom * before->magnitude) {
-      comparison.worse.push_back(name);
+BucketComparison compared(const FuzzResult& earlier, const FuzzResult& now) {
+  BucketComparison comparison;
+  for (const BucketResult& found : now.buckets) {
+    const auto before = std::ranges::find(earlier.buckets, found.bucket, &BucketResult::bucket);
+    if (before == earlier.buckets.end()) {
+      comparison.appeared.push_back(found.bucket);
+    } else if (found.magnitude > kWorseFrom * before->magnitude) {
+      comparison.worse.push_back(found.bucket);
     } else {
-      comparison.still.push_back(name);
+      comparison.still.push_back(found.bucket);
     }
   }
-  for (const EarlierBucket& before : earlier) {
-    const bool is_there = std::ranges::any_of(
-        now, [&](const Finding& finding) { return to_string(finding.bucket) == before.bucket; });
-    if (!is_there) comparison.gone.push_back(before.bucket);
+  for (const BucketResult& before : earlier.buckets) {
+    const auto again = std::ranges::find(now.buckets, before.bucket, &BucketResult::bucket);
+    if (again == now.buckets.end()) comparison.gone.push_back(before.bucket);
   }
   return comparison;
 }
 
-std::string comparison_rows(const Comparison& comparison) {
-  std::string text = "against the baseline\n";
+std::string comparison_text(const FuzzResult& earlier, const FuzzResult& now) {
+  const BucketComparison comparison = compared(earlier, now);
+  std::string text = differences_in_words(earlier, now) + "against the baseline\n";
   for (const Part& part : kParts) {
     const auto& buckets = comparison.*part.buckets;
     text += fmt::format("{:<18}{:>14}\n", part.name, buckets.size());
@@ -103,7 +100,7 @@ std::string comparison_rows(const Comparison& comparison) {
   return text;
 }
 
-nlohmann::ordered_json comparison_json(const Comparison& comparison) {
+nlohmann::ordered_json comparison_json(const BucketComparison& comparison) {
   nlohmann::ordered_json json;
   for (const Part& part : kParts) json[std::string(part.name)] = comparison.*part.buckets;
   return json;

@@ -131,7 +131,7 @@ int bench(const Options& options) {
   }();
   kernel::use_target(kernel::targets().front());
   const nlohmann::ordered_json json = report_json(rows, ran, how.seed);
-  const std::string text = json.dump(2) + '\n';
+  const std::string text = json_text(json);
   if (!options.csv.empty()) write_file(options.csv, rows_csv(rows));
   if (!options.json.empty() && options.json != "-") write_file(options.json, text);
   const std::string machine =

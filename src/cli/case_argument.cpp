@@ -9,6 +9,7 @@
 
 #include "cases/corpus.hpp"
 #include "cases/nearest.hpp"
+#include "cases/simplicity.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/options.hpp"
@@ -36,14 +37,6 @@ std::string bucket_of(const CorpusCase& known) {
   return known.expect ? known.expect->bucket : "";
 }
 
-bool is_worst(const CorpusCase& known) {
-  return known.path.ends_with(".worst.json");
-}
-
-int vertices_of(const CorpusCase& known) {
-  return known.pair.a.polygon.count + known.pair.b.polygon.count;
-}
-
 /// Those that match; the worst ones, which lie beside their shrunk forms, only where no other does.
 template <class Matches>
 Cases matching(const std::vector<CorpusCase>& corpus, const Matches& matches) {
@@ -51,7 +44,7 @@ Cases matching(const std::vector<CorpusCase>& corpus, const Matches& matches) {
   Cases worst;
   for (const CorpusCase& known : corpus) {
     const bool is_file = known.path.ends_with(".json");  // not a line of one
-    if (is_file && matches(known)) (is_worst(known) ? worst : shrunk).push_back(&known);
+    if (is_file && matches(known)) (is_worst(known.path) ? worst : shrunk).push_back(&known);
   }
   return shrunk.empty() ? worst : shrunk;
 }
@@ -109,7 +102,7 @@ std::string case_file(const CaseArgument& argument) {
       matching(corpus, [&](const CorpusCase& known) { return dashed(bucket_of(known)) == wanted; });
   if (!alike.empty()) {
     const CorpusCase& smallest = **std::ranges::min_element(
-        alike, {}, [](const CorpusCase* known) { return vertices_of(*known); });
+        alike, {}, [](const CorpusCase* known) { return complexity(known->pair); });
     const std::string of =
         alike.size() > 1 ? fmt::format(", the smallest of {} with that bucket", alike.size()) : "";
     write_remark(fmt::format("taken: {}{}", printable(smallest.path, 200), of));

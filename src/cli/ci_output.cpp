@@ -80,20 +80,32 @@ void append_summary(const std::string& file, std::span<const TestSuite> suites) 
 }  // namespace
 
 void add_junit(CLI::App& app, CiOutput& ci) {
-  app.add_option("--junit", ci.junit, "a JUnit XML report")->type_name("FILE");
+  app.add_option("--junit", ci.junit, "a JUnit XML report, - for stdout")->type_name("FILE");
 }
 
-bool shows_pictures(const CiOutput& ci) {
+bool is_wanted(const CiOutput& ci) {
   return !ci.junit.empty() || is_on_github();
 }
 
 void write_ci(const CiOutput& ci, std::span<const TestSuite> suites, Outputs& outputs) {
-  outputs.write(!ci.junit.empty(), [&] { write_file(ci.junit, junit_xml(suites)); });
+  outputs.write(!ci.junit.empty(), [&] { write_data(ci.junit, junit_xml(suites)); });
   if (!is_on_github()) return;
   const std::string text = annotations(suites, in_repository);
   ci.stdout_is_data ? write_error(text) : write_to_reader(text);
   const std::string summary = environment("GITHUB_STEP_SUMMARY");
   if (!summary.empty()) append_summary(summary, suites);
+}
+
+int run_for_ci(std::string_view command, const CiOutput& ci, const std::function<int()>& run) {
+  try {
+    return run();
+  } catch (const UserError& error) {
+    TestSuite suite{fmt::format("manifuzz {}", command), "", {}};
+    suite.errors.emplace_back(error.what());
+    Outputs outputs;
+    write_ci(ci, {&suite, 1}, outputs);
+    throw;
+  }
 }
 
 }  // namespace manifuzz

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 
@@ -13,7 +15,7 @@ namespace manifuzz {
 /// Where what a run came to goes besides a command's own outputs: a JUnit report, and, in a GitHub
 /// workflow (GITHUB_ACTIONS=true), annotations and the step summary.
 struct CiOutput {
-  std::string junit;  ///< a file, or empty
+  std::string junit;  ///< a file, "-" for stdout, or empty
   bool stdout_is_data =
       false;  ///< annotations then go to the standard error, which is read as well
 };
@@ -21,10 +23,14 @@ struct CiOutput {
 /// Adds --junit.
 void add_junit(CLI::App& app, CiOutput& ci);
 
-/// Whether anybody is going to see the pictures of failures.
-bool shows_pictures(const CiOutput& ci);
+/// Whether anybody is going to see the suites.
+bool is_wanted(const CiOutput& ci);
 
 /// Writes them. A step summary that cannot be written is an error line, and no more.
 void write_ci(const CiOutput& ci, std::span<const TestSuite> suites, Outputs& outputs);
+
+/// Runs a command that writes suites of its own where it gets so far. Where it throws a UserError,
+/// that is what CI is told: a suite of the command's name with this one error.
+int run_for_ci(std::string_view command, const CiOutput& ci, const std::function<int()>& run);
 
 }  // namespace manifuzz

@@ -11,10 +11,13 @@
 #include "cases/file.hpp"
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
+#include "cli/baseline.hpp"
 #include "cli/ci_output.hpp"
 #include "cli/commands.hpp"
 #include "cli/fuzz_report.hpp"
+#include "cli/fuzz_result_json.hpp"
 #include "cli/fuzz_run.hpp"
+#include "cli/fuzz_suite.hpp"
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
@@ -96,12 +99,13 @@ std::string repeating_command(const Options& options) {
 }
 
 /// The page of this campaign and its corpus.
-std::string page_of(const Plan& plan, const nlohmann::ordered_json& summary,
+std::string page_of(const Campaign& campaign, const nlohmann::ordered_json& summary,
                     const Options& options) {
   const bool is_kept = !options.json.empty() && options.json != "-";
   const std::string run = is_kept ? std::filesystem::proximate(options.json).string() : "this run";
-  RunFiles files{read_corpus_folder(options.corpus), {{run, "fuzz", summary}}};
-  NamedColliders colliders(plan.subject, plan.oracle);
+  const RunFiles files{read_corpus_folder(options.corpus),
+                       {{run, "fuzz", summary, campaign.result}}};
+  NamedColliders colliders(campaign.plan.subject, campaign.plan.oracle);
   const std::string again =
       is_kept ? fmt::format("{} report {} {}", this_program(), quoted_for_shell(options.corpus),
                             quoted_for_shell(run))
@@ -109,52 +113,58 @@ std::string page_of(const Plan& plan, const nlohmann::ordered_json& summary,
   return report_page(files, colliders, kMapsUsual, again);
 }
 
-int fuzz(Options options) {
+std::string text_of(const Campaign& campaign, const std::optional<FuzzResult>& baseline,
+                    bool is_terse) {
+  if (is_terse) return objections(campaign);
+  std::string text = summary_table(campaign);
+  if (baseline) text += '\n' + comparison_text(*baseline, campaign.result);
+  return text;
+}
+
+/// Everything that was asked for; one output that fails loses no other.
+Outputs write_all(const Campaign& campaign, const std::optional<FuzzResult>& baseline,
+                  const Options& options) {
+  const auto summary = [&] {
+    nlohmann::ordered_json json = json_of(campaign.result);
+    if (baseline) json["baseline"] = comparison_json(compared(*baseline, campaign.result));
+    return json;
+  };
+  Outputs outputs;
+  outputs.write(!options.ci.stdout_is_data, [&] {
+    write_to_reader(text_of(campaign, baseline, leaves_out_tables({options.json})));
+  });
+  outputs.write(!options.json.empty(), [&] { write_data(options.json, json_text(summary())); });
+  if (is_wanted(options.ci)) {
+    Interruption interruption;
+    const TestSuite suite = fuzz_suite(campaign, interruption);
+    write_ci(options.ci, {&suite, 1}, outputs);
+  }
+  outputs.write(!options.report.empty(), [&] {
+    write_data(options.report, page_of(campaign, summary(), options));
+    if (options.report != "-") write_remark("page " + options.report);
+  });
+  const std::string& unsaved = campaign.saving.first_error;
+  outputs.write(!unsaved.empty(), [&] { throw UserError(unsaved); });
+  return outputs;
+}
+
+int fuzz(Options& options) {
+  options.ci.stdout_is_data = takes_stdout(
+      {{"--json", options.json}, {"--junit", options.ci.junit}, {"--report", options.report}});
   // No absolute path goes into what is kept.
   if (!options.corpus.empty()) options.corpus = std::filesystem::proximate(options.corpus).string();
   const Corpus corpus = read_corpus_folder(options.corpus);
   Plan plan = plan_of(options);
-  std::optional<EarlierRun> baseline;
+  std::optional<FuzzResult> baseline;
   if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
-  const KnownBuckets known(corpus.cases);
-  JobsResult run = run_watched(plan, known);
-  std::vector<Finding> found = findings(*run.tally, plan, known);
-  Interruption interruption;
-  Saving saving;
-  if (!options.no_save) saving = save_new(found, plan, options.corpus, interruption);
-  run.interrupted = run.interrupted || saving.interrupted;
-
-  const CampaignReport report{plan,
-                              run,
-                              found,
-                              ledger_counts(*run.tally, plan),
-                              baseline,
-                              saving.unsaved,
-                              repeating_command(options)};
-  // A path or a command need not be UTF-8.
-  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  const nlohmann::ordered_json summary = summary_json(report);
-  const std::string json = options.json.empty() ? "" : summary.dump(2, ' ', false, replace) + '\n';
-  Outputs outputs;
-  const bool is_terse = leaves_out_tables({options.json});
-  outputs.write(true, [&] {
-    write_to_reader(options.json == "-" ? json
-                    : is_terse          ? objections(report)
-                                        : summary_table(report));
-  });
-  outputs.write(!json.empty() && options.json != "-", [&] { write_file(options.json, json); });
-  const TestSuite suite = fuzz_suite(report, shows_pictures(options.ci), interruption);
-  write_ci({options.ci.junit, options.json == "-"}, {&suite, 1}, outputs);
-  outputs.write(!options.report.empty(), [&] {
-    write_file(options.report, page_of(plan, summary, options));
-    write_remark("page " + options.report);
-  });
-  if (!saving.first_error.empty()) throw UserError(saving.first_error);
-  if (!outputs.are_written()) return 2;
-  return has_failed(report) ? 1 : 0;
+  const Campaign campaign =
+      run_campaign(std::move(plan), KnownBuckets(corpus.cases),
+                   {options.no_save ? "" : options.corpus}, repeating_command(options));
+  if (!write_all(campaign, baseline, options).are_written()) return 2;
+  return has_failed(campaign.result) ? 1 : 0;
 }
 
 Run define(CLI::App& app) {
@@ -189,11 +199,11 @@ Run define(CLI::App& app) {
       ->check(not_blank);
   app.add_option("--json", options->json, "the summary as JSON, to a file or - for stdout")
       ->type_name("FILE");
-  app.add_option("--report", options->report, "a page of this run and its corpus, too")
+  app.add_option("--report", options->report, "a page of this run and its corpus, - for stdout")
       ->type_name("FILE.html")
       ->check(not_blank);
   add_junit(app, options->ci);
-  return [options] { return fuzz(*options); };
+  return [options] { return run_for_ci("fuzz", options->ci, [&] { return fuzz(*options); }); };
 }
 
 }  // namespace

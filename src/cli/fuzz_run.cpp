@@ -1,16 +1,26 @@
 #include "cli/fuzz_run.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <array>
 
+#include <fmt/format.h>
+
+#include "campaign/budgets.hpp"
 #include "campaign/guarded.hpp"
 #include "campaign/rounds.hpp"
 #include "cases/user_error.hpp"
-#include "cli/shown.hpp"
-#include "report/github.hpp"
+#include "cli/fuzz_report.hpp"
+#include "cli/output.hpp"
+#include "report/provenance.hpp"
 
 namespace manifuzz {
 namespace {
+
+JobsResult run_watched(const Plan& plan, const KnownBuckets& known) {
+  Interruption interruption;
+  ProgressLine line;
+  return run_plan(plan, known, interruption,
+                  [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
+}
 
 /// A second signal ends the saving. The first one ended the shrinking: what it cut short is begun
 /// again without.
@@ -25,67 +35,9 @@ void save_unless_hurried(Finding& finding, const Plan& plan, const std::string& 
   }
 }
 
-TestResult test_of_regime(const CampaignReport& report, std::size_t i) {
-  const Tally& tally = *report.run.tally;
-  const RegimeTally& regime = tally.regimes[i];
-  const double share = tally.cases() == 0
-                           ? 0
-                           : static_cast<double>(regime.cases) / static_cast<double>(tally.cases());
-  TestResult test{std::string(report.plan.regimes[i]->name), share * report.run.seconds};
-  if (regime.failures > 0) {
-    test.failure =
-        TestFailure{fmt::format("{} to be right", report.plan.subject.declaration.name),
-                    fmt::format("{} of {} cases against it", regime.failures, regime.cases)};
-  }
-  return test;
-}
-
-/// The case that a finding is shown by: the shrunk one where it was saved, else the first.
-CorpusCase case_of(const CampaignReport& report, const Finding& finding) {
-  if (finding.is_new && !finding.file.empty()) return read_case_file(finding.file);
-  CorpusCase first;
-  first.pair = report.plan.pair(finding.tally.first);
-  return first;
-}
-
-TestResult test_of_finding(const CampaignReport& report, const Finding& finding) {
-  const Collider& subject = report.plan.subject;
-  TestResult test{to_string(finding.bucket)};
-  test.failure =
-      TestFailure{finding.bucket.verdict == Verdict::oracle_wrong
-                      ? fmt::format("nothing new against {}", report.plan.oracle.declaration.name)
-                      : fmt::format("{} to be right", subject.declaration.name),
-                  fmt::format("{}: {} times, worst {:.2g} of the size", to_string(finding.bucket),
-                              finding.tally.count, finding.tally.magnitude),
-                  finding.file, command_of(report, finding)};
-  return test;
-}
-
-std::vector<std::vector<std::string>> verdict_table(const Tally& tally) {
-  std::vector<std::vector<std::string>> table{{"verdict", "cases"}};
-  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
-    table.push_back({std::string(kVerdictNames[i]), std::to_string(tally.verdicts[i])});
-  }
-  return table;
-}
-
-}  // namespace
-
-void narrow_to_colliders(Plan& plan) {
-  plan.is_narrowed =
-      !plan.subject.declaration.takes_radius || !plan.oracle.declaration.takes_radius;
-  if (plan.is_narrowed) plan.context.radius = 0.0F;
-}
-
-JobsResult run_watched(const Plan& plan, const KnownBuckets& known) {
-  Interruption interruption;
-  ProgressLine line;
-  return run_plan(plan, known, interruption,
-                  [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
-}
-
-Saving save_new(std::vector<Finding>& found, const Plan& plan, const std::string& corpus,
-                Interruption& interruption) {
+/// Writes what is new.
+Saving save_new(std::vector<Finding>& found, const Plan& plan, const SaveTo& save_to) {
+  Interruption interruption(save_to.deadline);
   ProgressLine line;
   Saving saving;
   for (Finding& finding : found) {
@@ -96,7 +48,7 @@ Saving save_new(std::vector<Finding>& found, const Plan& plan, const std::string
     }
     line.show("shrinking " + to_string(finding.bucket));
     try {
-      save_unless_hurried(finding, plan, corpus, interruption);
+      save_unless_hurried(finding, plan, save_to.folder, interruption);
     } catch (const Interrupted&) {
       ++saving.unsaved;
     } catch (const UserError& error) {
@@ -107,39 +59,91 @@ Saving save_new(std::vector<Finding>& found, const Plan& plan, const std::string
   return saving;
 }
 
-TestSuite fuzz_suite(const CampaignReport& report, bool with_pictures, Interruption& interruption) {
-  const Plan& plan = report.plan;
-  const Tally& tally = *report.run.tally;
-  TestSuite suite{"manifuzz fuzz",
-                  fmt::format("{} against {}: {} cases in {:.1f} s, {} unexplained, seed {}",
-                              plan.subject.declaration.name, plan.oracle.declaration.name,
-                              tally.cases(), report.run.seconds, tally.unexplained(), plan.seed),
-                  {},
-                  verdict_table(tally)};
-  // What is described first: buckets have cases, regimes only counts.
-  std::size_t pictures = 0;
-  for (const Finding& finding : report.findings) {
-    if (!decides_status(finding)) continue;
-    suite.tests.push_back(test_of_finding(report, finding));
-    if (!with_pictures || ++pictures > kDescribedMax) continue;
-    add_picture(*suite.tests.back().failure, case_of(report, finding), plan.subject, plan.oracle,
-                interruption);
+void tell_provenance(FuzzResult& result, const Plan& plan) {
+  const std::array declarations{plan.subject.declaration, plan.oracle.declaration};
+  const nlohmann::ordered_json json = provenance(plan.seed, declarations);
+  result.machine = json.at("machine");
+  result.compiler = json.at("compiler");
+  result.seed = plan.seed;
+  for (const auto& [name, version] : json.at("versions").items()) {
+    result.versions.emplace_back(name, version);
   }
-  for (const LedgerCount& count : report.ledger) {
-    if (count.over_budget.empty()) continue;
-    suite.tests.push_back({std::string(count.entry->id)});
-    suite.tests.back().failure =
-        TestFailure{"no more hits than its budget",
-                    fmt::format("more in {}", fmt::join(count.over_budget, ", "))};
+  result.subject = plan.subject.declaration.name;
+  result.oracle = plan.oracle.declaration.name;
+}
+
+RegimeResult regime_result(const Regime& regime, const RegimeTally& tally) {
+  return {std::string(regime.name), tally.cases, tally.touching, tally.near, tally.unexplained};
+}
+
+LedgerResult ledger_result(const LedgerCount& count, const Plan& plan, const Tally& tally) {
+  LedgerResult entry{std::string(count.entry->id), count.hits, {}, count.over_budget};
+  for (std::size_t r = 0; r < plan.regimes.size(); ++r) {
+    const std::uint64_t hits = tally.explained[index_of(*count.entry)][r];
+    if (hits > 0) entry.regimes[std::string(plan.regimes[r]->name)] = hits;
   }
-  if (is_vacuous(report)) {
-    suite.tests.push_back({"vacuous"});
-    suite.tests.back().failure = TestFailure{"cases that touch", "none"};
-  }
+  return entry;
+}
+
+BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::string& command) {
+  const CaseNumber first = finding.tally.first;
+  const std::string regime(plan.regimes[plan.regime_of(first)]->name);
+  return {.bucket = to_string(finding.bucket),
+          .verdict = std::string(to_string(finding.bucket.verdict)),
+          .count = finding.tally.count,
+          .first_index = plan.index_of(first),
+          .regime = regime,
+          .magnitude = finding.tally.magnitude,
+          .file = finding.file,
+          .command = fmt::format("{} --regime {} --seed {} --first {} --cases 1", command, regime,
+                                 plan.seed, plan.index_of(first)),
+          .is_new = finding.is_new};
+}
+
+FuzzResult result_of(const Campaign& campaign, const std::string& command) {
+  const Plan& plan = campaign.plan;
+  const Tally& tally = *campaign.run.tally;
+  FuzzResult result;
+  tell_provenance(result, plan);
+  result.seconds = campaign.run.seconds;
+  result.jobs = static_cast<std::uint64_t>(plan.jobs);
+  result.verdicts = tally.verdicts;
+  result.of_subject = tally.of_subject;
+  result.of_oracle = tally.of_oracle;
+  result.interrupted = campaign.run.interrupted || campaign.saving.interrupted;
+  result.stopped_early = campaign.run.hopeless != Fault::none;
+  result.first = plan.first;
+  result.budgets_hold = holds_budgets(plan);
   for (std::size_t i = 0; i < plan.regimes.size(); ++i) {
-    suite.tests.push_back(test_of_regime(report, i));
+    result.regimes.push_back(regime_result(*plan.regimes[i], tally.regimes[i]));
   }
-  return suite;
+  for (const LedgerCount& count : ledger_counts(tally, plan)) {
+    result.ledger.push_back(ledger_result(count, plan, tally));
+  }
+  for (const Finding& finding : campaign.findings) {
+    result.buckets.push_back(bucket_result(finding, plan, command));
+  }
+  return result;
+}
+
+}  // namespace
+
+void narrow_to_colliders(Plan& plan) {
+  plan.is_narrowed =
+      !plan.subject.declaration.takes_radius || !plan.oracle.declaration.takes_radius;
+  if (plan.is_narrowed) plan.context.radius = 0.0F;
+}
+
+Campaign run_campaign(Plan plan, const KnownBuckets& known, const SaveTo& save_to,
+                      const std::string& command) {
+  Campaign campaign{std::move(plan), {}, {}, {}, {}};
+  campaign.run = run_watched(campaign.plan, known);
+  campaign.findings = findings(*campaign.run.tally, campaign.plan, known);
+  if (!save_to.folder.empty()) {
+    campaign.saving = save_new(campaign.findings, campaign.plan, save_to);
+  }
+  campaign.result = result_of(campaign, command);
+  return campaign;
 }
 
 }  // namespace manifuzz

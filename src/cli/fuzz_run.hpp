@@ -3,33 +3,42 @@
 #include <string>
 #include <vector>
 
-#include "cli/ci_output.hpp"
-#include "cli/fuzz_report.hpp"
+#include "campaign/findings.hpp"
+#include "campaign/jobs.hpp"
+#include "cli/fuzz_result.hpp"
 
 namespace manifuzz {
 
 /// Takes the radii away where a party takes none.
 void narrow_to_colliders(Plan& plan);
 
-/// The campaign, until it is done or somebody asks to stop; progress goes to the terminal.
-JobsResult run_watched(const Plan& plan, const KnownBuckets& known);
-
 /// How saving went: one finding that cannot be written does not lose the others.
 struct Saving {
   std::string first_error;
   bool interrupted = false;
-  std::size_t unsaved = 0;
+  std::size_t unsaved = 0;  ///< new findings that were not written, since there was no time
 };
 
-/// What a campaign found that is new goes to the folder `corpus`, even after the campaign was
-/// interrupted, as far as there is time.
-Saving save_new(std::vector<Finding>& found, const Plan& plan, const std::string& corpus,
-                Interruption& interruption);
+/// A campaign that was run.
+struct Campaign {
+  Plan plan;
+  JobsResult run;
+  std::vector<Finding> findings;
+  Saving saving;
+  FuzzResult result;
+};
 
-/// The campaign as a suite: a test for each regime, failing where anything is wrong with the
-/// subject, which takes its share of the time; one for each bucket, each entry of the ledger and
-/// the vacuous run that decide the status. The first failures with pictures, if those are wanted
-/// and as far as there is time.
-TestSuite fuzz_suite(const CampaignReport& report, bool with_pictures, Interruption& interruption);
+/// Where a campaign's findings go.
+struct SaveTo {
+  std::string folder;   ///< a corpus; empty: nowhere
+  Deadline deadline{};  ///< what is not saved until then is not
+};
+
+/// The campaign, until it is done or somebody asks to stop, with progress on the terminal; then
+/// what it found that is new is shrunk and saved, even after it was interrupted, as far as there is
+/// time. `command` is the beginning of one that repeats a case, up to --regime. What the plan's
+/// context refers to must outlive the campaign.
+Campaign run_campaign(Plan plan, const KnownBuckets& known, const SaveTo& save_to,
+                      const std::string& command);
 
 }  // namespace manifuzz

@@ -29,11 +29,15 @@ void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regime
   throw UserError("--first: the last index passes 18446744073709551615; take fewer --cases");
 }
 
-Corpus read_corpus_folder(const std::filesystem::path& folder) {
+Corpus read_known(const std::filesystem::path& folder) {
   if (folder.empty()) throw UserError("--corpus: is empty; a folder is expected");
   std::error_code unreadable;
   if (!std::filesystem::exists(folder, unreadable) && !unreadable) return {};
-  Corpus corpus = read_corpus({&folder, 1});
+  return read_corpus({&folder, 1});
+}
+
+Corpus read_corpus_folder(const std::filesystem::path& folder) {
+  Corpus corpus = read_known(folder);
   if (!corpus.errors.empty()) throw UserError(corpus.errors.front());
   return corpus;
 }

@@ -17,6 +17,10 @@ std::vector<const Regime*> choose_regimes(const std::vector<std::string>& names)
 /// `first` on, has an index beyond 64 bits.
 void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regimes);
 
+/// What is known: a corpus folder, sorted by path, and a line for each broken file; empty where
+/// there is no such folder. Throws UserError where none is named.
+Corpus read_known(const std::filesystem::path& folder);
+
 /// A corpus folder, sorted by path; empty where there is no such folder. Throws UserError on the
 /// first broken file, for what is drawn from a corpus hangs on all of it.
 Corpus read_corpus_folder(const std::filesystem::path& folder);

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,11 @@
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
+#include "cli/fuzz_result_json.hpp"
 #include "cli/merged_runs.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "oracle/external/process.hpp"
 
 namespace manifuzz {
 namespace {
@@ -28,14 +31,38 @@ struct Options {
   std::string json;
 };
 
-/// What is there already is not mixed with what comes.
-void expect_empty(const std::string& folder) {
-  std::error_code unreadable;
-  if (!fs::exists(folder, unreadable)) return;
-  if (fs::is_directory(folder, unreadable) && fs::is_empty(folder, unreadable)) return;
-  throw UserError(fmt::format("--output: {} is there already; a new or an empty folder is expected",
-                              printable(folder, 200)));
-}
+/// A folder that was empty or not there, and is so again unless it is kept.
+class NewFolder {
+ public:
+  explicit NewFolder(const std::string& path) : path_(fs::proximate(path)) {
+    std::error_code unreadable;
+    was_there_ = fs::exists(path, unreadable);
+    if (!was_there_) return;
+    if (fs::is_directory(path, unreadable) && fs::is_empty(path, unreadable)) return;
+    throw UserError(
+        fmt::format("--output: {} is there already; a new or an empty folder is expected",
+                    printable(path, 200)));
+  }
+  ~NewFolder() {
+    std::error_code unremoved;
+    if (is_kept_) return;
+    if (!was_there_) fs::remove_all(path_, unremoved);
+    if (!was_there_) return;
+    for (const auto& entry : fs::directory_iterator(path_, unremoved)) {
+      fs::remove_all(entry.path(), unremoved);
+    }
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+  void keep() { is_kept_ = true; }
+
+ private:
+  fs::path path_;
+  bool was_there_ = false;
+  bool is_kept_ = false;
+};
 
 fs::path folder_of(const CorpusCase& known) {
   if (!known.property.empty()) return "regressions";
@@ -53,10 +80,12 @@ std::string text_of(const CorpusCase& known) {
 /// Writes them as a campaign would have; returns the files of the smallest by their findings' keys.
 std::map<std::string, std::string> write_all(const std::vector<Gathered>& all,
                                              const fs::path& output) {
+  Interruption interruption;
   std::map<std::string, std::string> files;
   for (const Gathered& finding : all) {
+    if (interruption.requested()) throw UserError("merge: interrupted; nothing was written");
     const CorpusCase& smallest = finding.smallest;
-    const fs::path file = output / folder_of(smallest) / corpus_file_name(smallest);
+    const fs::path file = corpus_file(output / folder_of(smallest), smallest);
     write_file(file, text_of(smallest));
     if (finding.worst) write_file(worst_beside(file), text_of(*finding.worst));
     if (smallest.expect) files[finding_key(*smallest.expect)] = file.string();
@@ -65,43 +94,63 @@ std::map<std::string, std::string> write_all(const std::vector<Gathered>& all,
 }
 
 /// A bucket's file is the merged one.
-void name_files(nlohmann::ordered_json& run, const std::map<std::string, std::string>& files) {
-  Expectation expect{run.at("subject"), run.at("oracle"), {}, {}, {}};
-  for (auto& bucket : run.at("buckets")) {
-    expect.bucket = bucket.at("bucket");
+void name_files(FuzzResult& run, const std::map<std::string, std::string>& files) {
+  Expectation expect{run.subject, run.oracle, {}, {}, {}};
+  for (BucketResult& found : run.buckets) {
+    expect.bucket = found.bucket;
     const auto file = files.find(finding_key(expect));
-    if (file != files.end()) bucket["file"] = file->second;
+    if (file != files.end()) found.file = file->second;
   }
 }
 
-std::string summary(const RunFiles& files, const MergedRuns& runs, std::size_t findings,
-                    const std::string& output) {
-  std::string text =
-      fmt::format("{}: {} cases of {} files\n", output, findings, files.corpus.cases.size());
-  if (runs.json.is_null()) return text;
-  for (const auto& [verdict, count] : runs.json.at("verdicts").items()) {
-    text += fmt::format("{:<18}{:>14}\n", verdict, count.get<std::uint64_t>());
+std::string summary(const std::optional<FuzzResult>& sum) {
+  std::string text;
+  if (!sum) return text;
+  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
+    text += fmt::format("{:<18}{:>14}\n", kVerdictNames[i], sum->verdicts[i]);
   }
-  return text + fmt::format("{:<18}{:>14}\n", "cases", runs.json.at("cases").get<std::uint64_t>());
+  return text + fmt::format("{:<18}{:>14}\n", "cases", sum->cases());
+}
+
+/// Whatever would come to nothing, or cost what is there, is refused before anything is written.
+void expect_possible(const Options& options, const RunFiles& files, const MergedRuns& runs) {
+  if (files.corpus.cases.empty() && !runs.sum) {
+    throw UserError("merge: there is nothing to merge; name folders of cases and --json files");
+  }
+  if (options.json.empty()) return;
+  if (!runs.sum)
+    throw UserError("--json: there is no result to write; name what fuzz --json wrote");
+  expect_no_input("--json", options.json, files);
+}
+
+/// Writes all of it or nothing; returns what there is to say.
+std::string write_merged(const Options& options, const RunFiles& files, MergedRuns& runs) {
+  NewFolder folder(options.output);
+  const std::vector<Gathered> all = gathered(files.corpus.cases);
+  const auto written = write_all(all, folder.path());
+  if (runs.sum) name_files(*runs.sum, written);
+  const std::string json = runs.sum ? json_text(json_of(*runs.sum)) : "";
+  const bool has_file = !options.json.empty() && options.json != "-";
+  if (has_file) write_file(options.json, json);
+  folder.keep();
+  if (options.json == "-") return json;
+  const std::string cases = all.empty()
+                                ? ""
+                                : fmt::format("{}: {} findings of {} cases\n", options.output,
+                                              all.size(), files.corpus.cases.size());
+  return cases + summary(runs.sum);
 }
 
 int merge(const Options& options) {
-  expect_empty(options.output);
+  if (options.output == "-") throw UserError("--output: a folder is expected; - is none");
   const std::vector<fs::path> paths(options.paths.begin(), options.paths.end());
   const RunFiles files = read_run_files(paths);
   MergedRuns runs = merged_runs(files.results);
   std::vector<std::string> errors = files.corpus.errors;
   errors.insert(errors.end(), runs.errors.begin(), runs.errors.end());
   for (const std::string& error : errors) write_complaint(error);
-  if (files.corpus.cases.empty() && runs.json.is_null()) {
-    throw UserError("merge: there is nothing to merge; name folders of cases and --json files");
-  }
-  const std::vector<Gathered> all = gathered(files.corpus.cases);
-  const auto written = write_all(all, fs::proximate(options.output));
-  if (!runs.json.is_null()) name_files(runs.json, written);
-  const std::string json = runs.json.dump(2) + '\n';
-  write_to_reader(options.json == "-" ? json : summary(files, runs, all.size(), options.output));
-  if (!options.json.empty() && options.json != "-") write_file(options.json, json);
+  expect_possible(options, files, runs);
+  write_to_reader(write_merged(options, files, runs));
   if (errors.empty()) return 0;
   throw UserError(fmt::format(
       "merge: {} of the files could not be read or added; the rest is merged", errors.size()));

@@ -1,223 +1,210 @@
 #include "cli/merged_runs.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "campaign/budgets.hpp"
 #include "cases/user_error.hpp"
-#include "cli/fuzz_report.hpp"
 
 namespace manifuzz {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Count = std::uint64_t;
 
-/// Which cases a result counts: of each regime so many from `first` on, under a seed.
-Json parts_of(const Json& run) {
-  if (run.contains("parts")) return run.at("parts");
-  Json cases = Json::object();
-  for (const Json& regime : run.at("regimes")) {
-    cases[regime.at("name").get<std::string>()] = regime.at("cases").get<Count>();
-  }
-  return Json::array({{{"seed", run.at("seed")}, {"first", run.at("first")}, {"cases", cases}}});
+/// Which cases a result counts.
+std::vector<CasesRun> parts_of(const FuzzResult& run) {
+  if (!run.parts.empty()) return run.parts;
+  CasesRun part{run.seed, run.first, {}};
+  for (const RegimeResult& regime : run.regimes) part.cases[regime.name] = regime.cases;
+  return {part};
 }
 
-bool overlap(const Json& part, const Json& with) {
-  if (part.at("seed") != with.at("seed")) return false;
-  const Count first = part.at("first").get<Count>();
-  const Count with_first = with.at("first").get<Count>();
-  return std::ranges::any_of(part.at("cases").items(), [&](const auto& regime) {
-    if (!with.at("cases").contains(regime.key())) return false;
-    const Count cases = regime.value().template get<Count>();
-    const Count with_cases = with.at("cases").at(regime.key()).template get<Count>();
-    return first < with_first ? with_first - first < cases : first - with_first < with_cases;
+bool overlap(const CasesRun& part, const CasesRun& with) {
+  if (part.seed != with.seed) return false;
+  return std::ranges::any_of(part.cases, [&](const auto& regime) {
+    const auto& [name, cases] = regime;
+    const auto same = with.cases.find(name);
+    if (same == with.cases.end()) return false;
+    return part.first < with.first ? with.first - part.first < cases
+                                   : part.first - with.first < same->second;
   });
 }
 
-void expect_fuzz(const Result& result) {
-  if (result.kind == "fuzz") return;
-  throw UserError(fmt::format("is a result of {}; those of fuzz can be added up", result.kind));
+bool have_same_terms(const FuzzResult& one, const FuzzResult& other) {
+  return one.subject == other.subject && one.oracle == other.oracle &&
+         one.versions == other.versions;
 }
 
-void expect_addable(const Json& sum, const Json& run) {
-  for (const char* const key : {"subject", "oracle", "versions"}) {
-    if (sum.at(key) == run.at(key)) continue;
-    throw UserError(fmt::format("its {} is {}, that of the results before {}", key,
-                                run.at(key).dump(), sum.at(key).dump()));
+std::string terms_in_words(const FuzzResult& run) {
+  std::vector<std::string> versions;
+  for (const auto& [name, version] : run.versions) versions.push_back(name + ' ' + version);
+  return fmt::format("{} against {} ({})", run.subject, run.oracle, fmt::join(versions, ", "));
+}
+
+/// The result whose terms most share; of equally many the one whose terms ran the most cases, then
+/// the first.
+const FuzzResult* most_usual(std::span<const Result> results) {
+  const FuzzResult* usual = nullptr;
+  std::pair<std::size_t, Count> most;
+  for (const Result& candidate : results) {
+    if (!candidate.fuzz) continue;
+    std::pair<std::size_t, Count> weight;
+    for (const Result& other : results) {
+      if (!other.fuzz || !have_same_terms(*other.fuzz, *candidate.fuzz)) continue;
+      ++weight.first;
+      weight.second += other.fuzz->cases();
+    }
+    if (usual != nullptr && weight <= most) continue;
+    usual = &*candidate.fuzz;
+    most = weight;
   }
-  for (const Json& part : sum.at("parts")) {
-    for (const Json& with : parts_of(run)) {
+  return usual;
+}
+
+void expect_addable(const FuzzResult& sum, const FuzzResult& run) {
+  if (!have_same_terms(sum, run)) {
+    throw UserError(fmt::format("is of {}, the others are of {}; those are added up",
+                                terms_in_words(run), terms_in_words(sum)));
+  }
+  for (const CasesRun& part : sum.parts) {
+    for (const CasesRun& with : parts_of(run)) {
       if (!overlap(part, with)) continue;
       throw UserError(fmt::format("counts cases of seed {} from {} on, which are counted already",
-                                  with.at("seed").dump(), with.at("first").dump()));
+                                  with.seed.value_or(0), with.first));
     }
   }
 }
 
-template <class Number>
-void add_number(Json& to, const Json& from) {
-  to = to.get<Number>() + from.get<Number>();
+void keep_greater(ErrorShare& kept, const ErrorShare& other) {
+  kept.depth = std::max(kept.depth, other.depth);
+  kept.position = std::max(kept.position, other.position);
 }
 
-/// A magnitude, or infinity, for which null stands.
-double magnitude_of(const Json& json) {
-  return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>();
+/// The row that has that name, appended where there is none.
+template <class Row>
+Row& row_of(std::vector<Row>& rows, std::string Row::*name, const std::string& wanted) {
+  const auto known = std::ranges::find(rows, wanted, name);
+  if (known != rows.end()) return *known;
+  rows.emplace_back().*name = wanted;
+  return rows.back();
 }
 
-void keep_greater(Json& kept, const Json& other) {
-  if (magnitude_of(other) > magnitude_of(kept)) kept = other;
-}
-
-/// The row of that name in `rows`, or nullptr.
-Json* find_row(Json& rows, const char* key, const Json& name) {
-  for (Json& row : rows) {
-    if (row.at(key) == name) return &row;
-  }
-  return nullptr;
-}
-
-void add_regimes(Json& rows, const Json& others) {
-  for (const Json& other : others) {
-    Json* const row = find_row(rows, "name", other.at("name"));
-    if (row == nullptr) {
-      rows.push_back(other);
-      continue;
-    }
-    for (const char* const key : {"cases", "touching", "near", "unexplained"}) {
-      add_number<Count>(row->at(key), other.at(key));
-    }
+void add_regimes(FuzzResult& sum, const FuzzResult& run) {
+  for (const RegimeResult& other : run.regimes) {
+    RegimeResult& regime = row_of(sum.regimes, &RegimeResult::name, other.name);
+    regime.cases += other.cases;
+    regime.touching += other.touching;
+    regime.near += other.near;
+    regime.unexplained += other.unexplained;
   }
 }
 
-void add_ledger(Json& rows, const Json& others) {
-  for (const Json& other : others) {
-    Json* const row = find_row(rows, "id", other.at("id"));
-    if (row == nullptr) {
-      rows.push_back(other);
-      continue;
-    }
-    add_number<Count>(row->at("hits"), other.at("hits"));
-    for (const auto& [regime, hits] : other.at("regimes").items()) {
-      Json& sum = row->at("regimes")[regime];
-      sum = sum.is_null() ? hits.get<Count>() : sum.get<Count>() + hits.get<Count>();
-    }
+void add_ledger(FuzzResult& sum, const FuzzResult& run) {
+  for (const LedgerResult& other : run.ledger) {
+    LedgerResult& entry = row_of(sum.ledger, &LedgerResult::id, other.id);
+    entry.hits += other.hits;
+    for (const auto& [regime, hits] : other.regimes) entry.regimes[regime] += hits;
   }
 }
 
 /// A case's place in the order of a campaign: its index, then its regime's turn.
-std::pair<Count, std::size_t> place_of(const Json& bucket, const Json& regimes) {
-  std::size_t turn = 0;
-  while (turn < regimes.size() && regimes[turn].at("name") != bucket.at("regime")) ++turn;
-  return {bucket.at("first_index").get<Count>(), turn};
+auto place_of(const BucketResult& found, const FuzzResult& sum) {
+  const auto turn = std::ranges::find(sum.regimes, found.regime, &RegimeResult::name);
+  return std::pair(found.first_index, turn - sum.regimes.begin());
 }
 
-void add_buckets(Json& sum, const Json& run) {
-  for (const Json& other : run.at("buckets")) {
-    Json* const row = find_row(sum.at("buckets"), "bucket", other.at("bucket"));
-    if (row == nullptr) {
-      sum.at("buckets").push_back(other);
+void add_buckets(FuzzResult& sum, const FuzzResult& run) {
+  for (const BucketResult& other : run.buckets) {
+    const auto kept = std::ranges::find(sum.buckets, other.bucket, &BucketResult::bucket);
+    if (kept == sum.buckets.end()) {
+      sum.buckets.push_back(other);
       continue;
     }
-    add_number<Count>(row->at("count"), other.at("count"));
-    keep_greater(row->at("magnitude"), other.at("magnitude"));
-    row->at("new") = row->at("new").get<bool>() || other.at("new").get<bool>();
-    const Json& regimes = sum.at("regimes");
-    const bool is_comparable = sum.at("seed") == run.at("seed");
-    if (!is_comparable || place_of(*row, regimes) <= place_of(other, regimes)) continue;
-    for (const char* const key : {"first_index", "regime", "command"}) row->at(key) = other.at(key);
+    kept->count += other.count;
+    kept->magnitude = std::max(kept->magnitude, other.magnitude);
+    kept->is_new = kept->is_new || other.is_new;
+    const bool is_comparable = sum.seed && sum.seed == run.seed;
+    if (!is_comparable || place_of(*kept, sum) <= place_of(other, sum)) continue;
+    kept->first_index = other.first_index;
+    kept->regime = other.regime;
+    kept->command = other.command;
   }
 }
 
-/// What follows from the sums.
-void conclude(Json& sum) {
-  const double seconds = sum.at("seconds").get<double>();
-  const double cases = static_cast<double>(sum.at("cases").get<Count>());
-  sum.at("cases_per_second") = seconds > 0 ? cases / seconds : 0;
-  std::vector<RegimeCount> counts;
-  std::map<std::string_view, Count> cases_of;
-  for (const Json& regime : sum.at("regimes")) {
-    const std::string_view name = regime.at("name").get_ref<const std::string&>();
-    counts.push_back({name, regime.at("cases").get<Count>(), regime.at("touching").get<Count>()});
-    cases_of[name] = counts.back().cases;
-  }
-  sum.at("vacuous") = is_vacuous(counts);
-  for (Json& row : sum.at("ledger")) {
-    row.at("over_budget") = Json::array();
-    const auto entry =
-        std::ranges::find(ledger(), row.at("id").get<std::string>(), &LedgerEntry::id);
-    if (entry == ledger().end() || !sum.at("budgets_hold").get<bool>()) continue;
-    for (const auto& [regime, hits] : row.at("regimes").items()) {
-      if (is_over_budget(*entry, regime, hits.get<Count>(), cases_of[regime])) {
-        row.at("over_budget").push_back(regime);
-      }
+/// Of the sums, since what fires too often in one run may be chance, and the other way round.
+void find_over_budget(FuzzResult& sum) {
+  for (LedgerResult& row : sum.ledger) {
+    row.over_budget.clear();
+    const auto entry = std::ranges::find(ledger(), row.id, &LedgerEntry::id);
+    if (entry == ledger().end() || !sum.budgets_hold) continue;
+    for (const auto& [regime, hits] : row.regimes) {
+      const auto counted = std::ranges::find(sum.regimes, regime, &RegimeResult::name);
+      const Count cases = counted == sum.regimes.end() ? 0 : counted->cases;
+      if (is_over_budget(*entry, regime, hits, cases)) row.over_budget.push_back(regime);
     }
   }
-  std::ranges::stable_sort(sum.at("buckets").get_ref<Json::array_t&>(), {}, [](const Json& row) {
-    return index_of(find_bucket(row.at("bucket").get<std::string>()).value());
-  });
+}
+
+std::size_t index_of_name(const BucketResult& found) {
+  const auto bucket = find_bucket(found.bucket);
+  return bucket ? index_of(*bucket) : kBucketCount;
 }
 
 /// The sum of no runs, with this one's terms.
-Json nothing_of(const Json& run) {
-  Json sum = run;
-  for (const char* const key : {"cases", "touching", "near", "unexplained"}) sum.at(key) = 0;
-  for (auto& count : sum.at("verdicts")) count = 0;
-  for (auto& error : sum.at("worst_error")) error = {{"depth", 0.0}, {"position", 0.0}};
-  sum.at("seconds") = 0.0;
-  for (const char* const key : {"regimes", "ledger", "buckets"}) sum.at(key) = Json::array();
-  sum["parts"] = Json::array();
-  sum.erase("baseline");
+FuzzResult nothing_of(const FuzzResult& run) {
+  FuzzResult sum;
+  sum.subject = run.subject;
+  sum.oracle = run.oracle;
+  sum.versions = run.versions;
+  sum.budgets_hold = true;
   return sum;
 }
 
-void add_run(Json& sum, const Json& run) {
+void add_run(FuzzResult& sum, const FuzzResult& run) {
   expect_addable(sum, run);
-  for (const char* const key : {"cases", "touching", "near", "unexplained"}) {
-    add_number<Count>(sum.at(key), run.at(key));
+  if (sum.parts.empty()) {
+    sum.machine = run.machine;
+    sum.compiler = run.compiler;
+    sum.seed = run.seed;
+    sum.first = run.first;
   }
-  add_number<double>(sum.at("seconds"), run.at("seconds"));
-  for (const auto& [verdict, count] : run.at("verdicts").items()) {
-    add_number<Count>(sum.at("verdicts").at(verdict), count);
-  }
-  for (const auto& [party, error] : run.at("worst_error").items()) {
-    for (const char* const key : {"depth", "position"}) {
-      keep_greater(sum.at("worst_error").at(party).at(key), error.at(key));
-    }
-  }
-  sum.at("jobs") = std::max(sum.at("jobs").get<Count>(), run.at("jobs").get<Count>());
-  for (const char* const key : {"interrupted", "stopped_early"}) {
-    sum.at(key) = sum.at(key).get<bool>() || run.at(key).get<bool>();
-  }
-  sum.at("budgets_hold") = sum.at("budgets_hold").get<bool>() && run.at("budgets_hold").get<bool>();
-  add_regimes(sum.at("regimes"), run.at("regimes"));
-  add_ledger(sum.at("ledger"), run.at("ledger"));
+  sum.seconds += run.seconds;
+  sum.jobs = std::max(sum.jobs, run.jobs);
+  for (std::size_t i = 0; i < sum.verdicts.size(); ++i) sum.verdicts[i] += run.verdicts[i];
+  keep_greater(sum.of_subject, run.of_subject);
+  keep_greater(sum.of_oracle, run.of_oracle);
+  sum.interrupted = sum.interrupted || run.interrupted;
+  sum.stopped_early = sum.stopped_early || run.stopped_early;
+  sum.budgets_hold = sum.budgets_hold && run.budgets_hold;
+  add_regimes(sum, run);
+  add_ledger(sum, run);
   add_buckets(sum, run);
-  for (const Json& part : parts_of(run)) sum.at("parts").push_back(part);
-  if (sum.at("seed") != run.at("seed")) sum.at("seed") = nullptr;
-  sum.at("first") = std::min(sum.at("first").get<Count>(), run.at("first").get<Count>());
-  conclude(sum);
+  for (const CasesRun& part : parts_of(run)) sum.parts.push_back(part);
+  if (sum.seed != run.seed) sum.seed.reset();
+  sum.first = std::min(sum.first, run.first);
 }
 
 }  // namespace
 
 MergedRuns merged_runs(std::span<const Result> results) {
   MergedRuns merged;
+  const FuzzResult* const usual = most_usual(results);
+  if (usual != nullptr) merged.sum = nothing_of(*usual);
   for (const Result& result : results) {
     try {
-      expect_fuzz(result);
-      Json sum = merged.json.is_null() ? nothing_of(result.json) : merged.json;
-      add_run(sum, result.json);
-      merged.json = std::move(sum);
+      if (!result.fuzz) {
+        throw UserError(fmt::format("is a result of {}; those of fuzz are added up", result.kind));
+      }
+      add_run(*merged.sum, *result.fuzz);
     } catch (const UserError& error) {
       merged.errors.push_back(fmt::format("{}: {}", result.path, error.what()));
-    } catch (const std::exception&) {
-      merged.errors.push_back(fmt::format("{}: what fuzz --json writes is expected", result.path));
     }
   }
+  if (!merged.sum) return merged;
+  find_over_budget(*merged.sum);
+  std::ranges::stable_sort(merged.sum->buckets, {}, index_of_name);
   return merged;
 }
 

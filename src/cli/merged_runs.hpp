@@ -1,10 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "cli/results.hpp"
 
@@ -12,13 +11,13 @@ namespace manifuzz {
 
 /// The results of several campaigns as one.
 struct MergedRuns {
-  nlohmann::ordered_json json;      ///< as `fuzz --json` writes it, and `parts`; null without any
+  std::optional<FuzzResult> sum;    ///< none without any
   std::vector<std::string> errors;  ///< one line for each result that could not be added
 };
 
 /// Adds up results of `fuzz`, in their order, as if one campaign had run all their cases: counts
 /// are sums, a bucket's first case is the least of one seed, its magnitude the greatest. A result
-/// of other colliders or versions than the first, or with cases that are counted already, is left
+/// of other colliders or versions than most are of, or with cases that are counted already, is left
 /// out.
 MergedRuns merged_runs(std::span<const Result> results);
 

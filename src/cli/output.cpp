@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "cases/file.hpp"
 #include "cases/user_error.hpp"
 #include "report/style.hpp"
 
@@ -69,6 +71,27 @@ void write_to_reader(std::string_view text) {
     out.flush();
   } catch (const OutputClosed&) {
   }
+}
+
+bool takes_stdout(std::initializer_list<DataFile> files) {
+  std::string_view taker;
+  for (const DataFile& data : files) {
+    if (data.file != "-") continue;
+    if (!taker.empty()) {
+      throw UserError(fmt::format("{}: {} writes to the standard output already; name a file",
+                                  data.option, taker));
+    }
+    taker = data.option;
+  }
+  return !taker.empty();
+}
+
+void write_data(const std::string& file, std::string_view text) {
+  file == "-" ? write_to_reader(text) : write_file(file, text);
+}
+
+std::string json_text(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 void Outputs::write(bool is_asked, const std::function<void()>& write_it) {

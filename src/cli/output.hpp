@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace manifuzz {
 
 /// Writes to the standard error as far as it goes: one that is closed or full stops nothing.
@@ -41,6 +43,23 @@ class Output {
 /// Writes all of it to the standard output; a reader that is gone stops nothing, for what a command
 /// has to say is in its status too.
 void write_to_reader(std::string_view text);
+
+/// An option, and the file that it names for data: "-" is the standard output, "" is none.
+struct DataFile {
+  std::string_view option;
+  std::string_view file;
+};
+
+/// Whether one of them takes the standard output, which then has nothing else. Throws UserError
+/// where two would.
+bool takes_stdout(std::initializer_list<DataFile> files);
+
+/// Writes to the file of that name, or to the standard output for "-".
+void write_data(const std::string& file, std::string_view text);
+
+/// JSON as it is written for people and programs: indented, with a line's end. Paths need not be
+/// UTF-8; what is not is replaced.
+std::string json_text(const nlohmann::ordered_json& json);
 
 /// Outputs that are written one by one: one that fails is named, and no other is lost by that.
 class Outputs {

@@ -18,8 +18,6 @@
 namespace manifuzz {
 namespace {
 
-constexpr std::string_view kWorst = ".worst.json";
-
 /// What the file records of that collider's answer.
 const Answer* recorded_answer(const CorpusCase& given, const std::string& name) {
   if (!given.expect) return nullptr;
@@ -105,14 +103,13 @@ void add_runs(PageCase& page_case, const std::vector<Result>& results) {
   const auto& expect = page_case.shown.given.expect;
   if (!expect) return;
   for (const Result& result : results) {
-    if (result.kind != "fuzz" || result.json.at("oracle") != expect->oracle ||
-        result.json.at("subject") != expect->subject) {
-      continue;
-    }
-    for (const auto& bucket : result.json.at("buckets")) {
-      if (bucket.at("bucket") != expect->bucket) continue;
-      page_case.count = page_case.count.value_or(0) + bucket.at("count").get<std::uint64_t>();
-      page_case.commands.push_back(bucket.at("command"));
+    const bool is_of_these = result.fuzz && result.fuzz->oracle == expect->oracle &&
+                             result.fuzz->subject == expect->subject;
+    if (!is_of_these) continue;
+    for (const BucketResult& found : result.fuzz->buckets) {
+      if (found.bucket != expect->bucket) continue;
+      page_case.count = page_case.count.value_or(0) + found.count;
+      page_case.commands.push_back(found.command);
     }
   }
 }
@@ -185,10 +182,8 @@ std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& collider
   for (const CorpusCase& given : files.corpus.cases) {
     if (interruption.requested()) throw Interrupted();
     PageCase page_case = page_case_of(given, colliders, interruption);
-    if (given.path.ends_with(kWorst)) {
-      const std::string stem = given.path.substr(0, given.path.size() - kWorst.size());
-      if (paths.contains(stem + ".json")) page_case.smallest = stem + ".json";
-    }
+    const std::string shrunk = shrunk_beside(given.path);
+    if (is_worst(given.path) && paths.contains(shrunk)) page_case.smallest = shrunk;
     page_case.commands.push_back(
         fmt::format("{} show {}", this_program(), quoted_for_shell(given.path)));
     add_runs(page_case, files.results);

@@ -54,7 +54,7 @@ TestFailure failure_of(const CheckedProperty& checked, const std::string& option
 
 std::vector<CheckedProperty> check_properties(
     const std::vector<const Property*>& chosen, const Collider& subject, const PropertyPlan& plan,
-    const std::string& save_to, const std::function<void(const CheckedProperty&)>& on_checked) {
+    const std::string& save_to, const std::function<bool(const CheckedProperty&)>& on_checked) {
   std::vector<CheckedProperty> all;
   for (const Property* const property : chosen) {
     const auto start = Clock::now();
@@ -69,8 +69,8 @@ std::vector<CheckedProperty> check_properties(
     } catch (const UserError& error) {
       checked.why_unsaved = error.what();
     }
-    on_checked(checked);
     all.push_back(checked);
+    if (!on_checked(checked)) break;
   }
   return all;
 }
@@ -85,12 +85,12 @@ std::string property_text(const CheckedProperty& checked) {
 }
 
 TestSuite property_suite(const std::vector<CheckedProperty>& checked, const Collider& subject,
-                         const std::string& options, bool with_pictures,
-                         Interruption& interruption) {
+                         const std::string& options, Interruption& interruption) {
   TestSuite suite{"manifuzz property", "", {}, {{"property", "result", "cases", "seconds"}}};
   std::size_t pictures = 0;
   std::size_t left_out = 0;
   for (const CheckedProperty& one : checked) {
+    if (!one.why_unsaved.empty()) suite.errors.push_back(one.why_unsaved);
     if (one.is_left_out()) {
       ++left_out;
       continue;
@@ -98,7 +98,7 @@ TestSuite property_suite(const std::vector<CheckedProperty>& checked, const Coll
     TestResult test{std::string(one.property->name), one.seconds};
     if (!one.result.passed) {
       test.failure = failure_of(one, options);
-      const bool is_drawn = with_pictures && one.result.failing && ++pictures <= kDescribedMax;
+      const bool is_drawn = one.result.failing && ++pictures <= kDescribedMax;
       if (is_drawn) add_picture(*test.failure, *one.result.failing, subject, interruption);
     }
     suite.table.push_back({test.name, one.result.passed ? "ok" : "FAIL",

@@ -18,23 +18,23 @@ struct CheckedProperty {
   std::string saved{};        ///< the file its failing case was written to, or empty
   std::string why_unsaved{};  ///< why it could not be
 
+  bool holds() const { return result.passed; }
   /// Whether there was no time for a single case.
   bool is_left_out() const { return result.passed && result.cases == 0; }
 };
 
 /// Every one of these properties; failing cases go to the folder `save_to`, unless it is empty.
-/// `on_checked` runs after each.
+/// `on_checked` runs after each, and tells whether to go on.
 std::vector<CheckedProperty> check_properties(
     const std::vector<const Property*>& chosen, const Collider& subject, const PropertyPlan& plan,
-    const std::string& save_to, const std::function<void(const CheckedProperty&)>& on_checked);
+    const std::string& save_to, const std::function<bool(const CheckedProperty&)>& on_checked);
 
 /// For people: what RapidCheck says, how to repeat a failure, and where its case went.
 std::string property_text(const CheckedProperty& checked);
 
 /// The properties as a suite, of which `options` choose the collider, the seed and the corpus
-/// again; the first failures with pictures, if those are wanted and as far as there is time.
+/// again; the first failures with pictures, as far as there is time.
 TestSuite property_suite(const std::vector<CheckedProperty>& checked, const Collider& subject,
-                         const std::string& options, bool with_pictures,
-                         Interruption& interruption);
+                         const std::string& options, Interruption& interruption);
 
 }  // namespace manifuzz

@@ -45,37 +45,45 @@ nlohmann::ordered_json json_of(const ReplayRun& run, const Collider& subject,
   return json;
 }
 
-int replay(const Options& options) {
+int status_of(const ReplayRun& run, const std::vector<std::string>& errors,
+              const Outputs& outputs) {
+  if (!errors.empty()) {
+    write_complaint(fmt::format("replay: {} of the files could not be read; the rest was replayed",
+                                errors.size()));
+    return 2;
+  }
+  if (!outputs.are_written()) return 2;
+  return run.failures.empty() ? 0 : 1;
+}
+
+int replay(Options& options) {
+  options.ci.stdout_is_data =
+      takes_stdout({{"--json", options.json}, {"--junit", options.ci.junit}});
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   if (paths.empty()) paths.emplace_back("corpus");
   const Collider subject = find_subject(options.parties);
   const Collider oracle = find_oracle(options.parties);
   const Corpus corpus = read_corpus(paths);
-  for (const std::string& error : corpus.errors) {
-    write_complaint(error);
+  for (const std::string& error : corpus.errors) write_complaint(error);
+  if (corpus.cases.empty() && corpus.errors.empty()) {
+    throw UserError("replay: there is no case; name files or folders of cases");
   }
 
   Interruption interruption;
   const ReplayRun run = replay_cases(corpus.cases, subject, oracle, interruption);
   if (run.left_out > 0) throw UserError("replay: interrupted");
-  const std::string json = json_of(run, subject, oracle).dump(2) + '\n';
-  const TestSuite suite = replay_suite(run, subject, oracle, options_again(options.parties),
-                                       shows_pictures(options.ci), interruption);
   Outputs outputs;
-  outputs.write(true, [&] {
-    write_to_reader(options.json == "-" ? json : replay_text(run, subject, oracle));
-  });
-  outputs.write(!options.json.empty() && options.json != "-",
-                [&] { write_file(options.json, json); });
-  write_ci({options.ci.junit, options.json == "-"}, {&suite, 1}, outputs);
-  if (!corpus.errors.empty()) {
-    throw UserError(fmt::format("replay: {} of the files could not be read; the rest was replayed",
-                                corpus.errors.size()));
+  outputs.write(!options.ci.stdout_is_data,
+                [&] { write_to_reader(replay_text(run, subject, oracle)); });
+  outputs.write(!options.json.empty(),
+                [&] { write_data(options.json, json_text(json_of(run, subject, oracle))); });
+  if (is_wanted(options.ci)) {
+    TestSuite suite =
+        replay_suite(run, subject, oracle, options_again(options.parties), interruption);
+    suite.errors = corpus.errors;
+    write_ci(options.ci, {&suite, 1}, outputs);
   }
-  if (run.tests.empty())
-    throw UserError("replay: there is no case; name files or folders of cases");
-  if (!outputs.are_written()) return 2;
-  return run.failures.empty() ? 0 : 1;
+  return status_of(run, corpus.errors, outputs);
 }
 
 Run define(CLI::App& app) {
@@ -86,7 +94,7 @@ Run define(CLI::App& app) {
   add_junit(app, options->ci);
   app.add_option("--json", options->json, "the summary as JSON, to a file or - for stdout")
       ->type_name("FILE");
-  return [options] { return replay(*options); };
+  return [options] { return run_for_ci("replay", options->ci, [&] { return replay(*options); }); };
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ std::string replay_text(const ReplayRun& run, const Collider& subject, const Col
 }
 
 TestSuite replay_suite(const ReplayRun& run, const Collider& subject, const Collider& oracle,
-                       const std::string& options, bool with_pictures, Interruption& interruption) {
+                       const std::string& options, Interruption& interruption) {
   TestSuite suite{"manifuzz replay", counts_in_words(run, subject, oracle), run.tests};
   suite.table = {{"cases", "passed", "failed", "left out"},
                  {std::to_string(run.tests.size()), std::to_string(run.passed()),
@@ -85,7 +85,7 @@ TestSuite replay_suite(const ReplayRun& run, const Collider& subject, const Coll
     const std::string file(file_and_line(failed.recorded->path).first);
     failure.command =
         fmt::format("{} replay {} {}", this_program(), quoted_for_shell(file), options);
-    if (!with_pictures || ++pictures > kDescribedMax) continue;
+    if (++pictures > kDescribedMax) continue;
     add_picture(failure, *failed.recorded, subject, oracle, interruption);
   }
   return suite;

@@ -31,8 +31,8 @@ ReplayRun replay_cases(const std::vector<CorpusCase>& cases, const Collider& sub
 std::string replay_text(const ReplayRun& run, const Collider& subject, const Collider& oracle);
 
 /// The run as a suite, of which `options` choose the parties again; the first failures with
-/// pictures, if those are wanted and as far as there is time.
+/// pictures, as far as there is time.
 TestSuite replay_suite(const ReplayRun& run, const Collider& subject, const Collider& oracle,
-                       const std::string& options, bool with_pictures, Interruption& interruption);
+                       const std::string& options, Interruption& interruption);
 
 }  // namespace manifuzz

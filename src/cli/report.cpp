@@ -57,14 +57,13 @@ int report(const Options& options) {
   if (files.corpus.cases.empty() && files.results.empty()) {
     throw UserError("report: there is nothing to report; name folders of cases and --json files");
   }
+  expect_no_input("--output", options.output, files);
   NamedColliders colliders(chosen(options.parties.subject, options.parties.outside),
                            chosen(options.parties.oracle, options.parties.outside));
   const std::string html = report_page(files, colliders, options.maps.value_or(kMapsUsual),
                                        repeating_command(paths, options));
-  if (options.output == "-") {
-    write_to_reader(html);
-  } else {
-    write_file(options.output, html);
+  write_data(options.output, html);
+  if (options.output != "-") {
     write_remark(fmt::format("{}: {} cases, {} results", options.output, files.corpus.cases.size(),
                              files.results.size()));
   }

@@ -6,10 +6,14 @@
 #include <fmt/format.h>
 
 #include "cases/file.hpp"
+#include "cases/text.hpp"
 #include "cases/user_error.hpp"
+#include "cli/fuzz_result_json.hpp"
 
 namespace manifuzz {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// The largest result that is read.
 constexpr std::size_t kLongestResult = std::size_t{1} << 28;
@@ -17,67 +21,99 @@ constexpr std::size_t kLongestResult = std::size_t{1} << 28;
 /// A key that the results of one command alone have, among those behind it in the list.
 struct KindKey {
   std::string_view kind;
-  const char* key;
+  std::string_view key;
 };
 constexpr std::array kKindKeys{KindKey{"fuzz", "buckets"}, KindKey{"replay", "failures"},
                                KindKey{"stress", "sweeps"}, KindKey{"scene", "exponents"},
                                KindKey{"bench", "rows"}};
 
 /// What wrote it, or nullptr.
-const KindKey* kind_of(const nlohmann::ordered_json& json) {
-  if (!json.is_object() || !json.contains("machine")) return nullptr;
-  const auto known =
-      std::ranges::find_if(kKindKeys, [&](const KindKey& kind) { return json.contains(kind.key); });
+const KindKey* kind_of(const JsonView& root) {
+  if (!root.is_object() || !root.find("machine")) return nullptr;
+  const auto known = std::ranges::find_if(
+      kKindKeys, [&](const KindKey& kind) { return root.find(kind.key).has_value(); });
   return known == kKindKeys.end() ? nullptr : &*known;
 }
 
-/// Whether a row of `fuzz` says which bucket it is of, how often that was met, and how again.
-bool is_bucket(const nlohmann::ordered_json& row) {
-  return row.is_object() && row.contains("bucket") && row["bucket"].is_string() &&
-         row.contains("count") && row["count"].is_number_unsigned() && row.contains("command") &&
-         row["command"].is_string();
-}
+/// The text of a file, parsed, nowhere deeper than 32 levels.
+struct Document {
+  std::string text;
+  JsonTree tree;
+};
 
-bool is_whole(const nlohmann::ordered_json& json, const KindKey& kind) {
-  const auto& rows = json.at(kind.key);
-  if (!rows.is_array()) return false;
-  if (kind.kind != "fuzz") {
-    return std::ranges::all_of(rows, [](const auto& row) { return row.is_object(); });
+Result result_of(const std::string& path, const Document& document, const KindKey& kind) {
+  const JsonView root(document.tree);
+  Result result{path, kind.kind, nlohmann::ordered_json::parse(document.text)};
+  if (kind.kind == "fuzz") {
+    result.fuzz = read_fuzz_result(root);
+  } else {
+    for (const JsonView& row : root.at(kind.key).elements()) row.keys();
   }
-  const auto names = [&](const char* key) { return json.contains(key) && json[key].is_string(); };
-  return names("subject") && names("oracle") && std::ranges::all_of(rows, is_bucket);
+  return result;
 }
 
-void read_run_file(const std::filesystem::path& path, RunFiles& files) {
-  if (path.extension() == ".json") {
-    InputFile file(path.string());
-    auto json = nlohmann::ordered_json::parse(file.read_all(kLongestResult), nullptr, false);
-    if (const KindKey* const known = kind_of(json)) {
-      if (!is_whole(json, *known)) {
-        throw UserError(
-            fmt::format("{}: what {} --json writes is expected", file.name(), known->kind));
-      }
-      files.results.push_back({path.string(), known->kind, std::move(json)});
-      return;
+/// Calls `use` with the file's document; what is wrong with either names the file.
+template <class Use>
+auto with_document(const std::string& path, const Use& use) {
+  InputFile file(path);
+  Document document{file.read_all(kLongestResult), {}};
+  try {
+    if (is_blank(document.text)) throw UserError("is empty; a case or a result is expected");
+    document.tree = parse_json(document.text);
+    return use(document);
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("{}: {}", file.name(), error.what()));
+  }
+}
+
+void read_json_file(const std::string& path, RunFiles& files) {
+  with_document(path, [&](const Document& document) {
+    const JsonView root(document.tree);
+    if (const KindKey* const kind = kind_of(root)) {
+      files.results.push_back(result_of(path, document, *kind));
+    } else {
+      CorpusCase known = read_case(root, FormatKey::required);
+      known.path = path;
+      files.corpus.cases.push_back(std::move(known));
     }
-  }
-  Corpus read = read_corpus({&path, 1});
-  std::ranges::move(read.cases, std::back_inserter(files.corpus.cases));
-  std::ranges::move(read.errors, std::back_inserter(files.corpus.errors));
+  });
 }
 
 }  // namespace
 
-RunFiles read_run_files(std::span<const std::filesystem::path> paths) {
+Result read_result(const std::string& path) {
+  return with_document(path, [&](const Document& document) {
+    const KindKey* const kind = kind_of(JsonView(document.tree));
+    if (kind == nullptr) throw UserError("is no result; what --json writes is expected");
+    return result_of(path, document, *kind);
+  });
+}
+
+RunFiles read_run_files(std::span<const fs::path> paths) {
   RunFiles files;
-  for (const auto& path : find_case_files(paths, files.corpus.errors)) {
+  files.paths = find_case_files(paths, files.corpus.errors);
+  for (const auto& path : files.paths) {
+    if (path.extension() != ".json") {
+      read_case_files(path, files.corpus);
+      continue;
+    }
     try {
-      read_run_file(path, files);
+      read_json_file(path.string(), files);
     } catch (const UserError& error) {
       files.corpus.errors.emplace_back(error.what());
     }
   }
   return files;
+}
+
+void expect_no_input(std::string_view option, const std::string& output, const RunFiles& files) {
+  const auto is_output = [&](const fs::path& path) {
+    std::error_code unknown;
+    return fs::equivalent(path, output, unknown) && !unknown;
+  };
+  if (!std::ranges::any_of(files.paths, is_output)) return;
+  throw UserError(fmt::format("{}: {} is one of the files that are read; another is expected",
+                              option, printable(output, 200)));
 }
 
 }  // namespace manifuzz

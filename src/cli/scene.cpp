@@ -194,7 +194,7 @@ std::string mismatches_in_words(const std::vector<SceneRun>& runs) {
 int scene_command(const Options& options) {
   expect_possible(options);
   const SceneReport report = run_all(options);
-  const std::string json = report_json(report).dump(2) + '\n';
+  const std::string json = json_text(report_json(report));
   std::string tables = rows_table(report.runs);
   if (!report.curves.empty()) tables += '\n' + curves_table(report.curves);
   if (leaves_out_tables({options.json})) tables = mismatches_in_words(report.runs);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -12,7 +13,8 @@
 #include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/commands.hpp"
-#include "cli/fuzz_run.hpp"
+#include "cli/fuzz_report.hpp"
+#include "cli/fuzz_suite.hpp"
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
@@ -37,6 +39,7 @@ constexpr double kPicturesShare = 1;
 /// Where the collider took all of its time to start.
 constexpr double kCampaignSecondsMin = 0.5;
 constexpr int kPropertyCases = 200;
+constexpr std::string_view kInterrupted = "smoke: interrupted before it was done";
 
 struct Options {
   Parties parties;
@@ -65,22 +68,29 @@ struct Schedule {
 struct Smoke {
   Schedule schedule;
   std::string corpus_folder;
+  std::string save_to;  ///< the same, or nowhere
   Corpus corpus;
   Collider subject;
   Collider oracle;
   std::uint64_t seed = 0;
   std::vector<PairCase> pairs;
 
+  std::string parties_again;  ///< the options that choose them
+  std::string subject_again;
+  CiOutput ci;
+
   std::string corpus_again() const {
     return corpus_folder == "corpus" ? "" : " --corpus " + quoted_for_shell(corpus_folder);
+  }
+  void tell(const std::string& text) const {
+    if (!ci.stdout_is_data) write_to_reader(text);
   }
 };
 
 ReplayRun replay_some(const Smoke& smoke) {
   Interruption interruption(smoke.schedule.at(kReplayShare));
   const ReplayRun run = replay_cases(smoke.corpus.cases, smoke.subject, smoke.oracle, interruption);
-  if (interruption.requests() > 0) throw UserError("smoke: interrupted");
-  write_to_reader(replay_text(run, smoke.subject, smoke.oracle) + (is_quiet() ? "" : "\n"));
+  smoke.tell(replay_text(run, smoke.subject, smoke.oracle) + (is_quiet() ? "" : "\n"));
   return run;
 }
 
@@ -91,21 +101,21 @@ std::string brief_text(const CheckedProperty& checked) {
   return fmt::format("{} {}: {}, {} cases\n", good("ok  "), name, sentence, checked.result.cases);
 }
 
-std::vector<CheckedProperty> check_some(const Smoke& smoke, const std::string& save_to,
-                                        Outputs& outputs) {
-  std::vector<const Property*> all;
-  for (const Property& property : properties()) all.push_back(&property);
+std::vector<CheckedProperty> check_some(const Smoke& smoke, Interruption& all, Outputs& outputs) {
+  std::vector<const Property*> chosen;
+  for (const Property& property : properties()) chosen.push_back(&property);
   PropertyPlan plan;
   plan.seed = smoke.seed;
   plan.cases = kPropertyCases;
   plan.corpus = smoke.pairs;
   plan.deadline = smoke.schedule.at(kPropertyShare);
-  const auto tell = [&](const CheckedProperty& one) {
-    if (one.result.passed && is_quiet()) return;
-    write_to_reader(one.result.passed ? brief_text(one) : property_text(one));
-    outputs.write(!one.why_unsaved.empty(), [&] { throw UserError(one.why_unsaved); });
-  };
-  return check_properties(all, smoke.subject, plan, save_to, tell);
+  return check_properties(
+      chosen, smoke.subject, plan, smoke.save_to, [&](const CheckedProperty& one) {
+        if (!one.holds()) smoke.tell(property_text(one));
+        if (one.holds() && !is_quiet()) smoke.tell(brief_text(one));
+        outputs.write(!one.why_unsaved.empty(), [&] { throw UserError(one.why_unsaved); });
+        return all.requests() == 0;
+      });
 }
 
 Plan plan_of(const Smoke& smoke) {
@@ -131,59 +141,70 @@ Smoke prepared(const Options& options) {
   // No absolute path goes into what is kept.
   if (!options.corpus.empty())
     smoke.corpus_folder = std::filesystem::proximate(options.corpus).string();
-  smoke.corpus = read_corpus_folder(smoke.corpus_folder);
+  smoke.save_to = options.no_save ? "" : smoke.corpus_folder;
+  smoke.corpus = read_known(smoke.corpus_folder);
+  for (const std::string& error : smoke.corpus.errors) write_complaint(error);
   smoke.subject = find_subject(options.parties);
   smoke.oracle = find_oracle(options.parties);
+  smoke.parties_again = options_again(options.parties);
+  smoke.subject_again = options_again(options.parties.subject, {});
   smoke.seed = seed_or_draw(options.seed);
   smoke.pairs = pairs_of(smoke.corpus, smoke.seed);
+  smoke.ci = options.ci;
   return smoke;
 }
 
-int run(const Options& options) {
+Campaign campaign_of(const Smoke& smoke) {
+  const std::string again =
+      fmt::format("{} fuzz {}{}", this_program(), smoke.parties_again, smoke.corpus_again());
+  Campaign campaign = run_campaign(plan_of(smoke), KnownBuckets(smoke.corpus.cases),
+                                   {smoke.save_to, smoke.schedule.at(kSavingShare)}, again);
+  std::string text = is_quiet() ? objections(campaign) : '\n' + summary_table(campaign);
+  if (campaign.saving.unsaved > 0) {
+    text += fmt::format("\n{} findings are not saved, for time was up\n", campaign.saving.unsaved);
+  }
+  smoke.tell(text);
+  return campaign;
+}
+
+void write_suites(const Smoke& smoke, const ReplayRun& replayed,
+                  const std::vector<CheckedProperty>& checked, const Campaign& campaign,
+                  Outputs& outputs) {
+  Interruption until_drawn(smoke.schedule.at(kPicturesShare));
+  const std::string property_again =
+      fmt::format("{} --seed {}{}", smoke.subject_again, smoke.seed, smoke.corpus_again());
+  std::vector<TestSuite> suites{
+      replay_suite(replayed, smoke.subject, smoke.oracle, smoke.parties_again, until_drawn),
+      property_suite(checked, smoke.subject, property_again, until_drawn),
+      fuzz_suite(campaign, until_drawn)};
+  suites.front().errors = smoke.corpus.errors;
+  if (campaign.result.interrupted) suites.back().errors.emplace_back(kInterrupted);
+  write_ci(smoke.ci, suites, outputs);
+}
+
+void expect_uninterrupted(Interruption& all) {
+  if (all.requests() > 0) throw UserError(std::string(kInterrupted));
+}
+
+int run(Options& options) {
+  options.ci.stdout_is_data = takes_stdout({{"--junit", options.ci.junit}});
+  Interruption all;  // a signal in any part
   const Smoke smoke = prepared(options);
-  const std::string save_to = options.no_save ? "" : smoke.corpus_folder;
   Outputs outputs;
   const ReplayRun replayed = replay_some(smoke);
-  const std::vector<CheckedProperty> checked = check_some(smoke, save_to, outputs);
-  const Plan plan = plan_of(smoke);
-  const KnownBuckets known(smoke.corpus.cases);
-  JobsResult jobs = run_watched(plan, known);
-  std::vector<Finding> found = findings(*jobs.tally, plan, known);
-
-  Saving saving;
-  if (!options.no_save) {
-    Interruption until_saved(smoke.schedule.at(kSavingShare));
-    saving = save_new(found, plan, save_to, until_saved);
-    outputs.write(!saving.first_error.empty(), [&] { throw UserError(saving.first_error); });
-  }
-  jobs.interrupted = jobs.interrupted || saving.interrupted;
-  const std::string again = options_again(options.parties);
-  const CampaignReport report{
-      plan,
-      jobs,
-      found,
-      ledger_counts(*jobs.tally, plan),
-      {},
-      saving.unsaved,
-      fmt::format("{} fuzz {}{}", this_program(), again, smoke.corpus_again())};
-  std::string text = is_quiet() ? objections(report) : '\n' + summary_table(report);
-  if (saving.unsaved > 0) {
-    text += fmt::format("\n{} findings are not saved, for time was up\n", saving.unsaved);
-  }
-  write_to_reader(text);
-
-  Interruption until_drawn(smoke.schedule.at(kPicturesShare));
-  const bool pictures = shows_pictures(options.ci);
-  const std::string property_again =
-      fmt::format("{} --seed {}{}", options_again(options.parties.subject, {}), smoke.seed,
-                  smoke.corpus_again());
-  const std::vector<TestSuite> suites{
-      replay_suite(replayed, smoke.subject, smoke.oracle, again, pictures, until_drawn),
-      property_suite(checked, smoke.subject, property_again, pictures, until_drawn),
-      fuzz_suite(report, pictures, until_drawn)};
-  write_ci(options.ci, suites, outputs);
-  if (!outputs.are_written()) return 2;
-  return suites[0].failures() + suites[1].failures() + suites[2].failures() > 0 ? 1 : 0;
+  expect_uninterrupted(all);
+  const std::vector<CheckedProperty> checked = check_some(smoke, all, outputs);
+  expect_uninterrupted(all);
+  const Campaign campaign = campaign_of(smoke);
+  const std::string& unsaved = campaign.saving.first_error;
+  outputs.write(!unsaved.empty(), [&] { throw UserError(unsaved); });
+  outputs.write(all.requests() > 0, [] { throw UserError(std::string(kInterrupted)); });
+  if (is_wanted(smoke.ci)) write_suites(smoke, replayed, checked, campaign, outputs);
+  if (!outputs.are_written() || !smoke.corpus.errors.empty()) return 2;
+  const bool is_well = replayed.failures.empty() &&
+                       std::ranges::all_of(checked, &CheckedProperty::holds) &&
+                       !has_failed(campaign.result);
+  return is_well ? 0 : 1;
 }
 
 Run define(CLI::App& app) {
@@ -200,7 +221,7 @@ Run define(CLI::App& app) {
       ->capture_default_str();
   app.add_flag("--no-save", options->no_save, "shrink and save nothing");
   add_junit(app, options->ci);
-  return [options] { return run(*options); };
+  return [options] { return run_for_ci("smoke", options->ci, [&] { return run(*options); }); };
 }
 
 }  // namespace

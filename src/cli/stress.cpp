@@ -20,6 +20,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/parties.hpp"
+#include "cli/stress_options.hpp"
 #include "cli/stress_pictures.hpp"
 #include "cli/stress_report.hpp"
 #include "cli/stress_save.hpp"
@@ -32,25 +33,6 @@ namespace {
 
 constexpr std::uint64_t kQuickCases = 600;
 constexpr std::uint64_t kQuickFrames = 10'000;
-
-struct Options {
-  std::vector<std::string> sweeps;
-  std::vector<std::string> colliders;
-  ColliderChoice program{"collider", "", ""};
-  OutsideOptions outside;
-  std::optional<std::uint64_t> cases;
-  std::optional<std::uint64_t> frames;
-  std::optional<std::uint64_t> seed;
-  std::optional<std::uint64_t> jobs;
-  bool quick = false;
-  bool flush_to_zero = false;
-  std::string json;
-  std::string csv;
-  std::string pictures;
-  std::string save;
-  std::string baseline;
-  std::string store;
-};
 
 /// One that is named twice is run once.
 template <class Family>
@@ -88,7 +70,7 @@ void expect_names_of_their_own(const std::vector<Contestant>& contestants) {
 
 /// Every collider that is there, or those that are named; of each that takes a tie bias, a variant
 /// for the walks.
-std::vector<Contestant> contestants_of(const Options& options) {
+std::vector<Contestant> contestants_of(const StressOptions& options) {
   std::vector<Collider> chosen;
   for (const std::string& name : options.colliders) {
     chosen.push_back(find_collider(ColliderChoice{"collider", name, ""}, options.outside));
@@ -122,7 +104,7 @@ std::vector<Contestant> contestants_of(const Options& options) {
   return contestants;
 }
 
-StressPlan plan_of(const Options& options) {
+StressPlan plan_of(const StressOptions& options) {
   StressPlan plan;
   choose_sweeps(options.sweeps, plan);
   plan.contestants = contestants_of(options);
@@ -192,7 +174,7 @@ void save(const StressPlan& plan, const StressResult& result, const std::string&
 }
 
 /// What a run found is written, even after it was interrupted; another signal ends the writing.
-void write_files(const StressPlan& plan, const StressResult& result, const Options& options,
+void write_files(const StressPlan& plan, const StressResult& result, const StressOptions& options,
                  const std::string& json, const nlohmann::ordered_json& stored,
                  Interruption& interruption, Outputs& outputs) {
   outputs.write(!options.json.empty() && options.json != "-",
@@ -221,7 +203,7 @@ std::string report_text(const StressPlan& plan, const StressResult& result,
   return text + objections(comparison);
 }
 
-int stress(const Options& options) {
+int stress(const StressOptions& options) {
   const StressPlan plan = plan_of(options);
   if (!options.pictures.empty()) make_picture_folder(options.pictures);
   std::vector<StoredPoint> baseline;
@@ -253,47 +235,8 @@ int stress(const Options& options) {
 }
 
 Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
-  app.add_option("--sweep", options->sweeps, "a sweep or a walk, again for more; all if not given")
-      ->type_name("S")
-      ->allow_extra_args(false);
-  app.add_option("--collider", options->colliders,
-                 "a collider, again for more; all that are there if not given")
-      ->type_name("C|LIBRARY.so")
-      ->allow_extra_args(false);
-  app.add_option("--collider-command", options->program.command,
-                 "one more, as a program: case lines in, manifold lines out")
-      ->type_name("COMMAND")
-      ->check(not_blank);
-  add_outside(app, options->outside);
-  add_whole_number(app, "--cases", options->cases, "a step; 100000 if not given", 1);
-  add_whole_number(app, "--frames", options->frames, "a walk; 1000000 if not given", 1);
-  add_whole_number(app, "--seed", options->seed, "what the cases hang on; 1 if not given");
-  add_whole_number(app, "--jobs", options->jobs, "how many processes; one a core if not given", 1);
-  app.add_flag(
-      "--quick", options->quick,
-      "fewer cases, and no collider in a process of its own unless it is named: less than 20 s");
-  app.add_flag("--flush-to-zero", options->flush_to_zero,
-               "colliders in this process compute without subnormal numbers, as engines may");
-  app.add_option("--json", options->json, "every step as JSON, to a file or - for stdout")
-      ->type_name("FILE");
-  app.add_option("--csv", options->csv, "every step with commas")->type_name("FILE");
-  app.add_option("--pictures", options->pictures,
-                 "error against each sweep's knob, DIR/SWEEP.svg and DIR/SWEEP.png")
-      ->type_name("DIR")
-      ->check(not_blank);
-  app.add_option("--save", options->save,
-                 "a corpus for the worst: wrong cases shrunk, and clip's worst of every sweep")
-      ->type_name("DIR")
-      ->check(not_blank);
-  app.add_option("--baseline", options->baseline,
-                 "breaking points that were stored: none may have moved down")
-      ->type_name("FILE")
-      ->check(not_blank);
-  app.add_option("--store", options->store,
-                 "stores the breaking points, for --baseline, over those in it")
-      ->type_name("FILE")
-      ->check(not_blank);
+  const auto options = std::make_shared<StressOptions>();
+  add_stress_options(app, *options);
   return [options] { return stress(*options); };
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace manifuzz {
 namespace {
@@ -21,6 +22,12 @@ std::string escape_command(std::string_view text, bool is_property) {
 std::size_t failures_of(std::span<const TestSuite> suites) {
   std::size_t count = 0;
   for (const TestSuite& suite : suites) count += suite.failures();
+  return count;
+}
+
+std::size_t errors_of(std::span<const TestSuite> suites) {
+  std::size_t count = 0;
+  for (const TestSuite& suite : suites) count += suite.errors.size();
   return count;
 }
 
@@ -47,12 +54,31 @@ std::string table_of(const TestSuite& suite) {
   return text;
 }
 
+std::string came_to(const TestSuite& suite) {
+  std::vector<std::string> parts;
+  const std::size_t errors = suite.errors.size();
+  if (errors > 0) parts.push_back(fmt::format("{} {}", errors, errors == 1 ? "error" : "errors"));
+  if (suite.failures() > 0) {
+    parts.push_back(fmt::format("{} of {} failed", suite.failures(), suite.tests.size()));
+  }
+  return parts.empty() ? "passed" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// What did not take place, as many as are described.
+std::string errors_in_words(const TestSuite& suite) {
+  std::string text;
+  for (const std::string& error : suite.errors) {
+    if (&error == suite.errors.data() + kDescribedMax) {
+      return text + fmt::format("- and {} more\n\n", suite.errors.size() - kDescribedMax);
+    }
+    text += fmt::format("- **{}**\n", escape_markdown(error));
+  }
+  return text.empty() ? text : text + '\n';
+}
+
 std::string head_of(const TestSuite& suite) {
-  const std::size_t failed = suite.failures();
-  const std::string came_to =
-      failed == 0 ? "passed" : fmt::format("{} of {} failed", failed, suite.tests.size());
-  return fmt::format("## {}: {}\n\n{}\n\n{}\n", escape_markdown(suite.name), came_to,
-                     escape_markdown(suite.headline), table_of(suite));
+  return fmt::format("## {}: {}\n\n{}\n\n{}{}\n", escape_markdown(suite.name), came_to(suite),
+                     escape_markdown(suite.headline), errors_in_words(suite), table_of(suite));
 }
 
 std::string description_of(const TestSuite& suite, const TestResult& test,
@@ -96,19 +122,25 @@ std::string error_annotation(std::string_view title, std::string_view file,
 }
 
 std::string annotations(std::span<const TestSuite> suites, const FileInRepository& in_repository) {
-  const std::size_t failed = failures_of(suites);
-  const std::size_t shown = failed <= kAnnotationsMax ? failed : kAnnotationsMax - 1;
-  std::string text;
+  const std::size_t all = errors_of(suites) + failures_of(suites);
+  const std::size_t shown = all <= kAnnotationsMax ? all : kAnnotationsMax - 1;
+  std::vector<std::string> lines;
+  for (const TestSuite& suite : suites) {
+    for (const std::string& error : suite.errors) {
+      lines.push_back(error_annotation(suite.name, "", error));
+    }
+  }
   for_failures(suites, shown, [&](const TestSuite& suite, const TestResult& test) {
     std::string message = in_words(*test.failure);
     if (!test.failure->command.empty()) message += '\n' + test.failure->command;
-    text +=
-        error_annotation(suite.name + ": " + test.name, in_repository(test.failure->file), message);
+    lines.push_back(error_annotation(suite.name + ": " + test.name,
+                                     in_repository(test.failure->file), message));
   });
-  if (shown < failed) {
-    text += error_annotation("manifuzz", "", fmt::format("and {} more failures", failed - shown));
+  lines.resize(std::min(lines.size(), shown));
+  if (shown < all) {
+    lines.push_back(error_annotation("manifuzz", "", fmt::format("and {} more", all - shown)));
   }
-  return text;
+  return fmt::format("{}", fmt::join(lines, ""));
 }
 
 std::string escape_markdown(std::string_view text) {

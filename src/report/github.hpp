@@ -30,7 +30,8 @@ using FileInRepository = std::function<std::string(const std::string& file)>;
 std::string error_annotation(std::string_view title, std::string_view file,
                              std::string_view message);
 
-/// An annotation for each failure, as many as are shown; the last one counts those left out.
+/// An annotation for each error and each failure, as many as are shown; the last one counts those
+/// left out.
 std::string annotations(std::span<const TestSuite> suites, const FileInRepository& in_repository);
 
 /// Text as Markdown that shows it as it is, in one line.
@@ -39,9 +40,9 @@ std::string escape_markdown(std::string_view text);
 /// A block of code that `text` cannot end, whatever it holds.
 std::string code_block(std::string_view text, std::string_view language);
 
-/// The suites as Markdown of at most `room` bytes: tables, then failures with file, expected, got,
-/// picture and command, as many as are described and fit; the rest is counted. `image_of` gives the
-/// address of a picture of a failure's file, or "".
+/// The suites as Markdown of at most `room` bytes: errors and tables, then failures with file,
+/// expected, got, picture and command, as many as are described and fit; the rest is counted.
+/// `image_of` gives the address of a picture of a failure's file, or "".
 std::string step_summary(std::span<const TestSuite> suites, std::size_t room,
                          const std::function<std::string(const std::string& file)>& image_of);
 

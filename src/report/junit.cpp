@@ -7,11 +7,26 @@
 namespace manifuzz {
 namespace {
 
-/// The counts of a suite, or of all of them, as attributes.
-std::string counts(std::size_t tests, std::size_t failures, double seconds) {
-  return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" time=\"{:.3f}\"", tests, failures,
-                     seconds);
-}
+/// The counts of a suite, or of all of them; an error stands for a test that could not be.
+struct Counts {
+  std::size_t tests = 0;
+  std::size_t failures = 0;
+  std::size_t errors = 0;
+  double seconds = 0;
+
+  explicit Counts(std::span<const TestSuite> suites) {
+    for (const TestSuite& suite : suites) {
+      tests += suite.tests.size() + suite.errors.size();
+      failures += suite.failures();
+      errors += suite.errors.size();
+      seconds += suite.seconds();
+    }
+  }
+  std::string attributes() const {
+    return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\"", tests,
+                       failures, errors, seconds);
+  }
+};
 
 /// Lines, fit for an element.
 std::string escaped_lines(std::string_view text) {
@@ -35,11 +50,18 @@ std::string failure_xml(const TestFailure& failure) {
 
 std::string suite_xml(const TestSuite& suite) {
   const std::string name = escape_xml(suite.name);
-  std::string xml = fmt::format("<testsuite name=\"{}\" {}>\n", name,
-                                counts(suite.tests.size(), suite.failures(), suite.seconds()));
-  for (const TestResult& test : suite.tests) {
+  std::string xml =
+      fmt::format("<testsuite name=\"{}\" {}>\n", name, Counts({&suite, 1}).attributes());
+  const auto begin_test = [&](std::string_view test, double seconds) {
     xml += fmt::format("<testcase classname=\"{}\" name=\"{}\" time=\"{:.6f}\"", name,
-                       escape_xml(test.name), test.seconds);
+                       escape_xml(test), seconds);
+  };
+  for (const std::string& error : suite.errors) {
+    begin_test(error.substr(0, error.find(": ")), 0);
+    xml += fmt::format("><error message=\"{}\"/></testcase>\n", escape_xml(error));
+  }
+  for (const TestResult& test : suite.tests) {
+    begin_test(test.name, test.seconds);
     xml += test.failure ? fmt::format(">{}</testcase>\n", failure_xml(*test.failure)) : "/>\n";
   }
   return xml + "</testsuite>\n";
@@ -49,18 +71,10 @@ std::string suite_xml(const TestSuite& suite) {
 
 std::string junit_xml(std::span<const TestSuite> suites) {
   std::string all;
-  std::size_t tests = 0;
-  std::size_t failures = 0;
-  double seconds = 0;
-  for (const TestSuite& suite : suites) {
-    all += suite_xml(suite);
-    tests += suite.tests.size();
-    failures += suite.failures();
-    seconds += suite.seconds();
-  }
+  for (const TestSuite& suite : suites) all += suite_xml(suite);
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {}>\n{}</testsuites>\n",
-      counts(tests, failures, seconds), all);
+      Counts(suites).attributes(), all);
 }
 
 }  // namespace manifuzz

@@ -27,6 +27,7 @@ struct TestSuite {
   std::string headline;
   std::vector<TestResult> tests;
   std::vector<std::vector<std::string>> table{};  ///< rows of equal length, the head first
+  std::vector<std::string> errors{};              ///< why parts of the run did not take place
 
   std::size_t failures() const {
     std::size_t count = 0;

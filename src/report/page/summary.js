@@ -39,19 +39,30 @@ function recordedBuckets() {
   return new Set(wrong.map((one) => one.bucket || one.id)).size;
 }
 
+// What keeps a campaign's buckets from being all there is to say of it.
+function campaignFellShort() {
+  const runs = report.fuzz.map(({ result }) => result);
+  const over = runs.flatMap((run) => run.ledger ?? []).filter((entry) => entry.over_budget?.length > 0).length;
+  return [over > 0 && `${counted(over, "known defect", "known defects")} over budget`,
+    runs.some((run) => run.vacuous) && "a vacuous run",
+    runs.some((run) => run.stopped_early) && "a run that stopped early",
+    runs.some((run) => run.interrupted) && "a run that was interrupted"].filter(Boolean);
+}
+
 function fellShort() {
   const failed = report.replay.reduce((sum, { result }) => sum + (result.failed ?? 0), 0);
   const mismatches = report.scene.flatMap(({ result }) => result.rows ?? []).reduce((sum, row) => sum + (row.mismatches ?? 0), 0);
   const worse = report.stress.reduce((sum, { result }) => sum + (result.worse?.length ?? 0), 0);
   return [failed > 0 && `${counted(failed, "replayed case")} failed`,
     mismatches > 0 && counted(mismatches, "mismatch", "mismatches"),
-    worse > 0 && counted(worse, "breaking point got worse", "breaking points got worse"),
-    report.fuzz.some(({ result }) => result.vacuous) && "a vacuous run"].filter(Boolean);
+    worse > 0 && counted(worse, "breaking point got worse", "breaking points got worse"), ...campaignFellShort(),
+    report.errors.length > 0 && `${counted(report.errors.length, "file")} unread`].filter(Boolean);
 }
 
 function verdictSentence() {
   const unexplained = unexplainedBuckets();
   const bad = [unexplained > 0 && `${counted(unexplained, "bucket")} unexplained`, ...fellShort()].filter(Boolean);
+  if (bad.length === 0 && report.fuzz.some(({ result }) => result.failed)) bad.push("a run that failed");
   if (bad.length > 0) return { text: bad.join(", "), isBad: true };
   if (report.fuzz.length > 0 || report.replay.length > 0) return { text: "Nothing unexplained", isBad: false };
   if (report.cases.length > 0) {

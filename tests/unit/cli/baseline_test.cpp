@@ -1,65 +1,64 @@
 #include "cli/baseline.hpp"
 
-#include <cmath>
-
 #include <catch2/catch.hpp>
 
 #include "cases/user_error.hpp"
+#include "cli/fuzz_result_json.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace manifuzz;
 
 namespace {
 
-Finding finding(Kind kind, double magnitude) {
-  Finding found;
-  found.bucket = {.fault = Fault::subject, .verdict = Verdict::subject_wrong, .kind = kind};
-  found.tally.magnitude = magnitude;
-  return found;
-}
-
 using Names = std::vector<std::string>;
+
+/// A run that met these buckets, each so badly.
+FuzzResult run_with(const std::vector<std::pair<std::string, double>>& magnitudes) {
+  FuzzResult run;
+  run.seed = 1;
+  run.oracle = "box2d";
+  run.regimes = {{"boxes", 10, 1, 0, 0}};
+  for (const auto& [bucket, magnitude] : magnitudes) {
+    run.buckets.push_back({.bucket = bucket, .magnitude = magnitude});
+  }
+  return run;
+}
 
 }  // namespace
 
 TEST_CASE("a run against an earlier one: what is new, worse, still there, gone") {
-  const test::TemporaryFolder folder;
-  const auto path = folder.write("earlier.json", R"({"buckets": [
-    {"bucket": "subject/subject_wrong/depth/none/a", "magnitude": 0.1},
-    {"bucket": "subject/subject_wrong/count/none/a", "magnitude": 0.1},
-    {"bucket": "subject/subject_wrong/features/none/a", "magnitude": 0}]})");
-  const std::vector<Finding> now{finding(Kind::normal, 0.1), finding(Kind::depth, 0.1),
-                                 finding(Kind::count, 0.2)};
-  const Comparison comparison = compared(read_baseline(path).buckets, now);
-  CHECK(comparison.appeared == Names{"subject/subject_wrong/normal/none/a"});
-  CHECK(comparison.still == Names{"subject/subject_wrong/depth/none/a"});
-  CHECK(comparison.worse == Names{"subject/subject_wrong/count/none/a"});
-  CHECK(comparison.gone == Names{"subject/subject_wrong/features/none/a"});
+  const BucketComparison comparison =
+      compared(run_with({{"depth", 0.1}, {"count", 0.1}, {"features", 0}}),
+               run_with({{"normal", 0.1}, {"depth", 0.1}, {"count", 0.2}}));
+  CHECK(comparison.appeared == Names{"normal"});
+  CHECK(comparison.still == Names{"depth"});
+  CHECK(comparison.worse == Names{"count"});
+  CHECK(comparison.gone == Names{"features"});
   CHECK(comparison_json(comparison)["new"].size() == 1);
 }
 
-TEST_CASE("a magnitude beyond JSON is read back as infinite") {
-  const test::TemporaryFolder folder;
-  const auto path = folder.write("earlier.json", R"({"buckets": [
-    {"bucket": "subject/subject_wrong/depth/none/a", "magnitude": null}]})");
-  CHECK(std::isinf(read_baseline(path).buckets.at(0).magnitude));
-}
-
 TEST_CASE("what two runs do not share is said") {
-  const nlohmann::ordered_json one{{"seed", 1}, {"cases", 10}, {"regimes", {"boxes"}}};
-  nlohmann::ordered_json other = one;
+  const FuzzResult one = run_with({});
+  FuzzResult other = one;
   CHECK(differences_in_words(one, other).empty());
-  other["seed"] = 2;
-  other["regimes"] = {"grid"};
+  other.seed = 2;
+  other.regimes[0].name = "grid";
   CHECK(differences_in_words(one, other)
             .starts_with("the baseline differs in seed (1, now 2), regimes:"));
+  CHECK(comparison_text(one, other).find("differs in seed") != std::string::npos);
 }
 
-TEST_CASE("a baseline that is no report is a user's error") {
+TEST_CASE("a baseline is what fuzz --json wrote, and nothing else") {
   const test::TemporaryFolder folder;
-  for (const auto* text : {"", "[]", "{\"buckets\": 3}", "{\"buckets\": {}}", "{\"buckets\": null}",
-                           "{\"buckets\": [{}]}"}) {
-    CHECK_THROWS_AS(read_baseline(folder.write("earlier.json", text)), UserError);
+  const nlohmann::ordered_json good = json_of(run_with({{"depth", 0.1}}));
+  CHECK(read_baseline(folder.write("good.json", good.dump())).buckets.size() == 1);
+  const auto refused = [&](const std::string& text) {
+    CHECK_THROWS_AS(read_baseline(folder.write("bad.json", text)), UserError);
+  };
+  for (const auto* text : {"", "[]", "{}", "null", "{\"machine\": {}, \"failures\": []}"}) {
+    refused(text);
   }
+  refused("{\"machine\":" + std::string(200000, '[') + std::string(200000, ']') +
+          ",\"buckets\":[]}");
   CHECK_THROWS_AS(read_baseline("no-such-file"), UserError);
 }

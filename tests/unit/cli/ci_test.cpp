@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include <catch2/catch.hpp>
@@ -17,11 +16,6 @@ using Catch::Contains;
 namespace {
 
 const char* const kWitness = "witness-box2d-no-contact-under-bias";
-
-std::string read(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// A repository of one case, which Box2D gets wrong, with its picture; and a step of a workflow.
 struct Step {
@@ -76,7 +70,7 @@ TEST_CASE("a workflow that breaks a case shows it: annotation, picture, command"
   CHECK_THAT(lines[1], Contains("1 cases, 0 passed, 1 failed"));
   CHECK_THAT(lines[2], Catch::StartsWith("::error title=manifuzz replay%3A ") &&
                            Contains(",file=corpus/witness-box2d-no-contact-under-bias.json::"));
-  const std::string summary = read(step.summary);
+  const std::string summary = text_of(step.summary);
   CHECK_THAT(summary, Contains("## manifuzz replay: 1 of 1 failed"));
   CHECK_THAT(summary, Contains("A solid, B dotted"));
   CHECK_THAT(summary, Contains("S box2d: no contact"));
@@ -89,10 +83,10 @@ TEST_CASE("a workflow that breaks a case shows it: annotation, picture, command"
 TEST_CASE("summaries of one step follow each other, and one that passes is short") {
   const Step step;
   CHECK(step.run({"replay", step.corpus.string()}).status == 0);
-  const std::string first = read(step.summary);
+  const std::string first = text_of(step.summary);
   CHECK_THAT(first, Contains("manifuzz replay: passed") && !Contains("###"));
   step.run({"replay", step.corpus.string()});
-  CHECK(read(step.summary).size() == 2 * first.size());
+  CHECK(text_of(step.summary).size() == 2 * first.size());
 }
 
 TEST_CASE("annotations leave the data on stdout alone") {
@@ -110,7 +104,7 @@ TEST_CASE("a summary that cannot be written is an error line, and no result is l
   CHECK(is_one_clear_line(outcome.err));
   CHECK_THAT(outcome.err, Contains("cannot write the step summary"));
   CHECK_THAT(outcome.out, Contains("::error"));
-  CHECK(read_svg(read(step.junit())).size() == 4);
+  CHECK(read_svg(text_of(step.junit())).size() == 4);
 }
 
 TEST_CASE("outside a workflow nothing of it is seen") {
@@ -127,14 +121,14 @@ TEST_CASE("fuzz writes a test for each regime, and one for each bucket that deci
       "fuzz", "--regime", "tie_bias",           "--regime",  "boxes",   "--seed",    "1", "--cases",
       "4000", "--corpus", step.corpus.string(), "--no-save", "--junit", step.junit()};
   CHECK(run_manifuzz(campaign).status == 0);
-  auto elements = read_svg(read(step.junit()));
+  auto elements = read_svg(text_of(step.junit()));
   REQUIRE(elements.size() == 4);
   CHECK(elements[2].attributes.at("name") == "tie_bias");
   CHECK(elements[3].attributes.at("name") == "boxes");
 
   const Outcome wrong = step.run(with(campaign, {"--subject", "box2d", "--oracle", "clip"}));
   CHECK(wrong.status == 1);
-  elements = read_svg(read(step.junit()));
+  elements = read_svg(text_of(step.junit()));
   CHECK(elements[1].attributes.at("failures") != "0");
   CHECK_THAT(elements[2].attributes.at("name"), Catch::StartsWith("subject/subject_wrong/"));
   CHECK(elements[3].name == "failure");
@@ -144,7 +138,7 @@ TEST_CASE("fuzz writes a test for each regime, and one for each bucket that deci
   });
   REQUIRE(regime != elements.end());
   CHECK_THAT((regime + 1)->attributes.at("message"), Contains("cases against it"));
-  CHECK_THAT(read(step.summary), Contains("| subject\\_wrong | "));
+  CHECK_THAT(text_of(step.summary), Contains("| subject\\_wrong | "));
 }
 
 TEST_CASE("property writes a test for each property, with what breaks it and how to repeat it") {
@@ -157,7 +151,7 @@ TEST_CASE("property writes a test for each property, with what breaks it and how
                 "--junit", step.junit()});
   CAPTURE(outcome.out, outcome.err);
   CHECK(outcome.status == 1);
-  const auto elements = read_svg(read(step.junit()));
+  const auto elements = read_svg(text_of(step.junit()));
   REQUIRE(elements.size() == 5);
   CHECK(elements[1].attributes.at("tests") == "2");
   CHECK(elements[1].attributes.at("failures") == "1");
@@ -168,5 +162,77 @@ TEST_CASE("property writes a test for each property, with what breaks it and how
   const std::string command = lines_of(elements[4].text).at(1);
   CHECK_THAT(command, Catch::StartsWith("RC_PARAMS="));
   CHECK_THAT(run_program({"bash", "-c", command + " --no-save"}).out, Contains("FAIL never-empty"));
-  CHECK_THAT(read(step.summary), Contains("## manifuzz property: 1 of 2 failed"));
+  CHECK_THAT(text_of(step.summary), Contains("## manifuzz property: 1 of 2 failed"));
+}
+
+TEST_CASE("CI is told of files that cannot be read, and of what the others came to") {
+  Step step;
+  step.folder.write("corpus/broken.json", "{");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"replay", step.corpus},
+        {"smoke", "--seconds", "3", "--seed", "1", "--no-save", "--corpus", step.corpus}}) {
+    std::filesystem::remove(step.summary);
+    const Outcome outcome = step.run(with(command, {"--junit", step.junit()}));
+    CAPTURE(command[0], outcome.err);
+    CHECK(outcome.status == 2);
+    const auto elements = read_svg(text_of(step.junit()));
+    CHECK(elements[0].attributes.at("errors") == "1");
+    CHECK(elements[1].attributes.at("tests") == "2");
+    CHECK_THAT(outcome.out, Contains("::error title=manifuzz replay::") && Contains("broken.json"));
+    CHECK_THAT(text_of(step.summary), Contains("## manifuzz replay: 1 error\n"));
+  }
+}
+
+TEST_CASE("CI is told why a command did nothing") {
+  const Step step;
+  step.folder.write("corpus/broken.json", "{");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"replay", "nowhere.json"},
+        {"property", "--corpus", step.corpus},
+        {"fuzz", "--corpus", step.corpus},
+        {"fuzz", "--subject", "./no-such-library.so"},
+        {"smoke", "--seconds", "3", "--corpus", step.corpus, "--oracle", "./no-such-library.so"}}) {
+    const Outcome outcome = step.run(with(command, {"--junit", step.junit()}));
+    CAPTURE(command[0], outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.out, Contains("::error title=manifuzz " + command[0] + "::"));
+    const auto elements = read_svg(text_of(step.junit()));
+    CHECK(elements[0].attributes.at("errors") == "1");
+    CHECK(elements[1].attributes.at("name") == "manifuzz " + command[0]);
+    std::filesystem::remove(step.junit());
+  }
+}
+
+TEST_CASE("a smoke run that is interrupted says so, and does not pass") {
+  const Step step;
+  const Outcome outcome =
+      step.run({"smoke", "--seconds", "0.01", "--seed", "1", "--no-save", "--corpus", step.corpus});
+  CHECK(outcome.status == 0);
+  for (const char* const seconds : {"0.2", "5"}) {
+    const Outcome stopped = run_program({"timeout", "--preserve-status", "--signal=INT", seconds,
+                                         manifuzz_path(), "smoke", "--seed", "1", "--no-save",
+                                         "--corpus", step.corpus, "--junit", step.junit()});
+    CAPTURE(seconds, stopped.err);
+    CHECK(stopped.status == 2);
+    CHECK_THAT(stopped.err, Contains("smoke: interrupted before it was done"));
+    CHECK(read_svg(text_of(step.junit()))[0].attributes.at("errors") == "1");
+  }
+}
+
+TEST_CASE("a report may go to the standard output, which then has nothing else") {
+  const Step step;
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"replay", step.corpus},
+        {"property", "never-empty", "--cases", "10", "--seed", "1", "--corpus", step.corpus},
+        {"smoke", "--seconds", "2", "--seed", "1", "--no-save", "--corpus", step.corpus},
+        {"fuzz", "--cases", "20", "--seed", "1", "--no-save", "--corpus", step.corpus}}) {
+    const Outcome outcome = run_manifuzz(with(command, {"--junit", "-"}));
+    CAPTURE(command[0], outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK_THAT(outcome.out, Catch::StartsWith("<?xml") && Catch::EndsWith("</testsuites>\n"));
+    CHECK(read_svg(outcome.out)[0].name == "testsuites");
+  }
+  const Outcome both = run_manifuzz({"fuzz", "--cases", "20", "--junit", "-", "--json", "-"});
+  CHECK(both.status == 2);
+  CHECK(is_one_clear_line(both.err));
 }

@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 
 #include <catch2/catch.hpp>
@@ -18,11 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// A campaign over indices from `first` on, to NAME/ and NAME.json in the folder.
 Json run(const TemporaryFolder& folder, const std::string& name, int first, int cases,
          const std::string& seed = "2") {
@@ -35,14 +30,16 @@ Json run(const TemporaryFolder& folder, const std::string& name, int first, int 
   return Json::parse(text_of(corpus + ".json"));
 }
 
+/// Merges these to OUTPUT/, and to OUTPUT.json where there are results among them.
 Outcome merge(const TemporaryFolder& folder, const std::vector<std::string>& names,
               const std::string& output) {
-  std::vector<std::string> arguments{"merge"};
-  for (const std::string& name : names) arguments.push_back((folder.path() / name).string());
   const std::string all = (folder.path() / output).string();
-  for (const std::string& more :
-       {std::string("--output"), all, std::string("--json"), all + ".json"})
-    arguments.push_back(more);
+  std::vector<std::string> arguments{"merge", "--output", all};
+  for (const std::string& name : names) arguments.push_back((folder.path() / name).string());
+  if (names.back().ends_with(".json")) {
+    arguments.emplace_back("--json");
+    arguments.push_back(all + ".json");
+  }
   return run_manifuzz(arguments);
 }
 
@@ -136,7 +133,7 @@ TEST_CASE("merging names broken files and results of other cases, and merges the
   REQUIRE(lines.size() == 4);
   CHECK(lines[0].find("p/broken.json: ") != std::string::npos);
   CHECK(lines[2].find("q.json: counts cases of seed 2 from 500 on") != std::string::npos);
-  CHECK(lines[1].find("s.json: what fuzz --json writes is expected") != std::string::npos);
+  CHECK(lines[1].find("s.json: $: the key \"compiler\" is missing") != std::string::npos);
   CHECK(lines[3].find("3 of the files") != std::string::npos);
   const Json all = Json::parse(text_of(folder.path() / "all.json"));
   CHECK(all["cases"] == 4000);
@@ -153,4 +150,102 @@ TEST_CASE("merging does not mix with what is there") {
   CHECK(outcome.status == 2);
   CHECK(is_one_clear_line(outcome.err));
   CHECK(text_of(folder.path() / "all/mine.txt") == "mine");
+}
+
+TEST_CASE("a result of other versions is left out, whichever comes first") {
+  const TemporaryFolder folder;
+  for (const char* const name : {"q", "r"}) run(folder, name, *name == 'q' ? 0 : 500, 1000);
+  Json other = Json::parse(text_of(folder.path() / "q.json"));
+  other["versions"]["manifuzz"] = "9.9";
+  other["first"] = 5000;
+  folder.write("a.json", other.dump());
+  const Outcome outcome = merge(folder, {"a.json", "q.json", "r.json"}, "all");
+  CHECK(outcome.status == 2);
+  REQUIRE(lines_of(outcome.err).size() == 2);
+  CHECK(lines_of(outcome.err)[0].find("a.json: is of clip against box2d (manifuzz 9.9") !=
+        std::string::npos);
+  CHECK(Json::parse(text_of(folder.path() / "all.json"))["cases"] == 2000);
+  CHECK_FALSE(fs::exists(folder.path() / "all"));
+}
+
+TEST_CASE("no result of a wrong shape ends a merge") {
+  const TemporaryFolder folder;
+  const Json good = run(folder, "q", 0, 500);
+  run(folder, "r", 250, 500);
+  for (const auto& [key, value] : good.items()) {
+    for (const Json& other : {Json(0), Json("x"), Json::array({1}), Json::object({{"x", 1}})}) {
+      Json bad = good;
+      bad[key] = other;
+      folder.write("bad.json", bad.dump());
+      fs::remove(folder.path() / "all.json");
+      const Outcome outcome = merge(folder, {"bad.json", "r.json"}, "all");
+      CAPTURE(key, other.dump(), outcome.err);
+      CHECK((outcome.status == 0 || outcome.status == 2));
+      CHECK(fs::exists(folder.path() / "all.json"));
+    }
+  }
+}
+
+TEST_CASE("merging refuses what would cost a file that is there, before anything is written") {
+  const TemporaryFolder folder;
+  run(folder, "p", 0, 500);
+  const std::string before = text_of(folder.path() / "p.json");
+  const std::string mine = folder.write("mine.json", "mine");
+  const std::string corpus = (folder.path() / "p").string();
+  const std::string output = (folder.path() / "all").string();
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{corpus, corpus + ".json", "--output", output, "--json",
+                                 corpus + ".json"},
+        {corpus, "--output", output, "--json", mine},
+        {corpus, "--output", "-"}}) {
+    std::vector<std::string> words{"merge"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const Outcome outcome = run_manifuzz(words);
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+    CHECK_FALSE(fs::exists(output));
+  }
+  CHECK(text_of(corpus + ".json") == before);
+  CHECK(text_of(mine) == "mine");
+}
+
+TEST_CASE("merging that cannot be done leaves nothing behind") {
+  const TemporaryFolder folder;
+  run(folder, "p", 0, 500);
+  fs::create_directory(folder.path() / "empty");
+  for (const char* const output : {"new", "empty"}) {
+    const std::string json = folder.write("file", "x") + "/below/a/file.json";
+    const Outcome outcome =
+        run_manifuzz({"merge", (folder.path() / "p").string(), (folder.path() / "p.json").string(),
+                      "--output", (folder.path() / output).string(), "--json", json});
+    CHECK(outcome.status == 2);
+  }
+  CHECK_FALSE(fs::exists(folder.path() / "new"));
+  CHECK(fs::is_empty(folder.path() / "empty"));
+}
+
+TEST_CASE("one pair with one look by two subjects is two findings, and both are kept") {
+  const TemporaryFolder folder;
+  CorpusCase known;
+  {
+    const TemporaryFolder scratch;
+    run(scratch, "p", 0, 2000);
+    const fs::path found = scratch.path() / "p";
+    known = read_corpus({&found, 1}).cases.front();
+  }
+  known.expect->bucket = "subject/subject_wrong/depth/none/a";
+  for (const char* const subject : {"one", "two"}) {
+    known.expect->subject = subject;
+    write_corpus_case(folder.path() / subject, known);
+  }
+  REQUIRE(run_manifuzz({"merge", (folder.path() / "one").string(), (folder.path() / "two").string(),
+                        "--output", (folder.path() / "all").string()})
+              .status == 0);
+  const fs::path all = folder.path() / "all";
+  std::vector<std::string> subjects;
+  for (const CorpusCase& kept : read_corpus({&all, 1}).cases) {
+    subjects.push_back(kept.expect->subject);
+  }
+  std::ranges::sort(subjects);
+  CHECK(subjects == std::vector<std::string>{"one", "two"});
 }

@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <fstream>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -12,11 +11,6 @@ using namespace manifuzz::test;
 using Json = nlohmann::json;
 
 namespace {
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// What the page's script reads.
 Json data_of(const std::string& html) {
@@ -152,8 +146,8 @@ TEST_CASE("results that are no results are named, and the page has the rest") {
   CHECK(outcome.status == 2);
   const auto lines = lines_of(outcome.err);
   REQUIRE(lines.size() == 3);
-  CHECK(lines[0].ends_with("a.json: what fuzz --json writes is expected"));
-  CHECK(lines[1].ends_with("b.json: what bench --json writes is expected"));
+  CHECK(lines[0].ends_with("a.json: $.machine: is a number; an object is expected"));
+  CHECK(lines[1].ends_with("b.json: $.rows: is an object; an array is expected"));
   CHECK(data_of(text_of(page))["stress"].size() == 1);
 }
 
@@ -164,4 +158,32 @@ TEST_CASE("a page of nothing is an error, and nothing is written") {
   CHECK(outcome.status == 2);
   CHECK(is_one_clear_line(outcome.err));
   CHECK_FALSE(std::filesystem::exists(page));
+}
+
+TEST_CASE("results nested beyond reason are named, and the page has the rest") {
+  const TemporaryFolder folder;
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  folder.write("a.json", "{\"machine\": " + deep + ", \"buckets\": []}");
+  folder.write("b.json", "{\"machine\": {}, \"more\": " + deep + ", \"rows\": []}");
+  folder.write("c.json", R"({"machine": {}, "sweeps": []})");
+  const Outcome outcome =
+      run_manifuzz({"report", "--quiet", folder.path().string(), "--output", "-"});
+  CHECK(outcome.status == 2);
+  const auto lines = lines_of(outcome.err);
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[0].ends_with("a.json: $: nested deeper than 32 levels"));
+  CHECK(data_of(outcome.out)["stress"].size() == 1);
+}
+
+TEST_CASE("a page is not written over what it is made of") {
+  const TemporaryFolder folder;
+  const std::string given = R"({"machine": {}, "sweeps": []})";
+  const std::string result = folder.write("c.json", given);
+  std::filesystem::create_symlink(result, folder.path() / "link");
+  for (const std::string& output : {result, (folder.path() / "link").string()}) {
+    const Outcome outcome = run_manifuzz({"report", folder.path().string(), "--output", output});
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+    CHECK(text_of(result) == given);
+  }
 }

@@ -43,6 +43,19 @@ TEST_CASE("a failure says what was expected, what came, how to repeat it and how
   CHECK_THAT(elements[4].text, Contains("command 'it' <b>\n\na\nb\n"));
 }
 
+TEST_CASE("an error counts as a test that could not be, and says why") {
+  TestSuite suite{"manifuzz replay", "", {{"a.json", 0.5}}};
+  suite.errors = {"b/c.json: $: is <an array>"};
+  const auto elements = read_svg(junit_xml({&suite, 1}));
+  REQUIRE(elements.size() == 5);
+  CHECK(elements[0].attributes.at("tests") == "2");
+  CHECK(elements[0].attributes.at("errors") == "1");
+  CHECK(elements[1].attributes.at("errors") == "1");
+  CHECK(elements[2].attributes.at("name") == "b/c.json");
+  CHECK(elements[3].name == "error");
+  CHECK(elements[3].attributes.at("message") == suite.errors[0]);
+}
+
 TEST_CASE("a report without suites is one still") {
   CHECK(read_svg(junit_xml({})).size() == 1);
 }

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "judging/bucket.hpp"
+#include "judging/judge.hpp"
+
+namespace manifuzz {
+
+/// What a regime's cases came to.
+struct RegimeResult {
+  std::string name;
+  std::uint64_t cases = 0;
+  std::uint64_t touching = 0;
+  std::uint64_t near = 0;
+  std::uint64_t unexplained = 0;
+};
+
+/// How often an entry of the ledger fired.
+struct LedgerResult {
+  std::string id;
+  std::uint64_t hits = 0;
+  std::map<std::string, std::uint64_t> regimes;  ///< its hits in each where it fired
+  std::vector<std::string> over_budget;          ///< the regimes in which it fired too often
+};
+
+/// What was found with one look.
+struct BucketResult {
+  std::string bucket;
+  std::string verdict{};
+  std::uint64_t count = 0;
+  std::uint64_t first_index = 0;  ///< of its first case, in `regime`
+  std::string regime{};
+  double magnitude = 0;   ///< the greatest; may be infinite
+  std::string file{};     ///< of the corpus, or empty
+  std::string command{};  ///< repeats the first case
+  bool is_new = false;    ///< the corpus did not show it before
+};
+
+/// Which cases were run: of each regime so many from `first` on, under a seed.
+struct CasesRun {
+  std::optional<std::uint64_t> seed;
+  std::uint64_t first = 0;
+  std::map<std::string, std::uint64_t> cases;  ///< by regime
+};
+
+/// What a campaign came to, or several as one: all that `fuzz --json` says.
+struct FuzzResult {
+  nlohmann::ordered_json machine = nlohmann::ordered_json::object();  ///< as `provenance` has it
+  std::string compiler;
+  std::optional<std::uint64_t> seed;  ///< none: several
+  std::vector<std::pair<std::string, std::string>> versions;
+  std::string subject;
+  std::string oracle;
+  double seconds = 0;
+  std::uint64_t jobs = 0;
+  std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
+  ErrorShare of_subject;  ///< the worst errors of wrong answers
+  ErrorShare of_oracle;
+  bool interrupted = false;
+  bool stopped_early = false;  ///< a party gave no answer again and again
+  std::uint64_t first = 0;     ///< the least index in each regime
+  bool budgets_hold = false;   ///< whether the ledger's budgets apply to it
+  std::vector<RegimeResult> regimes;
+  std::vector<LedgerResult> ledger;
+  std::vector<BucketResult> buckets;
+  std::vector<CasesRun> parts;  ///< of several that were merged
+
+  std::uint64_t cases() const;
+  std::uint64_t touching() const;
+  std::uint64_t near() const;
+  std::uint64_t unexplained() const;
+};
+
+/// A run of so many cases outside the regime `separated` in which nothing touched proves nothing.
+inline constexpr std::uint64_t kVacuousCases = 1000;
+bool is_vacuous(const FuzzResult& result);
+
+/// Whether a bucket is one that the status must tell: anything against the subject, and what is
+/// new against the oracle.
+bool decides_status(const Bucket& bucket, bool is_new);
+/// One that this version does not know is nothing to be silent about.
+bool decides_status(const BucketResult& found);
+
+/// Whether the status must tell of it: such a bucket, an entry of the ledger over its budget, or a
+/// vacuous run.
+bool has_failed(const FuzzResult& result);
+
+}  // namespace manifuzz
