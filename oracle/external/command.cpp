@@ -107,8 +107,8 @@ PairCase overlapping_boxes() {
 
 class CommandCollider {
  public:
-  CommandCollider(const std::string& command, double seconds_max)
-      : command_(command), conversation_(command), patience_{.case_seconds = seconds_max} {}
+  CommandCollider(const std::string& command, const Patience& patience)
+      : command_(command), conversation_(command), patience_(patience) {}
 
   /// One case, to hear what it declares. One that dies over it or says nothing is left to the
   /// campaign.
@@ -194,8 +194,10 @@ class CommandCollider {
 
 }  // namespace
 
-Collider collider_of_command(const std::string& command, double seconds_max) {
-  const auto program = std::make_shared<CommandCollider>(command, seconds_max);
+Collider collider_of_command(const std::string& command, double seconds_max,
+                             double start_seconds_max) {
+  const auto program = std::make_shared<CommandCollider>(
+      command, Patience{.start_seconds = start_seconds_max, .case_seconds = seconds_max});
   const Declaration declaration = program->introduce();
   return isolated(declaration, program->seconds_max(),
                   [program](auto pairs, auto answers, const auto& go_on) {

@@ -18,8 +18,8 @@ struct Dialect {
 
 /// How long a program may take.
 struct Patience {
-  double start_seconds = 10;  ///< for the first answer of a process, which may have to be compiled
-  double case_seconds = 1;    ///< for each one after
+  double start_seconds = 0;  ///< for the first answer of a process
+  double case_seconds = 0;   ///< for each one after
 };
 
 /// A program that reads pair cases, a line each, on its standard input, and writes a manifold line

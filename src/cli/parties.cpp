@@ -42,7 +42,9 @@ Collider find_any(const ColliderChoice& choice, const OutsideOptions& outside) {
                     "library to --{}",
                     choice.role));
   }
-  if (!choice.command.empty()) return collider_of_command(choice.command, seconds);
+  if (!choice.command.empty()) {
+    return collider_of_command(choice.command, seconds, outside.start_seconds);
+  }
   if (!is_library(choice.name)) return find_collider(choice.name);
   return outside.in_process ? collider_in_process(choice.name)
                             : collider_in_own_process(choice.name, seconds);

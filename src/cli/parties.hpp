@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "geometry/collider.hpp"
+#include "oracle/external/command.hpp"
 
 namespace manifuzz {
 
@@ -20,6 +21,7 @@ struct ColliderChoice {
 struct OutsideOptions {
   bool in_process = false;
   std::optional<double> time_limit;
+  double start_seconds = kStartSecondsMax;  ///< what a program may take to say anything at all
 };
 
 /// Adds --ROLE and --ROLE-command; `choice.name` is the one that is taken where none is given.

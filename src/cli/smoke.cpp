@@ -144,8 +144,11 @@ Smoke prepared(const Options& options) {
   smoke.save_to = options.no_save ? "" : smoke.corpus_folder;
   smoke.corpus = read_known(smoke.corpus_folder);
   for (const std::string& error : smoke.corpus.errors) write_complaint(error);
-  smoke.subject = find_subject(options.parties);
-  smoke.oracle = find_oracle(options.parties);
+  Parties parties = options.parties;
+  const bool are_programs = !parties.subject.command.empty() && !parties.oracle.command.empty();
+  if (are_programs) parties.outside.start_seconds = kStartSecondsMax / 2;
+  smoke.subject = find_subject(parties);
+  smoke.oracle = find_oracle(parties);
   smoke.parties_again = options_again(options.parties);
   smoke.subject_again = options_again(options.parties.subject, {});
   smoke.seed = seed_or_draw(options.seed);

@@ -175,3 +175,25 @@ onData('a thousand cases are filtered without a long task', reportOf({cases: man
   });
   assert.ok(longest < 1000, `${longest} ms`);
 });
+
+const run = fixture('fuzz').result;
+const headed = [
+  ['Nothing unexplained', 'good', {}],
+  ['1 known defect over budget', 'bad', {ledger: [{id: 'one', hits: 9, regimes: {boxes: 9}, over_budget: ['boxes']}]}],
+  ['a run that stopped early', 'bad', {stopped_early: true}],
+  ['a run that was interrupted', 'bad', {interrupted: true}],
+  ['a vacuous run', 'bad', {vacuous: true, failed: true}],
+  ['a run that failed', 'bad', {failed: true}],
+];
+for (const [head, kind, more] of headed) {
+  const data = reportOf({fuzz: [{path: 'run.json', result: {...run, ...more}}]});
+  onData(`the head of the page is "${head}" where that is so`, data, async (page) => {
+    assert.equal(await page.textContent('h1'), head);
+    assert.equal(await page.getAttribute('h1', 'class'), kind);
+  });
+}
+
+const unread = reportOf({fuzz: [{path: 'run.json', result: run}], errors: ['a.json: is empty', 'b.json: is empty']});
+onData('a page that could not read everything does not say that all is well', unread, async (page) => {
+  assert.equal(await page.textContent('h1'), '2 files unread');
+});

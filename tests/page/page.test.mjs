@@ -181,6 +181,26 @@ onPage('plots tell their values and follow their choices', {}, async (page) => {
   assert.equal(await page.locator('#scenes tbody').first().locator('tr').count(), whole.scene[0].result.rows.length);
 });
 
+onPage('walks tell what was wrong, and what may have been', {}, async (page) => {
+  const rows = page.locator('#stress table', {hasText: 'flickers'}).locator('tbody tr');
+  assert.equal(await rows.count(), whole.stress[0].result.walks.length);
+  assert.match(await rows.nth(0).textContent(), /resting.*clip.*0 \(\+392 within bound\)/);
+  assert.equal(await rows.nth(0).locator('.bad').count(), 0);
+  assert.equal(await rows.nth(1).locator('.bad').count(), 3);
+});
+
+onPage('recycling is a line of errors against what is skipped', {}, async (page) => {
+  const {points} = whole.scene[0].result.recycling[0];
+  const marks = page.locator('#scenes .line-point');
+  assert.equal(await marks.count(), points.length);
+  await marks.last().scrollIntoViewIfNeeded();
+  await marks.last().hover();
+  assert.match(await page.textContent('#tooltip'), /pile 200 bodies.*skipped.*depth error/);
+  const before = await marks.last().getAttribute('cy');
+  await page.locator('#scenes select').selectOption('position');
+  assert.notEqual(await marks.last().getAttribute('cy'), before);
+});
+
 onPage('a failed replay links to its case', {}, async (page) => {
   await page.click('#replay td a, #replay th a');
   await page.locator('#viewer[open]').waitFor();

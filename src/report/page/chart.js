@@ -1,5 +1,6 @@
 // Axes, lines, marks and bars: all plots of the page.
 
+const LINE_COLORS = 7;
 const CHART_EDGE = { left: 54, right: 14, top: 10, bottom: 40 };
 
 // Maps [from, to] logarithmically to pixels; what is 0 or less stands at the low end.

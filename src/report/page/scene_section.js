@@ -66,7 +66,7 @@ function sceneRun({ path, result }) {
     element("p", { class: "quiet" }, "Speedup bars are logarithmic and start at 1."), drawn,
     exponents.length > 0 ? element("div", { class: "narrow" }, table("Exponents", [["scene", ({ scene }) => words(scene ?? "")],
       ["time grows with bodies to the power", ({ exponent }) => short(exponent), "number"]], exponents)) : null,
-    provenance(path, result));
+    ...(result.recycling?.length > 0 ? recyclingFigure(result.recycling) : []), provenance(path, result));
 }
 
 function sceneSection() {

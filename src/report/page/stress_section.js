@@ -1,7 +1,5 @@
 // Numerical stability: what each collider's errors come to as a case gets harder.
 
-const LINE_COLORS = 7;
-
 // Colliders that answer alike are one line, with their names.
 function mergedLines(sweeps, quantity) {
   const lines = new Map();
@@ -96,7 +94,8 @@ function stressRun({ path, result }) {
   return element("article", { class: "run" },
     element("p", { class: "quiet" }, "Errors as a share of the size: what one contact in a thousand exceeds. Steps get harder to the right; a cross marks where a collider breaks."),
     chosenFigure([{ name: "quantity", label: "Error of", options }], plots),
-    element("h3", {}, "Breaking points"), breakingPoints(sweeps, colliders), provenance(path, result));
+    element("h3", {}, "Breaking points"), breakingPoints(sweeps, colliders),
+    ...(result.walks?.length > 0 ? [element("h3", {}, "Walks"), walkTable(result.walks)] : []), provenance(path, result));
 }
 
 function stressSection() {

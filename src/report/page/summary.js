@@ -39,14 +39,14 @@ function recordedBuckets() {
   return new Set(wrong.map((one) => one.bucket || one.id)).size;
 }
 
-// What keeps a campaign's buckets from being all there is to say of it.
-function campaignFellShort() {
+// What keeps the buckets and figures of runs from being all there is to say of them.
+function runsFellShort() {
   const runs = report.fuzz.map(({ result }) => result);
   const over = runs.flatMap((run) => run.ledger ?? []).filter((entry) => entry.over_budget?.length > 0).length;
   return [over > 0 && `${counted(over, "known defect", "known defects")} over budget`,
     runs.some((run) => run.vacuous) && "a vacuous run",
     runs.some((run) => run.stopped_early) && "a run that stopped early",
-    runs.some((run) => run.interrupted) && "a run that was interrupted"].filter(Boolean);
+    [...runs, ...report.stress.map(({ result }) => result)].some((run) => run.interrupted) && "a run that was interrupted"].filter(Boolean);
 }
 
 function fellShort() {
@@ -55,7 +55,7 @@ function fellShort() {
   const worse = report.stress.reduce((sum, { result }) => sum + (result.worse?.length ?? 0), 0);
   return [failed > 0 && `${counted(failed, "replayed case")} failed`,
     mismatches > 0 && counted(mismatches, "mismatch", "mismatches"),
-    worse > 0 && counted(worse, "breaking point got worse", "breaking points got worse"), ...campaignFellShort(),
+    worse > 0 && counted(worse, "breaking point got worse", "breaking points got worse"), ...runsFellShort(),
     report.errors.length > 0 && `${counted(report.errors.length, "file")} unread`].filter(Boolean);
 }
 
