@@ -20,6 +20,9 @@ namespace {
 
 constexpr int kLeftHalfway = 3;
 
+/// How often somebody asked this process to stop, whichever Interruption took it.
+int requests_taken = 0;
+
 void leave_halfway() {
   _exit(kLeftHalfway);
 }
@@ -84,13 +87,6 @@ void kill_and_wait(pid_t child) {
   wait_for(child);
 }
 
-namespace {
-
-/// How often somebody asked any of them to stop.
-int seen = 0;
-
-}  // namespace
-
 struct Interruption::Masks {
   sigset_t held;
   sigset_t before;
@@ -98,7 +94,7 @@ struct Interruption::Masks {
 };
 
 Interruption::Interruption(Deadline deadline)
-    : masks_(new Masks), deadline_(deadline), before_(seen) {
+    : masks_(new Masks), deadline_(deadline), before_(requests_taken) {
   sigemptyset(&masks_->stop);
   sigaddset(&masks_->stop, SIGINT);
   sigaddset(&masks_->stop, SIGTERM);
@@ -117,7 +113,7 @@ void Interruption::wait(double seconds) {
   const auto whole = static_cast<time_t>(seconds);
   const timespec timeout{whole, static_cast<long>((seconds - static_cast<double>(whole)) * 1e9)};
   const int signal = sigtimedwait(&masks_->held, nullptr, &timeout);
-  if (signal == SIGINT || signal == SIGTERM) ++seen;
+  if (signal == SIGINT || signal == SIGTERM) ++requests_taken;
 }
 
 bool Interruption::requested() {
@@ -126,8 +122,8 @@ bool Interruption::requested() {
 
 int Interruption::requests() {
   const timespec at_once{0, 0};
-  while (sigtimedwait(&masks_->stop, nullptr, &at_once) > 0) ++seen;
-  return seen - before_;
+  while (sigtimedwait(&masks_->stop, nullptr, &at_once) > 0) ++requests_taken;
+  return requests_taken - before_;
 }
 
 }  // namespace manifuzz

@@ -103,13 +103,13 @@ std::unordered_map<std::string, rc::detail::Reproduce> failures_to_repeat(
   }
 }
 
-/// The collider, which declines whatever there is no time for: after the deadline a property holds
-/// of all that is left, shrinking included.
-Collider until(const Collider& collider, const Deadline& deadline) {
-  if (!deadline) return collider;
+/// The collider, which declines whatever there is no time for: from then on a property holds of all
+/// that is left, shrinking included.
+Collider while_asked(const Collider& collider, const PropertyPlan& plan) {
+  if (plan.interruption == nullptr) return collider;
   Collider hurried = collider;
-  hurried.collide = [collider, deadline](const PairCase& pair) -> Answer {
-    const auto go_on = [&] { return !has_passed(deadline); };
+  hurried.collide = [collider, &plan](const PairCase& pair) -> Answer {
+    const auto go_on = [&plan] { return !plan.is_over(); };
     Answer answer = Unsupported{"time is up"};
     if (!collider.is_isolated()) return go_on() ? collider.collide(pair) : answer;
     return collider.collide_many({&pair, 1}, {&answer, 1}, go_on) == 1 ? answer
@@ -132,16 +132,16 @@ void describe_failure(PropertyResult& result, const rc::detail::FailureResult& f
 
 PropertyResult run_property(const Property& property, const Collider& subject,
                             const PropertyPlan& plan) {
-  const Collider collider = until(subject, plan.deadline);
+  const Collider collider = while_asked(subject, plan);
   PropertyResult result;
   const auto testable = [&] {
-    if (has_passed(plan.deadline)) return;
+    if (plan.is_over()) return;
     const Drawn drawn = *any_case(property, collider, plan.corpus).as("case");
     const Outcome outcome = check(property, collider, drawn.pair);
     RC_TAG(drawn.regime, std::string(name_of(outcome.kind)));
     const Standing where = standing(exact::Truth(drawn.pair));
     RC_CLASSIFY(where.touching, std::string("touching"));
-    if (result.why.empty() && !has_passed(plan.deadline)) ++result.cases;
+    if (result.why.empty() && !plan.is_over()) ++result.cases;
     if (outcome.kind != Outcome::Kind::fails) return;
     result.why = outcome.why;  // whatever it is shrunk to fails alike
     RC_FAIL(outcome.why);

@@ -15,9 +15,11 @@ namespace manifuzz {
 struct PropertyPlan {
   std::uint64_t seed = 0;
   int cases = 1000;
-  std::span<const PairCase> corpus;  ///< what the regime `corpus` may mutate
-  std::string rc_params;             ///< of a failure to repeat, as `reproduce` below has it
-  Deadline deadline{};               ///< what comes after is left out
+  std::span<const PairCase> corpus;      ///< what the regime `corpus` may mutate
+  std::string rc_params;                 ///< of a failure to repeat, as `reproduce` below has it
+  Interruption* interruption = nullptr;  ///< from when somebody asks it to, it leaves the rest out
+
+  bool is_over() const { return interruption != nullptr && interruption->requested(); }
 };
 
 struct PropertyResult {

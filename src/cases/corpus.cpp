@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -80,22 +81,30 @@ std::string look_of(const CorpusCase& corpus_case) {
   return look;
 }
 
-bool is_of_same_finding(const CorpusCase& known, const CorpusCase& other) {
+bool is_same_finding(const CorpusCase& known, const CorpusCase& other) {
   const Expectation expect = known.expect.value_or(Expectation{});
   const Expectation of_other = other.expect.value_or(Expectation{});
-  return known.property == other.property && expect.bucket == of_other.bucket &&
-         expect.subject == of_other.subject && expect.oracle == of_other.oracle;
+  return known.pair == other.pair && known.property == other.property &&
+         expect.bucket == of_other.bucket && expect.subject == of_other.subject &&
+         expect.oracle == of_other.oracle;
 }
 
-/// Whether nothing is lost by writing the case there: no file, or what was known of its finding.
-bool is_free_for(const fs::path& file, const CorpusCase& corpus_case) {
+/// Whether the file holds the case already.
+bool holds(const fs::path& file, const CorpusCase& corpus_case) {
   std::error_code unknown;
-  if (!fs::is_regular_file(file, unknown)) return true;
+  if (!fs::is_regular_file(file, unknown)) return false;
   try {
-    return is_of_same_finding(read_case_file(file.string()), corpus_case);
+    return is_same_finding(read_case_file(file.string()), corpus_case);
   } catch (const UserError&) {
     return false;
   }
+}
+
+/// One path for all spellings of and links to a file.
+fs::path place_of(const fs::path& path) {
+  std::error_code unknown;
+  const fs::path place = fs::canonical(path, unknown);
+  return unknown ? path : place;
 }
 
 }  // namespace
@@ -115,7 +124,8 @@ std::vector<fs::path> find_case_files(std::span<const fs::path> paths,
     }
   }
   std::sort(files.begin(), files.end());
-  files.erase(std::unique(files.begin(), files.end()), files.end());
+  std::set<fs::path> places;
+  std::erase_if(files, [&](const fs::path& file) { return !places.insert(place_of(file)).second; });
   return files;
 }
 
@@ -133,7 +143,8 @@ void read_case_files(const fs::path& path, Corpus& corpus) {
 
 Corpus read_corpus(std::span<const fs::path> paths) {
   Corpus corpus;
-  for (const auto& path : find_case_files(paths, corpus.errors)) read_case_files(path, corpus);
+  corpus.files = find_case_files(paths, corpus.errors);
+  for (const auto& path : corpus.files) read_case_files(path, corpus);
   return corpus;
 }
 
@@ -146,7 +157,8 @@ std::string corpus_file_name(const CorpusCase& corpus_case) {
 fs::path corpus_file(const fs::path& folder, const CorpusCase& corpus_case) {
   const fs::path usual = folder / corpus_file_name(corpus_case);
   fs::path file = usual;
-  for (int turn = 2; !is_free_for(file, corpus_case); ++turn) {
+  std::error_code unknown;
+  for (int turn = 2; fs::is_regular_file(file, unknown) && !holds(file, corpus_case); ++turn) {
     file = folder / fmt::format("{}-{}{}", usual.stem().string(), turn, kEnding);
   }
   return file;
@@ -154,7 +166,7 @@ fs::path corpus_file(const fs::path& folder, const CorpusCase& corpus_case) {
 
 fs::path write_corpus_case(const fs::path& folder, const CorpusCase& corpus_case) {
   fs::path path = corpus_file(folder, corpus_case);
-  write_file(path, format_case(corpus_case));
+  if (!holds(path, corpus_case)) write_file(path, format_case(corpus_case));
   return path;
 }
 

@@ -65,11 +65,12 @@ std::string format_case(const CorpusCase& corpus_case);
 
 struct Corpus {
   std::vector<CorpusCase> cases;
-  std::vector<std::string> errors;  ///< one line for each file or folder that is broken
+  std::vector<std::string> errors;             ///< one line for each file or folder that is broken
+  std::vector<std::filesystem::path> files{};  ///< all that were read, broken ones too
 };
 
-/// The files of cases (*.json, *.jsonl) among these and in these folders and below, sorted by path.
-/// What is neither adds an error line.
+/// The files of cases (*.json, *.jsonl) among these and in these folders and below, sorted by path,
+/// each once, however it is spelled or linked. What is neither adds an error line.
 std::vector<std::filesystem::path> find_case_files(std::span<const std::filesystem::path> paths,
                                                    std::vector<std::string>& errors);
 
@@ -85,13 +86,13 @@ Corpus read_corpus(std::span<const std::filesystem::path> paths);
 /// a hash of its pair. Cases with equal pairs and equal buckets share it.
 std::string corpus_file_name(const CorpusCase& corpus_case);
 
-/// Where the case belongs in the folder: the file of that name, or, where that holds what is no
-/// finding of these colliders, the first of name-2.json, name-3.json, ... that does or is free.
+/// Where the case belongs in the folder: the file of that name, or, where that holds anything else,
+/// the first of name-2.json, name-3.json, ... that holds it or is free.
 std::filesystem::path corpus_file(const std::filesystem::path& folder,
                                   const CorpusCase& corpus_case);
 
-/// Writes the case there, whole or not at all, over what was known of the same finding. Returns its
-/// path. Throws UserError.
+/// Writes the case there, whole or not at all; a file that has this pair as the same finding
+/// already stays as it is, whatever was noted in it since. Returns its path. Throws UserError.
 std::filesystem::path write_corpus_case(const std::filesystem::path& folder,
                                         const CorpusCase& corpus_case);
 

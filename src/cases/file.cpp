@@ -177,6 +177,8 @@ void write_file(const fs::path& path, std::string_view text) {
   }
   if (fs::exists(status) && !fs::is_regular_file(status)) return write_device(path, text);
   // A link stays, and what it points to is replaced.
+  const bool is_dangling = !fs::exists(status) && fs::is_symlink(fs::symlink_status(path, error));
+  if (is_dangling) throw UserError(fmt::format("{}: is a link to nothing", name_of(path)));
   const fs::path target = fs::exists(status) ? fs::canonical(path) : path;
   if (target.has_parent_path()) {
     std::error_code not_created;

@@ -100,8 +100,8 @@ class TreeBuilder final : public nlohmann::json_sax<Parser> {
                    const nlohmann::detail::exception& error) override {
     constexpr int number_overflow = 406;
     if (error.id == number_overflow) {
-      error_ = fmt::format("{}: {} is beyond the largest number; magnitudes must be below 3.4e38",
-                           next_path(), printable(token));
+      error_ = fmt::format("{}: {} is beyond the largest number, 1.8e308", next_path(),
+                           printable(token));
     } else {
       error_ = fmt::format("{}: {}", place_of(text_, position),
                            syntax_error(word_at(text_, position), error.what()));

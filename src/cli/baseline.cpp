@@ -26,14 +26,15 @@ std::string in_words(const std::optional<std::uint64_t>& seed) {
   return seed ? std::to_string(*seed) : "several";
 }
 
+/// Something in which runs must not differ if they are to be compared.
 struct Term {
   std::string_view name;
   std::string value;
 };
 
-std::array<Term, 4> terms_of(const FuzzResult& result) {
-  return {Term{"oracle", result.oracle}, Term{"seed", in_words(result.seed)},
-          Term{"first", std::to_string(result.first)},
+std::array<Term, 5> terms_of(const FuzzResult& result) {
+  return {Term{"subject", result.settings.subject}, Term{"oracle", result.settings.oracle},
+          Term{"seed", in_words(result.seed())}, Term{"first", std::to_string(result.first())},
           Term{"cases", std::to_string(result.cases())}};
 }
 

@@ -20,8 +20,8 @@ struct BucketComparison {
 /// What `fuzz --json` wrote. Throws UserError that names the file.
 FuzzResult read_baseline(const std::string& path);
 
-/// One line that names the terms (oracle, seed, first, cases, regimes) in which two runs differ, so
-/// that the comparison is not fair; empty where there are none.
+/// One line that names the terms (subject, oracle, seed, first, cases, regimes) in which two runs
+/// differ, so that the comparison is not fair; empty where there are none.
 std::string differences_in_words(const FuzzResult& earlier, const FuzzResult& now);
 
 BucketComparison compared(const FuzzResult& earlier, const FuzzResult& now);

@@ -87,7 +87,9 @@ bool is_wanted(const CiOutput& ci) {
   return !ci.junit.empty() || is_on_github();
 }
 
-void write_ci(const CiOutput& ci, std::span<const TestSuite> suites, Outputs& outputs) {
+void write_ci(const CiOutput& ci, std::vector<TestSuite> suites, Outputs& outputs) {
+  auto& errors = suites.front().errors;
+  errors.insert(errors.end(), outputs.errors().begin(), outputs.errors().end());
   outputs.write(!ci.junit.empty(), [&] { write_data(ci.junit, junit_xml(suites)); });
   if (!is_on_github()) return;
   const std::string text = annotations(suites, in_repository);
@@ -99,11 +101,13 @@ void write_ci(const CiOutput& ci, std::span<const TestSuite> suites, Outputs& ou
 int run_for_ci(std::string_view command, const CiOutput& ci, const std::function<int()>& run) {
   try {
     return run();
-  } catch (const UserError& error) {
+  } catch (const BadOutput&) {
+    throw;
+  } catch (const std::exception& error) {
     TestSuite suite{fmt::format("manifuzz {}", command), "", {}};
     suite.errors.emplace_back(error.what());
     Outputs outputs;
-    write_ci(ci, {&suite, 1}, outputs);
+    write_ci(ci, {suite}, outputs);
     throw;
   }
 }

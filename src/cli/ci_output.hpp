@@ -1,9 +1,9 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -26,11 +26,13 @@ void add_junit(CLI::App& app, CiOutput& ci);
 /// Whether anybody is going to see the suites.
 bool is_wanted(const CiOutput& ci);
 
-/// Writes them. A step summary that cannot be written is an error line, and no more.
-void write_ci(const CiOutput& ci, std::span<const TestSuite> suites, Outputs& outputs);
+/// Writes them, last of all outputs: what went wrong with the others is an error of the first
+/// suite. A step summary that cannot be written is an error line, and no more.
+void write_ci(const CiOutput& ci, std::vector<TestSuite> suites, Outputs& outputs);
 
-/// Runs a command that writes suites of its own where it gets so far. Where it throws a UserError,
-/// that is what CI is told: a suite of the command's name with this one error.
+/// Runs a command that writes suites of its own where it gets so far. Where it throws, that is what
+/// CI is told: a suite of the command's name with this one error; unless it is the output itself
+/// that is bad.
 int run_for_ci(std::string_view command, const CiOutput& ci, const std::function<int()>& run);
 
 }  // namespace manifuzz

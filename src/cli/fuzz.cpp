@@ -102,7 +102,7 @@ std::string repeating_command(const Options& options) {
 std::string page_of(const Campaign& campaign, const nlohmann::ordered_json& summary,
                     const Options& options) {
   const bool is_kept = !options.json.empty() && options.json != "-";
-  const std::string run = is_kept ? std::filesystem::proximate(options.json).string() : "this run";
+  const std::string run = is_kept ? kept_path(options.json).string() : "this run";
   const RunFiles files{read_corpus_folder(options.corpus),
                        {{run, "fuzz", summary, campaign.result}}};
   NamedColliders colliders(campaign.plan.subject, campaign.plan.oracle);
@@ -124,39 +124,45 @@ std::string text_of(const Campaign& campaign, const std::optional<FuzzResult>& b
 /// Everything that was asked for; one output that fails loses no other.
 Outputs write_all(const Campaign& campaign, const std::optional<FuzzResult>& baseline,
                   const Options& options) {
-  const auto summary = [&] {
-    nlohmann::ordered_json json = json_of(campaign.result);
-    if (baseline) json["baseline"] = comparison_json(compared(*baseline, campaign.result));
-    return json;
-  };
+  nlohmann::ordered_json summary = json_of(campaign.result);
+  if (baseline) summary["baseline"] = comparison_json(compared(*baseline, campaign.result));
   Outputs outputs;
   outputs.write(!options.ci.stdout_is_data, [&] {
     write_to_reader(text_of(campaign, baseline, leaves_out_tables({options.json})));
   });
-  outputs.write(!options.json.empty(), [&] { write_data(options.json, json_text(summary())); });
-  if (is_wanted(options.ci)) {
-    Interruption interruption;
-    const TestSuite suite = fuzz_suite(campaign, interruption);
-    write_ci(options.ci, {&suite, 1}, outputs);
-  }
+  outputs.write(!options.json.empty(), [&] { write_data(options.json, json_text(summary)); });
   outputs.write(!options.report.empty(), [&] {
-    write_data(options.report, page_of(campaign, summary(), options));
+    write_data(options.report, page_of(campaign, summary, options));
     if (options.report != "-") write_remark("page " + options.report);
   });
   const std::string& unsaved = campaign.saving.first_error;
   outputs.write(!unsaved.empty(), [&] { throw UserError(unsaved); });
+  if (is_wanted(options.ci)) {
+    Interruption interruption;
+    write_ci(options.ci, {fuzz_suite(campaign, interruption)}, outputs);
+  }
   return outputs;
+}
+
+/// The run that this one is held against; --json may take its place, and nothing else.
+std::optional<FuzzResult> baseline_of(const Options& options) {
+  if (options.baseline.empty()) return std::nullopt;
+  const std::filesystem::path input(options.baseline);
+  expect_apart({{"--junit", options.ci.junit}, {"--report", options.report}}, {&input, 1});
+  return read_baseline(options.baseline);
 }
 
 int fuzz(Options& options) {
   options.ci.stdout_is_data = takes_stdout(
       {{"--json", options.json}, {"--junit", options.ci.junit}, {"--report", options.report}});
   // No absolute path goes into what is kept.
-  if (!options.corpus.empty()) options.corpus = std::filesystem::proximate(options.corpus).string();
+  if (!options.corpus.empty()) options.corpus = kept_path(options.corpus).string();
   const Corpus corpus = read_corpus_folder(options.corpus);
+  expect_apart(
+      {{"--json", options.json}, {"--junit", options.ci.junit}, {"--report", options.report}},
+      corpus.files);
   Plan plan = plan_of(options);
-  std::optional<FuzzResult> baseline;
-  if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
+  const std::optional<FuzzResult> baseline = baseline_of(options);
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;

@@ -23,9 +23,9 @@ double rate(std::uint64_t cases, double seconds) {
 std::string head_line(const Campaign& campaign) {
   const FuzzResult& result = campaign.result;
   return fmt::format("{} against {} {}: {} cases in {:.1f} s ({:.0f} a second, {} jobs), seed {}\n",
-                     result.subject, result.oracle, campaign.plan.oracle.declaration.version,
-                     result.cases(), result.seconds, rate(result.cases(), result.seconds),
-                     result.jobs, campaign.plan.seed);
+                     result.settings.subject, result.settings.oracle,
+                     campaign.plan.oracle.declaration.version, result.cases(), result.seconds(),
+                     rate(result.cases(), result.seconds()), result.jobs, campaign.plan.seed);
 }
 
 std::string regime_rows(const FuzzResult& result) {
@@ -73,9 +73,10 @@ std::string state_in_words(const Campaign& campaign) {
   }
   if (campaign.result.stopped_early) {
     const bool is_subject = campaign.run.hopeless == Fault::subject;
-    text += fmt::format("\nstopped early: {} gave no answer again and again: {}\n",
-                        is_subject ? campaign.result.subject : campaign.result.oracle,
-                        printable(campaign.run.why_hopeless, 200));
+    text +=
+        fmt::format("\nstopped early: {} gave no answer again and again: {}\n",
+                    is_subject ? campaign.result.settings.subject : campaign.result.settings.oracle,
+                    printable(campaign.run.why_hopeless, 200));
   }
   if (!campaign.result.interrupted) return text;
   const std::size_t unsaved = campaign.saving.unsaved;

@@ -33,6 +33,22 @@ std::uint64_t FuzzResult::unexplained() const {
   return sum;
 }
 
+double FuzzResult::seconds() const {
+  double sum = 0;
+  for (const CasesRun& part : parts) sum += part.seconds;
+  return sum;
+}
+
+std::optional<std::uint64_t> FuzzResult::seed() const {
+  if (parts.empty() || parts.front().seed != parts.back().seed) return std::nullopt;
+  return parts.front().seed;
+}
+
+std::uint64_t FuzzResult::first() const {
+  const auto least = std::ranges::min_element(parts, {}, &CasesRun::first);
+  return least == parts.end() ? 0 : least->first;
+}
+
 bool is_vacuous(const FuzzResult& result) {
   std::uint64_t cases = 0;
   std::uint64_t touching = 0;

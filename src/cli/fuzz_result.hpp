@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -37,6 +38,7 @@ struct BucketResult {
   std::string bucket;
   std::string verdict{};
   std::uint64_t count = 0;
+  std::uint64_t seed = 0;         ///< of its first case
   std::uint64_t first_index = 0;  ///< of its first case, in `regime`
   std::string regime{};
   double magnitude = 0;   ///< the greatest; may be infinite
@@ -47,37 +49,50 @@ struct BucketResult {
 
 /// Which cases were run: of each regime so many from `first` on, under a seed.
 struct CasesRun {
-  std::optional<std::uint64_t> seed;
+  std::uint64_t seed = 0;
   std::uint64_t first = 0;
   std::map<std::string, std::uint64_t> cases;  ///< by regime
+  double seconds = 0;
+
+  friend auto operator<=>(const CasesRun&, const CasesRun&) = default;
+};
+
+/// What a case's verdict hangs on besides the case: results of the same settings are comparable.
+struct Settings {
+  std::string subject;
+  std::string oracle;
+  std::vector<std::pair<std::string, std::string>> versions;
+  double tie_bias = 0;           ///< the subject's
+  std::optional<double> radius;  ///< of each polygon; none: the regime's own
+  std::uint64_t judge_every = 1;
+
+  friend bool operator==(const Settings&, const Settings&) = default;
 };
 
 /// What a campaign came to, or several as one: all that `fuzz --json` says.
 struct FuzzResult {
   nlohmann::ordered_json machine = nlohmann::ordered_json::object();  ///< as `provenance` has it
   std::string compiler;
-  std::optional<std::uint64_t> seed;  ///< none: several
-  std::vector<std::pair<std::string, std::string>> versions;
-  std::string subject;
-  std::string oracle;
-  double seconds = 0;
+  Settings settings;
+  std::vector<CasesRun> parts;  ///< one of a campaign, each of several that were merged; sorted
   std::uint64_t jobs = 0;
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
   ErrorShare of_subject;  ///< the worst errors of wrong answers
   ErrorShare of_oracle;
   bool interrupted = false;
   bool stopped_early = false;  ///< a party gave no answer again and again
-  std::uint64_t first = 0;     ///< the least index in each regime
   bool budgets_hold = false;   ///< whether the ledger's budgets apply to it
   std::vector<RegimeResult> regimes;
   std::vector<LedgerResult> ledger;
   std::vector<BucketResult> buckets;
-  std::vector<CasesRun> parts;  ///< of several that were merged
 
   std::uint64_t cases() const;
   std::uint64_t touching() const;
   std::uint64_t near() const;
   std::uint64_t unexplained() const;
+  double seconds() const;                     ///< of all parts
+  std::optional<std::uint64_t> seed() const;  ///< none: several
+  std::uint64_t first() const;                ///< the least index in each regime
 };
 
 /// A run of so many cases outside the regime `separated` in which nothing touched proves nothing.

@@ -1,6 +1,9 @@
 #include "cli/fuzz_result_json.hpp"
 
+#include <algorithm>
 #include <string>
+
+#include <fmt/format.h>
 
 namespace manifuzz {
 namespace {
@@ -8,8 +11,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Count = std::uint64_t;
 
-Json or_null(const std::optional<Count>& seed) {
-  return seed ? Json(*seed) : Json();
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
 }
 
 Json json_of(const ErrorShare& error) {
@@ -40,7 +44,8 @@ Json json_of(const BucketResult& found) {
 }
 
 Json json_of(const CasesRun& part) {
-  return {{"seed", or_null(part.seed)}, {"first", part.first}, {"cases", part.cases}};
+  return {
+      {"seed", part.seed}, {"first", part.first}, {"cases", part.cases}, {"seconds", part.seconds}};
 }
 
 template <class T>
@@ -57,23 +62,26 @@ std::string string_or(const JsonView& object, std::string_view key, std::string_
   return std::string(member ? member->string() : otherwise);
 }
 
-Count count_in(const JsonView& object, std::string_view key) {
+Count whole_in(const JsonView& object, std::string_view key) {
   return object.at(key).whole_number();
 }
 
-Count count_or_0(const JsonView& object, std::string_view key) {
-  const auto member = object.find(key);
-  return member ? member->whole_number() : 0;
+/// So few that sums of them are exact, in this program and in any that reads JSON.
+Count count_in(const JsonView& object, std::string_view key) {
+  constexpr Count most = Count{1} << 53;
+  const JsonView member = object.at(key);
+  const Count count = member.whole_number();
+  if (count > most) member.fail(fmt::format("{} is no count; at most {} is expected", count, most));
+  return count;
+}
+
+Count count_or(const JsonView& object, std::string_view key, Count otherwise) {
+  return object.find(key) ? count_in(object, key) : otherwise;
 }
 
 bool flag_in(const JsonView& object, std::string_view key) {
   const auto member = object.find(key);
   return member && member->boolean();
-}
-
-std::optional<Count> read_seed(const JsonView& object) {
-  const JsonView seed = object.at("seed");
-  return seed.is_null() ? std::nullopt : std::optional(seed.whole_number());
 }
 
 std::map<std::string, Count> read_counts(const JsonView& object) {
@@ -104,20 +112,32 @@ LedgerResult read_entry(const JsonView& row) {
   return entry;
 }
 
-BucketResult read_bucket(const JsonView& row) {
-  return {std::string(row.at("bucket").string()),
-          std::string(row.at("verdict").string()),
-          count_in(row, "count"),
-          count_in(row, "first_index"),
-          std::string(row.at("regime").string()),
-          row.at("magnitude").magnitude(),
-          std::string(row.at("file").string()),
-          std::string(row.at("command").string()),
-          flag_in(row, "new")};
+BucketResult read_bucket(const JsonView& row, Count seed) {
+  return {.bucket = std::string(row.at("bucket").string()),
+          .verdict = std::string(row.at("verdict").string()),
+          .count = count_in(row, "count"),
+          .seed = row.find("seed") ? whole_in(row, "seed") : seed,
+          .first_index = whole_in(row, "first_index"),
+          .regime = std::string(row.at("regime").string()),
+          .magnitude = row.at("magnitude").magnitude(),
+          .file = std::string(row.at("file").string()),
+          .command = std::string(row.at("command").string()),
+          .is_new = flag_in(row, "new")};
 }
 
 CasesRun read_part(const JsonView& part) {
-  return {read_seed(part), count_in(part, "first"), read_counts(part.at("cases"))};
+  return {whole_in(part, "seed"), whole_in(part, "first"), read_counts(part.at("cases")),
+          part.at("seconds").magnitude()};
+}
+
+/// Of a result that does not tell them: one.
+CasesRun only_part(const JsonView& root, const std::vector<RegimeResult>& regimes) {
+  CasesRun part{whole_in(root, "seed"),
+                root.find("first") ? whole_in(root, "first") : 0,
+                {},
+                root.at("seconds").magnitude()};
+  for (const RegimeResult& regime : regimes) part.cases[regime.name] += regime.cases;
+  return part;
 }
 
 template <class Read>
@@ -130,37 +150,81 @@ auto read_list(const std::optional<JsonView>& list, const Read& read) {
 
 Json read_machine(const JsonView& machine) {
   return {{"processor", string_or(machine, "processor", "unknown")},
-          {"cores", count_or_0(machine, "cores")},
+          {"cores", count_or(machine, "cores", 0)},
           {"instruction_set", string_or(machine, "instruction_set", "unknown")}};
 }
 
-void read_provenance(const JsonView& root, FuzzResult& result) {
-  result.machine = read_machine(root.at("machine"));
-  result.compiler = root.at("compiler").string();
-  result.seed = read_seed(root);
+Settings read_settings(const JsonView& root) {
+  Settings settings{string_or(root, "subject", ""),  string_or(root, "oracle", ""), {}, 0, {},
+                    count_or(root, "judge_every", 1)};
   const JsonView versions = root.at("versions");
   for (const std::string_view name : versions.keys()) {
-    result.versions.emplace_back(name, versions.at(name).string());
+    settings.versions.emplace_back(name, versions.at(name).string());
+  }
+  if (const auto tie_bias = root.find("tie_bias")) settings.tie_bias = tie_bias->magnitude();
+  const auto radius = root.find("radius");
+  if (radius && !radius->is_null()) settings.radius = radius->magnitude();
+  return settings;
+}
+
+void expect_equal(const JsonView& at, Count told, Count summed, std::string_view of) {
+  if (told != summed) at.fail(fmt::format("is {}, but {} add up to {}", told, of, summed));
+}
+
+/// The same is told more than once: by the sums, by the regimes, by the buckets, by the parts.
+void expect_consistent(const JsonView& root, const FuzzResult& result) {
+  const JsonView verdicts = root.at("verdicts");
+  Count all = 0;
+  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
+    all += result.verdicts[i];
+    Count found = 0;
+    for (const BucketResult& bucket : result.buckets) {
+      if (bucket.verdict == kVerdictNames[i]) found += bucket.count;
+    }
+    const bool has_buckets = static_cast<Verdict>(i) != Verdict::agree;
+    if (has_buckets) {
+      expect_equal(verdicts.at(kVerdictNames[i]), result.verdicts[i], found, "its buckets");
+    }
+  }
+  const Count cases = count_in(root, "cases");
+  expect_equal(root.at("cases"), cases, all, "the verdicts");
+  expect_equal(root.at("cases"), cases, result.cases(), "the regimes");
+  for (const RegimeResult& regime : result.regimes) {
+    Count ran = 0;
+    for (const CasesRun& part : result.parts) {
+      const auto cases_of = part.cases.find(regime.name);
+      if (cases_of != part.cases.end()) ran += cases_of->second;
+    }
+    expect_equal(root.at("regimes"), regime.cases, ran,
+                 fmt::format("{} in the parts", regime.name));
+  }
+  const auto failed = root.find("failed");
+  if (failed && failed->boolean() != has_failed(result)) {
+    failed->fail("does not follow from what is told beside it");
   }
 }
 
 }  // namespace
 
 Json json_of(const FuzzResult& result) {
-  const auto cases = static_cast<double>(result.cases());
+  const Settings& settings = result.settings;
+  const double seconds = result.seconds();
   Json json{{"machine", result.machine},
             {"compiler", result.compiler},
-            {"seed", or_null(result.seed)},
+            {"seed", or_null(result.seed())},
             {"versions", Json::object()},
-            {"subject", result.subject},
-            {"oracle", result.oracle},
+            {"subject", settings.subject},
+            {"oracle", settings.oracle},
+            {"tie_bias", settings.tie_bias},
+            {"radius", or_null(settings.radius)},
+            {"judge_every", settings.judge_every},
             {"cases", result.cases()},
-            {"seconds", result.seconds},
-            {"cases_per_second", result.seconds > 0 ? cases / result.seconds : 0},
+            {"seconds", seconds},
+            {"cases_per_second", seconds > 0 ? static_cast<double>(result.cases()) / seconds : 0},
             {"jobs", result.jobs},
             {"touching", result.touching()},
             {"near", result.near()}};
-  for (const auto& [name, version] : result.versions) json["versions"][name] = version;
+  for (const auto& [name, version] : settings.versions) json["versions"][name] = version;
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
     json["verdicts"][std::string(kVerdictNames[i])] = result.verdicts[i];
   }
@@ -171,21 +235,20 @@ Json json_of(const FuzzResult& result) {
   json["interrupted"] = result.interrupted;
   json["stopped_early"] = result.stopped_early;
   json["failed"] = has_failed(result);
-  json["first"] = result.first;
+  json["first"] = result.first();
   json["budgets_hold"] = result.budgets_hold;
   json["regimes"] = list_of(result.regimes);
   json["ledger"] = list_of(result.ledger);
   json["buckets"] = list_of(result.buckets);
-  if (!result.parts.empty()) json["parts"] = list_of(result.parts);
+  if (result.parts.size() > 1) json["parts"] = list_of(result.parts);
   return json;
 }
 
 FuzzResult read_fuzz_result(const JsonView& root) {
   FuzzResult result;
-  read_provenance(root, result);
-  result.subject = string_or(root, "subject", "");
-  result.oracle = string_or(root, "oracle", "");
-  result.seconds = root.at("seconds").magnitude();
+  result.machine = read_machine(root.at("machine"));
+  result.compiler = root.at("compiler").string();
+  result.settings = read_settings(root);
   result.jobs = count_in(root, "jobs");
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
     result.verdicts[i] = count_in(root.at("verdicts"), kVerdictNames[i]);
@@ -196,12 +259,16 @@ FuzzResult read_fuzz_result(const JsonView& root) {
   }
   result.interrupted = flag_in(root, "interrupted");
   result.stopped_early = flag_in(root, "stopped_early");
-  result.first = count_or_0(root, "first");
   result.budgets_hold = flag_in(root, "budgets_hold");
   result.regimes = read_list(root.at("regimes"), read_regime);
   result.ledger = read_list(root.find("ledger"), read_entry);
-  result.buckets = read_list(root.at("buckets"), read_bucket);
   result.parts = read_list(root.find("parts"), read_part);
+  if (result.parts.empty()) result.parts = {only_part(root, result.regimes)};
+  std::ranges::sort(result.parts);
+  const Count seed = result.parts.front().seed;
+  result.buckets =
+      read_list(root.at("buckets"), [&](const JsonView& row) { return read_bucket(row, seed); });
+  expect_consistent(root, result);
   return result;
 }
 

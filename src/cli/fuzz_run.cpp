@@ -59,17 +59,25 @@ Saving save_new(std::vector<Finding>& found, const Plan& plan, const SaveTo& sav
   return saving;
 }
 
+Settings settings_of(const Plan& plan) {
+  const bool has_radius = plan.context.radius && !plan.is_narrowed;
+  return {.subject = plan.subject.declaration.name,
+          .oracle = plan.oracle.declaration.name,
+          .versions = {},
+          .tie_bias = plan.subject.declaration.tie_bias,
+          .radius = has_radius ? std::optional<double>(*plan.context.radius) : std::nullopt,
+          .judge_every = plan.judge_every};
+}
+
 void tell_provenance(FuzzResult& result, const Plan& plan) {
   const std::array declarations{plan.subject.declaration, plan.oracle.declaration};
   const nlohmann::ordered_json json = provenance(plan.seed, declarations);
   result.machine = json.at("machine");
   result.compiler = json.at("compiler");
-  result.seed = plan.seed;
+  result.settings = settings_of(plan);
   for (const auto& [name, version] : json.at("versions").items()) {
-    result.versions.emplace_back(name, version);
+    result.settings.versions.emplace_back(name, version);
   }
-  result.subject = plan.subject.declaration.name;
-  result.oracle = plan.oracle.declaration.name;
 }
 
 RegimeResult regime_result(const Regime& regime, const RegimeTally& tally) {
@@ -91,6 +99,7 @@ BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::
   return {.bucket = to_string(finding.bucket),
           .verdict = std::string(to_string(finding.bucket.verdict)),
           .count = finding.tally.count,
+          .seed = plan.seed,
           .first_index = plan.index_of(first),
           .regime = regime,
           .magnitude = finding.tally.magnitude,
@@ -105,18 +114,19 @@ FuzzResult result_of(const Campaign& campaign, const std::string& command) {
   const Tally& tally = *campaign.run.tally;
   FuzzResult result;
   tell_provenance(result, plan);
-  result.seconds = campaign.run.seconds;
   result.jobs = static_cast<std::uint64_t>(plan.jobs);
   result.verdicts = tally.verdicts;
   result.of_subject = tally.of_subject;
   result.of_oracle = tally.of_oracle;
   result.interrupted = campaign.run.interrupted || campaign.saving.interrupted;
   result.stopped_early = campaign.run.hopeless != Fault::none;
-  result.first = plan.first;
   result.budgets_hold = holds_budgets(plan);
+  CasesRun part{plan.seed, plan.first, {}, campaign.run.seconds};
   for (std::size_t i = 0; i < plan.regimes.size(); ++i) {
     result.regimes.push_back(regime_result(*plan.regimes[i], tally.regimes[i]));
+    part.cases[result.regimes.back().name] = tally.regimes[i].cases;
   }
+  result.parts = {part};
   for (const LedgerCount& count : ledger_counts(tally, plan)) {
     result.ledger.push_back(ledger_result(count, plan, tally));
   }

@@ -13,10 +13,10 @@ TestResult test_of_regime(const Campaign& campaign, std::size_t i) {
   const RegimeTally& regime = campaign.run.tally->regimes[i];
   const double cases = static_cast<double>(campaign.result.cases());
   const double share = cases > 0 ? static_cast<double>(regime.cases) / cases : 0;
-  TestResult test{campaign.result.regimes[i].name, share * campaign.result.seconds};
+  TestResult test{campaign.result.regimes[i].name, share * campaign.result.seconds()};
   if (regime.failures > 0) {
     test.failure =
-        TestFailure{fmt::format("{} to be right", campaign.result.subject),
+        TestFailure{fmt::format("{} to be right", campaign.result.settings.subject),
                     fmt::format("{} of {} cases against it", regime.failures, regime.cases)};
   }
   return test;
@@ -34,8 +34,8 @@ TestResult test_of_bucket(const FuzzResult& result, const Finding& finding,
                           const BucketResult& found) {
   TestResult test{found.bucket};
   test.failure = TestFailure{finding.bucket.verdict == Verdict::oracle_wrong
-                                 ? fmt::format("nothing new against {}", result.oracle)
-                                 : fmt::format("{} to be right", result.subject),
+                                 ? fmt::format("nothing new against {}", result.settings.oracle)
+                                 : fmt::format("{} to be right", result.settings.subject),
                              fmt::format("{}: {} times, worst {:.2g} of the size", found.bucket,
                                          found.count, found.magnitude),
                              found.file, found.command};
@@ -73,14 +73,13 @@ void add_buckets(TestSuite& suite, const Campaign& campaign, Interruption& inter
 
 TestSuite fuzz_suite(const Campaign& campaign, Interruption& interruption) {
   const FuzzResult& result = campaign.result;
-  TestSuite suite{
-      "manifuzz fuzz",
-      fmt::format("{} against {}: {} cases in {:.1f} s, {} unexplained, seed {}{}", result.subject,
-                  result.oracle, result.cases(), result.seconds, result.unexplained(),
-                  campaign.plan.seed, result.interrupted ? "; interrupted" : ""),
-      {},
-      verdict_table(result)};
-  if (!campaign.saving.first_error.empty()) suite.errors.push_back(campaign.saving.first_error);
+  TestSuite suite{"manifuzz fuzz",
+                  fmt::format("{} against {}: {} cases in {:.1f} s, {} unexplained, seed {}{}",
+                              result.settings.subject, result.settings.oracle, result.cases(),
+                              result.seconds(), result.unexplained(), campaign.plan.seed,
+                              result.interrupted ? "; interrupted" : ""),
+                  {},
+                  verdict_table(result)};
   // What is described first: buckets have cases, regimes only counts.
   add_buckets(suite, campaign, interruption);
   for (const LedgerResult& entry : result.ledger) {

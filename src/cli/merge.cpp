@@ -34,20 +34,25 @@ struct Options {
 /// A folder that was empty or not there, and is so again unless it is kept.
 class NewFolder {
  public:
-  explicit NewFolder(const std::string& path) : path_(fs::proximate(path)) {
+  explicit NewFolder(const fs::path& path) : path_(kept_path(path)), first_new_(path_) {
     std::error_code unreadable;
-    was_there_ = fs::exists(path, unreadable);
-    if (!was_there_) return;
-    if (fs::is_directory(path, unreadable) && fs::is_empty(path, unreadable)) return;
-    throw UserError(
-        fmt::format("--output: {} is there already; a new or an empty folder is expected",
-                    printable(path, 200)));
+    was_there_ = fs::exists(fs::symlink_status(path, unreadable));
+    if (was_there_ && !(fs::is_directory(path, unreadable) && fs::is_empty(path, unreadable))) {
+      throw UserError(
+          fmt::format("--output: {} is there already; a new or an empty folder is expected",
+                      printable(path.string(), 200)));
+    }
+    while (first_new_.has_parent_path() && !fs::exists(first_new_.parent_path(), unreadable)) {
+      first_new_ = first_new_.parent_path();
+    }
   }
   ~NewFolder() {
-    std::error_code unremoved;
     if (is_kept_) return;
-    if (!was_there_) fs::remove_all(path_, unremoved);
-    if (!was_there_) return;
+    std::error_code unremoved;
+    if (!was_there_) {
+      fs::remove_all(first_new_, unremoved);
+      return;
+    }
     for (const auto& entry : fs::directory_iterator(path_, unremoved)) {
       fs::remove_all(entry.path(), unremoved);
     }
@@ -60,6 +65,7 @@ class NewFolder {
 
  private:
   fs::path path_;
+  fs::path first_new_;  ///< the topmost folder that is not there yet
   bool was_there_ = false;
   bool is_kept_ = false;
 };
@@ -79,8 +85,7 @@ std::string text_of(const CorpusCase& known) {
 
 /// Writes them as a campaign would have; returns the files of the smallest by their findings' keys.
 std::map<std::string, std::string> write_all(const std::vector<Gathered>& all,
-                                             const fs::path& output) {
-  Interruption interruption;
+                                             const fs::path& output, Interruption& interruption) {
   std::map<std::string, std::string> files;
   for (const Gathered& finding : all) {
     if (interruption.requested()) throw UserError("merge: interrupted; nothing was written");
@@ -95,7 +100,7 @@ std::map<std::string, std::string> write_all(const std::vector<Gathered>& all,
 
 /// A bucket's file is the merged one.
 void name_files(FuzzResult& run, const std::map<std::string, std::string>& files) {
-  Expectation expect{run.subject, run.oracle, {}, {}, {}};
+  Expectation expect{run.settings.subject, run.settings.oracle, {}, {}, {}};
   for (BucketResult& found : run.buckets) {
     expect.bucket = found.bucket;
     const auto file = files.find(finding_key(expect));
@@ -120,18 +125,23 @@ void expect_possible(const Options& options, const RunFiles& files, const Merged
   if (options.json.empty()) return;
   if (!runs.sum)
     throw UserError("--json: there is no result to write; name what fuzz --json wrote");
-  expect_no_input("--json", options.json, files);
+  expect_apart({{"--json", options.json}}, files.corpus.files);
 }
 
 /// Writes all of it or nothing; returns what there is to say.
 std::string write_merged(const Options& options, const RunFiles& files, MergedRuns& runs) {
+  Interruption interruption;
   NewFolder folder(options.output);
   const std::vector<Gathered> all = gathered(files.corpus.cases);
-  const auto written = write_all(all, folder.path());
+  const auto written = write_all(all, folder.path(), interruption);
   if (runs.sum) name_files(*runs.sum, written);
   const std::string json = runs.sum ? json_text(json_of(*runs.sum)) : "";
   const bool has_file = !options.json.empty() && options.json != "-";
-  if (has_file) write_file(options.json, json);
+  if (has_file) {
+    std::vector<std::string> unread;
+    expect_apart({{"--json", options.json}}, find_case_files({&folder.path(), 1}, unread));
+    write_file(options.json, json);
+  }
   folder.keep();
   if (options.json == "-") return json;
   const std::string cases = all.empty()
@@ -148,7 +158,7 @@ int merge(const Options& options) {
   MergedRuns runs = merged_runs(files.results);
   std::vector<std::string> errors = files.corpus.errors;
   errors.insert(errors.end(), runs.errors.begin(), runs.errors.end());
-  for (const std::string& error : errors) write_complaint(error);
+  write_complaints(errors);
   expect_possible(options, files, runs);
   write_to_reader(write_merged(options, files, runs));
   if (errors.empty()) return 0;
@@ -160,7 +170,8 @@ Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("paths", options->paths, "folders of cases, and what fuzz --json wrote")
       ->type_name("DIR")
-      ->required();
+      ->required()
+      ->check(not_blank);
   app.add_option("--output", options->output, "a new or empty folder for what is kept")
       ->type_name("DIR")
       ->check(not_blank)

@@ -1,25 +1,19 @@
 #include "cli/merged_runs.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "campaign/budgets.hpp"
+#include "cases/regime.hpp"
 #include "cases/user_error.hpp"
 
 namespace manifuzz {
 namespace {
 
 using Count = std::uint64_t;
-
-/// Which cases a result counts.
-std::vector<CasesRun> parts_of(const FuzzResult& run) {
-  if (!run.parts.empty()) return run.parts;
-  CasesRun part{run.seed, run.first, {}};
-  for (const RegimeResult& regime : run.regimes) part.cases[regime.name] = regime.cases;
-  return {part};
-}
 
 bool overlap(const CasesRun& part, const CasesRun& with) {
   if (part.seed != with.seed) return false;
@@ -32,47 +26,44 @@ bool overlap(const CasesRun& part, const CasesRun& with) {
   });
 }
 
-bool have_same_terms(const FuzzResult& one, const FuzzResult& other) {
-  return one.subject == other.subject && one.oracle == other.oracle &&
-         one.versions == other.versions;
-}
-
-std::string terms_in_words(const FuzzResult& run) {
+std::string in_words(const Settings& settings) {
   std::vector<std::string> versions;
-  for (const auto& [name, version] : run.versions) versions.push_back(name + ' ' + version);
-  return fmt::format("{} against {} ({})", run.subject, run.oracle, fmt::join(versions, ", "));
+  for (const auto& [name, version] : settings.versions) versions.push_back(name + ' ' + version);
+  std::string text = fmt::format("{} against {} ({}), tie bias {}, judging 1 in {}",
+                                 settings.subject, settings.oracle, fmt::join(versions, ", "),
+                                 settings.tie_bias, settings.judge_every);
+  return settings.radius ? text + fmt::format(", radius {}", *settings.radius) : text;
 }
 
-/// The result whose terms most share; of equally many the one whose terms ran the most cases, then
-/// the first.
-const FuzzResult* most_usual(std::span<const Result> results) {
-  const FuzzResult* usual = nullptr;
+/// The settings that most results share; of equally many those of the most cases, then the first.
+const Settings* usual_settings(std::span<const Result> results) {
+  const Settings* usual = nullptr;
   std::pair<std::size_t, Count> most;
   for (const Result& candidate : results) {
     if (!candidate.fuzz) continue;
     std::pair<std::size_t, Count> weight;
     for (const Result& other : results) {
-      if (!other.fuzz || !have_same_terms(*other.fuzz, *candidate.fuzz)) continue;
+      if (!other.fuzz || other.fuzz->settings != candidate.fuzz->settings) continue;
       ++weight.first;
       weight.second += other.fuzz->cases();
     }
     if (usual != nullptr && weight <= most) continue;
-    usual = &*candidate.fuzz;
+    usual = &candidate.fuzz->settings;
     most = weight;
   }
   return usual;
 }
 
 void expect_addable(const FuzzResult& sum, const FuzzResult& run) {
-  if (!have_same_terms(sum, run)) {
-    throw UserError(fmt::format("is of {}, the others are of {}; those are added up",
-                                terms_in_words(run), terms_in_words(sum)));
+  if (sum.settings != run.settings) {
+    throw UserError(fmt::format("is of {}; the others, which are added up, are of {}",
+                                in_words(run.settings), in_words(sum.settings)));
   }
   for (const CasesRun& part : sum.parts) {
-    for (const CasesRun& with : parts_of(run)) {
+    for (const CasesRun& with : run.parts) {
       if (!overlap(part, with)) continue;
       throw UserError(fmt::format("counts cases of seed {} from {} on, which are counted already",
-                                  with.seed.value_or(0), with.first));
+                                  with.seed, with.first));
     }
   }
 }
@@ -91,7 +82,11 @@ Row& row_of(std::vector<Row>& rows, std::string Row::*name, const std::string& w
   return rows.back();
 }
 
+/// Regimes stand as the runs have them, where all have the same; else in the order of the list.
 void add_regimes(FuzzResult& sum, const FuzzResult& run) {
+  const bool is_alike =
+      std::ranges::equal(sum.regimes, run.regimes, {}, &RegimeResult::name, &RegimeResult::name);
+  const bool is_ordered = sum.regimes.empty() || is_alike;
   for (const RegimeResult& other : run.regimes) {
     RegimeResult& regime = row_of(sum.regimes, &RegimeResult::name, other.name);
     regime.cases += other.cases;
@@ -99,6 +94,10 @@ void add_regimes(FuzzResult& sum, const FuzzResult& run) {
     regime.near += other.near;
     regime.unexplained += other.unexplained;
   }
+  if (is_ordered) return;
+  std::ranges::stable_sort(sum.regimes, {}, [](const RegimeResult& regime) {
+    return std::ranges::find(regimes(), regime.name, &Regime::name) - regimes().begin();
+  });
 }
 
 void add_ledger(FuzzResult& sum, const FuzzResult& run) {
@@ -109,10 +108,10 @@ void add_ledger(FuzzResult& sum, const FuzzResult& run) {
   }
 }
 
-/// A case's place in the order of a campaign: its index, then its regime's turn.
+/// A case's place in the order of a campaign: its index, then its regime's turn; then its seed.
 auto place_of(const BucketResult& found, const FuzzResult& sum) {
   const auto turn = std::ranges::find(sum.regimes, found.regime, &RegimeResult::name);
-  return std::pair(found.first_index, turn - sum.regimes.begin());
+  return std::tuple(found.first_index, turn - sum.regimes.begin(), found.seed);
 }
 
 void add_buckets(FuzzResult& sum, const FuzzResult& run) {
@@ -122,14 +121,11 @@ void add_buckets(FuzzResult& sum, const FuzzResult& run) {
       sum.buckets.push_back(other);
       continue;
     }
-    kept->count += other.count;
-    kept->magnitude = std::max(kept->magnitude, other.magnitude);
-    kept->is_new = kept->is_new || other.is_new;
-    const bool is_comparable = sum.seed && sum.seed == run.seed;
-    if (!is_comparable || place_of(*kept, sum) <= place_of(other, sum)) continue;
-    kept->first_index = other.first_index;
-    kept->regime = other.regime;
-    kept->command = other.command;
+    BucketResult added = place_of(other, sum) < place_of(*kept, sum) ? other : *kept;
+    added.count = kept->count + other.count;
+    added.magnitude = std::max(kept->magnitude, other.magnitude);
+    added.is_new = kept->is_new || other.is_new;
+    *kept = added;
   }
 }
 
@@ -147,19 +143,9 @@ void find_over_budget(FuzzResult& sum) {
   }
 }
 
-std::size_t index_of_name(const BucketResult& found) {
+std::size_t place_in_order(const BucketResult& found) {
   const auto bucket = find_bucket(found.bucket);
   return bucket ? index_of(*bucket) : kBucketCount;
-}
-
-/// The sum of no runs, with this one's terms.
-FuzzResult nothing_of(const FuzzResult& run) {
-  FuzzResult sum;
-  sum.subject = run.subject;
-  sum.oracle = run.oracle;
-  sum.versions = run.versions;
-  sum.budgets_hold = true;
-  return sum;
 }
 
 void add_run(FuzzResult& sum, const FuzzResult& run) {
@@ -167,10 +153,7 @@ void add_run(FuzzResult& sum, const FuzzResult& run) {
   if (sum.parts.empty()) {
     sum.machine = run.machine;
     sum.compiler = run.compiler;
-    sum.seed = run.seed;
-    sum.first = run.first;
   }
-  sum.seconds += run.seconds;
   sum.jobs = std::max(sum.jobs, run.jobs);
   for (std::size_t i = 0; i < sum.verdicts.size(); ++i) sum.verdicts[i] += run.verdicts[i];
   keep_greater(sum.of_subject, run.of_subject);
@@ -181,17 +164,19 @@ void add_run(FuzzResult& sum, const FuzzResult& run) {
   add_regimes(sum, run);
   add_ledger(sum, run);
   add_buckets(sum, run);
-  for (const CasesRun& part : parts_of(run)) sum.parts.push_back(part);
-  if (sum.seed != run.seed) sum.seed.reset();
-  sum.first = std::min(sum.first, run.first);
+  sum.parts.insert(sum.parts.end(), run.parts.begin(), run.parts.end());
+  std::ranges::sort(sum.parts);
 }
 
 }  // namespace
 
 MergedRuns merged_runs(std::span<const Result> results) {
   MergedRuns merged;
-  const FuzzResult* const usual = most_usual(results);
-  if (usual != nullptr) merged.sum = nothing_of(*usual);
+  if (const Settings* const usual = usual_settings(results)) {
+    merged.sum.emplace();
+    merged.sum->settings = *usual;
+    merged.sum->budgets_hold = true;
+  }
   for (const Result& result : results) {
     try {
       if (!result.fuzz) {
@@ -204,7 +189,7 @@ MergedRuns merged_runs(std::span<const Result> results) {
   }
   if (!merged.sum) return merged;
   find_over_budget(*merged.sum);
-  std::ranges::stable_sort(merged.sum->buckets, {}, index_of_name);
+  std::ranges::stable_sort(merged.sum->buckets, {}, place_in_order);
   return merged;
 }
 

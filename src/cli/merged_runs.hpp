@@ -16,9 +16,9 @@ struct MergedRuns {
 };
 
 /// Adds up results of `fuzz`, in their order, as if one campaign had run all their cases: counts
-/// are sums, a bucket's first case is the least of one seed, its magnitude the greatest. A result
-/// of other colliders or versions than most are of, or with cases that are counted already, is left
-/// out.
+/// are sums, a bucket's first case is the least by index, regime and seed, its magnitude the
+/// greatest. Sums may be added up again. A result of other settings than most have, or with cases
+/// that are counted already, is left out.
 MergedRuns merged_runs(std::span<const Result> results);
 
 }  // namespace manifuzz

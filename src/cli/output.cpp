@@ -4,13 +4,14 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <unistd.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cases/file.hpp"
-#include "cases/user_error.hpp"
+#include "cases/text.hpp"
 #include "report/style.hpp"
 
 namespace manifuzz {
@@ -26,6 +27,16 @@ void write_error(std::string_view text) {
 
 void write_complaint(std::string_view what) {
   write_error(fmt::format("{} {}\n", bad_on_stderr("manifuzz:"), what));
+}
+
+void write_complaints(const std::vector<std::string>& all) {
+  for (const std::string& what : all) write_complaint(what);
+}
+
+std::filesystem::path kept_path(const std::filesystem::path& path) {
+  std::error_code unknown;
+  const std::filesystem::path kept = std::filesystem::proximate(path, unknown);
+  return unknown || kept.empty() ? path : kept;
 }
 
 void be_quiet() {
@@ -74,16 +85,37 @@ void write_to_reader(std::string_view text) {
 }
 
 bool takes_stdout(std::initializer_list<DataFile> files) {
-  std::string_view taker;
-  for (const DataFile& data : files) {
-    if (data.file != "-") continue;
-    if (!taker.empty()) {
-      throw UserError(fmt::format("{}: {} writes to the standard output already; name a file",
-                                  data.option, taker));
-    }
-    taker = data.option;
+  const auto place_of = [](std::string_view file) {
+    std::error_code unknown;
+    if (file == "-") return std::filesystem::path(file);
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, unknown), unknown);
+  };
+  bool is_taken = false;
+  for (auto data = files.begin(); data != files.end(); ++data) {
+    if (data->file.empty()) continue;
+    is_taken = is_taken || data->file == "-";
+    const auto taker = std::ranges::find_if(files.begin(), data, [&](const DataFile& other) {
+      return !other.file.empty() && place_of(other.file) == place_of(data->file);
+    });
+    if (taker == data) continue;
+    throw BadOutput(fmt::format("{}: {} writes to {} already; name another file", data->option,
+                                taker->option, printable(data->file, 200)));
   }
-  return !taker.empty();
+  return is_taken;
+}
+
+void expect_apart(std::initializer_list<DataFile> outputs,
+                  std::span<const std::filesystem::path> inputs) {
+  for (const DataFile& output : outputs) {
+    if (output.file.empty() || output.file == "-") continue;
+    const auto is_output = [&](const std::filesystem::path& input) {
+      std::error_code unknown;
+      return std::filesystem::equivalent(input, output.file, unknown) && !unknown;
+    };
+    if (std::ranges::none_of(inputs, is_output)) continue;
+    throw BadOutput(fmt::format("{}: {} is one of the files that are read; name another",
+                                output.option, printable(output.file, 200)));
+  }
 }
 
 void write_data(const std::string& file, std::string_view text) {
@@ -99,8 +131,9 @@ void Outputs::write(bool is_asked, const std::function<void()>& write_it) {
   try {
     write_it();
   } catch (const UserError& error) {
+    if (std::ranges::find(errors_, error.what()) != errors_.end()) return;
     write_complaint(error.what());
-    are_written_ = false;
+    errors_.emplace_back(error.what());
   }
 }
 

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
+
+#include "cases/user_error.hpp"
 
 namespace manifuzz {
 
@@ -14,6 +19,11 @@ void write_error(std::string_view text);
 
 /// What is wrong, a line on the standard error: "manifuzz: what".
 void write_complaint(std::string_view what);
+void write_complaints(const std::vector<std::string>& all);
+
+/// The path from the working folder, since no absolute path goes into what is kept; as it is where
+/// that cannot be told.
+std::filesystem::path kept_path(const std::filesystem::path& path);
 
 /// From now on nothing but data, what is wrong, and what decides a status.
 void be_quiet();
@@ -44,15 +54,24 @@ class Output {
 /// has to say is in its status too.
 void write_to_reader(std::string_view text);
 
+/// What is wrong with an output itself, so that nothing may be written there.
+struct BadOutput : UserError {
+  using UserError::UserError;
+};
+
 /// An option, and the file that it names for data: "-" is the standard output, "" is none.
 struct DataFile {
   std::string_view option;
   std::string_view file;
 };
 
-/// Whether one of them takes the standard output, which then has nothing else. Throws UserError
-/// where two would.
+/// Whether one of them takes the standard output, which then has nothing else. Throws BadOutput
+/// where two would write to one place.
 bool takes_stdout(std::initializer_list<DataFile> files);
+
+/// Throws BadOutput where one of them is among `inputs`: what was there before is not lost.
+void expect_apart(std::initializer_list<DataFile> outputs,
+                  std::span<const std::filesystem::path> inputs);
 
 /// Writes to the file of that name, or to the standard output for "-".
 void write_data(const std::string& file, std::string_view text);
@@ -61,16 +80,18 @@ void write_data(const std::string& file, std::string_view text);
 /// UTF-8; what is not is replaced.
 std::string json_text(const nlohmann::ordered_json& json);
 
-/// Outputs that are written one by one: one that fails is named, and no other is lost by that.
+/// Outputs that are written one by one: one that fails is named, once, and no other is lost by
+/// that.
 class Outputs {
  public:
   /// Runs what writes an output, if it is asked for; it may throw a UserError.
   void write(bool is_asked, const std::function<void()>& write_it);
 
-  bool are_written() const { return are_written_; }
+  bool are_written() const { return errors_.empty(); }
+  const std::vector<std::string>& errors() const { return errors_; }
 
  private:
-  bool are_written_ = true;
+  std::vector<std::string> errors_;
 };
 
 /// One line on a terminal, written over and over; nothing when quiet, and where stderr is no

@@ -103,8 +103,8 @@ void add_runs(PageCase& page_case, const std::vector<Result>& results) {
   const auto& expect = page_case.shown.given.expect;
   if (!expect) return;
   for (const Result& result : results) {
-    const bool is_of_these = result.fuzz && result.fuzz->oracle == expect->oracle &&
-                             result.fuzz->subject == expect->subject;
+    const bool is_of_these = result.fuzz && result.fuzz->settings.oracle == expect->oracle &&
+                             result.fuzz->settings.subject == expect->subject;
     if (!is_of_these) continue;
     for (const BucketResult& found : result.fuzz->buckets) {
       if (found.bucket != expect->bucket) continue;

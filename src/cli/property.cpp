@@ -57,43 +57,46 @@ std::vector<const Property*> choose(const std::vector<std::string>& names) {
 std::string options_again(const Options& options, std::uint64_t seed) {
   std::string text =
       fmt::format("{} --seed {}", options_again(options.subject, options.outside), seed);
-  const auto corpus = std::filesystem::proximate(options.corpus).string();
+  const auto corpus = kept_path(options.corpus).string();
   return corpus == "corpus" ? text : text + " --corpus " + quoted_for_shell(corpus);
+}
+
+PropertyPlan plan_of(const Options& options) {
+  PropertyPlan plan;
+  const std::uint64_t cases = options.cases.value_or(kDefaultCases);
+  if (cases > kCasesMax) {
+    throw UserError(fmt::format("--cases: {} are too many; take 1 to {}", cases, kCasesMax));
+  }
+  plan.cases = static_cast<int>(cases);
+  plan.seed = seed_or_draw(options.seed);
+  if (const char* const rc_params = std::getenv("RC_PARAMS")) plan.rc_params = rc_params;
+  return plan;
 }
 
 int run(Options& options) {
   options.ci.stdout_is_data = takes_stdout({{"--junit", options.ci.junit}});
   const std::vector<const Property*> chosen = choose(options.names);
   const Collider subject = find_collider(options.subject, options.outside);
-  const std::uint64_t cases = options.cases.value_or(kDefaultCases);
-  if (cases > kCasesMax) {
-    throw UserError(fmt::format("--cases: {} are too many; take 1 to {}", cases, kCasesMax));
-  }
   const Corpus corpus = read_corpus_folder(options.corpus);
-  PropertyPlan plan;
-  plan.seed = seed_or_draw(options.seed);
-  plan.cases = static_cast<int>(cases);
+  expect_apart({{"--junit", options.ci.junit}}, corpus.files);
+  PropertyPlan plan = plan_of(options);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.corpus = pairs;
-  if (const char* const rc_params = std::getenv("RC_PARAMS")) plan.rc_params = rc_params;
 
+  Interruption all;
   Outputs outputs;
-  const std::vector<CheckedProperty> checked = check_properties(
-      chosen, subject, plan, options.no_save ? "" : options.corpus,
-      [&](const CheckedProperty& one) {
-        if (!options.ci.stdout_is_data && !(one.result.passed && is_quiet())) {
-          Output out;
-          out.write(property_text(one));
-          out.flush();
-        }
-        outputs.write(!one.why_unsaved.empty(), [&] { throw UserError(one.why_unsaved); });
-        return true;
-      });
+  const auto tell = [&](const CheckedProperty& one) {
+    const bool is_told = !options.ci.stdout_is_data && !(one.holds() && is_quiet());
+    outputs.write(is_told, [&] { write_to_reader(property_text(one)); });
+    outputs.write(!one.why_unsaved.empty(), [&] { throw UserError(one.why_unsaved); });
+  };
+  const std::vector<CheckedProperty> checked =
+      check_properties(chosen, subject, plan, {}, options.no_save ? "" : options.corpus, tell);
+  outputs.write(all.requests() > 0,
+                [] { throw UserError("property: interrupted before it was done"); });
   if (is_wanted(options.ci)) {
-    Interruption interruption;
-    const TestSuite suite =
-        property_suite(checked, subject, options_again(options, plan.seed), interruption);
-    write_ci(options.ci, {&suite, 1}, outputs);
+    const std::string again = options_again(options, plan.seed);
+    write_ci(options.ci, {property_suite(checked, subject, again, all)}, outputs);
   }
   if (!outputs.are_written()) return 2;
   return std::ranges::all_of(checked, &CheckedProperty::holds) ? 0 : 1;

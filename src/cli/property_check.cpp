@@ -54,12 +54,14 @@ TestFailure failure_of(const CheckedProperty& checked, const std::string& option
 
 std::vector<CheckedProperty> check_properties(
     const std::vector<const Property*>& chosen, const Collider& subject, const PropertyPlan& plan,
-    const std::string& save_to, const std::function<bool(const CheckedProperty&)>& on_checked) {
+    const Deadline& deadline, const std::string& save_to,
+    const std::function<void(const CheckedProperty&)>& on_checked) {
   std::vector<CheckedProperty> all;
   for (const Property* const property : chosen) {
     const auto start = Clock::now();
+    Interruption interruption(share_of(deadline, chosen.size() - all.size()));
     PropertyPlan in_turn = plan;
-    in_turn.deadline = share_of(plan.deadline, chosen.size() - all.size());
+    in_turn.interruption = &interruption;
     CheckedProperty checked{property, run_property(*property, subject, in_turn)};
     checked.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     try {
@@ -69,8 +71,9 @@ std::vector<CheckedProperty> check_properties(
     } catch (const UserError& error) {
       checked.why_unsaved = error.what();
     }
+    on_checked(checked);
     all.push_back(checked);
-    if (!on_checked(checked)) break;
+    if (interruption.requests() > 0) break;
   }
   return all;
 }
@@ -90,7 +93,6 @@ TestSuite property_suite(const std::vector<CheckedProperty>& checked, const Coll
   std::size_t pictures = 0;
   std::size_t left_out = 0;
   for (const CheckedProperty& one : checked) {
-    if (!one.why_unsaved.empty()) suite.errors.push_back(one.why_unsaved);
     if (one.is_left_out()) {
       ++left_out;
       continue;

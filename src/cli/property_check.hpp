@@ -23,11 +23,13 @@ struct CheckedProperty {
   bool is_left_out() const { return result.passed && result.cases == 0; }
 };
 
-/// Every one of these properties; failing cases go to the folder `save_to`, unless it is empty.
-/// `on_checked` runs after each, and tells whether to go on.
+/// Every one of these properties, until somebody asks to stop or, each with its share of what time
+/// is left, until the deadline; failing cases go to the folder `save_to`, unless it is empty.
+/// `on_checked` runs after each.
 std::vector<CheckedProperty> check_properties(
     const std::vector<const Property*>& chosen, const Collider& subject, const PropertyPlan& plan,
-    const std::string& save_to, const std::function<bool(const CheckedProperty&)>& on_checked);
+    const Deadline& deadline, const std::string& save_to,
+    const std::function<void(const CheckedProperty&)>& on_checked);
 
 /// For people: what RapidCheck says, how to repeat a failure, and where its case went.
 std::string property_text(const CheckedProperty& checked);

@@ -13,6 +13,7 @@
 #include "cases/user_error.hpp"
 #include "cli/ci_output.hpp"
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/parties.hpp"
 #include "cli/replay_run.hpp"
@@ -28,13 +29,17 @@ struct Options {
   CiOutput ci;
 };
 
-nlohmann::ordered_json json_of(const ReplayRun& run, const Collider& subject,
+nlohmann::ordered_json json_of(const ReplayRun& run, std::size_t unread, const Collider& subject,
                                const Collider& oracle) {
   const std::array declarations{subject.declaration, oracle.declaration};
   nlohmann::ordered_json json = provenance(0, declarations);
+  json["subject"] = declarations[0].name;
+  json["oracle"] = declarations[1].name;
   json["cases"] = run.tests.size();
   json["passed"] = run.passed();
   json["failed"] = run.failures.size();
+  json["left_out"] = run.left_out;
+  json["unread"] = unread;
   json["seconds"] = run.seconds;
   json["failures"] = nlohmann::ordered_json::array();
   for (const FailedReplay& failure : run.failures) {
@@ -45,17 +50,6 @@ nlohmann::ordered_json json_of(const ReplayRun& run, const Collider& subject,
   return json;
 }
 
-int status_of(const ReplayRun& run, const std::vector<std::string>& errors,
-              const Outputs& outputs) {
-  if (!errors.empty()) {
-    write_complaint(fmt::format("replay: {} of the files could not be read; the rest was replayed",
-                                errors.size()));
-    return 2;
-  }
-  if (!outputs.are_written()) return 2;
-  return run.failures.empty() ? 0 : 1;
-}
-
 int replay(Options& options) {
   options.ci.stdout_is_data =
       takes_stdout({{"--json", options.json}, {"--junit", options.ci.junit}});
@@ -64,32 +58,41 @@ int replay(Options& options) {
   const Collider subject = find_subject(options.parties);
   const Collider oracle = find_oracle(options.parties);
   const Corpus corpus = read_corpus(paths);
-  for (const std::string& error : corpus.errors) write_complaint(error);
+  expect_apart({{"--json", options.json}, {"--junit", options.ci.junit}}, corpus.files);
+  write_complaints(corpus.errors);
   if (corpus.cases.empty() && corpus.errors.empty()) {
     throw UserError("replay: there is no case; name files or folders of cases");
   }
 
   Interruption interruption;
   const ReplayRun run = replay_cases(corpus.cases, subject, oracle, interruption);
-  if (run.left_out > 0) throw UserError("replay: interrupted");
   Outputs outputs;
+  outputs.write(run.left_out > 0,
+                [&] { throw UserError("replay: interrupted before it was done"); });
   outputs.write(!options.ci.stdout_is_data,
                 [&] { write_to_reader(replay_text(run, subject, oracle)); });
-  outputs.write(!options.json.empty(),
-                [&] { write_data(options.json, json_text(json_of(run, subject, oracle))); });
+  outputs.write(!options.json.empty(), [&] {
+    write_data(options.json, json_text(json_of(run, corpus.errors.size(), subject, oracle)));
+  });
   if (is_wanted(options.ci)) {
     TestSuite suite =
         replay_suite(run, subject, oracle, options_again(options.parties), interruption);
     suite.errors = corpus.errors;
-    write_ci(options.ci, {&suite, 1}, outputs);
+    write_ci(options.ci, {suite}, outputs);
   }
-  return status_of(run, corpus.errors, outputs);
+  if (!corpus.errors.empty()) {
+    write_complaint(fmt::format("replay: {} of the files could not be read; the rest was replayed",
+                                corpus.errors.size()));
+  }
+  if (!outputs.are_written() || !corpus.errors.empty()) return 2;
+  return run.failures.empty() ? 0 : 1;
 }
 
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("paths", options->paths, "files and folders of cases; corpus if not given")
-      ->type_name("PATH");
+      ->type_name("PATH")
+      ->check(not_blank);
   add_parties(app, options->parties);
   add_junit(app, options->ci);
   app.add_option("--json", options->json, "the summary as JSON, to a file or - for stdout")

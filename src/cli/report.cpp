@@ -39,7 +39,7 @@ std::string repeating_command(const std::vector<std::filesystem::path>& paths,
   std::string command = this_program() + " report";
   for (const auto& path : paths) command += ' ' + quoted_for_shell(path.string());
   if (options.maps) command += fmt::format(" --maps {}", *options.maps);
-  const auto output = std::filesystem::proximate(options.output);
+  const auto output = kept_path(options.output);
   return command + " --output " + quoted_for_shell(output.string());
 }
 
@@ -48,16 +48,14 @@ int report(const Options& options) {
     throw UserError(fmt::format("--maps: {} are too many; take 0 to {}", *options.maps, kMapsMax));
   }
   std::vector<std::filesystem::path> paths;
-  for (const std::string& path : options.paths) paths.push_back(std::filesystem::proximate(path));
+  for (const std::string& path : options.paths) paths.push_back(kept_path(path));
   if (paths.empty()) paths.emplace_back("corpus");
   const RunFiles files = read_run_files(paths);
-  for (const std::string& error : files.corpus.errors) {
-    write_complaint(error);
-  }
+  write_complaints(files.corpus.errors);
   if (files.corpus.cases.empty() && files.results.empty()) {
     throw UserError("report: there is nothing to report; name folders of cases and --json files");
   }
-  expect_no_input("--output", options.output, files);
+  expect_apart({{"--output", options.output}}, files.corpus.files);
   NamedColliders colliders(chosen(options.parties.subject, options.parties.outside),
                            chosen(options.parties.oracle, options.parties.outside));
   const std::string html = report_page(files, colliders, options.maps.value_or(kMapsUsual),
@@ -76,7 +74,8 @@ Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("paths", options->paths,
                  "folders and files of cases, and what --json wrote; corpus if not given")
-      ->type_name("PATH");
+      ->type_name("PATH")
+      ->check(not_blank);
   app.add_option("--output", options->output, "the page, - for stdout")
       ->type_name("FILE.html")
       ->check(not_blank)

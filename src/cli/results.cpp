@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "cases/file.hpp"
-#include "cases/text.hpp"
 #include "cases/user_error.hpp"
 #include "cli/fuzz_result_json.hpp"
 
@@ -43,11 +42,13 @@ struct Document {
 
 Result result_of(const std::string& path, const Document& document, const KindKey& kind) {
   const JsonView root(document.tree);
-  Result result{path, kind.kind, nlohmann::ordered_json::parse(document.text)};
+  Result result{path, kind.kind, {}};
   if (kind.kind == "fuzz") {
     result.fuzz = read_fuzz_result(root);
+    result.json = json_of(*result.fuzz);
   } else {
     for (const JsonView& row : root.at(kind.key).elements()) row.keys();
+    result.json = nlohmann::ordered_json::parse(document.text);
   }
   return result;
 }
@@ -72,7 +73,7 @@ void read_json_file(const std::string& path, RunFiles& files) {
     if (const KindKey* const kind = kind_of(root)) {
       files.results.push_back(result_of(path, document, *kind));
     } else {
-      CorpusCase known = read_case(root, FormatKey::required);
+      CorpusCase known = read_case(root, path == "-" ? FormatKey::optional : FormatKey::required);
       known.path = path;
       files.corpus.cases.push_back(std::move(known));
     }
@@ -91,9 +92,9 @@ Result read_result(const std::string& path) {
 
 RunFiles read_run_files(std::span<const fs::path> paths) {
   RunFiles files;
-  files.paths = find_case_files(paths, files.corpus.errors);
-  for (const auto& path : files.paths) {
-    if (path.extension() != ".json") {
+  files.corpus.files = find_case_files(paths, files.corpus.errors);
+  for (const auto& path : files.corpus.files) {
+    if (path != "-" && path.extension() != ".json") {
       read_case_files(path, files.corpus);
       continue;
     }
@@ -104,16 +105,6 @@ RunFiles read_run_files(std::span<const fs::path> paths) {
     }
   }
   return files;
-}
-
-void expect_no_input(std::string_view option, const std::string& output, const RunFiles& files) {
-  const auto is_output = [&](const fs::path& path) {
-    std::error_code unknown;
-    return fs::equivalent(path, output, unknown) && !unknown;
-  };
-  if (!std::ranges::any_of(files.paths, is_output)) return;
-  throw UserError(fmt::format("{}: {} is one of the files that are read; another is expected",
-                              option, printable(output, 200)));
 }
 
 }  // namespace manifuzz

@@ -27,17 +27,12 @@ Result read_result(const std::string& path);
 
 /// What runs left behind: cases and results, told apart by what is in them.
 struct RunFiles {
-  Corpus corpus;  ///< its errors name what is neither
+  Corpus corpus;  ///< its errors name what is neither, its files are all that were read
   std::vector<Result> results;
-  std::vector<std::filesystem::path> paths{};  ///< of all files, broken ones too
 };
 
-/// Everything in these files and folders, sorted by path. What is broken gives an error line, the
-/// rest is read all the same.
+/// Everything in these files and folders, sorted by path; "-" is the standard input. What is broken
+/// gives an error line, the rest is read all the same.
 RunFiles read_run_files(std::span<const std::filesystem::path> paths);
-
-/// Throws UserError where `output`, of that option, is one of the files that were read: what was
-/// there before is not lost.
-void expect_no_input(std::string_view option, const std::string& output, const RunFiles& files);
 
 }  // namespace manifuzz

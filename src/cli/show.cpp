@@ -84,6 +84,8 @@ std::string write_map(const Options& options, const ShownCase& shown, const Coll
 int show(const Options& options) {
   check_map(options);
   const std::string file = case_file(options.given);
+  const std::filesystem::path input(file);
+  expect_apart({{"--svg", options.svg}, {"--map", options.map.value_or("")}}, {&input, 1});
   const CorpusCase given = read_case_file(file);
   const Expectation recorded = given.expect.value_or(Expectation{});
   Parties parties = options.parties;

@@ -26,6 +26,8 @@ int shrink_file(const Options& options) {
   const Collider subject = find_subject(options.parties);
   const Collider oracle = find_oracle(options.parties);
   const std::string file = case_file(options.given);
+  const std::filesystem::path input(file);
+  expect_apart({{"--output", options.output}}, {&input, 1});
   const CorpusCase given = read_case_file(file);
   Interruption interruption;
   const Judgement root = judge_guarded(given.pair, subject, oracle, interruption);

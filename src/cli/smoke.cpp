@@ -2,6 +2,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <tuple>
@@ -39,7 +40,6 @@ constexpr double kPicturesShare = 1;
 /// Where the collider took all of its time to start.
 constexpr double kCampaignSecondsMin = 0.5;
 constexpr int kPropertyCases = 200;
-constexpr std::string_view kInterrupted = "smoke: interrupted before it was done";
 
 struct Options {
   Parties parties;
@@ -82,15 +82,15 @@ struct Smoke {
   std::string corpus_again() const {
     return corpus_folder == "corpus" ? "" : " --corpus " + quoted_for_shell(corpus_folder);
   }
-  void tell(const std::string& text) const {
-    if (!ci.stdout_is_data) write_to_reader(text);
+  void tell(const std::string& text, Outputs& outputs) const {
+    outputs.write(!ci.stdout_is_data, [&] { write_to_reader(text); });
   }
 };
 
-ReplayRun replay_some(const Smoke& smoke) {
+ReplayRun replay_some(const Smoke& smoke, Outputs& outputs) {
   Interruption interruption(smoke.schedule.at(kReplayShare));
   const ReplayRun run = replay_cases(smoke.corpus.cases, smoke.subject, smoke.oracle, interruption);
-  smoke.tell(replay_text(run, smoke.subject, smoke.oracle) + (is_quiet() ? "" : "\n"));
+  smoke.tell(replay_text(run, smoke.subject, smoke.oracle) + (is_quiet() ? "" : "\n"), outputs);
   return run;
 }
 
@@ -101,21 +101,20 @@ std::string brief_text(const CheckedProperty& checked) {
   return fmt::format("{} {}: {}, {} cases\n", good("ok  "), name, sentence, checked.result.cases);
 }
 
-std::vector<CheckedProperty> check_some(const Smoke& smoke, Interruption& all, Outputs& outputs) {
+std::vector<CheckedProperty> check_some(const Smoke& smoke, Outputs& outputs) {
   std::vector<const Property*> chosen;
   for (const Property& property : properties()) chosen.push_back(&property);
   PropertyPlan plan;
   plan.seed = smoke.seed;
   plan.cases = kPropertyCases;
   plan.corpus = smoke.pairs;
-  plan.deadline = smoke.schedule.at(kPropertyShare);
-  return check_properties(
-      chosen, smoke.subject, plan, smoke.save_to, [&](const CheckedProperty& one) {
-        if (!one.holds()) smoke.tell(property_text(one));
-        if (one.holds() && !is_quiet()) smoke.tell(brief_text(one));
-        outputs.write(!one.why_unsaved.empty(), [&] { throw UserError(one.why_unsaved); });
-        return all.requests() == 0;
-      });
+  return check_properties(chosen, smoke.subject, plan, smoke.schedule.at(kPropertyShare),
+                          smoke.save_to, [&](const CheckedProperty& one) {
+                            if (!one.holds()) smoke.tell(property_text(one), outputs);
+                            if (one.holds() && !is_quiet()) smoke.tell(brief_text(one), outputs);
+                            outputs.write(!one.why_unsaved.empty(),
+                                          [&] { throw UserError(one.why_unsaved); });
+                          });
 }
 
 Plan plan_of(const Smoke& smoke) {
@@ -139,11 +138,11 @@ Smoke prepared(const Options& options) {
                                 smoke.schedule.seconds, kSecondsMax));
   }
   // No absolute path goes into what is kept.
-  if (!options.corpus.empty())
-    smoke.corpus_folder = std::filesystem::proximate(options.corpus).string();
+  if (!options.corpus.empty()) smoke.corpus_folder = kept_path(options.corpus).string();
   smoke.save_to = options.no_save ? "" : smoke.corpus_folder;
   smoke.corpus = read_known(smoke.corpus_folder);
-  for (const std::string& error : smoke.corpus.errors) write_complaint(error);
+  expect_apart({{"--junit", options.ci.junit}}, smoke.corpus.files);
+  write_complaints(smoke.corpus.errors);
   Parties parties = options.parties;
   const bool are_programs = !parties.subject.command.empty() && !parties.oracle.command.empty();
   if (are_programs) parties.outside.start_seconds = kStartSecondsMax / 2;
@@ -157,7 +156,7 @@ Smoke prepared(const Options& options) {
   return smoke;
 }
 
-Campaign campaign_of(const Smoke& smoke) {
+Campaign campaign_of(const Smoke& smoke, Outputs& outputs) {
   const std::string again =
       fmt::format("{} fuzz {}{}", this_program(), smoke.parties_again, smoke.corpus_again());
   Campaign campaign = run_campaign(plan_of(smoke), KnownBuckets(smoke.corpus.cases),
@@ -166,27 +165,34 @@ Campaign campaign_of(const Smoke& smoke) {
   if (campaign.saving.unsaved > 0) {
     text += fmt::format("\n{} findings are not saved, for time was up\n", campaign.saving.unsaved);
   }
-  smoke.tell(text);
+  smoke.tell(text, outputs);
+  const std::string& unsaved = campaign.saving.first_error;
+  outputs.write(!unsaved.empty(), [&] { throw UserError(unsaved); });
   return campaign;
 }
 
-void write_suites(const Smoke& smoke, const ReplayRun& replayed,
-                  const std::vector<CheckedProperty>& checked, const Campaign& campaign,
-                  Outputs& outputs) {
+/// What the parts came to, as far as there were any before somebody asked to stop.
+struct Parts {
+  ReplayRun replayed;
+  std::vector<CheckedProperty> checked;
+  std::optional<Campaign> campaign;
+
+  bool are_well() const {
+    return replayed.failures.empty() && std::ranges::all_of(checked, &CheckedProperty::holds) &&
+           !(campaign && has_failed(campaign->result));
+  }
+};
+
+std::vector<TestSuite> suites_of(const Parts& parts, const Smoke& smoke) {
   Interruption until_drawn(smoke.schedule.at(kPicturesShare));
   const std::string property_again =
       fmt::format("{} --seed {}{}", smoke.subject_again, smoke.seed, smoke.corpus_again());
   std::vector<TestSuite> suites{
-      replay_suite(replayed, smoke.subject, smoke.oracle, smoke.parties_again, until_drawn),
-      property_suite(checked, smoke.subject, property_again, until_drawn),
-      fuzz_suite(campaign, until_drawn)};
+      replay_suite(parts.replayed, smoke.subject, smoke.oracle, smoke.parties_again, until_drawn),
+      property_suite(parts.checked, smoke.subject, property_again, until_drawn)};
+  if (parts.campaign) suites.push_back(fuzz_suite(*parts.campaign, until_drawn));
   suites.front().errors = smoke.corpus.errors;
-  if (campaign.result.interrupted) suites.back().errors.emplace_back(kInterrupted);
-  write_ci(smoke.ci, suites, outputs);
-}
-
-void expect_uninterrupted(Interruption& all) {
-  if (all.requests() > 0) throw UserError(std::string(kInterrupted));
+  return suites;
 }
 
 int run(Options& options) {
@@ -194,20 +200,14 @@ int run(Options& options) {
   Interruption all;  // a signal in any part
   const Smoke smoke = prepared(options);
   Outputs outputs;
-  const ReplayRun replayed = replay_some(smoke);
-  expect_uninterrupted(all);
-  const std::vector<CheckedProperty> checked = check_some(smoke, all, outputs);
-  expect_uninterrupted(all);
-  const Campaign campaign = campaign_of(smoke);
-  const std::string& unsaved = campaign.saving.first_error;
-  outputs.write(!unsaved.empty(), [&] { throw UserError(unsaved); });
-  outputs.write(all.requests() > 0, [] { throw UserError(std::string(kInterrupted)); });
-  if (is_wanted(smoke.ci)) write_suites(smoke, replayed, checked, campaign, outputs);
+  Parts parts{replay_some(smoke, outputs), {}, {}};
+  if (all.requests() == 0) parts.checked = check_some(smoke, outputs);
+  if (all.requests() == 0) parts.campaign = campaign_of(smoke, outputs);
+  outputs.write(all.requests() > 0,
+                [] { throw UserError("smoke: interrupted before it was done"); });
+  if (is_wanted(smoke.ci)) write_ci(smoke.ci, suites_of(parts, smoke), outputs);
   if (!outputs.are_written() || !smoke.corpus.errors.empty()) return 2;
-  const bool is_well = replayed.failures.empty() &&
-                       std::ranges::all_of(checked, &CheckedProperty::holds) &&
-                       !has_failed(campaign.result);
-  return is_well ? 0 : 1;
+  return parts.are_well() ? 0 : 1;
 }
 
 Run define(CLI::App& app) {

@@ -164,7 +164,7 @@ nlohmann::ordered_json report_json(const StressPlan& plan, const StressResult& r
 void save(const StressPlan& plan, const StressResult& result, const std::string& folder,
           Interruption& interruption) {
   const ProgressLine line;
-  const std::string corpus = std::filesystem::proximate(folder).string();
+  const std::string corpus = kept_path(folder).string();
   try {
     save_worst(plan, result, corpus, interruption,
                [&](const std::string& name) { line.show("saving " + name); });

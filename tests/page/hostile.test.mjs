@@ -177,23 +177,31 @@ onData('a thousand cases are filtered without a long task', reportOf({cases: man
 });
 
 const run = fixture('fuzz').result;
+const one = (result) => [{path: 'one.json', result}];
+const replay = fixture('replay').result;
+const wrong = {...sample, verdict: 'subject_wrong', subject: 'mine', oracle: 'clip'};
 const headed = [
-  ['Nothing unexplained', 'good', {}],
-  ['1 known defect over budget', 'bad', {ledger: [{id: 'one', hits: 9, regimes: {boxes: 9}, over_budget: ['boxes']}]}],
-  ['a run that stopped early', 'bad', {stopped_early: true}],
-  ['a run that was interrupted', 'bad', {interrupted: true}],
-  ['a vacuous run', 'bad', {vacuous: true, failed: true}],
-  ['a run that failed', 'bad', {failed: true}],
+  ['Nothing unexplained', {fuzz: one(run)}],
+  ['1 known defect over budget', {fuzz: one({...run, ledger: [{id: 'one', hits: 9, regimes: {boxes: 9}, over_budget: ['boxes']}]})}],
+  ['a run that stopped early', {fuzz: one({...run, stopped_early: true})}],
+  ['a run that was interrupted', {fuzz: one({...run, interrupted: true})}],
+  ['a vacuous run', {fuzz: one({...run, vacuous: true, failed: true})}],
+  ['a run that failed', {fuzz: one({...run, failed: true})}],
+  ['2 files unread', {fuzz: one(run), errors: ['a.json: is empty', 'b.json: is empty']}],
+  ['Nothing unexplained', {replay: one({...replay, failed: 0, failures: []})}],
+  ['2 replayed cases failed', {replay: one({...replay, failed: 0})}],
+  ['4 cases left out, 3 files unread', {replay: one({...replay, failed: 0, failures: [], left_out: 4, unread: 3})}],
+  ['6 mismatches', {scene: one({rows: [{mismatches: -3}, {mismatches: 3}]})}],
+  ['1 breaking point got worse', {stress: one({worse: {a: 1}})}],
+  ['Nothing recorded as unexplained', {cases: [sample]}],
+  ['1 bucket recorded as wrong', {cases: [wrong]}],
+  ['1 bucket recorded as wrong', {cases: [wrong], fuzz: one(run)}],
+  ['Nothing unexplained', {cases: [wrong], fuzz: one({...run, subject: 'mine', oracle: 'clip'})}],
+  ['1 property recorded as wrong', {cases: [{...sample, property: 'never-empty'}]}],
 ];
-for (const [head, kind, more] of headed) {
-  const data = reportOf({fuzz: [{path: 'run.json', result: {...run, ...more}}]});
-  onData(`the head of the page is "${head}" where that is so`, data, async (page) => {
+for (const [head, parts] of headed) {
+  onData(`the head of a page is "${head}" with ${Object.keys(parts).join(' and ')}`, reportOf(parts), async (page) => {
     assert.equal(await page.textContent('h1'), head);
-    assert.equal(await page.getAttribute('h1', 'class'), kind);
+    assert.equal(await page.getAttribute('h1', 'class'), head.startsWith('Nothing') ? 'good' : 'bad');
   });
 }
-
-const unread = reportOf({fuzz: [{path: 'run.json', result: run}], errors: ['a.json: is empty', 'b.json: is empty']});
-onData('a page that could not read everything does not say that all is well', unread, async (page) => {
-  assert.equal(await page.textContent('h1'), '2 files unread');
-});

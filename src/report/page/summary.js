@@ -34,9 +34,17 @@ function unexplainedBuckets() {
   return new Set(buckets.filter(({ verdict }) => UNEXPLAINED.has(verdict)).map(({ bucket }) => bucket)).size;
 }
 
-function recordedBuckets() {
-  const wrong = report.cases.filter(({ verdict }) => UNEXPLAINED.has(verdict));
-  return new Set(wrong.map((one) => one.bucket || one.id)).size;
+// What a corpus keeps of pairs of colliders that no run here is of, and of properties.
+function recordedWrongs() {
+  const ran = new Set([...report.fuzz, ...report.replay].map(({ result }) => pairOf(result)));
+  const wrong = report.cases.filter((one) => UNEXPLAINED.has(one.verdict) && !ran.has(pairOf(one)));
+  const failed = report.cases.filter(({ property }) => property);
+  return [[new Set(wrong.map((one) => one.bucket || one.id)).size, "bucket"], [new Set(failed.map(({ property }) => property)).size, "property", "properties"]]
+    .filter(([count]) => count > 0).map((entry) => `${counted(...entry)} recorded as wrong`);
+}
+
+function pairOf({ subject, oracle }) {
+  return `${subject} against ${oracle}`;
 }
 
 // What keeps the buckets and figures of runs from being all there is to say of them.
@@ -49,26 +57,32 @@ function runsFellShort() {
     [...runs, ...report.stress.map(({ result }) => result)].some((run) => run.interrupted) && "a run that was interrupted"].filter(Boolean);
 }
 
+// What results count, as far as it is a number.
+function summed(results, countOf) {
+  return results.reduce((sum, { result }) => sum + Math.abs(Number(countOf(result)) || 0), 0);
+}
+
 function fellShort() {
-  const failed = report.replay.reduce((sum, { result }) => sum + (result.failed ?? 0), 0);
-  const mismatches = report.scene.flatMap(({ result }) => result.rows ?? []).reduce((sum, row) => sum + (row.mismatches ?? 0), 0);
-  const worse = report.stress.reduce((sum, { result }) => sum + (result.worse?.length ?? 0), 0);
+  const failed = summed(report.replay, (result) => Math.max(result.failures?.length ?? 0, result.failed ?? 0));
+  const unread = report.errors.length + summed(report.replay, (result) => result.unread);
+  const leftOut = summed(report.replay, (result) => result.left_out);
+  const mismatches = report.scene.flatMap(({ result }) => result.rows ?? []).reduce((sum, row) => sum + Math.abs(Number(row.mismatches) || 0), 0);
+  const worse = summed(report.stress, (result) => Object.keys(result.worse ?? {}).length);
   return [failed > 0 && `${counted(failed, "replayed case")} failed`,
+    leftOut > 0 && `${counted(leftOut, "case")} left out`,
     mismatches > 0 && counted(mismatches, "mismatch", "mismatches"),
     worse > 0 && counted(worse, "breaking point got worse", "breaking points got worse"), ...runsFellShort(),
-    report.errors.length > 0 && `${counted(report.errors.length, "file")} unread`].filter(Boolean);
+    unread > 0 && `${counted(unread, "file")} unread`].filter(Boolean);
 }
 
 function verdictSentence() {
   const unexplained = unexplainedBuckets();
   const bad = [unexplained > 0 && `${counted(unexplained, "bucket")} unexplained`, ...fellShort()].filter(Boolean);
   if (bad.length === 0 && report.fuzz.some(({ result }) => result.failed)) bad.push("a run that failed");
+  bad.push(...recordedWrongs());
   if (bad.length > 0) return { text: bad.join(", "), isBad: true };
   if (report.fuzz.length > 0 || report.replay.length > 0) return { text: "Nothing unexplained", isBad: false };
-  if (report.cases.length > 0) {
-    const recorded = recordedBuckets();
-    return { text: `${recorded > 0 ? counted(recorded, "bucket") : "Nothing"} recorded as unexplained`, isBad: recorded > 0 };
-  }
+  if (report.cases.length > 0) return { text: "Nothing recorded as unexplained", isBad: false };
   const measured = ["bench", "stress", "scene"].filter((kind) => report[kind].length > 0);
   return { text: measured.length > 0 ? `Measured: ${measured.join(", ")}` : "Nothing to show", isBad: false };
 }
@@ -76,7 +90,7 @@ function verdictSentence() {
 function pairsOfColliders() {
   const runs = report.fuzz.map(({ result }) => result);
   const pairs = new Set([...runs, ...report.cases].filter(({ subject, oracle }) => subject && oracle)
-    .map(({ subject, oracle }) => `${subject} against ${oracle}`));
+    .map(pairOf));
   return [...pairs];
 }
 

@@ -140,6 +140,9 @@ TEST_CASE("A case is never written over another finding, nor over what is no cas
   CHECK(second.stem().string() == usual.stem().string() + "-2");
   CHECK(read_case_file(usual.string()).expect->subject == "clip");
   CHECK(write_corpus_case(folder.path(), sample) == second);
+  sample.note = "Mine.";
+  CHECK(write_corpus_case(folder.path(), sample) == second);
+  CHECK(read_case_file(second.string()).note != "Mine.");
   folder.write(usual.filename().string(), "not a case");
   CHECK(corpus_file(folder.path(), sample_case()).stem().string() == usual.stem().string() + "-3");
 }

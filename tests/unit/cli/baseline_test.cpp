@@ -15,8 +15,8 @@ using Names = std::vector<std::string>;
 /// A run that met these buckets, each so badly.
 FuzzResult run_with(const std::vector<std::pair<std::string, double>>& magnitudes) {
   FuzzResult run;
-  run.seed = 1;
-  run.oracle = "box2d";
+  run.parts = {{.seed = 1, .cases = {{"boxes", 10}}}};
+  run.settings.oracle = "box2d";
   run.regimes = {{"boxes", 10, 1, 0, 0}};
   for (const auto& [bucket, magnitude] : magnitudes) {
     run.buckets.push_back({.bucket = bucket, .magnitude = magnitude});
@@ -41,7 +41,7 @@ TEST_CASE("what two runs do not share is said") {
   const FuzzResult one = run_with({});
   FuzzResult other = one;
   CHECK(differences_in_words(one, other).empty());
-  other.seed = 2;
+  other.parts[0].seed = 2;
   other.regimes[0].name = "grid";
   CHECK(differences_in_words(one, other)
             .starts_with("the baseline differs in seed (1, now 2), regimes:"));
@@ -50,7 +50,9 @@ TEST_CASE("what two runs do not share is said") {
 
 TEST_CASE("a baseline is what fuzz --json wrote, and nothing else") {
   const test::TemporaryFolder folder;
-  const nlohmann::ordered_json good = json_of(run_with({{"depth", 0.1}}));
+  FuzzResult run = run_with({{"depth", 0.1}});
+  run.verdicts[0] = 10;
+  const nlohmann::ordered_json good = json_of(run);
   CHECK(read_baseline(folder.write("good.json", good.dump())).buckets.size() == 1);
   const auto refused = [&](const std::string& text) {
     CHECK_THROWS_AS(read_baseline(folder.write("bad.json", text)), UserError);

@@ -232,7 +232,67 @@ TEST_CASE("a report may go to the standard output, which then has nothing else")
     CHECK_THAT(outcome.out, Catch::StartsWith("<?xml") && Catch::EndsWith("</testsuites>\n"));
     CHECK(read_svg(outcome.out)[0].name == "testsuites");
   }
-  const Outcome both = run_manifuzz({"fuzz", "--cases", "20", "--junit", "-", "--json", "-"});
-  CHECK(both.status == 2);
-  CHECK(is_one_clear_line(both.err));
+}
+
+TEST_CASE("two outputs never go to one place, and none to what is read") {
+  const Step step;
+  const std::string one = (step.folder.path() / "one").string();
+  const std::string same = (step.folder.path() / "." / "one").string();
+  const std::string before = text_of(step.witness());
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"replay", step.corpus, "--json", "-", "--junit", "-"},
+        {"replay", step.corpus, "--json", one, "--junit", same},
+        {"replay", step.corpus, "--json", step.witness()},
+        {"replay", step.corpus, "--junit", step.witness()},
+        {"property", "--corpus", step.corpus, "--junit", step.witness()},
+        {"smoke", "--corpus", step.corpus, "--junit", step.witness()},
+        {"fuzz", "--corpus", step.corpus, "--report", step.witness()},
+        {"show", step.witness(), "--svg", step.witness()},
+        {"shrink", step.witness(), "--output", step.witness()}}) {
+    const Outcome outcome = run_manifuzz(command);
+    CAPTURE(command[0], outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+    CHECK(text_of(step.witness()) == before);
+    CHECK_FALSE(std::filesystem::exists(one));
+  }
+}
+
+TEST_CASE("CI is told of outputs that could not be written") {
+  const Step step;
+  const std::string folder = step.folder.path().string();
+  const std::vector<std::string> campaign{"fuzz", "--cases",   "20",       "--seed",
+                                          "1",    "--no-save", "--corpus", step.corpus};
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"replay", step.corpus, "--json", folder},
+        with(campaign, {"--json", folder}), with(campaign, {"--report", folder})}) {
+    const Outcome outcome = step.run(with(command, {"--junit", step.junit()}));
+    CAPTURE(command[0], command.back());
+    CHECK(outcome.status == 2);
+    const auto elements = read_svg(text_of(step.junit()));
+    CHECK(elements[0].attributes.at("errors") == "1");
+    CHECK(elements[0].attributes.at("tests") != "1");
+    CHECK_THAT(outcome.out, Contains("is a folder; a file is expected"));
+  }
+}
+
+TEST_CASE("what was found before somebody interrupted is told") {
+  const Step step;
+  const std::string program = step.folder.write(
+      "blind.sh", "#!/bin/sh\nwhile read -r line; do echo '{\"points\": []}'; sleep 0.2; done\n");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"property", "never-empty", "swapping-mirrors", "--cases",
+                                 "100000"},
+        {"smoke"}}) {
+    const Outcome outcome = run_program(
+        with(with({"timeout", "--preserve-status", "--signal=INT", "7", manifuzz_path()}, command),
+             {"--subject-command", "sh " + program, "--seed", "1", "--no-save", "--corpus",
+              step.corpus, "--junit", step.junit()}));
+    CAPTURE(command[0], outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains("interrupted before it was done"));
+    const auto elements = read_svg(text_of(step.junit()));
+    CHECK(elements[0].attributes.at("failures") != "0");
+    CHECK(elements[0].attributes.at("errors") == "1");
+  }
 }

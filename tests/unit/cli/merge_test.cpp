@@ -157,7 +157,6 @@ TEST_CASE("a result of other versions is left out, whichever comes first") {
   for (const char* const name : {"q", "r"}) run(folder, name, *name == 'q' ? 0 : 500, 1000);
   Json other = Json::parse(text_of(folder.path() / "q.json"));
   other["versions"]["manifuzz"] = "9.9";
-  other["first"] = 5000;
   folder.write("a.json", other.dump());
   const Outcome outcome = merge(folder, {"a.json", "q.json", "r.json"}, "all");
   CHECK(outcome.status == 2);
@@ -166,6 +165,50 @@ TEST_CASE("a result of other versions is left out, whichever comes first") {
         std::string::npos);
   CHECK(Json::parse(text_of(folder.path() / "all.json"))["cases"] == 2000);
   CHECK_FALSE(fs::exists(folder.path() / "all"));
+}
+
+TEST_CASE("results of other settings are no overlap, and are not added up") {
+  const TemporaryFolder folder;
+  run(folder, "q", 0, 1000);
+  run(folder, "r", 500, 1000);
+  const Json other = Json::parse(text_of(folder.path() / "q.json"));
+  for (const auto& [key, value] :
+       {std::pair<const char*, Json>("radius", 0.5), {"tie_bias", 0.25}, {"judge_every", 3}}) {
+    Json bad = other;
+    bad[key] = value;
+    folder.write("a.json", bad.dump());
+    const Outcome outcome = merge(folder, {"a.json", "q.json", "r.json"}, "all");
+    CAPTURE(key, outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(lines_of(outcome.err)[0].find("a.json: is of clip against box2d") != std::string::npos);
+    CHECK(Json::parse(text_of(folder.path() / "all.json"))["cases"] == 2000);
+  }
+}
+
+TEST_CASE("sums of sums are the sum, whatever the seeds and whatever came first") {
+  const TemporaryFolder folder;
+  for (const char* const seed : {"2", "3"}) {
+    run(folder, std::string("a") + seed, 0, 1500, seed);
+    run(folder, std::string("b") + seed, 750, 1500, seed);
+  }
+  const auto sum = [&](const std::vector<std::string>& names, const std::string& output) {
+    REQUIRE(merge(folder, names, output).status == 0);
+    return text_of(folder.path() / (output + ".json"));
+  };
+  const std::string all = sum({"a2.json", "a3.json", "b2.json", "b3.json"}, "all");
+  sum({"b3.json", "a2.json"}, "x");
+  sum({"b2.json", "a3.json"}, "y");
+  CHECK(sum({"y.json", "x.json"}, "sums") == all);
+  sum({"a2.json", "b2.json"}, "z");
+  CHECK(sum({"b3.json", "z.json", "a3.json"}, "mixed") == all);
+}
+
+TEST_CASE("a file that is named twice is merged once") {
+  const TemporaryFolder folder;
+  run(folder, "p", 0, 500);
+  fs::create_symlink(folder.path() / "p.json", folder.path() / "link.json");
+  REQUIRE(merge(folder, {"p", "./p", "link.json", "./p.json", "p.json"}, "all").status == 0);
+  CHECK(Json::parse(text_of(folder.path() / "all.json"))["cases"] == 500);
 }
 
 TEST_CASE("no result of a wrong shape ends a merge") {
@@ -213,7 +256,7 @@ TEST_CASE("merging that cannot be done leaves nothing behind") {
   const TemporaryFolder folder;
   run(folder, "p", 0, 500);
   fs::create_directory(folder.path() / "empty");
-  for (const char* const output : {"new", "empty"}) {
+  for (const char* const output : {"new/and/deeper", "empty"}) {
     const std::string json = folder.write("file", "x") + "/below/a/file.json";
     const Outcome outcome =
         run_manifuzz({"merge", (folder.path() / "p").string(), (folder.path() / "p.json").string(),
@@ -222,6 +265,11 @@ TEST_CASE("merging that cannot be done leaves nothing behind") {
   }
   CHECK_FALSE(fs::exists(folder.path() / "new"));
   CHECK(fs::is_empty(folder.path() / "empty"));
+  fs::create_symlink("nowhere", folder.path() / "link");
+  CHECK(run_manifuzz({"merge", (folder.path() / "p").string(), "--output",
+                      (folder.path() / "link").string()})
+            .status == 2);
+  CHECK(fs::is_symlink(folder.path() / "link"));
 }
 
 TEST_CASE("one pair with one look by two subjects is two findings, and both are kept") {

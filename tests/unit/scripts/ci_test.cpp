@@ -105,11 +105,42 @@ TEST_CASE("CI keeps what was saved, and not what was known") {
   CHECK_FALSE(std::filesystem::exists(findings / "old.json"));
 }
 
-TEST_CASE("a mode that there is not is one clear line") {
+TEST_CASE("a mode that there is not is one clear line, and an error to a workflow") {
   const Repository repository(0);
-  const Outcome outcome = repository.ci({"MANIFUZZ_MODE=all"});
+  const Outcome outcome = repository.ci({"MANIFUZZ_MODE=all", "GITHUB_OUTPUT=outputs"});
   CHECK(outcome.status == 2);
   CHECK(is_one_clear_line(outcome.err));
+  CHECK(text_of(repository.folder.path() / "outputs") ==
+        "junit=\nstatus=error\nresults=manifuzz-results\n");
+}
+
+TEST_CASE("what CI cannot run is no finding") {
+  const Repository repository(0);
+  repository.folder.write("file", "mine");
+  for (const char* const broken : {"MANIFUZZ_OUTPUT=file/x", "MANIFUZZ=/no/such/program"}) {
+    CAPTURE(broken);
+    CHECK(repository.ci({broken}).status == 2);
+  }
+}
+
+TEST_CASE("CI keeps its results out of the corpus, which stays as it is") {
+  const Repository repository(0);
+  repository.folder.write("corpus/status", "mine");
+  for (const char* const output : {"corpus", "corpus/ties/", "./corpus/../corpus/new"}) {
+    const Outcome outcome = repository.ci({std::string("MANIFUZZ_OUTPUT=") + output});
+    CAPTURE(output);
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+  }
+  CHECK(text_of(repository.folder.path() / "corpus/status") == "mine");
+  CHECK_FALSE(std::filesystem::exists(repository.folder.path() / "corpus/new"));
+}
+
+TEST_CASE("CI takes folders that look like options") {
+  const Repository repository(0);
+  std::filesystem::rename(repository.folder.path() / "corpus", repository.folder.path() / "-x");
+  CHECK(repository.ci({"MANIFUZZ_OUTPUT=--help", "MANIFUZZ_CORPUS=-x"}).status == 0);
+  CHECK(text_of(repository.folder.path() / "--help/status") == "passed\n");
 }
 
 TEST_CASE("the seed is that of the commit under test") {
