@@ -80,8 +80,8 @@ TEST_CASE("a result of fuzz with any part of another type, or without it, is ref
       if (value.is_string() && !other.is_string()) CHECK_FALSE(why.empty());
     }
   }
-  for (const char* const key : {"machine", "compiler", "seed", "versions", "seconds", "jobs",
-                                "verdicts", "regimes", "buckets"}) {
+  for (const char* const key :
+       {"machine", "compiler", "versions", "jobs", "verdicts", "regimes", "buckets"}) {
     Json bad = good;
     bad.erase(key);
     CHECK_THROWS_AS(read(bad), UserError);
@@ -121,6 +121,11 @@ TEST_CASE("a result without parts is one, and later keys are let be") {
   CHECK(result.seed() == 4U);
   CHECK(result.first() == 2);
   CHECK(result.seconds() == 1.5);
+  for (const char* const key : {"seed", "seconds"}) {
+    Json bad = json;
+    bad.erase(key);
+    CHECK_FALSE(refusal(bad).empty());
+  }
 }
 
 TEST_CASE(
