@@ -165,7 +165,8 @@ PropertyResult run_property(const Property& property, const Collider& subject,
     describe_failure(result, outcome.get<rc::detail::FailureResult>(), metadata.id);
   }
   if (result.passed && result.cases < plan.cases && plan.rc_params.empty()) {
-    result.report = fmt::format("OK, passed {} of {} tests; time was up", result.cases, plan.cases);
+    result.report =
+        fmt::format("OK, passed {} of {} tests; then it was stopped", result.cases, plan.cases);
   }
   return result;
 }
