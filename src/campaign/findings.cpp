@@ -72,9 +72,15 @@ std::optional<double> recorded_severity(const PairCase& pair, const Bucket& find
   constexpr int cells_max = 1000;
   if (finding.verdict == Verdict::agree) return std::nullopt;
   const Grid grid = grid_around(exact::Truth(pair));
-  const Severity found =
-      severity(survey(pair, subject, oracle, grid, cells_max, interruption), finding);
-  if (found.valid == 0) return std::nullopt;  // interrupted
+  // Once somebody has asked to stop there is a second for it, or there is none.
+  const bool is_hurried = interruption.requests() > 0;
+  Interruption brief(is_hurried
+                         ? Deadline(std::chrono::steady_clock::now() + std::chrono::seconds(1))
+                         : std::nullopt);
+  const Neighbourhood map =
+      survey(pair, subject, oracle, grid, cells_max, is_hurried ? brief : interruption);
+  const Severity found = severity(map, finding);
+  if (found.valid == 0 || brief.requested()) return std::nullopt;
   return std::round(found.share() * 1000) / 1000;
 }
 

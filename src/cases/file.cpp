@@ -40,10 +40,13 @@ void write_all(int descriptor, std::string_view text, const std::string& name) {
 /// A new file beside `target`, removed again unless it was renamed to it.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const fs::path& target)
-      : target_(target), name_((target.parent_path() / ".manifuzz-XXXXXX").string()) {
+  /// Errors name it as `shown`.
+  TemporaryFile(const fs::path& target, const std::string& shown)
+      : target_(target),
+        shown_(shown),
+        name_((target.parent_path() / ".manifuzz-XXXXXX").string()) {
     descriptor_ = ::mkstemp(name_.data());
-    if (descriptor_ < 0) fail(name_of(target), "create it", errno);
+    if (descriptor_ < 0) fail(shown, "create it", errno);
   }
   ~TemporaryFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -66,10 +69,11 @@ class TemporaryFile {
 
  private:
   void check(bool done, std::string_view doing) const {
-    if (!done) fail(name_of(target_), doing, errno);
+    if (!done) fail(shown_, doing, errno);
   }
 
   fs::path target_;
+  std::string shown_;
   std::string name_;
   int descriptor_ = -1;
 };
@@ -185,8 +189,8 @@ void write_file(const fs::path& path, std::string_view text) {
     fs::create_directories(target.parent_path(), not_created);
     if (not_created) fail(name_of(target.parent_path()), "create the folder", not_created.value());
   }
-  TemporaryFile temporary(target);
-  write_all(temporary.descriptor(), text, name_of(target));
+  TemporaryFile temporary(target, name_of(path));
+  write_all(temporary.descriptor(), text, name_of(path));
   temporary.rename_to_target();
 }
 

@@ -119,6 +119,7 @@ nlohmann::ordered_json report_json(const std::vector<BenchRow>& rows,
 }
 
 int bench(const Options& options) {
+  takes_stdout({{"--json", options.json}, {"--csv", options.csv}});
   for (const std::string& picture : options.pictures) expect_plot_name(picture);
   const std::vector<Contender> ran = chosen_contenders(options.colliders);
   const std::vector<WorkloadSpec> workloads = workloads_of(options);

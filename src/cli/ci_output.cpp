@@ -95,7 +95,11 @@ void write_ci(const CiOutput& ci, std::vector<TestSuite> suites, Outputs& output
   const std::string text = annotations(suites, in_repository);
   ci.stdout_is_data ? write_error(text) : write_to_reader(text);
   const std::string summary = environment("GITHUB_STEP_SUMMARY");
-  if (!summary.empty()) append_summary(summary, suites);
+  std::error_code unknown;
+  const bool is_junit = std::filesystem::equivalent(summary, ci.junit, unknown) && !unknown;
+  if (is_junit)
+    write_complaint("GITHUB_STEP_SUMMARY: is what --junit writes; the summary is left out");
+  if (!summary.empty() && !is_junit) append_summary(summary, suites);
 }
 
 int run_for_ci(std::string_view command, const CiOutput& ci, const std::function<int()>& run) {

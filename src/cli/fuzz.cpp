@@ -157,6 +157,7 @@ int fuzz(Options& options) {
       {{"--json", options.json}, {"--junit", options.ci.junit}, {"--report", options.report}});
   // No absolute path goes into what is kept.
   if (!options.corpus.empty()) options.corpus = kept_path(options.corpus).string();
+  expect_outside({{"--json", options.json}, {"--junit", options.ci.junit}}, options.corpus);
   const Corpus corpus = read_corpus_folder(options.corpus);
   expect_apart(
       {{"--json", options.json}, {"--junit", options.ci.junit}, {"--report", options.report}},

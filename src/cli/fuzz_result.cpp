@@ -49,7 +49,19 @@ std::uint64_t FuzzResult::first() const {
   return least == parts.end() ? 0 : least->first;
 }
 
+bool overlap(const CasesRun& part, const CasesRun& with) {
+  if (part.seed != with.seed) return false;
+  return std::ranges::any_of(part.cases, [&](const auto& regime) {
+    const auto& [name, cases] = regime;
+    const auto same = with.cases.find(name);
+    if (same == with.cases.end()) return false;
+    return part.first < with.first ? with.first - part.first < cases
+                                   : part.first - with.first < same->second;
+  });
+}
+
 bool is_vacuous(const FuzzResult& result) {
+  if (result.cases() == 0) return true;
   std::uint64_t cases = 0;
   std::uint64_t touching = 0;
   for (const RegimeResult& regime : result.regimes) {

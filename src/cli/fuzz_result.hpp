@@ -16,6 +16,9 @@
 
 namespace manifuzz {
 
+/// Counts are so small that sums of them are exact, in this program and in any that reads JSON.
+inline constexpr std::uint64_t kCountMax = std::uint64_t{1} << 53;
+
 /// What a regime's cases came to.
 struct RegimeResult {
   std::string name;
@@ -69,6 +72,9 @@ struct Settings {
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
+/// Whether both count some case.
+bool overlap(const CasesRun& part, const CasesRun& with);
+
 /// What a campaign came to, or several as one: all that `fuzz --json` says.
 struct FuzzResult {
   nlohmann::ordered_json machine = nlohmann::ordered_json::object();  ///< as `provenance` has it
@@ -95,7 +101,8 @@ struct FuzzResult {
   std::uint64_t first() const;                ///< the least index in each regime
 };
 
-/// A run of so many cases outside the regime `separated` in which nothing touched proves nothing.
+/// A run of no case proves nothing, nor does one of so many outside the regime `separated` in which
+/// nothing touched.
 inline constexpr std::uint64_t kVacuousCases = 1000;
 bool is_vacuous(const FuzzResult& result);
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/fuzz_result_check.hpp"
+
 namespace manifuzz {
 namespace {
 
@@ -36,10 +38,15 @@ Json json_of(const LedgerResult& entry) {
 }
 
 Json json_of(const BucketResult& found) {
-  return {{"bucket", found.bucket}, {"verdict", found.verdict},
-          {"count", found.count},   {"first_index", found.first_index},
-          {"regime", found.regime}, {"magnitude", found.magnitude},
-          {"file", found.file},     {"command", found.command},
+  return {{"bucket", found.bucket},
+          {"verdict", found.verdict},
+          {"count", found.count},
+          {"seed", found.seed},
+          {"first_index", found.first_index},
+          {"regime", found.regime},
+          {"magnitude", found.magnitude},
+          {"file", found.file},
+          {"command", found.command},
           {"new", found.is_new}};
 }
 
@@ -66,13 +73,11 @@ Count whole_in(const JsonView& object, std::string_view key) {
   return object.at(key).whole_number();
 }
 
-/// So few that sums of them are exact, in this program and in any that reads JSON.
 Count count_in(const JsonView& object, std::string_view key) {
-  constexpr Count most = Count{1} << 53;
   const JsonView member = object.at(key);
   const Count count = member.whole_number();
-  if (count > most) member.fail(fmt::format("{} is no count; at most {} is expected", count, most));
-  return count;
+  if (count <= kCountMax) return count;
+  member.fail(fmt::format("{} is no count; at most {} is expected", count, kCountMax));
 }
 
 Count count_or(const JsonView& object, std::string_view key, Count otherwise) {
@@ -165,43 +170,6 @@ Settings read_settings(const JsonView& root) {
   const auto radius = root.find("radius");
   if (radius && !radius->is_null()) settings.radius = radius->magnitude();
   return settings;
-}
-
-void expect_equal(const JsonView& at, Count told, Count summed, std::string_view of) {
-  if (told != summed) at.fail(fmt::format("is {}, but {} add up to {}", told, of, summed));
-}
-
-/// The same is told more than once: by the sums, by the regimes, by the buckets, by the parts.
-void expect_consistent(const JsonView& root, const FuzzResult& result) {
-  const JsonView verdicts = root.at("verdicts");
-  Count all = 0;
-  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
-    all += result.verdicts[i];
-    Count found = 0;
-    for (const BucketResult& bucket : result.buckets) {
-      if (bucket.verdict == kVerdictNames[i]) found += bucket.count;
-    }
-    const bool has_buckets = static_cast<Verdict>(i) != Verdict::agree;
-    if (has_buckets) {
-      expect_equal(verdicts.at(kVerdictNames[i]), result.verdicts[i], found, "its buckets");
-    }
-  }
-  const Count cases = count_in(root, "cases");
-  expect_equal(root.at("cases"), cases, all, "the verdicts");
-  expect_equal(root.at("cases"), cases, result.cases(), "the regimes");
-  for (const RegimeResult& regime : result.regimes) {
-    Count ran = 0;
-    for (const CasesRun& part : result.parts) {
-      const auto cases_of = part.cases.find(regime.name);
-      if (cases_of != part.cases.end()) ran += cases_of->second;
-    }
-    expect_equal(root.at("regimes"), regime.cases, ran,
-                 fmt::format("{} in the parts", regime.name));
-  }
-  const auto failed = root.find("failed");
-  if (failed && failed->boolean() != has_failed(result)) {
-    failed->fail("does not follow from what is told beside it");
-  }
 }
 
 }  // namespace

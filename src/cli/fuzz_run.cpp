@@ -1,5 +1,6 @@
 #include "cli/fuzz_run.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -35,20 +36,32 @@ void save_unless_hurried(Finding& finding, const Plan& plan, const std::string& 
   }
 }
 
-/// Writes what is new.
-Saving save_new(std::vector<Finding>& found, const Plan& plan, const SaveTo& save_to) {
-  Interruption interruption(save_to.deadline);
+/// What is new, what decides the status first: there may not be time for all.
+std::vector<Finding*> to_save(std::vector<Finding>& found) {
+  std::vector<Finding*> fresh;
+  for (Finding& finding : found) {
+    if (finding.is_new) fresh.push_back(&finding);
+  }
+  std::ranges::stable_sort(fresh, {}, [](const Finding* finding) {
+    return !decides_status(finding->bucket, finding->is_new);
+  });
+  return fresh;
+}
+
+/// Writes what is new; once somebody has asked to stop, as it was seen.
+Saving save_new(std::vector<Finding>& found, const Plan& plan, const std::string& corpus,
+                Interruption& interruption) {
   ProgressLine line;
   Saving saving;
-  for (Finding& finding : found) {
-    if (!finding.is_new) continue;
+  for (Finding* const finding : to_save(found)) {
     if (interruption.requests() > 1) {
       ++saving.unsaved;
       continue;
     }
-    line.show("shrinking " + to_string(finding.bucket));
+    line.show((interruption.requests() == 0 ? "shrinking " : "saving ") +
+              to_string(finding->bucket));
     try {
-      save_unless_hurried(finding, plan, save_to.folder, interruption);
+      save_unless_hurried(*finding, plan, corpus, interruption);
     } catch (const Interrupted&) {
       ++saving.unsaved;
     } catch (const UserError& error) {
@@ -147,10 +160,11 @@ void narrow_to_colliders(Plan& plan) {
 Campaign run_campaign(Plan plan, const KnownBuckets& known, const SaveTo& save_to,
                       const std::string& command) {
   Campaign campaign{std::move(plan), {}, {}, {}, {}};
+  Interruption interruption(save_to.deadline);
   campaign.run = run_watched(campaign.plan, known);
   campaign.findings = findings(*campaign.run.tally, campaign.plan, known);
   if (!save_to.folder.empty()) {
-    campaign.saving = save_new(campaign.findings, campaign.plan, save_to);
+    campaign.saving = save_new(campaign.findings, campaign.plan, save_to.folder, interruption);
   }
   campaign.result = result_of(campaign, command);
   return campaign;

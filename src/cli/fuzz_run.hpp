@@ -35,9 +35,10 @@ struct SaveTo {
 };
 
 /// The campaign, until it is done or somebody asks to stop, with progress on the terminal; then
-/// what it found that is new is shrunk and saved, even after it was interrupted, as far as there is
-/// time. `command` is the beginning of one that repeats a case, up to --regime. What the plan's
-/// context refers to must outlive the campaign.
+/// what it found that is new is shrunk and saved, what decides the status first; once somebody has
+/// asked to stop, it is saved as it was seen. `command` is the beginning of one that repeats a
+/// case, up to
+/// --regime. What the plan's context refers to must outlive the campaign.
 Campaign run_campaign(Plan plan, const KnownBuckets& known, const SaveTo& save_to,
                       const std::string& command);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cases/user_error.hpp"
 #include "cli/shown.hpp"
 #include "report/github.hpp"
 
@@ -24,7 +25,11 @@ TestResult test_of_regime(const Campaign& campaign, std::size_t i) {
 
 /// The case that a finding is shown by: the shrunk one where it was saved, else the first.
 CorpusCase case_of(const Campaign& campaign, const Finding& finding) {
-  if (finding.is_new && !finding.file.empty()) return read_case_file(finding.file);
+  try {
+    if (finding.is_new && !finding.file.empty()) return read_case_file(finding.file);
+  } catch (const UserError&) {
+    // Somebody took it away: the first shows the same.
+  }
   CorpusCase first;
   first.pair = campaign.plan.pair(finding.tally.first);
   return first;

@@ -144,10 +144,10 @@ std::string write_merged(const Options& options, const RunFiles& files, MergedRu
   }
   folder.keep();
   if (options.json == "-") return json;
-  const std::string cases = all.empty()
-                                ? ""
-                                : fmt::format("{}: {} findings of {} cases\n", options.output,
-                                              all.size(), files.corpus.cases.size());
+  const std::string cases =
+      all.empty() ? ""
+                  : fmt::format("{}: {} findings of {} cases\n", printable(options.output, 200),
+                                all.size(), files.corpus.cases.size());
   return cases + summary(runs.sum);
 }
 

@@ -8,6 +8,7 @@
 
 #include "campaign/budgets.hpp"
 #include "cases/regime.hpp"
+#include "cases/text.hpp"
 #include "cases/user_error.hpp"
 
 namespace manifuzz {
@@ -15,24 +16,14 @@ namespace {
 
 using Count = std::uint64_t;
 
-bool overlap(const CasesRun& part, const CasesRun& with) {
-  if (part.seed != with.seed) return false;
-  return std::ranges::any_of(part.cases, [&](const auto& regime) {
-    const auto& [name, cases] = regime;
-    const auto same = with.cases.find(name);
-    if (same == with.cases.end()) return false;
-    return part.first < with.first ? with.first - part.first < cases
-                                   : part.first - with.first < same->second;
-  });
-}
-
 std::string in_words(const Settings& settings) {
   std::vector<std::string> versions;
   for (const auto& [name, version] : settings.versions) versions.push_back(name + ' ' + version);
   std::string text = fmt::format("{} against {} ({}), tie bias {}, judging 1 in {}",
                                  settings.subject, settings.oracle, fmt::join(versions, ", "),
                                  settings.tie_bias, settings.judge_every);
-  return settings.radius ? text + fmt::format(", radius {}", *settings.radius) : text;
+  if (settings.radius) text += fmt::format(", radius {}", *settings.radius);
+  return printable(text, 300);
 }
 
 /// The settings that most results share; of equally many those of the most cases, then the first.
@@ -59,6 +50,7 @@ void expect_addable(const FuzzResult& sum, const FuzzResult& run) {
     throw UserError(fmt::format("is of {}; the others, which are added up, are of {}",
                                 in_words(run.settings), in_words(sum.settings)));
   }
+  if (run.cases() > kCountMax - sum.cases()) throw UserError("has more cases than can be counted");
   for (const CasesRun& part : sum.parts) {
     for (const CasesRun& with : run.parts) {
       if (!overlap(part, with)) continue;

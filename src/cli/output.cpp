@@ -19,6 +19,25 @@ namespace {
 
 bool quiet = false;
 
+/// Where a file is or would be, links followed, even those to nothing; stdout is a place of its
+/// own.
+std::filesystem::path place_of(const std::filesystem::path& file) {
+  constexpr int links_max = 40;
+  if (file == "-") return file;
+  std::error_code unknown;
+  std::filesystem::path place = std::filesystem::absolute(file, unknown);
+  for (int i = 0; i < links_max && std::filesystem::is_symlink(place, unknown); ++i) {
+    place = place.parent_path() / std::filesystem::read_symlink(place, unknown);
+  }
+  return std::filesystem::weakly_canonical(place, unknown);
+}
+
+/// Whether the path is in the folder or below, or the folder itself.
+bool is_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  const std::filesystem::path way = place_of(path).lexically_relative(place_of(folder));
+  return !way.empty() && *way.begin() != "..";
+}
+
 }  // namespace
 
 void write_error(std::string_view text) {
@@ -85,11 +104,6 @@ void write_to_reader(std::string_view text) {
 }
 
 bool takes_stdout(std::initializer_list<DataFile> files) {
-  const auto place_of = [](std::string_view file) {
-    std::error_code unknown;
-    if (file == "-") return std::filesystem::path(file);
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, unknown), unknown);
-  };
   bool is_taken = false;
   for (auto data = files.begin(); data != files.end(); ++data) {
     if (data->file.empty()) continue;
@@ -102,6 +116,17 @@ bool takes_stdout(std::initializer_list<DataFile> files) {
                                 taker->option, printable(data->file, 200)));
   }
   return is_taken;
+}
+
+void expect_outside(std::initializer_list<DataFile> outputs, const std::filesystem::path& folder) {
+  for (const DataFile& output : outputs) {
+    const std::filesystem::path file(output.file);
+    const bool is_case = file.extension() == ".json" || file.extension() == ".jsonl";
+    if (!is_case || !is_within(file, folder)) continue;
+    throw BadOutput(fmt::format("{}: {} would be taken for a case of {}; name another",
+                                output.option, printable(output.file, 200),
+                                printable(folder.string(), 200)));
+  }
 }
 
 void expect_apart(std::initializer_list<DataFile> outputs,

@@ -73,6 +73,10 @@ bool takes_stdout(std::initializer_list<DataFile> files);
 void expect_apart(std::initializer_list<DataFile> outputs,
                   std::span<const std::filesystem::path> inputs);
 
+/// Throws BadOutput where one of them would be taken for a case of this folder, or be overwritten
+/// by one.
+void expect_outside(std::initializer_list<DataFile> outputs, const std::filesystem::path& folder);
+
 /// Writes to the file of that name, or to the standard output for "-".
 void write_data(const std::string& file, std::string_view text);
 

@@ -75,6 +75,7 @@ PropertyPlan plan_of(const Options& options) {
 
 int run(Options& options) {
   options.ci.stdout_is_data = takes_stdout({{"--junit", options.ci.junit}});
+  expect_outside({{"--junit", options.ci.junit}}, options.corpus);
   const std::vector<const Property*> chosen = choose(options.names);
   const Collider subject = find_collider(options.subject, options.outside);
   const Corpus corpus = read_corpus_folder(options.corpus);

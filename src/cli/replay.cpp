@@ -55,6 +55,9 @@ int replay(Options& options) {
       takes_stdout({{"--json", options.json}, {"--junit", options.ci.junit}});
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   if (paths.empty()) paths.emplace_back("corpus");
+  for (const auto& path : paths) {
+    expect_outside({{"--json", options.json}, {"--junit", options.ci.junit}}, path);
+  }
   const Collider subject = find_subject(options.parties);
   const Collider oracle = find_oracle(options.parties);
   const Corpus corpus = read_corpus(paths);

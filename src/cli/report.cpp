@@ -62,8 +62,8 @@ int report(const Options& options) {
                                        repeating_command(paths, options));
   write_data(options.output, html);
   if (options.output != "-") {
-    write_remark(fmt::format("{}: {} cases, {} results", options.output, files.corpus.cases.size(),
-                             files.results.size()));
+    write_remark(fmt::format("{}: {} cases, {} results", printable(options.output, 200),
+                             files.corpus.cases.size(), files.results.size()));
   }
   if (files.corpus.errors.empty()) return 0;
   throw UserError(fmt::format("report: {} of the files could not be read; the page has the rest",

@@ -141,6 +141,11 @@ void save_findings(const std::string& folder, const std::vector<SceneRun>& runs)
 
 /// What can be said before anything is run.
 void expect_possible(const Options& options) {
+  takes_stdout({{"--json", options.json},
+                {"--frame", options.frame},
+                {"--scaling", options.scaling},
+                {"--skipped", options.skipped},
+                {"--recycling", options.recycling}});
   chosen_scenes(options.scenes);
   for (const std::string& picture : {options.scaling, options.skipped, options.recycling}) {
     if (!picture.empty()) expect_plot_name(picture);

@@ -140,6 +140,7 @@ Smoke prepared(const Options& options) {
   // No absolute path goes into what is kept.
   if (!options.corpus.empty()) smoke.corpus_folder = kept_path(options.corpus).string();
   smoke.save_to = options.no_save ? "" : smoke.corpus_folder;
+  expect_outside({{"--junit", options.ci.junit}}, smoke.corpus_folder);
   smoke.corpus = read_known(smoke.corpus_folder);
   expect_apart({{"--junit", options.ci.junit}}, smoke.corpus.files);
   write_complaints(smoke.corpus.errors);

@@ -204,6 +204,7 @@ std::string report_text(const StressPlan& plan, const StressResult& result,
 }
 
 int stress(const StressOptions& options) {
+  takes_stdout({{"--json", options.json}, {"--csv", options.csv}, {"--store", options.store}});
   const StressPlan plan = plan_of(options);
   if (!options.pictures.empty()) make_picture_folder(options.pictures);
   std::vector<StoredPoint> baseline;

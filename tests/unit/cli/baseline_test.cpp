@@ -19,7 +19,7 @@ FuzzResult run_with(const std::vector<std::pair<std::string, double>>& magnitude
   run.settings.oracle = "box2d";
   run.regimes = {{"boxes", 10, 1, 0, 0}};
   for (const auto& [bucket, magnitude] : magnitudes) {
-    run.buckets.push_back({.bucket = bucket, .magnitude = magnitude});
+    run.buckets.push_back({.bucket = bucket, .verdict = "tie", .magnitude = magnitude});
   }
   return run;
 }

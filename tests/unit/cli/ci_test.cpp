@@ -247,6 +247,8 @@ TEST_CASE("two outputs never go to one place, and none to what is read") {
         {"property", "--corpus", step.corpus, "--junit", step.witness()},
         {"smoke", "--corpus", step.corpus, "--junit", step.witness()},
         {"fuzz", "--corpus", step.corpus, "--report", step.witness()},
+        {"fuzz", "--corpus", step.corpus, "--json", (step.corpus / "new" / "run.json").string()},
+        {"replay", step.corpus, "--json", (step.corpus / ".." / "corpus" / "run.json").string()},
         {"show", step.witness(), "--svg", step.witness()},
         {"shrink", step.witness(), "--output", step.witness()}}) {
     const Outcome outcome = run_manifuzz(command);

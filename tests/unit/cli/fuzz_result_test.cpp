@@ -102,11 +102,27 @@ TEST_CASE("a result that contradicts itself is refused by what does not add up")
           "$.verdicts.subject_wrong: is 5, but its buckets add up to 0");
   refused("/verdicts/agree", 91, "$.cases: is 100, but the verdicts add up to 101");
   refused("/regimes/0/cases", 61, "$.cases: is 100, but the regimes add up to 101");
-  refused("/parts/0/cases/boxes", 21, "$.regimes: is 60, but boxes in the parts add up to 61");
+  refused("/parts/0/cases/boxes", 21, "$.cases: is 100, but the parts add up to 101");
   refused("/buckets/1/count", std::uint64_t{1} << 60,
           "$.buckets[1].count: 1152921504606846976 is no count; at most 9007199254740992 is "
           "expected");
+  refused("/regimes/1/touching", 36, "$.touching: is 40, but the regimes add up to 66");
+  refused("/regimes/1/unexplained", 41, "$.regimes[1].unexplained: is 41, more than the cases: 40");
+  refused("/regimes/1/name", "boxes", "$.regimes: has boxes twice");
+  refused("/ledger/0/hits", 5, "$.ledger[0].hits: is 5, but the regimes add up to 4");
+  refused("/buckets/2/verdict", "tie", "$.verdicts.tie: is 5, but its buckets add up to 9");
+  refused("/buckets/2/bucket", "none/tie/count/none/a",
+          "$.buckets[2].verdict: is not that of the bucket's name");
+  refused("/near", 26, "$.near: is 26, but the regimes add up to 25");
   refused("/failed", false, "$.failed: does not follow from what is told beside it");
+}
+
+TEST_CASE("a result that counts cases twice is refused") {
+  FuzzResult result = sample();
+  result.parts = {{3, 0, {{"boxes", 20}}, 0.5}, {3, 19, {{"boxes", 40}, {"grid", 40}}, 1}};
+  CHECK(refusal(json_of(result)) == "$.parts: has cases twice");
+  result.parts[1].first = 20;
+  CHECK(refusal(json_of(result)).empty());
 }
 
 TEST_CASE("a result without parts is one, and later keys are let be") {
@@ -131,6 +147,8 @@ TEST_CASE("a result without parts is one, and later keys are let be") {
 TEST_CASE(
     "a result has failed by a wrong subject, a new fault of the oracle, a budget, or nothing") {
   FuzzResult result;
+  CHECK(has_failed(result));  // no case proves nothing
+  result.regimes = {{"boxes", 10, 1, 0, 0}};
   CHECK_FALSE(has_failed(result));
   result.buckets = {{.bucket = kOracleWrong}};
   CHECK_FALSE(has_failed(result));

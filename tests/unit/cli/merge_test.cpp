@@ -203,6 +203,19 @@ TEST_CASE("sums of sums are the sum, whatever the seeds and whatever came first"
   CHECK(sum({"b3.json", "z.json", "a3.json"}, "mixed") == all);
 }
 
+TEST_CASE("a bucket's first case keeps its seed through sums of sums") {
+  const TemporaryFolder folder;
+  for (const char* const seed : {"1", "5", "8"}) run(folder, seed, 0, 60, seed);
+  REQUIRE(merge(folder, {"1.json", "8.json"}, "x").status == 0);
+  REQUIRE(merge(folder, {"x.json", "5.json"}, "sums").status == 0);
+  REQUIRE(merge(folder, {"5.json", "8.json", "1.json"}, "all").status == 0);
+  CHECK(text_of(folder.path() / "sums.json") == text_of(folder.path() / "all.json"));
+  for (const Json& bucket : Json::parse(text_of(folder.path() / "all.json"))["buckets"]) {
+    const std::string seed = " --seed " + bucket["seed"].dump() + " ";
+    CHECK(bucket["command"].get<std::string>().find(seed) != std::string::npos);
+  }
+}
+
 TEST_CASE("a file that is named twice is merged once") {
   const TemporaryFolder folder;
   run(folder, "p", 0, 500);

@@ -133,6 +133,10 @@ TEST_CASE("CI keeps its results out of the corpus, which stays as it is") {
     CHECK(is_one_clear_line(outcome.err));
   }
   CHECK(text_of(repository.folder.path() / "corpus/status") == "mine");
+  std::filesystem::create_directory(repository.folder.path() / "findings");
+  repository.folder.write("findings/old.json", "{}");
+  CHECK(repository.ci({"MANIFUZZ_OUTPUT=.", "MANIFUZZ_CORPUS=findings"}).status == 2);
+  CHECK(text_of(repository.folder.path() / "findings/old.json") == "{}");
   CHECK_FALSE(std::filesystem::exists(repository.folder.path() / "corpus/new"));
 }
 
