@@ -48,9 +48,12 @@ std::vector<Finding*> to_save(std::vector<Finding>& found) {
   return fresh;
 }
 
-/// Writes what is new; once somebody has asked to stop, as it was seen.
-Saving save_new(std::vector<Finding>& found, const Plan& plan, const std::string& corpus,
-                Interruption& interruption) {
+/// Writes what is new; where somebody has asked to stop, as it was seen.
+Saving save_new(std::vector<Finding>& found, const Plan& plan, const SaveTo& save_to,
+                bool is_interrupted) {
+  // Its own: the signal that ended the campaign may have come twice, and must not end the saving.
+  Interruption interruption(save_to.deadline);
+  if (is_interrupted) interruption.hurry();
   ProgressLine line;
   Saving saving;
   for (Finding* const finding : to_save(found)) {
@@ -61,7 +64,7 @@ Saving save_new(std::vector<Finding>& found, const Plan& plan, const std::string
     line.show((interruption.requests() == 0 ? "shrinking " : "saving ") +
               to_string(finding->bucket));
     try {
-      save_unless_hurried(*finding, plan, corpus, interruption);
+      save_unless_hurried(*finding, plan, save_to.folder, interruption);
     } catch (const Interrupted&) {
       ++saving.unsaved;
     } catch (const UserError& error) {
@@ -160,11 +163,10 @@ void narrow_to_colliders(Plan& plan) {
 Campaign run_campaign(Plan plan, const KnownBuckets& known, const SaveTo& save_to,
                       const std::string& command) {
   Campaign campaign{std::move(plan), {}, {}, {}, {}};
-  Interruption interruption(save_to.deadline);
   campaign.run = run_watched(campaign.plan, known);
   campaign.findings = findings(*campaign.run.tally, campaign.plan, known);
   if (!save_to.folder.empty()) {
-    campaign.saving = save_new(campaign.findings, campaign.plan, save_to.folder, interruption);
+    campaign.saving = save_new(campaign.findings, campaign.plan, save_to, campaign.run.interrupted);
   }
   campaign.result = result_of(campaign, command);
   return campaign;
