@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "cases/json_tree.hpp"
-#include "cases/user_error.hpp"
+#include "base/json_tree.hpp"
+#include "base/user_error.hpp"
 #include "oracle/external/conversation.hpp"
 #include "oracle/external/limits.hpp"
 
@@ -145,7 +145,7 @@ class CommandCollider {
                            const std::function<bool()>& go_on) {
     auto talk = conversation_.ask(pairs, answers, dialect_, patience_, go_on);
     if (talk.end == End::done && pairs.size() > 1 && conversation_.says_more(kMoreSeconds)) {
-      talk.end = End::chatty;
+      talk.end = End::extra_lines;
     }
     if (talk.end == End::done || talk.end == End::stopped) return talk.answered;
     const Lost lost = lost_by(talk);
@@ -171,7 +171,7 @@ class CommandCollider {
   std::size_t answer_one_by_one(std::span<const PairCase> pairs, std::span<Answer> answers,
                                 const std::function<bool()>& go_on) {
     std::size_t done = 0;
-    while (done < pairs.size() && go_on() && !is_hopeless(answers, done)) {
+    while (done < pairs.size() && go_on() && !is_unresponsive(answers, done)) {
       const auto talk = conversation_.ask(pairs.subspan(done, 1), answers.subspan(done, 1),
                                           dialect_, patience_, go_on);
       if (talk.end == End::stopped) break;

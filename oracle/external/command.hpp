@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "geometry/collider.hpp"
+#include "collider/collider.hpp"
 
 namespace manifuzz {
 

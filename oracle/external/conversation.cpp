@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "cases/file.hpp"
-#include "cases/json.hpp"
-#include "cases/json_tree.hpp"
-#include "cases/text.hpp"
-#include "cases/user_error.hpp"
+#include "base/file.hpp"
+#include "base/json_tree.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "exchange/json.hpp"
 
 namespace manifuzz {
 namespace {
@@ -22,7 +22,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Answer spoken(Answer answer, const Dialect& dialect) {
+Answer converted(Answer answer, const Dialect& dialect) {
   if (auto* const given = std::get_if<PartialManifold>(&answer)) {
     given->has_midpoints = dialect.has_midpoints;
     if (dialect.normal_from_b) given->manifold.normal = -given->manifold.normal;
@@ -34,7 +34,7 @@ Answer spoken(Answer answer, const Dialect& dialect) {
 /// An answer that is JSON but no manifold loses its case alone.
 Answer answer_in(const JsonTree& tree, const PairCase& pair, const Dialect& dialect) {
   try {
-    return spoken(read_outside_answer(JsonView(tree), pair), dialect);
+    return converted(read_outside_answer(JsonView(tree), pair), dialect);
   } catch (const UserError& error) {
     return Lost{Lost::How::malformed, error.what()};
   }
@@ -84,7 +84,7 @@ Conversation::Talk Conversation::ask(std::span<const PairCase> pairs, std::span<
     }
   }
   if (talk.end == End::done && !unread_.empty()) {
-    talk.end = End::chatty;
+    talk.end = End::extra_lines;
     talk.why = "more answers than cases";
   }
   return talk;
@@ -155,13 +155,13 @@ void Conversation::take_lines(std::span<const PairCase> pairs, std::span<Answer>
         has_answered_ = true;
         continue;
       }
-      talk.end = End::garbled;
+      talk.end = End::not_json;
       talk.why = fmt::format("'{}': {}", printable(line), error.what());
       return;
     }
   }
   if (unread_.size() > kLongestCase) {
-    talk.end = End::garbled;
+    talk.end = End::not_json;
     talk.why = "a line longer than 1 MiB";
   }
 }

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/collider.hpp"
-#include "oracle/external/child.hpp"
+#include "collider/collider.hpp"
+#include "process/child.hpp"
 
 namespace manifuzz {
 
@@ -29,12 +29,12 @@ class Conversation {
   explicit Conversation(std::string command) : command_(std::move(command)) {}
 
   enum class End {
-    done,     ///< every case has its answer
-    stopped,  ///< we did not want to go on
-    died,     ///< its output ended
-    silent,   ///< no answer in time
-    garbled,  ///< a line that is not JSON: what follows may answer another case
-    chatty,   ///< more lines than cases
+    done,         ///< every case has its answer
+    stopped,      ///< we did not want to go on
+    died,         ///< its output ended
+    silent,       ///< no answer in time
+    not_json,     ///< a line that is not JSON: what follows may answer another case
+    extra_lines,  ///< more lines than cases
   };
   struct Talk {
     std::size_t answered = 0;

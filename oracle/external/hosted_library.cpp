@@ -12,12 +12,12 @@
 
 #include <fmt/format.h>
 
-#include "cases/text.hpp"
-#include "cases/user_error.hpp"
-#include "oracle/external/child.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
 #include "oracle/external/library.hpp"
 #include "oracle/external/limits.hpp"
-#include "oracle/external/process.hpp"
+#include "process/child.hpp"
+#include "process/process.hpp"
 
 namespace manifuzz {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "cases/text.hpp"
-#include "cases/user_error.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
 #include "oracle/external/limits.hpp"
 
 namespace manifuzz {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "geometry/collider.hpp"
+#include "collider/collider.hpp"
 #include "oracle/external/manifuzz_collider.h"
 
 namespace manifuzz {

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cases/nearest.hpp"
-#include "cases/text.hpp"
-#include "cases/user_error.hpp"
+#include "base/nearest.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
 
 namespace manifuzz {
 namespace {
@@ -84,7 +84,7 @@ void check_declaration(const Declaration& declaration, std::string_view prefix) 
   }
 }
 
-bool is_hopeless(std::span<const Answer> answers, std::size_t done) {
+bool is_unresponsive(std::span<const Answer> answers, std::size_t done) {
   if (done < std::size_t{kLossesInARowMax}) return false;
   return std::ranges::all_of(
       answers.subspan(done - kLossesInARowMax, kLossesInARowMax),
@@ -96,7 +96,7 @@ namespace {
 std::size_t answer_all(std::span<const PairCase> pairs, std::span<Answer> answers,
                        const std::function<bool()>& go_on, const AnswerBatch& answer_batch) {
   std::size_t done = 0;
-  while (done < pairs.size() && go_on() && !is_hopeless(answers, done)) {
+  while (done < pairs.size() && go_on() && !is_unresponsive(answers, done)) {
     const std::size_t batch = std::min(kBatch, pairs.size() - done);
     done += answer_batch(pairs.subspan(done, batch), answers.subspan(done, batch), go_on);
   }

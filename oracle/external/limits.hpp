@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "geometry/collider.hpp"
+#include "collider/collider.hpp"
 
 namespace manifuzz {
 
@@ -23,7 +23,7 @@ inline constexpr std::size_t kBatch = 256;
 inline constexpr int kLossesInARowMax = 20;
 
 /// Whether the last kLossesInARowMax of the first `done` answers were all lost.
-bool is_hopeless(std::span<const Answer> answers, std::size_t done);
+bool is_unresponsive(std::span<const Answer> answers, std::size_t done);
 
 /// What answers up to kBatch cases, as Collider::collide_many does: one at least, unless told to
 /// stop.

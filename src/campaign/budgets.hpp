@@ -19,7 +19,8 @@ struct LedgerCount {
 bool holds_budgets(const Plan& plan);
 
 /// Whether an entry fired more often in so many cases of a regime than its budget and five standard
-/// deviations of chance allow. The regime `corpus`, which hangs on what the corpus holds, has none.
+/// deviations of chance allow. The regime `corpus`, which depends on what the corpus holds, has
+/// none.
 bool is_over_budget(const LedgerEntry& entry, std::string_view regime, std::uint64_t hits,
                     std::uint64_t cases);
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "campaign/guarded.hpp"
-#include "campaign/survey.hpp"
+#include "campaign/in_child.hpp"
+#include "campaign/neighbourhood_run.hpp"
 
 namespace manifuzz {
 namespace {
@@ -78,7 +78,7 @@ std::optional<double> recorded_severity(const PairCase& pair, const Bucket& find
                          ? Deadline(std::chrono::steady_clock::now() + std::chrono::seconds(1))
                          : std::nullopt);
   const Neighbourhood map =
-      survey(pair, subject, oracle, grid, cells_max, is_hurried ? brief : interruption);
+      ask_neighbourhood(pair, subject, oracle, grid, cells_max, is_hurried ? brief : interruption);
   const Severity found = severity(map, finding);
   if (found.valid == 0 || brief.requested()) return std::nullopt;
   return std::round(found.share() * 1000) / 1000;
@@ -122,15 +122,15 @@ bool has_new(std::span<const Finding> found) {
 
 Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
                       Interruption& interruption) {
-  const Judgement root = judge_guarded(pair, subject, oracle, interruption);
+  const Judgement root = judge_in_child(pair, subject, oracle, interruption);
   const auto judge_it = [&](const PairCase& candidate) {
-    return is_lost(root.bucket.verdict) ? judge_guarded(candidate, subject, oracle, interruption)
+    return is_lost(root.bucket.verdict) ? judge_in_child(candidate, subject, oracle, interruption)
                                         : judge(candidate, subject, oracle);
   };
   const Shared<ShrinkSlot> slot;
   slot->best[0] = pair;
-  run_guarded([&] { shrink_into(*slot, pair, root, judge_it); }, slot->pulse,
-              case_seconds_max(subject, oracle), interruption);
+  run_in_child([&] { shrink_into(*slot, pair, root, judge_it); }, slot->pulse,
+               case_seconds_max(subject, oracle), interruption);
   return {slot->best[static_cast<std::size_t>(slot->accepted) % 2], slot->pulse, slot->complete};
 }
 
@@ -167,7 +167,7 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
   }
   std::string ends;
   for (const Collider* collider : {&subject, &oracle}) {
-    const Answer answer = ask_guarded(*collider, pair, interruption);
+    const Answer answer = ask_in_child(*collider, pair, interruption);
     if (const auto* const lost = std::get_if<Lost>(&answer)) {
       ends += fmt::format(" {}: {}.", collider->declaration.name, lost->why);
     } else {
@@ -194,7 +194,7 @@ void save_finding(Finding& finding, const Plan& plan, const std::filesystem::pat
     return saved;
   };
   const auto judged = [&](const PairCase& pair) {
-    return judge_guarded(pair, plan.subject, plan.oracle, interruption);
+    return judge_in_child(pair, plan.subject, plan.oracle, interruption);
   };
   const PairCase worst = plan.pair(number);
   const Judgement of_worst = judged(worst);

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "campaign/plan.hpp"
-#include "cases/corpus.hpp"
-#include "cases/shrink.hpp"
-#include "oracle/external/process.hpp"
+#include "corpus/corpus.hpp"
+#include "corpus/shrink.hpp"
+#include "process/process.hpp"
 
 namespace manifuzz {
 

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "cases/random.hpp"
-#include "judging/outside.hpp"
+#include "base/random.hpp"
+#include "judging/completed.hpp"
 #include "oracle/external/limits.hpp"
-#include "oracle/external/watched_process.hpp"
+#include "process/watched_process.hpp"
 
 namespace manifuzz {
 namespace {
@@ -34,14 +34,15 @@ struct Desk {
 
 struct Office {
   std::atomic<bool> stop{false};
-  std::atomic<Fault> hopeless{Fault::none};  ///< who never answers, so that going on is no use
-  std::array<char, 256> why{};               ///< of the one that gave up first
+  std::atomic<Fault> unresponsive{Fault::none};  ///< who never answers, so that going on is no use
+  std::array<char, 256> why{};                   ///< of the one that gave up first
   std::atomic<CaseNumber> undealt{0};
   CaseNumber end = 0;
 
   void give_up(Fault party, const std::string& reason) {
     Fault nobody = Fault::none;
-    if (hopeless.compare_exchange_strong(nobody, party)) reason.copy(why.data(), why.size() - 1);
+    if (unresponsive.compare_exchange_strong(nobody, party))
+      reason.copy(why.data(), why.size() - 1);
     stop = true;
   }
 };
@@ -118,8 +119,8 @@ void run_case(const Plan& plan, CaseNumber number, const PairCase& pair, std::si
   desk.phase.store(Phase::oracle, std::memory_order_relaxed);
   const Answer& of_oracle = answer_to(pair, in_block, with_oracle);
   desk.phase.store(Phase::judging, std::memory_order_relaxed);
-  const Testimony subject{plan.subject.declaration, of_subject};
-  const Testimony oracle{plan.oracle.declaration, of_oracle};
+  const ColliderAnswer subject{plan.subject.declaration, of_subject};
+  const ColliderAnswer oracle{plan.oracle.declaration, of_oracle};
   Judgement judgement;
   if (is_sampled(plan, number) || !plainly_agree(*truth, subject, oracle)) {
     judgement = judge(truth, subject, oracle);
@@ -256,8 +257,8 @@ JobsResult run_jobs(const Plan& plan, Stretch stretch, Interruption& interruptio
     }
   }
   result.tally = added(jobs);
-  result.hopeless = office->hopeless;
-  result.why_hopeless = office->why.data();
+  result.unresponsive = office->unresponsive;
+  result.why_unresponsive = office->why.data();
   result.seconds = seconds_since(start);
   return result;
 }

@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "campaign/guarded.hpp"
+#include "campaign/in_child.hpp"
 #include "campaign/plan.hpp"
-#include "oracle/external/process.hpp"
+#include "process/process.hpp"
 
 namespace manifuzz {
 
@@ -19,9 +19,10 @@ struct Progress {
 struct JobsResult {
   std::unique_ptr<Tally> tally;
   double seconds = 0;
-  bool interrupted = false;      ///< somebody asked to stop before the plan was done
-  Fault hopeless = Fault::none;  ///< the party that died or hung again and again, which ended it
-  std::string why_hopeless{};    ///< its last end, in words
+  bool interrupted = false;  ///< somebody asked to stop before the plan was done
+  Fault unresponsive =
+      Fault::none;                 ///< the party that died or hung again and again, which ended it
+  std::string why_unresponsive{};  ///< its last end, in words
 };
 
 /// The cases from `begin` to before `end`.

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "campaign/tally.hpp"
-#include "cases/regime.hpp"
-#include "geometry/collider.hpp"
+#include "collider/collider.hpp"
+#include "generating/regime.hpp"
 
 namespace manifuzz {
 

@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 #include <rapidcheck.h>
 
+#include "base/text.hpp"
+#include "base/user_error.hpp"
 #include "campaign/findings.hpp"
-#include "cases/corpus.hpp"
-#include "cases/regime.hpp"
-#include "cases/shrink.hpp"
-#include "cases/text.hpp"
-#include "cases/user_error.hpp"
+#include "corpus/corpus.hpp"
+#include "corpus/shrink.hpp"
+#include "generating/regime.hpp"
 #include "judging/judge.hpp"
 
 namespace manifuzz {

@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
-#include "geometry/collider.hpp"
+#include "collider/collider.hpp"
 #include "judging/properties.hpp"
-#include "oracle/external/process.hpp"
+#include "process/process.hpp"
 
 namespace manifuzz {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/guarded.hpp"
+#include "campaign/in_child.hpp"
 #include "judging/properties.hpp"
 
 namespace manifuzz {
@@ -30,8 +30,8 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
   }
   const std::atomic<int> pulse{0};
   const std::string sentence(property->sentence);
-  switch (run_guarded([&] { check(*property, subject, recorded.pair); }, pulse,
-                      case_seconds_max(subject, subject), interruption)) {
+  switch (run_in_child([&] { check(*property, subject, recorded.pair); }, pulse,
+                       case_seconds_max(subject, subject), interruption)) {
     case Ending::crashed:
       return {false, sentence, "crashed"};
     case Ending::hung:
@@ -50,7 +50,7 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
 Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const Collider& oracle,
                      Interruption& interruption) {
   if (!recorded.property.empty()) return replay_property(recorded, subject, interruption);
-  const Judgement judgement = judge_guarded(recorded.pair, subject, oracle, interruption);
+  const Judgement judgement = judge_in_child(recorded.pair, subject, oracle, interruption);
   const std::string got = to_string(judgement.bucket);
   const std::string verdict(to_string(judgement.bucket.verdict));
   if (is_against_subject(judgement.bucket)) {

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "cases/corpus.hpp"
+#include "corpus/corpus.hpp"
 #include "judging/judge.hpp"
-#include "oracle/external/process.hpp"
+#include "process/process.hpp"
 
 namespace manifuzz {
 

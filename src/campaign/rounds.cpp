@@ -43,7 +43,7 @@ JobsResult run_plan(const Plan& plan, const KnownBuckets& known, Interruption& i
                     }),
            all);
     const bool is_time_up = plan.seconds && all.seconds >= *plan.seconds;
-    const bool is_stopped = all.interrupted || all.hopeless != Fault::none || is_time_up;
+    const bool is_stopped = all.interrupted || all.unresponsive != Fault::none || is_time_up;
     if (is_stopped || has_new(findings(*all.tally, plan, known))) break;
   }
   return all;

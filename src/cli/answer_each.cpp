@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "cases/corpus.hpp"
-#include "cases/file.hpp"
-#include "cases/text.hpp"
-#include "cases/user_error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
 #include "cli/output.hpp"
+#include "corpus/corpus.hpp"
 
 namespace manifuzz {
 namespace {

@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cases/corpus.hpp"
-#include "cases/nearest.hpp"
-#include "cases/simplicity.hpp"
-#include "cases/text.hpp"
-#include "cases/user_error.hpp"
+#include "base/nearest.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "corpus/corpus.hpp"
+#include "corpus/simplicity.hpp"
 
 namespace manifuzz {
 namespace {

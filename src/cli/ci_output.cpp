@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "cases/file.hpp"
-#include "cases/text.hpp"
-#include "cases/user_error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
 #include "report/github.hpp"
 #include "report/junit.hpp"
 

@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "cases/nearest.hpp"
-#include "cases/text.hpp"
-#include "cases/user_error.hpp"
-#include "clipping/collider.hpp"
-#include "kernel/collider.hpp"
+#include "base/nearest.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "oracle/external/command.hpp"
 #include "oracle/external/hosted_library.hpp"
+#include "own_colliders/clip.hpp"
+#include "own_colliders/kernel.hpp"
 
 namespace manifuzz {
 

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/collider.hpp"
+#include "collider/collider.hpp"
 
 namespace manifuzz {
 

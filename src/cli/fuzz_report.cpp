@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cases/text.hpp"
+#include "base/text.hpp"
 #include "report/style.hpp"
 
 namespace manifuzz {
@@ -72,11 +72,11 @@ std::string state_in_words(const Campaign& campaign) {
     text += "\nvacuous: nothing touched, so nothing was shown; choose other regimes or a radius\n";
   }
   if (campaign.result.stopped_early) {
-    const bool is_subject = campaign.run.hopeless == Fault::subject;
+    const bool is_subject = campaign.run.unresponsive == Fault::subject;
     text +=
         fmt::format("\nstopped early: {} gave no answer again and again: {}\n",
                     is_subject ? campaign.result.settings.subject : campaign.result.settings.oracle,
-                    printable(campaign.run.why_hopeless, 200));
+                    printable(campaign.run.why_unresponsive, 200));
   }
   if (!campaign.result.interrupted) return text;
   const std::size_t unsaved = campaign.saving.unsaved;

@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "base/user_error.hpp"
 #include "campaign/budgets.hpp"
-#include "campaign/guarded.hpp"
+#include "campaign/in_child.hpp"
 #include "campaign/rounds.hpp"
-#include "cases/user_error.hpp"
 #include "cli/fuzz_report.hpp"
 #include "cli/output.hpp"
-#include "report/provenance.hpp"
+#include "measure/provenance.hpp"
 
 namespace manifuzz {
 namespace {
@@ -135,7 +135,7 @@ FuzzResult result_of(const Campaign& campaign, const std::string& command) {
   result.of_subject = tally.of_subject;
   result.of_oracle = tally.of_oracle;
   result.interrupted = campaign.run.interrupted || campaign.saving.interrupted;
-  result.stopped_early = campaign.run.hopeless != Fault::none;
+  result.stopped_early = campaign.run.unresponsive != Fault::none;
   result.budgets_hold = holds_budgets(plan);
   CasesRun part{plan.seed, plan.first, {}, campaign.run.seconds};
   for (std::size_t i = 0; i < plan.regimes.size(); ++i) {

@@ -5,7 +5,7 @@
 
 #include "campaign/findings.hpp"
 #include "campaign/jobs.hpp"
-#include "cli/fuzz_result.hpp"
+#include "campaign/result.hpp"
 
 namespace manifuzz {
 

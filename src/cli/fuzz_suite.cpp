@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cases/user_error.hpp"
+#include "base/user_error.hpp"
 #include "cli/shown.hpp"
 #include "report/github.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "cases/nearest.hpp"
-#include "cases/user_error.hpp"
+#include "base/nearest.hpp"
+#include "base/user_error.hpp"
 
 namespace manifuzz {
 

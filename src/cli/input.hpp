@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/corpus.hpp"
-#include "cases/regime.hpp"
+#include "corpus/corpus.hpp"
+#include "generating/regime.hpp"
 
 namespace manifuzz {
 
@@ -22,7 +22,7 @@ void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regime
 Corpus read_known(const std::filesystem::path& folder);
 
 /// A corpus folder, sorted by path; empty where there is no such folder. Throws UserError on the
-/// first broken file, for what is drawn from a corpus hangs on all of it.
+/// first broken file, for what is drawn from a corpus depends on all of it.
 Corpus read_corpus_folder(const std::filesystem::path& folder);
 
 /// The pairs that a campaign with this seed may mutate: all but those that the seed itself or a

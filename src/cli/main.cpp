@@ -9,13 +9,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "cases/user_error.hpp"
+#include "base/user_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/next_steps.hpp"
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
-#include "oracle/external/child.hpp"
-#include "oracle/external/process.hpp"
+#include "process/child.hpp"
+#include "process/process.hpp"
 
 namespace manifuzz {
 namespace {

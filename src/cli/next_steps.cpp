@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "cases/corpus.hpp"
-#include "cases/text.hpp"
+#include "base/text.hpp"
 #include "cli/colliders.hpp"
+#include "corpus/corpus.hpp"
 
 namespace manifuzz {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/text.hpp"
+#include "base/text.hpp"
 #include "cli/output.hpp"
 
 namespace manifuzz {

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cases/file.hpp"
-#include "cases/text.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
 #include "report/style.hpp"
 
 namespace manifuzz {

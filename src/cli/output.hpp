@@ -10,7 +10,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "cases/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace manifuzz {
 
@@ -33,7 +33,7 @@ bool is_quiet();
 /// takes what they say.
 bool leaves_out_tables(std::initializer_list<std::string_view> files);
 
-/// A line on the standard error that nothing hangs on; none when quiet.
+/// A line on the standard error that nothing depends on; none when quiet.
 void write_remark(std::string_view line);
 
 /// Thrown where nobody reads the output any more: the command ends, quietly.

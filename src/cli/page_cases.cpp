@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "campaign/survey.hpp"
-#include "cases/text.hpp"
-#include "cases/user_error.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "campaign/neighbourhood_run.hpp"
+#include "cli/collider_options.hpp"
 #include "cli/colliders.hpp"
-#include "cli/parties.hpp"
-#include "report/map_picture.hpp"
-#include "report/map_words.hpp"
+#include "report/picture/map_picture.hpp"
+#include "report/picture/map_words.hpp"
 
 namespace manifuzz {
 namespace {
@@ -26,9 +26,9 @@ const Answer* recorded_answer(const CorpusCase& given, const std::string& name) 
   return found == manifolds.end() ? nullptr : &found->answer;
 }
 
-Party party_of(const CorpusCase& given, const std::string& name, const Collider* collider,
-               Interruption& interruption) {
-  Party party;
+KeptAnswer party_of(const CorpusCase& given, const std::string& name, const Collider* collider,
+                    Interruption& interruption) {
+  KeptAnswer party;
   if (collider != nullptr) party.declaration = collider->declaration;
   party.declaration.name = name;
   if (given.found && given.found->versions.contains(name)) {
@@ -37,7 +37,7 @@ Party party_of(const CorpusCase& given, const std::string& name, const Collider*
   if (const Answer* const answer = recorded_answer(given, name)) {
     party.answer = *answer;
   } else if (collider != nullptr) {
-    party.answer = ask_guarded(*collider, given.pair, interruption);
+    party.answer = ask_in_child(*collider, given.pair, interruption);
   } else {
     party.answer = Lost{Lost::How::crashed, "no answer is recorded"};
   }
@@ -89,7 +89,7 @@ PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
                      .count = {},
                      .commands = {},
                      .map = {}};
-  ShownCase& shown = page_case.shown;
+  JudgedCase& shown = page_case.shown;
   if (page_case.is_judged) {
     shown.judgement = judge(given.pair, {shown.subject.declaration, shown.subject.answer},
                             {shown.oracle.declaration, shown.oracle.answer});
@@ -115,12 +115,12 @@ void add_runs(PageCase& page_case, const std::vector<Result>& results) {
 }
 
 PageMap map_of(const PageCase& page_case, NamedColliders& colliders, Interruption& interruption) {
-  const ShownCase& shown = page_case.shown;
+  const JudgedCase& shown = page_case.shown;
   const PairCase& pair = shown.given.pair;
   const Grid grid = grid_around(exact::Truth(pair));
-  const Neighbourhood map =
-      survey(pair, *colliders.find(shown.subject.declaration.name),
-             *colliders.find(shown.oracle.declaration.name), grid, grid.cell_count(), interruption);
+  const Neighbourhood map = ask_neighbourhood(pair, *colliders.find(shown.subject.declaration.name),
+                                              *colliders.find(shown.oracle.declaration.name), grid,
+                                              grid.cell_count(), interruption);
   if (interruption.requested()) throw Interrupted();
   return {map_png(shown, map), {grid_in_words(grid), severity_in_words(shown, map)}};
 }
@@ -138,7 +138,7 @@ void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size
   std::set<std::tuple<std::string, std::string, std::string>> seen;
   std::vector<PageCase*> wanted;
   for (PageCase& page_case : cases) {
-    const ShownCase& shown = page_case.shown;
+    const JudgedCase& shown = page_case.shown;
     const bool is_first =
         page_case.is_judged && page_case.smallest.empty() &&
         shown.judgement.bucket.verdict != Verdict::agree &&

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "campaign/guarded.hpp"
-#include "cli/results.hpp"
-#include "report/page.hpp"
+#include "campaign/in_child.hpp"
+#include "campaign/result_files.hpp"
+#include "report/page/page.hpp"
 
 namespace manifuzz {
 

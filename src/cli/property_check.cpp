@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "cases/corpus.hpp"
-#include "cases/text.hpp"
-#include "cases/user_error.hpp"
-#include "cli/parties.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "cli/collider_options.hpp"
 #include "cli/shown.hpp"
+#include "corpus/corpus.hpp"
 #include "report/github.hpp"
 #include "report/style.hpp"
 

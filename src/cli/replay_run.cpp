@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "campaign/guarded.hpp"
-#include "cases/text.hpp"
+#include "base/text.hpp"
+#include "campaign/in_child.hpp"
+#include "cli/collider_options.hpp"
 #include "cli/output.hpp"
-#include "cli/parties.hpp"
 #include "cli/shown.hpp"
 #include "report/github.hpp"
 #include "report/style.hpp"

@@ -1,6 +1,6 @@
 #include "cli/report_page.hpp"
 
-#include "cases/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace manifuzz {
 

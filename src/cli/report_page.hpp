@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "campaign/result_files.hpp"
 #include "cli/page_cases.hpp"
-#include "cli/results.hpp"
 
 namespace manifuzz {
 

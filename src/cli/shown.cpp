@@ -1,16 +1,16 @@
 #include "cli/shown.hpp"
 
-#include "campaign/guarded.hpp"
-#include "report/text_picture.hpp"
+#include "campaign/in_child.hpp"
+#include "report/picture/text_picture.hpp"
 
 namespace manifuzz {
 
-ShownCase ask_both(const CorpusCase& given, const Collider& subject, const Collider& oracle,
-                   Interruption& interruption) {
+JudgedCase ask_both(const CorpusCase& given, const Collider& subject, const Collider& oracle,
+                    Interruption& interruption) {
   return {given,
-          {subject.declaration, ask_guarded(subject, given.pair, interruption)},
-          {oracle.declaration, ask_guarded(oracle, given.pair, interruption)},
-          judge_guarded(given.pair, subject, oracle, interruption)};
+          {subject.declaration, ask_in_child(subject, given.pair, interruption)},
+          {oracle.declaration, ask_in_child(oracle, given.pair, interruption)},
+          judge_in_child(given.pair, subject, oracle, interruption)};
 }
 
 void add_picture(TestFailure& failure, const CorpusCase& given, const Collider& subject,
@@ -24,7 +24,7 @@ void add_picture(TestFailure& failure, const CorpusCase& given, const Collider& 
 void add_picture(TestFailure& failure, const PairCase& pair, const Collider& subject,
                  Interruption& interruption) {
   try {
-    const Party party{subject.declaration, ask_guarded(subject, pair, interruption)};
+    const KeptAnswer party{subject.declaration, ask_in_child(subject, pair, interruption)};
     failure.picture = text_picture(pair, {&party, 1});
   } catch (const Interrupted&) {
   }

@@ -1,17 +1,17 @@
 #pragma once
 
-#include "cases/corpus.hpp"
-#include "geometry/collider.hpp"
-#include "oracle/external/process.hpp"
-#include "report/shown_case.hpp"
+#include "collider/collider.hpp"
+#include "corpus/corpus.hpp"
+#include "process/process.hpp"
+#include "report/judged_case.hpp"
 #include "report/test_suite.hpp"
 
 namespace manifuzz {
 
 /// The case and what these two answer now, asked in child processes where they could take this one
 /// along. Throws Interrupted.
-ShownCase ask_both(const CorpusCase& given, const Collider& subject, const Collider& oracle,
-                   Interruption& interruption);
+JudgedCase ask_both(const CorpusCase& given, const Collider& subject, const Collider& oracle,
+                    Interruption& interruption);
 
 /// Draws the case into the failure; what there is no time for is left out.
 void add_picture(TestFailure& failure, const CorpusCase& given, const Collider& subject,

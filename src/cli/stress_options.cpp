@@ -17,10 +17,10 @@ void add_run(CLI::App& app, StressOptions& options) {
                  "one more, as a program: case lines in, manifold lines out")
       ->type_name("COMMAND")
       ->check(not_blank);
-  add_outside(app, options.outside);
+  add_external_options(app, options.outside);
   add_whole_number(app, "--cases", options.cases, "a step; 100000 if not given", 1);
   add_whole_number(app, "--frames", options.frames, "a walk; 1000000 if not given", 1);
-  add_whole_number(app, "--seed", options.seed, "what the cases hang on; 1 if not given");
+  add_whole_number(app, "--seed", options.seed, "what the cases depend on; 1 if not given");
   add_whole_number(app, "--jobs", options.jobs, "how many processes; one a core if not given", 1);
   app.add_flag(
       "--quick", options.quick,

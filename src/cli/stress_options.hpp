@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/parties.hpp"
+#include "cli/collider_options.hpp"
 
 namespace manifuzz {
 
@@ -16,7 +16,7 @@ struct StressOptions {
   std::vector<std::string> sweeps;
   std::vector<std::string> colliders;
   ColliderChoice program{"collider", "", ""};
-  OutsideOptions outside;
+  ExternalOptions outside;
   std::optional<std::uint64_t> cases;
   std::optional<std::uint64_t> frames;
   std::optional<std::uint64_t> seed;

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "campaign/findings.hpp"
-#include "campaign/guarded.hpp"
-#include "cases/text.hpp"
+#include "campaign/in_child.hpp"
 #include "cli/colliders.hpp"
 #include "cli/output.hpp"
 
@@ -30,19 +30,19 @@ struct Witness {
   }
 };
 
-/// The worst of a sweep or a walk: where the contestant is wrong, and where its error is largest.
+/// The worst of a sweep or a walk: where the subject is wrong, and where its error is largest.
 struct Worst {
   std::optional<Witness> wrong;
   std::optional<Witness> error;
 };
 
-Worst worst_of(const StressResult& result, const Unit& family, std::size_t contestant) {
+Worst worst_of(const StressResult& result, const Unit& family, std::size_t subject) {
   Witness wrong;
   Witness error;
   for (std::size_t i = 0; i < result.units.size(); ++i) {
     const Unit& unit = result.units[i];
     if (unit.sweep != family.sweep || unit.walk != family.walk) continue;
-    const StepTally& tally = result.tallies[i][contestant];
+    const StepTally& tally = result.tallies[i][subject];
     if (tally.wrong() > 0) wrong.take(unit, tally.worst_wrong, tally.wrongness);
     if (unit.walk != nullptr || tally.contacts == 0) continue;  // a walk keeps no errors
     if (tally.ill_posed > 0) continue;  // a case on which nobody is wrong holds nothing
@@ -75,7 +75,7 @@ std::pair<bool, float> badness_of(const Collider& collider, const PairCase& pair
                                   Interruption& interruption) {
   const Declaration& declaration = collider.declaration;
   Referee referee(pair);
-  const Answer answer = referee.heard(declaration, ask_guarded(collider, pair, interruption));
+  const Answer answer = referee.heard(declaration, ask_in_child(collider, pair, interruption));
   const Measured measured = referee.measure(declaration, answer);
   const bool wrong = is_wrong(measured.assessment);
   return {wrong,
@@ -103,23 +103,23 @@ std::pair<Collider, Collider> parties_of(const Collider& collider) {
 }
 
 /// Whether it was written: it is a fault by the judge too, or clip's, and no milder than before.
-bool save_witness(const StressPlan& plan, const Contestant& contestant, const Witness& witness,
+bool save_witness(const StressPlan& plan, const StressSubject& subject, const Witness& witness,
                   const std::filesystem::path& corpus, const std::string& name,
                   Interruption& interruption) {
-  const Collider& collider = contestant.collider;
-  const bool is_steady = contestant.name == kSteady;
+  const Collider& collider = subject.collider;
+  const bool is_steady = subject.name == kSteady;
   auto [subject, oracle] = parties_of(collider);
   PairCase pair = case_of(plan, witness.unit, witness.index);
-  Judgement judgement = judge_guarded(pair, subject, oracle, interruption);
+  Judgement judgement = judge_in_child(pair, subject, oracle, interruption);
   if (is_steady && judgement.bucket.verdict == Verdict::ill_posed) {
     oracle = find_collider(kFineOracle);
-    judgement = judge_guarded(pair, subject, oracle, interruption);
+    judgement = judge_in_child(pair, subject, oracle, interruption);
   }
   const bool is_fault = judgement.bucket.fault != Fault::none;
   if (!is_fault && !is_steady) return false;
   if (is_fault) {
     pair = shrink_finding(pair, subject, oracle, interruption).pair;
-    judgement = judge_guarded(pair, subject, oracle, interruption);
+    judgement = judge_in_child(pair, subject, oracle, interruption);
   }
   const auto file = corpus / corpus_folder(judgement.bucket, oracle.declaration.name) / name;
   if (has_worse(file, collider, pair, interruption)) return false;
@@ -140,16 +140,16 @@ std::size_t save_worst(const StressPlan& plan, const StressResult& result,
   for (const Walk* const walk : plan.walks) families.push_back({.walk = walk});
   std::size_t written = 0;
   for (const Unit& family : families) {
-    for (std::size_t i = 0; i < plan.contestants.size(); ++i) {
-      const Contestant& contestant = plan.contestants[i];
-      if (contestant.name == kIdealName || contestant.walks_only) continue;
+    for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
+      const StressSubject& subject = plan.subjects[i];
+      if (subject.name == kIdealName || subject.walks_only) continue;
       const Worst worst = worst_of(result, family, i);
-      const bool is_steady = contestant.name == kSteady;
+      const bool is_steady = subject.name == kSteady;
       if (!worst.wrong && !(is_steady && worst.error)) continue;
       const Witness& witness = worst.wrong ? *worst.wrong : *worst.error;
-      const std::string name = fmt::format("stress-{}-{}.json", name_of(family), contestant.name);
+      const std::string name = fmt::format("stress-{}-{}.json", name_of(family), subject.name);
       on_file(name);
-      if (save_witness(plan, contestant, witness, corpus, name, interruption)) ++written;
+      if (save_witness(plan, subject, witness, corpus, name, interruption)) ++written;
     }
   }
   return written;

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "measure/stress.hpp"
+#include "measure/stress/stress.hpp"
 
 namespace manifuzz {
 

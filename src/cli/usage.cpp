@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "cases/nearest.hpp"
-#include "cases/text.hpp"
+#include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "report/style.hpp"

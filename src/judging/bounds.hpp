@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/collider.hpp"
+#include "collider/collider.hpp"
 
 namespace manifuzz {
 

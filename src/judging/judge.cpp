@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "judging/outside.hpp"
+#include "judging/completed.hpp"
 #include "judging/plain_error.hpp"
 
 namespace manifuzz {
@@ -161,8 +161,8 @@ std::optional<Bucket> without_manifold(const PairCase& pair, const Answer& answe
 }
 
 /// A verdict that needs no judging of manifolds, if it is one.
-std::optional<Bucket> without_judging(const exact::Truth& truth, const Testimony& subject,
-                                      const Testimony& oracle) {
+std::optional<Bucket> without_judging(const exact::Truth& truth, const ColliderAnswer& subject,
+                                      const ColliderAnswer& oracle) {
   const PairCase& pair = truth.pair();
   if (may_overflow(truth, subject.declaration) || may_overflow(truth, oracle.declaration)) {
     return Bucket{.verdict = Verdict::ill_posed};
@@ -249,7 +249,8 @@ Standing standing(const exact::Truth& truth) {
           .near = std::abs(above) <= kNearShare * truth.size()};
 }
 
-bool plainly_agree(const exact::Truth& truth, const Testimony& subject, const Testimony& oracle) {
+bool plainly_agree(const exact::Truth& truth, const ColliderAnswer& subject,
+                   const ColliderAnswer& oracle) {
   const auto* const s = std::get_if<Manifold<double>>(&subject.answer);
   const auto* const o = std::get_if<Manifold<double>>(&oracle.answer);
   if (s && o) return plainly_agree(truth, subject.declaration, *s, oracle.declaration, *o);
@@ -264,8 +265,8 @@ bool plainly_agree(const exact::Truth& truth, const Testimony& subject, const Te
   return false;
 }
 
-Judgement judge(std::shared_ptr<const exact::Truth> truth, const Testimony& subject,
-                const Testimony& oracle) {
+Judgement judge(std::shared_ptr<const exact::Truth> truth, const ColliderAnswer& subject,
+                const ColliderAnswer& oracle) {
   if (const auto bucket = without_judging(*truth, subject, oracle)) return {.bucket = *bucket};
   const Admissible right_for_subject = admissible(truth, subject.declaration);
   const Admissible right_for_oracle = admissible(truth, oracle.declaration);
@@ -307,7 +308,7 @@ Judgement judge(std::shared_ptr<const exact::Truth> truth, const Testimony& subj
   return result;
 }
 
-Judgement judge(const PairCase& pair, const Testimony& subject, const Testimony& oracle) {
+Judgement judge(const PairCase& pair, const ColliderAnswer& subject, const ColliderAnswer& oracle) {
   return judge(std::make_shared<const exact::Truth>(pair), subject, oracle);
 }
 

@@ -6,7 +6,7 @@
 namespace manifuzz {
 
 /// A collider's declaration and what it answered: one party of a comparison.
-struct Testimony {
+struct ColliderAnswer {
   const Declaration& declaration;
   const Answer& answer;
 };
@@ -42,12 +42,13 @@ Standing standing(const exact::Truth& truth);
 
 /// Whether they match each other within the sum of both bounds, on the cheap: what it says is so,
 /// but it leaves to `judge` every case in which anything has to be decided.
-bool plainly_agree(const exact::Truth& truth, const Testimony& subject, const Testimony& oracle);
+bool plainly_agree(const exact::Truth& truth, const ColliderAnswer& subject,
+                   const ColliderAnswer& oracle);
 
 /// The full verdict.
-Judgement judge(std::shared_ptr<const exact::Truth> truth, const Testimony& subject,
-                const Testimony& oracle);
-Judgement judge(const PairCase& pair, const Testimony& subject, const Testimony& oracle);
+Judgement judge(std::shared_ptr<const exact::Truth> truth, const ColliderAnswer& subject,
+                const ColliderAnswer& oracle);
+Judgement judge(const PairCase& pair, const ColliderAnswer& subject, const ColliderAnswer& oracle);
 
 /// The full verdict on what these two answer now.
 Judgement judge(const PairCase& pair, const Collider& subject, const Collider& oracle);

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "cases/simplicity.hpp"
-#include "cases/ulps.hpp"
+#include "base/ulps.hpp"
+#include "generating/edits.hpp"
 
 namespace manifuzz {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/collider.hpp"
+#include "collider/collider.hpp"
 #include "judging/bucket.hpp"
 #include "oracle/exact/truth.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "judging/inquiry.hpp"
+#include "judging/asked_collider.hpp"
 #include "judging/ledger.hpp"
 #include "judging/property_list.hpp"
 
@@ -38,7 +38,7 @@ const Property* find_property(std::string_view name) {
 
 Outcome check(const Property& property, const Collider& collider, const PairCase& pair) {
   if (is_ill_posed(pair, bounds(pair, collider.declaration))) return not_applicable();
-  Inquiry ask(collider);
+  AskedCollider ask(collider);
   Outcome outcome = property.holds(ask, pair);
   if (ask.lost()) return fails("no answer: " + ask.lost()->why, 1);
   if (outcome.kind == Outcome::Kind::fails &&

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/collider.hpp"
+#include "collider/collider.hpp"
 
 namespace manifuzz {
 
@@ -21,13 +21,13 @@ struct Outcome {
   double magnitude = 0;  ///< of a failure, as a share of the size
 };
 
-class Inquiry;
+class AskedCollider;
 
 /// A sentence that must be true of every collider, whatever an oracle says.
 struct Property {
   std::string_view name;
   std::string_view sentence;
-  Outcome (*holds)(Inquiry& ask, const PairCase& pair);
+  Outcome (*holds)(AskedCollider& ask, const PairCase& pair);
 };
 
 /// Every property: property_list.hpp has them.

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "judging/inquiry.hpp"
+#include "judging/asked_collider.hpp"
 #include "judging/judge.hpp"
 #include "judging/property_list.hpp"
 
@@ -164,7 +164,7 @@ DoubleDouble true_overlap(const PairCase& pair, const exact::Truth& truth) {
 
 }  // namespace
 
-Outcome points_lie_where_they_say(Inquiry& ask, const PairCase& pair) {
+Outcome points_lie_where_they_say(AskedCollider& ask, const PairCase& pair) {
   const auto manifold = ask.manifold(pair);
   if (!manifold || manifold->count == 0) return not_applicable();
   const Bounds within = bounds(pair, ask.declaration());
@@ -183,12 +183,12 @@ Outcome points_lie_where_they_say(Inquiry& ask, const PairCase& pair) {
   return holds();
 }
 
-Outcome depth_is_the_overlap(Inquiry& ask, const PairCase& pair) {
+Outcome depth_is_the_overlap(AskedCollider& ask, const PairCase& pair) {
   const auto unbiased = without_bias(ask.collider());
   if (!unbiased) return not_applicable();
   const Admissible right = admissible(pair, unbiased->declaration);
   if (!right.must_touch) return not_applicable();
-  Inquiry ask_unbiased(*unbiased);
+  AskedCollider ask_unbiased(*unbiased);
   const auto manifold = ask_unbiased.manifold(pair);
   if (!manifold) return not_applicable();
   const double off = std::abs(leading(largest_depth(*manifold) - true_overlap(pair, *right.truth)));
@@ -196,12 +196,12 @@ Outcome depth_is_the_overlap(Inquiry& ask, const PairCase& pair) {
   return fails("a largest depth that is not the overlap", off / size(pair));
 }
 
-Outcome depth_moves_apart(Inquiry& ask, const PairCase& pair) {
+Outcome depth_moves_apart(AskedCollider& ask, const PairCase& pair) {
   const auto unbiased = without_bias(ask.collider());
   if (!unbiased) return not_applicable();
   const Admissible right = admissible(pair, unbiased->declaration);
   if (!right.must_touch) return not_applicable();
-  Inquiry ask_unbiased(*unbiased);
+  AskedCollider ask_unbiased(*unbiased);
   const auto manifold = ask_unbiased.manifold(pair);
   if (!manifold || manifold->count == 0) return not_applicable();
   const Vector2<double> normal = world_normal(pair, manifold->normal);
@@ -225,7 +225,7 @@ Outcome depth_moves_apart(Inquiry& ask, const PairCase& pair) {
   return holds();
 }
 
-Outcome float_and_double_agree(Inquiry& ask, const PairCase& pair) {
+Outcome float_and_double_agree(AskedCollider& ask, const PairCase& pair) {
   if (!ask.collider().in_double) return not_applicable();
   const auto manifold = ask.manifold(pair);
   if (!manifold) return not_applicable();
@@ -234,7 +234,7 @@ Outcome float_and_double_agree(Inquiry& ask, const PairCase& pair) {
   return fails(to_string(judgement.bucket), judgement.magnitude);
 }
 
-Outcome overlap_is_never_empty(Inquiry& ask, const PairCase& pair) {
+Outcome overlap_is_never_empty(AskedCollider& ask, const PairCase& pair) {
   const Admissible right = admissible(pair, ask.declaration());
   if (!right.must_touch) return not_applicable();
   const auto manifold = ask.manifold(pair);
@@ -243,7 +243,7 @@ Outcome overlap_is_never_empty(Inquiry& ask, const PairCase& pair) {
   return fails("no contact for an overlap", leading(true_overlap(pair, *right.truth)) / size(pair));
 }
 
-Outcome manifold_is_admissible(Inquiry& ask, const PairCase& pair) {
+Outcome manifold_is_admissible(AskedCollider& ask, const PairCase& pair) {
   const auto manifold = ask.manifold(pair);
   if (!manifold) return not_applicable();
   const Mismatch found = mismatch(*manifold, admissible(pair, ask.declaration()));
@@ -252,7 +252,7 @@ Outcome manifold_is_admissible(Inquiry& ask, const PairCase& pair) {
                found.magnitude / size(pair));
 }
 
-Outcome given_normal_agrees(Inquiry& ask, const PairCase& pair) {
+Outcome given_normal_agrees(AskedCollider& ask, const PairCase& pair) {
   if (!ask.collider().from_normal) return not_applicable();
   const auto right = decided(pair, ask.declaration());
   if (!right || !farthest_vertices_decided(pair, *right)) return not_applicable();

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <optional>
 
-#include "judging/inquiry.hpp"
+#include "judging/asked_collider.hpp"
 #include "judging/property_list.hpp"
 
 namespace manifuzz {
@@ -48,8 +48,8 @@ ConvexPolygon<float> renumbered(const ConvexPolygon<float>& polygon) {
 
 /// Asks for both, and compares what `back` makes of the second with the first.
 template <class Back>
-Outcome compare_moved(Inquiry& ask, const PairCase& pair, const PairCase& moved, Features features,
-                      Back back) {
+Outcome compare_moved(AskedCollider& ask, const PairCase& pair, const PairCase& moved,
+                      Features features, Back back) {
   const auto right = decided(pair, ask.declaration());
   const auto right_moved = decided(moved, ask.declaration());
   if (!right || !right_moved) return not_applicable();
@@ -99,12 +99,12 @@ bool is_in_mid_range(const Body& body) {
 
 }  // namespace
 
-Outcome swapping_mirrors(Inquiry& ask, const PairCase& pair) {
+Outcome swapping_mirrors(AskedCollider& ask, const PairCase& pair) {
   return compare_moved(ask, pair, {pair.b, pair.a}, Features::compared,
                        [&](const Manifold<double>& m) { return swapped_back(pair, m); });
 }
 
-Outcome renumbering_changes_features_only(Inquiry& ask, const PairCase& pair) {
+Outcome renumbering_changes_features_only(AskedCollider& ask, const PairCase& pair) {
   PairCase other_numbers = pair;
   other_numbers.a.polygon = renumbered(pair.a.polygon);
   other_numbers.b.polygon = renumbered(pair.b.polygon);
@@ -112,7 +112,7 @@ Outcome renumbering_changes_features_only(Inquiry& ask, const PairCase& pair) {
                        [](const Manifold<double>& m) { return m; });
 }
 
-Outcome quarter_turns_move(Inquiry& ask, const PairCase& pair) {
+Outcome quarter_turns_move(AskedCollider& ask, const PairCase& pair) {
   PairCase turned = pair;
   for (const Side side : {Side::a, Side::b}) {
     turned[side].pose = {quarter_turned(pair[side].pose.position),
@@ -122,7 +122,7 @@ Outcome quarter_turns_move(Inquiry& ask, const PairCase& pair) {
                        [](const Manifold<double>& m) { return m; });
 }
 
-Outcome translations_move(Inquiry& ask, const PairCase& pair) {
+Outcome translations_move(AskedCollider& ask, const PairCase& pair) {
   PairCase moved = pair;
   for (const float by : {4096.0F, 64.0F, 1.0F, 0.015625F}) {
     const auto a = translated(pair.a.pose.position, by);
@@ -136,7 +136,7 @@ Outcome translations_move(Inquiry& ask, const PairCase& pair) {
   return not_applicable();
 }
 
-Outcome powers_of_two_scale(Inquiry& ask, const PairCase& pair) {
+Outcome powers_of_two_scale(AskedCollider& ask, const PairCase& pair) {
   const double bias = ask.declaration().tie_bias;
   if (!is_in_mid_range(pair.a) || !is_in_mid_range(pair.b)) return not_applicable();
   if (bias != 0 && !ask.collider().with_tie_bias) return not_applicable();

@@ -32,7 +32,7 @@
 namespace manifuzz {
 
 #define MANIFUZZ_DECLARE(function, name, sentence) \
-  Outcome function(Inquiry& ask, const PairCase& pair);
+  Outcome function(AskedCollider& ask, const PairCase& pair);
 MANIFUZZ_PROPERTIES(MANIFUZZ_DECLARE)
 #undef MANIFUZZ_DECLARE
 

@@ -8,7 +8,7 @@
 #endif
 
 #include "kernel/clip-inl.hpp"
-#include "kernel/cure.hpp"
+#include "kernel/deepest_contact.hpp"
 #include "kernel/packed.hpp"
 
 HWY_BEFORE_NAMESPACE();

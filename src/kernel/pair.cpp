@@ -6,7 +6,7 @@
 #include <cmath>
 #include <hwy/highway.h>
 
-#include "kernel/cure.hpp"
+#include "kernel/deepest_contact.hpp"
 #include "kernel/ends-inl.hpp"
 #include "kernel/pair.hpp"
 
@@ -141,7 +141,7 @@ HWY_INLINE void clip_touching(const ShapeRows& a, const ShapeRows& placed, const
   if (tie_bias > 0 && manifold.count > 0) return;
   const float missing = total_radius - chosen.value - deepest;
   if (HWY_LIKELY(!might_miss_deepest(features, missing, s.found.separation))) return;
-  manifold = cured(a, placed, manifold, chosen.value, s.found.separation);
+  manifold = with_deepest_contact(a, placed, manifold, chosen.value, s.found.separation);
 }
 
 #endif  // HWY_TARGET == HWY_SCALAR

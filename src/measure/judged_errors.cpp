@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "judging/outside.hpp"
+#include "judging/completed.hpp"
 #include "judging/plain_error.hpp"
 
 namespace manifuzz {

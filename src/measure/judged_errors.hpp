@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "geometry/collider.hpp"
+#include "collider/collider.hpp"
 
 namespace manifuzz {
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/text.hpp"
+#include "base/text.hpp"
 #include "report/style.hpp"
 #include "report/words.hpp"
 
@@ -83,7 +83,7 @@ void write_truth(Text& text, const PairCase& pair) {
   text.row("size", digits(truth.size()));
 }
 
-void write_bounds(Text& text, const ShownCase& shown) {
+void write_bounds(Text& text, const JudgedCase& shown) {
   const Bounds of_subject = bounds(shown.given.pair, shown.subject.declaration);
   const Bounds of_oracle = bounds(shown.given.pair, shown.oracle.declaration);
   const auto row = [&](std::string_view name, double Bounds::*member) {
@@ -109,7 +109,7 @@ std::string edge(const Body& body, int face) {
                      digits(world_vertex(body, body.polygon.next(face))));
 }
 
-void write_candidate(Text& text, const PairCase& pair, const Party& subject) {
+void write_candidate(Text& text, const PairCase& pair, const KeptAnswer& subject) {
   const Admissible right = admissible(pair, subject.declaration);
   text.line("right manifold       one of {} for {}", right.candidates.size(),
             subject.declaration.name);
@@ -132,7 +132,8 @@ void write_candidate(Text& text, const PairCase& pair, const Party& subject) {
   }
 }
 
-void write_answer(Text& text, const PairCase& pair, const Party& party, std::string_view role) {
+void write_answer(Text& text, const PairCase& pair, const KeptAnswer& party,
+                  std::string_view role) {
   text.line("{}: {} {}, {}", role, party.declaration.name, party.declaration.version,
             answer_in_words(party));
   const Manifold<double>* const manifold = party.manifold();
@@ -171,7 +172,7 @@ void write_origin(Text& text, const CorpusCase& given) {
 
 }  // namespace
 
-std::string case_text(const ShownCase& shown) {
+std::string case_text(const JudgedCase& shown) {
   const PairCase& pair = shown.given.pair;
   Text text;
   text.line("{}", verdict_sentence(shown));

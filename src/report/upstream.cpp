@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "cases/json.hpp"
-#include "cases/text.hpp"
-#include "cases/user_error.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "exchange/json.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -81,7 +81,7 @@ void append_body(std::string& out, char name, const Body& body) {
                      text_of(body.pose.rotation, round));
 }
 
-const Party& party_at_fault(const ShownCase& shown) {
+const KeptAnswer& party_at_fault(const JudgedCase& shown) {
   switch (shown.judgement.bucket.fault) {
     case Fault::none:
       throw UserError("--upstream: nobody is at fault in this case; there is nothing to report");
@@ -116,8 +116,8 @@ std::string filled_in(std::string snippet, const PairCase& pair) {
   return snippet;
 }
 
-std::string upstream_report(const ShownCase& shown, const std::string& parties) {
-  const Party& party = party_at_fault(shown);
+std::string upstream_report(const JudgedCase& shown, const std::string& parties) {
+  const KeptAnswer& party = party_at_fault(shown);
   const PairCase& pair = shown.given.pair;
   std::string text = fmt::format("# {} {}: {}\n\n", party.declaration.name,
                                  party.declaration.version, verdict_sentence(shown));

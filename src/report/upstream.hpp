@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "report/shown_case.hpp"
+#include "report/judged_case.hpp"
 
 namespace manifuzz {
 
@@ -10,7 +10,7 @@ namespace manifuzz {
 /// it answered, what is right, and a program that shows it. `parties` are the
 /// options that choose the two again, for a collider that gives no program of its own. Throws
 /// UserError where nobody is at fault.
-std::string upstream_report(const ShownCase& shown, const std::string& parties);
+std::string upstream_report(const JudgedCase& shown, const std::string& parties);
 
 /// A snippet's template with the pair's numbers in it: @a.vertices[]@ becomes [[x,y],...],
 /// @a.vertices{}@ {{x,y},...}; normals, position and rotation (cos, sin) alike; @a.radius@,

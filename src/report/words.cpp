@@ -8,12 +8,12 @@ namespace manifuzz {
 namespace {
 
 /// A magnitude is a share of the size; people want to see the length.
-double magnitude_length(const ShownCase& shown) {
+double magnitude_length(const JudgedCase& shown) {
   return shown.judgement.magnitude * size(shown.given.pair);
 }
 
 /// What is wrong with a collider's answer.
-std::string wrong_in_words(const ShownCase& shown, const Party& party) {
+std::string wrong_in_words(const JudgedCase& shown, const KeptAnswer& party) {
   const std::string& name = party.declaration.name;
   const std::string off = brief(magnitude_length(shown));
   switch (shown.judgement.bucket.kind) {
@@ -51,7 +51,7 @@ std::string tie_in_words(TieClass tie_class) {
   }
 }
 
-std::string agreement(const ShownCase& shown) {
+std::string agreement(const JudgedCase& shown) {
   const std::string names =
       fmt::format("{} and {}", shown.subject.declaration.name, shown.oracle.declaration.name);
   if (shown.subject.count() == 0) {
@@ -60,14 +60,14 @@ std::string agreement(const ShownCase& shown) {
   return fmt::format("agree within rounding: {} report {}", names, answer_in_words(shown.subject));
 }
 
-std::string silent_or_nonsense(const ShownCase& shown, std::string_view what) {
+std::string silent_or_nonsense(const JudgedCase& shown, std::string_view what) {
   const bool of_subject = shown.judgement.bucket.fault == Fault::subject;
-  const Party& party = of_subject ? shown.subject : shown.oracle;
+  const KeptAnswer& party = of_subject ? shown.subject : shown.oracle;
   return fmt::format("{} {}", party.declaration.name, what);
 }
 
-std::string unsupported_in_words(const ShownCase& shown) {
-  for (const Party* party : {&shown.subject, &shown.oracle}) {
+std::string unsupported_in_words(const JudgedCase& shown) {
+  for (const KeptAnswer* party : {&shown.subject, &shown.oracle}) {
     const auto* const unsupported = std::get_if<Unsupported>(&party->answer);
     if (unsupported == nullptr) continue;
     return fmt::format("{} cannot take this case: {}", party->declaration.name, unsupported->why);
@@ -100,7 +100,7 @@ std::string truth_in_words(const PairCase& pair) {
   return fmt::format("overlap {}", brief(-separation));
 }
 
-std::string answer_in_words(const Party& party) {
+std::string answer_in_words(const KeptAnswer& party) {
   if (const auto* const lost = std::get_if<Lost>(&party.answer)) return lost->why;
   const Manifold<double>* const manifold = party.manifold();
   if (manifold == nullptr) return "unsupported: " + std::get<Unsupported>(party.answer).why;
@@ -116,7 +116,7 @@ std::string answer_in_words(const Party& party) {
   }
 }
 
-std::string verdict_sentence(const ShownCase& shown) {
+std::string verdict_sentence(const JudgedCase& shown) {
   switch (shown.judgement.bucket.verdict) {
     case Verdict::agree:
       return agreement(shown);

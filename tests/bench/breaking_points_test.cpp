@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/colliders.hpp"
-#include "measure/sweep.hpp"
-#include "measure/walk.hpp"
+#include "generating/sweep.hpp"
+#include "generating/walk.hpp"
 #include "support/run_program.hpp"
 #include "support/source_tree.hpp"
 

@@ -1,4 +1,4 @@
-// What scripts/guard counts the instructions of: one pass of a contender of `manifuzz bench` over
+// What scripts/guard counts the instructions of: one pass of a subject of `manifuzz bench` over
 // fixed cases. Callgrind collects within `manifuzz_counted` alone.
 //
 //   manifuzz_instruction_count                 what counts depend on: compiler and build
@@ -10,8 +10,8 @@
 #include <string>
 
 #include "kernel/target.hpp"
-#include "measure/our_contenders.hpp"
-#include "measure/workload.hpp"
+#include "measure/bench/own_bench_subjects.hpp"
+#include "measure/bench/workload.hpp"
 
 extern "C" [[gnu::noinline]] void manifuzz_counted(const std::function<void()>& pass) {
   pass();
@@ -30,17 +30,17 @@ std::string target() {
 
 int count(const std::string& name, const std::string& input) {
   const std::string used = target();
-  const std::vector<Contender> all = our_contenders();
-  const auto contender = std::ranges::find_if(all, [&](const Contender& c) {
+  const std::vector<BenchSubject> all = own_bench_subjects();
+  const auto subject = std::ranges::find_if(all, [&](const BenchSubject& c) {
     return c.name == name && c.input == input && c.query == "manifold" &&
            (c.target.empty() || c.target == used);
   });
   const auto workload = draw_workload({.regime = find_regime("generic"), .vertices = {}}, 1);
-  if (contender == all.end() || !workload) {
+  if (subject == all.end() || !workload) {
     std::fprintf(stderr, "there is nothing to count for %s, %s\n", name.c_str(), input.c_str());
     return 2;
   }
-  const auto pass = contender->prepare(workload->pairs);
+  const auto pass = subject->prepare(workload->pairs);
   kernel::use_target(used);
   pass();  // whatever only the first pass does
   manifuzz_counted(pass);

@@ -10,10 +10,10 @@
 #include <box2d/b2_collision.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "cases/regime.hpp"
-#include "clipping/collider.hpp"
+#include "generating/regime.hpp"
 #include "judging/judge.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "own_colliders/clip.hpp"
 
 using namespace manifuzz;
 

@@ -4,8 +4,8 @@
 
 namespace manifuzz::canary {
 
-std::optional<Bucket> blame(const PairCase& pair, const Testimony& subject,
-                            const Testimony& oracle) {
+std::optional<Bucket> blame(const PairCase& pair, const ColliderAnswer& subject,
+                            const ColliderAnswer& oracle) {
   const auto truth = std::make_shared<const exact::Truth>(pair);
   if (plainly_agree(*truth, subject, oracle)) return std::nullopt;
   const Bucket bucket = judge(truth, subject, oracle).bucket;
@@ -15,8 +15,8 @@ std::optional<Bucket> blame(const PairCase& pair, const Testimony& subject,
 std::optional<Bucket> blame(const PairCase& pair, const Collider& subject, const Collider& oracle) {
   const Answer of_subject = subject.collide(pair);
   const Answer of_oracle = oracle.collide(pair);
-  return blame(pair, Testimony{subject.declaration, of_subject},
-               Testimony{oracle.declaration, of_oracle});
+  return blame(pair, ColliderAnswer{subject.declaration, of_subject},
+               ColliderAnswer{oracle.declaration, of_oracle});
 }
 
 }  // namespace manifuzz::canary

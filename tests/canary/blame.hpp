@@ -7,8 +7,8 @@
 namespace manifuzz::canary {
 
 /// The bucket in which the judge blames somebody for an answer to the case; none where all is well.
-std::optional<Bucket> blame(const PairCase& pair, const Testimony& subject,
-                            const Testimony& oracle);
+std::optional<Bucket> blame(const PairCase& pair, const ColliderAnswer& subject,
+                            const ColliderAnswer& oracle);
 std::optional<Bucket> blame(const PairCase& pair, const Collider& subject, const Collider& oracle);
 
 }  // namespace manifuzz::canary

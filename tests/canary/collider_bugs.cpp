@@ -2,8 +2,8 @@
 #include "canary/blame.hpp"
 #include "canary/planted.hpp"
 #include "canary/search.hpp"
-#include "cases/regime.hpp"
-#include "cases/shrink.hpp"
+#include "corpus/shrink.hpp"
+#include "generating/regime.hpp"
 #include "judging/properties.hpp"
 #include "oracle/box2d/box2d.hpp"
 

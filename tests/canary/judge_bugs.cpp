@@ -2,9 +2,9 @@
 
 #include "canary/planted.hpp"
 #include "canary/search.hpp"
-#include "cases/shrink.hpp"
-#include "clipping/collider.hpp"
+#include "corpus/shrink.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "own_colliders/clip.hpp"
 #include "support/twin.hpp"
 
 // Bugs planted into the judge: on answers of colliders right and wrong, it must differ from its
@@ -38,7 +38,8 @@ bool is_nonsense(const PairCase& pair, const Answer& answer) {
   return false;
 }
 
-Bucket twin_bucket(const PairCase& pair, const Testimony& subject, const Testimony& oracle) {
+Bucket twin_bucket(const PairCase& pair, const ColliderAnswer& subject,
+                   const ColliderAnswer& oracle) {
   if (is_nonsense(pair, subject.answer)) {
     return {.fault = Fault::subject, .verdict = Verdict::malformed};
   }
@@ -58,8 +59,8 @@ bool differs_from_twin(JudgeOf judge_of, std::uint64_t number, const PairCase& p
   const Answer of_oracle = oracle.collide(pair);
   const Bucket bucket =
       judge_of(pair, subject.declaration, of_subject, oracle.declaration, of_oracle);
-  const Bucket expected = twin_bucket(pair, Testimony{subject.declaration, of_subject},
-                                      Testimony{oracle.declaration, of_oracle});
+  const Bucket expected = twin_bucket(pair, ColliderAnswer{subject.declaration, of_subject},
+                                      ColliderAnswer{oracle.declaration, of_oracle});
   return !(without_ledger(bucket) == expected);
 }
 

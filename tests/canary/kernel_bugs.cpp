@@ -5,11 +5,11 @@
 #include "canary/blame.hpp"
 #include "canary/planted.hpp"
 #include "canary/search.hpp"
-#include "cases/regime.hpp"
-#include "cases/shrink.hpp"
 #include "clipping/collide.hpp"
-#include "clipping/collider.hpp"
+#include "corpus/shrink.hpp"
+#include "generating/regime.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "own_colliders/clip.hpp"
 
 // Bugs planted into the kernels: a manifold must differ from the clean code's, or a hint must
 // change an answer. What the judge says of such a manifold is reported first.
@@ -36,8 +36,8 @@ std::optional<Noticed> noticed_by_judge(const Look& look, std::uint64_t number,
   const auto broken = look(number, pair);
   if (!broken || !broken->answer) return std::nullopt;
   const Answer of_oracle = oracle.collide(pair);
-  const auto bucket = blame(pair, Testimony{broken->declaration, *broken->answer},
-                            Testimony{oracle.declaration, of_oracle});
+  const auto bucket = blame(pair, ColliderAnswer{broken->declaration, *broken->answer},
+                            ColliderAnswer{oracle.declaration, of_oracle});
   if (!bucket) return std::nullopt;
   return Noticed{"judge of " + broken->kernel, to_string(*bucket)};
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "clipping/placed_pair.hpp"
-#include "geometry/collider.hpp"
+#include "collider/collider.hpp"
 #include "judging/bucket.hpp"
 
 namespace manifuzz::canary {

@@ -5,7 +5,7 @@
 #include "canary/one_target.hpp"
 #include "canary/planted.hpp"
 #include "kernel/batch.cpp"
-#include "kernel/cure.cpp"
+#include "kernel/deepest_contact.cpp"
 #include "kernel/packed.cpp"
 #include "kernel/shape_rows.cpp"
 #include "kernel/shapes.cpp"

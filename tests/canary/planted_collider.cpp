@@ -1,6 +1,6 @@
 // Copied for each bug planted into the collider, and compiled under the bug's namespace.
 #include "canary/planted.hpp"
-#include "clipping/collider.cpp"
+#include "own_colliders/clip.cpp"
 
 namespace manifuzz {
 namespace {

@@ -5,11 +5,14 @@
 namespace manifuzz {
 namespace {
 
-[[maybe_unused]] const bool planted = canary::add_judge(
-    "PLANTED_BUG", [](const PairCase& pair, const Declaration& subject, const Answer& of_subject,
-                      const Declaration& oracle, const Answer& of_oracle) {
-      return judge(pair, Testimony{subject, of_subject}, Testimony{oracle, of_oracle}).bucket;
-    });
+[[maybe_unused]] const bool planted = canary::add_judge("PLANTED_BUG", [](const PairCase& pair,
+                                                                          const Declaration&
+                                                                              subject,
+                                                                          const Answer& of_subject,
+                                                                          const Declaration& oracle,
+                                                                          const Answer& of_oracle) {
+  return judge(pair, ColliderAnswer{subject, of_subject}, ColliderAnswer{oracle, of_oracle}).bucket;
+});
 
 }  // namespace
 }  // namespace manifuzz

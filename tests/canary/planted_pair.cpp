@@ -1,7 +1,7 @@
 // Copied for each bug planted into the kernel for one pair, and compiled under the bug's namespace.
 #include "canary/one_target.hpp"
 #include "canary/planted.hpp"
-#include "kernel/cure.cpp"
+#include "kernel/deepest_contact.cpp"
 #include "kernel/pair.cpp"
 #include "kernel/shape_rows.cpp"
 

@@ -9,8 +9,9 @@
 #include <fmt/format.h>
 
 #include "canary/edits.hpp"
-#include "cases/regime.hpp"
-#include "cases/simplicity.hpp"
+#include "corpus/simplicity.hpp"
+#include "generating/edits.hpp"
+#include "generating/regime.hpp"
 #include "support/named_tests.hpp"
 #include "support/source_tree.hpp"
 

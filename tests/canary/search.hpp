@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/shrink.hpp"
+#include "corpus/shrink.hpp"
 
 namespace manifuzz::canary {
 

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "canary/search.hpp"
-#include "cases/json.hpp"
-#include "cases/simplicity.hpp"
+#include "corpus/simplicity.hpp"
+#include "exchange/json.hpp"
 
 // What the shrinker and the buckets make of each planted bug, over many seeds: how many forms it
 // comes down to, how plain they are, what they cost, and how far a bucket's name tells one bug from

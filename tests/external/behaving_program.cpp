@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "cases/corpus.hpp"
-#include "cases/json.hpp"
-#include "clipping/collider.hpp"
+#include "corpus/corpus.hpp"
+#include "exchange/json.hpp"
 #include "external/behaviour.hpp"
+#include "own_colliders/clip.hpp"
 
 // clip64 as a program that answers lines. Its argument says what else it does.
 

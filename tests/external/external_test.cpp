@@ -6,15 +6,15 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/user_error.hpp"
 #include "campaign/jobs.hpp"
-#include "cases/regime.hpp"
-#include "cases/user_error.hpp"
-#include "clipping/collider.hpp"
 #include "external/behaviour.hpp"
+#include "generating/regime.hpp"
 #include "oracle/external/command.hpp"
 #include "oracle/external/hosted_library.hpp"
 #include "oracle/external/library.hpp"
-#include "oracle/external/process.hpp"
+#include "own_colliders/clip.hpp"
+#include "process/process.hpp"
 
 // Colliders in a process of their own: whatever they do, the campaign ends, counts it and leaves
 // nobody behind.
@@ -84,7 +84,7 @@ void check_loses(const Collider& subject, Verdict verdict) {
 /// The campaign stops, having seen enough.
 void check_hopeless(const Collider& subject, Verdict verdict) {
   const JobsResult result = run(plan_of(subject));
-  CHECK(result.hopeless == Fault::subject);
+  CHECK(result.unresponsive == Fault::subject);
   CHECK(result.tally->cases() < kCases);
   CHECK(result.tally->count(verdict) >= 20);
 }
@@ -165,7 +165,7 @@ TEST_CASE("a program that answers twice, or not at all, loses that case alone") 
 TEST_CASE("a program that answers out of order has no answers") {
   const JobsResult result =
       run(plan_of(collider_of_command(MANIFUZZ_TEST_PROGRAM " out-of-order", kSecondsMax / 10)));
-  CHECK(result.hopeless == Fault::subject);
+  CHECK(result.unresponsive == Fault::subject);
   CHECK(result.tally->count(Verdict::malformed) >= 20);
   CHECK(result.tally->count(Verdict::subject_wrong) == 0);
 }

@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/user_error.hpp"
 #include "campaign/property_run.hpp"
-#include "cases/user_error.hpp"
 #include "cli/colliders.hpp"
 #include "support/named_tests.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "cases/corpus.hpp"
-#include "cases/user_error.hpp"
+#include "base/user_error.hpp"
 #include "cli/colliders.hpp"
+#include "corpus/corpus.hpp"
 #include "judging/judge.hpp"
 #include "support/named_tests.hpp"
 

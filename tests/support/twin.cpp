@@ -39,7 +39,8 @@ Kind difference(const Manifold<double>& subject, const Manifold<double>& oracle)
 
 }  // namespace
 
-TwinJudgement twin_judge(const PairCase& pair, const Testimony& subject, const Testimony& oracle) {
+TwinJudgement twin_judge(const PairCase& pair, const ColliderAnswer& subject,
+                         const ColliderAnswer& oracle) {
   TwinJudgement result;
   const Twin for_subject(pair, subject.declaration);
   result.touching = for_subject.touches();

@@ -25,6 +25,7 @@ struct TwinJudgement {
   Bucket bucket;  ///< the ledger not asked: oracle_wrong where it says known
 };
 
-TwinJudgement twin_judge(const PairCase& pair, const Testimony& subject, const Testimony& oracle);
+TwinJudgement twin_judge(const PairCase& pair, const ColliderAnswer& subject,
+                         const ColliderAnswer& oracle);
 
 }  // namespace manifuzz

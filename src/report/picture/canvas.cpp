@@ -4,7 +4,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "cases/text.hpp"
+#include "base/text.hpp"
 
 namespace manifuzz {
 namespace {

@@ -41,7 +41,7 @@ DepthBar deepest_bar(const Scene& scene, const PairCase& pair, const exact::Clip
                 scene.outward);
 }
 
-void add_points(Scene& scene, const PairCase& pair, const Party& party, bool is_subject) {
+void add_points(Scene& scene, const PairCase& pair, const KeptAnswer& party, bool is_subject) {
   for (int i = 0; i < party.count(); ++i) {
     const Manifold<double>& manifold = *party.manifold();
     const ContactPoint<double>& point = manifold.points[i];
@@ -57,7 +57,7 @@ void add_points(Scene& scene, const PairCase& pair, const Party& party, bool is_
 
 }  // namespace
 
-Scene make_scene(const ShownCase& shown) {
+Scene make_scene(const JudgedCase& shown) {
   const PairCase& pair = shown.given.pair;
   const auto world = exact::place_roughly(pair);
   const Admissible right = admissible(pair, shown.subject.declaration);

@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
+#include "report/judged_case.hpp"
 #include "report/picture/region.hpp"
-#include "report/shown_case.hpp"
 
 namespace manifuzz {
 
@@ -51,6 +51,6 @@ struct Scene {
   double radius(Side side) const { return radii[static_cast<std::size_t>(side)]; }
 };
 
-Scene make_scene(const ShownCase& shown);
+Scene make_scene(const JudgedCase& shown);
 
 }  // namespace manifuzz

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/text.hpp"
+#include "base/text.hpp"
 #include "report/xml.hpp"
 
 namespace manifuzz {

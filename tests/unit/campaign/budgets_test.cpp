@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "cases/regime.hpp"
+#include "generating/regime.hpp"
 
 using namespace manifuzz;
 
@@ -52,7 +52,7 @@ TEST_CASE("a plan with radii of its own is not held to budgets") {
   CHECK(ledger_counts(tally, plan)[0].over_budget.empty());
 }
 
-TEST_CASE("the regime corpus, which hangs on the corpus, is not held to budgets") {
+TEST_CASE("the regime corpus, which depends on the corpus, is not held to budgets") {
   CHECK(entries_over_budget("corpus", 1000, 1000) == 0);
 }
 

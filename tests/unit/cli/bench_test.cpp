@@ -1,20 +1,20 @@
-#include "measure/bench.hpp"
+#include "measure/bench/bench.hpp"
 
 #include <fstream>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/contenders.hpp"
+#include "cli/bench_subjects.hpp"
 #include "oracle/exact/truth.hpp"
-#include "report/gnuplot.hpp"
-#include "report/plot.hpp"
+#include "report/plot/gnuplot.hpp"
+#include "report/plot/plot.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace manifuzz;
 
-TEST_CASE("bench measures every contender and writes what it found") {
+TEST_CASE("bench measures every subject and writes what it found") {
   const test::TemporaryFolder folder;
   const std::string json = (folder.path() / "bench.json").string();
   const std::string csv = (folder.path() / "bench.csv").string();
@@ -42,10 +42,10 @@ TEST_CASE("bench's errors are those of the same manifolds") {
   const auto workload = draw_workload({find_regime("sliver"), {}, 0.5, 400}, 1);
   REQUIRE(workload);
   std::optional<JudgedErrors> of_clip;
-  for (const Contender& contender : contenders()) {
-    const bool is_clip = contender.name == "clip" || contender.name == "batch";
-    if (!is_clip || !contender.collider) continue;
-    const JudgedErrors errors = judged_errors(contender.collider(), workload->pairs);
+  for (const BenchSubject& subject : bench_subjects()) {
+    const bool is_clip = subject.name == "clip" || subject.name == "batch";
+    if (!is_clip || !subject.collider) continue;
+    const JudgedErrors errors = judged_errors(subject.collider(), workload->pairs);
     CHECK(errors.cases == 400);
     if (!of_clip) of_clip = errors;
     CHECK(errors.depth.max == of_clip->depth.max);

@@ -49,7 +49,7 @@ const std::vector<BadUsage>& bad_usages() {
        "no property 'swaping-mirrors'; did you mean 'swapping-mirrors'?"},
       {"an unknown sweep", {"stress", "--sweep", "distanc"}, "did you mean 'distance'?"},
       {"an unknown scene", {"scene", "--scene", "pyramyd"}, "did you mean 'pyramid'?"},
-      {"an unknown contender", {"bench", "--collider", "bacth"}, "did you mean 'batch'?"},
+      {"an unknown subject", {"bench", "--collider", "bacth"}, "did you mean 'batch'?"},
       {"no collider", {"collide"}, "--collider is required"},
       {"an unknown collider",
        {"collide", "--collider", "clop"},

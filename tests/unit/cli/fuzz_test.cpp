@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cases/corpus.hpp"
+#include "corpus/corpus.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 

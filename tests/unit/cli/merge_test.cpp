@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cases/corpus.hpp"
-#include "cases/simplicity.hpp"
+#include "corpus/corpus.hpp"
+#include "corpus/simplicity.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "measure/scene_recycling.hpp"
-#include "measure/scene_run.hpp"
+#include "measure/scene/scene_recycling.hpp"
+#include "measure/scene/scene_run.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 

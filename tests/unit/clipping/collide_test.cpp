@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "clipping/collider.hpp"
+#include "own_colliders/clip.hpp"
 
 using namespace manifuzz;
 using Catch::Matchers::WithinAbs;

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "cases/random.hpp"
+#include "base/random.hpp"
 #include "oracle/exact/quadratic.hpp"
 #include "support/real.hpp"
 

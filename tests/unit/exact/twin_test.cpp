@@ -5,10 +5,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "cases/json.hpp"
-#include "cases/regime.hpp"
-#include "clipping/collider.hpp"
+#include "exchange/json.hpp"
+#include "generating/regime.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "own_colliders/clip.hpp"
 #include "support/named_tests.hpp"
 
 // The judge against its twin, in every regime: on what colliders answer, and on answers moved by
@@ -85,8 +85,8 @@ void compare(const Regime& regime) {
     const Answer of_subject =
         moved(subject.collide(pair), pair, bounds(pair, subject.declaration), random);
     const Answer of_oracle = oracle.collide(pair);
-    const Testimony s{subject.declaration, of_subject};
-    const Testimony o{oracle.declaration, of_oracle};
+    const ColliderAnswer s{subject.declaration, of_subject};
+    const ColliderAnswer o{oracle.declaration, of_oracle};
     std::string line;
     append_case_line(line, pair);
     INFO(line << "\n"

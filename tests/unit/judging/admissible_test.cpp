@@ -2,9 +2,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "clipping/collider.hpp"
 #include "judging/judge.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "own_colliders/clip.hpp"
 
 using namespace manifuzz;
 using Catch::Matchers::WithinAbs;

@@ -4,11 +4,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "cases/regime.hpp"
-#include "clipping/collider.hpp"
+#include "generating/regime.hpp"
 #include "judging/judge.hpp"
 #include "judging/plain_error.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "own_colliders/clip.hpp"
 
 // How close right colliders come to their bounds: never past them, and not a thousand times short.
 

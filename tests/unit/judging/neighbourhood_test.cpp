@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "cases/regime.hpp"
+#include "generating/regime.hpp"
 
 using namespace manifuzz;
 

@@ -5,9 +5,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "cases/regime.hpp"
 #include "clipping/collide.hpp"
 #include "clipping/placed_pair.hpp"
+#include "generating/regime.hpp"
 #include "unit/kernel/every_target.hpp"
 
 // The kernels against the clean code, bit for bit, on every instruction set that this machine has.

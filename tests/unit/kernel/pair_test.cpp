@@ -4,9 +4,9 @@
 #include <rapidcheck.h>
 #include <rapidcheck/state.h>
 
-#include "cases/random.hpp"
-#include "cases/regime.hpp"
+#include "base/random.hpp"
 #include "clipping/collide.hpp"
+#include "generating/regime.hpp"
 #include "unit/kernel/every_target.hpp"
 
 // One pair at a time against the clean code, bit for bit; and what a hint may not change.

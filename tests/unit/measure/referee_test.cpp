@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "clipping/collider.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "own_colliders/clip.hpp"
 
 namespace manifuzz {
 namespace {

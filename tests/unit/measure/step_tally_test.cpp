@@ -1,4 +1,4 @@
-#include "measure/step_tally.hpp"
+#include "measure/stress/step_tally.hpp"
 
 #include <catch2/catch.hpp>
 

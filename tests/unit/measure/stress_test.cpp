@@ -1,19 +1,19 @@
-#include "measure/stress.hpp"
+#include "measure/stress/stress.hpp"
 
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 
-#include "clipping/collider.hpp"
-#include "kernel/collider.hpp"
-#include "measure/unit_run.hpp"
+#include "measure/stress/unit_run.hpp"
+#include "own_colliders/clip.hpp"
+#include "own_colliders/kernel.hpp"
 
 namespace manifuzz {
 namespace {
 
 constexpr int kDeath = 9;  // not by a signal, which the test framework would catch
 
-Contestant contestant(const Collider& collider) {
+StressSubject subject(const Collider& collider) {
   return {collider.declaration.name, collider};
 }
 
@@ -21,9 +21,9 @@ StressPlan small_plan() {
   StressPlan plan;
   plan.sweeps = {find_sweep("distance"), find_sweep("collinear")};
   plan.walks = {find_walk("sliding")};
-  plan.contestants = {ideal_contestant(), contestant(make_clip()), contestant(make_batch()),
-                      contestant(make_clip64())};
-  plan.contestants.push_back({"clip with a bias", make_clip(kWalkBias), true});
+  plan.subjects = {ideal_subject(), subject(make_clip()), subject(make_batch()),
+                   subject(make_clip64())};
+  plan.subjects.push_back({"clip with a bias", make_clip(kWalkBias), true});
   plan.cases = 300;
   plan.frames = 1000;
   return plan;
@@ -35,7 +35,7 @@ StressResult run(const StressPlan& plan) {
 }
 
 /// `clip`, but for what it does to one case in so many.
-Contestant spoilt(const std::string& name, const std::function<void(const PairCase&)>& spoil) {
+StressSubject spoilt(const std::string& name, const std::function<void(const PairCase&)>& spoil) {
   Collider collider = make_clip();
   collider.declaration.name = name;
   collider.collide = [clip = make_clip(), spoil](const PairCase& pair) {
@@ -53,7 +53,7 @@ bool is_fatal(const PairCase& pair, std::uint64_t index) {
 
 }  // namespace
 
-TEST_CASE("what is measured does not hang on the number of jobs") {
+TEST_CASE("what is measured does not depend on the number of jobs") {
   StressPlan plan = small_plan();
   const StressResult one = run(plan);
   plan.jobs = 3;
@@ -86,9 +86,9 @@ TEST_CASE("a collider that dies loses the case, and nobody else does") {
   StressPlan plan;
   plan.sweeps = {find_sweep("touch")};
   plan.cases = 300;
-  plan.contestants = {contestant(make_clip()), spoilt("dies", [](const PairCase& pair) {
-                        if (is_fatal(pair, 7) || is_fatal(pair, 260)) _exit(kDeath);
-                      })};
+  plan.subjects = {subject(make_clip()), spoilt("dies", [](const PairCase& pair) {
+                     if (is_fatal(pair, 7) || is_fatal(pair, 260)) _exit(kDeath);
+                   })};
   const StressResult result = run(plan);
   const auto of_clip = result.steps(*plan.sweeps[0], 0);
   const auto of_other = result.steps(*plan.sweeps[0], 1);
@@ -107,8 +107,7 @@ TEST_CASE("one that does nothing but die has lost the rest of the step, soon") {
   plan.sweeps = {find_sweep("off_unit")};
   plan.cases = 400;
   plan.jobs = 2;
-  plan.contestants = {spoilt("dies", [](const PairCase&) { _exit(kDeath); }),
-                      contestant(make_clip())};
+  plan.subjects = {spoilt("dies", [](const PairCase&) { _exit(kDeath); }), subject(make_clip())};
   const StressResult result = run(plan);
   for (const StepTally& step : result.steps(*plan.sweeps[0], 0)) CHECK(step.lost == 400);
   for (const StepTally& step : result.steps(*plan.sweeps[0], 1)) CHECK(step.lost == 0);
@@ -132,13 +131,13 @@ TEST_CASE("nonsense is counted") {
   StressPlan plan;
   plan.sweeps = {find_sweep("tie")};
   plan.cases = 50;
-  Contestant fool = contestant(make_clip());
+  StressSubject fool = subject(make_clip());
   fool.collider.collide = [](const PairCase&) {
     Manifold<double> manifold;
     manifold.count = 7;
     return manifold;
   };
-  plan.contestants = {fool};
+  plan.subjects = {fool};
   for (const StepTally& step : run(plan).steps(*plan.sweeps[0], 0)) CHECK(step.lost == 50);
 }
 

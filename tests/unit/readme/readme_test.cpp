@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "cases/corpus.hpp"
-#include "geometry/collider.hpp"
+#include "collider/collider.hpp"
+#include "corpus/corpus.hpp"
 #include "readme_1.inc"
 
 namespace manifuzz {

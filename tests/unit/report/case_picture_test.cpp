@@ -1,4 +1,4 @@
-#include "report/case_picture.hpp"
+#include "report/picture/case_picture.hpp"
 
 #include <limits>
 
@@ -62,9 +62,9 @@ void check_layout(const std::vector<Element>& elements) {
   CHECK(misplaced(elements) == std::vector<std::string>());
 }
 
-void check_words(const ShownCase& shown, const std::vector<Element>& elements) {
+void check_words(const JudgedCase& shown, const std::vector<Element>& elements) {
   CHECK(holds(elements, verdict_sentence(shown)));
-  for (const Party* party : {&shown.subject, &shown.oracle}) {
+  for (const KeptAnswer* party : {&shown.subject, &shown.oracle}) {
     CHECK(holds(elements, party->declaration.name + " " + party->declaration.version));
     CHECK(holds(elements, answer_in_words(*party)));
   }
@@ -76,7 +76,7 @@ void check_words(const ShownCase& shown, const std::vector<Element>& elements) {
   CHECK(holds(elements, "incident (" + face_name(other(side), candidate->incident) + ")"));
 }
 
-void check_picture(const ShownCase& shown) {
+void check_picture(const JudgedCase& shown) {
   const std::string svg = case_svg(shown);
   check_numbers(svg);
   const auto elements = read_svg(svg);
@@ -147,7 +147,7 @@ TEST_CASE("rounded polygons have a dashed skin") {
 }
 
 TEST_CASE("a ledger entry stands below the picture") {
-  ShownCase shown = shown_case(box_on_box(0.25F));
+  JudgedCase shown = shown_case(box_on_box(0.25F));
   shown.judgement.explanation = &ledger().front();
   CHECK(holds(read_svg(case_svg(shown)), ledger().front().id));
 }
@@ -157,7 +157,7 @@ TEST_CASE("answers that are nonsense make a picture all the same") {
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinite, -infinite, 1e300, -1e300}) {
     for (int i = 0; i < 4; ++i) {
-      ShownCase shown = shown_case(box_on_box(0.25F));
+      JudgedCase shown = shown_case(box_on_box(0.25F));
       Manifold<double> manifold = *shown.oracle.manifold();
       double* const places[] = {&manifold.points[0].position.x(), &manifold.points[0].depth,
                                 &manifold.normal.x(), &manifold.points[1].position.y()};
@@ -167,7 +167,7 @@ TEST_CASE("answers that are nonsense make a picture all the same") {
       check_layout(read_svg(case_svg(shown)));
     }
   }
-  ShownCase shown = shown_case(box_on_box(0.25F));
+  JudgedCase shown = shown_case(box_on_box(0.25F));
   Manifold<double> manifold = *shown.oracle.manifold();
   manifold.count = 1000;
   manifold.points[0].features.a.index = 200;
@@ -177,7 +177,7 @@ TEST_CASE("answers that are nonsense make a picture all the same") {
 }
 
 TEST_CASE("a collider that gave no answer is in the legend") {
-  ShownCase shown = shown_case(box_on_box(0.25F));
+  JudgedCase shown = shown_case(box_on_box(0.25F));
   shown.oracle.answer = Lost{Lost::How::crashed, "crashed"};
   shown.judgement.bucket = bucket_of_lost(Verdict::crashed, Fault::oracle);
   check_picture(shown);

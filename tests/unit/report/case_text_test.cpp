@@ -9,7 +9,7 @@ using namespace manifuzz::test;
 using Catch::Contains;
 
 TEST_CASE("the text holds polygons, truth, bounds, candidate, answers and verdict") {
-  ShownCase shown = shown_case(box_on_box(0.25F));
+  JudgedCase shown = shown_case(box_on_box(0.25F));
   shown.given.found = Found{.seed = 7, .regime = "boxes", .index = 12, .versions = {}};
   shown.given.note = "Two boxes.";
   const std::string text = case_text(shown);
@@ -45,7 +45,7 @@ TEST_CASE("polygons apart have no right manifold but none") {
 }
 
 TEST_CASE("a ledger entry is shown with its source") {
-  ShownCase shown = shown_case(box_on_box(0.25F));
+  JudgedCase shown = shown_case(box_on_box(0.25F));
   shown.judgement.explanation = &ledger().front();
   const std::string text = case_text(shown);
   CHECK_THAT(text, Contains(std::string(ledger().front().id)));

@@ -1,10 +1,10 @@
-#include "report/line_plot.hpp"
+#include "report/plot/line_plot.hpp"
 
 #include <filesystem>
 
 #include <catch2/catch.hpp>
 
-#include "cases/user_error.hpp"
+#include "base/user_error.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace manifuzz;

@@ -5,11 +5,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "campaign/guarded.hpp"
-#include "campaign/survey.hpp"
-#include "cases/corpus.hpp"
-#include "report/map_picture.hpp"
-#include "report/map_words.hpp"
+#include "campaign/in_child.hpp"
+#include "campaign/neighbourhood_run.hpp"
+#include "corpus/corpus.hpp"
+#include "report/picture/map_picture.hpp"
+#include "report/picture/map_words.hpp"
 #include "support/source_tree.hpp"
 #include "unit/report/sample.hpp"
 
@@ -37,7 +37,7 @@ bool is_moved_right(const PairCase& pair) {
 }
 
 struct Map {
-  ShownCase shown;
+  JudgedCase shown;
   Neighbourhood neighbourhood;
 
   double severity() const {
@@ -53,9 +53,9 @@ Map map_of(const PairCase& pair, const Collider& subject, const Collider& oracle
   map.shown.given.pair = pair;
   map.shown.subject.declaration = subject.declaration;
   map.shown.oracle.declaration = oracle.declaration;
-  map.shown.judgement = judge_guarded(pair, subject, oracle, interruption);
-  map.neighbourhood =
-      survey(pair, subject, oracle, grid_around(exact::Truth(pair)), cells_max, interruption);
+  map.shown.judgement = judge_in_child(pair, subject, oracle, interruption);
+  map.neighbourhood = ask_neighbourhood(pair, subject, oracle, grid_around(exact::Truth(pair)),
+                                        cells_max, interruption);
   return map;
 }
 

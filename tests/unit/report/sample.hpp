@@ -3,18 +3,18 @@
 #include <array>
 #include <string>
 
-#include "cases/regime.hpp"
 #include "cli/colliders.hpp"
-#include "report/shown_case.hpp"
+#include "generating/regime.hpp"
+#include "report/judged_case.hpp"
 
 namespace manifuzz::test {
 
 /// A case as `clip` and `box2d` see it, without the guard of a child process.
-inline ShownCase shown_case(const PairCase& pair, const std::string& subject = "clip",
-                            const std::string& oracle = "box2d") {
+inline JudgedCase shown_case(const PairCase& pair, const std::string& subject = "clip",
+                             const std::string& oracle = "box2d") {
   const Collider of_subject = find_collider(subject);
   const Collider of_oracle = find_collider(oracle);
-  ShownCase shown;
+  JudgedCase shown;
   shown.given.pair = pair;
   shown.subject = {of_subject.declaration, of_subject.collide(pair)};
   shown.oracle = {of_oracle.declaration, of_oracle.collide(pair)};

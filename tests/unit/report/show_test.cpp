@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "cases/corpus.hpp"
+#include "corpus/corpus.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/report/sample.hpp"

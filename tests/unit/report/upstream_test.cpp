@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "cases/user_error.hpp"
+#include "base/user_error.hpp"
 #include "unit/report/sample.hpp"
 
 using namespace manifuzz;
@@ -17,7 +17,7 @@ TEST_CASE("a snippet's placeholders become the case's numbers") {
 }
 
 TEST_CASE("a report says what was got, what is right, and how to see it") {
-  ShownCase shown = test::shown_case(test::box_on_box(0.25F), "clip", "box2d");
+  JudgedCase shown = test::shown_case(test::box_on_box(0.25F), "clip", "box2d");
   CHECK_THROWS_AS(upstream_report(shown, "--subject clip"), UserError);
   shown.oracle.answer = Manifold<double>{};
   shown.judgement = judge(shown.given.pair, {shown.subject.declaration, shown.subject.answer},

@@ -32,7 +32,7 @@ TEST_CASE("what lies between the polygons") {
 }
 
 TEST_CASE("each verdict has its sentence") {
-  ShownCase shown = shown_case(box_on_box(0.25F));
+  JudgedCase shown = shown_case(box_on_box(0.25F));
   shown.judgement.magnitude = 0.5;
   const auto sentence = [&](Verdict verdict, Kind kind, Fault fault) {
     shown.judgement.bucket.verdict = verdict;
@@ -68,7 +68,7 @@ TEST_CASE("each verdict has its sentence") {
 }
 
 TEST_CASE("what a collider answered") {
-  Party party = shown_case(box_on_box(0.25F)).subject;
+  KeptAnswer party = shown_case(box_on_box(0.25F)).subject;
   CHECK(answer_in_words(party) == "2 points, depths 0.25 and 0.25");
   party.answer = Unsupported{"too many vertices"};
   CHECK(answer_in_words(party) == "unsupported: too many vertices");
@@ -77,7 +77,7 @@ TEST_CASE("what a collider answered") {
 }
 
 TEST_CASE("an unsupported case says why") {
-  ShownCase shown = shown_case(box_on_box(0.25F));
+  JudgedCase shown = shown_case(box_on_box(0.25F));
   shown.oracle.answer = Unsupported{"rounded polygons"};
   shown.judgement.bucket = {.verdict = Verdict::unsupported};
   CHECK(verdict_sentence(shown) == "unsupported: box2d cannot take this case: rounded polygons");

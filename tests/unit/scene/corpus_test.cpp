@@ -1,4 +1,4 @@
-#include "cases/corpus.hpp"
+#include "corpus/corpus.hpp"
 
 #include <catch2/catch.hpp>
 

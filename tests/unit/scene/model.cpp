@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "cases/placing.hpp"
+#include "generating/placing.hpp"
 #include "geometry/same_bits.hpp"
 #include "kernel/batch.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/placing.hpp"
-#include "cases/random.hpp"
+#include "base/random.hpp"
+#include "generating/placing.hpp"
 #include "unit/scene/any_scene.hpp"
 
 // Scenes held against colliding every pair afresh.

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "cases/placing.hpp"
-#include "cases/shapes.hpp"
-#include "cases/ulps.hpp"
+#include "base/ulps.hpp"
+#include "generating/placing.hpp"
+#include "generating/shapes.hpp"
 #include "geometry/pose.hpp"
 
 // How bodies of a model move: each a function of a seed.

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "cases/placing.hpp"
 #include "clipping/collide.hpp"
+#include "generating/placing.hpp"
 #include "scene/scene.hpp"
 
 using namespace manifuzz;

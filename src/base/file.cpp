@@ -1,0 +1,197 @@
+#include "base/file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+
+namespace manifuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kChunk = 1 << 16;
+
+[[noreturn]] void fail(const std::string& name, std::string_view doing, int error) {
+  throw UserError(fmt::format("{}: cannot {}: {}", name, doing, std::strerror(error)));
+}
+
+std::string name_of(const fs::path& path) {
+  return printable(path.string(), 200);
+}
+
+void write_all(int descriptor, std::string_view text, const std::string& name) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(name, "write it", errno);
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+/// A new file beside `target`, removed again unless it was renamed to it.
+class TemporaryFile {
+ public:
+  /// Errors name it as `shown`.
+  TemporaryFile(const fs::path& target, const std::string& shown)
+      : target_(target),
+        shown_(shown),
+        name_((target.parent_path() / ".manifuzz-XXXXXX").string()) {
+    descriptor_ = ::mkstemp(name_.data());
+    if (descriptor_ < 0) fail(shown, "create it", errno);
+  }
+  ~TemporaryFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!name_.empty()) ::unlink(name_.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  int descriptor() const { return descriptor_; }
+
+  void rename_to_target() {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    check(::fchmod(descriptor_, 0666 & ~mask) == 0, "set its mode");  // mkstemp's is the owner's
+    check(::fsync(descriptor_) == 0, "write it to disk");
+    check(::close(std::exchange(descriptor_, -1)) == 0, "close it");
+    check(::rename(name_.c_str(), target_.c_str()) == 0, "rename its temporary file");
+    name_.clear();
+  }
+
+ private:
+  void check(bool done, std::string_view doing) const {
+    if (!done) fail(shown_, doing, errno);
+  }
+
+  fs::path target_;
+  std::string shown_;
+  std::string name_;
+  int descriptor_ = -1;
+};
+
+/// Devices and pipes cannot be replaced, and must not be.
+void write_device(const fs::path& path, std::string_view text) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(name_of(path), "open it", errno);
+  try {
+    write_all(descriptor, text, name_of(path));
+  } catch (...) {
+    ::close(descriptor);
+    throw;
+  }
+  ::close(descriptor);
+}
+
+}  // namespace
+
+InputFile::InputFile(const std::string& path)
+    : name_(path == "-" ? "stdin" : printable(path, 200)), descriptor_(STDIN_FILENO) {
+  if (path == "-") return;
+  descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor_ < 0) fail(name_, "open it", errno);
+  struct stat status {};
+  if (::fstat(descriptor_, &status) == 0 && S_ISDIR(status.st_mode)) {
+    ::close(descriptor_);
+    throw UserError(fmt::format("{}: is a folder; a file is expected", name_));
+  }
+}
+
+InputFile::~InputFile() {
+  if (descriptor_ != STDIN_FILENO) ::close(descriptor_);
+}
+
+std::size_t InputFile::read(char* to, std::size_t size) {
+  ssize_t count = 0;
+  do {
+    count = ::read(descriptor_, to, size);
+  } while (count < 0 && errno == EINTR);
+  if (count < 0) fail(name_, "read it", errno);
+  return static_cast<std::size_t>(count);
+}
+
+std::string InputFile::read_all(std::size_t most) {
+  std::string text;
+  while (true) {
+    const std::size_t had = text.size();
+    text.resize(had + kChunk);
+    const std::size_t count = read(text.data() + had, kChunk);
+    text.resize(had + count);
+    if (count == 0) return text;
+    if (text.size() > most) {
+      throw UserError(
+          fmt::format("{}: is larger than {} MiB; that is too much to read", name_, most >> 20));
+    }
+  }
+}
+
+LineReader::LineReader(InputFile& file, std::function<void()> before_read)
+    : file_(file), before_read_(std::move(before_read)), buffer_(2 * kChunk) {}
+
+bool LineReader::fill() {
+  if (before_read_) before_read_();
+  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
+            buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
+  end_ -= begin_;
+  begin_ = 0;
+  if (buffer_.size() < end_ + kChunk) buffer_.resize(2 * buffer_.size());
+  const std::size_t count = file_.read(buffer_.data() + end_, kChunk);
+  end_ += count;
+  return count > 0;
+}
+
+std::optional<Line> LineReader::next() {
+  Line line{{}, ++number_, false};
+  std::size_t searched = 0;
+  do {
+    const std::string_view text = waiting();
+    const std::size_t length = text.find('\n', searched);
+    if (length != std::string_view::npos) {
+      begin_ += length + 1;
+      line.too_long = line.too_long || length > kLongestCase;
+      if (!line.too_long) line.text = text.substr(0, length);
+      return line;
+    }
+    searched = text.size();
+    if (searched > kLongestCase) {
+      line.too_long = true;
+      begin_ = end_;
+      searched = 0;
+    }
+  } while (fill());
+  if (!line.too_long) line.text = waiting();  // the last line may lack its end
+  begin_ = end_;
+  if (line.text.empty() && !line.too_long) return std::nullopt;
+  return line;
+}
+
+void write_file(const fs::path& path, std::string_view text) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) {
+    throw UserError(fmt::format("{}: is a folder; a file is expected", name_of(path)));
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_device(path, text);
+  // A link stays, and what it points to is replaced.
+  const bool is_dangling = !fs::exists(status) && fs::is_symlink(fs::symlink_status(path, error));
+  if (is_dangling) throw UserError(fmt::format("{}: is a link to nothing", name_of(path)));
+  const fs::path target = fs::exists(status) ? fs::canonical(path) : path;
+  if (target.has_parent_path()) {
+    std::error_code not_created;
+    fs::create_directories(target.parent_path(), not_created);
+    if (not_created) fail(name_of(target.parent_path()), "create the folder", not_created.value());
+  }
+  TemporaryFile temporary(target, name_of(path));
+  write_all(temporary.descriptor(), text, name_of(path));
+  temporary.rename_to_target();
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+namespace manifuzz {
+
+/// SplitMix64's finaliser (Steele, Lea, Flood 2014): every bit of the input moves every bit out.
+constexpr std::uint64_t mix(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+/// FNV-1a, so that a stream depends on a name and not on a place in a list.
+constexpr std::uint64_t hash_of(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return hash;
+}
+
+/// Counter-based random numbers: draw n of a stream is a function of (key, n) alone. Everything is
+/// exact IEEE arithmetic, so the same draws come out of every compiler and processor. One
+/// expression may hold one draw, or nested ones: C++ leaves the order of operands and arguments to
+/// the compiler.
+class Random {
+ public:
+  Random(std::uint64_t seed, std::string_view stream, std::uint64_t index)
+      : key_(mix(mix(seed + kGolden) ^ mix(hash_of(stream)) ^ mix(index * kGolden + 1))) {}
+
+  std::uint64_t bits() { return mix(key_ + kGolden * ++counter_); }
+
+  /// In [0, 1), a multiple of 2^-53.
+  double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
+
+  /// In [low, high).
+  double uniform(double low, double high) { return low + (high - low) * unit(); }
+
+  /// In {low, ..., high}. The bias, below 2^-32 times the width, does not matter here.
+  int integer(int low, int high) {
+    const auto width = static_cast<std::uint64_t>(high - low) + 1;
+    return low + static_cast<int>(((bits() >> 32) * width) >> 32);
+  }
+
+  bool chance(double probability) { return unit() < probability; }
+
+  /// 2^k times [1, 2), k in {low, ..., high - 1}: spread over magnitudes without a logarithm.
+  double magnitude(int low, int high) {
+    const int exponent = integer(low, high - 1);
+    return std::ldexp(uniform(1, 2), exponent);
+  }
+
+  /// x or -x.
+  double either_sign(double x) { return chance(0.5) ? x : -x; }
+
+ private:
+  static constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ULL;
+  std::uint64_t key_;
+  std::uint64_t counter_ = 0;
+};
+
+}  // namespace manifuzz

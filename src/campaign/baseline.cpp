@@ -1,0 +1,110 @@
+#include "campaign/baseline.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "campaign/result_files.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr double kWorseFrom = 1.1;
+
+struct Part {
+  std::string_view name;
+  std::vector<std::string> BucketComparison::*buckets;
+};
+constexpr std::array kParts{
+    Part{"new", &BucketComparison::appeared}, Part{"worse", &BucketComparison::worse},
+    Part{"still", &BucketComparison::still}, Part{"gone", &BucketComparison::gone}};
+
+std::string in_words(const std::optional<std::uint64_t>& seed) {
+  return seed ? std::to_string(*seed) : "several";
+}
+
+/// Something in which runs must not differ if they are to be compared.
+struct Term {
+  std::string_view name;
+  std::string value;
+};
+
+std::array<Term, 5> terms_of(const FuzzResult& result) {
+  return {Term{"subject", result.settings.subject}, Term{"oracle", result.settings.oracle},
+          Term{"seed", in_words(result.seed())}, Term{"first", std::to_string(result.first())},
+          Term{"cases", std::to_string(result.cases())}};
+}
+
+}  // namespace
+
+FuzzResult read_baseline(const std::string& path) {
+  try {
+    const Result result = read_result(path);
+    if (result.fuzz) return *result.fuzz;
+    throw UserError(fmt::format("{}: is a result of {}; one of fuzz is expected",
+                                printable(path, 200), result.kind));
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("--baseline: {}", error.what()));
+  }
+}
+
+std::string differences_in_words(const FuzzResult& earlier, const FuzzResult& now) {
+  std::string text;
+  const auto add = [&](std::string_view difference) {
+    text += text.empty() ? "" : ", ";
+    text += difference;
+  };
+  const auto before = terms_of(earlier);
+  const auto after = terms_of(now);
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    if (before[i].value == after[i].value) continue;
+    add(fmt::format("{} ({}, now {})", after[i].name, before[i].value, after[i].value));
+  }
+  const bool same_regimes = std::ranges::equal(earlier.regimes, now.regimes, {},
+                                               &RegimeResult::name, &RegimeResult::name);
+  if (!same_regimes) add("regimes");
+  if (text.empty()) return text;
+  return fmt::format("the baseline differs in {}: what is new or gone may be due to that\n", text);
+}
+
+BucketComparison compared(const FuzzResult& earlier, const FuzzResult& now) {
+  BucketComparison comparison;
+  for (const BucketResult& found : now.buckets) {
+    const auto before = std::ranges::find(earlier.buckets, found.bucket, &BucketResult::bucket);
+    if (before == earlier.buckets.end()) {
+      comparison.appeared.push_back(found.bucket);
+    } else if (found.magnitude > kWorseFrom * before->magnitude) {
+      comparison.worse.push_back(found.bucket);
+    } else {
+      comparison.still.push_back(found.bucket);
+    }
+  }
+  for (const BucketResult& before : earlier.buckets) {
+    const auto again = std::ranges::find(now.buckets, before.bucket, &BucketResult::bucket);
+    if (again == now.buckets.end()) comparison.gone.push_back(before.bucket);
+  }
+  return comparison;
+}
+
+std::string comparison_text(const FuzzResult& earlier, const FuzzResult& now) {
+  const BucketComparison comparison = compared(earlier, now);
+  std::string text = differences_in_words(earlier, now) + "against the baseline\n";
+  for (const Part& part : kParts) {
+    const auto& buckets = comparison.*part.buckets;
+    text += fmt::format("{:<18}{:>14}\n", part.name, buckets.size());
+    if (part.name == "still") continue;
+    for (const std::string& bucket : buckets) text += fmt::format("  {}\n", bucket);
+  }
+  return text;
+}
+
+nlohmann::ordered_json comparison_json(const BucketComparison& comparison) {
+  nlohmann::ordered_json json;
+  for (const Part& part : kParts) json[std::string(part.name)] = comparison.*part.buckets;
+  return json;
+}
+
+}  // namespace manifuzz

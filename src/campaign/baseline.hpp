@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "campaign/result.hpp"
+
+namespace manifuzz {
+
+/// How a run's buckets compare with an earlier run's, by their names.
+struct BucketComparison {
+  std::vector<std::string> appeared;  ///< in this run alone
+  std::vector<std::string> gone;      ///< in the earlier one alone
+  std::vector<std::string> still;     ///< in both, and no worse
+  std::vector<std::string> worse;     ///< in both, its magnitude grown by more than a tenth
+};
+
+/// What `fuzz --json` wrote. Throws UserError that names the file.
+FuzzResult read_baseline(const std::string& path);
+
+/// One line that names the terms (subject, oracle, seed, first, cases, regimes) in which two runs
+/// differ, so that the comparison is not fair; empty where there are none.
+std::string differences_in_words(const FuzzResult& earlier, const FuzzResult& now);
+
+BucketComparison compared(const FuzzResult& earlier, const FuzzResult& now);
+
+/// For people: what differs in the terms, and the buckets that are new, worse or gone.
+std::string comparison_text(const FuzzResult& earlier, const FuzzResult& now);
+nlohmann::ordered_json comparison_json(const BucketComparison& comparison);
+
+}  // namespace manifuzz

@@ -1,0 +1,101 @@
+#include "campaign/neighbourhood_run.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+#include <type_traits>
+
+#include "campaign/in_child.hpp"
+#include "judging/completed.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// A crash costs a new process, as long as so many cells: so many times fewer are taken.
+constexpr int kCellsACrash = 32;
+
+/// Steps of this share of a circle fill it more evenly than any other.
+constexpr double kGoldenSection = 0.6180339887498949;
+
+/// Where a child is, where its parent can see it even if it dies.
+struct Place {
+  std::atomic<int> turn{0};  ///< counts the cells
+  int losses_left = 0;       ///< so many colliders may still die in processes of their own
+  std::atomic<Fault> at_work{Fault::none};
+};
+
+/// The cell whose turn it is: the middle one first, each of them once.
+class Order {
+ public:
+  explicit Order(int cells) : cells_(cells), stride_(static_cast<int>(cells * kGoldenSection)) {
+    while (std::gcd(stride_, cells_) != 1) ++stride_;
+  }
+  int cell(int turn) const {
+    return static_cast<int>((cells_ / 2 + std::int64_t{turn} * stride_) % cells_);
+  }
+
+ private:
+  int cells_;
+  int stride_;
+};
+
+void judge_cell(const PairCase& pair, const Collider& subject, const Collider& oracle, Place& place,
+                Cell& cell) {
+  const auto truth = std::make_shared<const exact::Truth>(pair);
+  cell.truth = statement(*truth);
+  place.at_work = Fault::subject;
+  const Answer of_subject = manifuzz::ask(subject, pair);
+  cell.subject = statement(of_subject);
+  place.at_work = Fault::oracle;
+  const Answer of_oracle = manifuzz::ask(oracle, pair);
+  place.at_work = Fault::none;
+  cell.oracle = statement(of_oracle);
+  cell.bucket =
+      judge(truth, {subject.declaration, of_subject}, {oracle.declaration, of_oracle}).bucket;
+  cell.state = Cell::State::judged;
+}
+
+}  // namespace
+
+Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
+                                const Collider& oracle, const Grid& grid, int cells_max,
+                                Interruption& interruption) {
+  static_assert(std::is_trivially_copyable_v<Cell>);
+  const int count = grid.cell_count();
+  const Order order(count);
+  const Shared<Place> place;
+  const SharedMemory memory(sizeof(Cell) * static_cast<std::size_t>(count));
+  Cell* const cells = static_cast<Cell*>(memory.data());
+  std::uninitialized_default_construct_n(cells, count);
+
+  const int turns = std::min(count, cells_max);
+  int crashes_left = cells_max / kCellsACrash;
+  place->losses_left = crashes_left;
+  const auto ask_the_rest = [&] {
+    for (; place->turn < turns && place->losses_left > 0; ++place->turn) {
+      const int at = order.cell(place->turn);
+      const auto moved = neighbour(pair, grid, at);
+      cells[at].state = Cell::State::invalid;
+      if (!moved) continue;
+      judge_cell(*moved, subject, oracle, *place, cells[at]);
+      const Verdict verdict = cells[at].bucket.verdict;
+      if (verdict == Verdict::crashed) --place->losses_left;
+      if (verdict == Verdict::timed_out) place->losses_left = 0;
+    }
+  };
+  while (place->turn < turns) {
+    const Ending ending =
+        run_in_child(ask_the_rest, place->turn, case_seconds_max(subject, oracle), interruption);
+    if (ending == Ending::well || ending == Ending::interrupted) break;
+    const Verdict verdict = ending == Ending::hung ? Verdict::timed_out : Verdict::crashed;
+    Cell& lost = cells[order.cell(place->turn)];
+    lost.bucket = bucket_of_lost(verdict, place->at_work);
+    lost.state = Cell::State::judged;
+    ++place->turn;
+    if (ending == Ending::hung || --crashes_left <= 0) break;
+  }
+  return {grid, {cells, cells + count}};
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "judging/bucket.hpp"
+#include "judging/judge.hpp"
+
+namespace manifuzz {
+
+/// Counts are so small that sums of them are exact, in this program and in any that reads JSON.
+inline constexpr std::uint64_t kCountMax = std::uint64_t{1} << 53;
+
+/// What a regime's cases came to.
+struct RegimeResult {
+  std::string name;
+  std::uint64_t cases = 0;
+  std::uint64_t touching = 0;
+  std::uint64_t near = 0;
+  std::uint64_t unexplained = 0;
+};
+
+/// How often an entry of the ledger fired.
+struct LedgerResult {
+  std::string id;
+  std::uint64_t hits = 0;
+  std::map<std::string, std::uint64_t> regimes;  ///< its hits in each where it fired
+  std::vector<std::string> over_budget;          ///< the regimes in which it fired too often
+};
+
+/// What was found with one look.
+struct BucketResult {
+  std::string bucket;
+  std::string verdict{};
+  std::uint64_t count = 0;
+  std::uint64_t seed = 0;         ///< of its first case
+  std::uint64_t first_index = 0;  ///< of its first case, in `regime`
+  std::string regime{};
+  double magnitude = 0;   ///< the greatest; may be infinite
+  std::string file{};     ///< of the corpus, or empty
+  std::string command{};  ///< repeats the first case
+  bool is_new = false;    ///< the corpus did not show it before
+};
+
+/// Which cases were run: of each regime so many from `first` on, under a seed.
+struct CasesRun {
+  std::uint64_t seed = 0;
+  std::uint64_t first = 0;
+  std::map<std::string, std::uint64_t> cases;  ///< by regime
+  double seconds = 0;
+
+  friend auto operator<=>(const CasesRun&, const CasesRun&) = default;
+};
+
+/// What a case's verdict depends on besides the case: results of the same settings are comparable.
+struct Settings {
+  std::string subject;
+  std::string oracle;
+  std::vector<std::pair<std::string, std::string>> versions;
+  double tie_bias = 0;           ///< the subject's
+  std::optional<double> radius;  ///< of each polygon; none: the regime's own
+  std::uint64_t judge_every = 1;
+
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+/// Whether both count some case.
+bool overlap(const CasesRun& part, const CasesRun& with);
+
+/// What a campaign came to, or several as one: all that `fuzz --json` says.
+struct FuzzResult {
+  nlohmann::ordered_json machine = nlohmann::ordered_json::object();  ///< as `provenance` has it
+  std::string compiler;
+  Settings settings;
+  std::vector<CasesRun> parts;  ///< one of a campaign, each of several that were merged; sorted
+  std::uint64_t jobs = 0;
+  std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
+  ErrorShare of_subject;  ///< the worst errors of wrong answers
+  ErrorShare of_oracle;
+  bool interrupted = false;
+  bool stopped_early = false;  ///< a party gave no answer again and again
+  bool budgets_hold = false;   ///< whether the ledger's budgets apply to it
+  std::vector<RegimeResult> regimes;
+  std::vector<LedgerResult> ledger;
+  std::vector<BucketResult> buckets;
+
+  std::uint64_t cases() const;
+  std::uint64_t touching() const;
+  std::uint64_t near() const;
+  std::uint64_t unexplained() const;
+  double seconds() const;                     ///< of all parts
+  std::optional<std::uint64_t> seed() const;  ///< none: several
+  std::uint64_t first() const;                ///< the least index in each regime
+};
+
+/// A run of no case proves nothing, nor does one of so many outside the regime `separated` in which
+/// nothing touched.
+inline constexpr std::uint64_t kVacuousCases = 1000;
+bool is_vacuous(const FuzzResult& result);
+
+/// Whether a bucket is one that the status must tell: anything against the subject, and what is
+/// new against the oracle.
+bool decides_status(const Bucket& bucket, bool is_new);
+/// One that this version does not know is nothing to be silent about.
+bool decides_status(const BucketResult& found);
+
+/// Whether the status must tell of it: such a bucket, an entry of the ledger over its budget, or a
+/// vacuous run.
+bool has_failed(const FuzzResult& result);
+
+}  // namespace manifuzz

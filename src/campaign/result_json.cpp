@@ -1,0 +1,243 @@
+#include "campaign/result_json.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "campaign/result_check.hpp"
+
+namespace manifuzz {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Count = std::uint64_t;
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json json_of(const ErrorShare& error) {
+  return {{"depth", error.depth}, {"position", error.position}};
+}
+
+Json json_of(const RegimeResult& regime) {
+  return {{"name", regime.name},
+          {"cases", regime.cases},
+          {"touching", regime.touching},
+          {"near", regime.near},
+          {"unexplained", regime.unexplained}};
+}
+
+Json json_of(const LedgerResult& entry) {
+  return {{"id", entry.id},
+          {"hits", entry.hits},
+          {"regimes", entry.regimes},
+          {"over_budget", entry.over_budget}};
+}
+
+Json json_of(const BucketResult& found) {
+  return {{"bucket", found.bucket},
+          {"verdict", found.verdict},
+          {"count", found.count},
+          {"seed", found.seed},
+          {"first_index", found.first_index},
+          {"regime", found.regime},
+          {"magnitude", found.magnitude},
+          {"file", found.file},
+          {"command", found.command},
+          {"new", found.is_new}};
+}
+
+Json json_of(const CasesRun& part) {
+  return {
+      {"seed", part.seed}, {"first", part.first}, {"cases", part.cases}, {"seconds", part.seconds}};
+}
+
+template <class T>
+Json list_of(const std::vector<T>& all) {
+  Json list = Json::array();
+  for (const T& one : all) list.push_back(json_of(one));
+  return list;
+}
+
+// Keys that the formats of manifuzz fix are required; the others came later, or may go.
+
+std::string string_or(const JsonView& object, std::string_view key, std::string_view otherwise) {
+  const auto member = object.find(key);
+  return std::string(member ? member->string() : otherwise);
+}
+
+Count whole_in(const JsonView& object, std::string_view key) {
+  return object.at(key).whole_number();
+}
+
+Count count_in(const JsonView& object, std::string_view key) {
+  const JsonView member = object.at(key);
+  const Count count = member.whole_number();
+  if (count <= kCountMax) return count;
+  member.fail(fmt::format("{} is no count; at most {} is expected", count, kCountMax));
+}
+
+Count count_or(const JsonView& object, std::string_view key, Count otherwise) {
+  return object.find(key) ? count_in(object, key) : otherwise;
+}
+
+bool flag_in(const JsonView& object, std::string_view key) {
+  const auto member = object.find(key);
+  return member && member->boolean();
+}
+
+std::map<std::string, Count> read_counts(const JsonView& object) {
+  std::map<std::string, Count> counts;
+  for (const std::string_view name : object.keys()) {
+    counts.emplace(name, count_in(object, name));
+  }
+  return counts;
+}
+
+ErrorShare read_error(const JsonView& object) {
+  return {object.at("depth").magnitude(), object.at("position").magnitude()};
+}
+
+RegimeResult read_regime(const JsonView& row) {
+  return {std::string(row.at("name").string()), count_in(row, "cases"), count_in(row, "touching"),
+          count_in(row, "near"), count_in(row, "unexplained")};
+}
+
+LedgerResult read_entry(const JsonView& row) {
+  LedgerResult entry{std::string(row.at("id").string()),
+                     count_in(row, "hits"),
+                     read_counts(row.at("regimes")),
+                     {}};
+  for (const JsonView& regime : row.at("over_budget").elements()) {
+    entry.over_budget.emplace_back(regime.string());
+  }
+  return entry;
+}
+
+BucketResult read_bucket(const JsonView& row, Count seed) {
+  return {.bucket = std::string(row.at("bucket").string()),
+          .verdict = std::string(row.at("verdict").string()),
+          .count = count_in(row, "count"),
+          .seed = row.find("seed") ? whole_in(row, "seed") : seed,
+          .first_index = whole_in(row, "first_index"),
+          .regime = std::string(row.at("regime").string()),
+          .magnitude = row.at("magnitude").magnitude(),
+          .file = std::string(row.at("file").string()),
+          .command = std::string(row.at("command").string()),
+          .is_new = flag_in(row, "new")};
+}
+
+CasesRun read_part(const JsonView& part) {
+  return {whole_in(part, "seed"), whole_in(part, "first"), read_counts(part.at("cases")),
+          part.at("seconds").magnitude()};
+}
+
+/// Of a result that does not tell them: one.
+CasesRun only_part(const JsonView& root, const std::vector<RegimeResult>& regimes) {
+  CasesRun part{whole_in(root, "seed"),
+                root.find("first") ? whole_in(root, "first") : 0,
+                {},
+                root.at("seconds").magnitude()};
+  for (const RegimeResult& regime : regimes) part.cases[regime.name] += regime.cases;
+  return part;
+}
+
+template <class Read>
+auto read_list(const std::optional<JsonView>& list, const Read& read) {
+  std::vector<decltype(read(*list))> all;
+  if (!list) return all;
+  for (const JsonView& element : list->elements()) all.push_back(read(element));
+  return all;
+}
+
+Json read_machine(const JsonView& machine) {
+  return {{"processor", string_or(machine, "processor", "unknown")},
+          {"cores", count_or(machine, "cores", 0)},
+          {"instruction_set", string_or(machine, "instruction_set", "unknown")}};
+}
+
+Settings read_settings(const JsonView& root) {
+  Settings settings{string_or(root, "subject", ""),  string_or(root, "oracle", ""), {}, 0, {},
+                    count_or(root, "judge_every", 1)};
+  const JsonView versions = root.at("versions");
+  for (const std::string_view name : versions.keys()) {
+    settings.versions.emplace_back(name, versions.at(name).string());
+  }
+  if (const auto tie_bias = root.find("tie_bias")) settings.tie_bias = tie_bias->magnitude();
+  const auto radius = root.find("radius");
+  if (radius && !radius->is_null()) settings.radius = radius->magnitude();
+  return settings;
+}
+
+}  // namespace
+
+Json json_of(const FuzzResult& result) {
+  const Settings& settings = result.settings;
+  const double seconds = result.seconds();
+  Json json{{"machine", result.machine},
+            {"compiler", result.compiler},
+            {"seed", or_null(result.seed())},
+            {"versions", Json::object()},
+            {"subject", settings.subject},
+            {"oracle", settings.oracle},
+            {"tie_bias", settings.tie_bias},
+            {"radius", or_null(settings.radius)},
+            {"judge_every", settings.judge_every},
+            {"cases", result.cases()},
+            {"seconds", seconds},
+            {"cases_per_second", seconds > 0 ? static_cast<double>(result.cases()) / seconds : 0},
+            {"jobs", result.jobs},
+            {"touching", result.touching()},
+            {"near", result.near()}};
+  for (const auto& [name, version] : settings.versions) json["versions"][name] = version;
+  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
+    json["verdicts"][std::string(kVerdictNames[i])] = result.verdicts[i];
+  }
+  json["unexplained"] = result.unexplained();
+  json["worst_error"] = {{"subject", json_of(result.of_subject)},
+                         {"oracle", json_of(result.of_oracle)}};
+  json["vacuous"] = is_vacuous(result);
+  json["interrupted"] = result.interrupted;
+  json["stopped_early"] = result.stopped_early;
+  json["failed"] = has_failed(result);
+  json["first"] = result.first();
+  json["budgets_hold"] = result.budgets_hold;
+  json["regimes"] = list_of(result.regimes);
+  json["ledger"] = list_of(result.ledger);
+  json["buckets"] = list_of(result.buckets);
+  if (result.parts.size() > 1) json["parts"] = list_of(result.parts);
+  return json;
+}
+
+FuzzResult read_fuzz_result(const JsonView& root) {
+  FuzzResult result;
+  result.machine = read_machine(root.at("machine"));
+  result.compiler = root.at("compiler").string();
+  result.settings = read_settings(root);
+  result.jobs = count_in(root, "jobs");
+  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
+    result.verdicts[i] = count_in(root.at("verdicts"), kVerdictNames[i]);
+  }
+  if (const auto worst = root.find("worst_error")) {
+    result.of_subject = read_error(worst->at("subject"));
+    result.of_oracle = read_error(worst->at("oracle"));
+  }
+  result.interrupted = flag_in(root, "interrupted");
+  result.stopped_early = flag_in(root, "stopped_early");
+  result.budgets_hold = flag_in(root, "budgets_hold");
+  result.regimes = read_list(root.at("regimes"), read_regime);
+  result.ledger = read_list(root.find("ledger"), read_entry);
+  result.parts = read_list(root.find("parts"), read_part);
+  if (result.parts.empty()) result.parts = {only_part(root, result.regimes)};
+  std::ranges::sort(result.parts);
+  const Count seed = result.parts.front().seed;
+  result.buckets =
+      read_list(root.at("buckets"), [&](const JsonView& row) { return read_bucket(row, seed); });
+  expect_consistent(root, result);
+  return result;
+}
+
+}  // namespace manifuzz

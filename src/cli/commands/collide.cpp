@@ -1,0 +1,82 @@
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "base/user_error.hpp"
+#include "cli/answer_each.hpp"
+#include "cli/collider_options.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "exchange/json.hpp"
+#include "judging/completed.hpp"
+
+namespace manifuzz {
+namespace {
+
+struct Options {
+  ColliderChoice collider{"collider", "", ""};
+  ExternalOptions outside;
+  std::optional<double> tie_bias;
+  std::string file = "-";
+};
+
+bool is_finite(const Manifold<double>& manifold) {
+  for (int i = 0; i < manifold.count; ++i) {
+    const auto& point = manifold.points[i];
+    if (!point.position.allFinite() || !std::isfinite(point.depth)) return false;
+  }
+  return manifold.count == 0 || manifold.normal.allFinite();
+}
+
+/// JSON has no words for numbers that overflowed.
+void append_collision(std::string& line, const Collider& collider, const PairCase& pair) {
+  const Answer answer = ask(collider, pair);
+  if (const auto* const lost = std::get_if<Lost>(&answer)) {
+    throw UserError(fmt::format("$: {} gives no answer: {}", collider.declaration.name, lost->why));
+  }
+  const auto* const manifold = std::get_if<Manifold<double>>(&answer);
+  if (manifold != nullptr && !is_finite(*manifold)) {
+    throw UserError(
+        fmt::format("$: {} answers with a number that is not finite; smaller "
+                    "coordinates are expected",
+                    collider.declaration.name));
+  }
+  append_answer(line, pair, collider.declaration.name, answer);
+}
+
+int collide_cases(const Options& options) {
+  if (options.collider.name.empty() && options.collider.command.empty()) {
+    throw UserError("--collider is required; `manifuzz list colliders` names them");
+  }
+  const Collider collider = find_collider(options.collider, options.outside, options.tie_bias);
+  answer_each(options.file, [&collider](const PairCase& pair, std::size_t, std::string& line) {
+    append_collision(line, collider, pair);
+  });
+  return 0;
+}
+
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  add_collider(app, options->collider, "which one; `manifuzz list colliders` names them");
+  add_external_options(app, options->outside);
+  add_length(app, "--tie-bias", options->tie_bias,
+             "by how much B's face must lead to be the reference");
+  app.add_option("FILE", options->file,
+                 "*.json: one case; else a case a line; - or nothing: stdin");
+  return [options] { return collide_cases(*options); };
+}
+
+}  // namespace
+
+extern const Command kCollide;
+const Command kCollide{
+    "collide", "Cases in, manifolds out, a JSON object a line.",
+    "manifuzz collide --collider clip corpus/seeds/regime-boxes.json\n"
+    "manifuzz generate --regime boxes --cases 100 | manifuzz collide --collider box2d",
+    define};
+
+}  // namespace manifuzz

@@ -1,0 +1,72 @@
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/user_error.hpp"
+#include "cli/commands.hpp"
+#include "cli/input.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "exchange/json.hpp"
+#include "generating/regime.hpp"
+
+namespace manifuzz {
+namespace {
+
+struct Options {
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> regimes;
+  std::optional<std::uint64_t> first;
+  std::optional<std::uint64_t> cases;
+  std::string corpus = "corpus";
+};
+
+int generate_cases(const Options& options) {
+  const std::vector<const Regime*> chosen = choose_regimes(options.regimes);
+  const std::uint64_t first = options.first.value_or(0);
+  const std::uint64_t cases = options.cases.value_or(10);
+  expect_indices(first, cases, chosen.size());
+  const Corpus corpus = read_corpus_folder(options.corpus);
+  const std::uint64_t seed = seed_or_draw(options.seed);
+  const std::vector<PairCase> pairs = pairs_of(corpus, seed);
+  Output out;
+  std::string line;
+  for (std::uint64_t k = 0; k < cases; ++k) {
+    const Regime& regime = *chosen[k % chosen.size()];
+    line.clear();
+    append_case_line(line, generate(seed, regime, first + k / chosen.size(), {pairs, {}}));
+    out.write(line += '\n');
+  }
+  out.flush();
+  return 0;
+}
+
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  add_whole_number(app, "--seed", options->seed,
+                   "what the cases depend on; drawn and printed if not given");
+  app.add_option("--regime", options->regimes,
+                 "a regime to draw from, again for more; all by turns if not given")
+      ->type_name("R")
+      ->allow_extra_args(false);
+  add_whole_number(app, "--first", options->first,
+                   "the first index in each regime; 0 if not given");
+  add_whole_number(app, "--cases", options->cases, "how many cases; 10 if not given", 1);
+  app.add_option("--corpus", options->corpus, "the folder that the regimes may mutate cases of")
+      ->type_name("DIR");
+  return [options] { return generate_cases(*options); };
+}
+
+}  // namespace
+
+extern const Command kGenerate;
+const Command kGenerate{"generate", "Cases of the named regimes, one JSON object a line.",
+                        "manifuzz generate --seed 1 --regime sliver --cases 1000 > slivers.jsonl",
+                        define};
+
+}  // namespace manifuzz

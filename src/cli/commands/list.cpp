@@ -1,0 +1,118 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "base/nearest.hpp"
+#include "base/user_error.hpp"
+#include "cli/colliders.hpp"
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "generating/regime.hpp"
+#include "generating/sweep.hpp"
+#include "generating/walk.hpp"
+#include "judging/ledger.hpp"
+#include "measure/scene/trajectory.hpp"
+
+namespace manifuzz {
+namespace {
+
+std::string list_colliders() {
+  std::string lines;
+  for (const auto& entry : colliders()) {
+    Declaration says;
+    try {
+      says = entry.make().declaration;
+    } catch (const UserError& error) {
+      lines += fmt::format("{:<13} not there: {}\n", entry.name, error.what());
+      continue;
+    }
+    lines += fmt::format(
+        "{:<13} {} ({}, {}, rounds in the {} frame, tie bias {:g}, up to {} vertices)\n", says.name,
+        says.description, says.version, says.scalar == ScalarType::float32 ? "float" : "double",
+        says.frame == RoundingFrame::local ? "pair's" : "world's", says.tie_bias,
+        says.max_vertices);
+  }
+  return lines;
+}
+
+std::string list_regimes() {
+  std::string lines;
+  for (const Regime& regime : regimes()) {
+    lines += fmt::format("{:<16} {}\n", regime.name, regime.description);
+  }
+  return lines;
+}
+
+std::string list_sweeps() {
+  std::string lines;
+  for (const Sweep& sweep : sweeps()) {
+    lines += fmt::format("{:<10} {}: {} ({}), {:g} to {:g} in {} steps\n", sweep.name,
+                         sweep.description, sweep.knob, sweep.unit, sweep.values.front(),
+                         sweep.values.back(), sweep.values.size());
+  }
+  for (const Walk& walk : walks()) {
+    lines += fmt::format("{:<10} {}\n", walk.name, walk.description);
+  }
+  return lines;
+}
+
+std::string list_scenes() {
+  std::string lines;
+  for (const SceneSpec& spec : scene_specs()) {
+    lines += fmt::format("{:<14} {}\n", spec.name, spec.sentence);
+  }
+  return lines;
+}
+
+std::string list_ledger() {
+  std::string lines;
+  for (const LedgerEntry& entry : ledger()) {
+    lines += fmt::format("{:<34} {} [{}; witness corpus/{}]\n", entry.id, entry.description,
+                         entry.source, entry.witness);
+  }
+  return lines;
+}
+
+struct Catalogue {
+  std::string_view name;
+  std::string (*list)();
+};
+
+constexpr Catalogue kCatalogues[] = {{"colliders", list_colliders},
+                                     {"regimes", list_regimes},
+                                     {"ledger", list_ledger},
+                                     {"sweeps", list_sweeps},
+                                     {"scenes", list_scenes}};
+
+int list(const std::string& what) {
+  std::vector<std::string_view> names;
+  for (const Catalogue& catalogue : kCatalogues) {
+    if (catalogue.name == what) {
+      Output out;
+      out.write(catalogue.list());
+      out.flush();
+      return 0;
+    }
+    names.push_back(catalogue.name);
+  }
+  throw UserError("list: " + no_such("list of", what, names));
+}
+
+Run define(CLI::App& app) {
+  const auto what = std::make_shared<std::string>();
+  app.add_option("WHAT", *what, "colliders, regimes, ledger, sweeps or scenes")->required();
+  return [what] { return list(*what); };
+}
+
+}  // namespace
+
+extern const Command kList;
+const Command kList{"list", "What there is, a line each.",
+                    "manifuzz list colliders\nmanifuzz list regimes\nmanifuzz list ledger\n"
+                    "manifuzz list sweeps\nmanifuzz list scenes",
+                    define};
+
+}  // namespace manifuzz

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "base/nearest.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "cli/ci_output.hpp"
+#include "cli/collider_options.hpp"
+#include "cli/commands.hpp"
+#include "cli/input.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/property_check.hpp"
+#include "corpus/corpus.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr std::uint64_t kDefaultCases = 10'000;
+constexpr std::uint64_t kCasesMax = 1'000'000'000;
+
+struct Options {
+  std::vector<std::string> names;
+  ColliderChoice subject{"subject", "clip", ""};
+  ExternalOptions outside;
+  std::optional<std::uint64_t> cases;
+  std::optional<std::uint64_t> seed;
+  std::string corpus = "corpus";
+  bool no_save = false;
+  CiOutput ci;
+};
+
+std::vector<const Property*> choose(const std::vector<std::string>& names) {
+  std::vector<const Property*> chosen;
+  std::vector<std::string_view> known;
+  for (const Property& property : properties()) {
+    known.push_back(property.name);
+    if (names.empty()) chosen.push_back(&property);
+  }
+  for (const std::string& name : names) {
+    chosen.push_back(find_property(name));
+    if (chosen.back() == nullptr) {
+      throw UserError("property: " + no_such("property", name, known));
+    }
+  }
+  return chosen;
+}
+
+/// What repeats a property beside RC_PARAMS; no absolute path goes into what is kept.
+std::string options_again(const Options& options, std::uint64_t seed) {
+  std::string text =
+      fmt::format("{} --seed {}", options_again(options.subject, options.outside), seed);
+  const auto corpus = kept_path(options.corpus).string();
+  return corpus == "corpus" ? text : text + " --corpus " + quoted_for_shell(corpus);
+}
+
+PropertyPlan plan_of(const Options& options) {
+  PropertyPlan plan;
+  const std::uint64_t cases = options.cases.value_or(kDefaultCases);
+  if (cases > kCasesMax) {
+    throw UserError(fmt::format("--cases: {} are too many; take 1 to {}", cases, kCasesMax));
+  }
+  plan.cases = static_cast<int>(cases);
+  plan.seed = seed_or_draw(options.seed);
+  if (const char* const rc_params = std::getenv("RC_PARAMS")) plan.rc_params = rc_params;
+  return plan;
+}
+
+int run(Options& options) {
+  options.ci.stdout_is_data = takes_stdout({{"--junit", options.ci.junit}});
+  expect_outside({{"--junit", options.ci.junit}}, options.corpus);
+  const std::vector<const Property*> chosen = choose(options.names);
+  const Collider subject = find_collider(options.subject, options.outside);
+  const Corpus corpus = read_corpus_folder(options.corpus);
+  expect_apart({{"--junit", options.ci.junit}}, corpus.files);
+  PropertyPlan plan = plan_of(options);
+  const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
+  plan.corpus = pairs;
+
+  Interruption all;
+  Outputs outputs;
+  const auto tell = [&](const CheckedProperty& one) {
+    const bool is_told = !options.ci.stdout_is_data && !(one.holds() && is_quiet());
+    outputs.write(is_told, [&] { write_to_reader(property_text(one)); });
+    outputs.write(!one.why_unsaved.empty(), [&] { throw UserError(one.why_unsaved); });
+  };
+  const std::vector<CheckedProperty> checked =
+      check_properties(chosen, subject, plan, {}, options.no_save ? "" : options.corpus, tell);
+  outputs.write(all.requests() > 0,
+                [] { throw UserError("property: interrupted before it was done"); });
+  if (is_wanted(options.ci)) {
+    const std::string again = options_again(options, plan.seed);
+    write_ci(options.ci, {property_suite(checked, subject, again, all)}, outputs);
+  }
+  if (!outputs.are_written()) return 2;
+  return std::ranges::all_of(checked, &CheckedProperty::holds) ? 0 : 1;
+}
+
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("names", options->names, "which; all if not given")->type_name("NAME");
+  add_collider(app, options->subject, "the collider under test");
+  add_external_options(app, options->outside);
+  add_whole_number(app, "--cases", options->cases, "how many for each; 10000 if not given", 1);
+  add_whole_number(app, "--seed", options->seed,
+                   "what the cases depend on; drawn and printed if not given");
+  app.add_option("--corpus", options->corpus, "the folder of known cases, where failures are saved")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_flag("--no-save", options->no_save, "save nothing");
+  add_junit(app, options->ci);
+  return [options] { return run_for_ci("property", options->ci, [&] { return run(*options); }); };
+}
+
+}  // namespace
+
+extern const Command kProperty;
+const Command kProperty{"property", "The properties, which need no oracle, over any collider.",
+                        "manifuzz property swapping-mirrors --subject clip --cases 100000 --seed 1",
+                        define};
+
+}  // namespace manifuzz

@@ -1,0 +1,100 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "campaign/result_files.hpp"
+#include "cli/collider_options.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/page_cases.hpp"
+#include "cli/report_page.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr std::uint64_t kMapsMax = 1000;
+
+struct Options {
+  std::vector<std::string> paths;
+  ComparedColliders parties{{"subject", "", ""}, {"oracle", "", ""}, {}};
+  std::string output = "report.html";
+  std::optional<std::uint64_t> maps;
+};
+
+std::optional<Collider> chosen(const ColliderChoice& choice, const ExternalOptions& outside) {
+  if (choice.name.empty() && choice.command.empty()) return std::nullopt;
+  return find_collider(choice, outside);
+}
+
+std::string repeating_command(const std::vector<std::filesystem::path>& paths,
+                              const Options& options) {
+  std::string command = this_program() + " report";
+  for (const auto& path : paths) command += ' ' + quoted_for_shell(path.string());
+  if (options.maps) command += fmt::format(" --maps {}", *options.maps);
+  const auto output = kept_path(options.output);
+  return command + " --output " + quoted_for_shell(output.string());
+}
+
+int report(const Options& options) {
+  if (options.maps.value_or(0) > kMapsMax) {
+    throw UserError(fmt::format("--maps: {} are too many; take 0 to {}", *options.maps, kMapsMax));
+  }
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& path : options.paths) paths.push_back(kept_path(path));
+  if (paths.empty()) paths.emplace_back("corpus");
+  const RunFiles files = read_run_files(paths);
+  write_complaints(files.corpus.errors);
+  if (files.corpus.cases.empty() && files.results.empty()) {
+    throw UserError("report: there is nothing to report; name folders of cases and --json files");
+  }
+  expect_apart({{"--output", options.output}}, files.corpus.files);
+  NamedColliders colliders(chosen(options.parties.subject, options.parties.outside),
+                           chosen(options.parties.oracle, options.parties.outside));
+  const std::string html = report_page(files, colliders, options.maps.value_or(kMapsUsual),
+                                       repeating_command(paths, options));
+  write_data(options.output, html);
+  if (options.output != "-") {
+    write_remark(fmt::format("{}: {} cases, {} results", printable(options.output, 200),
+                             files.corpus.cases.size(), files.results.size()));
+  }
+  if (files.corpus.errors.empty()) return 0;
+  throw UserError(fmt::format("report: {} of the files could not be read; the page has the rest",
+                              files.corpus.errors.size()));
+}
+
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("paths", options->paths,
+                 "folders and files of cases, and what --json wrote; corpus if not given")
+      ->type_name("PATH")
+      ->check(not_blank);
+  app.add_option("--output", options->output, "the page, - for stdout")
+      ->type_name("FILE.html")
+      ->check(not_blank)
+      ->capture_default_str();
+  add_whole_number(app, "--maps", options->maps,
+                   "of how many buckets the neighbourhood is drawn; 12 if not given");
+  add_collider(app, options->parties.subject,
+               "whom cases that name nobody are put to; clip if not given");
+  add_collider(app, options->parties.oracle, "the one it is held against; box2d if not given");
+  add_external_options(app, options->parties.outside);
+  return [options] { return report(*options); };
+}
+
+}  // namespace
+
+extern const Command kReport;
+const Command kReport{"report", "A page of what was found and measured: one HTML file.",
+                      "manifuzz fuzz --seed 1 --cases 100000 --json run.json\n"
+                      "manifuzz report corpus run.json --output report.html",
+                      define};
+
+}  // namespace manifuzz

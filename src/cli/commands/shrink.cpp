@@ -1,0 +1,72 @@
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "base/file.hpp"
+#include "base/user_error.hpp"
+#include "campaign/findings.hpp"
+#include "campaign/in_child.hpp"
+#include "cli/case_argument.hpp"
+#include "cli/collider_options.hpp"
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+
+namespace manifuzz {
+namespace {
+
+struct Options {
+  CaseArgument given;
+  ComparedColliders parties;
+  std::string output = "-";
+};
+
+int shrink_file(const Options& options) {
+  const Collider subject = find_subject(options.parties);
+  const Collider oracle = find_oracle(options.parties);
+  const std::string file = case_file(options.given);
+  const std::filesystem::path input(file);
+  expect_apart({{"--output", options.output}}, {&input, 1});
+  const CorpusCase given = read_case_file(file);
+  Interruption interruption;
+  const Judgement root = judge_in_child(given.pair, subject, oracle, interruption);
+  if (root.bucket.verdict == Verdict::agree) {
+    throw UserError(
+        fmt::format("{}: {} and {} agree on it; a case on which they differ is expected", file,
+                    subject.declaration.name, oracle.declaration.name));
+  }
+  const PairCase smallest = shrink_finding(given.pair, subject, oracle, interruption).pair;
+  const Judgement judgement = judge_in_child(smallest, subject, oracle, interruption);
+  CorpusCase shrunk = recorded_case(smallest, judgement, subject, oracle, interruption);
+  shrunk.found = given.found;
+  if (options.output != "-") {
+    write_file(options.output, format_case(shrunk));
+    return 0;
+  }
+  Output out;
+  out.write(format_case(shrunk));
+  out.flush();
+  return 0;
+}
+
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  add_case_argument(app, options->given);
+  add_compared_colliders(app, options->parties);
+  app.add_option("--output", options->output, "where the smallest case goes, - for stdout")
+      ->type_name("FILE")
+      ->capture_default_str();
+  return [options] { return shrink_file(*options); };
+}
+
+}  // namespace
+
+extern const Command kShrink;
+const Command kShrink{
+    "shrink", "The smallest case with the same verdict, bucket and half the magnitude.",
+    "manifuzz generate --seed 2 --regime tie_bias --cases 1 | manifuzz shrink - --output "
+    "smallest.json",
+    define};
+
+}  // namespace manifuzz

@@ -1,0 +1,191 @@
+#include "corpus/corpus.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "base/random.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+
+namespace manifuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kEnding = ".json";
+constexpr std::string_view kWorstEnding = ".worst.json";
+
+bool holds_cases(const fs::path& path) {
+  return path.extension() == ".json" || path.extension() == ".jsonl";
+}
+
+std::string name_of(const fs::path& path) {
+  return printable(path.string(), 200);
+}
+
+/// Adds the files of cases in `folder` and below; a folder that cannot be read is an error line.
+void add_folder(const fs::path& folder, std::vector<fs::path>& files,
+                std::vector<std::string>& errors) {
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    std::error_code unknown;
+    if (entry->is_directory(unknown) && !entry->is_symlink(unknown)) {
+      add_folder(entry->path(), files, errors);
+    } else if (holds_cases(entry->path()) && !entry->is_other(unknown)) {
+      files.push_back(entry->path());
+    }
+  }
+  if (error) {
+    errors.push_back(
+        fmt::format("{}: cannot read the folder: {}", name_of(folder), error.message()));
+  }
+}
+
+void read_lines_file(const std::string& path, Corpus& corpus) {
+  InputFile file(path);
+  LineReader lines(file);
+  std::size_t good = 0;
+  std::size_t bad = 0;
+  std::string first_error;
+  while (const auto line = lines.next()) {
+    if (line->is_blank()) continue;
+    try {
+      corpus.cases.push_back(parse_line(*line));
+      corpus.cases.back().path = fmt::format("{}:{}", path, line->number);
+      ++good;
+    } catch (const UserError& error) {
+      if (bad++ == 0)
+        first_error = fmt::format("{}:{}: {}", file.name(), line->number, error.what());
+    }
+  }
+  if (bad > 1) first_error += fmt::format(" (and {} more bad lines)", bad - 1);
+  if (bad > 0) throw UserError(first_error);
+  if (good == 0) throw UserError(file.name() + ": is empty; one case a line is expected");
+}
+
+/// What names a case's look: the first part of its file's name.
+std::string look_of(const CorpusCase& corpus_case) {
+  std::string look = "case";
+  if (!corpus_case.property.empty()) look = "property-" + corpus_case.property;
+  if (corpus_case.expect && !corpus_case.expect->bucket.empty()) look = corpus_case.expect->bucket;
+  constexpr std::size_t longest = 150;
+  look.resize(std::min(look.size(), longest));
+  std::replace_if(
+      look.begin(), look.end(),
+      [](unsigned char c) { return c >= 0x80 || (std::isalnum(c) == 0 && c != '_'); }, '-');
+  return look;
+}
+
+bool is_same_finding(const CorpusCase& known, const CorpusCase& other) {
+  const Expectation expect = known.expect.value_or(Expectation{});
+  const Expectation of_other = other.expect.value_or(Expectation{});
+  return known.pair == other.pair && known.property == other.property &&
+         expect.bucket == of_other.bucket && expect.subject == of_other.subject &&
+         expect.oracle == of_other.oracle;
+}
+
+/// Whether the file holds the case already.
+bool holds(const fs::path& file, const CorpusCase& corpus_case) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(file, unknown)) return false;
+  try {
+    return is_same_finding(read_case_file(file.string()), corpus_case);
+  } catch (const UserError&) {
+    return false;
+  }
+}
+
+/// One path for all spellings of and links to a file.
+fs::path place_of(const fs::path& path) {
+  std::error_code unknown;
+  const fs::path place = fs::canonical(path, unknown);
+  return unknown ? path : place;
+}
+
+}  // namespace
+
+std::vector<fs::path> find_case_files(std::span<const fs::path> paths,
+                                      std::vector<std::string>& errors) {
+  std::vector<fs::path> files;
+  for (const auto& path : paths) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+      add_folder(path, files, errors);
+    } else if (fs::exists(path, error) && !holds_cases(path)) {
+      errors.push_back(
+          fmt::format("{}: not a file of cases; *.json or *.jsonl is expected", name_of(path)));
+    } else {
+      files.push_back(path);
+    }
+  }
+  std::sort(files.begin(), files.end());
+  std::set<fs::path> places;
+  std::erase_if(files, [&](const fs::path& file) { return !places.insert(place_of(file)).second; });
+  return files;
+}
+
+void read_case_files(const fs::path& path, Corpus& corpus) {
+  try {
+    if (path.extension() == ".jsonl") {
+      read_lines_file(path.string(), corpus);
+    } else {
+      corpus.cases.push_back(read_case_file(path.string()));
+    }
+  } catch (const UserError& error) {
+    corpus.errors.emplace_back(error.what());
+  }
+}
+
+Corpus read_corpus(std::span<const fs::path> paths) {
+  Corpus corpus;
+  corpus.files = find_case_files(paths, corpus.errors);
+  for (const auto& path : corpus.files) read_case_files(path, corpus);
+  return corpus;
+}
+
+std::string corpus_file_name(const CorpusCase& corpus_case) {
+  std::string text;
+  append_case_line(text, corpus_case.pair);
+  return fmt::format("{}-{:08x}.json", look_of(corpus_case), mix(hash_of(text)) >> 32);
+}
+
+fs::path corpus_file(const fs::path& folder, const CorpusCase& corpus_case) {
+  const fs::path usual = folder / corpus_file_name(corpus_case);
+  fs::path file = usual;
+  std::error_code unknown;
+  for (int turn = 2; fs::is_regular_file(file, unknown) && !holds(file, corpus_case); ++turn) {
+    file = folder / fmt::format("{}-{}{}", usual.stem().string(), turn, kEnding);
+  }
+  return file;
+}
+
+fs::path write_corpus_case(const fs::path& folder, const CorpusCase& corpus_case) {
+  fs::path path = corpus_file(folder, corpus_case);
+  if (!holds(path, corpus_case)) write_file(path, format_case(corpus_case));
+  return path;
+}
+
+fs::path worst_beside(const fs::path& file) {
+  return fs::path(file).replace_extension(kWorstEnding);
+}
+
+bool is_worst(std::string_view path) {
+  return path.ends_with(kWorstEnding);
+}
+
+std::string shrunk_beside(std::string_view path) {
+  if (!is_worst(path)) return std::string(path);
+  path.remove_suffix(kWorstEnding.size());
+  return std::string(path) + std::string(kEnding);
+}
+
+void write_worst_case(const fs::path& file, const CorpusCase& worst) {
+  write_file(worst_beside(file), format_case(worst));
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,173 @@
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "base/json_tree.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "corpus/corpus.hpp"
+
+namespace manifuzz {
+namespace {
+
+void check_format(const JsonView& root, FormatKey format_key) {
+  const auto format = root.find("format");
+  if (!format && format_key == FormatKey::optional) return;
+  if (!format) root.fail(fmt::format("the key \"format\" is missing; it is \"{}\"", kCaseFormat));
+  if (format->string() != kCaseFormat) {
+    format->fail(fmt::format("unknown format \"{}\"; \"{}\" is expected",
+                             printable(format->string()), kCaseFormat));
+  }
+}
+
+/// The string of that name, or empty.
+std::string read_string(const JsonView& object, std::string_view key) {
+  const auto member = object.find(key);
+  return std::string(member ? member->string() : "");
+}
+
+Found read_found(const JsonView& object) {
+  object.expect_keys({"seed", "regime", "index", "versions"});
+  Found found;
+  found.seed = object.at("seed").whole_number();
+  found.regime = object.at("regime").string();
+  found.index = object.at("index").whole_number();
+  if (const auto versions = object.find("versions")) {
+    for (const std::string_view name : versions->keys()) {
+      found.versions[std::string(name)] = versions->at(name).string();
+    }
+  }
+  return found;
+}
+
+double read_share(const JsonView& value) {
+  const double share = value.number();
+  if (share >= 0 && share <= 1) return share;
+  value.fail(fmt::format("{} is not a share; a number from 0 to 1 is expected", share));
+}
+
+Expectation read_expectation(const JsonView& object, const PairCase& pair) {
+  object.expect_keys(
+      {"subject", "oracle", "verdict", "bucket", "severity", "magnitude", "manifolds"});
+  Expectation expect{read_string(object, "subject"),
+                     read_string(object, "oracle"),
+                     read_string(object, "verdict"),
+                     read_string(object, "bucket"),
+                     {}};
+  if (const auto severity = object.find("severity")) expect.severity = read_share(*severity);
+  if (const auto magnitude = object.find("magnitude")) expect.magnitude = magnitude->magnitude();
+  if (const auto manifolds = object.find("manifolds")) {
+    for (std::size_t i = 0; i < manifolds->length("an array of manifolds"); ++i) {
+      expect.manifolds.push_back(read_answer((*manifolds)[i], pair));
+    }
+  }
+  return expect;
+}
+
+/// Appends "key": "text" behind `separator`, or nothing where the text is empty.
+void append_member(std::string& out, std::string_view separator, std::string_view key,
+                   std::string_view text) {
+  if (text.empty()) return;
+  fmt::format_to(std::back_inserter(out), "{}\"{}\": ", separator, key);
+  append_string(out, text);
+}
+
+void append_found(std::string& out, const Found& found) {
+  fmt::format_to(std::back_inserter(out), ",\n  \"found\": {{\"seed\": {}", found.seed);
+  out += ", \"regime\": ";
+  append_string(out, found.regime);
+  fmt::format_to(std::back_inserter(out), ", \"index\": {}, \"versions\": {{", found.index);
+  std::string_view separator;
+  for (const auto& [name, version] : found.versions) {
+    out += separator;
+    append_string(out, name);
+    out += ": ";
+    append_string(out, version);
+    separator = ", ";
+  }
+  out += "}}";
+}
+
+void append_expectation(std::string& out, const PairCase& pair, const Expectation& expect) {
+  out += ",\n  \"expect\": {";
+  constexpr std::string_view separator = ",\n    ";
+  const std::size_t start = out.size();
+  append_member(out, separator, "subject", expect.subject);
+  append_member(out, separator, "oracle", expect.oracle);
+  append_member(out, separator, "verdict", expect.verdict);
+  append_member(out, separator, "bucket", expect.bucket);
+  if (expect.severity) {
+    out.append(separator) += "\"severity\": ";
+    append_number(out, *expect.severity);
+  }
+  if (expect.magnitude) {
+    out.append(separator) += "\"magnitude\": ";
+    append_number(out, *expect.magnitude);
+  }
+  if (!expect.manifolds.empty()) {
+    out.append(separator) += "\"manifolds\": [";
+    for (std::size_t i = 0; i < expect.manifolds.size(); ++i) {
+      out += i > 0 ? ",\n      " : "\n      ";
+      append_answer(out, pair, expect.manifolds[i].collider, expect.manifolds[i].answer);
+    }
+    out += "\n    ]";
+  }
+  if (out.size() > start) out.erase(start, 1);  // the comma before the first member
+  out += "\n  }";
+}
+
+}  // namespace
+
+CorpusCase parse_case(std::string_view text, FormatKey format_key) {
+  if (is_blank(text)) throw UserError("is empty; one case is expected");
+  const JsonTree tree = parse_json(text);
+  return read_case(JsonView(tree), format_key);
+}
+
+CorpusCase read_case(const JsonView& root, FormatKey format_key) {
+  root.expect_keys({"format", "a", "b", "found", "expect", "property", "note"});
+  check_format(root, format_key);
+  CorpusCase corpus_case;
+  corpus_case.pair = {read_body(root.at("a")), read_body(root.at("b"))};
+  if (const auto found = root.find("found")) corpus_case.found = read_found(*found);
+  if (const auto expect = root.find("expect")) {
+    corpus_case.expect = read_expectation(*expect, corpus_case.pair);
+  }
+  corpus_case.property = read_string(root, "property");
+  corpus_case.note = read_string(root, "note");
+  return corpus_case;
+}
+
+CorpusCase parse_line(const Line& line) {
+  if (line.too_long) throw UserError("longer than 1 MiB; one case a line is expected");
+  return parse_case(line.text, FormatKey::optional);
+}
+
+CorpusCase read_case_file(const std::string& path) {
+  InputFile file(path);
+  const std::string text = file.read_all();
+  try {
+    CorpusCase corpus_case =
+        parse_case(text, path.ends_with(".json") ? FormatKey::required : FormatKey::optional);
+    corpus_case.path = path;
+    return corpus_case;
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("{}: {}", file.name(), error.what()));
+  }
+}
+
+std::string format_case(const CorpusCase& corpus_case) {
+  constexpr std::string_view separator = ",\n    ";
+  std::string out = fmt::format("{{\n  \"format\": \"{}\",\n  \"a\": {{\n    ", kCaseFormat);
+  append_body(out, corpus_case.pair.a, separator);
+  out += "\n  },\n  \"b\": {\n    ";
+  append_body(out, corpus_case.pair.b, separator);
+  out += "\n  }";
+  if (corpus_case.found) append_found(out, *corpus_case.found);
+  if (corpus_case.expect) append_expectation(out, corpus_case.pair, *corpus_case.expect);
+  append_member(out, ",\n  ", "property", corpus_case.property);
+  append_member(out, ",\n  ", "note", corpus_case.note);
+  return out + "\n}\n";
+}
+
+}  // namespace manifuzz

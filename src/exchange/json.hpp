@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "collider/collider.hpp"
+
+namespace manifuzz {
+
+class JsonView;
+
+/// The value of the key "format" in a pair case.
+inline constexpr std::string_view kCaseFormat = "manifuzz/case/1";
+
+/// A collider's answer and its name, as a manifold line has them.
+struct NamedAnswer {
+  std::string collider;
+  Answer answer;
+};
+
+/// Stands in a collider's place before a manifold that is right by the exact judge.
+inline constexpr std::string_view kJudgeName = "judge";
+
+/// One body, validated: {"vertices": [[x, y], ...], "radius": 0, "position": [x, y], "rotation":
+/// [cos, sin]}; all but the vertices may be left out. Throws UserError that begins with a path.
+Body read_body(const JsonView& object);
+
+/// Appends all keys of a body with their values, `separator` between them, without the braces.
+void append_body(std::string& out, const Body& body, std::string_view separator = ", ");
+
+/// Appends a pair case as one line, without the line's end.
+void append_case_line(std::string& out, const PairCase& pair);
+
+/// Appends a manifold line (without the line's end) in the world of `pair`: normal and positions in
+/// world coordinates, `local` in A's frame, depths as world lengths.
+void append_answer(std::string& out, const PairCase& pair, std::string_view collider,
+                   const Answer& answer);
+
+/// Appends {"normal": ..., "reference": ..., "points": [...]}, a manifold line without its
+/// collider.
+void append_manifold_object(std::string& out, const PairCase& pair,
+                            const Manifold<double>& manifold);
+
+/// Reads what `append_answer` wrote, every key required, null for a number that is not finite.
+/// Points are taken from `local`; the normal comes back into A's frame to within a rounding.
+NamedAnswer read_answer(const JsonView& object, const PairCase& pair);
+
+/// An answer from outside: {"points": [...], "normal": ...}, which comes as a partial manifold, or
+/// {"unsupported": "why"}. Each point
+/// has `depth` and `position` (in the world) or `local` (in A's frame); reference and features may
+/// be left out, and unknown keys are ignored. Throws UserError that begins with a path.
+Answer read_outside_answer(const JsonView& object, const PairCase& pair);
+
+}  // namespace manifuzz

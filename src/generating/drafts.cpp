@@ -1,0 +1,185 @@
+#include "generating/drafts.hpp"
+
+#include <algorithm>
+
+namespace manifuzz {
+namespace {
+
+/// Gives the outline another frame, which stands in the old one as `inner`; nothing moves.
+void reframe(Sketch& sketch, const Pose<double>& inner) {
+  for (int i = 0; i < sketch.outline.count; ++i) {
+    Vector2<double>& v = sketch.outline.vertices[i];
+    v = rotate_back<double>(inner.rotation, v - inner.position);
+  }
+  sketch.pose = {transform(sketch.pose, inner.position),
+                 rotate(sketch.pose.rotation, inner.rotation)};
+}
+
+/// A point around the middle, up to a few spans away.
+Vector2<double> random_origin(Random& random, const Outline& outline) {
+  Vector2<double> origin = middle(outline);
+  if (random.chance(0.5)) return origin;
+  const double far = random.uniform(0, random.chance(0.8) ? 0.6 : 3) * span(outline);
+  origin += far * random_direction(random);
+  return origin;
+}
+
+Vector2<double> quarter_turn(Random& random) {
+  constexpr double turns[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  const auto& turn = turns[random.integer(0, 3)];
+  return {turn[0], turn[1]};
+}
+
+int random_place(Random& random, const Outline& outline) {
+  return random.integer(0, outline.count - 1);
+}
+
+Outline random_face_up(Random& random, const Outline& outline) {
+  const int face = random_place(random, outline);
+  return face_up(outline, face, random.uniform(0.05, 0.95));
+}
+
+Outline random_corner_up(Random& random, const Outline& outline) {
+  const int corner = random_place(random, outline);
+  return corner_up(outline, corner, random.uniform(0.05, 0.95));
+}
+
+float draw_radius(Random& random, double size) {
+  return static_cast<float>(size * random.magnitude(-12, -3));
+}
+
+}  // namespace
+
+Draft free_pair(Random& random, const Outline& a, const Outline& b) {
+  Draft draft;
+  draft.a.outline = a;
+  draft.b.outline = b;
+  draft.b.pose.rotation = random_direction(random);
+  draft.start = middle(a) - rotate(draft.b.pose.rotation, middle(b));
+  draft.direction = random_direction(random);
+  return draft;
+}
+
+Draft face_to_face(Random& random, const Outline& a, const Outline& b, double tilt) {
+  Draft draft;
+  draft.a.outline = random_face_up(random, a);
+  const Outline facing = upside_down(random_face_up(random, b));
+  draft.b.outline = turned(facing, unit({1, tilt}));
+  return draft;
+}
+
+Draft corner_to_face(Random& random, const Outline& a, const Outline& b) {
+  Draft draft;
+  draft.a.outline = random_face_up(random, a);
+  draft.b.outline = upside_down(random_corner_up(random, b));
+  return draft;
+}
+
+Draft corner_to_corner(Random& random, const Outline& a, const Outline& b) {
+  Draft draft;
+  draft.a.outline = random_corner_up(random, a);
+  draft.b.outline = upside_down(random_corner_up(random, b));
+  return draft;
+}
+
+Draft any_meeting(Random& random, const Outline& a, const Outline& b) {
+  switch (random.integer(0, 3)) {
+    case 0:
+      return free_pair(random, a, b);
+    case 1:
+      return maybe_swapped(random, face_to_face(random, a, b, random.uniform(-0.1, 0.1)));
+    case 2:
+      return maybe_swapped(random, corner_to_face(random, a, b));
+    default:
+      return maybe_swapped(random, corner_to_corner(random, a, b));
+  }
+}
+
+Draft any_meeting(Random& random) {
+  const Outline a = sized_outline(random);
+  const Outline b = sized_outline(random);
+  return any_meeting(random, a, b);
+}
+
+Outline sized_outline(Random& random, int most) {
+  const Outline outline = random_outline(random, random_count(random, most));
+  const double scale = random.magnitude(-2, 1);
+  return stretched(outline, scale, scale);
+}
+
+Draft maybe_swapped(Random& random, const Draft& draft) {
+  return random.chance(0.5) ? swapped(draft) : draft;
+}
+
+double span(const Draft& draft) {
+  return std::min(span(draft.a.outline), span(draft.b.outline));
+}
+
+void draw_radii(Random& random, const GenerationContext& context, Draft& draft, double unit) {
+  const double kind = random.unit();
+  if (context.radius) {
+    draft.radius_a = draft.radius_b = *context.radius;
+  } else if (kind < 0.5) {
+    draft.radius_a = draft.radius_b = 0;
+  } else if (kind < 0.75) {
+    draft.radius_a = draft.radius_b = static_cast<float>(0.01 * unit);
+  } else {
+    draft.radius_a = draw_radius(random, span(draft));
+    draft.radius_b = kind < 0.85 ? draft.radius_a : draw_radius(random, span(draft));
+    if (kind > 0.95) draft.radius_a = 0;
+  }
+}
+
+double draw_gap(Random& random, double beyond) {
+  const double kind = random.unit();
+  if (kind < beyond) return random.uniform(0.1, 0.3);
+  if (kind < 0.33) return -0.25 * random.unit();
+  if (kind < 0.6) return -random.magnitude(-24, -3);
+  if (kind < 0.63) return 0;
+  if (kind < 0.82) return 0.098 * random.unit();
+  return random.magnitude(-24, -4);
+}
+
+void aim(Random& random, const GenerationContext& context, Draft& draft, double unit) {
+  draw_radii(random, context, draft, unit);
+  draft.gap = draw_gap(random) * span(draft);
+}
+
+Pose<double> random_world(Random& random, double size) {
+  Pose<double> world;
+  const double kind = random.unit();
+  if (kind < 0.1) {
+    world.rotation = quarter_turn(random);
+  } else if (kind < 0.9) {
+    world.rotation = random_direction(random);
+  }
+  if (random.chance(0.25)) return world;
+  const double far = size * (random.chance(0.5) ? 2 : 10);
+  const double x = random.uniform(-far, far);
+  const double y = random.uniform(-far, far);
+  world.position = {x, y};
+  return world;
+}
+
+void stand(Random& random, Draft& draft) {
+  for (Sketch* sketch : {&draft.a, &draft.b}) {
+    if (random.chance(0.3)) {
+      reframe(*sketch, {random_origin(random, sketch->outline), Vector2<double>(1, 0)});
+    }
+  }
+  draft.world = random_world(random, span(draft));
+}
+
+void frame(Random& random, Draft& draft, double exact) {
+  if (random.chance(exact)) {
+    if (random.chance(0.5)) draft.world.rotation = quarter_turn(random);
+    return;
+  }
+  for (Sketch* sketch : {&draft.a, &draft.b}) {
+    const Vector2<double> origin = random_origin(random, sketch->outline);
+    reframe(*sketch, {origin, random_direction(random)});
+  }
+  draft.world = random_world(random, span(draft));
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,149 @@
+#include "generating/placing.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace manifuzz {
+namespace {
+
+/// The polygon's vertices turned as in the world, about its own origin.
+Outline standing(const Body& body) {
+  Outline outline;
+  outline.count = body.polygon.count;
+  const Vector2<double> rotation = body.pose.rotation.cast<double>();
+  for (int i = 0; i < outline.count; ++i) {
+    outline.vertices[i] = rotate<double>(rotation, body.polygon.vertices[i].cast<double>());
+  }
+  return outline;
+}
+
+/// Appends the faces of one polygon; `sign` is -1 for B's, whose outward is towards A. All faces at
+/// once meet each vertex of the other, at a fixed length, so that compilers vectorise it.
+void append_faces(Faces& faces, const Outline& from, const Outline& to, double sign) {
+  std::array<double, kMaxVertices> x{};
+  std::array<double, kMaxVertices> y{};
+  for (int i = 0; i < from.count; ++i) {
+    const Vector2<double> normal = clockwise_quarter(unit(from.face(i)));
+    x[i] = normal.x();
+    y[i] = normal.y();
+  }
+  std::array<double, kMaxVertices> least;
+  least.fill(std::numeric_limits<double>::infinity());
+  for (int j = 0; j < to.count; ++j) {
+    const Vector2<double>& vertex = to.vertices[j];
+    for (int i = 0; i < kMaxVertices; ++i) {
+      least[i] = std::min(least[i], x[i] * vertex.x() + y[i] * vertex.y());
+    }
+  }
+  for (int i = 0; i < from.count; ++i) {
+    const Vector2<double> normal{x[i], y[i]};
+    faces.normals[faces.count] = sign * normal;
+    faces.offsets[faces.count] = normal.dot(from.vertices[i]) - least[i];
+    ++faces.count;
+  }
+}
+
+std::optional<Body> embodied(const Sketch& sketch, float radius, const Pose<double>& world) {
+  const auto polygon = rounded(sketch.outline, radius);
+  if (!polygon) return std::nullopt;
+  Body body;
+  body.polygon = *polygon;
+  body.pose.rotation = rotate(world.rotation, sketch.pose.rotation).cast<float>();
+  body.pose.position = transform(world, sketch.pose.position).cast<float>();
+  return body;
+}
+
+}  // namespace
+
+Draft swapped(const Draft& draft) {
+  Draft result = draft;
+  std::swap(result.a, result.b);
+  std::swap(result.radius_a, result.radius_b);
+  result.start = -draft.start;
+  result.direction = -draft.direction;
+  return result;
+}
+
+Faces faces_of(const PairCase& pair) {
+  const Outline a = standing(pair.a);
+  const Outline b = standing(pair.b);
+  Faces faces;
+  faces.count_a = a.count;
+  append_faces(faces, a, b, 1);
+  append_faces(faces, b, a, -1);
+  return faces;
+}
+
+double separation(const Faces& faces, const Vector2<double>& p) {
+  double greatest = faces.separation(0, p);
+  for (int k = 1; k < faces.count; ++k) greatest = std::max(greatest, faces.separation(k, p));
+  return greatest;
+}
+
+Vector2<double> slide(const Faces& faces, const Vector2<double>& start,
+                      const Vector2<double>& direction, double target) {
+  constexpr double parallel = 1e-12;
+  double first = -std::numeric_limits<double>::infinity();
+  double last = std::numeric_limits<double>::infinity();
+  bool blocked = false;
+  for (int k = 0; k < faces.count; ++k) {
+    const double speed = faces.normals[k].dot(direction);
+    const double room = target - faces.separation(k, start);
+    const double until = room / speed;
+    last = speed > parallel ? std::min(last, until) : last;
+    first = speed < -parallel ? std::max(first, until) : first;
+    blocked |= std::abs(speed) <= parallel && room < 0;
+  }
+  if (blocked || first > last) return start;
+  return start + last * direction;
+}
+
+Vector2<double> apart(const PairCase& pair) {
+  return pair.b.pose.position.cast<double>() - pair.a.pose.position.cast<double>();
+}
+
+void put_apart(PairCase& pair, const Vector2<double>& p) {
+  pair.b.pose.position = (pair.a.pose.position.cast<double>() + p).cast<float>();
+}
+
+bool shift_vertices(Body& body, const Vector2<double>& residual) {
+  const Vector2<double> rotation = body.pose.rotation.cast<double>();
+  const Vector2<double> shift = rotate_back<double>(rotation, residual) / rotation.dot(rotation);
+  Outline outline;
+  outline.count = body.polygon.count;
+  for (int i = 0; i < outline.count; ++i) {
+    outline.vertices[i] = body.polygon.vertices[i].cast<double>() + shift;
+  }
+  const auto polygon = rounded(outline, body.polygon.radius);
+  if (polygon) body.polygon = *polygon;
+  return polygon.has_value();
+}
+
+std::optional<ConvexPolygon<float>> rounded(const Outline& outline, float radius) {
+  std::array<Vector2<float>, kMaxVertices> vertices;
+  for (int i = 0; i < outline.count; ++i) vertices[i] = outline.vertices[i].cast<float>();
+  const std::span<const Vector2<float>> used(vertices.data(), outline.count);
+  if (find_defect(used)) return std::nullopt;
+  return make_polygon(used, radius);
+}
+
+std::optional<PairCase> settle(const Draft& draft) {
+  const auto a = embodied(draft.a, draft.radius_a, draft.world);
+  if (!a) return std::nullopt;
+  const auto b = embodied(draft.b, draft.radius_b, draft.world);
+  if (!b) return std::nullopt;
+  PairCase pair{*a, *b};
+  const Vector2<double> origin =
+      transform(draft.world, Vector2<double>(draft.b.pose.position + draft.start));
+  Vector2<double> place = origin - a->pose.position.cast<double>();
+  if (draft.gap) {
+    place = slide(faces_of(pair), place, rotate(draft.world.rotation, draft.direction),
+                  total_radius(pair) + *draft.gap);
+  }
+  put_apart(pair, place);
+  if (draft.exact_gap && !shift_vertices(pair.b, place - apart(pair))) return std::nullopt;
+  return pair;
+}
+
+}  // namespace manifuzz

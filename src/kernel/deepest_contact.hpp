@@ -1,0 +1,31 @@
+#pragma once
+
+#include "kernel/packed.hpp"
+#include "kernel/shape_rows.hpp"
+
+namespace manifuzz::kernel {
+
+/// One pair of a block, both polygons in A's frame: the rows of each one's corners.
+template <class Scalar>
+struct ColumnPair {
+  const Row<Scalar>* corners[2];
+  int column;
+  int count[2];
+  Scalar total_radius;
+};
+
+/// `clipping::deepest_contact` of one pair: the rare pair whose chosen clip misses the overlap is
+/// handed back to the clean code, which is compiled apart from the kernels, without their target.
+template <class Scalar>
+Manifold<Scalar> deepest_contact(const ColumnPair<Scalar>& pair);
+
+/// `manifold`, unless it misses the overlap by `clipping::misses_deepest`: then the deepest
+/// contact. Both shapes are in A's frame.
+Manifold<float> with_deepest_contact(const ShapeRows& a, const ShapeRows& b,
+                                     const Manifold<float>& manifold, float separation,
+                                     float greatest);
+
+/// `clipping::collide_in_frame`, for the target without vectors.
+Manifold<float> collide_cleanly(const ShapeRows& a, const ShapeRows& b, float tie_bias);
+
+}  // namespace manifuzz::kernel

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generating/regime.hpp"
+
+namespace manifuzz {
+
+/// Which cases are timed together.
+struct WorkloadSpec {
+  const Regime* regime = nullptr;
+  std::optional<int> vertices;  ///< of both polygons; mixed where there is none
+  double touching = 0.5;        ///< the share of pairs that touch
+  std::size_t pairs = 1024;     ///< as many as are gone through before the first comes again
+};
+
+struct Workload {
+  WorkloadSpec spec;
+  std::vector<PairCase> pairs;
+};
+
+/// The regime's first cases that fit, polygons without radius, touching and separated ones mixed.
+/// None where the regime has hardly any that fit.
+std::optional<Workload> draw_workload(const WorkloadSpec& spec, std::uint64_t seed);
+
+}  // namespace manifuzz

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <nlohmann/json.hpp>
+
+#include "collider/collider.hpp"
+
+namespace manifuzz {
+
+/// What every measurement begins with: machine (processor, cores, instruction set; no host name),
+/// compiler, seed, and the versions of manifuzz and of the colliders that ran.
+nlohmann::ordered_json provenance(std::uint64_t seed, std::span<const Declaration> colliders);
+
+}  // namespace manifuzz

@@ -1,0 +1,66 @@
+#include "own_colliders/clip.hpp"
+
+#include "clipping/collide.hpp"
+#include "clipping/placed_pair.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// What `collide` makes of the placed pair and of B's pose in A's frame, as an answer.
+template <class Scalar, class Collide>
+Answer answer(const PairCase& pair, const Collide& collide) {
+  const auto placed = clipping::placed_pair<Scalar>(pair);
+  const Pose<Scalar> b_in_a = relative_pose(placed.pose_a, placed.pose_b);
+  Manifold<Scalar> manifold = collide(placed, b_in_a);
+  for (int i = 0; i < manifold.count; ++i) manifold.points[i].position *= placed.local_per_world;
+  return manifold_cast<double>(manifold);
+}
+
+template <class Scalar>
+void implement(Collider& collider) {
+  const auto bias = static_cast<Scalar>(collider.declaration.tie_bias);
+  collider.collide = [bias](const PairCase& pair) {
+    return answer<Scalar>(pair, [bias](const auto& placed, const Pose<Scalar>& b_in_a) {
+      return clipping::collide(placed.a, placed.b, b_in_a, bias);
+    });
+  };
+  collider.from_normal = [](const PairCase& pair, const Vector2<double>& normal) {
+    return answer<Scalar>(pair, [&](const auto& placed, const Pose<Scalar>& b_in_a) {
+      return clipping::manifold_from_normal<Scalar>(placed.a, placed.b, b_in_a,
+                                                    normal.cast<Scalar>());
+    });
+  };
+  collider.in_double = [bias] { return make_clip64(static_cast<double>(bias)); };
+}
+
+}  // namespace
+
+Collider make_clip(double tie_bias) {
+  Collider collider;
+  collider.declaration = {
+      .name = "clip",
+      .version = MANIFUZZ_VERSION,
+      .description =
+          "the article's clipping in float, incident edge by least dot, no empty overlap",
+      .scalar = ScalarType::float32,
+      .frame = RoundingFrame::local,
+      .tie_bias = static_cast<float>(tie_bias)};
+  collider.with_tie_bias = make_clip;
+  implement<float>(collider);
+  return collider;
+}
+
+Collider make_clip64(double tie_bias) {
+  Collider collider;
+  collider.declaration = {.name = "clip64",
+                          .version = MANIFUZZ_VERSION,
+                          .description = "the same in double, on the same float input",
+                          .scalar = ScalarType::float64,
+                          .frame = RoundingFrame::local,
+                          .tie_bias = tie_bias};
+  collider.with_tie_bias = make_clip64;
+  implement<double>(collider);
+  return collider;
+}
+
+}  // namespace manifuzz

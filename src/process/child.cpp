@@ -1,0 +1,159 @@
+#include "process/child.hpp"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <optional>
+#include <poll.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "process/process.hpp"
+
+namespace manifuzz {
+namespace {
+
+struct Pipe {
+  std::array<int, 2> ends{-1, -1};
+
+  Pipe() {
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+      throw std::system_error(errno, std::generic_category(), "cannot open a pipe");
+    }
+  }
+  ~Pipe() {
+    for (const int end : ends) {
+      if (end >= 0) close(end);
+    }
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  int release(int end) { return std::exchange(ends[static_cast<std::size_t>(end)], -1); }
+};
+
+int unblocked(int descriptor) {
+  fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) | O_NONBLOCK);
+  return descriptor;
+}
+
+/// What a process may not inherit from one that holds signals back, ignores or handles them.
+void reset_signals() {
+  for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGINT, SIGPIPE, SIGSEGV, SIGTERM}) {
+    std::signal(signal, SIG_DFL);
+  }
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+/// The process groups that run: those that do not fit are left to `Descendants`.
+std::array<std::atomic<pid_t>, 64> running_groups{};
+
+void replace_group(pid_t before, pid_t after) {
+  for (auto& group : running_groups) {
+    pid_t expected = before;
+    if (group.compare_exchange_strong(expected, after)) return;
+  }
+}
+
+extern "C" void die_with_children(int signal) {
+  for (const auto& group : running_groups) {
+    if (group > 0) kill(-group, SIGKILL);
+  }
+  std::signal(signal, SIG_DFL);
+  raise(signal);
+}
+
+std::string obituary(int status) {
+  if (WIFSIGNALED(status)) {
+    return fmt::format("was killed by signal {} ({})", WTERMSIG(status),
+                       strsignal(WTERMSIG(status)));
+  }
+  return fmt::format("exited with status {}", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+void stop_children() {
+  for (auto& group : running_groups) {
+    const pid_t leader = group.exchange(0);
+    if (leader <= 0) continue;
+    kill(-leader, SIGKILL);
+    wait_for(leader);
+  }
+}
+
+void disown_children() {
+  for (auto& group : running_groups) group = 0;
+}
+
+void stop_children_on_signals() {
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, die_with_children);
+}
+
+bool Child::running() const {
+  return process_ > 0 && owner_ == getpid();
+}
+
+void Child::start(const std::function<void(int in, int out)>& body) {
+  stop();
+  std::signal(SIGPIPE, SIG_IGN);  // what is written to one that has died must not end us
+  Pipe inwards;
+  Pipe outwards;
+  process_ = spawn([&] {
+    setpgid(0, 0);
+    reset_signals();
+    body(inwards.ends[0], outwards.ends[1]);
+  });
+  setpgid(process_, process_);  // in both, since either may come first
+  replace_group(0, process_);
+  owner_ = getpid();
+  to_ = unblocked(inwards.release(1));
+  from_ = unblocked(outwards.release(0));
+}
+
+std::string Child::stop() {
+  std::string words;
+  if (running()) {
+    const std::optional<int> status = status_if_ended();
+    if (status) words = obituary(*status);
+    kill(-process_, SIGKILL);
+    if (!status) wait_for(process_);
+    replace_group(process_, 0);
+  }
+  abandon();
+  return words;
+}
+
+std::optional<int> Child::status_if_ended() const {
+  constexpr int patience_ms = 20;  // one whose pipe is closed may not be quite gone
+  for (int i = 0; i < patience_ms; ++i) {
+    int status = 0;
+    if (waitpid(process_, &status, WNOHANG) == process_) return status;
+    if (!wait_readable(from_, 0)) return std::nullopt;
+    usleep(1000);
+  }
+  return std::nullopt;
+}
+
+void Child::abandon() {
+  for (int* const end : {&to_, &from_}) {
+    if (*end >= 0) close(std::exchange(*end, -1));
+  }
+  process_ = 0;
+}
+
+bool wait_readable(int descriptor, double seconds) {
+  pollfd watched{descriptor, POLLIN, 0};
+  return poll(&watched, 1, static_cast<int>(seconds * 1000)) > 0;
+}
+
+}  // namespace manifuzz

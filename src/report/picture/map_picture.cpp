@@ -1,0 +1,288 @@
+#include "report/picture/map_picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "report/picture/canvas.hpp"
+#include "report/picture/map_words.hpp"
+#include "report/words.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr int kPanels = 4;
+constexpr double kPanelWidthMin = 387;  // 3 pixels for each of 129 cells
+constexpr double kEdge = 28;
+constexpr double kGap = 24;
+constexpr int kHeightMax = 4000;
+constexpr Font kTitleFont{19, true};
+constexpr Font kPanelFont{14, true};
+constexpr Font kTextFont{13};
+constexpr Font kSmallFont{11};
+constexpr Colour kInk = 0x14181f;
+constexpr Colour kQuiet = 0x5a6472;
+constexpr Colour kPaper = 0xffffff;
+constexpr Colour kHatch = 0x9aa3af;
+
+// The colours of Okabe and Ito, told apart by every eye; pale grey is where nothing is the matter.
+constexpr Colour kPale = 0xdfe3e8;
+constexpr Colour kBlack = 0x000000;
+constexpr Colour kOther = 0x7a6a5a;
+constexpr std::array<Colour, 7> kStatementColours{0x0072b2, 0xf0e442, 0x009e73, 0xcc79a7,
+                                                  0x56b4e9, 0xe69f00, 0xd55e00};
+
+Colour colour_of(Verdict verdict) {
+  constexpr std::array<Colour, kVerdictNames.size()> colours{kPale,    0x56b4e9, 0xe69f00, 0xd55e00,
+                                                             0xf0e442, 0xcc79a7, 0x0072b2, 0x009e73,
+                                                             kBlack,   0x5b2a86, kOther};
+  return colours[static_cast<std::size_t>(verdict)];
+}
+
+std::string verdict_in_words(Verdict verdict, const std::string& subject,
+                             const std::string& oracle) {
+  switch (verdict) {
+    case Verdict::agree:
+      return "agree: both are right, and say the same";
+    case Verdict::tie:
+      return "tie: they differ, and both are right";
+    case Verdict::known:
+      return fmt::format("known: {} is wrong, as the ledger says", oracle);
+    case Verdict::subject_wrong:
+      return fmt::format("subject_wrong: {} is wrong", subject);
+    case Verdict::oracle_wrong:
+      return fmt::format("oracle_wrong: {} is wrong", oracle);
+    case Verdict::both_wrong:
+      return "both_wrong: both are wrong";
+    case Verdict::ill_posed:
+      return "ill_posed: rounding hides the answer";
+    default:
+      return std::string(to_string(verdict));
+  }
+}
+
+/// The parties whose statements are shown, in the order of their panels.
+constexpr std::array kParties{&Cell::subject, &Cell::oracle, &Cell::truth};
+
+/// A statement, the cells in which each party makes it, and its colour.
+struct Said {
+  Statement what;
+  std::array<int, kParties.size()> cells{};
+  Colour colour = kOther;
+
+  int total() const { return cells[0] + cells[1] + cells[2]; }
+};
+
+/// What is said anywhere on the map, the most frequent first; what comes too late for a colour of
+/// its own shares one.
+std::vector<Said> all_said(const Neighbourhood& neighbourhood) {
+  std::vector<Said> all;
+  for (const Cell& cell : neighbourhood.cells) {
+    if (cell.state != Cell::State::judged) continue;
+    for (std::size_t party = 0; party < kParties.size(); ++party) {
+      const Statement& what = cell.*kParties[party];
+      auto known = std::ranges::find(all, what, &Said::what);
+      if (known == all.end()) known = all.insert(all.end(), Said{.what = what});
+      ++known->cells[party];
+    }
+  }
+  std::ranges::stable_sort(all, std::ranges::greater(), &Said::total);
+  std::size_t used = 0;
+  for (Said& said : all) {
+    if (said.what.kind == Statement::Kind::apart) {
+      said.colour = kPale;
+    } else if (said.what.kind == Statement::Kind::nothing) {
+      said.colour = kBlack;
+    } else if (used < kStatementColours.size()) {
+      said.colour = kStatementColours[used++];
+    }
+  }
+  return all;
+}
+
+class MapPicture {
+ public:
+  MapPicture(const JudgedCase& shown, const Neighbourhood& neighbourhood)
+      : shown_(shown),
+        map_(neighbourhood),
+        side_(neighbourhood.grid.side()),
+        pixels_(std::max(1.0, std::ceil(kPanelWidthMin / side_))),
+        panel_(pixels_ * side_),
+        width_(2 * kEdge + kPanels * panel_ + (kPanels - 1) * kGap),
+        said_(all_said(neighbourhood)),
+        canvas_(static_cast<int>(width_), kHeightMax) {}
+
+  std::string draw() {
+    write_title();
+    draw_panels();
+    const double top = y_;
+    write_statements(left_of(0), left_of(3) - kGap);
+    const double bottom = std::exchange(y_, top);
+    write_verdicts(left_of(3), width_ - kEdge);
+    return canvas_.png(static_cast<int>(std::max(y_, bottom)));
+  }
+
+ private:
+  double left_of(int panel) const { return kEdge + panel * (panel_ + kGap); }
+  bool any(Cell::State state) const {
+    return std::ranges::find(map_.cells, state, &Cell::state) != map_.cells.end();
+  }
+
+  /// Text from `x` to `right`, in as many lines as it takes; moves down.
+  void write(std::string_view text, double x, double right, const Font& font, Colour colour) {
+    for (const std::string& line : wrapped(text, font, right - x)) {
+      canvas_.text({x, y_}, line, font, colour);
+      y_ += std::ceil(font.size * 1.55);
+    }
+  }
+  void write_entry(std::string_view text, double x, double right, Colour colour) {
+    const Box swatch{x, y_ - 11, 18, 13};
+    canvas_.fill(swatch, colour);
+    canvas_.frame(swatch, kQuiet);
+    write(text, x + 27, right, kTextFont, kInk);
+    y_ += 3;
+  }
+
+  void write_title();
+  void draw_panels();
+  void draw_panel(int panel, std::string_view title);
+  void write_statements(double x, double right);
+  void write_verdicts(double x, double right);
+  void draw_hatched(const Box& box) {
+    for (double y = 0; y < box.height; y += 4) {
+      canvas_.fill({box.x, box.y + y, box.width, 1}, kHatch);
+    }
+  }
+  Colour colour_of_cell(int panel, const Cell& cell) const;
+
+  const JudgedCase& shown_;
+  const Neighbourhood& map_;
+  int side_;
+  double pixels_;  // a cell's width
+  double panel_;   // a panel's
+  double width_;
+  std::vector<Said> said_;
+  Canvas canvas_;
+  double y_ = 0;
+};
+
+void MapPicture::write_title() {
+  const double right = width_ - kEdge;
+  const std::string name = std::filesystem::path(shown_.given.path).filename().string();
+  y_ = 38;
+  write(name.empty() || name == "-" ? "a case" : name, kEdge, right, kTitleFont, kInk);
+  write(verdict_sentence(shown_), kEdge, right, kTextFont, kInk);
+  write(severity_in_words(shown_, map_), kEdge, right, kTextFont, kInk);
+  write(fmt::format("The map: {}. Right is +x, up is +y; the ring marks the case itself.",
+                    grid_in_words(map_.grid)),
+        kEdge, right, kTextFont, kQuiet);
+  y_ += 14;
+}
+
+Colour MapPicture::colour_of_cell(int panel, const Cell& cell) const {
+  if (panel == kPanels - 1) return colour_of(cell.bucket.verdict);
+  const Statement& what = cell.*kParties[static_cast<std::size_t>(panel)];
+  return std::ranges::find(said_, what, &Said::what)->colour;
+}
+
+void MapPicture::draw_panel(int panel, std::string_view title) {
+  const Box box{left_of(panel), y_ + 10, panel_, panel_};
+  canvas_.text({box.x, y_}, title, kPanelFont, kInk);
+  canvas_.frame(box, kQuiet);
+  draw_hatched(box);
+  for (int i = 0; i < map_.grid.cell_count(); ++i) {
+    const Cell& cell = map_.cells[static_cast<std::size_t>(i)];
+    if (cell.state == Cell::State::invalid) continue;
+    const bool judged = cell.state == Cell::State::judged;
+    const double column = map_.grid.x_of(i) + map_.grid.reach;
+    const double row = map_.grid.reach - map_.grid.y_of(i);
+    canvas_.fill({box.x + column * pixels_, box.y + row * pixels_, pixels_, pixels_},
+                 judged ? colour_of_cell(panel, cell) : kPaper);
+  }
+  canvas_.ring(box.center(), 7, 4, kPaper);
+  canvas_.ring(box.center(), 7, 1.8, kInk);
+  const std::string from = fmt::format("-{}", map_.grid.reach * map_.grid.step);
+  const std::string to = fmt::format("+{} ulps", map_.grid.reach * map_.grid.step);
+  const double below = box.bottom() + 16;
+  canvas_.text({box.x, below}, from, kSmallFont, kQuiet);
+  canvas_.text({box.center().x() - text_width("0", kSmallFont) / 2, below}, "0", kSmallFont,
+               kQuiet);
+  canvas_.text({box.right() - text_width(to, kSmallFont), below}, to, kSmallFont, kQuiet);
+}
+
+void MapPicture::draw_panels() {
+  const auto named = [](std::string_view role, const KeptAnswer& party) {
+    return fmt::format("{}: {}", role, party.declaration.name);
+  };
+  draw_panel(0, named("subject", shown_.subject));
+  draw_panel(1, named("oracle", shown_.oracle));
+  draw_panel(2, "truth: the exact clip");
+  draw_panel(3, "difference: the verdict");
+  y_ += panel_ + 58;
+}
+
+void MapPicture::write_statements(double x, double right) {
+  const std::array<std::string_view, kParties.size()> names{
+      shown_.subject.declaration.name, shown_.oracle.declaration.name, "truth"};
+  const auto entry = [&](std::string_view words, const std::array<int, kParties.size()>& cells) {
+    std::string text(words);
+    std::string_view separator = "   (cells: ";
+    for (std::size_t party = 0; party < kParties.size(); ++party) {
+      text += fmt::format("{}{} {}", separator, names[party], cells[party]);
+      separator = ", ";
+    }
+    return text + ")";
+  };
+  write("What is said; points by their features, A's/B's: f a face, v a vertex", x, right,
+        kPanelFont, kInk);
+  y_ += 4;
+  std::array<int, kParties.size()> others{};
+  int kinds = 0;
+  for (const Said& said : said_) {
+    if (said.colour != kOther) {
+      write_entry(entry(statement_in_words(said.what), said.cells), x, right, said.colour);
+      continue;
+    }
+    ++kinds;
+    for (std::size_t party = 0; party < kParties.size(); ++party)
+      others[party] += said.cells[party];
+  }
+  if (kinds > 0) {
+    write_entry(entry(fmt::format("something else, of {}", counted(kinds, "kind")), others), x,
+                right, kOther);
+  }
+  if (any(Cell::State::invalid)) {
+    draw_hatched({x, y_ - 11, 18, 13});
+    canvas_.frame({x, y_ - 11, 18, 13}, kQuiet);
+    write("the moved vertex makes no convex polygon", x + 27, right, kTextFont, kInk);
+  }
+  if (any(Cell::State::not_asked)) write_entry("not asked", x, right, kPaper);
+}
+
+void MapPicture::write_verdicts(double x, double right) {
+  write("Verdicts, and in how many cells", x, right, kPanelFont, kInk);
+  y_ += 4;
+  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
+    const auto verdict = static_cast<Verdict>(i);
+    const auto cells = std::ranges::count_if(map_.cells, [&](const Cell& cell) {
+      return cell.state == Cell::State::judged && cell.bucket.verdict == verdict;
+    });
+    if (cells == 0) continue;
+    const std::string words =
+        verdict_in_words(verdict, shown_.subject.declaration.name, shown_.oracle.declaration.name);
+    write_entry(fmt::format("{} ({})", words, cells), x, right, colour_of(verdict));
+  }
+}
+
+}  // namespace
+
+std::string map_png(const JudgedCase& shown, const Neighbourhood& neighbourhood) {
+  return MapPicture(shown, neighbourhood).draw();
+}
+
+}  // namespace manifuzz
