@@ -4,7 +4,6 @@
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <cstring>
 #include <fcntl.h>
 #include <memory>
 #include <optional>
@@ -17,7 +16,7 @@
 #include "oracle/external/library.hpp"
 #include "oracle/external/limits.hpp"
 #include "process/child.hpp"
-#include "process/process.hpp"
+#include "process/shared_memory.hpp"
 
 namespace manifuzz {
 namespace {
@@ -27,21 +26,13 @@ using Clock = std::chrono::steady_clock;
 constexpr double kLoadSecondsMax = 20;
 constexpr double kPollSeconds = 0.05;
 
-template <std::size_t Size>
-using Text = std::array<char, Size>;
-
-template <std::size_t Size>
-void copy(const char* from, Text<Size>& to) {
-  std::strncpy(to.data(), from == nullptr ? "" : from, Size - 1);
-}
-
 /// What the library's process and ours share.
 struct Exchange {
   manifuzz_declaration says{};  ///< its texts are in those below
-  Text<64> name{};
-  Text<64> version{};
-  Text<16384> snippet{};
-  Text<512> error{};  ///< why it could not be loaded
+  SharedText<64> name;
+  SharedText<64> version;
+  SharedText<16384> snippet;
+  SharedText<512> error;  ///< why it could not be loaded
   std::atomic<int> asked{0};
   std::atomic<int> answered{0};
   std::array<PairCase, kBatch> cases;
@@ -64,11 +55,11 @@ void serve(const std::string& path, Exchange& exchange, int in, int out) {
   try {
     library.emplace(path);
     exchange.says = library->says();
-    copy(exchange.says.name, exchange.name);
-    copy(exchange.says.version, exchange.version);
-    copy(exchange.says.snippet, exchange.snippet);
+    exchange.name.set(exchange.says.name);
+    exchange.version.set(exchange.says.version);
+    exchange.snippet.set(exchange.says.snippet);
   } catch (const UserError& error) {
-    copy(error.what(), exchange.error);
+    exchange.error.set(error.what());
   }
   while (write(out, &byte, 1) == 1 && library && read(in, &byte, 1) == 1) {
     const int asked = exchange.asked;
@@ -88,7 +79,7 @@ class HostedLibrary {
     const std::string death = start();
     if (!death.empty()) throw UserError(fmt::format("{}: {} while it was loaded", path_, death));
     const Exchange& exchange = **exchange_;
-    if (exchange.error[0] != 0) throw UserError(exchange.error.data());
+    if (!exchange.error.str().empty()) throw UserError(exchange.error.str());
     try {
       declaration_ = declaration_of(says());
     } catch (const UserError& error) {
@@ -143,9 +134,9 @@ class HostedLibrary {
   manifuzz_declaration says() const {
     const Exchange& exchange = **exchange_;
     manifuzz_declaration says = exchange.says;
-    says.name = exchange.name.data();
-    says.version = exchange.version.data();
-    says.snippet = exchange.snippet.data();
+    says.name = exchange.name.c_str();
+    says.version = exchange.version.c_str();
+    says.snippet = exchange.snippet.c_str();
     return says;
   }
 

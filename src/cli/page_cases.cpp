@@ -121,7 +121,7 @@ PageMap map_of(const PageCase& page_case, NamedColliders& colliders, Interruptio
   const Neighbourhood map = ask_neighbourhood(pair, *colliders.find(shown.subject.declaration.name),
                                               *colliders.find(shown.oracle.declaration.name), grid,
                                               grid.cell_count(), interruption);
-  if (interruption.requested()) throw Interrupted();
+  if (interruption.is_stopped()) throw Interrupted();
   return {map_png(shown, map), {grid_in_words(grid), severity_in_words(shown, map)}};
 }
 
@@ -180,7 +180,7 @@ std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& collider
   for (const CorpusCase& given : files.corpus.cases) paths.insert(given.path);
   std::vector<PageCase> cases;
   for (const CorpusCase& given : files.corpus.cases) {
-    if (interruption.requested()) throw Interrupted();
+    if (interruption.is_stopped()) throw Interrupted();
     PageCase page_case = page_case_of(given, colliders, interruption);
     const std::string shrunk = shrunk_beside(given.path);
     if (is_worst(given.path) && paths.contains(shrunk)) page_case.smallest = shrunk;

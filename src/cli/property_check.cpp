@@ -57,9 +57,10 @@ std::vector<CheckedProperty> check_properties(
     const Deadline& deadline, const std::string& save_to,
     const std::function<void(const CheckedProperty&)>& on_checked) {
   std::vector<CheckedProperty> all;
+  Interruption signals(kUntilSignal);
   for (const Property* const property : chosen) {
     const auto start = Clock::now();
-    Interruption interruption(share_of(deadline, chosen.size() - all.size()));
+    Interruption interruption({.hurried_at = share_of(deadline, chosen.size() - all.size())});
     PropertyPlan in_turn = plan;
     in_turn.interruption = &interruption;
     CheckedProperty checked{property, run_property(*property, subject, in_turn)};
@@ -73,7 +74,7 @@ std::vector<CheckedProperty> check_properties(
     }
     on_checked(checked);
     all.push_back(checked);
-    if (interruption.requests() > 0) break;
+    if (signals.is_stopped()) break;
   }
   return all;
 }
@@ -82,7 +83,8 @@ std::string property_text(const CheckedProperty& checked) {
   const PropertyResult& result = checked.result;
   std::string text = fmt::format("{} {}: {}\n{}\n", result.passed ? good("ok  ") : bad("FAIL"),
                                  checked.property->name, checked.property->sentence, result.report);
-  if (result.failing) text += fmt::format("repeat with RC_PARAMS=\"{}\"\n", result.reproduce);
+  if (!result.reproduce.empty())
+    text += fmt::format("repeat with RC_PARAMS=\"{}\"\n", result.reproduce);
   if (!checked.saved.empty()) text += fmt::format("saved {}\n", checked.saved);
   return text;
 }

@@ -6,7 +6,7 @@
 
 #include "campaign/property_run.hpp"
 #include "cli/ci_output.hpp"
-#include "process/process.hpp"
+#include "process/interruption.hpp"
 
 namespace manifuzz {
 

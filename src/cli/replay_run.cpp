@@ -32,10 +32,10 @@ std::string counts_in_words(const ReplayRun& run, const Collider& subject, const
 /// What the case came to; none where there was no time for it.
 std::optional<Replayed> replay_in_time(const CorpusCase& recorded, const Collider& subject,
                                        const Collider& oracle, Interruption& interruption) {
-  if (interruption.requested()) return std::nullopt;
+  if (interruption.is_stopped()) return std::nullopt;
   try {
     const Replayed replayed = replay_case(recorded, subject, oracle, interruption);
-    return interruption.requested() ? std::nullopt : std::optional(replayed);
+    return interruption.is_stopped() ? std::nullopt : std::optional(replayed);
   } catch (const Interrupted&) {
     return std::nullopt;
   }

@@ -2,7 +2,7 @@
 
 #include "collider/collider.hpp"
 #include "corpus/corpus.hpp"
-#include "process/process.hpp"
+#include "process/interruption.hpp"
 #include "report/judged_case.hpp"
 #include "report/test_suite.hpp"
 
