@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
+#include <iostream>
 
 #include <catch2/catch.hpp>
 
@@ -71,7 +71,8 @@ TEST_CASE("includes point one way") {
 }
 
 TEST_CASE("the arrows between folders, as the includes draw them", "[.arrows]") {
-  WARN('\n' << drawing_of_arrows(tree()));
+  std::cout << drawing_of_arrows(tree());
+  CHECK_FALSE(tree().empty());
 }
 
 TEST_CASE("no source file is over 300 lines") {
