@@ -55,9 +55,10 @@ void serve(const std::string& path, Exchange& exchange, int in, int out) {
   try {
     library.emplace(path);
     exchange.says = library->says();
-    exchange.name.set(exchange.says.name);
-    exchange.version.set(exchange.says.version);
-    exchange.snippet.set(exchange.says.snippet);
+    const auto text = [](const char* given) { return given == nullptr ? "" : given; };
+    exchange.name.set(text(exchange.says.name));
+    exchange.version.set(text(exchange.says.version));
+    exchange.snippet.set(text(exchange.says.snippet));
   } catch (const UserError& error) {
     exchange.error.set(error.what());
   }

@@ -15,7 +15,6 @@
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
 #include "process/child.hpp"
-#include "process/process.hpp"
 
 namespace manifuzz {
 namespace {

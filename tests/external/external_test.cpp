@@ -14,7 +14,7 @@
 #include "oracle/external/hosted_library.hpp"
 #include "oracle/external/library.hpp"
 #include "own_colliders/clip.hpp"
-#include "process/process.hpp"
+#include "process/child.hpp"
 #include "process/shared_memory.hpp"
 
 // Colliders in a process of their own: whatever they do, the campaign ends, counts it and leaves
