@@ -60,7 +60,7 @@ JobsResult run(const Plan& plan) {
   return run_jobs(plan, {0, plan.cases_max()}, interruption, [](const Progress&) {});
 }
 
-/// How many of the plan's cases a collider that is told so has no luck with.
+/// How many of the plan's cases a collider that is told so fails at.
 std::uint64_t unlucky(const Plan& plan) {
   std::uint64_t count = 0;
   for (CaseNumber number = 0; number < *plan.cases; ++number) {
@@ -83,7 +83,7 @@ void check_loses(const Collider& subject, Verdict verdict) {
 }
 
 /// The campaign stops, having seen enough.
-void check_hopeless(const Collider& subject, Verdict verdict) {
+void check_ends_campaign(const Collider& subject, Verdict verdict) {
   const JobsResult result = run(plan_of(subject));
   CHECK(result.given_up == Fault::subject);
   CHECK(result.tally->cases() < kCases);
@@ -172,10 +172,10 @@ TEST_CASE("a program that answers out of order has no answers") {
 }
 
 TEST_CASE("one that never answers ends the campaign") {
-  check_hopeless(program("dies"), Verdict::crashed);
-  check_hopeless(program("dies-at-start"), Verdict::crashed);
+  check_ends_campaign(program("dies"), Verdict::crashed);
+  check_ends_campaign(program("dies-at-start"), Verdict::crashed);
   const Told dies("dies");
-  check_hopeless(library(), Verdict::crashed);
+  check_ends_campaign(library(), Verdict::crashed);
   CHECK_FALSE(has_children());
 }
 

@@ -89,8 +89,8 @@ struct Smoke {
 };
 
 ReplayRun replay_some(const Smoke& smoke, Outputs& outputs) {
-  Interruption interruption(
-      {.begins = Interruption::State::hurried, .stopped_at = smoke.schedule.at(kReplayShare)});
+  Interruption interruption({.first_signal = Interruption::State::stopped,
+                             .stopped_at = smoke.schedule.at(kReplayShare)});
   const ReplayRun run = replay_cases(smoke.corpus.cases, smoke.subject, smoke.oracle, interruption);
   smoke.tell(replay_text(run, smoke.subject, smoke.oracle) + (is_quiet() ? "" : "\n"), outputs);
   return run;
@@ -187,8 +187,8 @@ struct Parts {
 };
 
 std::vector<TestSuite> suites_of(const Parts& parts, const Smoke& smoke) {
-  Interruption until_drawn(
-      {.begins = Interruption::State::hurried, .stopped_at = smoke.schedule.at(kPicturesShare)});
+  Interruption until_drawn({.first_signal = Interruption::State::stopped,
+                            .stopped_at = smoke.schedule.at(kPicturesShare)});
   const std::string property_again =
       fmt::format("{} --seed {}{}", smoke.subject_again, smoke.seed, smoke.corpus_again());
   std::vector<TestSuite> suites{
