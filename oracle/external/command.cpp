@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/json_tree.hpp"
+#include "base/json.hpp"
 #include "base/user_error.hpp"
 #include "oracle/external/external_collider.hpp"
 #include "oracle/external/program_process.hpp"

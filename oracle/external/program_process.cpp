@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/file.hpp"
-#include "base/json_tree.hpp"
+#include "base/json.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "exchange/json.hpp"
@@ -23,9 +23,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 /// An answer that is JSON but no manifold loses its case alone.
-Answer answer_in(const JsonTree& tree, const PairCase& pair, const Conventions& conventions) {
+Answer answer_in(const JsonView& object, const PairCase& pair, const Conventions& conventions) {
   try {
-    return read_reported_answer(JsonView(tree), pair, conventions);
+    return read_reported_answer(object, pair, conventions);
   } catch (const UserError& error) {
     return Lost{Lost::How::malformed, error.what()};
   }
@@ -132,11 +132,12 @@ void ProgramProcess::take_lines(std::span<const PairCase> pairs, std::span<Answe
     try {
       if (line.size() > kLongestCase) throw UserError("longer than 1 MiB");
       const JsonTree tree = parse_json(line);
-      if (!has_answered_ && declaration_.empty() && tree.find(0, "declaration")) {
+      const JsonView view(tree);
+      if (!has_answered_ && declaration_.empty() && view.is_object() && view.find("declaration")) {
         declaration_ = line;
         continue;
       }
-      answers[result.answered] = answer_in(tree, pairs[result.answered], conventions);
+      answers[result.answered] = answer_in(view, pairs[result.answered], conventions);
       ++result.answered;
       has_answered_ = true;
     } catch (const UserError& error) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/json_tree.hpp"
+#include "base/json.hpp"
 #include "campaign/result.hpp"
 
 namespace manifuzz {

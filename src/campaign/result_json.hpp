@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/json_tree.hpp"
+#include "base/json.hpp"
 #include "campaign/result.hpp"
 
 namespace manifuzz {

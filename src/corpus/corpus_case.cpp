@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/json_tree.hpp"
+#include "base/json.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "corpus/corpus.hpp"
@@ -158,7 +158,7 @@ CorpusCase read_case_file(const std::string& path) {
 
 std::string format_case(const CorpusCase& corpus_case) {
   std::string out;
-  append_case_lines(out, corpus_case.pair);
+  append_case_start(out, corpus_case.pair);
   if (corpus_case.found) append_found(out, *corpus_case.found);
   if (corpus_case.expect) append_expectation(out, corpus_case.pair, *corpus_case.expect);
   append_member(out, ",\n  ", "property", corpus_case.property);

@@ -7,7 +7,7 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include "base/json_tree.hpp"
+#include "base/json.hpp"
 #include "base/text.hpp"
 
 namespace manifuzz {
@@ -224,7 +224,7 @@ void append_case_line(std::string& out, const PairCase& pair) {
   out += '}';
 }
 
-void append_case_lines(std::string& out, const PairCase& pair) {
+void append_case_start(std::string& out, const PairCase& pair) {
   append_case(out, pair, {"\n  ", ",\n  ", "\n    ", ",\n    ", "\n  "});
 }
 

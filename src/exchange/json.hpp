@@ -36,9 +36,8 @@ std::optional<Feature> find_feature(std::string_view name);
 /// Appends a pair case as one line, without the line's end.
 void append_case_line(std::string& out, const PairCase& pair);
 
-/// Appends the same with a line for each polygon and without the last brace, as a corpus file
-/// begins.
-void append_case_lines(std::string& out, const PairCase& pair);
+/// Appends the same as a corpus file begins: a line for each member, and the last brace not yet.
+void append_case_start(std::string& out, const PairCase& pair);
 
 /// Appends a manifold line (without the line's end) in the world of `pair`: normal and positions in
 /// world coordinates, `local` in A's frame, depths as world lengths.

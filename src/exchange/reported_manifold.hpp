@@ -18,10 +18,10 @@ struct Conventions {
 
 /// A contact point as it is given: its position at least once, the rest where it is known.
 struct ReportedPoint {
-  std::optional<Vector2<double>> world;   ///< its position in world coordinates
-  std::optional<Vector2<double>> local;   ///< its position in A's frame, which then counts
-  double depth = 0;                       ///< a world length, >= 0
-  std::optional<FeaturePair> features{};  ///< each one that its polygon has
+  std::optional<Vector2<double>> world{};  ///< its position in world coordinates
+  std::optional<Vector2<double>> local{};  ///< its position in A's frame, which then counts
+  double depth = 0;                        ///< a world length, >= 0
+  std::optional<FeaturePair> features{};   ///< each one that its polygon has
 };
 
 /// A manifold as it is given, before any convention of it is undone.

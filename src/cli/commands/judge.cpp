@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/file.hpp"
-#include "base/json_tree.hpp"
+#include "base/json.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "cli/answer_each.hpp"

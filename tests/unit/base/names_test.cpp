@@ -62,3 +62,18 @@ TEST_CASE("what there is follows the nearest word where it is short, and alone o
         "there is no regime 'genric'; did you mean 'generic'?");
   CHECK(no_such("regime", "\x1b[31m", kWords).find("\\x1b[31m") != std::string::npos);
 }
+
+TEST_CASE("what is chosen by name comes once, in the order in which it is named") {
+  struct Named {
+    std::string_view name;
+  };
+  constexpr std::array<Named, 3> list{{{"sliver"}, {"generic"}, {"sliver"}}};
+  const auto chosen = [&](const std::vector<std::string>& names) {
+    return chosen_by_name(list, names, "regime", "--regime");
+  };
+  CHECK(chosen({"generic", "sliver", "generic"}) == std::vector{&list[1], &list[0]});
+  CHECK(chosen({}) == std::vector{&list[0], &list[1], &list[2]});
+  CHECK_THROWS_WITH(chosen({"generic", "slivr"}),
+                    "--regime: there is no regime 'slivr'; did you mean 'sliver'? There are "
+                    "sliver, generic");
+}

@@ -1,3 +1,5 @@
+#include "base/json.hpp"
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -5,7 +7,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/json_tree.hpp"
 #include "base/random.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
