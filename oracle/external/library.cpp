@@ -85,7 +85,7 @@ int Library::collide(const PairCase& pair, manifuzz_manifold& manifold) const {
 
 Declaration declaration_of(const manifuzz_declaration& declared) {
   if (declared.interface != MANIFUZZ_INTERFACE) {
-    throw UserError(fmt::format("manifuzz_collider.interface is {}; {} is what this program speaks",
+    throw UserError(fmt::format("manifuzz_collider.interface is {}; {} is expected",
                                 declared.interface, static_cast<int>(MANIFUZZ_INTERFACE)));
   }
   expect_between(declared.scalar, MANIFUZZ_FLOAT32, MANIFUZZ_FLOAT64, "scalar");
@@ -141,12 +141,12 @@ Answer answer_of(int status, const manifuzz_manifold& manifold,
 Collider collider_in_process(const std::string& path) {
   const auto library = std::make_shared<const Library>(path);
   Collider collider;
-  collider.declaration = declaration_of(library->declaration());
+  collider.declaration = declaration_of(library->says());
   collider.collide = [library, declaration = collider.declaration](const PairCase& pair) -> Answer {
     if (auto declined = beyond_limits(declaration, pair)) return *declined;
     manifuzz_manifold manifold;
     const int status = library->collide(pair, manifold);
-    return answer_of(status, manifold, library->declaration(), pair);
+    return answer_of(status, manifold, library->says(), pair);
   };
   return collider;
 }

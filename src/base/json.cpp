@@ -160,6 +160,7 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
       error_ = fmt::format("$: nested deeper than {} levels", kDeepest);
       return false;
     }
+    if (container.is_array()) container.get_ref<Json::array_t&>().reserve(2);  // mostly points
     add(std::move(container));
     open_.push_back(last_);
     return true;

@@ -82,7 +82,7 @@ void check_loses(const Collider& subject, Verdict verdict) {
 }
 
 /// The campaign stops, having seen enough.
-void check_hopeless(const Collider& subject, Verdict verdict) {
+void check_ends_campaign(const Collider& subject, Verdict verdict) {
   const JobsResult result = run(plan_of(subject));
   CHECK(result.unresponsive == Fault::subject);
   CHECK(result.tally->cases() < kCases);
@@ -142,7 +142,7 @@ TEST_CASE("a library's wrong depths are found") {
   CHECK(run(plan_of(library())).tally->count(Verdict::subject_wrong) > kCases / 4);
 }
 
-TEST_CASE("a program that crashes, ends, hangs or talks nonsense loses that case alone") {
+TEST_CASE("a program that crashes, ends, hangs or answers nonsense loses that case alone") {
   check_loses(program("crashes"), Verdict::crashed);
   check_loses(program("exits"), Verdict::crashed);
   check_loses(program("sleeps"), Verdict::timed_out);
@@ -171,10 +171,10 @@ TEST_CASE("a program that answers out of order has no answers") {
 }
 
 TEST_CASE("one that never answers ends the campaign") {
-  check_hopeless(program("dies"), Verdict::crashed);
-  check_hopeless(program("dies-at-start"), Verdict::crashed);
+  check_ends_campaign(program("dies"), Verdict::crashed);
+  check_ends_campaign(program("dies-at-start"), Verdict::crashed);
   const Told dies("dies");
-  check_hopeless(library(), Verdict::crashed);
+  check_ends_campaign(library(), Verdict::crashed);
   CHECK_FALSE(has_children());
 }
 
