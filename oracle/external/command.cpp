@@ -86,14 +86,7 @@ std::string name_in(const std::string& command) {
   }
   name = name.substr(name.rfind('/') + 1);  // npos + 1 is 0
   name = name.substr(0, name.find('.'));
-  Declaration declaration;
-  declaration.name = name;
-  try {
-    check_declaration(declaration, "");
-    return name;
-  } catch (const UserError&) {
-    return "command";
-  }
+  return is_collider_name(name) ? name : "command";
 }
 
 PairCase overlapping_boxes() {

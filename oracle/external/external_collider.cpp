@@ -22,13 +22,6 @@ constexpr std::size_t kNameLengthMax = 40;
 constexpr std::array<std::string_view, 6> kSnippetKeys{"vertices", "normals", "position",
                                                        "rotation", "radius",  "count"};
 
-bool can_name_files(std::string_view name) {
-  return !name.empty() && name.size() <= kNameLengthMax && name.front() != '.' &&
-         std::ranges::all_of(name, [](unsigned char c) {
-           return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
-         });
-}
-
 constexpr std::size_t kVersionLengthMax = 60;
 
 bool is_plain(std::string_view text) {
@@ -57,6 +50,13 @@ void check_snippet(std::string_view snippet, std::string_view prefix) {
 
 }  // namespace
 
+bool is_collider_name(std::string_view name) {
+  return !name.empty() && name.size() <= kNameLengthMax && name.front() != '.' &&
+         std::ranges::all_of(name, [](unsigned char c) {
+           return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
+         });
+}
+
 std::optional<Unsupported> beyond_limits(const Declaration& declaration, const PairCase& pair) {
   const int vertices = std::max(pair.a.polygon.count, pair.b.polygon.count);
   if (vertices > declaration.max_vertices) {
@@ -69,7 +69,7 @@ std::optional<Unsupported> beyond_limits(const Declaration& declaration, const P
 }
 
 void check_declaration(const Declaration& declaration, std::string_view prefix) {
-  if (!can_name_files(declaration.name)) {
+  if (!is_collider_name(declaration.name)) {
     throw UserError(fmt::format("{}name: '{}' is no name; 1 to {} letters, digits, - _ . are",
                                 prefix, printable(declaration.name), kNameLengthMax));
   }
@@ -91,20 +91,6 @@ bool is_unresponsive(std::span<const Answer> answers, std::size_t done) {
       [](const Answer& answer) { return std::holds_alternative<Lost>(answer); });
 }
 
-namespace {
-
-std::size_t answer_all(std::span<const PairCase> pairs, std::span<Answer> answers,
-                       const std::function<bool()>& go_on, const AnswerBatch& answer_batch) {
-  std::size_t done = 0;
-  while (done < pairs.size() && go_on() && !is_unresponsive(answers, done)) {
-    const std::size_t batch = std::min(kBatch, pairs.size() - done);
-    done += answer_batch(pairs.subspan(done, batch), answers.subspan(done, batch), go_on);
-  }
-  return done;
-}
-
-}  // namespace
-
 Collider isolated(const Declaration& declaration, double seconds_max, AnswerBatch answer_batch) {
   Collider collider;
   collider.declaration = declaration;
@@ -122,8 +108,14 @@ Collider isolated(const Declaration& declaration, double seconds_max, AnswerBatc
         places.push_back(i);
       }
     }
+    const std::span<const PairCase> all = asked;
     std::vector<Answer> answered(asked.size());
-    const std::size_t count = answer_all(asked, answered, go_on, answer_batch);
+    std::size_t count = 0;
+    while (count < all.size() && go_on() && !is_unresponsive(answered, count)) {
+      const std::size_t batch = std::min(kBatch, all.size() - count);
+      count +=
+          answer_batch(all.subspan(count, batch), std::span(answered).subspan(count, batch), go_on);
+    }
     for (std::size_t k = 0; k < count; ++k) answers[places[k]] = std::move(answered[k]);
     return count < asked.size() ? places[count] : pairs.size();
   };

@@ -11,6 +11,9 @@ namespace manifuzz {
 /// Whether a collider that declares this has to be asked at all.
 std::optional<Unsupported> beyond_limits(const Declaration& declaration, const PairCase& pair);
 
+/// Whether it can name a collider, and thus files: 1 to 40 letters, digits, - _ or dots.
+bool is_collider_name(std::string_view name);
+
 /// What must hold of the declaration of any program or library: a name that can name files, a
 /// finite bias, a snippet whose blanks can be filled in. Throws UserError that begins with `prefix`
 /// and the field.

@@ -60,38 +60,46 @@ void append_vector(std::string& out, const Vector2<Scalar>& v) {
   out += ']';
 }
 
-/// What stands between the braces, commas and members of a case.
-struct CaseLayout {
-  std::string_view before_first;
-  std::string_view between;
-  std::string_view before_first_of_body;
-  std::string_view between_of_body;
-  std::string_view after_body;
+/// The white space before a member that is not on the line of the one before it; empty: all are on
+/// one line.
+struct LineBreaks {
+  std::string_view in_case;
+  std::string_view in_body;
 };
 
-void append_body(std::string& out, const Body& body, const CaseLayout& layout) {
-  out.append("{").append(layout.before_first_of_body) += "\"vertices\": [";
+void append_separator(std::string& out, std::string_view line_break) {
+  out.append(",").append(line_break.empty() ? " " : line_break);
+}
+
+void append_body(std::string& out, const Body& body, const LineBreaks& breaks) {
+  out.append("{").append(breaks.in_body) += "\"vertices\": [";
   for (int i = 0; i < body.polygon.count; ++i) {
     if (i > 0) out += ',';
     append_vector(out, body.polygon.vertices[i]);
   }
   out += ']';
-  out.append(layout.between_of_body) += "\"radius\": ";
+  append_separator(out, breaks.in_body);
+  out += "\"radius\": ";
   append_number(out, body.polygon.radius);
-  out.append(layout.between_of_body) += "\"position\": ";
+  append_separator(out, breaks.in_body);
+  out += "\"position\": ";
   append_vector(out, body.pose.position);
-  out.append(layout.between_of_body) += "\"rotation\": ";
+  append_separator(out, breaks.in_body);
+  out += "\"rotation\": ";
   append_vector(out, body.pose.rotation);
-  out.append(layout.after_body) += '}';
+  out.append(breaks.in_case) += '}';
 }
 
 /// Without the closing brace.
-void append_case(std::string& out, const PairCase& pair, const CaseLayout& layout) {
-  out.append("{").append(layout.before_first).append("\"format\": \"").append(kCaseFormat) += '"';
-  out.append(layout.between) += "\"a\": ";
-  append_body(out, pair.a, layout);
-  out.append(layout.between) += "\"b\": ";
-  append_body(out, pair.b, layout);
+void append_case(std::string& out, const PairCase& pair, const LineBreaks& breaks) {
+  out.append("{").append(breaks.in_case) += "\"format\": \"";
+  out.append(kCaseFormat) += '"';
+  append_separator(out, breaks.in_case);
+  out += "\"a\": ";
+  append_body(out, pair.a, breaks);
+  append_separator(out, breaks.in_case);
+  out += "\"b\": ";
+  append_body(out, pair.b, breaks);
 }
 
 void append_point(std::string& out, const PairCase& pair, const ContactPoint<double>& point) {
@@ -220,12 +228,12 @@ std::optional<Feature> find_feature(std::string_view name) {
 }
 
 void append_case_line(std::string& out, const PairCase& pair) {
-  append_case(out, pair, {"", ", ", "", ", ", ""});
+  append_case(out, pair, {});
   out += '}';
 }
 
 void append_case_start(std::string& out, const PairCase& pair) {
-  append_case(out, pair, {"\n  ", ",\n  ", "\n    ", ",\n    ", "\n  "});
+  append_case(out, pair, {"\n  ", "\n    "});
 }
 
 void append_answer(std::string& out, const PairCase& pair, std::string_view collider,
