@@ -115,6 +115,7 @@ Answer answer_of(int status, const manifuzz_manifold& manifold,
   if (manifold.count < 0 || manifold.count > 2) {
     return malformed(fmt::format("{} points; 0 to 2 are expected", manifold.count));
   }
+  if (manifold.count == 0) return Manifold<double>{};
   ReportedManifold reported{.count = manifold.count, .normal = from_c(manifold.normal)};
   if (manifold.reference != MANIFUZZ_NO_REFERENCE) {
     reported.reference = manifold.reference == MANIFUZZ_B ? Side::b : Side::a;
