@@ -5,7 +5,7 @@ namespace manifuzz {
 PartialManifold in_frame_of_a(const ReportedManifold& reported, const Conventions& conventions,
                               const PairCase& pair) {
   PartialManifold result{.names_reference = reported.reference.has_value(),
-                         .names_features = true,
+                         .names_features = reported.count > 0,
                          .has_midpoints = conventions.has_midpoints};
   Manifold<double>& manifold = result.manifold;
   manifold.count = reported.count;
