@@ -60,11 +60,6 @@ void expect_addable(const FuzzResult& sum, const FuzzResult& run) {
   }
 }
 
-void keep_greater(ErrorShare& kept, const ErrorShare& other) {
-  kept.depth = std::max(kept.depth, other.depth);
-  kept.position = std::max(kept.position, other.position);
-}
-
 /// The row that has that name, appended where there is none.
 template <class Row>
 Row& row_of(std::vector<Row>& rows, std::string Row::*name, const std::string& wanted) {
@@ -148,8 +143,8 @@ void add_run(FuzzResult& sum, const FuzzResult& run) {
   }
   sum.jobs = std::max(sum.jobs, run.jobs);
   for (std::size_t i = 0; i < sum.verdicts.size(); ++i) sum.verdicts[i] += run.verdicts[i];
-  keep_greater(sum.of_subject, run.of_subject);
-  keep_greater(sum.of_oracle, run.of_oracle);
+  widen(sum.of_subject, run.of_subject);
+  widen(sum.of_oracle, run.of_oracle);
   sum.interrupted = sum.interrupted || run.interrupted;
   sum.stopped_early = sum.stopped_early || run.stopped_early;
   sum.budgets_hold = sum.budgets_hold && run.budgets_hold;

@@ -83,8 +83,8 @@ struct FuzzResult {
   std::vector<CasesRun> parts;  ///< one of a campaign, each of several that were merged; sorted
   std::uint64_t jobs = 0;
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
-  ErrorShare of_subject;  ///< the worst errors of wrong answers
-  ErrorShare of_oracle;
+  ManifoldError of_subject;  ///< the worst errors of wrong answers
+  ManifoldError of_oracle;
   bool interrupted = false;
   bool stopped_early = false;  ///< a party gave no answer again and again
   bool budgets_hold = false;   ///< whether the ledger's budgets apply to it

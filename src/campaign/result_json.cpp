@@ -18,7 +18,7 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json json_of(const ErrorShare& error) {
+Json json_of(const ManifoldError& error) {
   return {{"depth", error.depth}, {"position", error.position}};
 }
 
@@ -97,8 +97,8 @@ std::map<std::string, Count> read_counts(const JsonView& object) {
   return counts;
 }
 
-ErrorShare read_error(const JsonView& object) {
-  return {object.at("depth").magnitude(), object.at("position").magnitude()};
+ManifoldError read_error(const JsonView& object) {
+  return {.position = object.at("position").magnitude(), .depth = object.at("depth").magnitude()};
 }
 
 RegimeResult read_regime(const JsonView& row) {

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "judging/completed.hpp"
-#include "judging/plain_error.hpp"
 
 namespace manifuzz {
 namespace {
@@ -110,11 +109,6 @@ TieClass relevant(TieClass tie_class, Verdict verdict, Kind kind) {
 /// A magnitude in world lengths as a share of the size; a normal's is a share already.
 double share(const Mismatch& mismatch, double size) {
   return mismatch.kind == Kind::normal ? mismatch.magnitude : mismatch.magnitude / size;
-}
-
-ErrorShare error_share(const Manifold<double>& manifold, const Admissible& right) {
-  const PlainError error = plain_error(manifold, right);
-  return {error.depth / right.truth->size(), error.position / right.truth->size()};
 }
 
 bool is_ill_posed(const exact::Truth& truth, const Declaration& declaration) {
@@ -277,10 +271,10 @@ Judgement judge(std::shared_ptr<const exact::Truth> truth, const ColliderAnswer&
 
   Judgement result;
   if (wrongs.subject.kind != Kind::none) {
-    result.of_subject = error_share(of_subject, right_for_subject);
+    result.of_subject = share_of_size(plain_error(of_subject, right_for_subject), truth->size());
   }
   if (wrongs.oracle.kind != Kind::none) {
-    result.of_oracle = error_share(of_oracle, right_for_oracle);
+    result.of_oracle = share_of_size(plain_error(of_oracle, right_for_oracle), truth->size());
   }
   result.bucket.reference = truth->greatest().side;
   result.bucket.fault = wrongs.fault();

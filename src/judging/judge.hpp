@@ -2,6 +2,7 @@
 
 #include "judging/admissible.hpp"
 #include "judging/ledger.hpp"
+#include "judging/manifold_error.hpp"
 
 namespace manifuzz {
 
@@ -11,19 +12,13 @@ struct ColliderAnswer {
   const Answer& answer;
 };
 
-/// How far off a wrong manifold is, as shares of the size; 0 of a right one.
-struct ErrorShare {
-  double depth = 0;
-  double position = 0;
-};
-
 /// What a case comes to between a subject and an oracle.
 struct Judgement {
   Bucket bucket;
   double magnitude = 0;                      ///< the finding's worst error as a share of the size
   const LedgerEntry* explanation = nullptr;  ///< set where the verdict is known
-  ErrorShare of_subject{};
-  ErrorShare of_oracle{};
+  ManifoldError of_subject{};  ///< of a wrong manifold, as shares of the size; 0 of a right one
+  ManifoldError of_oracle{};
 };
 
 /// Whether it says what a manifold can say: 0 to 2 points, finite figures, no depth below zero,

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "judging/completed.hpp"
-#include "judging/plain_error.hpp"
+#include "judging/manifold_error.hpp"
 
 namespace manifuzz {
 namespace {
@@ -25,8 +25,8 @@ ErrorSpread spread_of(std::vector<Measured> errors) {
   return {at(0.5), at(0.999), errors.back().value, *errors.back().pair};
 }
 
-PlainError error_of(const Manifold<double>& manifold, const Admissible& right) {
-  const auto measured = measure_error(manifold, right);
+ManifoldError error_of(const Manifold<double>& manifold, const Admissible& right) {
+  const auto measured = error_if_right(manifold, right);
   return measured ? measured->error : plain_error(manifold, right);
 }
 
@@ -50,7 +50,7 @@ JudgedErrors judged_errors(const Collider& collider, std::span<const PairCase> p
     }
     result.phantom += !right.may_touch;
     const double unit = 0x1p-24 * extent(pair);
-    const PlainError error = error_of(*manifold, right);
+    const ManifoldError error = error_of(*manifold, right);
     depth.push_back({error.depth / unit, &pair});
     position.push_back({error.position / unit, &pair});
     normal.push_back({error.normal / 0x1p-24, &pair});

@@ -15,7 +15,7 @@ float bounded(double value) {
   return value < static_cast<double>(most) ? static_cast<float>(value) : most;
 }
 
-FigureErrors figures(const PlainError& error, double length) {
+FigureErrors figures(const ManifoldError& error, double length) {
   return {bounded(error.depth / length), bounded(error.position / length), bounded(error.normal)};
 }
 
@@ -107,20 +107,20 @@ const Manifold<double>& Referee::truth_for(const Declaration& declaration) {
 
 Measured Referee::errors_of(const Ruling& ruling, const Manifold<double>& manifold,
                             bool& is_right) {
-  auto error = measure_error(manifold, ruling.right, fine_);
+  auto error = error_if_right(manifold, ruling.right, fine_);
   is_right = error.has_value();
   if (!is_right) error = nearest_error(manifold, ruling.right, fine_);
   if (!error) return {};
   Admissible in_a_frame = ruling.right;
   in_a_frame.bounds = ruling.in_a_frame;
-  const MeasuredError of_input =
+  const ErrorAgainstClip of_input =
       ruling.frame == RoundingFrame::local
           ? *error
           : error_against(manifold, fine_.of(truth_->pair(), *error->clip), in_a_frame);
   const double worse = std::max(error->error.depth, error->error.position);
   return {.has_errors = true,
           .of_size = figures(error->error, truth_->size()),
-          .of_bound = figures(of_input.share, 1),
+          .of_bound = figures(of_input.of_bound, 1),
           .of_extent = bounded(worse / (roundoff_of(ruling.scalar) * truth_->extent()))};
 }
 
@@ -131,7 +131,8 @@ bool Referee::has_wrong_count(const Ruling& ruling, const Manifold<double>& mani
   right.bounds.position = std::min(right.bounds.position, reach);
   return std::ranges::none_of(right.candidates, [&](const exact::Clip* clip) {
     if (!has_points_of(*clip, manifold, right, reach)) return false;
-    const PlainError error = error_against(manifold, fine_.of(truth_->pair(), *clip), right).error;
+    const ManifoldError error =
+        error_against(manifold, fine_.of(truth_->pair(), *clip), right).error;
     return !is_gross(figures(error, truth_->size()));
   });
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "judging/admissible.hpp"
-#include "judging/plain_error.hpp"
+#include "judging/manifold_error.hpp"
 
 namespace manifuzz {
 
@@ -95,7 +95,7 @@ class Referee {
   double tolerance_of(const Ruling& ruling) const;
 
   std::shared_ptr<const exact::Truth> truth_;
-  FineClips fine_;
+  ClipFiguresCache fine_;
   std::vector<std::unique_ptr<Ruling>> rulings_;
 };
 
