@@ -44,15 +44,14 @@ std::span<const ClipPoint> points_of(const Clip& clip) {
 
 bool nearly_clipped(const Admissible& right, const Clip& clip, const ClipPoint& point) {
   return point.crossing || clip.count < 2 ||
-         compare_margin(right.pair(), clip, point.end, right.bounds.separation) <= 0;
+         compare_margin(clip, point.end, right.bounds.separation) <= 0;
 }
 
 /// Whether a reported point has the true place and depth.
 bool matches(const Admissible& right, const Clip& clip, const ClipPoint& point,
              const ContactPoint<double>& reported) {
-  return is_near_position(right.pair(), clip, point, reported.position,
-                          position_bound(right, clip, point)) &&
-         is_near_depth(right.pair(), clip, point, reported.depth, depth_bound(right, clip, point));
+  return is_near_position(clip, point, reported.position, position_bound(right, clip, point)) &&
+         is_near_depth(clip, point, reported.depth, depth_bound(right, clip, point));
 }
 
 /// Two points within bound of each other may be reported as one.
@@ -71,11 +70,10 @@ bool closer(const Mismatch& m, const Mismatch& n) {
 
 Mismatch point_mismatch(const Admissible& right, const Clip& clip, const ClipPoint& point,
                         const ContactPoint<double>& reported) {
-  const PairCase& pair = right.pair();
-  if (!is_near_position(pair, clip, point, reported.position, position_bound(right, clip, point))) {
+  if (!is_near_position(clip, point, reported.position, position_bound(right, clip, point))) {
     return {Kind::position, distance(reported.position, point.position())};
   }
-  if (!is_near_depth(pair, clip, point, reported.depth, depth_bound(right, clip, point))) {
+  if (!is_near_depth(clip, point, reported.depth, depth_bound(right, clip, point))) {
     return {Kind::depth, std::abs(reported.depth - point.depth())};
   }
   if (reported.features != point.features && features_decided(right, clip, point)) {
@@ -114,13 +112,12 @@ double depth_bound(const Admissible& right, const Clip& clip, const ClipPoint& p
 }
 
 bool may_miss(const Admissible& right, const Clip& clip) {
-  return compare_gap(right.pair(), clip, -right.bounds.separation) >= 0 ||
-         compare_width(right.pair(), clip, right.bounds.separation) <= 0;
+  return compare_gap(clip, -right.bounds.separation) >= 0 ||
+         compare_width(clip, right.bounds.separation) <= 0;
 }
 
 bool is_optional(const Admissible& right, const Clip& clip, const ClipPoint& point) {
-  return compare_depth(right.pair(), clip, point, depth_bound(right, clip, point)) <= 0 ||
-         may_miss(right, clip);
+  return compare_depth(clip, point, depth_bound(right, clip, point)) <= 0 || may_miss(right, clip);
 }
 
 bool may_be_empty(const Admissible& right, const Clip& clip) {
@@ -131,8 +128,7 @@ bool may_be_empty(const Admissible& right, const Clip& clip) {
 bool features_decided(const Admissible& right, const Clip& clip, const ClipPoint& point) {
   if (right.candidates.size() > 1 || clip.count < 2) return false;
   const double bound = position_bound(right, clip, point);
-  return compare_margin(right.pair(), clip, point.end, bound) > 0 &&
-         compare_apart(right.pair(), clip, 2 * bound) > 0;
+  return compare_margin(clip, point.end, bound) > 0 && compare_apart(clip, 2 * bound) > 0;
 }
 
 Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declaration& declaration) {
@@ -166,10 +162,10 @@ Admissible admissible(const PairCase& pair, const Declaration& declaration) {
 Mismatch mismatch(const Manifold<double>& manifold, const Clip& clip, const Admissible& right) {
   if (manifold.count > 0) {
     if (manifold.reference != clip.reference.side ||
-        !is_near_normal(right.pair(), clip, manifold.normal, right.bounds.normal)) {
+        !is_near_normal(clip, manifold.normal, right.bounds.normal)) {
       return {Kind::normal, distance(manifold.normal, clip.normal)};
     }
-    if (compare_gap(right.pair(), clip, right.bounds.separation) > 0) {
+    if (compare_gap(clip, right.bounds.separation) > 0) {
       return {Kind::position, clip.gap()};
     }
   }
@@ -207,7 +203,7 @@ std::vector<Manifold<double>> right_manifolds(const Admissible& right) {
   const Manifold<double> apart;
   if (mismatch(apart, right).kind == Kind::none) manifolds.push_back(apart);
   for (const Clip* clip : right.candidates) {
-    const Manifold<double> touching = true_manifold(right.pair(), *clip, right.bounds.separation);
+    const Manifold<double> touching = true_manifold(*clip, right.bounds.separation);
     if (touching.count > 0) manifolds.push_back(touching);
   }
   return manifolds;

@@ -108,7 +108,7 @@ bool crossing_underflows(const Deviation& d) {
   return misses_overlap(d) && any_candidate(d, [&](const exact::Clip& clip) {
            return std::any_of(clip.points.begin(), clip.points.begin() + clip.count,
                               [&](const exact::ClipPoint& point) {
-                                return compare_margin(d.right.pair(), clip, point.end,
+                                return compare_margin(clip, point.end,
                                                       std::numeric_limits<float>::min()) <= 0;
                               });
          });
@@ -118,7 +118,7 @@ bool edge_extended_to_slab(const Deviation& d) {
   const bool fits = d.kind == Kind::position || d.kind == Kind::depth || d.kind == Kind::count ||
                     d.kind == Kind::phantom_contact;
   return fits && any_clip_of_greatest(d, [&](const exact::Clip& clip) {
-           return compare_gap(d.right.pair(), clip, -d.right.bounds.separation) > 0;
+           return compare_gap(clip, -d.right.bounds.separation) > 0;
          });
 }
 
@@ -141,7 +141,7 @@ bool normal_of_rounded_vertices(const Deviation& d) {
   return any_candidate(d, [&](const exact::Clip& clip) {
     // Two vertices, each rounded by a rotation (2.42 u) and a sum (u), over the face's length.
     const double bound = d.right.bounds.normal + 7 * u * reach / length_of(pair, clip.reference);
-    return is_near_normal(pair, clip, d.got.normal, bound);
+    return is_near_normal(clip, d.got.normal, bound);
   });
 }
 

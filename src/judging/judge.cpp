@@ -68,8 +68,7 @@ bool contact_boundary(const Admissible& right) {
   const Clip& clip = *right.candidates.front();
   return std::any_of(clip.points.begin(), clip.points.begin() + clip.count, [&](const auto& point) {
     const double bound = depth_bound(right, clip, point);
-    return compare_depth(right.pair(), clip, point, bound) <= 0 &&
-           compare_depth(right.pair(), clip, point, -bound) >= 0;
+    return compare_depth(clip, point, bound) <= 0 && compare_depth(clip, point, -bound) >= 0;
   });
 }
 
@@ -77,7 +76,7 @@ bool clip_boundary(const Admissible& right) {
   const Clip& clip = *right.candidates.front();
   return clip.count < 2 || may_miss(right, clip) ||
          std::any_of(clip.points.begin(), clip.points.begin() + clip.count, [&](const auto& point) {
-           return compare_margin(right.pair(), clip, point.end, right.bounds.separation) <= 0;
+           return compare_margin(clip, point.end, right.bounds.separation) <= 0;
          });
 }
 

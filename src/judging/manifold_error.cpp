@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/exact/figures.hpp"
+
 namespace manifuzz {
 namespace {
 
@@ -34,18 +36,16 @@ ManifoldError share_of_size(const ManifoldError& error, double size) {
   return {error.normal, error.position / size, error.depth / size};
 }
 
-ClipFigures::ClipFigures(const PairCase& pair, const exact::Clip& of)
-    : clip(&of), normal(exact::true_normal<Number>(pair, of.reference)) {
-  for (int k = 0; k < of.count; ++k) {
-    points[k] = exact::locate<Number>(pair, of, of.points[k].end);
-  }
+ClipFigures::ClipFigures(const exact::Clip& of)
+    : clip(&of), normal(exact::true_normal<Number>(of)) {
+  for (int k = 0; k < of.count; ++k) points[k] = exact::locate<Number>(of, of.points[k].end);
 }
 
-const ClipFigures& ClipFiguresCache::of(const PairCase& pair, const exact::Clip& clip) {
+const ClipFigures& ClipFiguresCache::of(const exact::Clip& clip) {
   const auto known =
       std::ranges::find(known_, &clip, [](const auto& figures) { return figures->clip; });
   if (known != known_.end()) return **known;
-  return *known_.emplace_back(std::make_unique<const ClipFigures>(pair, clip));
+  return *known_.emplace_back(std::make_unique<const ClipFigures>(clip));
 }
 
 ErrorAgainstClip error_against(const Manifold<double>& manifold, const ClipFigures& truth,
@@ -85,8 +85,7 @@ std::optional<ErrorAgainstClip> nearest_error(const Manifold<double>& manifold,
   std::optional<ErrorAgainstClip> nearest;
   for (const exact::Clip* clip : right.candidates) {
     if (manifold.count == 0 || clip->count == 0) continue;
-    const ErrorAgainstClip measured =
-        error_against(manifold, figures.of(right.pair(), *clip), right);
+    const ErrorAgainstClip measured = error_against(manifold, figures.of(*clip), right);
     if (!nearest || distance(measured) < distance(*nearest)) nearest = measured;
   }
   return nearest;
@@ -103,8 +102,7 @@ std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
   std::optional<ErrorAgainstClip> nearest;
   for (const exact::Clip* clip : right.candidates) {
     if (manifold.count == 0 || mismatch(manifold, *clip, right).kind != Kind::none) continue;
-    const ErrorAgainstClip measured =
-        error_against(manifold, figures.of(right.pair(), *clip), right);
+    const ErrorAgainstClip measured = error_against(manifold, figures.of(*clip), right);
     if (!nearest || largest(measured.of_bound) < largest(nearest->of_bound)) nearest = measured;
   }
   return nearest;

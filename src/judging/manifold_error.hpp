@@ -37,7 +37,7 @@ struct ErrorAgainstClip {
 struct ClipFigures {
   using Number = exact::Approximate<exact::DoubleDouble>;
 
-  ClipFigures(const PairCase& pair, const exact::Clip& of);
+  explicit ClipFigures(const exact::Clip& of);
 
   const exact::Clip* clip;
   exact::Point<exact::Element<Number>> normal;
@@ -47,7 +47,7 @@ struct ClipFigures {
 /// Those of one case's clips, each worked out once.
 class ClipFiguresCache {
  public:
-  const ClipFigures& of(const PairCase& pair, const exact::Clip& clip);
+  const ClipFigures& of(const exact::Clip& clip);
 
  private:
   std::vector<std::unique_ptr<const ClipFigures>> known_;

@@ -50,7 +50,7 @@ Statement statement(const exact::Truth& truth) {
   if (truth.compare_contact(0) > 0) return {.kind = Statement::Kind::apart};
   const exact::FaceOf face = truth.greatest();
   const exact::Clip& clip = truth.clip(face, truth.incident_edges(face, 0).front());
-  const Manifold<double> manifold = true_manifold(truth.pair(), clip);
+  const Manifold<double> manifold = true_manifold(clip);
   if (manifold.count > 0) return stated(manifold);
   return {.kind = Statement::Kind::no_clip, .reference = face.side};
 }

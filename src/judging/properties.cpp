@@ -59,8 +59,8 @@ std::optional<Admissible> decided(const PairCase& pair, const Declaration& decla
   if (!leads || right.may_be_apart || only.count < 2 || may_miss(right, only)) return std::nullopt;
   for (const exact::ClipPoint& point : only.points) {
     const double depth = depth_bound(right, only, point);
-    if (!features_decided(right, only, point) || (compare_depth(pair, only, point, depth) <= 0 &&
-                                                  compare_depth(pair, only, point, -depth) >= 0)) {
+    if (!features_decided(right, only, point) ||
+        (compare_depth(only, point, depth) <= 0 && compare_depth(only, point, -depth) >= 0)) {
       return std::nullopt;
     }
   }

@@ -42,7 +42,7 @@ bool has_points_of(const exact::Clip& clip, const Manifold<double>& manifold,
   if (clip.count == 1) return has(0, 0);
   const double bound = std::max(position_bound(right, clip, clip.points[0]),
                                 position_bound(right, clip, clip.points[1]));
-  if (compare_apart(right.pair(), clip, 2 * bound) <= 0) return has(0, 0) || has(1, 0);
+  if (compare_apart(clip, 2 * bound) <= 0) return has(0, 0) || has(1, 0);
   return (has(0, 0) && has(1, 1)) || (has(0, 1) && has(1, 0));
 }
 
@@ -102,7 +102,7 @@ const Manifold<double>& Referee::truth_for(const Declaration& declaration) {
   const Side side = truth_->compare_lead_of_b(declaration.tie_bias) > 0 ? Side::b : Side::a;
   const exact::FaceOf face = truth_->greatest(side);
   const exact::Clip& clip = truth_->clip(face, truth_->incident_edges(face, 0).front());
-  return ruling.of_truth.emplace(true_manifold(truth_->pair(), clip));
+  return ruling.of_truth.emplace(true_manifold(clip));
 }
 
 Measured Referee::errors_of(const Ruling& ruling, const Manifold<double>& manifold,
@@ -116,7 +116,7 @@ Measured Referee::errors_of(const Ruling& ruling, const Manifold<double>& manifo
   const ErrorAgainstClip of_input =
       ruling.frame == RoundingFrame::local
           ? *error
-          : error_against(manifold, fine_.of(truth_->pair(), *error->clip), in_a_frame);
+          : error_against(manifold, fine_.of(*error->clip), in_a_frame);
   const double worse = std::max(error->error.depth, error->error.position);
   return {.has_errors = true,
           .of_size = figures(error->error, truth_->size()),
@@ -131,8 +131,7 @@ bool Referee::has_wrong_count(const Ruling& ruling, const Manifold<double>& mani
   right.bounds.position = std::min(right.bounds.position, reach);
   return std::ranges::none_of(right.candidates, [&](const exact::Clip* clip) {
     if (!has_points_of(*clip, manifold, right, reach)) return false;
-    const ManifoldError error =
-        error_against(manifold, fine_.of(truth_->pair(), *clip), right).error;
+    const ManifoldError error = error_against(manifold, fine_.of(*clip), right).error;
     return !is_gross(figures(error, truth_->size()));
   });
 }

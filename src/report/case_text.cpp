@@ -121,7 +121,7 @@ void write_candidate(Text& text, const PairCase& pair, const KeptAnswer& subject
                                     edge(pair[reference.side], reference.index)));
   text.row("incident", fmt::format("{}, world {}", face_name(incident, shown->incident),
                                    edge(pair[incident], shown->incident)));
-  const Manifold<double> manifold = true_manifold(pair, *shown);
+  const Manifold<double> manifold = true_manifold(*shown);
   text.row("normal", fmt::format("world {}, local {}", digits(world_normal(pair, manifold.normal)),
                                  digits(manifold.normal)));
   text.row("cos of the angle", digits(shown->cosine));

@@ -12,7 +12,7 @@ const exact::Clip* candidate_to_show(const Admissible& right, const KeptAnswer& 
   });
   if (own != nullptr) return own;
   const exact::Clip* const met =
-      find([&](const exact::Clip* clip) { return compare_gap(right.pair(), *clip, 0) <= 0; });
+      find([&](const exact::Clip* clip) { return compare_gap(*clip, 0) <= 0; });
   if (met != nullptr || right.candidates.empty()) return met;
   return right.candidates.front();
 }

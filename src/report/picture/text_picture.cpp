@@ -76,7 +76,7 @@ Sight sight_of(const PairCase& pair, std::span<const KeptAnswer> parties) {
   sight.depth = std::abs(leading(truth.fine_separation(truth.greatest())) - total_radius(pair));
   const Admissible right = admissible(pair, parties[0].declaration);
   if (const exact::Clip* const clip = candidate_to_show(right, parties[0])) {
-    const Manifold<double> manifold = true_manifold(pair, *clip);
+    const Manifold<double> manifold = true_manifold(*clip);
     add_points(sight, pair, manifold, manifold.count, kRight);
   }
   for (std::size_t i = 0; i < parties.size() && i < kPartyMarks.size(); ++i) {

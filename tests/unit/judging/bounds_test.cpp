@@ -8,6 +8,7 @@
 #include "judging/judge.hpp"
 #include "judging/manifold_error.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "oracle/exact/figures.hpp"
 #include "own_colliders/clip.hpp"
 
 // How close right colliders come to their bounds: never past them, and not a thousand times short.
@@ -41,7 +42,7 @@ double short_of_its_side(const Admissible& right, exact::FaceOf reference) {
 
 double above_the_least_dot(const Admissible& right, const exact::Clip& clip) {
   const Side opposing = other(clip.reference.side);
-  const auto normal = exact::true_normal<Fine>(right.pair(), clip.reference);
+  const auto normal = exact::true_normal<Fine>(clip);
   const auto against = [&](int edge) {  // both normals point from A to B: minus the dot
     return exact::dot(normal, exact::true_normal<Fine>(right.pair(), {opposing, edge})).value;
   };
