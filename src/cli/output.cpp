@@ -19,25 +19,6 @@ namespace {
 
 bool quiet = false;
 
-/// Where a file is or would be, links followed, even those to nothing; stdout is a place of its
-/// own.
-std::filesystem::path place_of(const std::filesystem::path& file) {
-  constexpr int links_max = 40;
-  if (file == "-") return file;
-  std::error_code unknown;
-  std::filesystem::path place = std::filesystem::absolute(file, unknown);
-  for (int i = 0; i < links_max && std::filesystem::is_symlink(place, unknown); ++i) {
-    place = place.parent_path() / std::filesystem::read_symlink(place, unknown);
-  }
-  return std::filesystem::weakly_canonical(place, unknown);
-}
-
-/// Whether the path is in the folder or below, or the folder itself.
-bool is_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
-  const std::filesystem::path way = place_of(path).lexically_relative(place_of(folder));
-  return !way.empty() && *way.begin() != "..";
-}
-
 }  // namespace
 
 void write_error(std::string_view text) {
@@ -109,7 +90,7 @@ bool takes_stdout(std::initializer_list<DataFile> files) {
     if (data->file.empty()) continue;
     is_taken = is_taken || data->file == "-";
     const auto taker = std::ranges::find_if(files.begin(), data, [&](const DataFile& other) {
-      return !other.file.empty() && place_of(other.file) == place_of(data->file);
+      return !other.file.empty() && resolved(other.file) == resolved(data->file);
     });
     if (taker == data) continue;
     throw BadOutput(fmt::format("{}: {} writes to {} already; name another file", data->option,
