@@ -42,9 +42,9 @@ std::span<const ClipPoint> points_of(const Clip& clip) {
   return {clip.points.data(), static_cast<std::size_t>(clip.count)};
 }
 
-bool nearly_clipped(const Admissible& right, const Clip& clip, const ClipPoint& point) {
+bool nearly_clipped(const Bounds& bounds, const Clip& clip, const ClipPoint& point) {
   return point.crossing || clip.count < 2 ||
-         compare_margin(clip, point.end, right.bounds.separation) <= 0;
+         compare_margin(clip, point.end, bounds.separation) <= 0;
 }
 
 /// Whether a reported point has the true place and depth.
@@ -99,15 +99,14 @@ double Admissible::from_contact() const {
   return std::abs(truth->separation() - total_radius(pair()));
 }
 
-double position_bound(const Admissible& right, const Clip& clip, const ClipPoint& point) {
-  const Bounds& bounds = right.bounds;
-  if (!nearly_clipped(right, clip, point)) return bounds.position;
+double position_bound(const Bounds& bounds, const Clip& clip, const ClipPoint& point) {
+  if (!nearly_clipped(bounds, clip, point)) return bounds.position;
   return bounds.position + std::min(bounds.separation / clip.cosine, clip.edge_length);
 }
 
-double depth_bound(const Admissible& right, const Clip& clip, const ClipPoint& point) {
-  const double depth = right.bounds.separation;
-  if (!nearly_clipped(right, clip, point)) return depth;
+double depth_bound(const Bounds& bounds, const Clip& clip, const ClipPoint& point) {
+  const double depth = bounds.separation;
+  if (!nearly_clipped(bounds, clip, point)) return depth;
   return depth + std::min(depth * clip.tangent, clip.edge_length);
 }
 
@@ -132,8 +131,14 @@ bool features_decided(const Admissible& right, const Clip& clip, const ClipPoint
 }
 
 Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declaration& declaration) {
+  const Bounds own = bounds(truth->pair(), declaration, truth->extent());
+  return admissible(std::move(truth), declaration.tie_bias, own);
+}
+
+Admissible admissible(std::shared_ptr<const exact::Truth> truth, double tie_bias,
+                      const Bounds& bounds) {
   Admissible result;
-  result.bounds = bounds(truth->pair(), declaration, truth->extent());
+  result.bounds = bounds;
   const double bound = result.bounds.separation;
   if (!std::isfinite(bound)) {
     result.truth = std::move(truth);
@@ -146,7 +151,7 @@ Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declarati
   const bool may_overlap = truth->compare_separation(bound) < 0;
   result.truth = std::move(truth);
   if (!result.may_touch) return result;
-  add_references(declaration.tie_bias, result);
+  add_references(tie_bias, result);
   if (may_overlap && std::ranges::any_of(result.candidates, [&](const Clip* clip) {
         return may_be_empty(result, *clip);
       })) {

@@ -49,19 +49,19 @@ const ClipFigures& ClipFiguresCache::of(const exact::Clip& clip) {
 }
 
 ErrorAgainstClip error_against(const Manifold<double>& manifold, const ClipFigures& truth,
-                               const Admissible& right) {
+                               const Bounds& bounds) {
   const exact::Clip& clip = *truth.clip;
   ManifoldError error{.normal = length(Fine(manifold.normal.x()) - truth.normal.x,
                                        Fine(manifold.normal.y()) - truth.normal.y)};
-  ManifoldError of_bound{.normal = error.normal / right.bounds.normal};
+  ManifoldError of_bound{.normal = error.normal / bounds.normal};
   for (int i = 0; i < manifold.count; ++i) {
     std::array<ManifoldError, 2> errors;
     for (int k = 0; k < clip.count; ++k) errors[k] = error_of(manifold.points[i], truth.points[k]);
     const int k = clip.count > 1 && errors[1].position < errors[0].position ? 1 : 0;
     const exact::ClipPoint& point = clip.points[k];
     widen(error, errors[k]);
-    widen(of_bound, {.position = errors[k].position / position_bound(right, clip, point),
-                     .depth = errors[k].depth / depth_bound(right, clip, point)});
+    widen(of_bound, {.position = errors[k].position / position_bound(bounds, clip, point),
+                     .depth = errors[k].depth / depth_bound(bounds, clip, point)});
   }
   return {error, of_bound, &clip};
 }
@@ -85,7 +85,7 @@ std::optional<ErrorAgainstClip> nearest_error(const Manifold<double>& manifold,
   std::optional<ErrorAgainstClip> nearest;
   for (const exact::Clip* clip : right.candidates) {
     if (manifold.count == 0 || clip->count == 0) continue;
-    const ErrorAgainstClip measured = error_against(manifold, figures.of(*clip), right);
+    const ErrorAgainstClip measured = error_against(manifold, figures.of(*clip), right.bounds);
     if (!nearest || distance(measured) < distance(*nearest)) nearest = measured;
   }
   return nearest;
@@ -102,7 +102,7 @@ std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
   std::optional<ErrorAgainstClip> nearest;
   for (const exact::Clip* clip : right.candidates) {
     if (manifold.count == 0 || mismatch(manifold, *clip, right).kind != Kind::none) continue;
-    const ErrorAgainstClip measured = error_against(manifold, figures.of(*clip), right);
+    const ErrorAgainstClip measured = error_against(manifold, figures.of(*clip), right.bounds);
     if (!nearest || largest(measured.of_bound) < largest(nearest->of_bound)) nearest = measured;
   }
   return nearest;

@@ -55,7 +55,7 @@ class ClipFiguresCache {
 
 /// Of a manifold with points against one clip that has some.
 ErrorAgainstClip error_against(const Manifold<double>& manifold, const ClipFigures& truth,
-                               const Admissible& right);
+                               const Bounds& bounds);
 
 /// Of a manifold with points that is one of the right ones, against the one of whose bounds it
 /// takes the least share.

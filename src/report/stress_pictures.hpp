@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "measure/stress/stress.hpp"
-#include "report/plot/line_plot.hpp"
+#include "report/plot/gnuplot.hpp"
 
 namespace manifuzz {
 

@@ -72,8 +72,8 @@ class AnswerFile {
 };
 
 /// The largest bound of the points of the first right manifold; `least` where there are none.
-template <class Bound>
-double widest(const Admissible& right, double least, const Bound& bound) {
+double widest(const Admissible& right, double least,
+              double (*bound)(const Admissible&, const exact::Clip&, const exact::ClipPoint&)) {
   if (right.candidates.empty()) return least;
   const exact::Clip& first = *right.candidates.front();
   double most = least;

@@ -40,15 +40,15 @@ class Ledgers {
   Ledgers(std::size_t units, std::size_t subjects)
       : contestants_(subjects), memory_(units * bytes_of_one()) {}
 
-  StepTally* tallies(std::size_t unit) const {
-    return static_cast<StepTally*>(at(unit, sizeof(std::uint64_t)));
+  StepStatistics* tallies(std::size_t unit) const {
+    return static_cast<StepStatistics*>(at(unit, sizeof(std::uint64_t)));
   }
   void close(std::size_t unit) const { *static_cast<std::uint64_t*>(at(unit, 0)) = 1; }
   bool is_closed(std::size_t unit) const { return *static_cast<std::uint64_t*>(at(unit, 0)) == 1; }
 
  private:
   std::size_t bytes_of_one() const {
-    return sizeof(std::uint64_t) + contestants_ * sizeof(StepTally);
+    return sizeof(std::uint64_t) + contestants_ * sizeof(StepStatistics);
   }
   void* at(std::size_t unit, std::size_t offset) const {
     return static_cast<char*>(memory_.data()) + unit * bytes_of_one() + offset;
@@ -122,7 +122,7 @@ void collect(const Work& work, StressResult& result) {
   for (std::size_t i = 0; i < work.units.size(); ++i) {
     if (!work.ledgers.is_closed(i)) continue;
     result.units.push_back(work.units[i]);
-    const StepTally* const tallies = work.ledgers.tallies(i);
+    const StepStatistics* const tallies = work.ledgers.tallies(i);
     result.tallies.emplace_back(tallies, tallies + work.plan.subjects.size());
   }
 }
@@ -156,8 +156,8 @@ PairCase case_of(const StressPlan& plan, const Unit& unit, std::uint64_t index) 
   return draw_case(plan.seed, *unit.sweep, unit.sweep->values[unit.step], index);
 }
 
-std::vector<StepTally> StressResult::steps(const Sweep& sweep, std::size_t subject) const {
-  std::vector<StepTally> steps;
+std::vector<StepStatistics> StressResult::steps(const Sweep& sweep, std::size_t subject) const {
+  std::vector<StepStatistics> steps;
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (units[i].sweep == &sweep && units[i].step == steps.size()) {
       steps.push_back(tallies[i][subject]);
@@ -166,7 +166,7 @@ std::vector<StepTally> StressResult::steps(const Sweep& sweep, std::size_t subje
   return steps;
 }
 
-const StepTally* StressResult::walk(const Walk& walk, std::size_t subject) const {
+const StepStatistics* StressResult::walk(const Walk& walk, std::size_t subject) const {
   const auto found = std::ranges::find(units, &walk, &Unit::walk);
   return found == units.end() ? nullptr : &tallies[found - units.begin()][subject];
 }

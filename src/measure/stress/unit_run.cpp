@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "measure/stress/flush_to_zero.hpp"
-#include "measure/stress/walk_watch.hpp"
+#include "measure/stress/walk_changes.hpp"
 
 namespace manifuzz {
 namespace {
@@ -36,8 +36,8 @@ struct Seat {
   std::size_t number = 0;
   std::vector<Answer> answers{};  ///< to a block, of one in a process of its own
   bool has_given_up = false;      ///< in its own process it does nothing but die
-  StepCollector collector;
-  WalkWatch watch{};
+  ErrorCollector collector;
+  WalkChangeCounter changes{};
 };
 
 /// Asks one in a process of its own for a whole block; what it does not answer is lost.
@@ -79,9 +79,9 @@ void measure_case(const StressPlan& plan, const Unit& unit, std::vector<Seat>& s
   for (Seat& seat : seats) {
     const Declaration& declaration = seat.subject->collider.declaration;
     const Answer answer =
-        referee.heard(declaration, answer_of(plan, seat, in_block, index, referee, desk));
+        referee.completed(declaration, answer_of(plan, seat, in_block, index, referee, desk));
     seat.collector.add(index, referee.measure(declaration, answer));
-    if (unit.walk != nullptr) seat.watch.see(index, referee, declaration, answer);
+    if (unit.walk != nullptr) seat.changes.add(index, referee, declaration, answer);
   }
   ++desk.pulse;
 }
@@ -104,14 +104,14 @@ bool LostCases::has(std::uint64_t index) const {
 
 bool run_unit(const StressPlan& plan, const Unit& unit, UnitDesk& desk,
               const std::function<bool()>& go_on,
-              const std::function<void(std::uint64_t)>& on_cases, StepTally* tallies) {
+              const std::function<void(std::uint64_t)>& on_cases, StepStatistics* tallies) {
   const auto errors =
-      unit.walk != nullptr ? StepCollector::Errors::counted : StepCollector::Errors::kept;
+      unit.walk != nullptr ? ErrorCollector::Errors::counted : ErrorCollector::Errors::kept;
   std::vector<Seat> seats;
   for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
     if (unit.walk == nullptr && plan.subjects[i].walks_only) continue;
     seats.push_back(
-        {.subject = &plan.subjects[i], .number = i, .collector = StepCollector(errors)});
+        {.subject = &plan.subjects[i], .number = i, .collector = ErrorCollector(errors)});
   }
   CaseSource source(plan, unit);
   const std::uint64_t total = cases_of(plan, unit);
@@ -127,9 +127,7 @@ bool run_unit(const StressPlan& plan, const Unit& unit, UnitDesk& desk,
     on_cases(pairs.size());
   }
   for (const Seat& seat : seats) {
-    StepTally& tally = tallies[seat.number];
-    tally = seat.collector.tally();
-    tally.walk = seat.watch.tally();
+    tallies[seat.number] = {seat.collector.statistics(), seat.changes.changes()};
   }
   return true;
 }

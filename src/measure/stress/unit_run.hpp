@@ -40,6 +40,6 @@ struct UnitDesk {
 /// where `go_on` said no before its end.
 bool run_unit(const StressPlan& plan, const Unit& unit, UnitDesk& desk,
               const std::function<bool()>& go_on,
-              const std::function<void(std::uint64_t)>& on_cases, StepTally* tallies);
+              const std::function<void(std::uint64_t)>& on_cases, StepStatistics* tallies);
 
 }  // namespace manifuzz

@@ -93,7 +93,7 @@ TEST_CASE("stress writes a table, JSON, CSV and pictures of what it measured") {
   }
 }
 
-TEST_CASE("stress comes to the same whatever the jobs") {
+TEST_CASE("stress finds the same whatever the jobs") {
   const auto figures = [](const char* jobs) {
     Json report = Json::parse(run_small({"--jobs", jobs, "--json", "-"}).out);
     report.erase("seconds");

@@ -1,4 +1,4 @@
-#include "measure/stress/walk_watch.hpp"
+#include "measure/stress/walk_changes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ void count(Changes& changes, std::uint64_t frame, bool with_margin) {
   ++changes.with_margin;
 }
 
-/// The longest way of a point between two manifolds of as many points.
-double way(const Manifold<double>& from, const Manifold<double>& to) {
+/// The longest distance of a point between two manifolds of as many points.
+double longest_move(const Manifold<double>& from, const Manifold<double>& to) {
   double longest = 0;
   for (int i = 0; i < from.count; ++i) {
     const Vector2<double> apart = to.points[i].position - from.points[i].position;
@@ -35,9 +35,10 @@ bool has_same_features(const Manifold<double>& m, const Manifold<double>& n) {
 
 }  // namespace
 
-WalkWatch::Seen WalkWatch::seen(const Manifold<double>& manifold, const Manifold<double>& truth,
-                                const Admissible& right) {
-  Seen now{.manifold = manifold, .truth = truth};
+WalkChangeCounter::Frame WalkChangeCounter::frame_of(const Manifold<double>& manifold,
+                                                     const Manifold<double>& truth,
+                                                     const Admissible& right) {
+  Frame now{.manifold = manifold, .truth = truth};
   const auto& candidates = right.candidates;
   if (candidates.empty()) return now;
   const exact::Clip& first = *candidates.front();
@@ -62,34 +63,34 @@ WalkWatch::Seen WalkWatch::seen(const Manifold<double>& manifold, const Manifold
   return now;
 }
 
-void WalkWatch::compare(std::uint64_t frame, const Seen& now) {
+void WalkChangeCounter::compare(std::uint64_t frame, const Frame& now) {
   const bool is_decided =
       now.only && before_->only == now.only && before_->incident == now.incident;
   if (before_->truth.reference == now.truth.reference &&
       before_->manifold.reference != now.manifold.reference) {
-    count(tally_.flickers, frame, now.reference && before_->reference == now.reference);
+    count(changes_.flickers, frame, now.reference && before_->reference == now.reference);
   }
   if (!has_same_features(before_->truth, now.truth)) return;
   if (!has_same_features(before_->manifold, now.manifold)) {
-    count(tally_.features, frame, is_decided);
+    count(changes_.features, frame, is_decided);
   }
   if (before_->manifold.count == now.manifold.count &&
-      way(before_->manifold, now.manifold) >
-          way(before_->truth, now.truth) + before_->bound + now.bound) {
-    count(tally_.jumps, frame, is_decided);
+      longest_move(before_->manifold, now.manifold) >
+          longest_move(before_->truth, now.truth) + before_->bound + now.bound) {
+    count(changes_.jumps, frame, is_decided);
   }
 }
 
-void WalkWatch::see(std::uint64_t frame, Referee& referee, const Declaration& declaration,
-                    const Answer& answer) {
+void WalkChangeCounter::add(std::uint64_t frame, Referee& referee, const Declaration& declaration,
+                            const Answer& answer) {
   const Manifold<double>& truth = referee.truth_for(declaration);
-  if (truth.count > 0) ++tally_.touching;
+  if (truth.count > 0) ++changes_.touching;
   const auto* const manifold = std::get_if<Manifold<double>>(&answer);
   if (manifold == nullptr || manifold->count == 0 || truth.count == 0) {
     before_.reset();
     return;
   }
-  const Seen now = seen(*manifold, truth, referee.right_for(declaration));
+  const Frame now = frame_of(*manifold, truth, referee.right_for(declaration));
   if (before_) compare(frame, now);
   before_ = now;
 }

@@ -13,10 +13,11 @@ namespace manifuzz {
 ///   the folder of its verdict;
 /// - of `clip` otherwise, against Box2D or, where that leaves nothing to decide, clip64: the case
 ///   of its largest error, as a case on which it must stay right.
-/// Returns how many were written. `on_file` is told of each before it is shrunk. Throws UserError
-/// where one cannot be written, and Interrupted.
-std::size_t save_worst(const StressPlan& plan, const StressResult& result,
-                       const std::filesystem::path& corpus, Interruption& interruption,
-                       const std::function<void(const std::string&)>& on_file);
+/// `on_file` is told of each before it is shrunk, `on_kept` of each file of a run before that shows
+/// a worse case. Throws UserError where one cannot be written, and Interrupted.
+void save_worst(const StressPlan& plan, const StressResult& result,
+                const std::filesystem::path& corpus, Interruption& interruption,
+                const std::function<void(const std::string& name)>& on_file,
+                const std::function<void(const std::filesystem::path& file)>& on_kept);
 
 }  // namespace manifuzz

@@ -1,31 +1,28 @@
-#include "cli/stress_save.hpp"
+#include "measure/stress/save_worst.hpp"
 
 #include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "base/text.hpp"
 #include "campaign/findings.hpp"
 #include "campaign/in_child.hpp"
-#include "cli/colliders.hpp"
-#include "cli/output.hpp"
+#include "oracle/box2d/box2d.hpp"
+#include "own_colliders/clip.hpp"
 
 namespace manifuzz {
 namespace {
 
-constexpr std::string_view kSteady = "clip";
-constexpr std::string_view kOracle = "box2d";
-/// Where Box2D's world frame leaves nothing to decide, far from the origin.
-constexpr std::string_view kFineOracle = "clip64";
+/// The collider whose worst cases are kept even where it is right.
+constexpr std::string_view kKeptAnyhow = "clip";
 
 /// A case worth keeping: where it was met.
 struct Witness {
   Unit unit;
   std::uint64_t index = 0;
-  float badness = -1;
+  double badness = -1;
 
-  void take(const Unit& of, std::uint64_t at, float how_bad) {
+  void take(const Unit& of, std::uint64_t at, double how_bad) {
     if (how_bad > badness) *this = {of, at, how_bad};
   }
 };
@@ -42,10 +39,10 @@ Worst worst_of(const StressResult& result, const Unit& family, std::size_t subje
   for (std::size_t i = 0; i < result.units.size(); ++i) {
     const Unit& unit = result.units[i];
     if (unit.sweep != family.sweep || unit.walk != family.walk) continue;
-    const StepTally& tally = result.tallies[i][subject];
+    const StepStatistics& tally = result.tallies[i][subject];
     if (tally.wrong() > 0) wrong.take(unit, tally.worst_wrong, tally.wrongness);
     if (unit.walk != nullptr || tally.contacts == 0) continue;  // a walk keeps no errors
-    if (tally.ill_posed > 0) continue;  // a case on which nobody is wrong holds nothing
+    if (tally.ill_posed > 0) continue;  // a case on which nobody can be wrong shows nothing
     for (const Spread& spread : {tally.of_size.depth, tally.of_size.position}) {
       error.take(unit, spread.worst, spread.max);
     }
@@ -71,11 +68,11 @@ std::string where(const Witness& witness, std::uint64_t seed) {
 }
 
 /// Whether the collider is wrong, and by how much: the order in which witnesses are worse.
-std::pair<bool, float> badness_of(const Collider& collider, const PairCase& pair,
-                                  Interruption& interruption) {
+std::pair<bool, double> badness_of(const Collider& collider, const PairCase& pair,
+                                   Interruption& interruption) {
   const Declaration& declaration = collider.declaration;
   Referee referee(pair);
-  const Answer answer = referee.heard(declaration, ask_in_child(collider, pair, interruption));
+  const Answer answer = referee.completed(declaration, ask_in_child(collider, pair, interruption));
   const Measured measured = referee.measure(declaration, answer);
   const bool wrong = is_wrong(measured.assessment);
   return {wrong,
@@ -87,72 +84,63 @@ bool has_worse(const std::filesystem::path& file, const Collider& collider, cons
                Interruption& interruption) {
   if (!std::filesystem::exists(file)) return false;
   const PairCase saved = read_case_file(file.string()).pair;
-  if (badness_of(collider, saved, interruption) <= badness_of(collider, pair, interruption)) {
-    return false;
-  }
-  write_error(
-      fmt::format("kept: {} is worse than what this run met\n", printable(file.string(), 200)));
-  return true;
+  return badness_of(collider, saved, interruption) > badness_of(collider, pair, interruption);
 }
 
-/// A collider of this repository is put to the test, any other is held against one.
-std::pair<Collider, Collider> parties_of(const Collider& collider) {
-  const ColliderEntry* const entry = find_entry(collider.declaration.name);
-  if (entry != nullptr && entry->is_ours) return {collider, find_collider(kOracle)};
-  return {find_collider(kSteady), collider};
-}
-
-/// Whether it was written: it is a fault by the judge too, or clip's, and no milder than before.
-bool save_witness(const StressPlan& plan, const StressSubject& subject, const Witness& witness,
-                  const std::filesystem::path& corpus, const std::string& name,
-                  Interruption& interruption) {
-  const Collider& collider = subject.collider;
-  const bool is_steady = subject.name == kSteady;
-  auto [subject, oracle] = parties_of(collider);
+/// Writes it where it is a fault by the judge too, or clip's. Returns the file of a run before that
+/// shows a worse one, and is kept. A collider of this repository is the subject, against Box2D; any
+/// other is the oracle of clip.
+std::optional<std::filesystem::path> save_witness(const StressPlan& plan, const StressSubject& of,
+                                                  const Witness& witness,
+                                                  const std::filesystem::path& corpus,
+                                                  const std::string& name,
+                                                  Interruption& interruption) {
+  const bool is_kept_anyhow = of.name == kKeptAnyhow;
+  const Collider subject = of.is_ours ? of.collider : make_clip();
+  Collider oracle = of.is_ours ? make_box2d() : of.collider;
   PairCase pair = case_of(plan, witness.unit, witness.index);
   Judgement judgement = judge_in_child(pair, subject, oracle, interruption);
-  if (is_steady && judgement.bucket.verdict == Verdict::ill_posed) {
-    oracle = find_collider(kFineOracle);
+  if (is_kept_anyhow && judgement.bucket.verdict == Verdict::ill_posed) {
+    oracle = make_clip64();  // far from the origin Box2D's world frame leaves nothing to decide
     judgement = judge_in_child(pair, subject, oracle, interruption);
   }
   const bool is_fault = judgement.bucket.fault != Fault::none;
-  if (!is_fault && !is_steady) return false;
+  if (!is_fault && !is_kept_anyhow) return std::nullopt;
   if (is_fault) {
     pair = shrink_finding(pair, subject, oracle, interruption).pair;
     judgement = judge_in_child(pair, subject, oracle, interruption);
   }
   const auto file = corpus / corpus_folder(judgement.bucket, oracle.declaration.name) / name;
-  if (has_worse(file, collider, pair, interruption)) return false;
+  if (has_worse(file, of.collider, pair, interruption)) return file;
   CorpusCase saved = recorded_case(pair, judgement, subject, oracle, interruption);
   saved.note += fmt::format(" {} of {}.", is_fault ? "Shrunk from the worst" : "The worst",
                             where(witness, plan.seed));
   write_file(file, format_case(saved));
-  return true;
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::size_t save_worst(const StressPlan& plan, const StressResult& result,
-                       const std::filesystem::path& corpus, Interruption& interruption,
-                       const std::function<void(const std::string&)>& on_file) {
+void save_worst(const StressPlan& plan, const StressResult& result,
+                const std::filesystem::path& corpus, Interruption& interruption,
+                const std::function<void(const std::string& name)>& on_file,
+                const std::function<void(const std::filesystem::path& file)>& on_kept) {
   std::vector<Unit> families;
   for (const Sweep* const sweep : plan.sweeps) families.push_back({.sweep = sweep});
   for (const Walk* const walk : plan.walks) families.push_back({.walk = walk});
-  std::size_t written = 0;
   for (const Unit& family : families) {
     for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
       const StressSubject& subject = plan.subjects[i];
       if (subject.name == kIdealName || subject.walks_only) continue;
       const Worst worst = worst_of(result, family, i);
-      const bool is_steady = subject.name == kSteady;
-      if (!worst.wrong && !(is_steady && worst.error)) continue;
+      if (!worst.wrong && !(subject.name == kKeptAnyhow && worst.error)) continue;
       const Witness& witness = worst.wrong ? *worst.wrong : *worst.error;
       const std::string name = fmt::format("stress-{}-{}.json", name_of(family), subject.name);
       on_file(name);
-      if (save_witness(plan, subject, witness, corpus, name, interruption)) ++written;
+      const auto kept = save_witness(plan, subject, witness, corpus, name, interruption);
+      if (kept) on_kept(*kept);
     }
   }
-  return written;
 }
 
 }  // namespace manifuzz

@@ -1,14 +1,16 @@
-#include "measure/stress/step_tally.hpp"
+#include "measure/error_statistics.hpp"
 
 #include <catch2/catch.hpp>
+
+#include "measure/stress/step_statistics.hpp"
 
 namespace manifuzz {
 namespace {
 
-Measured contact(float error) {
+Measured contact(double error) {
   return {.has_errors = true,
-          .of_size = {.depth = error, .position = 2 * error, .normal = 0},
-          .of_bound = {.depth = 1, .position = 1, .normal = 1},
+          .of_size = {.normal = 0, .position = 2 * error, .depth = error},
+          .of_bound = {.normal = 1, .position = 1, .depth = 1},
           .of_extent = 3};
 }
 
@@ -20,33 +22,33 @@ Measured of(Assessment assessment, float wrongness = 0) {
 }
 
 /// So many contacts with an error of depth, and so many wrong ones.
-StepTally step(int contacts, float error, int wrong) {
-  StepCollector collector;
+StepStatistics step(int contacts, double error, int wrong) {
+  ErrorCollector collector;
   for (int i = 0; i < contacts; ++i) collector.add(i, contact(error));
   for (int i = 0; i < wrong; ++i) collector.add(contacts + i, of(Assessment::missed));
-  return collector.tally();
+  return {collector.statistics(), {}};
 }
 
 }  // namespace
 
 TEST_CASE("a spread is made of the values themselves") {
-  StepCollector collector;
+  ErrorCollector collector;
   for (std::uint64_t i = 0; i < 2000; ++i) {
-    collector.add(i, contact(static_cast<float>((i * 7) % 2000)));
+    collector.add(i, contact(static_cast<double>((i * 7) % 2000)));
   }
-  const StepTally tally = collector.tally();
-  CHECK(tally.cases == 2000);
-  CHECK(tally.contacts == 2000);
-  CHECK(tally.of_size.depth.median == 999);
-  CHECK(tally.of_size.depth.p999 == 1997);
-  CHECK(tally.of_size.depth.max == 1999);
-  CHECK((tally.of_size.depth.worst * 7) % 2000 == 1999);
-  CHECK(tally.of_size.position.max == 2 * 1999);
-  CHECK(tally.of_extent.median == 3);
+  const ErrorStatistics statistics = collector.statistics();
+  CHECK(statistics.cases == 2000);
+  CHECK(statistics.contacts == 2000);
+  CHECK(statistics.of_size.depth.median == 999);
+  CHECK(statistics.of_size.depth.p999 == 1997);
+  CHECK(statistics.of_size.depth.max == 1999);
+  CHECK((statistics.of_size.depth.worst * 7) % 2000 == 1999);
+  CHECK(statistics.of_size.position.max == 2 * 1999);
+  CHECK(statistics.of_extent.median == 3);
 }
 
 TEST_CASE("every assessment is counted, and the worst wrong case kept") {
-  StepCollector collector;
+  ErrorCollector collector;
   collector.add(0, of(Assessment::unsupported));
   collector.add(1, of(Assessment::ill_posed));
   collector.add(2, of(Assessment::right));
@@ -54,18 +56,18 @@ TEST_CASE("every assessment is counted, and the worst wrong case kept") {
   collector.add(4, of(Assessment::phantom, 0.5F));
   collector.add(5, of(Assessment::wrong_count, 0.25F));
   collector.add(6, of(Assessment::gross, 0.5F));
-  const StepTally tally = collector.tally();
-  CHECK(tally.well_posed() == 5);
-  CHECK(tally.wrong() == 4);
-  CHECK(tally.missed == 1);
-  CHECK(tally.phantom == 1);
-  CHECK(tally.wrong_count == 1);
-  CHECK(tally.gross == 1);
-  CHECK(tally.worst_wrong == 4);
-  CHECK(tally.wrongness == 0.5F);
+  const ErrorStatistics statistics = collector.statistics();
+  CHECK(statistics.well_posed() == 5);
+  CHECK(statistics.wrong() == 4);
+  CHECK(statistics.missed == 1);
+  CHECK(statistics.phantom == 1);
+  CHECK(statistics.wrong_count == 1);
+  CHECK(statistics.gross == 1);
+  CHECK(statistics.worst_wrong == 4);
+  CHECK(statistics.wrongness == 0.5F);
   collector.add(7, of(Assessment::lost, 1));
-  CHECK(collector.tally().lost == 1);
-  CHECK(collector.tally().worst_wrong == 7);
+  CHECK(collector.statistics().lost == 1);
+  CHECK(collector.statistics().worst_wrong == 7);
 }
 
 TEST_CASE("a step breaks where one case in ten thousand is wrong") {
@@ -77,40 +79,40 @@ TEST_CASE("a step breaks where one case in ten thousand is wrong") {
 }
 
 TEST_CASE("a step breaks where the 99.9th percentile of an error exceeds 1%") {
-  CHECK_FALSE(is_broken(step(100, 0.005F, 0)));  // the position's is twice that
-  CHECK(is_broken(step(100, 0.0051F, 0)));
-  StepCollector rare;
-  for (std::uint64_t i = 0; i < 10'000; ++i) rare.add(i, contact(i < 10 ? 1.0F : 0.0F));
-  CHECK_FALSE(is_broken(rare.tally()));
+  CHECK_FALSE(is_broken(step(100, 0.005, 0)));  // the position's is twice that
+  CHECK(is_broken(step(100, 0.0051, 0)));
+  ErrorCollector rare;
+  for (std::uint64_t i = 0; i < 10'000; ++i) rare.add(i, contact(i < 10 ? 1.0 : 0.0));
+  CHECK_FALSE(is_broken(rare.statistics()));
   rare.add(10'000, contact(1));
-  CHECK(is_broken(rare.tally()));
-  StepTally normal = step(100, 0, 0);
-  normal.of_size.normal.p999 = 0.02F;
+  CHECK(is_broken(rare.statistics()));
+  StepStatistics normal = step(100, 0, 0);
+  normal.of_size.normal.p999 = 0.02;
   CHECK(is_broken(normal));
 }
 
 TEST_CASE("ill-posed and unsupported cases do not count") {
-  StepCollector collector;
+  ErrorCollector collector;
   for (std::uint64_t i = 0; i < 5000; ++i) collector.add(i, of(Assessment::ill_posed));
   for (std::uint64_t i = 0; i < 5000; ++i) collector.add(i, of(Assessment::unsupported));
-  CHECK_FALSE(is_broken(collector.tally()));
+  CHECK_FALSE(is_broken(collector.statistics()));
   collector.add(10'000, of(Assessment::gross));
-  CHECK(is_broken(collector.tally()));
+  CHECK(is_broken(collector.statistics()));
 }
 
 TEST_CASE("the breaking point is the first broken step") {
-  const StepTally good = step(100, 0, 0);
-  const StepTally bad = step(100, 0, 1);
+  const StepStatistics good = step(100, 0, 0);
+  const StepStatistics bad = step(100, 0, 1);
   CHECK_FALSE(breaking_step(std::vector{good, good}));
   CHECK(breaking_step(std::vector{good, bad, good, bad}) == 1);
   CHECK_FALSE(breaking_step({}));
 }
 
 TEST_CASE("errors that are only counted leave counts alone") {
-  StepCollector collector(StepCollector::Errors::counted);
+  ErrorCollector collector(ErrorCollector::Errors::counted);
   collector.add(0, contact(1));
-  CHECK(collector.tally().contacts == 1);
-  CHECK(collector.tally().of_size.depth.max <= 0);
+  CHECK(collector.statistics().contacts == 1);
+  CHECK(collector.statistics().of_size.depth.max <= 0);
 }
 
 }  // namespace manifuzz

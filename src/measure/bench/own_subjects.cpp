@@ -1,4 +1,4 @@
-#include "measure/bench/own_bench_subjects.hpp"
+#include "measure/bench/own_subjects.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -148,7 +148,7 @@ Pass query_pass(std::span<const PairCase> pairs, bool hinted, const Ask& ask) {
   };
 }
 
-void add_pair_contenders(std::vector<BenchSubject>& all, const std::string& target) {
+void add_pair_queries(std::vector<BenchSubject>& all, const std::string& target) {
   const auto manifold = [](const auto& a, const auto& b, const auto& b_in_a, auto* hint) {
     return kernel::collide(a, b, b_in_a, 0, hint);
   };
@@ -177,8 +177,8 @@ void add_pair_contenders(std::vector<BenchSubject>& all, const std::string& targ
 }
 
 template <class Scalar>
-void add_batch_contenders(std::vector<BenchSubject>& all, const std::string& name,
-                          const std::string& target, Collider (*make)(double)) {
+void add_batch_inputs(std::vector<BenchSubject>& all, const std::string& name,
+                      const std::string& target, Collider (*make)(double)) {
   const auto add = [&](const char* input, Pass (*pass)(std::span<const PairCase>)) {
     all.push_back(
         {.name = name, .input = input, .target = target, .prepare = pass, .collider = [make] {
@@ -191,16 +191,16 @@ void add_batch_contenders(std::vector<BenchSubject>& all, const std::string& nam
 
 }  // namespace
 
-std::vector<BenchSubject> own_bench_subjects() {
+std::vector<BenchSubject> own_subjects() {
   std::vector<BenchSubject> all{
       {.name = "clip", .prepare = clip_pass<float>, .collider = [] { return make_clip(0); }},
       {.name = "clip64", .prepare = clip_pass<double>, .collider = [] { return make_clip64(0); }},
       {.name = "sat", .prepare = sat_pass, .collider = make_sat}};
   for (const std::string& target : kernel::targets()) {
     if (target == "SCALAR") continue;  // the clean code in lanes of one
-    add_pair_contenders(all, target);
-    add_batch_contenders<float>(all, "batch", target, make_batch);
-    add_batch_contenders<double>(all, "batch64", target, make_batch64);
+    add_pair_queries(all, target);
+    add_batch_inputs<float>(all, "batch", target, make_batch);
+    add_batch_inputs<double>(all, "batch64", target, make_batch64);
     std::ranges::move(limits(target), std::back_inserter(all));
   }
   return all;
