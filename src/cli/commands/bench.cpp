@@ -17,6 +17,7 @@
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_check.hpp"
 #include "kernel/target.hpp"
 #include "measure/provenance.hpp"
 #include "report/plot/gnuplot.hpp"
@@ -119,8 +120,11 @@ nlohmann::ordered_json report_json(const std::vector<BenchRow>& rows,
 }
 
 int bench(const Options& options) {
-  takes_stdout({{"--json", options.json}, {"--csv", options.csv}});
-  for (const std::string& picture : options.pictures) expect_plot_name(picture);
+  CommandFiles files{{{"--json", options.json}, {"--csv", options.csv, OutputPath::Kind::file}}};
+  for (const std::string& picture : options.pictures) {
+    files.outputs.push_back({"--picture", picture, OutputPath::Kind::file, kPictureEndings});
+  }
+  check_outputs(files);
   const std::vector<BenchSubject> ran = chosen_contenders(options.colliders);
   const std::vector<WorkloadSpec> workloads = workloads_of(options);
   const BenchOptions how = bench_options(options);

@@ -144,26 +144,23 @@ Outputs write_all(const Campaign& campaign, const std::optional<FuzzResult>& bas
   return outputs;
 }
 
-/// The run that this one is held against; --json may take its place, and nothing else.
-std::optional<FuzzResult> baseline_of(const Options& options) {
-  if (options.baseline.empty()) return std::nullopt;
-  const std::filesystem::path input(options.baseline);
-  expect_apart({{"--junit", options.ci.junit}, {"--report", options.report}}, {&input, 1});
-  return read_baseline(options.baseline);
+CommandFiles files_of(const Options& options) {
+  CommandFiles files{{{"--corpus", options.no_save ? "" : options.corpus, OutputPath::Kind::corpus},
+                      {.option = "--json", .path = options.json, .replaces = options.baseline},
+                      {"--report", options.report}},
+                     {options.corpus}};
+  if (!options.baseline.empty()) files.inputs.emplace_back(options.baseline);
+  return files;
 }
 
 int fuzz(Options& options) {
-  options.ci.stdout_is_data = takes_stdout(
-      {{"--json", options.json}, {"--junit", options.ci.junit}, {"--report", options.report}});
   // No absolute path goes into what is kept.
   if (!options.corpus.empty()) options.corpus = kept_path(options.corpus).string();
-  expect_outside({{"--json", options.json}, {"--junit", options.ci.junit}}, options.corpus);
+  check_outputs(files_of(options), options.ci);
   const Corpus corpus = read_corpus_folder(options.corpus);
-  expect_apart(
-      {{"--json", options.json}, {"--junit", options.ci.junit}, {"--report", options.report}},
-      corpus.files);
   Plan plan = plan_of(options);
-  const std::optional<FuzzResult> baseline = baseline_of(options);
+  std::optional<FuzzResult> baseline;
+  if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;

@@ -19,6 +19,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_check.hpp"
 #include "process/process.hpp"
 
 namespace manifuzz {
@@ -126,7 +127,6 @@ void expect_possible(const Options& options, const RunFiles& files, const Merged
   if (options.json.empty()) return;
   if (!runs.sum)
     throw UserError("--json: there is no result to write; name what fuzz --json wrote");
-  expect_apart({{"--json", options.json}}, files.corpus.files);
 }
 
 /// Writes all of it or nothing; returns what there is to say.
@@ -139,8 +139,6 @@ std::string write_merged(const Options& options, const RunFiles& files, MergedRu
   const std::string json = runs.sum ? json_text(json_of(*runs.sum)) : "";
   const bool has_file = !options.json.empty() && options.json != "-";
   if (has_file) {
-    std::vector<std::string> unread;
-    expect_apart({{"--json", options.json}}, find_case_files({&folder.path(), 1}, unread));
     write_file(options.json, json);
   }
   folder.keep();
@@ -153,8 +151,9 @@ std::string write_merged(const Options& options, const RunFiles& files, MergedRu
 }
 
 int merge(const Options& options) {
-  if (options.output == "-") throw UserError("--output: a folder is expected; - is none");
   const std::vector<fs::path> paths(options.paths.begin(), options.paths.end());
+  check_outputs(
+      {{{"--output", options.output, OutputPath::Kind::corpus}, {"--json", options.json}}, paths});
   const RunFiles files = read_run_files(paths);
   MergedRuns runs = merged_runs(files.results);
   std::vector<std::string> errors = files.corpus.errors;

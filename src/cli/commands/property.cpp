@@ -74,12 +74,11 @@ PropertyPlan plan_of(const Options& options) {
 }
 
 int run(Options& options) {
-  options.ci.stdout_is_data = takes_stdout({{"--junit", options.ci.junit}});
-  expect_outside({{"--junit", options.ci.junit}}, options.corpus);
+  const std::string save_to = options.no_save ? "" : options.corpus;
+  check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, {options.corpus}}, options.ci);
   const std::vector<const Property*> chosen = choose(options.names);
   const Collider subject = find_collider(options.subject, options.outside);
   const Corpus corpus = read_corpus_folder(options.corpus);
-  expect_apart({{"--junit", options.ci.junit}}, corpus.files);
   PropertyPlan plan = plan_of(options);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.corpus = pairs;
@@ -92,7 +91,7 @@ int run(Options& options) {
     outputs.write(!one.why_unsaved.empty(), [&] { throw UserError(one.why_unsaved); });
   };
   const std::vector<CheckedProperty> checked =
-      check_properties(chosen, subject, plan, {}, options.no_save ? "" : options.corpus, tell);
+      check_properties(chosen, subject, plan, {}, save_to, tell);
   outputs.write(all.requests() > 0,
                 [] { throw UserError("property: interrupted before it was done"); });
   if (is_wanted(options.ci)) {

@@ -12,6 +12,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_check.hpp"
 #include "corpus/corpus.hpp"
 #include "report/picture/frame_picture.hpp"
 #include "report/plot/gnuplot.hpp"
@@ -141,21 +142,16 @@ void save_findings(const std::string& folder, const std::vector<SceneRun>& runs)
 
 /// What can be said before anything is run.
 void expect_possible(const Options& options) {
-  takes_stdout({{"--json", options.json},
-                {"--frame", options.frame},
-                {"--scaling", options.scaling},
-                {"--skipped", options.skipped},
-                {"--recycling", options.recycling}});
+  using enum OutputPath::Kind;
+  check_outputs({{{"--json", options.json},
+                  {"--save", options.save, corpus},
+                  {"--frame", options.frame, file, {".svg"}},
+                  {"--scaling", options.scaling, file, kPictureEndings},
+                  {"--skipped", options.skipped, file, kPictureEndings},
+                  {"--recycling", options.recycling, file, kPictureEndings}}});
   chosen_scenes(options.scenes);
-  for (const std::string& picture : {options.scaling, options.skipped, options.recycling}) {
-    if (!picture.empty()) expect_plot_name(picture);
-  }
   if (!options.scaling.empty() && options.sizes().size() < 2) {
     throw UserError("--scaling: needs two numbers of bodies or more");
-  }
-  if (!options.frame.empty() && !options.frame.ends_with(".svg")) {
-    throw UserError(
-        fmt::format("--frame: {}: a name that ends in .svg is expected", printable(options.frame)));
   }
   if (options.motion && options.mode != "recycle") {
     throw UserError("--recycled-motion: needs --mode recycle");

@@ -16,6 +16,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_check.hpp"
 #include "cli/shown.hpp"
 #include "report/case_text.hpp"
 #include "report/picture/case_picture.hpp"
@@ -53,13 +54,6 @@ ColliderChoice chosen(const std::string& file, ColliderChoice asked, const std::
 }
 
 void check_map(const Options& options) {
-  if (options.map && !options.map->ends_with(".png")) {
-    throw UserError(fmt::format("--map: {} is not the name of a PNG file; FILE.png is expected",
-                                printable(*options.map, 200)));
-  }
-  if (options.map && *options.map == options.svg) {
-    throw UserError("--svg and --map name the same file; two names are expected");
-  }
   if (options.map_step && !options.map) {
     throw UserError("--map-step: there is no map without --map FILE.png");
   }
@@ -84,8 +78,9 @@ std::string write_map(const Options& options, const JudgedCase& shown, const Col
 int show(const Options& options) {
   check_map(options);
   const std::string file = case_file(options.given);
-  const std::filesystem::path input(file);
-  expect_apart({{"--svg", options.svg}, {"--map", options.map.value_or("")}}, {&input, 1});
+  check_outputs({{{"--svg", options.svg},
+                  {"--map", options.map.value_or(""), OutputPath::Kind::file, {".png"}}},
+                 {file}});
   const CorpusCase given = read_case_file(file);
   const Expectation recorded = given.expect.value_or(Expectation{});
   ComparedColliders parties = options.parties;

@@ -12,6 +12,7 @@
 #include "cli/collider_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "cli/output_check.hpp"
 
 namespace manifuzz {
 namespace {
@@ -26,8 +27,7 @@ int shrink_file(const Options& options) {
   const Collider subject = find_subject(options.parties);
   const Collider oracle = find_oracle(options.parties);
   const std::string file = case_file(options.given);
-  const std::filesystem::path input(file);
-  expect_apart({{"--output", options.output}}, {&input, 1});
+  check_outputs({{{"--output", options.output}}, {file}});
   const CorpusCase given = read_case_file(file);
   Interruption interruption;
   const Judgement root = judge_in_child(given.pair, subject, oracle, interruption);

@@ -140,9 +140,7 @@ Smoke prepared(const Options& options) {
   // No absolute path goes into what is kept.
   if (!options.corpus.empty()) smoke.corpus_folder = kept_path(options.corpus).string();
   smoke.save_to = options.no_save ? "" : smoke.corpus_folder;
-  expect_outside({{"--junit", options.ci.junit}}, smoke.corpus_folder);
   smoke.corpus = read_known(smoke.corpus_folder);
-  expect_apart({{"--junit", options.ci.junit}}, smoke.corpus.files);
   write_complaints(smoke.corpus.errors);
   ComparedColliders parties = options.parties;
   const bool are_programs = !parties.subject.command.empty() && !parties.oracle.command.empty();
@@ -197,7 +195,8 @@ std::vector<TestSuite> suites_of(const Parts& parts, const Smoke& smoke) {
 }
 
 int run(Options& options) {
-  options.ci.stdout_is_data = takes_stdout({{"--junit", options.ci.junit}});
+  const std::string save_to = options.no_save ? "" : options.corpus;
+  check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, {options.corpus}}, options.ci);
   Interruption all;  // a signal in any part
   const Smoke smoke = prepared(options);
   Outputs outputs;

@@ -19,6 +19,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_check.hpp"
 #include "cli/stress_options.hpp"
 #include "cli/stress_save.hpp"
 #include "kernel/target.hpp"
@@ -204,9 +205,16 @@ std::string report_text(const StressPlan& plan, const StressResult& result,
 }
 
 int stress(const StressOptions& options) {
-  takes_stdout({{"--json", options.json}, {"--csv", options.csv}, {"--store", options.store}});
+  using enum OutputPath::Kind;
+  CommandFiles files{
+      {{"--json", options.json},
+       {"--csv", options.csv, file},
+       {.option = "--store", .path = options.store, .kind = file, .replaces = options.baseline},
+       {"--pictures", options.pictures, folder},
+       {"--save", options.save, corpus}}};
+  if (!options.baseline.empty()) files.inputs.emplace_back(options.baseline);
+  check_outputs(files);
   const StressPlan plan = plan_of(options);
-  if (!options.pictures.empty()) make_picture_folder(options.pictures);
   std::vector<StoredPoint> baseline;
   if (!options.baseline.empty()) baseline = read_breaking_points(options.baseline, plan);
   nlohmann::ordered_json stored;

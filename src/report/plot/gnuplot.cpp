@@ -48,10 +48,6 @@ class DrawnFile {
 
 }  // namespace
 
-void expect_plot_name(const std::string& path) {
-  terminal_of(path);
-}
-
 void draw_by_gnuplot(const std::string& path, const std::string& commands) {
   const std::string terminal = terminal_of(path);
   // The name stands in gnuplot's script, so it is never the user's.
