@@ -7,23 +7,14 @@
 #include <unistd.h>
 #include <vector>
 
+#include "base/file.hpp"
+
 namespace manifuzz {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr const char* kTemporaryName = ".manifuzz-XXXXXX";
-
-fs::path resolved(const fs::path& path) {
-  constexpr int links_max = 40;
-  std::error_code unknown;
-  fs::path place = fs::absolute(path, unknown);
-  for (int i = 0; i < links_max && fs::is_symlink(place, unknown); ++i) {
-    place = place.parent_path() / fs::read_symlink(place, unknown);
-  }
-  const fs::path known = fs::weakly_canonical(place, unknown);
-  return unknown ? place.lexically_normal() : known;
-}
 
 std::string failure(const std::string& doing) {
   return "cannot " + doing + ": " + std::strerror(errno);
@@ -86,8 +77,7 @@ bool Place::is_same(const Place& other) const {
 }
 
 bool Place::is_within(const Place& folder) const {
-  const fs::path way = path.lexically_relative(folder.path);
-  return is_same(folder) || (!way.empty() && *way.begin() != "..");
+  return is_same(folder) || manifuzz::is_within(path, folder.path);
 }
 
 std::string why_not_writable(const fs::path& file) {

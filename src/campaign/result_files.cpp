@@ -95,7 +95,7 @@ RunFiles read_run_files(std::span<const fs::path> paths) {
   files.corpus.files = find_case_files(paths, files.corpus.errors);
   for (const auto& path : files.corpus.files) {
     if (path != "-" && path.extension() != ".json") {
-      read_case_files(path, files.corpus);
+      add_case_file(path, files.corpus);
       continue;
     }
     try {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/nearest.hpp"
+#include "base/names.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "oracle/box2d/box2d.hpp"
@@ -76,9 +76,7 @@ const ColliderEntry* find_entry(std::string_view name) {
 
 Collider find_collider(std::string_view name) {
   if (const ColliderEntry* const entry = find_entry(name)) return entry->make();
-  std::vector<std::string_view> names;
-  std::transform(colliders().begin(), colliders().end(), std::back_inserter(names),
-                 [](const ColliderEntry& e) { return e.name; });
+  std::vector<std::string_view> names = names_of(colliders());
   names.emplace_back("./LIBRARY.so");
   throw UserError(no_such("collider", name, names));
 }

@@ -1,27 +1,14 @@
 #include "cli/input.hpp"
 
-#include <algorithm>
 #include <limits>
 
-#include "base/nearest.hpp"
+#include "base/names.hpp"
 #include "base/user_error.hpp"
 
 namespace manifuzz {
 
 std::vector<const Regime*> choose_regimes(const std::vector<std::string>& names) {
-  std::vector<const Regime*> chosen;
-  std::vector<std::string_view> known;
-  for (const Regime& regime : regimes()) {
-    if (names.empty()) chosen.push_back(&regime);
-    known.push_back(regime.name);
-  }
-  for (const std::string& name : names) {
-    const Regime* const regime = find_regime(name);
-    if (regime == nullptr) throw UserError("--regime: " + no_such("regime", name, known));
-    const bool again = std::find(chosen.begin(), chosen.end(), regime) != chosen.end();
-    if (!again) chosen.push_back(regime);
-  }
-  return chosen;
+  return chosen_by_name(regimes(), names, "regime", "--regime");
 }
 
 void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regimes) {

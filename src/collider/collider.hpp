@@ -66,7 +66,7 @@ struct Collider {
 
   double seconds_max = 0;  ///< of one in a process of its own: how long over a case, its start too
 
-  /// Whether it is safe to ask: it cannot take this process along.
+  /// Whether it runs in a process of its own, so that a crash of it ends nothing else.
   bool is_isolated() const { return static_cast<bool>(collide_many); }
 };
 

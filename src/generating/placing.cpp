@@ -108,8 +108,7 @@ void put_apart(PairCase& pair, const Vector2<double>& p) {
 }
 
 bool shift_vertices(Body& body, const Vector2<double>& residual) {
-  const Vector2<double> rotation = body.pose.rotation.cast<double>();
-  const Vector2<double> shift = rotate_back<double>(rotation, residual) / rotation.dot(rotation);
+  const Vector2<double> shift = rotate_inverse<double>(body.pose.rotation.cast<double>(), residual);
   Outline outline;
   outline.count = body.polygon.count;
   for (int i = 0; i < outline.count; ++i) {

@@ -43,6 +43,12 @@ Vector2<Scalar> rotate_back(const Vector2<Scalar>& rotation, const Vector2<Scala
           rounded_product(rotation.x(), v.y()) - rounded_product(rotation.y(), v.x())};
 }
 
+/// R^-1 v: the transpose over cos^2 + sin^2, the inverse of `rotate` to within roundings.
+template <class Scalar>
+Vector2<Scalar> rotate_inverse(const Vector2<Scalar>& rotation, const Vector2<Scalar>& v) {
+  return rotate_back(rotation, v) / rotation.dot(rotation);
+}
+
 /// R v + position: a local point, placed.
 template <class Scalar>
 Vector2<Scalar> transform(const Pose<Scalar>& pose, const Vector2<Scalar>& v) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "exchange/json.hpp"
 #include "report/style.hpp"
 #include "report/words.hpp"
 
@@ -37,10 +38,6 @@ class Text {
  private:
   std::string text_;
 };
-
-std::string feature_name(Feature feature) {
-  return fmt::format("{}{}", feature.kind == Feature::Kind::face ? 'f' : 'v', feature.index);
-}
 
 std::string features_name(const FeaturePair& features) {
   return fmt::format("A {}, B {}", feature_name(features.a), feature_name(features.b));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "base/file.hpp"
-#include "base/nearest.hpp"
+#include "base/names.hpp"
 #include "base/user_error.hpp"
 #include "cli/bench_subjects.hpp"
 #include "cli/commands.hpp"
@@ -61,21 +62,13 @@ std::vector<WorkloadSpec> workloads_of(const Options& options) {
 }
 
 std::vector<BenchSubject> chosen_contenders(const std::vector<std::string>& names) {
-  std::vector<BenchSubject> chosen;
-  std::vector<std::string> known;
-  for (BenchSubject& subject : bench_subjects()) {
-    if (std::ranges::find(known, subject.name) == known.end()) known.push_back(subject.name);
-    const bool is_named = std::ranges::find(names, subject.name) != names.end();
-    if (names.empty() || is_named || subject.name == kPaceMaker) {
-      chosen.push_back(std::move(subject));
-    }
+  std::vector<BenchSubject> all = bench_subjects();
+  std::set<std::string> wanted{std::string(kPaceMaker)};
+  for (const BenchSubject* const one : chosen_by_name(all, names, "collider", "--collider")) {
+    wanted.insert(one->name);
   }
-  for (const std::string& name : names) {
-    if (std::ranges::find(known, name) != known.end()) continue;
-    const std::vector<std::string_view> views(known.begin(), known.end());
-    throw UserError("--collider: " + no_such("collider", name, views));
-  }
-  return chosen;
+  std::erase_if(all, [&](const BenchSubject& one) { return !wanted.contains(one.name); });
+  return all;
 }
 
 BenchOptions bench_options(const Options& options) {

@@ -39,7 +39,7 @@ class AnswerFile {
     try {
       if (line.too_long) throw UserError("longer than 1 MiB");
       const JsonTree tree = parse_json(line.text);
-      return completed(read_outside_answer(JsonView(tree), right.pair()), right);
+      return completed(read_reported_answer(JsonView(tree), right.pair()), right);
     } catch (const UserError& error) {
       throw UserError(fmt::format("{}:{}: {}", file_.name(), line.number, error.what()));
     }

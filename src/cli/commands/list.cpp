@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/nearest.hpp"
+#include "base/names.hpp"
 #include "base/user_error.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
@@ -88,17 +88,10 @@ constexpr Catalogue kCatalogues[] = {{"colliders", list_colliders},
                                      {"scenes", list_scenes}};
 
 int list(const std::string& what) {
-  std::vector<std::string_view> names;
-  for (const Catalogue& catalogue : kCatalogues) {
-    if (catalogue.name == what) {
-      Output out;
-      out.write(catalogue.list());
-      out.flush();
-      return 0;
-    }
-    names.push_back(catalogue.name);
-  }
-  throw UserError("list: " + no_such("list of", what, names));
+  Output out;
+  out.write(chosen_by_name(kCatalogues, {&what, 1}, "list of", "list").front()->list());
+  out.flush();
+  return 0;
 }
 
 Run define(CLI::App& app) {

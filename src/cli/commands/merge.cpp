@@ -33,45 +33,6 @@ struct Options {
   std::string json;
 };
 
-/// A folder that was empty or not there, and is so again unless it is kept.
-class NewFolder {
- public:
-  explicit NewFolder(const fs::path& path) : path_(kept_path(path)), first_new_(path_) {
-    std::error_code unreadable;
-    was_there_ = fs::exists(fs::symlink_status(path, unreadable));
-    if (was_there_ && !(fs::is_directory(path, unreadable) && fs::is_empty(path, unreadable))) {
-      throw UserError(
-          fmt::format("--output: {} is there already; a new or an empty folder is expected",
-                      printable(path.string(), 200)));
-    }
-    while (first_new_.has_parent_path() && !fs::exists(first_new_.parent_path(), unreadable)) {
-      first_new_ = first_new_.parent_path();
-    }
-  }
-  ~NewFolder() {
-    if (is_kept_) return;
-    std::error_code unremoved;
-    if (!was_there_) {
-      fs::remove_all(first_new_, unremoved);
-      return;
-    }
-    for (const auto& entry : fs::directory_iterator(path_, unremoved)) {
-      fs::remove_all(entry.path(), unremoved);
-    }
-  }
-  NewFolder(const NewFolder&) = delete;
-  NewFolder& operator=(const NewFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-  void keep() { is_kept_ = true; }
-
- private:
-  fs::path path_;
-  fs::path first_new_;  ///< the topmost folder that is not there yet
-  bool was_there_ = false;
-  bool is_kept_ = false;
-};
-
 fs::path folder_of(const CorpusCase& known) {
   if (!known.property.empty()) return "regressions";
   if (!known.expect) return "seeds";
@@ -132,7 +93,8 @@ void expect_possible(const Options& options, const RunFiles& files, const Merged
 /// Writes all of it or nothing; returns what there is to say.
 std::string write_merged(const Options& options, const RunFiles& files, MergedRuns& runs) {
   Interruption interruption;
-  NewFolder folder(options.output);
+  NewFolder folder(kept_path(options.output),
+                   fmt::format("--output: {}", printable(options.output, 200)));
   const std::vector<MergedFinding> all = merged_findings(files.corpus.cases);
   const auto written = write_all(all, folder.path(), interruption);
   if (runs.sum) name_files(*runs.sum, written);

@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/nearest.hpp"
+#include "base/names.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "cli/ci_output.hpp"
@@ -37,22 +37,6 @@ struct Options {
   CiOutput ci;
 };
 
-std::vector<const Property*> choose(const std::vector<std::string>& names) {
-  std::vector<const Property*> chosen;
-  std::vector<std::string_view> known;
-  for (const Property& property : properties()) {
-    known.push_back(property.name);
-    if (names.empty()) chosen.push_back(&property);
-  }
-  for (const std::string& name : names) {
-    chosen.push_back(find_property(name));
-    if (chosen.back() == nullptr) {
-      throw UserError("property: " + no_such("property", name, known));
-    }
-  }
-  return chosen;
-}
-
 /// What repeats a property beside RC_PARAMS; no absolute path goes into what is kept.
 std::string options_again(const Options& options, std::uint64_t seed) {
   std::string text =
@@ -76,7 +60,8 @@ PropertyPlan plan_of(const Options& options) {
 int run(Options& options) {
   const std::string save_to = options.no_save ? "" : options.corpus;
   check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, {options.corpus}}, options.ci);
-  const std::vector<const Property*> chosen = choose(options.names);
+  const std::vector<const Property*> chosen =
+      chosen_by_name(properties(), options.names, "property", "property");
   const Collider subject = find_collider(options.subject, options.outside);
   const Corpus corpus = read_corpus_folder(options.corpus);
   PropertyPlan plan = plan_of(options);

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/file.hpp"
-#include "base/nearest.hpp"
+#include "base/names.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "cli/commands.hpp"
@@ -60,21 +60,8 @@ struct Options {
   }
 };
 
-/// One that is named twice is gone through once.
-std::vector<const SceneSpec*> chosen_scenes(const std::vector<std::string>& names) {
-  std::vector<const SceneSpec*> chosen;
-  for (const std::string& name : names) {
-    const SceneSpec* const spec = find_scene(name);
-    if (spec == nullptr) {
-      std::vector<std::string_view> known;
-      for (const SceneSpec& each : scene_specs()) known.emplace_back(each.name);
-      throw UserError("--scene: " + no_such("scene", name, known));
-    }
-    if (std::ranges::find(chosen, spec) == chosen.end()) chosen.push_back(spec);
-  }
-  if (!chosen.empty()) return chosen;
-  for (const SceneSpec& spec : scene_specs()) chosen.push_back(&spec);
-  return chosen;
+std::vector<const SceneSpec*> chosen_scenes(const Options& options) {
+  return chosen_by_name(scene_specs(), options.scenes, "scene", "--scene");
 }
 
 /// Each chosen scene at each number of bodies.
@@ -82,7 +69,7 @@ template <class Visit>
 void for_each_scene(const Options& options, std::span<const std::size_t> sizes,
                     std::string_view doing, const Visit& visit) {
   const ProgressLine line;
-  for (const SceneSpec* const spec : chosen_scenes(options.scenes)) {
+  for (const SceneSpec* const spec : chosen_scenes(options)) {
     for (const std::size_t bodies : sizes) {
       line.show(fmt::format("{}: {} of {} bodies", doing, spec->name, bodies));
       visit(*spec, spec->make(bodies, options.steps_or_default()));
@@ -111,7 +98,7 @@ SceneReport run_all(const Options& options) {
 
 /// The last step of the first scene, at its least number of bodies.
 std::string frame_of(const Options& options) {
-  const SceneSpec& spec = *chosen_scenes(options.scenes).front();
+  const SceneSpec& spec = *chosen_scenes(options).front();
   const std::size_t bodies = options.sizes().front();
   const Trajectory trajectory = spec.make(bodies, options.steps_or_default());
   const Frame frame = last_frame(trajectory, options.settings());
@@ -149,7 +136,7 @@ void expect_possible(const Options& options) {
                   {"--scaling", options.scaling, file, kPictureEndings},
                   {"--skipped", options.skipped, file, kPictureEndings},
                   {"--recycling", options.recycling, file, kPictureEndings}}});
-  chosen_scenes(options.scenes);
+  chosen_scenes(options);
   if (!options.scaling.empty() && options.sizes().size() < 2) {
     throw UserError("--scaling: needs two numbers of bodies or more");
   }

@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "base/file.hpp"
-#include "base/nearest.hpp"
+#include "base/names.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "campaign/in_child.hpp"
@@ -35,30 +35,18 @@ namespace {
 constexpr std::uint64_t kQuickCases = 600;
 constexpr std::uint64_t kQuickFrames = 10'000;
 
-/// One that is named twice is run once.
-template <class Family>
-void choose(const Family* family, std::vector<const Family*>& chosen) {
-  if (std::ranges::find(chosen, family) == chosen.end()) chosen.push_back(family);
-}
-
 void choose_sweeps(const std::vector<std::string>& names, StressPlan& plan) {
-  std::vector<std::string_view> known;
-  for (const Sweep& sweep : sweeps()) {
-    if (names.empty()) plan.sweeps.push_back(&sweep);
-    known.push_back(sweep.name);
-  }
-  for (const Walk& walk : walks()) {
-    if (names.empty()) plan.walks.push_back(&walk);
-    known.push_back(walk.name);
-  }
-  for (const std::string& name : names) {
-    if (const Sweep* const sweep = find_sweep(name)) {
-      choose(sweep, plan.sweeps);
-    } else if (const Walk* const walk = find_walk(name)) {
-      choose(walk, plan.walks);
-    } else {
-      throw UserError("--sweep: " + no_such("sweep", name, known));
-    }
+  struct Choice {
+    std::string_view name;
+    const Sweep* sweep;
+    const Walk* walk;
+  };
+  std::vector<Choice> all;
+  for (const Sweep& sweep : sweeps()) all.push_back({sweep.name, &sweep, nullptr});
+  for (const Walk& walk : walks()) all.push_back({walk.name, nullptr, &walk});
+  for (const Choice* const one : chosen_by_name(all, names, "sweep", "--sweep")) {
+    if (one->sweep != nullptr) plan.sweeps.push_back(one->sweep);
+    if (one->walk != nullptr) plan.walks.push_back(one->walk);
   }
 }
 

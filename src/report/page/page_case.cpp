@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "exchange/json.hpp"
 #include "oracle/exact/rough.hpp"
 #include "report/page/base64.hpp"
 #include "report/words.hpp"
@@ -45,10 +46,6 @@ std::optional<int> edge_of(const Manifold<double>& manifold, Side side, int coun
     if ((from + 1) % count == to) return from;
   }
   return std::nullopt;
-}
-
-std::string feature_name(Feature feature) {
-  return fmt::format("{}{}", feature.kind == Feature::Kind::face ? 'f' : 'v', feature.index);
 }
 
 Json point_json(const PairCase& pair, const ContactPoint<double>& point) {

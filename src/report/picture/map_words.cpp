@@ -4,14 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "exchange/json.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
 namespace {
-
-std::string feature_name(Feature feature) {
-  return fmt::format("{}{}", feature.kind == Feature::Kind::face ? 'f' : 'v', feature.index);
-}
 
 std::string features_name(const FeaturePair& features) {
   return feature_name(features.a) + "/" + feature_name(features.b);

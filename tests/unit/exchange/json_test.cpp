@@ -65,7 +65,7 @@ NamedAnswer read_back(const PairCase& pair, const Answer& answer) {
   std::string line;
   append_answer(line, pair, "clip", answer);
   const JsonTree tree = parse_json(line);
-  return read_answer(JsonView(tree), pair);
+  return read_recorded_answer(JsonView(tree), pair);
 }
 
 [[maybe_unused]] const bool registered = [] {

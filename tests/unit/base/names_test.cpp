@@ -1,4 +1,4 @@
-#include "base/nearest.hpp"
+#include "base/names.hpp"
 
 #include <array>
 #include <vector>

@@ -11,12 +11,12 @@ namespace manifuzz {
 /// Whether a collider that declares this has to be asked at all.
 std::optional<Unsupported> beyond_limits(const Declaration& declaration, const PairCase& pair);
 
-/// What must hold of any declaration from outside: a name that can name files, a finite bias.
-/// Throws UserError that begins with `prefix` and the field.
+/// What must hold of the declaration of any program or library: a name that can name files, a
+/// finite bias, a snippet whose blanks can be filled in. Throws UserError that begins with `prefix`
+/// and the field.
 void check_declaration(const Declaration& declaration, std::string_view prefix);
 
-/// How many cases are in flight: enough to hide what there and back costs, and few enough for the
-/// cache.
+/// So many cases are asked at once: enough to hide the round trip's cost, few enough for the cache.
 inline constexpr std::size_t kBatch = 256;
 
 /// A collider that does nothing but die or hang is not worth all the cases.

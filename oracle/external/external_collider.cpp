@@ -1,4 +1,4 @@
-#include "oracle/external/limits.hpp"
+#include "oracle/external/external_collider.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/nearest.hpp"
+#include "base/names.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 
