@@ -85,7 +85,7 @@ Settings settings_of(const Plan& plan) {
           .judge_every = plan.judge_every};
 }
 
-void tell_provenance(FuzzResult& result, const Plan& plan) {
+void tell_provenance(CampaignResult& result, const Plan& plan) {
   const std::array declarations{plan.subject.declaration, plan.oracle.declaration};
   const nlohmann::ordered_json json = provenance(plan.seed, declarations);
   result.machine = json.at("machine");
@@ -125,10 +125,10 @@ BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::
           .is_new = finding.is_new};
 }
 
-FuzzResult result_of(const Campaign& campaign, const std::string& command) {
+CampaignResult result_of(const Campaign& campaign, const std::string& command) {
   const Plan& plan = campaign.plan;
   const Tally& tally = *campaign.run.tally;
-  FuzzResult result;
+  CampaignResult result;
   tell_provenance(result, plan);
   result.jobs = static_cast<std::uint64_t>(plan.jobs);
   result.verdicts = tally.verdicts;

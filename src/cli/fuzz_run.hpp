@@ -25,7 +25,7 @@ struct Campaign {
   JobsResult run;
   std::vector<Finding> findings;
   Saving saving;
-  FuzzResult result;
+  CampaignResult result;
 };
 
 /// Where a campaign's findings go.

@@ -99,14 +99,15 @@ PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
 }
 
 /// What runs say of a bucket: how often they met it, and the commands that repeat it.
-void add_runs(PageCase& page_case, const std::vector<Result>& results) {
+void add_runs(PageCase& page_case, const std::vector<ResultFile>& results) {
   const auto& expect = page_case.shown.given.expect;
   if (!expect) return;
-  for (const Result& result : results) {
-    const bool is_of_these = result.fuzz && result.fuzz->settings.oracle == expect->oracle &&
-                             result.fuzz->settings.subject == expect->subject;
+  for (const ResultFile& result : results) {
+    const bool is_of_these = result.campaign &&
+                             result.campaign->settings.oracle == expect->oracle &&
+                             result.campaign->settings.subject == expect->subject;
     if (!is_of_these) continue;
-    for (const BucketResult& found : result.fuzz->buckets) {
+    for (const BucketResult& found : result.campaign->buckets) {
       if (found.bucket != expect->bucket) continue;
       page_case.count = page_case.count.value_or(0) + found.count;
       page_case.commands.push_back(found.command);

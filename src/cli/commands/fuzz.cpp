@@ -113,7 +113,7 @@ std::string page_of(const Campaign& campaign, const nlohmann::ordered_json& summ
   return report_page(files, colliders, kMapsUsual, again);
 }
 
-std::string text_of(const Campaign& campaign, const std::optional<FuzzResult>& baseline,
+std::string text_of(const Campaign& campaign, const std::optional<CampaignResult>& baseline,
                     bool is_terse) {
   if (is_terse) return objections(campaign);
   std::string text = summary_table(campaign);
@@ -122,7 +122,7 @@ std::string text_of(const Campaign& campaign, const std::optional<FuzzResult>& b
 }
 
 /// Everything that was asked for; one output that fails loses no other.
-Outputs write_all(const Campaign& campaign, const std::optional<FuzzResult>& baseline,
+Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>& baseline,
                   const Options& options) {
   nlohmann::ordered_json summary = json_of(campaign.result);
   if (baseline) summary["baseline"] = comparison_json(compared(*baseline, campaign.result));
@@ -159,7 +159,7 @@ int fuzz(Options& options) {
   check_outputs(files_of(options), options.ci);
   const Corpus corpus = read_corpus_folder(options.corpus);
   Plan plan = plan_of(options);
-  std::optional<FuzzResult> baseline;
+  std::optional<CampaignResult> baseline;
   if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);

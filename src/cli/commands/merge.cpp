@@ -14,7 +14,7 @@
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "campaign/findings.hpp"
-#include "campaign/merged_runs.hpp"
+#include "campaign/merged_result.hpp"
 #include "campaign/result_json.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
@@ -62,7 +62,7 @@ std::map<std::string, std::string> write_all(const std::vector<MergedFinding>& a
 }
 
 /// A bucket's file is the merged one.
-void name_files(FuzzResult& run, const std::map<std::string, std::string>& files) {
+void name_files(CampaignResult& run, const std::map<std::string, std::string>& files) {
   Expectation expect{run.settings.subject, run.settings.oracle, {}, {}, {}};
   for (BucketResult& found : run.buckets) {
     expect.bucket = found.bucket;
@@ -71,7 +71,7 @@ void name_files(FuzzResult& run, const std::map<std::string, std::string>& files
   }
 }
 
-std::string summary(const std::optional<FuzzResult>& sum) {
+std::string summary(const std::optional<CampaignResult>& sum) {
   std::string text;
   if (!sum) return text;
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
@@ -81,7 +81,7 @@ std::string summary(const std::optional<FuzzResult>& sum) {
 }
 
 /// Whatever would come to nothing, or cost what is there, is refused before anything is written.
-void expect_possible(const Options& options, const RunFiles& files, const MergedRuns& runs) {
+void expect_possible(const Options& options, const RunFiles& files, const MergedResult& runs) {
   if (files.corpus.cases.empty() && !runs.sum) {
     throw UserError("merge: there is nothing to merge; name folders of cases and --json files");
   }
@@ -91,7 +91,7 @@ void expect_possible(const Options& options, const RunFiles& files, const Merged
 }
 
 /// Writes all of it or nothing; returns what there is to say.
-std::string write_merged(const Options& options, const RunFiles& files, MergedRuns& runs) {
+std::string write_merged(const Options& options, const RunFiles& files, MergedResult& runs) {
   Interruption interruption;
   NewFolder folder(kept_path(options.output),
                    fmt::format("--output: {}", printable(options.output, 200)));
@@ -117,7 +117,7 @@ int merge(const Options& options) {
   check_outputs(
       {{{"--output", options.output, OutputPath::Kind::corpus}, {"--json", options.json}}, paths});
   const RunFiles files = read_run_files(paths);
-  MergedRuns runs = merged_runs(files.results);
+  MergedResult runs = merged_result(files.results);
   std::vector<std::string> errors = files.corpus.errors;
   errors.insert(errors.end(), runs.errors.begin(), runs.errors.end());
   write_complaints(errors);

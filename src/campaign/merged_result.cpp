@@ -1,4 +1,4 @@
-#include "campaign/merged_runs.hpp"
+#include "campaign/merged_result.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -27,25 +27,25 @@ std::string in_words(const Settings& settings) {
 }
 
 /// The settings that most results share; of equally many those of the most cases, then the first.
-const Settings* usual_settings(std::span<const Result> results) {
+const Settings* usual_settings(std::span<const ResultFile> results) {
   const Settings* usual = nullptr;
   std::pair<std::size_t, Count> most;
-  for (const Result& candidate : results) {
-    if (!candidate.fuzz) continue;
+  for (const ResultFile& candidate : results) {
+    if (!candidate.campaign) continue;
     std::pair<std::size_t, Count> weight;
-    for (const Result& other : results) {
-      if (!other.fuzz || other.fuzz->settings != candidate.fuzz->settings) continue;
+    for (const ResultFile& other : results) {
+      if (!other.campaign || other.campaign->settings != candidate.campaign->settings) continue;
       ++weight.first;
-      weight.second += other.fuzz->cases();
+      weight.second += other.campaign->cases();
     }
     if (usual != nullptr && weight <= most) continue;
-    usual = &candidate.fuzz->settings;
+    usual = &candidate.campaign->settings;
     most = weight;
   }
   return usual;
 }
 
-void expect_addable(const FuzzResult& sum, const FuzzResult& run) {
+void expect_addable(const CampaignResult& sum, const CampaignResult& run) {
   if (sum.settings != run.settings) {
     throw UserError(fmt::format("is of {}; the others, which are added up, are of {}",
                                 in_words(run.settings), in_words(sum.settings)));
@@ -75,7 +75,7 @@ Row& row_of(std::vector<Row>& rows, std::string Row::*name, const std::string& w
 }
 
 /// Regimes stand as the runs have them, where all have the same; else in the order of the list.
-void add_regimes(FuzzResult& sum, const FuzzResult& run) {
+void add_regimes(CampaignResult& sum, const CampaignResult& run) {
   const bool is_alike =
       std::ranges::equal(sum.regimes, run.regimes, {}, &RegimeResult::name, &RegimeResult::name);
   const bool is_ordered = sum.regimes.empty() || is_alike;
@@ -92,7 +92,7 @@ void add_regimes(FuzzResult& sum, const FuzzResult& run) {
   });
 }
 
-void add_ledger(FuzzResult& sum, const FuzzResult& run) {
+void add_ledger(CampaignResult& sum, const CampaignResult& run) {
   for (const LedgerResult& other : run.ledger) {
     LedgerResult& entry = row_of(sum.ledger, &LedgerResult::id, other.id);
     entry.hits += other.hits;
@@ -101,12 +101,12 @@ void add_ledger(FuzzResult& sum, const FuzzResult& run) {
 }
 
 /// A case's place in the order of a campaign: its index, then its regime's turn; then its seed.
-auto place_of(const BucketResult& found, const FuzzResult& sum) {
+auto place_of(const BucketResult& found, const CampaignResult& sum) {
   const auto turn = std::ranges::find(sum.regimes, found.regime, &RegimeResult::name);
   return std::tuple(found.first_index, turn - sum.regimes.begin(), found.seed);
 }
 
-void add_buckets(FuzzResult& sum, const FuzzResult& run) {
+void add_buckets(CampaignResult& sum, const CampaignResult& run) {
   for (const BucketResult& other : run.buckets) {
     const auto kept = std::ranges::find(sum.buckets, other.bucket, &BucketResult::bucket);
     if (kept == sum.buckets.end()) {
@@ -122,7 +122,7 @@ void add_buckets(FuzzResult& sum, const FuzzResult& run) {
 }
 
 /// Of the sums, since what fires too often in one run may be chance, and the other way round.
-void find_over_budget(FuzzResult& sum) {
+void find_over_budget(CampaignResult& sum) {
   for (LedgerResult& row : sum.ledger) {
     row.over_budget.clear();
     const auto entry = std::ranges::find(ledger(), row.id, &LedgerEntry::id);
@@ -140,7 +140,7 @@ std::size_t place_in_order(const BucketResult& found) {
   return bucket ? index_of(*bucket) : kBucketCount;
 }
 
-void add_run(FuzzResult& sum, const FuzzResult& run) {
+void add_run(CampaignResult& sum, const CampaignResult& run) {
   expect_addable(sum, run);
   if (sum.parts.empty()) {
     sum.machine = run.machine;
@@ -162,19 +162,19 @@ void add_run(FuzzResult& sum, const FuzzResult& run) {
 
 }  // namespace
 
-MergedRuns merged_runs(std::span<const Result> results) {
-  MergedRuns merged;
+MergedResult merged_result(std::span<const ResultFile> results) {
+  MergedResult merged;
   if (const Settings* const usual = usual_settings(results)) {
     merged.sum.emplace();
     merged.sum->settings = *usual;
     merged.sum->budgets_hold = true;
   }
-  for (const Result& result : results) {
+  for (const ResultFile& result : results) {
     try {
-      if (!result.fuzz) {
+      if (!result.campaign) {
         throw UserError(fmt::format("is a result of {}; those of fuzz are added up", result.kind));
       }
-      add_run(*merged.sum, *result.fuzz);
+      add_run(*merged.sum, *result.campaign);
     } catch (const UserError& error) {
       merged.errors.push_back(fmt::format("{}: {}", result.path, error.what()));
     }
