@@ -9,7 +9,7 @@
 
 #include "base/random.hpp"
 #include "judging/completed.hpp"
-#include "oracle/external/limits.hpp"
+#include "oracle/external/external_collider.hpp"
 #include "process/watched_process.hpp"
 
 namespace manifuzz {

@@ -43,7 +43,7 @@ struct Page {
 };
 
 /// The page: one HTML file that needs nothing else. Its data is a JSON object in the element
-/// `data`, whose keys src/report/page/data.js reads.
+/// `data`, whose keys src/report/page/common/data.js reads.
 std::string page_html(const Page& page);
 
 }  // namespace manifuzz

@@ -1,4 +1,4 @@
-// Numerical stability: what each collider's errors come to as a case gets harder.
+// Numerical stability: how each collider's errors grow as a case gets harder.
 
 // Colliders that answer alike are one line, with their names.
 function mergedLines(sweeps, quantity) {

@@ -29,11 +29,11 @@ function bucketWords(bucket) {
   return parts.join(", ");
 }
 
-function readParty(party) {
-  const manifolds = (party.manifolds ?? []).map((manifold) => ({
+function readAnswer(answer) {
+  const manifolds = (answer.manifolds ?? []).map((manifold) => ({
     normal: null, reference: null, face: null, edge: null, ...manifold, points: manifold.points ?? [],
   }));
-  return { role: "", name: "", words: "", version: "", ...party, manifolds };
+  return { role: "", name: "", words: "", version: "", ...answer, manifolds };
 }
 
 function readCase(given, index) {
@@ -44,7 +44,7 @@ function readCase(given, index) {
     ...given, index,
     file: given.file ?? `case ${index + 1}`,
     commands: given.commands ?? [], map_words: given.map_words ?? [],
-    bodies: given.bodies ?? [], parties: (given.parties ?? []).map(readParty),
+    bodies: given.bodies ?? [], answers: (given.parties ?? []).map(readAnswer),
   };
   read.vertices = read.bodies.reduce((sum, body) => sum + (body.vertices?.length ?? 0), 0);
   read.isDrawable = read.bodies.length === 2 && read.bodies.every((body) =>
@@ -77,8 +77,8 @@ function readReport() {
   return report;
 }
 
-function partyOf(one, role) {
-  return one.parties.find((party) => party.role === role);
+function answerOf(one, role) {
+  return one.answers.find((answer) => answer.role === role);
 }
 
 // The greatest of the numbers that are there; null if none is.

@@ -48,17 +48,17 @@ Object.assign(viewing, {
   },
   // A point so closely that its distance to the truth, where there is one, can be seen.
   locate(role, index) {
-    const party = partyOf(viewing.one, role);
+    const answer = answerOf(viewing.one, role);
     if (!viewing.camera) return;
-    const { position } = party.manifolds[role === "truth" ? viewing.right : 0].points[index];
+    const { position } = answer.manifolds[role === "truth" ? viewing.right : 0].points[index];
     if (!isPoint(position)) return;
-    const off = differenceToTruth(viewing.one, party)?.points[index]?.position;
+    const off = differenceToTruth(viewing.one, answer)?.points[index]?.position;
     const span = off > 0 ? off * 4 : (viewing.one.size || 1) / 50;
     const { width, height } = viewing.camera;
     viewing.look({ x: position[0], y: position[1], width, height, scale: Math.min(width, height) / span });
   },
   stepRight(by) {
-    const rights = partyOf(viewing.one, "truth")?.manifolds.length ?? 0;
+    const rights = answerOf(viewing.one, "truth")?.manifolds.length ?? 0;
     if (rights < 2) return;
     viewing.right = (viewing.right + by + rights) % rights;
     byId("right-count").textContent = `right manifold ${viewing.right + 1} of ${rights}`;

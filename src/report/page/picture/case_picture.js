@@ -13,7 +13,7 @@ function wholeCamera(one, width, height, margin) {
   const box = wholeBox(one);
   const reach = 2 * Math.max(box.right - box.left, box.top - box.bottom);
   const center = middle([box.left, box.bottom], [box.right, box.top]);
-  const points = one.parties.flatMap(({ manifolds }) => manifolds.flatMap((manifold) => manifold.points))
+  const points = one.answers.flatMap(({ manifolds }) => manifolds.flatMap((manifold) => manifold.points))
     .map(({ position }) => position).filter((position) => isPoint(position) && distance(position, center) < reach);
   return fitBox(boxOf([[box.left, box.bottom], [box.right, box.top], ...points]), width, height, margin);
 }

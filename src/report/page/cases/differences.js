@@ -23,10 +23,10 @@ function manifoldDifference(manifold, right) {
 }
 
 // Of the nearest right manifold; null where there is nothing to compare.
-function differenceToTruth(one, party) {
-  const [manifold] = party.manifolds;
-  const rights = partyOf(one, "truth")?.manifolds ?? [];
-  if (!manifold || rights.length === 0 || party.role === "truth") return null;
+function differenceToTruth(one, answer) {
+  const [manifold] = answer.manifolds;
+  const rights = answerOf(one, "truth")?.manifolds ?? [];
+  if (!manifold || rights.length === 0 || answer.role === "truth") return null;
   const all = rights.map((right) => manifoldDifference(manifold, right));
   const cost = (difference) => [Math.abs(difference.count), difference.worst];
   return all.reduce((best, next) => {

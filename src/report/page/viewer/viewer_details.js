@@ -9,12 +9,12 @@ function featureWords(features) {
 }
 
 function describePoint(one, role, index, right) {
-  const party = partyOf(one, role);
-  const manifold = party.manifolds[role === "truth" ? right : 0];
+  const answer = answerOf(one, role);
+  const manifold = answer.manifolds[role === "truth" ? right : 0];
   const point = manifold.points[index];
-  const off = differenceToTruth(one, party)?.points[index];
+  const off = differenceToTruth(one, answer)?.points[index];
   const features = featureWords(point.features);
-  return [`${party.name} (${role}), point ${index + 1} of ${manifold.points.length}`,
+  return [`${answer.name} (${role}), point ${index + 1} of ${manifold.points.length}`,
     `world ${place(point.world ?? worldOf(one, point.position))}`, `depth ${full(point.depth)}`,
     features && `features ${features}`,
     off && `off the truth by ${short(off.position)}, depth by ${short(off.depth)}`];
@@ -53,7 +53,7 @@ function roleMark(role) {
 }
 
 function pointRow(one, role, right, point, index, locate) {
-  const off = differenceToTruth(one, partyOf(one, role))?.points[index];
+  const off = differenceToTruth(one, answerOf(one, role))?.points[index];
   const columns = [["point", () => button(String(index + 1), () => locate(role, index),
     { class: "cell", "aria-label": `show point ${index + 1} closely` })],
   ["world position", () => element("code", {}, place(point.world ?? worldOf(one, point.position)))],
@@ -62,16 +62,16 @@ function pointRow(one, role, right, point, index, locate) {
   return facts(columns.map(([name, cell]) => [name, cell()]));
 }
 
-function partyBlock(one, party, right, locate) {
-  const manifold = party.manifolds[party.role === "truth" ? right : 0];
-  const difference = differenceInWords(differenceToTruth(one, party), one);
+function answerBlock(one, answer, right, locate) {
+  const manifold = answer.manifolds[answer.role === "truth" ? right : 0];
+  const difference = differenceInWords(differenceToTruth(one, answer), one);
   const reference = manifold?.reference && `reference ${manifold.reference.toUpperCase()}`;
   const normal = isPoint(manifold?.normal) ? `normal ${place(manifold.normal)}` : "";
-  return element("section", { class: `party ${party.role}` },
-    element("h4", {}, roleMark(party.role), `${party.name} ${party.version}`.trim(), element("span", { class: "quiet" }, party.role)),
-    element("p", {}, party.words || "no answer"),
+  return element("section", { class: `answer ${answer.role}` },
+    element("h4", {}, roleMark(answer.role), `${answer.name} ${answer.version}`.trim(), element("span", { class: "quiet" }, answer.role)),
+    element("p", {}, answer.words || "no answer"),
     difference ? element("p", { class: "difference" }, difference) : null,
-    (manifold?.points ?? []).map((point, i) => pointRow(one, party.role, right, point, i, locate)),
+    (manifold?.points ?? []).map((point, i) => pointRow(one, answer.role, right, point, i, locate)),
     reference || normal ? element("p", { class: "quiet digits" }, [reference, normal].filter(Boolean).join(", ")) : null);
 }
 
@@ -102,9 +102,9 @@ function relatedCase(one) {
 }
 
 function caseDetails(one, right, locate) {
-  const order = one.parties.toSorted((p, q) => ROLES.indexOf(p.role) - ROLES.indexOf(q.role));
+  const order = one.answers.toSorted((p, q) => ROLES.indexOf(p.role) - ROLES.indexOf(q.role));
   return [one.note ? element("p", { class: "note" }, one.note) : null, relatedCase(one),
-    ...order.map((party) => partyBlock(one, party, right, locate)),
+    ...order.map((answer) => answerBlock(one, answer, right, locate)),
     element("h4", {}, "This case"), caseFacts(one), mapFigure(one),
     element("h4", {}, "Run it again"), ...one.commands.map(copyLine),
     element("div", { class: "copies" }, one.case ? copyButton("Copy the case", one.case) : null, copyButton("Copy the file name", one.file)),

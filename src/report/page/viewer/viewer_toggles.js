@@ -13,16 +13,16 @@ function planeMark() {
 }
 
 function toggles(viewing) {
-  const parties = ROLES.map((role) => partyOf(viewing.one, role)).filter(Boolean);
+  const answers = ROLES.map((role) => answerOf(viewing.one, role)).filter(Boolean);
   return element("div", { class: "toggles", role: "group", "aria-label": "What is drawn" },
-    parties.map(({ role, name }) => toggle(viewing, role, roleMark(role), role === "truth" ? "truth" : name)),
+    answers.map(({ role, name }) => toggle(viewing, role, roleMark(role), role === "truth" ? "truth" : name)),
     toggle(viewing, "planes", planeMark(), "side planes"),
     toggle(viewing, "numbers", null, "vertex numbers"));
 }
 
 // Where several manifolds are right: a step to the next.
 function rightStepper(viewing) {
-  const rights = partyOf(viewing.one, "truth")?.manifolds.length ?? 0;
+  const rights = answerOf(viewing.one, "truth")?.manifolds.length ?? 0;
   if (rights < 2) return null;
   const step = (by) => () => viewing.stepRight(by);
   return element("div", { class: "stepper", role: "group", "aria-label": "Right manifolds" },

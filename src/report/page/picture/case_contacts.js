@@ -2,11 +2,11 @@
 
 const ARROW = 44;
 
-// The party's manifold that is shown: of the truth's, the one that was stepped to.
+// The manifold of an answer that is drawn: of the truth's, the one that was stepped to.
 function shownManifold(view, role) {
-  const party = partyOf(view.one, role);
-  if (!party || !view.show[role]) return null;
-  return party.manifolds[role === "truth" ? view.right : 0] ?? null;
+  const answer = answerOf(view.one, role);
+  if (!answer || !view.show[role]) return null;
+  return answer.manifolds[role === "truth" ? view.right : 0] ?? null;
 }
 
 // Whose reference face is drawn thick: the truth's, else the subject's, else the oracle's.

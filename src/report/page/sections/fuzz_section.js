@@ -1,4 +1,4 @@
-// Campaigns: how many cases came to which verdict, in which regime, and what the ledger explains.
+// Campaigns: cases by verdict and by regime, and what the ledger explains.
 
 function verdictMark(verdict) {
   const kind = UNEXPLAINED.has(verdict) ? "bad" : verdict;
