@@ -26,22 +26,22 @@ const Answer* recorded_answer(const CorpusCase& given, const std::string& name) 
   return found == manifolds.end() ? nullptr : &found->answer;
 }
 
-KeptAnswer party_of(const CorpusCase& given, const std::string& name, const Collider* collider,
+DeclaredAnswer answer_of(const CorpusCase& given, const std::string& name, const Collider* collider,
                     Interruption& interruption) {
-  KeptAnswer party;
-  if (collider != nullptr) party.declaration = collider->declaration;
-  party.declaration.name = name;
+  DeclaredAnswer asked;
+  if (collider != nullptr) asked.declaration = collider->declaration;
+  asked.declaration.name = name;
   if (given.found && given.found->versions.contains(name)) {
-    party.declaration.version = given.found->versions.at(name);
+    asked.declaration.version = given.found->versions.at(name);
   }
   if (const Answer* const answer = recorded_answer(given, name)) {
-    party.answer = *answer;
+    asked.answer = *answer;
   } else if (collider != nullptr) {
-    party.answer = ask_in_child(*collider, given.pair, interruption);
+    asked.answer = ask_in_child(*collider, given.pair, interruption);
   } else {
-    party.answer = Lost{Lost::How::crashed, "no answer is recorded"};
+    asked.answer = Lost{Lost::How::crashed, "no answer is recorded"};
   }
-  return party;
+  return asked;
 }
 
 bool is_alike(const Manifold<double>& m, const Manifold<double>& n) {
@@ -80,8 +80,8 @@ PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
   const Collider* const subject = colliders.find(subject_name);
   const Collider* const oracle = colliders.find(oracle_name);
   PageCase page_case{.shown = {given,
-                               party_of(given, subject_name, subject, interruption),
-                               party_of(given, oracle_name, oracle, interruption),
+                               answer_of(given, subject_name, subject, interruption),
+                               answer_of(given, oracle_name, oracle, interruption),
                                {}},
                      .is_judged = subject != nullptr && oracle != nullptr,
                      .right = {},

@@ -24,8 +24,8 @@ void add_picture(TestFailure& failure, const CorpusCase& given, const Collider& 
 void add_picture(TestFailure& failure, const PairCase& pair, const Collider& subject,
                  Interruption& interruption) {
   try {
-    const KeptAnswer party{subject.declaration, ask_in_child(subject, pair, interruption)};
-    failure.picture = text_picture(pair, {&party, 1});
+    const DeclaredAnswer asked{subject.declaration, ask_in_child(subject, pair, interruption)};
+    failure.picture = text_picture(pair, {&asked, 1});
   } catch (const Interrupted&) {
   }
 }

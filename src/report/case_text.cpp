@@ -106,7 +106,7 @@ std::string edge(const Body& body, int face) {
                      digits(world_vertex(body, body.polygon.next(face))));
 }
 
-void write_candidate(Text& text, const PairCase& pair, const KeptAnswer& subject) {
+void write_candidate(Text& text, const PairCase& pair, const DeclaredAnswer& subject) {
   const Admissible right = admissible(pair, subject.declaration);
   text.line("right manifold       one of {} for {}", right.candidates.size(),
             subject.declaration.name);
@@ -129,16 +129,16 @@ void write_candidate(Text& text, const PairCase& pair, const KeptAnswer& subject
   }
 }
 
-void write_answer(Text& text, const PairCase& pair, const KeptAnswer& party,
+void write_answer(Text& text, const PairCase& pair, const DeclaredAnswer& asked,
                   std::string_view role) {
-  text.line("{}: {} {}, {}", role, party.declaration.name, party.declaration.version,
-            answer_in_words(party));
-  const Manifold<double>* const manifold = party.manifold();
-  if (manifold == nullptr || party.count() == 0) return;
+  text.line("{}: {} {}, {}", role, asked.declaration.name, asked.declaration.version,
+            answer_in_words(asked));
+  const Manifold<double>* const manifold = asked.manifold();
+  if (manifold == nullptr || asked.count() == 0) return;
   text.row("reference", manifold->reference == Side::a ? "A" : "B");
   text.row("normal", fmt::format("world {}, local {}", digits(world_normal(pair, manifold->normal)),
                                  digits(manifold->normal)));
-  for (int i = 0; i < party.count(); ++i) {
+  for (int i = 0; i < asked.count(); ++i) {
     const ContactPoint<double>& point = manifold->points[i];
     write_point(text, pair, point.position, point.depth, point.features);
   }

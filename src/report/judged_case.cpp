@@ -2,7 +2,7 @@
 
 namespace manifuzz {
 
-const exact::Clip* candidate_to_show(const Admissible& right, const KeptAnswer& subject) {
+const exact::Clip* candidate_to_show(const Admissible& right, const DeclaredAnswer& subject) {
   const auto find = [&](const auto& wanted) -> const exact::Clip* {
     const auto found = std::ranges::find_if(right.candidates, wanted);
     return found == right.candidates.end() ? nullptr : *found;

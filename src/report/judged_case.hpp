@@ -10,7 +10,7 @@
 namespace manifuzz {
 
 /// A collider that was asked, and what it said, completed.
-struct KeptAnswer {
+struct DeclaredAnswer {
   Declaration declaration;
   Answer answer;
 
@@ -23,13 +23,13 @@ struct KeptAnswer {
 /// A case and what it comes to between two colliders: what `show` shows.
 struct JudgedCase {
   CorpusCase given;
-  KeptAnswer subject;
-  KeptAnswer oracle;
+  DeclaredAnswer subject;
+  DeclaredAnswer oracle;
   Judgement judgement;
 };
 
 /// The candidate that a picture shows: the subject's own choice where that is right, else the first
 /// whose incident edge meets the slab, else the first; nullptr where the polygons are apart.
-const exact::Clip* candidate_to_show(const Admissible& right, const KeptAnswer& subject);
+const exact::Clip* candidate_to_show(const Admissible& right, const DeclaredAnswer& subject);
 
 }  // namespace manifuzz

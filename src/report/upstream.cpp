@@ -81,7 +81,7 @@ void append_body(std::string& out, char name, const Body& body) {
                      text_of(body.pose.rotation, round));
 }
 
-const KeptAnswer& party_at_fault(const JudgedCase& shown) {
+const DeclaredAnswer& answer_at_fault(const JudgedCase& shown) {
   switch (shown.judgement.bucket.fault) {
     case Fault::none:
       throw UserError("--upstream: nobody is at fault in this case; there is nothing to report");
@@ -117,21 +117,21 @@ std::string filled_in(std::string snippet, const PairCase& pair) {
 }
 
 std::string upstream_report(const JudgedCase& shown, const std::string& parties) {
-  const KeptAnswer& party = party_at_fault(shown);
+  const DeclaredAnswer& asked = answer_at_fault(shown);
   const PairCase& pair = shown.given.pair;
-  std::string text = fmt::format("# {} {}: {}\n\n", party.declaration.name,
-                                 party.declaration.version, verdict_sentence(shown));
+  std::string text = fmt::format("# {} {}: {}\n\n", asked.declaration.name,
+                                 asked.declaration.version, verdict_sentence(shown));
   text += "Two convex polygons, numbers as 32-bit floats:\n\n```\n";
   append_body(text, 'A', pair.a);
   append_body(text, 'B', pair.b);
   text += "```\n\n## Got\n\n```\n";
-  if (party.manifold() == nullptr) {
-    text += answer_in_words(party) + '\n';
+  if (asked.manifold() == nullptr) {
+    text += answer_in_words(asked) + '\n';
   } else {
-    append_manifold(text, pair, *party.manifold());
+    append_manifold(text, pair, *asked.manifold());
   }
   text += "```\n\n## Expected, in exact arithmetic\n\n";
-  const auto rights = right_manifolds(admissible(pair, party.declaration));
+  const auto rights = right_manifolds(admissible(pair, asked.declaration));
   if (rights.size() > 1) text += "Any of these:\n\n";
   text += "```\n";
   for (std::size_t i = 0; i < rights.size(); ++i) {
@@ -143,7 +143,7 @@ std::string upstream_report(const JudgedCase& shown, const std::string& parties)
     text += fmt::format("\n## Cause\n\n{}: {}.\n", shown.judgement.explanation->source,
                         shown.judgement.explanation->description);
   }
-  const std::string& snippet = party.declaration.snippet;
+  const std::string& snippet = asked.declaration.snippet;
   text += "\n## A program that shows it\n\n";
   if (!snippet.empty()) {
     return text + fenced(language_of(snippet), filled_in(snippet, pair));

@@ -13,8 +13,8 @@ double magnitude_length(const JudgedCase& shown) {
 }
 
 /// What is wrong with a collider's answer.
-std::string wrong_in_words(const JudgedCase& shown, const KeptAnswer& party) {
-  const std::string& name = party.declaration.name;
+std::string wrong_in_words(const JudgedCase& shown, const DeclaredAnswer& asked) {
+  const std::string& name = asked.declaration.name;
   const std::string off = brief(magnitude_length(shown));
   switch (shown.judgement.bucket.kind) {
     case Kind::missed_contact:
@@ -32,7 +32,7 @@ std::string wrong_in_words(const JudgedCase& shown, const KeptAnswer& party) {
     case Kind::features:
       return fmt::format("{} names the wrong features", name);
     default:
-      return fmt::format("{} reports {}", name, answer_in_words(party));
+      return fmt::format("{} reports {}", name, answer_in_words(asked));
   }
 }
 
@@ -62,15 +62,15 @@ std::string agreement(const JudgedCase& shown) {
 
 std::string silent_or_nonsense(const JudgedCase& shown, std::string_view what) {
   const bool of_subject = shown.judgement.bucket.fault == Fault::subject;
-  const KeptAnswer& party = of_subject ? shown.subject : shown.oracle;
-  return fmt::format("{} {}", party.declaration.name, what);
+  const DeclaredAnswer& asked = of_subject ? shown.subject : shown.oracle;
+  return fmt::format("{} {}", asked.declaration.name, what);
 }
 
 std::string unsupported_in_words(const JudgedCase& shown) {
-  for (const KeptAnswer* party : {&shown.subject, &shown.oracle}) {
-    const auto* const unsupported = std::get_if<Unsupported>(&party->answer);
+  for (const DeclaredAnswer* asked : {&shown.subject, &shown.oracle}) {
+    const auto* const unsupported = std::get_if<Unsupported>(&asked->answer);
     if (unsupported == nullptr) continue;
-    return fmt::format("{} cannot take this case: {}", party->declaration.name, unsupported->why);
+    return fmt::format("{} cannot take this case: {}", asked->declaration.name, unsupported->why);
   }
   return "a collider cannot take this case";
 }
@@ -100,12 +100,12 @@ std::string truth_in_words(const PairCase& pair) {
   return fmt::format("overlap {}", brief(-separation));
 }
 
-std::string answer_in_words(const KeptAnswer& party) {
-  if (const auto* const lost = std::get_if<Lost>(&party.answer)) return lost->why;
-  const Manifold<double>* const manifold = party.manifold();
-  if (manifold == nullptr) return "unsupported: " + std::get<Unsupported>(party.answer).why;
+std::string answer_in_words(const DeclaredAnswer& asked) {
+  if (const auto* const lost = std::get_if<Lost>(&asked.answer)) return lost->why;
+  const Manifold<double>* const manifold = asked.manifold();
+  if (manifold == nullptr) return "unsupported: " + std::get<Unsupported>(asked.answer).why;
   const auto& points = manifold->points;
-  switch (party.count()) {
+  switch (asked.count()) {
     case 0:
       return "no contact";
     case 1:

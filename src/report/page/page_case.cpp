@@ -74,15 +74,15 @@ Json manifold_json(const PairCase& pair, const Manifold<double>& manifold, int c
   return json;
 }
 
-Json party_json(const PairCase& pair, const KeptAnswer& party, std::string_view role) {
+Json answer_json(const PairCase& pair, const DeclaredAnswer& asked, std::string_view role) {
   Json manifolds = Json::array();
-  if (party.manifold() != nullptr) {
-    manifolds.push_back(manifold_json(pair, *party.manifold(), party.count()));
+  if (asked.manifold() != nullptr) {
+    manifolds.push_back(manifold_json(pair, *asked.manifold(), asked.count()));
   }
   return {{"role", role},
-          {"name", party.declaration.name},
-          {"version", party.declaration.version},
-          {"words", answer_in_words(party)},
+          {"name", asked.declaration.name},
+          {"version", asked.declaration.version},
+          {"words", answer_in_words(asked)},
           {"manifolds", manifolds}};
 }
 
@@ -155,8 +155,8 @@ Json page_case_json(const PageCase& page_case) {
           {"origin", vector_json(pair.a.pose.position.cast<double>())},
           {"bodies", {body_json(pair.a, placed.a), body_json(pair.b, placed.b)}},
           {"parties",
-           {truth_json(page_case), party_json(pair, shown.subject, "subject"),
-            party_json(pair, shown.oracle, "oracle")}},
+           {truth_json(page_case), answer_json(pair, shown.subject, "subject"),
+            answer_json(pair, shown.oracle, "oracle")}},
           {"map", map_json(page_case.map)},
           {"map_words", page_case.map ? Json(page_case.map->words) : Json::array()}};
 }

@@ -113,7 +113,7 @@ class Picture {
   void draw_views();
   void write_shapes();
   void write_legend();
-  void write_party(const KeptAnswer& party, bool is_subject);
+  void write_answer(const DeclaredAnswer& asked, bool is_subject);
 
   const JudgedCase& shown_;
   Scene scene_;
@@ -129,18 +129,18 @@ void Picture::draw_views() {
   y_ += kLine + 4;
 }
 
-void Picture::write_party(const KeptAnswer& party, bool is_subject) {
+void Picture::write_answer(const DeclaredAnswer& asked, bool is_subject) {
   draw_mark(svg_, {kEdge + 9, y_ - 4}, is_subject);
   std::string text =
-      fmt::format("{} {} ({}): {}", party.declaration.name, party.declaration.version,
-                  is_subject ? "subject" : "oracle", answer_in_words(party));
-  if (party.count() > 0) {
-    const Manifold<double>& manifold = *party.manifold();
+      fmt::format("{} {} ({}): {}", asked.declaration.name, asked.declaration.version,
+                  is_subject ? "subject" : "oracle", answer_in_words(asked));
+  if (asked.count() > 0) {
+    const Manifold<double>& manifold = *asked.manifold();
     const Point normal = world_normal(shown_.given.pair, manifold.normal);
     text +=
         fmt::format("; reference {}, normal ({}, {})", manifold.reference == Side::a ? 'A' : 'B',
                     brief(normal.x()), brief(normal.y()));
-    for (int i = 0; i < party.count(); ++i) {
+    for (int i = 0; i < asked.count(); ++i) {
       const Point at = to_world(shown_.given.pair, manifold.points[i].position);
       text += (i == 0 ? "; at " : " and ") + place(at);
     }
@@ -184,8 +184,8 @@ void Picture::write_shapes() {
 
 void Picture::write_legend() {
   write_shapes();
-  write_party(shown_.subject, true);
-  write_party(shown_.oracle, false);
+  write_answer(shown_.subject, true);
+  write_answer(shown_.oracle, false);
   if (const LedgerEntry* const entry = shown_.judgement.explanation) {
     write(fmt::format("Known as {}: {}. {}", entry->id, entry->description, entry->source), kEdge,
           kTextFont, "subtitle");

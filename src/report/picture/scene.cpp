@@ -41,9 +41,9 @@ DepthBar deepest_bar(const Scene& scene, const PairCase& pair, const exact::Clip
                 scene.outward);
 }
 
-void add_points(Scene& scene, const PairCase& pair, const KeptAnswer& party, bool is_subject) {
-  for (int i = 0; i < party.count(); ++i) {
-    const Manifold<double>& manifold = *party.manifold();
+void add_points(Scene& scene, const PairCase& pair, const DeclaredAnswer& asked, bool is_subject) {
+  for (int i = 0; i < asked.count(); ++i) {
+    const Manifold<double>& manifold = *asked.manifold();
     const ContactPoint<double>& point = manifold.points[i];
     const Point normal = world_normal(pair, manifold.normal);
     if (!point.position.allFinite() || !std::isfinite(point.depth) || !normal.allFinite()) continue;

@@ -64,9 +64,9 @@ void check_layout(const std::vector<Element>& elements) {
 
 void check_words(const JudgedCase& shown, const std::vector<Element>& elements) {
   CHECK(holds(elements, verdict_sentence(shown)));
-  for (const KeptAnswer* party : {&shown.subject, &shown.oracle}) {
-    CHECK(holds(elements, party->declaration.name + " " + party->declaration.version));
-    CHECK(holds(elements, answer_in_words(*party)));
+  for (const DeclaredAnswer* asked : {&shown.subject, &shown.oracle}) {
+    CHECK(holds(elements, asked->declaration.name + " " + asked->declaration.version));
+    CHECK(holds(elements, answer_in_words(*asked)));
   }
   const Admissible right = admissible(shown.given.pair, shown.subject.declaration);
   const exact::Clip* const candidate = candidate_to_show(right, shown.subject);

@@ -123,7 +123,7 @@ TEST_CASE("answers that are missing or absurd leave a picture of the polygons") 
   absurd.points[1].position = {std::nan(""), 0};
   const std::vector<Answer> answers{Lost{Lost::How::crashed, "died"}, Unsupported{"why"}, absurd};
   for (const Answer& answer : answers) {
-    const KeptAnswer party{declaration, answer};
-    CHECK_THAT(text_picture(pair, {&party, 1}), Contains("S mine: "));
+    const DeclaredAnswer asked{declaration, answer};
+    CHECK_THAT(text_picture(pair, {&asked, 1}), Contains("S mine: "));
   }
 }

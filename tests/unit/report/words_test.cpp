@@ -68,12 +68,12 @@ TEST_CASE("each verdict has its sentence") {
 }
 
 TEST_CASE("what a collider answered") {
-  KeptAnswer party = shown_case(box_on_box(0.25F)).subject;
-  CHECK(answer_in_words(party) == "2 points, depths 0.25 and 0.25");
-  party.answer = Unsupported{"too many vertices"};
-  CHECK(answer_in_words(party) == "unsupported: too many vertices");
-  party.answer = Lost{Lost::How::crashed, "crashed"};
-  CHECK(answer_in_words(party) == "crashed");
+  DeclaredAnswer asked = shown_case(box_on_box(0.25F)).subject;
+  CHECK(answer_in_words(asked) == "2 points, depths 0.25 and 0.25");
+  asked.answer = Unsupported{"too many vertices"};
+  CHECK(answer_in_words(asked) == "unsupported: too many vertices");
+  asked.answer = Lost{Lost::How::crashed, "crashed"};
+  CHECK(answer_in_words(asked) == "crashed");
 }
 
 TEST_CASE("an unsupported case says why") {
