@@ -103,11 +103,11 @@ std::pair<Collider, Collider> parties_of(const Collider& collider) {
 }
 
 /// Whether it was written: it is a fault by the judge too, or clip's, and no milder than before.
-bool save_witness(const StressPlan& plan, const StressSubject& subject, const Witness& witness,
+bool save_witness(const StressPlan& plan, const StressSubject& measured, const Witness& witness,
                   const std::filesystem::path& corpus, const std::string& name,
                   Interruption& interruption) {
-  const Collider& collider = subject.collider;
-  const bool is_steady = subject.name == kSteady;
+  const Collider& collider = measured.collider;
+  const bool is_steady = measured.name == kSteady;
   auto [subject, oracle] = parties_of(collider);
   PairCase pair = case_of(plan, witness.unit, witness.index);
   Judgement judgement = judge_in_child(pair, subject, oracle, interruption);
