@@ -49,7 +49,8 @@ TEST_CASE("the next steps work when pasted, with a corpus and without") {
     for (std::string command : commands) {
       for (const std::string_view length : {"--seconds 10", "--cases 20000"}) {
         const std::size_t at = command.find(length);
-        if (at != std::string::npos) command.replace(at, length.size(), "--cases 100 --seed 1 --no-save");
+        if (at != std::string::npos)
+          command.replace(at, length.size(), "--cases 100 --seed 1 --no-save");
       }
       const Outcome outcome =
           run_program({"sh", "-c", "cd \"$0\" && " + command, folder.path().string()});
