@@ -1,6 +1,7 @@
 #include "report/picture/case_picture.hpp"
 
 #include <limits>
+#include <sstream>
 
 #include <catch2/catch.hpp>
 
@@ -27,6 +28,19 @@ bool holds(const std::vector<Element>& elements, std::string_view expected) {
   std::string joined;
   for (const char c : all_text(elements)) joined += c == '\n' ? ' ' : c;
   return joined.find(expected) != std::string::npos;
+}
+
+/// Of an upright box that is drawn as a polygon.
+Box bounds_of(const Element& polygon) {
+  std::istringstream corners(polygon.attributes.at("points"));
+  Point low(1e9, 1e9);
+  Point high(-1e9, -1e9);
+  char comma = 0;
+  for (Point corner; corners >> corner.x() >> comma >> corner.y();) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
 }
 
 void check_numbers(const std::string& svg) {
@@ -117,11 +131,14 @@ TEST_CASE("points at one spot share a label, in which each collider stands once"
 
 TEST_CASE("the overlap is drawn where it is") {
   const auto elements = read_svg(case_svg(shown_case(box_on_box(0.25F))));
-  const auto corners = [&](const std::string& css) {
-    return select(elements, "polygon", css).at(0).attributes.at("points");
-  };
-  CHECK(corners("overlap") != corners("fill a"));
-  CHECK(corners("overlap") != corners("fill b"));
+  const Box a = bounds_of(select(elements, "polygon", "fill a").at(0));
+  const Box b = bounds_of(select(elements, "polygon", "fill b").at(0));
+  const Box overlap = bounds_of(select(elements, "polygon", "overlap").at(0));
+  // The top of B, half as wide as A, lies above A's bottom; y grows downwards.
+  CHECK(overlap.x == b.x);
+  CHECK(overlap.width == b.width);
+  CHECK(overlap.y == b.y);
+  CHECK(overlap.bottom() == Approx(a.bottom()));
 }
 
 TEST_CASE("a depth too small to be seen gets a closer view") {

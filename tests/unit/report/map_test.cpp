@@ -170,7 +170,9 @@ TEST_CASE("every known defect has a map") {
   const std::filesystem::path folder = source_dir() / "corpus" / "defects" / "box2d";
   const Collider subject = find_collider("clip");
   const Collider oracle = find_collider("box2d");
-  for (const CorpusCase& known : read_corpus({&folder, 1}).cases) {
+  const Corpus corpus = read_corpus({&folder, 1});
+  CHECK(corpus.cases.size() > 5);
+  for (const CorpusCase& known : corpus.cases) {
     CAPTURE(known.path);
     Map map = map_of(known.pair, subject, oracle, 100);
     map.shown.given = known;
