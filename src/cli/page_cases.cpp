@@ -53,17 +53,17 @@ bool is_alike(const Manifold<double>& m, const Manifold<double>& n) {
 /// What is right, the subject's own manifold first where it is one of them.
 std::vector<Manifold<double>> right_of(const PageCase& page_case) {
   std::vector<Manifold<double>> right;
-  const CorpusCase& given = page_case.shown.given;
+  const CorpusCase& given = page_case.judged.given;
   if (page_case.is_judged) {
-    right = right_manifolds(admissible(given.pair, page_case.shown.subject.declaration));
+    right = right_manifolds(admissible(given.pair, page_case.judged.subject.declaration));
   } else if (given.expect) {
     for (const NamedAnswer& named : given.expect->manifolds) {
       const auto* const manifold = std::get_if<Manifold<double>>(&named.answer);
       if (named.collider == kJudgeName && manifold != nullptr) right.push_back(*manifold);
     }
   }
-  if (page_case.shown.subject.manifold() == nullptr) return right;
-  const Manifold<double>& own = *page_case.shown.subject.manifold();
+  if (page_case.judged.subject.manifold() == nullptr) return right;
+  const Manifold<double>& own = *page_case.judged.subject.manifold();
   std::stable_partition(right.begin(), right.end(),
                         [&](const auto& other) { return is_alike(other, own); });
   return right;
@@ -79,7 +79,7 @@ PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
   const std::string oracle_name = or_usual(expect.oracle, colliders.oracle());
   const Collider* const subject = colliders.find(subject_name);
   const Collider* const oracle = colliders.find(oracle_name);
-  PageCase page_case{.shown = {given,
+  PageCase page_case{.judged = {given,
                                answer_of(given, subject_name, subject, interruption),
                                answer_of(given, oracle_name, oracle, interruption),
                                {}},
@@ -89,10 +89,10 @@ PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
                      .count = {},
                      .commands = {},
                      .map = {}};
-  JudgedCase& shown = page_case.shown;
+  JudgedCase& judged = page_case.judged;
   if (page_case.is_judged) {
-    shown.judgement = judge(given.pair, {shown.subject.declaration, shown.subject.answer},
-                            {shown.oracle.declaration, shown.oracle.answer});
+    judged.judgement = judge(given.pair, {judged.subject.declaration, judged.subject.answer},
+                            {judged.oracle.declaration, judged.oracle.answer});
   }
   page_case.right = right_of(page_case);
   return page_case;
@@ -100,7 +100,7 @@ PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
 
 /// What runs say of a bucket: how often they met it, and the commands that repeat it.
 void add_runs(PageCase& page_case, const std::vector<ResultFile>& results) {
-  const auto& expect = page_case.shown.given.expect;
+  const auto& expect = page_case.judged.given.expect;
   if (!expect) return;
   for (const ResultFile& result : results) {
     const bool is_of_these = result.campaign &&
@@ -116,20 +116,20 @@ void add_runs(PageCase& page_case, const std::vector<ResultFile>& results) {
 }
 
 PageMap map_of(const PageCase& page_case, NamedColliders& colliders, Interruption& interruption) {
-  const JudgedCase& shown = page_case.shown;
-  const PairCase& pair = shown.given.pair;
+  const JudgedCase& judged = page_case.judged;
+  const PairCase& pair = judged.given.pair;
   const Grid grid = grid_around(exact::Truth(pair));
-  const Neighbourhood map = ask_neighbourhood(pair, *colliders.find(shown.subject.declaration.name),
-                                              *colliders.find(shown.oracle.declaration.name), grid,
+  const Neighbourhood map = ask_neighbourhood(pair, *colliders.find(judged.subject.declaration.name),
+                                              *colliders.find(judged.oracle.declaration.name), grid,
                                               grid.cell_count(), interruption);
   if (interruption.requested()) throw Interrupted();
-  return {map_png(shown, map), {grid_in_words(grid), severity_in_words(shown, map)}};
+  return {map_png(judged, map), {grid_in_words(grid), severity_in_words(judged, map)}};
 }
 
 /// Those that deserve a map the most first: somebody is wrong and nothing explains it; somebody is
 /// wrong; the others.
 int rank_of(const PageCase& page_case) {
-  const Verdict verdict = page_case.shown.judgement.bucket.verdict;
+  const Verdict verdict = page_case.judged.judgement.bucket.verdict;
   if (is_unexplained(verdict)) return 0;
   return verdict == Verdict::known ? 1 : 2;
 }
@@ -139,12 +139,12 @@ void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size
   std::set<std::tuple<std::string, std::string, std::string>> seen;
   std::vector<PageCase*> wanted;
   for (PageCase& page_case : cases) {
-    const JudgedCase& shown = page_case.shown;
+    const JudgedCase& judged = page_case.judged;
     const bool is_first =
         page_case.is_judged && page_case.smallest.empty() &&
-        shown.judgement.bucket.verdict != Verdict::agree &&
-        seen.emplace(to_string(shown.judgement.bucket), shown.subject.declaration.name,
-                     shown.oracle.declaration.name)
+        judged.judgement.bucket.verdict != Verdict::agree &&
+        seen.emplace(to_string(judged.judgement.bucket), judged.subject.declaration.name,
+                     judged.oracle.declaration.name)
             .second;
     if (is_first) wanted.push_back(&page_case);
   }

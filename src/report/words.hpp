@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "report/judged_case.hpp"
+#include "campaign/judged_case.hpp"
 
 namespace manifuzz {
 
@@ -22,6 +22,6 @@ std::string truth_in_words(const PairCase& pair);
 std::string answer_in_words(const DeclaredAnswer& asked);
 
 /// The verdict as a sentence: "oracle wrong (known): box2d reports no contact, true overlap 0.31".
-std::string verdict_sentence(const JudgedCase& shown);
+std::string verdict_sentence(const JudgedCase& judged);
 
 }  // namespace manifuzz

@@ -17,7 +17,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/output_check.hpp"
-#include "cli/shown.hpp"
+#include "cli/judged.hpp"
 #include "report/case_text.hpp"
 #include "report/picture/case_picture.hpp"
 #include "report/picture/map_picture.hpp"
@@ -64,15 +64,15 @@ void check_map(const Options& options) {
 }
 
 /// Draws the map to its file and says in words what it comes to.
-std::string write_map(const Options& options, const JudgedCase& shown, const Collider& subject,
+std::string write_map(const Options& options, const JudgedCase& judged, const Collider& subject,
                       const Collider& oracle, Interruption& interruption) {
   const Grid grid =
-      grid_around(exact::Truth(shown.given.pair), static_cast<int>(options.map_step.value_or(1)));
+      grid_around(exact::Truth(judged.given.pair), static_cast<int>(options.map_step.value_or(1)));
   const Neighbourhood map =
-      ask_neighbourhood(shown.given.pair, subject, oracle, grid, grid.cell_count(), interruption);
+      ask_neighbourhood(judged.given.pair, subject, oracle, grid, grid.cell_count(), interruption);
   if (interruption.requested()) throw Interrupted();
-  write_file(*options.map, map_png(shown, map));
-  return fmt::format("map: {}\n  {}\n", grid_in_words(grid), severity_in_words(shown, map));
+  write_file(*options.map, map_png(judged, map));
+  return fmt::format("map: {}\n  {}\n", grid_in_words(grid), severity_in_words(judged, map));
 }
 
 int show(const Options& options) {
@@ -89,14 +89,14 @@ int show(const Options& options) {
   const Collider subject = find_subject(parties);
   const Collider oracle = find_oracle(parties);
   Interruption interruption;
-  const JudgedCase shown = ask_both(given, subject, oracle, interruption);
-  if (!options.svg.empty() && options.svg != "-") write_file(options.svg, case_svg(shown));
-  std::string text = options.svg == "-" ? case_svg(shown)
-                     : options.upstream ? upstream_report(shown, options_again(parties))
-                                        : case_text(shown);
-  if (options.text_picture && options.svg != "-") text += '\n' + text_picture(shown);
+  const JudgedCase judged = ask_both(given, subject, oracle, interruption);
+  if (!options.svg.empty() && options.svg != "-") write_file(options.svg, case_svg(judged));
+  std::string text = options.svg == "-" ? case_svg(judged)
+                     : options.upstream ? upstream_report(judged, options_again(parties))
+                                        : case_text(judged);
+  if (options.text_picture && options.svg != "-") text += '\n' + text_picture(judged);
   if (options.map) {
-    const std::string words = write_map(options, shown, subject, oracle, interruption);
+    const std::string words = write_map(options, judged, subject, oracle, interruption);
     if (options.svg != "-") text += words;
   }
   Output out;

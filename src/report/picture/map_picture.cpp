@@ -107,8 +107,8 @@ std::vector<Said> all_said(const Neighbourhood& neighbourhood) {
 
 class MapPicture {
  public:
-  MapPicture(const JudgedCase& shown, const Neighbourhood& neighbourhood)
-      : shown_(shown),
+  MapPicture(const JudgedCase& judged, const Neighbourhood& neighbourhood)
+      : judged_(judged),
         map_(neighbourhood),
         side_(neighbourhood.grid.side()),
         pixels_(std::max(1.0, std::ceil(kPanelWidthMin / side_))),
@@ -160,7 +160,7 @@ class MapPicture {
   }
   Colour colour_of_cell(int panel, const Cell& cell) const;
 
-  const JudgedCase& shown_;
+  const JudgedCase& judged_;
   const Neighbourhood& map_;
   int side_;
   double pixels_;  // a cell's width
@@ -173,11 +173,11 @@ class MapPicture {
 
 void MapPicture::write_title() {
   const double right = width_ - kEdge;
-  const std::string name = std::filesystem::path(shown_.given.path).filename().string();
+  const std::string name = std::filesystem::path(judged_.given.path).filename().string();
   y_ = 38;
   write(name.empty() || name == "-" ? "a case" : name, kEdge, right, kTitleFont, kInk);
-  write(verdict_sentence(shown_), kEdge, right, kTextFont, kInk);
-  write(severity_in_words(shown_, map_), kEdge, right, kTextFont, kInk);
+  write(verdict_sentence(judged_), kEdge, right, kTextFont, kInk);
+  write(severity_in_words(judged_, map_), kEdge, right, kTextFont, kInk);
   write(fmt::format("The map: {}. Right is +x, up is +y; the ring marks the case itself.",
                     grid_in_words(map_.grid)),
         kEdge, right, kTextFont, kQuiet);
@@ -219,8 +219,8 @@ void MapPicture::draw_panels() {
   const auto named = [](std::string_view role, const DeclaredAnswer& asked) {
     return fmt::format("{}: {}", role, asked.declaration.name);
   };
-  draw_panel(0, named("subject", shown_.subject));
-  draw_panel(1, named("oracle", shown_.oracle));
+  draw_panel(0, named("subject", judged_.subject));
+  draw_panel(1, named("oracle", judged_.oracle));
   draw_panel(2, "truth: the exact clip");
   draw_panel(3, "difference: the verdict");
   y_ += panel_ + 58;
@@ -228,7 +228,7 @@ void MapPicture::draw_panels() {
 
 void MapPicture::write_statements(double x, double right) {
   const std::array<std::string_view, kRoles.size()> names{
-      shown_.subject.declaration.name, shown_.oracle.declaration.name, "truth"};
+      judged_.subject.declaration.name, judged_.oracle.declaration.name, "truth"};
   const auto entry = [&](std::string_view words, const std::array<int, kRoles.size()>& cells) {
     std::string text(words);
     std::string_view separator = "   (cells: ";
@@ -274,15 +274,15 @@ void MapPicture::write_verdicts(double x, double right) {
     });
     if (cells == 0) continue;
     const std::string words =
-        verdict_in_words(verdict, shown_.subject.declaration.name, shown_.oracle.declaration.name);
+        verdict_in_words(verdict, judged_.subject.declaration.name, judged_.oracle.declaration.name);
     write_entry(fmt::format("{} ({})", words, cells), x, right, colour_of(verdict));
   }
 }
 
 }  // namespace
 
-std::string map_png(const JudgedCase& shown, const Neighbourhood& neighbourhood) {
-  return MapPicture(shown, neighbourhood).draw();
+std::string map_png(const JudgedCase& judged, const Neighbourhood& neighbourhood) {
+  return MapPicture(judged, neighbourhood).draw();
 }
 
 }  // namespace manifuzz

@@ -1,3 +1,4 @@
+#include "report/candidate.hpp"
 #include "report/picture/scene.hpp"
 
 #include <algorithm>
@@ -57,11 +58,11 @@ void add_points(Scene& scene, const PairCase& pair, const DeclaredAnswer& asked,
 
 }  // namespace
 
-Scene make_scene(const JudgedCase& shown) {
-  const PairCase& pair = shown.given.pair;
+Scene make_scene(const JudgedCase& judged) {
+  const PairCase& pair = judged.given.pair;
   const auto world = exact::place_roughly(pair);
-  const Admissible right = admissible(pair, shown.subject.declaration);
-  const exact::Clip* const candidate = candidate_to_show(right, shown.subject);
+  const Admissible right = admissible(pair, judged.subject.declaration);
+  const exact::Clip* const candidate = candidate_to_show(right, judged.subject);
 
   Scene scene;
   scene.polygons = {world.a, world.b};
@@ -77,8 +78,8 @@ Scene make_scene(const JudgedCase& shown) {
   scene.slab = {scene.reference.segment.first - widening,
                 scene.reference.segment.second + widening};
   scene.deepest = deepest_bar(scene, pair, candidate);
-  add_points(scene, pair, shown.subject, true);
-  add_points(scene, pair, shown.oracle, false);
+  add_points(scene, pair, judged.subject, true);
+  add_points(scene, pair, judged.oracle, false);
   return scene;
 }
 

@@ -1,3 +1,4 @@
+#include "report/candidate.hpp"
 #include "report/picture/text_picture.hpp"
 
 #include <array>
@@ -221,8 +222,8 @@ std::string text_picture(const PairCase& pair, std::span<const DeclaredAnswer> a
   return text + '\n' + legend(pair, answers, all);
 }
 
-std::string text_picture(const JudgedCase& shown) {
-  return text_picture(shown.given.pair, std::array{shown.subject, shown.oracle});
+std::string text_picture(const JudgedCase& judged) {
+  return text_picture(judged.given.pair, std::array{judged.subject, judged.oracle});
 }
 
 }  // namespace manifuzz

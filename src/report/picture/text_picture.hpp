@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "report/judged_case.hpp"
+#include "campaign/judged_case.hpp"
 
 namespace manifuzz {
 
@@ -14,6 +14,6 @@ namespace manifuzz {
 std::string text_picture(const PairCase& pair, std::span<const DeclaredAnswer> answers);
 
 /// Of a case between two colliders.
-std::string text_picture(const JudgedCase& shown);
+std::string text_picture(const JudgedCase& judged);
 
 }  // namespace manifuzz

@@ -1,5 +1,7 @@
 #include "report/github.hpp"
 
+#include "report/markdown.hpp"
+
 #include <catch2/catch.hpp>
 
 using namespace manifuzz;

@@ -45,7 +45,7 @@ TEST_CASE("dots lie in their cells, marks over them, and lines end with the last
 }
 
 TEST_CASE("a box below a box") {
-  CHECK(text_picture(shown_case(box_on_box(0.25F))) == R"(⡏⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⢹
+  CHECK(text_picture(judged_case(box_on_box(0.25F))) == R"(⡏⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⢹
 ⡇⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⢸
 ⡇⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⢸
 ⡇⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⠀⢸
@@ -99,7 +99,7 @@ TEST_CASE("no picture is wider than 76 characters but for its legend, or longer 
     std::string line;
     append_case_line(line, pair);
     CAPTURE(line);
-    const std::string picture = text_picture(shown_case(pair));
+    const std::string picture = text_picture(judged_case(pair));
     const std::vector<std::string> lines = lines_of(picture);
     CHECK(lines.size() <= 46);
     const auto legend = std::ranges::find_if(
@@ -110,8 +110,8 @@ TEST_CASE("no picture is wider than 76 characters but for its legend, or longer 
 }
 
 TEST_CASE("what is too small to be seen is shown again, closer") {
-  CHECK_THAT(text_picture(shown_case(box_on_box(1e-4F))), Contains("times closer:\n"));
-  CHECK_THAT(text_picture(shown_case(box_on_box(0.25F))), !Contains("times closer:\n"));
+  CHECK_THAT(text_picture(judged_case(box_on_box(1e-4F))), Contains("times closer:\n"));
+  CHECK_THAT(text_picture(judged_case(box_on_box(0.25F))), !Contains("times closer:\n"));
 }
 
 TEST_CASE("answers that are missing or absurd leave a picture of the polygons") {

@@ -1,15 +1,14 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
-#include <string_view>
 
 #include "corpus/corpus.hpp"
 #include "judging/judge.hpp"
+#include "process/process.hpp"
 
 namespace manifuzz {
 
-/// A collider that was asked, and what it said, completed.
+/// A collider's answer, completed, with its declaration.
 struct DeclaredAnswer {
   Declaration declaration;
   Answer answer;
@@ -20,7 +19,7 @@ struct DeclaredAnswer {
   int count() const { return manifold() ? std::clamp(manifold()->count, 0, 2) : 0; }
 };
 
-/// A case and what it comes to between two colliders: what `show` shows.
+/// A case, what two colliders answer, and the verdict: what `show` shows.
 struct JudgedCase {
   CorpusCase given;
   DeclaredAnswer subject;
@@ -28,8 +27,13 @@ struct JudgedCase {
   Judgement judgement;
 };
 
-/// The candidate that a picture shows: the subject's own choice where that is right, else the first
-/// whose incident edge meets the slab, else the first; nullptr where the polygons are apart.
-const exact::Clip* candidate_to_show(const Admissible& right, const DeclaredAnswer& subject);
+/// The collider is asked in a child process, where it could take this one along. Throws
+/// Interrupted.
+DeclaredAnswer declared_answer(const Collider& collider, const PairCase& pair,
+                               Interruption& interruption);
+
+/// Both are asked so. Throws Interrupted.
+JudgedCase judged_case(const CorpusCase& given, const Collider& subject, const Collider& oracle,
+                       Interruption& interruption);
 
 }  // namespace manifuzz

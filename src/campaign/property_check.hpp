@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "campaign/property_run.hpp"
-#include "cli/ci_output.hpp"
 #include "process/process.hpp"
 
 namespace manifuzz {
@@ -30,13 +29,5 @@ std::vector<CheckedProperty> check_properties(
     const std::vector<const Property*>& chosen, const Collider& subject, const PropertyPlan& plan,
     const Deadline& deadline, const std::string& save_to,
     const std::function<void(const CheckedProperty&)>& on_checked);
-
-/// For people: what RapidCheck says, how to repeat a failure, and where its case went.
-std::string property_text(const CheckedProperty& checked);
-
-/// The properties as a suite, of which `options` choose the collider, the seed and the corpus
-/// again; the first failures with pictures, as far as there is time.
-TestSuite property_suite(const std::vector<CheckedProperty>& checked, const Collider& subject,
-                         const std::string& options, Interruption& interruption);
 
 }  // namespace manifuzz

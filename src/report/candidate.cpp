@@ -1,4 +1,4 @@
-#include "report/judged_case.hpp"
+#include "report/candidate.hpp"
 
 namespace manifuzz {
 
