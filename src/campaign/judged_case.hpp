@@ -4,7 +4,7 @@
 
 #include "corpus/corpus.hpp"
 #include "judging/judge.hpp"
-#include "process/process.hpp"
+#include "process/interruption.hpp"
 
 namespace manifuzz {
 

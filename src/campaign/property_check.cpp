@@ -38,9 +38,10 @@ std::vector<CheckedProperty> check_properties(
     const Deadline& deadline, const std::string& save_to,
     const std::function<void(const CheckedProperty&)>& on_checked) {
   std::vector<CheckedProperty> all;
+  Interruption signals(kUntilSignal);
   for (const Property* const property : chosen) {
     const auto start = Clock::now();
-    Interruption interruption(share_of(deadline, chosen.size() - all.size()));
+    Interruption interruption({.hurried_at = share_of(deadline, chosen.size() - all.size())});
     PropertyPlan in_turn = plan;
     in_turn.interruption = &interruption;
     CheckedProperty checked{property, run_property(*property, subject, in_turn)};
@@ -54,7 +55,7 @@ std::vector<CheckedProperty> check_properties(
     }
     on_checked(checked);
     all.push_back(checked);
-    if (interruption.requests() > 0) break;
+    if (signals.is_stopped()) break;
   }
   return all;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "campaign/property_run.hpp"
-#include "process/process.hpp"
+#include "process/interruption.hpp"
 
 namespace manifuzz {
 

@@ -10,6 +10,8 @@
 
 #include "campaign/in_child.hpp"
 #include "judging/properties.hpp"
+#include "process/pool.hpp"
+#include "process/shared_memory.hpp"
 
 namespace manifuzz {
 namespace {
@@ -24,28 +26,35 @@ bool was_against_subject(const Expectation& expect) {
   return expect.bucket.starts_with("subject/") || expect.bucket.starts_with("both/");
 }
 
-/// In a child process first: a collider that dies there must not take the replay along.
+/// What a child that checks a property leaves behind.
+struct OutcomeSlot {
+  Outcome::Kind kind = Outcome::Kind::holds;
+  SharedText<512> why;
+};
+
 Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
                          Interruption& interruption) {
   const Property* const property = find_property(recorded.property);
   if (property == nullptr) {
     return {false, fmt::format("a property named {}", recorded.property), "there is none"};
   }
-  const std::atomic<int> pulse{0};
   const std::string sentence(property->sentence);
-  switch (run_in_child([&] { check(*property, subject, recorded.pair); }, pulse,
-                       case_seconds_max(subject, subject), interruption)) {
+  const Shared<OutcomeSlot> slot;
+  const auto body = [&] {
+    const Outcome outcome = check(*property, subject, recorded.pair);
+    slot->kind = outcome.kind;
+    slot->why.set(outcome.why);
+  };
+  switch (run_in_child(body, case_seconds_max(subject, subject), interruption)) {
     case Ending::crashed:
       return {false, sentence, "crashed"};
-    case Ending::hung:
+    case Ending::timed_out:
       return {false, sentence, "timed_out"};
-    case Ending::interrupted:
+    case Ending::stopped:
       throw Interrupted();
-    case Ending::well:
-      break;
+    default:
+      return {slot->kind != Outcome::Kind::fails, sentence, slot->why.str()};
   }
-  const Outcome outcome = check(*property, subject, recorded.pair);
-  return {outcome.kind != Outcome::Kind::fails, sentence, outcome.why};
 }
 
 using Clock = std::chrono::steady_clock;
@@ -57,10 +66,10 @@ double seconds_since(Clock::time_point start) {
 /// Nothing where there was no time for it.
 std::optional<Replayed> replay_in_time(const CorpusCase& recorded, const Collider& subject,
                                        const Collider& oracle, Interruption& interruption) {
-  if (interruption.requested()) return std::nullopt;
+  if (interruption.is_stopped()) return std::nullopt;
   try {
     const Replayed replayed = replay_case(recorded, subject, oracle, interruption);
-    return interruption.requested() ? std::nullopt : std::optional(replayed);
+    return interruption.is_stopped() ? std::nullopt : std::optional(replayed);
   } catch (const Interrupted&) {
     return std::nullopt;
   }

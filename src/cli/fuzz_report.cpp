@@ -72,11 +72,11 @@ std::string state_in_words(const Campaign& campaign) {
     text += "\nvacuous: nothing touched, so nothing was shown; choose other regimes or a radius\n";
   }
   if (campaign.result.stopped_early) {
-    const bool is_subject = campaign.run.unresponsive == Fault::subject;
+    const bool is_subject = campaign.run.given_up == Fault::subject;
     text +=
         fmt::format("\nstopped early: {} gave no answer again and again: {}\n",
                     is_subject ? campaign.result.settings.subject : campaign.result.settings.oracle,
-                    printable(campaign.run.why_unresponsive, 200));
+                    printable(campaign.run.why_given_up, 200));
   }
   if (!campaign.result.interrupted) return text;
   const std::size_t unsaved = campaign.saving.unsaved;
@@ -123,6 +123,7 @@ std::string objections(const Campaign& campaign) {
 }
 
 std::string progress_line(const Plan& plan, const Progress& progress) {
+  if (!progress.saving.empty()) return progress.saving;
   const Tally& tally = progress.tally;
   const double per_second = rate(tally.cases(), progress.seconds);
   double left = 0;

@@ -122,7 +122,7 @@ PageMap map_of(const PageCase& page_case, NamedColliders& colliders, Interruptio
   const Neighbourhood map = ask_neighbourhood(pair, *colliders.find(judged.subject.declaration.name),
                                               *colliders.find(judged.oracle.declaration.name), grid,
                                               grid.cell_count(), interruption);
-  if (interruption.requested()) throw Interrupted();
+  if (interruption.is_stopped()) throw Interrupted();
   return {map_png(judged, map), {grid_in_words(grid), severity_in_words(judged, map)}};
 }
 
@@ -181,7 +181,7 @@ std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& collider
   for (const CorpusCase& given : files.corpus.cases) paths.insert(given.path);
   std::vector<PageCase> cases;
   for (const CorpusCase& given : files.corpus.cases) {
-    if (interruption.requested()) throw Interrupted();
+    if (interruption.is_stopped()) throw Interrupted();
     PageCase page_case = page_case_of(given, colliders, interruption);
     const std::string shrunk = shrunk_beside(given.path);
     if (is_worst(given.path) && paths.contains(shrunk)) page_case.smallest = shrunk;

@@ -12,7 +12,7 @@ std::string report_page(const RunFiles& files, NamedColliders& colliders, std::s
   for (const ResultFile& result : files.results) {
     page.results.push_back({result.path, std::string(result.kind), result.json});
   }
-  Interruption interruption;
+  Interruption interruption(kUntilSignal);
   try {
     page.cases = page_cases(files, colliders, maps_max, interruption);
   } catch (const Interrupted&) {

@@ -6,8 +6,9 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "campaign/findings.hpp"
 #include "campaign/in_child.hpp"
+#include "campaign/save.hpp"
+#include "campaign/shrink_finding.hpp"
 #include "cli/colliders.hpp"
 #include "cli/output.hpp"
 

@@ -13,11 +13,11 @@
 #include "base/user_error.hpp"
 #include "campaign/baseline.hpp"
 #include "campaign/result_json.hpp"
+#include "cli/campaign_progress.hpp"
 #include "cli/ci_output.hpp"
 #include "cli/collider_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/fuzz_report.hpp"
-#include "cli/fuzz_run.hpp"
 #include "cli/fuzz_suite.hpp"
 #include "cli/input.hpp"
 #include "cli/options.hpp"
@@ -138,7 +138,7 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
   const std::string& unsaved = campaign.saving.first_error;
   outputs.write(!unsaved.empty(), [&] { throw UserError(unsaved); });
   if (is_wanted(options.ci)) {
-    Interruption interruption;
+    Interruption interruption(kUntilSignal);
     write_ci(options.ci, {fuzz_suite(campaign, interruption)}, outputs);
   }
   return outputs;
@@ -165,8 +165,8 @@ int fuzz(Options& options) {
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
   const Campaign campaign =
-      run_campaign(std::move(plan), KnownBuckets(corpus.cases),
-                   {options.no_save ? "" : options.corpus}, repeating_command(options));
+      run_with_progress(plan, KnownBuckets(corpus.cases), {options.no_save ? "" : options.corpus},
+                        repeating_command(options));
   if (!write_all(campaign, baseline, options).are_written()) return 2;
   return has_failed(campaign.result) ? 1 : 0;
 }

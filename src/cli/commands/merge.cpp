@@ -13,14 +13,14 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "campaign/findings.hpp"
 #include "campaign/merged_result.hpp"
 #include "campaign/result_json.hpp"
+#include "campaign/save.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/output_check.hpp"
-#include "process/process.hpp"
+#include "process/interruption.hpp"
 
 namespace manifuzz {
 namespace {
@@ -51,7 +51,7 @@ std::map<std::string, std::string> write_all(const std::vector<MergedFinding>& a
                                              const fs::path& output, Interruption& interruption) {
   std::map<std::string, std::string> files;
   for (const MergedFinding& finding : all) {
-    if (interruption.requested()) throw UserError("merge: interrupted; nothing was written");
+    if (interruption.is_stopped()) throw UserError("merge: interrupted; nothing was written");
     const CorpusCase& smallest = finding.smallest;
     const fs::path file = corpus_file(output / folder_of(smallest), smallest);
     write_file(file, text_of(smallest));
@@ -92,7 +92,7 @@ void expect_possible(const Options& options, const RunFiles& files, const Merged
 
 /// Writes all of it or nothing; returns what there is to say.
 std::string write_merged(const Options& options, const RunFiles& files, MergedResult& runs) {
-  Interruption interruption;
+  Interruption interruption(kUntilSignal);
   NewFolder folder(kept_path(options.output),
                    fmt::format("--output: {}", printable(options.output, 200)));
   const std::vector<MergedFinding> all = merged_findings(files.corpus.cases);

@@ -68,7 +68,7 @@ int run(Options& options) {
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.corpus = pairs;
 
-  Interruption all;
+  Interruption all(kUntilSignal);
   Outputs outputs;
   const auto tell = [&](const CheckedProperty& one) {
     const bool is_told = !options.ci.stdout_is_data && !(one.holds() && is_quiet());
@@ -77,7 +77,7 @@ int run(Options& options) {
   };
   const std::vector<CheckedProperty> checked =
       check_properties(chosen, subject, plan, {}, save_to, tell);
-  outputs.write(all.requests() > 0,
+  outputs.write(all.is_stopped(),
                 [] { throw UserError("property: interrupted before it was done"); });
   if (is_wanted(options.ci)) {
     const std::string again = options_again(options, plan.seed);

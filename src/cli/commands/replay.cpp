@@ -62,7 +62,7 @@ int replay(Options& options) {
     throw UserError("replay: there is no case; name files or folders of cases");
   }
 
-  Interruption interruption;
+  Interruption interruption(kUntilSignal);
   const ReplayRun run = replay_cases(corpus.cases, subject, oracle, interruption);
   Outputs outputs;
   outputs.write(run.left_out > 0,

@@ -70,7 +70,7 @@ std::string write_map(const Options& options, const JudgedCase& judged, const Co
       grid_around(exact::Truth(judged.given.pair), static_cast<int>(options.map_step.value_or(1)));
   const Neighbourhood map =
       ask_neighbourhood(judged.given.pair, subject, oracle, grid, grid.cell_count(), interruption);
-  if (interruption.requested()) throw Interrupted();
+  if (interruption.is_stopped()) throw Interrupted();
   write_file(*options.map, map_png(judged, map));
   return fmt::format("map: {}\n  {}\n", grid_in_words(grid), severity_in_words(judged, map));
 }
@@ -88,7 +88,7 @@ int show(const Options& options) {
   parties.oracle = chosen(file, parties.oracle, recorded.oracle, "box2d");
   const Collider subject = find_subject(parties);
   const Collider oracle = find_oracle(parties);
-  Interruption interruption;
+  Interruption interruption(kUntilSignal);
   const JudgedCase judged = ask_both(given, subject, oracle, interruption);
   if (!options.svg.empty() && options.svg != "-") write_file(options.svg, case_svg(judged));
   std::string text = options.svg == "-" ? case_svg(judged)

@@ -6,8 +6,9 @@
 
 #include "base/file.hpp"
 #include "base/user_error.hpp"
-#include "campaign/findings.hpp"
 #include "campaign/in_child.hpp"
+#include "campaign/save.hpp"
+#include "campaign/shrink_finding.hpp"
 #include "cli/case_argument.hpp"
 #include "cli/collider_options.hpp"
 #include "cli/commands.hpp"
@@ -29,7 +30,7 @@ int shrink_file(const Options& options) {
   const std::string file = case_file(options.given);
   check_outputs({{{"--output", options.output}}, {file}});
   const CorpusCase given = read_case_file(file);
-  Interruption interruption;
+  Interruption interruption(kUntilSignal);
   const Judgement root = judge_in_child(given.pair, subject, oracle, interruption);
   if (root.bucket.verdict == Verdict::agree) {
     throw UserError(

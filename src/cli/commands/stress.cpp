@@ -176,7 +176,7 @@ void write_files(const StressPlan& plan, const StressResult& result, const Stres
   outputs.write(!options.save.empty(), [&] { save(plan, result, options.save, interruption); });
   if (options.pictures.empty()) return;
   for (const Sweep* const sweep : plan.sweeps) {
-    const bool is_cut_short = interruption.requested();
+    const bool is_cut_short = interruption.is_stopped();
     outputs.write(true, [&] {
       if (is_cut_short) throw UserError("--pictures: interrupted, not all were drawn");
       write_stress_pictures(options.pictures, plan, result, *sweep);
@@ -215,7 +215,7 @@ int stress(const StressOptions& options) {
       line.show(progress_line(progress));
     });
   }
-  interruption.forgive();
+  Interruption writing(kUntilSignal);
   const Comparison comparison = compare(plan, result, baseline);
   const std::string json =
       options.json.empty() ? "" : report_json(plan, result, comparison).dump(1, '\t') + '\n';
@@ -226,7 +226,7 @@ int stress(const StressOptions& options) {
       is_terse ? objections(comparison) : report_text(plan, result, comparison);
   Outputs outputs;
   outputs.write(true, [&] { write_to_reader(has_table ? text : json); });
-  write_files(plan, result, options, json, stored, interruption, outputs);
+  write_files(plan, result, options, json, stored, writing, outputs);
   if (!outputs.are_written()) return 2;
   return comparison.worse.empty() && comparison.not_compared.empty() ? 0 : 1;
 }
