@@ -4,7 +4,6 @@
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <cstring>
 #include <fcntl.h>
 #include <memory>
 #include <optional>
@@ -17,7 +16,7 @@
 #include "oracle/external/external_collider.hpp"
 #include "oracle/external/library.hpp"
 #include "process/child.hpp"
-#include "process/process.hpp"
+#include "process/shared_memory.hpp"
 
 namespace manifuzz {
 namespace {
@@ -27,21 +26,13 @@ using Clock = std::chrono::steady_clock;
 constexpr double kLoadSecondsMax = 20;
 constexpr double kPollSeconds = 0.05;
 
-template <std::size_t Size>
-using Text = std::array<char, Size>;
-
-template <std::size_t Size>
-void copy(const char* from, Text<Size>& to) {
-  std::strncpy(to.data(), from == nullptr ? "" : from, Size - 1);
-}
-
 /// What the library's process and ours share.
 struct SharedState {
   manifuzz_declaration declared{};  ///< its texts are in those below
-  Text<64> name{};
-  Text<64> version{};
-  Text<16384> snippet{};
-  Text<512> error{};  ///< why it could not be loaded
+  SharedText<64> name;
+  SharedText<64> version;
+  SharedText<16384> snippet;
+  SharedText<512> error;  ///< why it could not be loaded
   std::atomic<int> asked{0};
   std::atomic<int> answered{0};
   std::array<PairCase, kBatch> cases;
@@ -64,11 +55,11 @@ void serve(const std::string& path, SharedState& shared, int in, int out) {
   try {
     library.emplace(path);
     shared.declared = library->declaration();
-    copy(shared.declared.name, shared.name);
-    copy(shared.declared.version, shared.version);
-    copy(shared.declared.snippet, shared.snippet);
+    shared.name.set(shared.declared.name);
+    shared.version.set(shared.declared.version);
+    shared.snippet.set(shared.declared.snippet);
   } catch (const UserError& error) {
-    copy(error.what(), shared.error);
+    shared.error.set(error.what());
   }
   while (write(out, &byte, 1) == 1 && library && read(in, &byte, 1) == 1) {
     const int asked = shared.asked;
@@ -88,7 +79,7 @@ class HostedLibrary {
     const std::string death = start();
     if (!death.empty()) throw UserError(fmt::format("{}: {} while it was loaded", path_, death));
     const SharedState& shared = **shared_;
-    if (shared.error[0] != 0) throw UserError(shared.error.data());
+    if (!shared.error.str().empty()) throw UserError(shared.error.str());
     try {
       return declaration_of(declared());
     } catch (const UserError& error) {
@@ -142,9 +133,9 @@ class HostedLibrary {
   manifuzz_declaration declared() const {
     const SharedState& shared = **shared_;
     manifuzz_declaration declared = shared.declared;
-    declared.name = shared.name.data();
-    declared.version = shared.version.data();
-    declared.snippet = shared.snippet.data();
+    declared.name = shared.name.c_str();
+    declared.version = shared.version.c_str();
+    declared.snippet = shared.snippet.c_str();
     return declared;
   }
 

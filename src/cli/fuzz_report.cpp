@@ -21,14 +21,14 @@ double rate(std::uint64_t cases, double seconds) {
 }
 
 std::string head_line(const Campaign& campaign) {
-  const FuzzResult& result = campaign.result;
+  const CampaignResult& result = campaign.result;
   return fmt::format("{} against {} {}: {} cases in {:.1f} s ({:.0f} a second, {} jobs), seed {}\n",
                      result.settings.subject, result.settings.oracle,
                      campaign.plan.oracle.declaration.version, result.cases(), result.seconds(),
                      rate(result.cases(), result.seconds()), result.jobs, campaign.plan.seed);
 }
 
-std::string regime_rows(const FuzzResult& result) {
+std::string regime_rows(const CampaignResult& result) {
   std::string text = fmt::format("{:<18}{:>14}{:>10}{:>8}{:>13}\n", "regime", "cases", "touching",
                                  "near", "unexplained");
   for (const RegimeResult& regime : result.regimes) {
@@ -39,7 +39,7 @@ std::string regime_rows(const FuzzResult& result) {
   return text;
 }
 
-std::string verdict_rows(const FuzzResult& result) {
+std::string verdict_rows(const CampaignResult& result) {
   std::string text;
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
     const std::string name = fmt::format("{:<18}", kVerdictNames[i]);
@@ -55,7 +55,7 @@ std::string over_budget_in_words(const LedgerResult& entry) {
                      bad(fmt::format("over its budget in {}", fmt::join(entry.over_budget, ", "))));
 }
 
-std::string ledger_rows(const FuzzResult& result) {
+std::string ledger_rows(const CampaignResult& result) {
   std::string text;
   for (const LedgerResult& entry : result.ledger) {
     text += fmt::format("{:<36}{:>14}{}\n", entry.id, entry.hits,
@@ -72,11 +72,11 @@ std::string state_in_words(const Campaign& campaign) {
     text += "\nvacuous: nothing touched, so nothing was shown; choose other regimes or a radius\n";
   }
   if (campaign.result.stopped_early) {
-    const bool is_subject = campaign.run.unresponsive == Fault::subject;
+    const bool is_subject = campaign.run.given_up == Fault::subject;
     text +=
         fmt::format("\nstopped early: {} gave no answer again and again: {}\n",
                     is_subject ? campaign.result.settings.subject : campaign.result.settings.oracle,
-                    printable(campaign.run.why_unresponsive, 200));
+                    printable(campaign.run.why_given_up, 200));
   }
   if (!campaign.result.interrupted) return text;
   const std::size_t unsaved = campaign.saving.unsaved;
@@ -99,7 +99,7 @@ std::string bucket_rows(const BucketResult& found) {
 }  // namespace
 
 std::string summary_table(const Campaign& campaign) {
-  const FuzzResult& result = campaign.result;
+  const CampaignResult& result = campaign.result;
   std::string text = head_line(campaign) + '\n' + regime_rows(result) + '\n' + verdict_rows(result);
   if (!result.ledger.empty()) text += '\n' + ledger_rows(result);
   if (!result.buckets.empty()) text += '\n';
@@ -123,6 +123,7 @@ std::string objections(const Campaign& campaign) {
 }
 
 std::string progress_line(const Plan& plan, const Progress& progress) {
+  if (!progress.saving.empty()) return progress.saving;
   const Tally& tally = progress.tally;
   const double per_second = rate(tally.cases(), progress.seconds);
   double left = 0;

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cli/fuzz_run.hpp"
+#include "campaign/run.hpp"
 
 namespace manifuzz {
 

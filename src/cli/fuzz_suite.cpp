@@ -35,7 +35,7 @@ CorpusCase case_of(const Campaign& campaign, const Finding& finding) {
   return first;
 }
 
-TestResult test_of_bucket(const FuzzResult& result, const Finding& finding,
+TestResult test_of_bucket(const CampaignResult& result, const Finding& finding,
                           const BucketResult& found) {
   TestResult test{found.bucket};
   test.failure = TestFailure{finding.bucket.verdict == Verdict::oracle_wrong
@@ -53,7 +53,7 @@ TestResult failed_test(const std::string& name, const TestFailure& failure) {
   return test;
 }
 
-std::vector<std::vector<std::string>> verdict_table(const FuzzResult& result) {
+std::vector<std::vector<std::string>> verdict_table(const CampaignResult& result) {
   std::vector<std::vector<std::string>> table{{"verdict", "cases"}};
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
     table.push_back({std::string(kVerdictNames[i]), std::to_string(result.verdicts[i])});
@@ -77,7 +77,7 @@ void add_buckets(TestSuite& suite, const Campaign& campaign, Interruption& inter
 }  // namespace
 
 TestSuite fuzz_suite(const Campaign& campaign, Interruption& interruption) {
-  const FuzzResult& result = campaign.result;
+  const CampaignResult& result = campaign.result;
   TestSuite suite{"manifuzz fuzz",
                   fmt::format("{} against {}: {} cases in {:.1f} s, {} unexplained, seed {}{}",
                               result.settings.subject, result.settings.oracle, result.cases(),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/fuzz_run.hpp"
+#include "campaign/run.hpp"
 #include "report/test_suite.hpp"
 
 namespace manifuzz {

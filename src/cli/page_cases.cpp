@@ -26,22 +26,22 @@ const Answer* recorded_answer(const CorpusCase& given, const std::string& name) 
   return found == manifolds.end() ? nullptr : &found->answer;
 }
 
-KeptAnswer party_of(const CorpusCase& given, const std::string& name, const Collider* collider,
-                    Interruption& interruption) {
-  KeptAnswer party;
-  if (collider != nullptr) party.declaration = collider->declaration;
-  party.declaration.name = name;
+DeclaredAnswer answer_of(const CorpusCase& given, const std::string& name, const Collider* collider,
+                         Interruption& interruption) {
+  DeclaredAnswer asked;
+  if (collider != nullptr) asked.declaration = collider->declaration;
+  asked.declaration.name = name;
   if (given.found && given.found->versions.contains(name)) {
-    party.declaration.version = given.found->versions.at(name);
+    asked.declaration.version = given.found->versions.at(name);
   }
   if (const Answer* const answer = recorded_answer(given, name)) {
-    party.answer = *answer;
+    asked.answer = *answer;
   } else if (collider != nullptr) {
-    party.answer = ask_in_child(*collider, given.pair, interruption);
+    asked.answer = ask_in_child(*collider, given.pair, interruption);
   } else {
-    party.answer = Lost{Lost::How::crashed, "no answer is recorded"};
+    asked.answer = Lost{Lost::How::crashed, "no answer is recorded"};
   }
-  return party;
+  return asked;
 }
 
 bool is_alike(const Manifold<double>& m, const Manifold<double>& n) {
@@ -53,17 +53,17 @@ bool is_alike(const Manifold<double>& m, const Manifold<double>& n) {
 /// What is right, the subject's own manifold first where it is one of them.
 std::vector<Manifold<double>> right_of(const PageCase& page_case) {
   std::vector<Manifold<double>> right;
-  const CorpusCase& given = page_case.shown.given;
+  const CorpusCase& given = page_case.judged.given;
   if (page_case.is_judged) {
-    right = right_manifolds(admissible(given.pair, page_case.shown.subject.declaration));
+    right = right_manifolds(admissible(given.pair, page_case.judged.subject.declaration));
   } else if (given.expect) {
     for (const NamedAnswer& named : given.expect->manifolds) {
       const auto* const manifold = std::get_if<Manifold<double>>(&named.answer);
       if (named.collider == kJudgeName && manifold != nullptr) right.push_back(*manifold);
     }
   }
-  if (page_case.shown.subject.manifold() == nullptr) return right;
-  const Manifold<double>& own = *page_case.shown.subject.manifold();
+  if (page_case.judged.subject.manifold() == nullptr) return right;
+  const Manifold<double>& own = *page_case.judged.subject.manifold();
   std::stable_partition(right.begin(), right.end(),
                         [&](const auto& other) { return is_alike(other, own); });
   return right;
@@ -79,34 +79,35 @@ PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
   const std::string oracle_name = or_usual(expect.oracle, colliders.oracle());
   const Collider* const subject = colliders.find(subject_name);
   const Collider* const oracle = colliders.find(oracle_name);
-  PageCase page_case{.shown = {given,
-                               party_of(given, subject_name, subject, interruption),
-                               party_of(given, oracle_name, oracle, interruption),
-                               {}},
+  PageCase page_case{.judged = {given,
+                                answer_of(given, subject_name, subject, interruption),
+                                answer_of(given, oracle_name, oracle, interruption),
+                                {}},
                      .is_judged = subject != nullptr && oracle != nullptr,
                      .right = {},
                      .smallest = {},
                      .count = {},
                      .commands = {},
                      .map = {}};
-  JudgedCase& shown = page_case.shown;
+  JudgedCase& judged = page_case.judged;
   if (page_case.is_judged) {
-    shown.judgement = judge(given.pair, {shown.subject.declaration, shown.subject.answer},
-                            {shown.oracle.declaration, shown.oracle.answer});
+    judged.judgement = judge(given.pair, {judged.subject.declaration, judged.subject.answer},
+                             {judged.oracle.declaration, judged.oracle.answer});
   }
   page_case.right = right_of(page_case);
   return page_case;
 }
 
 /// What runs say of a bucket: how often they met it, and the commands that repeat it.
-void add_runs(PageCase& page_case, const std::vector<Result>& results) {
-  const auto& expect = page_case.shown.given.expect;
+void add_runs(PageCase& page_case, const std::vector<ResultFile>& results) {
+  const auto& expect = page_case.judged.given.expect;
   if (!expect) return;
-  for (const Result& result : results) {
-    const bool is_of_these = result.fuzz && result.fuzz->settings.oracle == expect->oracle &&
-                             result.fuzz->settings.subject == expect->subject;
+  for (const ResultFile& result : results) {
+    const bool is_of_these = result.campaign &&
+                             result.campaign->settings.oracle == expect->oracle &&
+                             result.campaign->settings.subject == expect->subject;
     if (!is_of_these) continue;
-    for (const BucketResult& found : result.fuzz->buckets) {
+    for (const BucketResult& found : result.campaign->buckets) {
       if (found.bucket != expect->bucket) continue;
       page_case.count = page_case.count.value_or(0) + found.count;
       page_case.commands.push_back(found.command);
@@ -115,20 +116,20 @@ void add_runs(PageCase& page_case, const std::vector<Result>& results) {
 }
 
 PageMap map_of(const PageCase& page_case, NamedColliders& colliders, Interruption& interruption) {
-  const JudgedCase& shown = page_case.shown;
-  const PairCase& pair = shown.given.pair;
+  const JudgedCase& judged = page_case.judged;
+  const PairCase& pair = judged.given.pair;
   const Grid grid = grid_around(exact::Truth(pair));
-  const Neighbourhood map = ask_neighbourhood(pair, *colliders.find(shown.subject.declaration.name),
-                                              *colliders.find(shown.oracle.declaration.name), grid,
-                                              grid.cell_count(), interruption);
-  if (interruption.requested()) throw Interrupted();
-  return {map_png(shown, map), {grid_in_words(grid), severity_in_words(shown, map)}};
+  const Neighbourhood map = ask_neighbourhood(
+      pair, *colliders.find(judged.subject.declaration.name),
+      *colliders.find(judged.oracle.declaration.name), grid, grid.cell_count(), interruption);
+  if (interruption.is_stopped()) throw Interrupted();
+  return {map_png(judged, map), {grid_in_words(grid), severity_in_words(judged, map)}};
 }
 
 /// Those that deserve a map the most first: somebody is wrong and nothing explains it; somebody is
 /// wrong; the others.
 int rank_of(const PageCase& page_case) {
-  const Verdict verdict = page_case.shown.judgement.bucket.verdict;
+  const Verdict verdict = page_case.judged.judgement.bucket.verdict;
   if (is_unexplained(verdict)) return 0;
   return verdict == Verdict::known ? 1 : 2;
 }
@@ -138,12 +139,12 @@ void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size
   std::set<std::tuple<std::string, std::string, std::string>> seen;
   std::vector<PageCase*> wanted;
   for (PageCase& page_case : cases) {
-    const JudgedCase& shown = page_case.shown;
+    const JudgedCase& judged = page_case.judged;
     const bool is_first =
         page_case.is_judged && page_case.smallest.empty() &&
-        shown.judgement.bucket.verdict != Verdict::agree &&
-        seen.emplace(to_string(shown.judgement.bucket), shown.subject.declaration.name,
-                     shown.oracle.declaration.name)
+        judged.judgement.bucket.verdict != Verdict::agree &&
+        seen.emplace(to_string(judged.judgement.bucket), judged.subject.declaration.name,
+                     judged.oracle.declaration.name)
             .second;
     if (is_first) wanted.push_back(&page_case);
   }
@@ -180,7 +181,7 @@ std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& collider
   for (const CorpusCase& given : files.corpus.cases) paths.insert(given.path);
   std::vector<PageCase> cases;
   for (const CorpusCase& given : files.corpus.cases) {
-    if (interruption.requested()) throw Interrupted();
+    if (interruption.is_stopped()) throw Interrupted();
     PageCase page_case = page_case_of(given, colliders, interruption);
     const std::string shrunk = shrunk_beside(given.path);
     if (is_worst(given.path) && paths.contains(shrunk)) page_case.smallest = shrunk;

@@ -9,10 +9,10 @@ std::string report_page(const RunFiles& files, NamedColliders& colliders, std::s
   Page page;
   page.command = command;
   page.errors = files.corpus.errors;
-  for (const Result& result : files.results) {
+  for (const ResultFile& result : files.results) {
     page.results.push_back({result.path, std::string(result.kind), result.json});
   }
-  Interruption interruption;
+  Interruption interruption(kUntilSignal);
   try {
     page.cases = page_cases(files, colliders, maps_max, interruption);
   } catch (const Interrupted&) {

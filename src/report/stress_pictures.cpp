@@ -51,14 +51,6 @@ LinePlot plot_of(const StressPlan& plan, const StressResult& result, const Sweep
   return plot;
 }
 
-void make_picture_folder(const std::filesystem::path& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (!failed) return;
-  throw UserError(fmt::format("--pictures: {}: cannot make the folder: {}",
-                              printable(folder.string(), 200), failed.message()));
-}
-
 void write_stress_pictures(const std::filesystem::path& folder, const StressPlan& plan,
                            const StressResult& result, const Sweep& sweep) {
   const LinePlot plot = plot_of(plan, result, sweep);

@@ -13,6 +13,7 @@
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_check.hpp"
 #include "measure/bench/own_subjects.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "oracle/chipmunk/chipmunk_pass.hpp"
@@ -52,8 +53,11 @@ std::vector<BenchSubject> chosen_subjects(const std::vector<std::string>& names)
 }
 
 int bench(const Options& options) {
-  takes_stdout({{"--json", options.json}, {"--csv", options.csv}});
-  for (const std::string& picture : options.pictures) expect_plot_name(picture);
+  CommandFiles files{{{"--json", options.json}, {"--csv", options.csv, OutputPath::Kind::file}}};
+  for (const std::string& picture : options.pictures) {
+    files.outputs.push_back({"--picture", picture, OutputPath::Kind::file, kPictureEndings});
+  }
+  check_outputs(files);
   const std::vector<BenchSubject> subjects = chosen_subjects(options.colliders);
   const std::vector<WorkloadSpec> workloads = options.quick
                                                   ? std::vector{usual_workload()}

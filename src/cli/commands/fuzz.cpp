@@ -13,11 +13,11 @@
 #include "base/user_error.hpp"
 #include "campaign/baseline.hpp"
 #include "campaign/result_json.hpp"
+#include "cli/campaign_progress.hpp"
 #include "cli/ci_output.hpp"
 #include "cli/collider_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/fuzz_report.hpp"
-#include "cli/fuzz_run.hpp"
 #include "cli/fuzz_suite.hpp"
 #include "cli/input.hpp"
 #include "cli/options.hpp"
@@ -113,7 +113,7 @@ std::string page_of(const Campaign& campaign, const nlohmann::ordered_json& summ
   return report_page(files, colliders, kMapsUsual, again);
 }
 
-std::string text_of(const Campaign& campaign, const std::optional<FuzzResult>& baseline,
+std::string text_of(const Campaign& campaign, const std::optional<CampaignResult>& baseline,
                     bool is_terse) {
   if (is_terse) return objections(campaign);
   std::string text = summary_table(campaign);
@@ -122,7 +122,7 @@ std::string text_of(const Campaign& campaign, const std::optional<FuzzResult>& b
 }
 
 /// Everything that was asked for; one output that fails loses no other.
-Outputs write_all(const Campaign& campaign, const std::optional<FuzzResult>& baseline,
+Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>& baseline,
                   const Options& options) {
   nlohmann::ordered_json summary = json_of(campaign.result);
   if (baseline) summary["baseline"] = comparison_json(compared(*baseline, campaign.result));
@@ -138,38 +138,35 @@ Outputs write_all(const Campaign& campaign, const std::optional<FuzzResult>& bas
   const std::string& unsaved = campaign.saving.first_error;
   outputs.write(!unsaved.empty(), [&] { throw UserError(unsaved); });
   if (is_wanted(options.ci)) {
-    Interruption interruption;
+    Interruption interruption(kUntilSignal);
     write_ci(options.ci, {fuzz_suite(campaign, interruption)}, outputs);
   }
   return outputs;
 }
 
-/// The run that this one is held against; --json may take its place, and nothing else.
-std::optional<FuzzResult> baseline_of(const Options& options) {
-  if (options.baseline.empty()) return std::nullopt;
-  const std::filesystem::path input(options.baseline);
-  expect_apart({{"--junit", options.ci.junit}, {"--report", options.report}}, {&input, 1});
-  return read_baseline(options.baseline);
+CommandFiles files_of(const Options& options) {
+  CommandFiles files{{{"--corpus", options.no_save ? "" : options.corpus, OutputPath::Kind::corpus},
+                      {.option = "--json", .path = options.json, .replaces = options.baseline},
+                      {"--report", options.report}},
+                     {options.corpus}};
+  if (!options.baseline.empty()) files.inputs.emplace_back(options.baseline);
+  return files;
 }
 
 int fuzz(Options& options) {
-  options.ci.stdout_is_data = takes_stdout(
-      {{"--json", options.json}, {"--junit", options.ci.junit}, {"--report", options.report}});
   // No absolute path goes into what is kept.
   if (!options.corpus.empty()) options.corpus = kept_path(options.corpus).string();
-  expect_outside({{"--json", options.json}, {"--junit", options.ci.junit}}, options.corpus);
+  check_outputs(files_of(options), options.ci);
   const Corpus corpus = read_corpus_folder(options.corpus);
-  expect_apart(
-      {{"--json", options.json}, {"--junit", options.ci.junit}, {"--report", options.report}},
-      corpus.files);
   Plan plan = plan_of(options);
-  const std::optional<FuzzResult> baseline = baseline_of(options);
+  std::optional<CampaignResult> baseline;
+  if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
   const Campaign campaign =
-      run_campaign(std::move(plan), KnownBuckets(corpus.cases),
-                   {options.no_save ? "" : options.corpus}, repeating_command(options));
+      run_with_progress(plan, KnownBuckets(corpus.cases), {options.no_save ? "" : options.corpus},
+                        repeating_command(options));
   if (!write_all(campaign, baseline, options).are_written()) return 2;
   return has_failed(campaign.result) ? 1 : 0;
 }

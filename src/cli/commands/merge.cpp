@@ -13,13 +13,14 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "campaign/findings.hpp"
-#include "campaign/merged_runs.hpp"
+#include "campaign/merged_result.hpp"
 #include "campaign/result_json.hpp"
+#include "campaign/save.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "process/process.hpp"
+#include "cli/output_check.hpp"
+#include "process/interruption.hpp"
 
 namespace manifuzz {
 namespace {
@@ -50,7 +51,7 @@ std::map<std::string, std::string> write_all(const std::vector<MergedFinding>& a
                                              const fs::path& output, Interruption& interruption) {
   std::map<std::string, std::string> files;
   for (const MergedFinding& finding : all) {
-    if (interruption.requested()) throw UserError("merge: interrupted; nothing was written");
+    if (interruption.is_stopped()) throw UserError("merge: interrupted; nothing was written");
     const CorpusCase& smallest = finding.smallest;
     const fs::path file = corpus_file(output / folder_of(smallest), smallest);
     write_file(file, text_of(smallest));
@@ -61,7 +62,7 @@ std::map<std::string, std::string> write_all(const std::vector<MergedFinding>& a
 }
 
 /// A bucket's file is the merged one.
-void name_files(FuzzResult& run, const std::map<std::string, std::string>& files) {
+void name_files(CampaignResult& run, const std::map<std::string, std::string>& files) {
   Expectation expect{run.settings.subject, run.settings.oracle, {}, {}, {}};
   for (BucketResult& found : run.buckets) {
     expect.bucket = found.bucket;
@@ -70,7 +71,7 @@ void name_files(FuzzResult& run, const std::map<std::string, std::string>& files
   }
 }
 
-std::string summary(const std::optional<FuzzResult>& sum) {
+std::string summary(const std::optional<CampaignResult>& sum) {
   std::string text;
   if (!sum) return text;
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
@@ -80,19 +81,18 @@ std::string summary(const std::optional<FuzzResult>& sum) {
 }
 
 /// Whatever would come to nothing, or cost what is there, is refused before anything is written.
-void expect_possible(const Options& options, const RunFiles& files, const MergedRuns& runs) {
+void expect_possible(const Options& options, const RunFiles& files, const MergedResult& runs) {
   if (files.corpus.cases.empty() && !runs.sum) {
     throw UserError("merge: there is nothing to merge; name folders of cases and --json files");
   }
   if (options.json.empty()) return;
   if (!runs.sum)
     throw UserError("--json: there is no result to write; name what fuzz --json wrote");
-  expect_apart({{"--json", options.json}}, files.corpus.files);
 }
 
 /// Writes all of it or nothing; returns what there is to say.
-std::string write_merged(const Options& options, const RunFiles& files, MergedRuns& runs) {
-  Interruption interruption;
+std::string write_merged(const Options& options, const RunFiles& files, MergedResult& runs) {
+  Interruption interruption(kUntilSignal);
   NewFolder folder(kept_path(options.output),
                    fmt::format("--output: {}", printable(options.output, 200)));
   const std::vector<MergedFinding> all = merged_findings(files.corpus.cases);
@@ -101,8 +101,6 @@ std::string write_merged(const Options& options, const RunFiles& files, MergedRu
   const std::string json = runs.sum ? json_text(json_of(*runs.sum)) : "";
   const bool has_file = !options.json.empty() && options.json != "-";
   if (has_file) {
-    std::vector<std::string> unread;
-    expect_apart({{"--json", options.json}}, find_case_files({&folder.path(), 1}, unread));
     write_file(options.json, json);
   }
   folder.keep();
@@ -115,10 +113,11 @@ std::string write_merged(const Options& options, const RunFiles& files, MergedRu
 }
 
 int merge(const Options& options) {
-  if (options.output == "-") throw UserError("--output: a folder is expected; - is none");
   const std::vector<fs::path> paths(options.paths.begin(), options.paths.end());
+  check_outputs(
+      {{{"--output", options.output, OutputPath::Kind::corpus}, {"--json", options.json}}, paths});
   const RunFiles files = read_run_files(paths);
-  MergedRuns runs = merged_runs(files.results);
+  MergedResult runs = merged_result(files.results);
   std::vector<std::string> errors = files.corpus.errors;
   errors.insert(errors.end(), runs.errors.begin(), runs.errors.end());
   write_complaints(errors);

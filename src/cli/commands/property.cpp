@@ -58,18 +58,17 @@ PropertyPlan plan_of(const Options& options) {
 }
 
 int run(Options& options) {
-  options.ci.stdout_is_data = takes_stdout({{"--junit", options.ci.junit}});
-  expect_outside({{"--junit", options.ci.junit}}, options.corpus);
+  const std::string save_to = options.no_save ? "" : options.corpus;
+  check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, {options.corpus}}, options.ci);
   const std::vector<const Property*> chosen =
       chosen_by_name(properties(), options.names, "property", "property");
   const Collider subject = find_collider(options.subject, options.outside);
   const Corpus corpus = read_corpus_folder(options.corpus);
-  expect_apart({{"--junit", options.ci.junit}}, corpus.files);
   PropertyPlan plan = plan_of(options);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.corpus = pairs;
 
-  Interruption all;
+  Interruption all(kUntilSignal);
   Outputs outputs;
   const auto tell = [&](const CheckedProperty& one) {
     const bool is_told = !options.ci.stdout_is_data && !(one.holds() && is_quiet());
@@ -77,8 +76,8 @@ int run(Options& options) {
     outputs.write(!one.why_unsaved.empty(), [&] { throw UserError(one.why_unsaved); });
   };
   const std::vector<CheckedProperty> checked =
-      check_properties(chosen, subject, plan, {}, options.no_save ? "" : options.corpus, tell);
-  outputs.write(all.requests() > 0,
+      check_properties(chosen, subject, plan, {}, save_to, tell);
+  outputs.write(all.is_stopped(),
                 [] { throw UserError("property: interrupted before it was done"); });
   if (is_wanted(options.ci)) {
     const std::string again = options_again(options, plan.seed);

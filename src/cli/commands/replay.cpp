@@ -51,23 +51,18 @@ nlohmann::ordered_json json_of(const ReplayRun& run, std::size_t unread, const C
 }
 
 int replay(Options& options) {
-  options.ci.stdout_is_data =
-      takes_stdout({{"--json", options.json}, {"--junit", options.ci.junit}});
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   if (paths.empty()) paths.emplace_back("corpus");
-  for (const auto& path : paths) {
-    expect_outside({{"--json", options.json}, {"--junit", options.ci.junit}}, path);
-  }
+  check_outputs({{{"--json", options.json}}, paths}, options.ci);
   const Collider subject = find_subject(options.parties);
   const Collider oracle = find_oracle(options.parties);
   const Corpus corpus = read_corpus(paths);
-  expect_apart({{"--json", options.json}, {"--junit", options.ci.junit}}, corpus.files);
   write_complaints(corpus.errors);
   if (corpus.cases.empty() && corpus.errors.empty()) {
     throw UserError("replay: there is no case; name files or folders of cases");
   }
 
-  Interruption interruption;
+  Interruption interruption(kUntilSignal);
   const ReplayRun run = replay_cases(corpus.cases, subject, oracle, interruption);
   Outputs outputs;
   outputs.write(run.left_out > 0,

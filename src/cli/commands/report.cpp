@@ -14,6 +14,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_check.hpp"
 #include "cli/page_cases.hpp"
 #include "cli/report_page.hpp"
 
@@ -50,12 +51,12 @@ int report(const Options& options) {
   std::vector<std::filesystem::path> paths;
   for (const std::string& path : options.paths) paths.push_back(kept_path(path));
   if (paths.empty()) paths.emplace_back("corpus");
+  check_outputs({{{"--output", options.output}}, paths});
   const RunFiles files = read_run_files(paths);
   write_complaints(files.corpus.errors);
   if (files.corpus.cases.empty() && files.results.empty()) {
     throw UserError("report: there is nothing to report; name folders of cases and --json files");
   }
-  expect_apart({{"--output", options.output}}, files.corpus.files);
   NamedColliders colliders(chosen(options.parties.subject, options.parties.outside),
                            chosen(options.parties.oracle, options.parties.outside));
   const std::string html = report_page(files, colliders, options.maps.value_or(kMapsUsual),

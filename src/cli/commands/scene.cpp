@@ -7,11 +7,11 @@
 
 #include "base/file.hpp"
 #include "base/names.hpp"
-#include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_check.hpp"
 #include "report/scene_report.hpp"
 
 namespace manifuzz {
@@ -55,20 +55,15 @@ ScenePlan plan_of(const Options& options) {
 
 /// What can be said before anything is run.
 void expect_possible(const Options& options, const ScenePlan& plan) {
-  takes_stdout({{"--json", options.json},
-                {"--frame", options.frame},
-                {"--scaling", options.scaling},
-                {"--skipped", options.skipped},
-                {"--recycling", options.recycling}});
-  for (const std::string& picture : {options.scaling, options.skipped, options.recycling}) {
-    if (!picture.empty()) expect_plot_name(picture);
-  }
+  using enum OutputPath::Kind;
+  check_outputs({{{"--json", options.json},
+                  {"--save", options.save, corpus},
+                  {"--frame", options.frame, file, {".svg"}},
+                  {"--scaling", options.scaling, file, kPictureEndings},
+                  {"--skipped", options.skipped, file, kPictureEndings},
+                  {"--recycling", options.recycling, file, kPictureEndings}}});
   if (!options.scaling.empty() && plan.sizes.size() < 2) {
     throw UserError("--scaling: needs two numbers of bodies or more");
-  }
-  if (!options.frame.empty() && !options.frame.ends_with(".svg")) {
-    throw UserError(
-        fmt::format("--frame: {}: a name that ends in .svg is expected", printable(options.frame)));
   }
   if (options.motion && options.mode != "recycle") {
     throw UserError("--recycled-motion: needs --mode recycle");

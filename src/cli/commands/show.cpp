@@ -14,9 +14,10 @@
 #include "cli/case_argument.hpp"
 #include "cli/collider_options.hpp"
 #include "cli/commands.hpp"
+#include "cli/judged.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/shown.hpp"
+#include "cli/output_check.hpp"
 #include "report/case_text.hpp"
 #include "report/picture/case_picture.hpp"
 #include "report/picture/map_picture.hpp"
@@ -53,13 +54,6 @@ ColliderChoice chosen(const std::string& file, ColliderChoice asked, const std::
 }
 
 void check_map(const Options& options) {
-  if (options.map && !options.map->ends_with(".png")) {
-    throw UserError(fmt::format("--map: {} is not the name of a PNG file; FILE.png is expected",
-                                printable(*options.map, 200)));
-  }
-  if (options.map && *options.map == options.svg) {
-    throw UserError("--svg and --map name the same file; two names are expected");
-  }
   if (options.map_step && !options.map) {
     throw UserError("--map-step: there is no map without --map FILE.png");
   }
@@ -70,22 +64,23 @@ void check_map(const Options& options) {
 }
 
 /// Draws the map to its file and says in words what it comes to.
-std::string write_map(const Options& options, const JudgedCase& shown, const Collider& subject,
+std::string write_map(const Options& options, const JudgedCase& judged, const Collider& subject,
                       const Collider& oracle, Interruption& interruption) {
   const Grid grid =
-      grid_around(exact::Truth(shown.given.pair), static_cast<int>(options.map_step.value_or(1)));
+      grid_around(exact::Truth(judged.given.pair), static_cast<int>(options.map_step.value_or(1)));
   const Neighbourhood map =
-      ask_neighbourhood(shown.given.pair, subject, oracle, grid, grid.cell_count(), interruption);
-  if (interruption.requested()) throw Interrupted();
-  write_file(*options.map, map_png(shown, map));
-  return fmt::format("map: {}\n  {}\n", grid_in_words(grid), severity_in_words(shown, map));
+      ask_neighbourhood(judged.given.pair, subject, oracle, grid, grid.cell_count(), interruption);
+  if (interruption.is_stopped()) throw Interrupted();
+  write_file(*options.map, map_png(judged, map));
+  return fmt::format("map: {}\n  {}\n", grid_in_words(grid), severity_in_words(judged, map));
 }
 
 int show(const Options& options) {
   check_map(options);
   const std::string file = case_file(options.given);
-  const std::filesystem::path input(file);
-  expect_apart({{"--svg", options.svg}, {"--map", options.map.value_or("")}}, {&input, 1});
+  check_outputs({{{"--svg", options.svg},
+                  {"--map", options.map.value_or(""), OutputPath::Kind::file, {".png"}}},
+                 {file}});
   const CorpusCase given = read_case_file(file);
   const Expectation recorded = given.expect.value_or(Expectation{});
   ComparedColliders parties = options.parties;
@@ -93,15 +88,15 @@ int show(const Options& options) {
   parties.oracle = chosen(file, parties.oracle, recorded.oracle, "box2d");
   const Collider subject = find_subject(parties);
   const Collider oracle = find_oracle(parties);
-  Interruption interruption;
-  const JudgedCase shown = ask_both(given, subject, oracle, interruption);
-  if (!options.svg.empty() && options.svg != "-") write_file(options.svg, case_svg(shown));
-  std::string text = options.svg == "-" ? case_svg(shown)
-                     : options.upstream ? upstream_report(shown, options_again(parties))
-                                        : case_text(shown);
-  if (options.text_picture && options.svg != "-") text += '\n' + text_picture(shown);
+  Interruption interruption(kUntilSignal);
+  const JudgedCase judged = ask_both(given, subject, oracle, interruption);
+  if (!options.svg.empty() && options.svg != "-") write_file(options.svg, case_svg(judged));
+  std::string text = options.svg == "-" ? case_svg(judged)
+                     : options.upstream ? upstream_report(judged, options_again(parties))
+                                        : case_text(judged);
+  if (options.text_picture && options.svg != "-") text += '\n' + text_picture(judged);
   if (options.map) {
-    const std::string words = write_map(options, shown, subject, oracle, interruption);
+    const std::string words = write_map(options, judged, subject, oracle, interruption);
     if (options.svg != "-") text += words;
   }
   Output out;

@@ -6,12 +6,14 @@
 
 #include "base/file.hpp"
 #include "base/user_error.hpp"
-#include "campaign/findings.hpp"
 #include "campaign/in_child.hpp"
+#include "campaign/save.hpp"
+#include "campaign/shrink_finding.hpp"
 #include "cli/case_argument.hpp"
 #include "cli/collider_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "cli/output_check.hpp"
 
 namespace manifuzz {
 namespace {
@@ -26,10 +28,9 @@ int shrink_file(const Options& options) {
   const Collider subject = find_subject(options.parties);
   const Collider oracle = find_oracle(options.parties);
   const std::string file = case_file(options.given);
-  const std::filesystem::path input(file);
-  expect_apart({{"--output", options.output}}, {&input, 1});
+  check_outputs({{{"--output", options.output}}, {file}});
   const CorpusCase given = read_case_file(file);
-  Interruption interruption;
+  Interruption interruption(kUntilSignal);
   const Judgement root = judge_in_child(given.pair, subject, oracle, interruption);
   if (root.bucket.verdict == Verdict::agree) {
     throw UserError(

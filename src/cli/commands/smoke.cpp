@@ -13,6 +13,7 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
+#include "cli/campaign_progress.hpp"
 #include "cli/collider_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/fuzz_report.hpp"
@@ -88,7 +89,8 @@ struct Smoke {
 };
 
 ReplayRun replay_some(const Smoke& smoke, Outputs& outputs) {
-  Interruption interruption(smoke.schedule.at(kReplayShare));
+  Interruption interruption(
+      {.begins = Interruption::State::hurried, .stopped_at = smoke.schedule.at(kReplayShare)});
   const ReplayRun run = replay_cases(smoke.corpus.cases, smoke.subject, smoke.oracle, interruption);
   smoke.tell(replay_text(run, smoke.subject, smoke.oracle) + (is_quiet() ? "" : "\n"), outputs);
   return run;
@@ -140,9 +142,7 @@ Smoke prepared(const Options& options) {
   // No absolute path goes into what is kept.
   if (!options.corpus.empty()) smoke.corpus_folder = kept_path(options.corpus).string();
   smoke.save_to = options.no_save ? "" : smoke.corpus_folder;
-  expect_outside({{"--junit", options.ci.junit}}, smoke.corpus_folder);
   smoke.corpus = read_known(smoke.corpus_folder);
-  expect_apart({{"--junit", options.ci.junit}}, smoke.corpus.files);
   write_complaints(smoke.corpus.errors);
   ComparedColliders parties = options.parties;
   const bool are_programs = !parties.subject.command.empty() && !parties.oracle.command.empty();
@@ -160,8 +160,8 @@ Smoke prepared(const Options& options) {
 Campaign campaign_of(const Smoke& smoke, Outputs& outputs) {
   const std::string again =
       fmt::format("{} fuzz {}{}", this_program(), smoke.parties_again, smoke.corpus_again());
-  Campaign campaign = run_campaign(plan_of(smoke), KnownBuckets(smoke.corpus.cases),
-                                   {smoke.save_to, smoke.schedule.at(kSavingShare)}, again);
+  Campaign campaign = run_with_progress(plan_of(smoke), KnownBuckets(smoke.corpus.cases),
+                                        {smoke.save_to, smoke.schedule.at(kSavingShare)}, again);
   std::string text = is_quiet() ? objections(campaign) : '\n' + summary_table(campaign);
   if (campaign.saving.unsaved > 0) {
     text += fmt::format("\n{} findings are not saved, for time was up\n", campaign.saving.unsaved);
@@ -185,7 +185,8 @@ struct Parts {
 };
 
 std::vector<TestSuite> suites_of(const Parts& parts, const Smoke& smoke) {
-  Interruption until_drawn(smoke.schedule.at(kPicturesShare));
+  Interruption until_drawn(
+      {.begins = Interruption::State::hurried, .stopped_at = smoke.schedule.at(kPicturesShare)});
   const std::string property_again =
       fmt::format("{} --seed {}{}", smoke.subject_again, smoke.seed, smoke.corpus_again());
   std::vector<TestSuite> suites{
@@ -197,15 +198,15 @@ std::vector<TestSuite> suites_of(const Parts& parts, const Smoke& smoke) {
 }
 
 int run(Options& options) {
-  options.ci.stdout_is_data = takes_stdout({{"--junit", options.ci.junit}});
-  Interruption all;  // a signal in any part
+  const std::string save_to = options.no_save ? "" : options.corpus;
+  check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, {options.corpus}}, options.ci);
+  Interruption all(kUntilSignal);  // a signal in any part
   const Smoke smoke = prepared(options);
   Outputs outputs;
   Parts parts{replay_some(smoke, outputs), {}, {}};
-  if (all.requests() == 0) parts.checked = check_some(smoke, outputs);
-  if (all.requests() == 0) parts.campaign = campaign_of(smoke, outputs);
-  outputs.write(all.requests() > 0,
-                [] { throw UserError("smoke: interrupted before it was done"); });
+  if (!all.is_stopped()) parts.checked = check_some(smoke, outputs);
+  if (!all.is_stopped()) parts.campaign = campaign_of(smoke, outputs);
+  outputs.write(all.is_stopped(), [] { throw UserError("smoke: interrupted before it was done"); });
   if (is_wanted(smoke.ci)) write_ci(smoke.ci, suites_of(parts, smoke), outputs);
   if (!outputs.are_written() || !smoke.corpus.errors.empty()) return 2;
   return parts.are_well() ? 0 : 1;

@@ -16,6 +16,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_check.hpp"
 #include "measure/stress/breaking_points.hpp"
 #include "measure/stress/flush_to_zero.hpp"
 #include "measure/stress/plan.hpp"
@@ -130,7 +131,7 @@ void write_files(const StressPlan& plan, const StressResult& result, const Optio
   outputs.write(!options.save.empty(), [&] { save(plan, result, options.save, interruption); });
   if (options.pictures.empty()) return;
   for (const Sweep* const sweep : plan.sweeps) {
-    const bool is_cut_short = interruption.requested();
+    const bool is_cut_short = interruption.is_stopped();
     outputs.write(true, [&] {
       if (is_cut_short) throw UserError("--pictures: interrupted, not all were drawn");
       write_stress_pictures(options.pictures, plan, result, *sweep);
@@ -140,16 +141,23 @@ void write_files(const StressPlan& plan, const StressResult& result, const Optio
 }
 
 int stress(const Options& options) {
-  takes_stdout({{"--json", options.json}, {"--csv", options.csv}, {"--store", options.store}});
+  using enum OutputPath::Kind;
+  CommandFiles files{
+      {{"--json", options.json},
+       {"--csv", options.csv, file},
+       {.option = "--store", .path = options.store, .kind = file, .replaces = options.baseline},
+       {"--pictures", options.pictures, folder},
+       {"--save", options.save, corpus}}};
+  if (!options.baseline.empty()) files.inputs.emplace_back(options.baseline);
+  check_outputs(files);
   const StressPlan plan = plan_of(options);
-  if (!options.pictures.empty()) make_picture_folder(options.pictures);
   std::vector<StoredPoint> baseline;
   if (!options.baseline.empty()) baseline = read_breaking_points(options.baseline, plan);
   nlohmann::ordered_json stored;
   if (!options.store.empty()) stored = stored_before(options.store, plan);
   Interruption interruption;
   const StressResult result = run(plan, interruption);
-  interruption.forgive();
+  Interruption writing(kUntilSignal);
   const Comparison comparison = compare(plan, result, baseline);
   const std::string json =
       options.json.empty() ? "" : stress_json(plan, result, comparison).dump(1, '\t') + '\n';
@@ -158,7 +166,7 @@ int stress(const Options& options) {
   if (!leaves_out_tables({options.json, options.csv})) text = stress_table(plan, result) + text;
   Outputs outputs;
   outputs.write(true, [&] { write_to_reader(options.json == "-" ? json : text); });
-  write_files(plan, result, options, json, stored, interruption, outputs);
+  write_files(plan, result, options, json, stored, writing, outputs);
   if (!outputs.are_written()) return 2;
   return comparison.worse.empty() && comparison.not_compared.empty() ? 0 : 1;
 }

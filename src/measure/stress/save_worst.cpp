@@ -5,8 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "campaign/findings.hpp"
 #include "campaign/in_child.hpp"
+#include "campaign/save.hpp"
+#include "campaign/shrink_finding.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "own_colliders/clip.hpp"
 

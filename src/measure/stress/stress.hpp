@@ -8,7 +8,7 @@
 #include "generating/sweep.hpp"
 #include "generating/walk.hpp"
 #include "measure/stress/step_statistics.hpp"
-#include "process/process.hpp"
+#include "process/interruption.hpp"
 
 namespace manifuzz {
 
@@ -70,9 +70,9 @@ struct StressProgress {
   double seconds = 0;
 };
 
-/// Measures every unit of the plan, in as many child processes. A collider that takes its process
-/// along, or hangs, has lost the case; one that does so again and again has lost the rest of the
-/// unit. What comes out depends on the plan alone, whatever the jobs. `on_progress` runs a few
+/// Measures every unit of the plan, in as many child processes as it has jobs. A collider that
+/// dies or hangs has lost the case; one that does so again and again has lost the rest of the unit.
+/// What comes out depends on the plan alone, whatever the jobs. `on_progress` runs a few
 /// times a second.
 StressResult run_stress(const StressPlan& plan, Interruption& interruption,
                         const std::function<void(const StressProgress&)>& on_progress);

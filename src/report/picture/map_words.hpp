@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "campaign/judged_case.hpp"
 #include "judging/neighbourhood.hpp"
-#include "report/judged_case.hpp"
 
 namespace manifuzz {
 
@@ -14,6 +14,6 @@ std::string statement_in_words(const Statement& statement);
 std::string grid_in_words(const Grid& grid);
 
 /// "severity 0.511: box2d is wrong on 8504 of 16641 neighbours", and what was not judged.
-std::string severity_in_words(const JudgedCase& shown, const Neighbourhood& neighbourhood);
+std::string severity_in_words(const JudgedCase& judged, const Neighbourhood& neighbourhood);
 
 }  // namespace manifuzz

@@ -115,10 +115,6 @@ std::string drawn(const PlotLine& line, std::size_t number) {
 
 }  // namespace
 
-void expect_plot_name(const std::string& path) {
-  terminal_of(path);
-}
-
 std::vector<PlotPoint> front(std::vector<PlotPoint> points) {
   std::ranges::sort(points, [](const PlotPoint& p, const PlotPoint& q) {
     return p.x != q.x ? p.x < q.x : p.y < q.y;

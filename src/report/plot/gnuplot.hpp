@@ -10,9 +10,6 @@ namespace manifuzz {
 // Pictures drawn by gnuplot. Each function throws UserError where the file's name does not end in
 // .svg or .png, where gnuplot is missing, or where the file cannot be written.
 
-/// Throws UserError where `path` ends neither in .svg nor in .png.
-void expect_plot_name(const std::string& path);
-
 /// A named point on two logarithmic axes: coordinates above 0.
 struct PlotPoint {
   std::string name;
