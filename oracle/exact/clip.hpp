@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "geometry/manifold.hpp"
 #include "oracle/exact/placed.hpp"
@@ -52,6 +53,11 @@ struct Clip {
   /// The incident vertex at an end of the edge.
   int vertex(int end) const;
 };
+
+/// Its `count` points.
+inline std::span<const ClipPoint> points_of(const Clip& clip) {
+  return {clip.points.data(), static_cast<std::size_t>(clip.count)};
+}
 
 /// The clip refers to the pair, which must outlive it.
 Clip clip(const PairCase& pair, FaceOf reference, int incident);

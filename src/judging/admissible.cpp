@@ -38,10 +38,6 @@ double distance(const Vector2<double>& p, const Vector2<double>& q) {
   return std::sqrt(apart.dot(apart));
 }
 
-std::span<const ClipPoint> points_of(const Clip& clip) {
-  return {clip.points.data(), static_cast<std::size_t>(clip.count)};
-}
-
 bool nearly_clipped(const Bounds& bounds, const Clip& clip, const ClipPoint& point) {
   return point.crossing || clip.count < 2 ||
          compare_margin(clip, point.end, bounds.separation) <= 0;
@@ -117,6 +113,11 @@ bool may_miss(const Admissible& right, const Clip& clip) {
 
 bool is_optional(const Admissible& right, const Clip& clip, const ClipPoint& point) {
   return compare_depth(clip, point, depth_bound(right, clip, point)) <= 0 || may_miss(right, clip);
+}
+
+bool is_at_zero_depth(const Admissible& right, const Clip& clip, const ClipPoint& point) {
+  const double bound = depth_bound(right, clip, point);
+  return compare_depth(clip, point, bound) <= 0 && compare_depth(clip, point, -bound) >= 0;
 }
 
 bool may_be_empty(const Admissible& right, const Clip& clip) {

@@ -51,6 +51,10 @@ inline double depth_bound(const Admissible& right, const exact::Clip& clip,
 /// Whether the incident edge misses the slab, or nearly; or the slab is narrower than rounding.
 bool may_miss(const Admissible& right, const exact::Clip& clip);
 
+/// Whether the point's depth is 0 within its bound.
+bool is_at_zero_depth(const Admissible& right, const exact::Clip& clip,
+                      const exact::ClipPoint& point);
+
 /// A point that a right collider may leave out: too shallow, or of an edge that may miss the slab.
 bool is_optional(const Admissible& right, const exact::Clip& clip, const exact::ClipPoint& point);
 

@@ -71,7 +71,7 @@ constexpr std::array kRoles{&Cell::subject, &Cell::oracle, &Cell::truth};
 
 /// A statement, the cells in which each role has it, and its colour.
 struct Said {
-  Statement what;
+  ContactSummary what;
   std::array<int, kRoles.size()> cells{};
   Colour colour = kOther;
 
@@ -85,7 +85,7 @@ std::vector<Said> all_said(const Neighbourhood& neighbourhood) {
   for (const Cell& cell : neighbourhood.cells) {
     if (cell.state != Cell::State::judged) continue;
     for (std::size_t role = 0; role < kRoles.size(); ++role) {
-      const Statement& what = cell.*kRoles[role];
+      const ContactSummary& what = cell.*kRoles[role];
       auto known = std::ranges::find(all, what, &Said::what);
       if (known == all.end()) known = all.insert(all.end(), Said{.what = what});
       ++known->cells[role];
@@ -94,9 +94,9 @@ std::vector<Said> all_said(const Neighbourhood& neighbourhood) {
   std::ranges::stable_sort(all, std::ranges::greater(), &Said::total);
   std::size_t used = 0;
   for (Said& said : all) {
-    if (said.what.kind == Statement::Kind::apart) {
+    if (said.what.kind == ContactSummary::Kind::apart) {
       said.colour = kPale;
-    } else if (said.what.kind == Statement::Kind::nothing) {
+    } else if (said.what.kind == ContactSummary::Kind::nothing) {
       said.colour = kBlack;
     } else if (used < kStatementColours.size()) {
       said.colour = kStatementColours[used++];
@@ -186,7 +186,7 @@ void MapPicture::write_title() {
 
 Colour MapPicture::colour_of_cell(int panel, const Cell& cell) const {
   if (panel == kPanels - 1) return colour_of(cell.bucket.verdict);
-  const Statement& what = cell.*kRoles[static_cast<std::size_t>(panel)];
+  const ContactSummary& what = cell.*kRoles[static_cast<std::size_t>(panel)];
   return std::ranges::find(said_, what, &Said::what)->colour;
 }
 

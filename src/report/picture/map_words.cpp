@@ -37,16 +37,16 @@ std::ptrdiff_t count_of(const Neighbourhood& neighbourhood, Cell::State state) {
 
 }  // namespace
 
-std::string statement_in_words(const Statement& statement) {
+std::string statement_in_words(const ContactSummary& statement) {
   const char clipping = statement.reference == Side::a ? 'A' : 'B';
   switch (statement.kind) {
-    case Statement::Kind::nothing:
+    case ContactSummary::Kind::nothing:
       return "no manifold";
-    case Statement::Kind::apart:
+    case ContactSummary::Kind::apart:
       return "no contact";
-    case Statement::Kind::no_clip:
+    case ContactSummary::Kind::no_clip:
       return fmt::format("they touch, but the best face, {}'s, clips all away", clipping);
-    case Statement::Kind::contact:
+    case ContactSummary::Kind::contact:
       break;
   }
   std::string words = fmt::format("{} clips, {}: {}", clipping, counted(statement.count, "point"),

@@ -8,7 +8,7 @@
 namespace manifuzz {
 
 /// "A clips, 2 points: f1/v0 and v2/f3": features are A's / B's.
-std::string statement_in_words(const Statement& statement);
+std::string statement_in_words(const ContactSummary& statement);
 
 /// What the map is a map of: "vertex 0 of B moved by up to 64 steps of 1 ulp (6e-08) each way ...".
 std::string grid_in_words(const Grid& grid);

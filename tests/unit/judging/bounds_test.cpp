@@ -11,7 +11,7 @@
 #include "oracle/exact/figures.hpp"
 #include "own_colliders/clip.hpp"
 
-// How close right colliders come to their bounds: never past them, and not a thousand times short.
+// How far right colliders use their bounds: never past them, and not a thousand times short.
 
 using namespace manifuzz;
 
@@ -92,7 +92,7 @@ Used most_used(const Collider& collider, const Regime& regime, std::uint64_t cas
 
 }  // namespace
 
-TEST_CASE("every right collider comes to its bounds and never past them") {
+TEST_CASE("every right collider comes close to its bounds and never past them") {
   std::puts("largest share of a bound   normal  position   depth  reference  incident  contact");
   for (const Collider& collider : {make_clip(), make_clip64(), make_box2d()}) {
     for (const Regime& regime : regimes()) {

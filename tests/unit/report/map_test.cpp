@@ -136,7 +136,7 @@ TEST_CASE("a neighbour on which a collider dies is lost, and the others are judg
     if (cell.bucket.verdict != Verdict::crashed) continue;
     ++lost;
     CHECK(cell.bucket.fault == Fault::subject);
-    CHECK(cell.truth.kind == Statement::Kind::contact);
+    CHECK(cell.truth.kind == ContactSummary::Kind::contact);
   }
   CHECK(lost == 64);
 }

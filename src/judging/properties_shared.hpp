@@ -5,7 +5,11 @@
 
 #include "judging/admissible.hpp"
 #include "judging/completed.hpp"
+#include "judging/manifold_error.hpp"
 #include "judging/properties.hpp"
+
+// What properties are written with: asking a collider, outcomes, and holding two manifolds against
+// each other.
 
 namespace manifuzz {
 
@@ -28,7 +32,7 @@ class AskedCollider {
     return found ? std::optional(*found) : std::nullopt;
   }
 
-  /// The first case that it died of, or answered nonsense to.
+  /// The first time that it died, hung, or answered nonsense.
   const std::optional<Lost>& lost() const { return lost_; }
 
  private:
@@ -51,18 +55,13 @@ inline Outcome fails(std::string why, double magnitude) {
 /// by a clear lead, one incident edge, both ends clearly kept, clipped or dropped.
 std::optional<Admissible> decided(const PairCase& pair, const Declaration& declaration);
 
-/// How far two right manifolds of one case may lie apart: the sum of both bounds.
-struct Tolerance {
-  double normal = 0;
-  double position = 0;
-  double depth = 0;
-};
-Tolerance tolerance(const Admissible& right);
+/// By how much two right manifolds of one case may differ: the sum of both bounds.
+ManifoldError tolerance(const Admissible& right);
 
 enum class Features { compared, ignored };
 
 /// Holds where both manifolds, given in one frame, are the same within the tolerance.
 Outcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
-                      const Manifold<double>& got, const Tolerance& within, Features features);
+                      const Manifold<double>& got, const ManifoldError& within, Features features);
 
 }  // namespace manifuzz
