@@ -108,8 +108,8 @@ Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const 
 }
 
 std::size_t ReplayRun::failed() const {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      cases, [](const ReplayedCase& one) { return !one.result.passed; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(cases, [](const ReplayedCase& one) { return !one.result.passed; }));
 }
 
 ReplayRun replay_cases(const std::vector<CorpusCase>& cases, const Collider& subject,

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/collider_options.hpp"
+#include "cli/collider_choice.hpp"
 
 namespace manifuzz {
 

@@ -1,4 +1,3 @@
-#include "report/candidate.hpp"
 #include "report/case_text.hpp"
 
 #include <iterator>
@@ -7,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "exchange/json.hpp"
+#include "report/candidate.hpp"
 #include "report/style.hpp"
 #include "report/words.hpp"
 

@@ -79,8 +79,9 @@ std::string errors_in_words(const TestSuite& suite) {
 }
 
 std::string head_of(const TestSuite& suite) {
-  return fmt::format("## {}: {}\n\n{}\n\n{}{}\n", escape_markdown(suite.name), result_in_words(suite),
-                     escape_markdown(suite.headline), errors_in_words(suite), table_of(suite));
+  return fmt::format("## {}: {}\n\n{}\n\n{}{}\n", escape_markdown(suite.name),
+                     result_in_words(suite), escape_markdown(suite.headline),
+                     errors_in_words(suite), table_of(suite));
 }
 
 std::string description_of(const TestSuite& suite, const TestResult& test,

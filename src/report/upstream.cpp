@@ -62,9 +62,8 @@ void fill_in(std::string& text, const std::string& name, const Body& body) {
 std::string manifold_in_words(const PairCase& pair, const Manifold<double>& manifold) {
   if (manifold.count == 0) return "no contact\n";
   const Vector2<double> normal = world_normal(pair, manifold.normal);
-  std::string text =
-      fmt::format("normal ({}, {}), from A to B, a face of {}\n", normal.x() + 0.0,
-                  normal.y() + 0.0, manifold.reference == Side::a ? 'A' : 'B');
+  std::string text = fmt::format("normal ({}, {}), from A to B, a face of {}\n", normal.x() + 0.0,
+                                 normal.y() + 0.0, manifold.reference == Side::a ? 'A' : 'B');
   for (int i = 0; i < manifold.count; ++i) {
     const Vector2<double> at = to_world(pair, manifold.points[i].position);
     text += fmt::format("point ({}, {}), depth {}\n", at.x() + 0.0, at.y() + 0.0,
@@ -136,7 +135,8 @@ std::string upstream_report(const JudgedCase& judged, const std::string& options
   if (!snippet.empty()) return text + code_block(filled_in(snippet, pair), language_of(snippet));
   std::string line;
   append_case_line(line, pair);
-  return text + code_block(fmt::format("manifuzz judge {} <<'END'\n{}\nEND\n", options, line), "sh");
+  return text +
+         code_block(fmt::format("manifuzz judge {} <<'END'\n{}\nEND\n", options, line), "sh");
 }
 
 }  // namespace manifuzz

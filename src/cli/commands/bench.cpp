@@ -15,7 +15,6 @@
 #include "base/user_error.hpp"
 #include "cli/bench_subjects.hpp"
 #include "cli/commands.hpp"
-#include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/output_check.hpp"

@@ -227,8 +227,8 @@ void MapPicture::draw_panels() {
 }
 
 void MapPicture::write_statements(double x, double right) {
-  const std::array<std::string_view, kRoles.size()> names{
-      judged_.subject.declaration.name, judged_.oracle.declaration.name, "truth"};
+  const std::array<std::string_view, kRoles.size()> names{judged_.subject.declaration.name,
+                                                          judged_.oracle.declaration.name, "truth"};
   const auto entry = [&](std::string_view words, const std::array<int, kRoles.size()>& cells) {
     std::string text(words);
     std::string_view separator = "   (cells: ";
@@ -249,8 +249,7 @@ void MapPicture::write_statements(double x, double right) {
       continue;
     }
     ++kinds;
-    for (std::size_t role = 0; role < kRoles.size(); ++role)
-      others[role] += said.cells[role];
+    for (std::size_t role = 0; role < kRoles.size(); ++role) others[role] += said.cells[role];
   }
   if (kinds > 0) {
     write_entry(entry(fmt::format("something else, of {}", counted(kinds, "kind")), others), x,
@@ -273,8 +272,8 @@ void MapPicture::write_verdicts(double x, double right) {
       return cell.state == Cell::State::judged && cell.bucket.verdict == verdict;
     });
     if (cells == 0) continue;
-    const std::string words =
-        verdict_in_words(verdict, judged_.subject.declaration.name, judged_.oracle.declaration.name);
+    const std::string words = verdict_in_words(verdict, judged_.subject.declaration.name,
+                                               judged_.oracle.declaration.name);
     write_entry(fmt::format("{} ({})", words, cells), x, right, colour_of(verdict));
   }
 }

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "judging/neighbourhood.hpp"
 #include "campaign/judged_case.hpp"
+#include "judging/neighbourhood.hpp"
 
 namespace manifuzz {
 

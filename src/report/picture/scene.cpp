@@ -1,8 +1,9 @@
-#include "report/candidate.hpp"
 #include "report/picture/scene.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "report/candidate.hpp"
 
 namespace manifuzz {
 namespace {

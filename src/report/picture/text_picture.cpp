@@ -1,4 +1,3 @@
-#include "report/candidate.hpp"
 #include "report/picture/text_picture.hpp"
 
 #include <array>
@@ -7,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "report/candidate.hpp"
 #include "report/picture/dot_canvas.hpp"
 #include "report/words.hpp"
 
@@ -192,7 +192,8 @@ std::string drawn(const Sight& sight, const Frame& frame) {
   return canvas.text();
 }
 
-std::string legend(const PairCase& pair, std::span<const DeclaredAnswer> answers, const Frame& frame) {
+std::string legend(const PairCase& pair, std::span<const DeclaredAnswer> answers,
+                   const Frame& frame) {
   std::string text =
       fmt::format("A solid, B dotted, overlap filled; a character is {} wide\n{} right: {}\n",
                   brief(2 / frame.scale), kRight, truth_in_words(pair));

@@ -1,4 +1,3 @@
-#include "report/candidate.hpp"
 #include "report/picture/case_picture.hpp"
 
 #include <limits>
@@ -6,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "report/candidate.hpp"
 #include "report/picture/svg.hpp"
 #include "report/words.hpp"
 #include "support/named_tests.hpp"

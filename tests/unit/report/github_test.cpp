@@ -1,8 +1,8 @@
 #include "report/github.hpp"
 
-#include "report/markdown.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "report/markdown.hpp"
 
 using namespace manifuzz;
 using Catch::Contains;

@@ -3,15 +3,15 @@
 #include <array>
 #include <string>
 
+#include "campaign/judged_case.hpp"
 #include "cli/colliders.hpp"
 #include "generating/regime.hpp"
-#include "campaign/judged_case.hpp"
 
 namespace manifuzz::test {
 
 /// A case as `clip` and `box2d` see it, without the guard of a child process.
 inline JudgedCase judged_case(const PairCase& pair, const std::string& subject = "clip",
-                             const std::string& oracle = "box2d") {
+                              const std::string& oracle = "box2d") {
   const Collider of_subject = find_collider(subject);
   const Collider of_oracle = find_collider(oracle);
   JudgedCase judged;
@@ -19,7 +19,7 @@ inline JudgedCase judged_case(const PairCase& pair, const std::string& subject =
   judged.subject = {of_subject.declaration, of_subject.collide(pair)};
   judged.oracle = {of_oracle.declaration, of_oracle.collide(pair)};
   judged.judgement = judge(pair, {judged.subject.declaration, judged.subject.answer},
-                          {judged.oracle.declaration, judged.oracle.answer});
+                           {judged.oracle.declaration, judged.oracle.answer});
   return judged;
 }
 

@@ -21,7 +21,7 @@ TEST_CASE("a report says what was got, what is right, and how to see it") {
   CHECK_THROWS_AS(upstream_report(judged, "--subject clip"), UserError);
   judged.oracle.answer = Manifold<double>{};
   judged.judgement = judge(judged.given.pair, {judged.subject.declaration, judged.subject.answer},
-                          {judged.oracle.declaration, judged.oracle.answer});
+                           {judged.oracle.declaration, judged.oracle.answer});
   const std::string report = upstream_report(judged, "--subject clip");
   CHECK(report.starts_with("# box2d 2.4.1: oracle wrong"));
   CHECK(report.find("## Got\n\n```\nno contact") != std::string::npos);
