@@ -10,7 +10,6 @@
 #include "base/names.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
-#include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/output_check.hpp"

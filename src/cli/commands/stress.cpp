@@ -11,7 +11,7 @@
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "campaign/in_child.hpp"
-#include "cli/collider_options.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"

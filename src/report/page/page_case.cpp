@@ -114,7 +114,7 @@ std::string sentence_of(const PageCase& page_case) {
   return given.note.empty() ? truth_in_words(given.pair) : given.note;
 }
 
-Json map_json(const std::optional<PageMap>& map) {
+Json map_json(const std::optional<CaseMap>& map) {
   return map ? Json("data:image/png;base64," + base64(map->png)) : Json();
 }
 

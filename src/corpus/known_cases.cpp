@@ -1,20 +1,8 @@
-#include "cli/input.hpp"
+#include "corpus/known_cases.hpp"
 
-#include <limits>
-
-#include "base/names.hpp"
 #include "base/user_error.hpp"
 
 namespace manifuzz {
-
-std::vector<const Regime*> choose_regimes(const std::vector<std::string>& names) {
-  return chosen_by_name(regimes(), names, "regime", "--regime");
-}
-
-void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regimes) {
-  if ((cases - 1) / regimes <= std::numeric_limits<std::uint64_t>::max() - first) return;
-  throw UserError("--first: the last index passes 18446744073709551615; take fewer --cases");
-}
 
 Corpus read_known(const std::filesystem::path& folder) {
   if (folder.empty()) throw UserError("--corpus: is empty; a folder is expected");

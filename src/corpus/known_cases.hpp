@@ -2,20 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "corpus/corpus.hpp"
-#include "generating/regime.hpp"
 
 namespace manifuzz {
-
-/// The regimes of these names, or all of them for none. Throws UserError that lists the names.
-std::vector<const Regime*> choose_regimes(const std::vector<std::string>& names);
-
-/// Throws UserError where the last of `cases` cases, dealt to the regimes by turns from index
-/// `first` on, has an index beyond 64 bits.
-void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regimes);
 
 /// What is known: a corpus folder, sorted by path, and a line for each broken file; empty where
 /// there is no such folder. Throws UserError where none is named.

@@ -1,13 +1,13 @@
-#include "cli/answer_each.hpp"
+#include "corpus/case_stream.hpp"
 
 #include <iterator>
 
 #include <fmt/format.h>
 
 #include "base/file.hpp"
+#include "base/streams.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "cli/output.hpp"
 #include "corpus/corpus.hpp"
 
 namespace manifuzz {

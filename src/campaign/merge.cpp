@@ -1,20 +1,101 @@
-#include "campaign/merged_result.hpp"
+#include "campaign/merge.hpp"
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <span>
 #include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "campaign/budgets.hpp"
+#include "campaign/findings.hpp"
+#include "campaign/save.hpp"
+#include "corpus/simplicity.hpp"
 #include "generating/regime.hpp"
 
 namespace manifuzz {
 namespace {
 
+namespace fs = std::filesystem;
 using Count = std::uint64_t;
+
+std::string key_of(const CorpusCase& known) {
+  if (known.expect && !known.expect->bucket.empty()) return finding_key(*known.expect);
+  std::string line;
+  append_case_line(line, known.pair);
+  return known.property + '|' + line;
+}
+
+/// The order in which witnesses are preferred, the first the best.
+auto badness(const CorpusCase& witness) {
+  const double magnitude = witness.expect ? witness.expect->magnitude.value_or(-1) : -1;
+  const Found found = witness.found.value_or(Found{});
+  const auto place = std::ranges::find(regimes(), found.regime, &Regime::name);
+  return std::tuple(-magnitude, found.index, place - regimes().begin(), found.seed, witness.path);
+}
+
+auto size_of(const CorpusCase& known) {
+  return std::pair(complexity(known.pair), badness(known));
+}
+
+using Members = std::vector<const CorpusCase*>;
+
+/// The least by an order that is not cheap to tell.
+template <class Order>
+const CorpusCase& least(const Members& members, const Order& order) {
+  const CorpusCase* best = members.front();
+  auto rank = order(*best);
+  for (const CorpusCase* known : std::span(members).subspan(1)) {
+    auto other = order(*known);
+    if (!(other < rank)) continue;
+    best = known;
+    rank = std::move(other);
+  }
+  return *best;
+}
+
+MergedFinding merged_finding(const Members& members) {
+  std::set<std::string> shrunk;  // files beside which lies what they were shrunk from
+  for (const CorpusCase* known : members) {
+    if (is_worst(known->path)) shrunk.insert(shrunk_beside(known->path));
+  }
+  Members as_seen;
+  for (const CorpusCase* known : members) {
+    if (!shrunk.contains(known->path)) as_seen.push_back(known);
+  }
+  MergedFinding kept{least(members, size_of), {}};
+  const CorpusCase& worst = least(as_seen, badness);
+  if (worst.pair != kept.smallest.pair) kept.worst = worst;
+  return kept;
+}
+
+fs::path folder_of(const CorpusCase& known) {
+  if (!known.property.empty()) return "regressions";
+  if (!known.expect) return "seeds";
+  const auto bucket = find_bucket(known.expect->bucket);
+  return bucket ? corpus_folder(*bucket, known.expect->oracle) : fs::path("seeds");
+}
+
+/// The case as its file has it, every byte: answers read and written again may differ by a
+/// rounding.
+std::string text_of(const CorpusCase& known) {
+  return known.path.ends_with(".json") ? InputFile(known.path).read_all() : format_case(known);
+}
+
+/// A bucket's file is the merged one.
+void name_files(CampaignResult& run, const std::map<std::string, std::string>& files) {
+  Expectation expect{run.settings.subject, run.settings.oracle, {}, {}, {}};
+  for (BucketResult& found : run.buckets) {
+    expect.bucket = found.bucket;
+    const auto file = files.find(finding_key(expect));
+    if (file != files.end()) found.file = file->second;
+  }
+}
 
 std::string in_words(const Settings& settings) {
   std::vector<std::string> versions;
@@ -157,27 +238,48 @@ void add_run(CampaignResult& sum, const CampaignResult& run) {
 
 }  // namespace
 
-MergedResult merged_result(std::span<const ResultFile> results) {
-  MergedResult merged;
-  if (const Settings* const usual = usual_settings(results)) {
-    merged.sum.emplace();
-    merged.sum->settings = *usual;
-    merged.sum->budgets_hold = true;
+std::vector<MergedFinding> merged_findings(const std::vector<CorpusCase>& cases) {
+  std::map<std::string, Members> groups;
+  for (const CorpusCase& known : cases) groups[key_of(known)].push_back(&known);
+  std::vector<MergedFinding> all;
+  for (const auto& [key, members] : groups) all.push_back(merged_finding(members));
+  return all;
+}
+
+MergedRuns merged_runs(const RunFiles& files) {
+  MergedRuns runs{merged_findings(files.corpus.cases), {}, files.corpus.errors};
+  if (const Settings* const usual = usual_settings(files.results)) {
+    runs.result.emplace();
+    runs.result->settings = *usual;
+    runs.result->budgets_hold = true;
   }
-  for (const ResultFile& result : results) {
+  for (const ResultFile& result : files.results) {
     try {
       if (!result.campaign) {
         throw UserError(fmt::format("is a result of {}; those of fuzz are added up", result.kind));
       }
-      add_run(*merged.sum, *result.campaign);
+      add_run(*runs.result, *result.campaign);
     } catch (const UserError& error) {
-      merged.errors.push_back(fmt::format("{}: {}", result.path, error.what()));
+      runs.errors.push_back(fmt::format("{}: {}", result.path, error.what()));
     }
   }
-  if (!merged.sum) return merged;
-  find_over_budget(*merged.sum);
-  std::ranges::stable_sort(merged.sum->buckets, {}, place_in_order);
-  return merged;
+  if (!runs.result) return runs;
+  find_over_budget(*runs.result);
+  std::ranges::stable_sort(runs.result->buckets, {}, place_in_order);
+  return runs;
+}
+
+void write_findings(MergedRuns& runs, const fs::path& folder, Interruption& interruption) {
+  std::map<std::string, std::string> files;  // of the smallest, by their findings' keys
+  for (const MergedFinding& finding : runs.findings) {
+    if (interruption.is_stopped()) throw UserError("merge: interrupted; nothing was written");
+    const CorpusCase& smallest = finding.smallest;
+    const fs::path file = corpus_file(folder / folder_of(smallest), smallest);
+    write_file(file, text_of(smallest));
+    if (finding.worst) write_file(worst_beside(file), text_of(*finding.worst));
+    if (smallest.expect) files[finding_key(*smallest.expect)] = file.string();
+  }
+  if (runs.result) name_files(*runs.result, files);
 }
 
 }  // namespace manifuzz

@@ -1,4 +1,4 @@
-#include "cli/collider_options.hpp"
+#include "cli/collider_choice.hpp"
 
 #include <filesystem>
 #include <limits>
@@ -23,31 +23,31 @@ bool is_library(const std::string& name) {
   return name.find('/') != std::string::npos || name.ends_with(".so");
 }
 
-double time_limit_of(const ExternalOptions& outside) {
-  const double seconds = outside.time_limit.value_or(kTimeLimit);
+double time_limit_of(const ExternalOptions& external) {
+  const double seconds = external.time_limit.value_or(kTimeLimit);
   if (seconds > 0 && seconds <= kTimeLimitMax) return seconds;
   throw UserError(fmt::format("--time-limit: {} s is no limit; more than 0, up to {} is expected",
                               seconds, kTimeLimitMax));
 }
 
-Collider find_any(const ColliderChoice& choice, const ExternalOptions& outside) {
+Collider find_any(const ColliderChoice& choice, const ExternalOptions& external) {
   const double seconds = time_limit_of(outside);
-  if (outside.in_process && outside.time_limit) {
+  if (external.in_process && external.time_limit) {
     throw UserError(
         "--time-limit: holds for colliders in processes of their own; leave out --in-process");
   }
-  if (!choice.command.empty() && outside.in_process) {
+  if (!choice.command.empty() && external.in_process) {
     throw UserError(
         fmt::format("--in-process: a program cannot run in this process; give a shared "
                     "library to --{}",
                     choice.role));
   }
   if (!choice.command.empty()) {
-    return collider_of_command(choice.command, seconds, outside.start_seconds);
+    return collider_of_command(choice.command, seconds, external.start_seconds);
   }
   if (!is_library(choice.name)) return find_collider(choice.name);
-  return outside.in_process ? collider_in_process(choice.name)
-                            : collider_in_own_process(choice.name, seconds);
+  return external.in_process ? collider_in_process(choice.name)
+                             : collider_in_own_process(choice.name, seconds);
 }
 
 Collider with_tie_bias(const Collider& collider, double tie_bias) {
@@ -91,23 +91,23 @@ void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& desc
       ->excludes(name);
 }
 
-void add_external_options(CLI::App& app, ExternalOptions& outside) {
-  app.add_flag("--in-process", outside.in_process,
-               "call a shared library from this process: faster, and it can take a job along");
-  add_length(app, "--time-limit", outside.time_limit,
+void add_external_options(CLI::App& app, ExternalOptions& external) {
+  app.add_flag("--in-process", external.in_process,
+               "call a shared library from this process: faster, but where it dies, so does a job");
+  add_length(app, "--time-limit", external.time_limit,
              "seconds that a library or a program may take over a case; 1 if not given");
 }
 
-void add_compared_colliders(CLI::App& app, ComparedColliders& parties) {
-  add_collider(app, parties.subject, "the collider under test");
-  add_collider(app, parties.oracle, "the collider it is held against");
-  add_external_options(app, parties.outside);
+void add_subject_and_oracle(CLI::App& app, SubjectAndOracle& colliders) {
+  add_collider(app, colliders.subject, "the collider under test");
+  add_collider(app, colliders.oracle, "the collider it is held against");
+  add_external_options(app, colliders.external);
 }
 
-Collider find_collider(const ColliderChoice& choice, const ExternalOptions& outside,
+Collider find_collider(const ColliderChoice& choice, const ExternalOptions& external,
                        std::optional<double> tie_bias) {
   try {
-    const Collider collider = find_any(choice, outside);
+    const Collider collider = find_any(choice, external);
     return tie_bias ? with_tie_bias(collider, *tie_bias) : collider;
   } catch (const UserError& error) {
     const std::string_view what = error.what();
@@ -117,14 +117,15 @@ Collider find_collider(const ColliderChoice& choice, const ExternalOptions& outs
   }
 }
 
-std::string options_again(const ComparedColliders& parties) {
-  return option_again(parties.subject) + ' ' + options_again(parties.oracle, parties.outside);
+std::string options_again(const SubjectAndOracle& colliders) {
+  return option_again(colliders.subject) + ' ' +
+         options_again(colliders.oracle, colliders.external);
 }
 
-std::string options_again(const ColliderChoice& choice, const ExternalOptions& outside) {
+std::string options_again(const ColliderChoice& choice, const ExternalOptions& external) {
   std::string text = option_again(choice);
-  if (outside.in_process) text += " --in-process";
-  if (outside.time_limit) text += fmt::format(" --time-limit {}", *outside.time_limit);
+  if (external.in_process) text += " --in-process";
+  if (external.time_limit) text += fmt::format(" --time-limit {}", *external.time_limit);
   return text;
 }
 

@@ -1,4 +1,4 @@
-#include "cli/fuzz_report.hpp"
+#include "report/run_tables.hpp"
 
 #include <algorithm>
 
@@ -138,6 +138,69 @@ std::string progress_line(const Plan& plan, const Progress& progress) {
   if (plan.until_new) line += "; waiting for a new bucket";
   if (plan.seconds || plan.cases) line += fmt::format("; {:.0f} s left", std::max(0.0, left));
   return line;
+}
+
+std::string verdict_table(const CampaignResult& result) {
+  std::string text;
+  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
+    text += fmt::format("{:<18}{:>14}\n", kVerdictNames[i], result.verdicts[i]);
+  }
+  return text + fmt::format("{:<18}{:>14}\n", "cases", result.cases());
+}
+
+std::string replay_failures(const ReplayRun& run) {
+  std::string text;
+  for (const ReplayedCase& one : run.cases) {
+    if (one.result.passed) continue;
+    text += fmt::format("{} {}: expected {}, got {}\n", bad("FAIL"),
+                        printable(one.recorded->path, 200), one.result.expected, one.result.got);
+  }
+  return text;
+}
+
+std::string replay_counts(const ReplayRun& run) {
+  std::string text =
+      fmt::format("{} against {}: {} cases, {} passed, {} failed, in {:.2f} s", run.subject,
+                  run.oracle, run.cases.size(), run.passed(), run.failed(), run.seconds);
+  if (run.left_out > 0) text += fmt::format("; {} left out, for time was up", run.left_out);
+  return text;
+}
+
+void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std::size_t unread) {
+  json["subject"] = run.subject;
+  json["oracle"] = run.oracle;
+  json["cases"] = run.cases.size();
+  json["passed"] = run.passed();
+  json["failed"] = run.failed();
+  json["left_out"] = run.left_out;
+  json["unread"] = unread;
+  json["seconds"] = run.seconds;
+  json["failures"] = nlohmann::ordered_json::array();
+  for (const ReplayedCase& one : run.cases) {
+    if (one.result.passed) continue;
+    json["failures"].push_back(
+        {{"file", one.recorded->path}, {"expected", one.result.expected}, {"got", one.result.got}});
+  }
+}
+
+std::string property_text(const CheckedProperty& checked) {
+  const PropertyResult& result = checked.result;
+  std::string text = fmt::format("{} {}: {}\n{}\n", result.passed ? good("ok  ") : bad("FAIL"),
+                                 checked.property->name, checked.property->sentence, result.report);
+  if (!result.reproduce.empty()) {
+    text += fmt::format("repeat with RC_PARAMS=\"{}\"\n", result.reproduce);
+  }
+  if (!checked.saved.empty()) text += fmt::format("saved {}\n", checked.saved);
+  return text;
+}
+
+std::string property_line(const CheckedProperty& checked) {
+  const Property& property = *checked.property;
+  if (checked.is_left_out()) {
+    return fmt::format("--   {}: left out, for time was up\n", property.name);
+  }
+  return fmt::format("{} {}: {}, {} cases\n", good("ok  "), property.name, property.sentence,
+                     checked.result.cases);
 }
 
 }  // namespace manifuzz

@@ -1,4 +1,4 @@
-#include "cli/page_cases.hpp"
+#include "report/page/page_cases.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -9,11 +9,7 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "campaign/neighbourhood_run.hpp"
-#include "cli/collider_options.hpp"
-#include "cli/colliders.hpp"
-#include "report/picture/map_picture.hpp"
-#include "report/picture/map_words.hpp"
+#include "campaign/in_child.hpp"
 
 namespace manifuzz {
 namespace {
@@ -115,17 +111,6 @@ void add_runs(PageCase& page_case, const std::vector<ResultFile>& results) {
   }
 }
 
-PageMap map_of(const PageCase& page_case, NamedColliders& colliders, Interruption& interruption) {
-  const JudgedCase& judged = page_case.judged;
-  const PairCase& pair = judged.given.pair;
-  const Grid grid = grid_around(exact::Truth(pair));
-  const Neighbourhood map = ask_neighbourhood(
-      pair, *colliders.find(judged.subject.declaration.name),
-      *colliders.find(judged.oracle.declaration.name), grid, grid.cell_count(), interruption);
-  if (interruption.is_stopped()) throw Interrupted();
-  return {map_png(judged, map), {grid_in_words(grid), severity_in_words(judged, map)}};
-}
-
 /// Those that deserve a map the most first: somebody is wrong and nothing explains it; somebody is
 /// wrong; the others.
 int rank_of(const PageCase& page_case) {
@@ -150,33 +135,15 @@ void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size
   }
   std::ranges::stable_sort(wanted, {}, [](const PageCase* c) { return rank_of(*c); });
   wanted.resize(std::min(wanted.size(), maps_max));
-  for (PageCase* page_case : wanted) page_case->map = map_of(*page_case, colliders, interruption);
-}
-
-}  // namespace
-
-NamedColliders::NamedColliders(const std::optional<Collider>& subject,
-                               const std::optional<Collider>& oracle) {
-  if (subject) known_[subject_ = subject->declaration.name] = subject;
-  if (oracle) known_[oracle_ = oracle->declaration.name] = oracle;
-}
-
-const Collider* NamedColliders::find(const std::string& name) {
-  auto known = known_.find(name);
-  if (known == known_.end()) {
-    std::optional<Collider> made;
-    try {
-      if (const ColliderEntry* const entry = find_entry(name)) made = entry->make();
-    } catch (const UserError&) {
-      // It is not installed: the page shows what files record of it.
-    }
-    known = known_.emplace(name, std::move(made)).first;
+  for (PageCase* page_case : wanted) {
+    const JudgedCase& judged = page_case->judged;
+    page_case->map = case_map(judged, *colliders.find(judged.subject.declaration.name),
+                              *colliders.find(judged.oracle.declaration.name), 1, interruption);
   }
-  return known->second ? &*known->second : nullptr;
 }
 
 std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& colliders,
-                                 std::size_t maps_max, Interruption& interruption) {
+                                 const std::string& program, Interruption& interruption) {
   std::set<std::string> paths;
   for (const CorpusCase& given : files.corpus.cases) paths.insert(given.path);
   std::vector<PageCase> cases;
@@ -185,13 +152,39 @@ std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& collider
     PageCase page_case = page_case_of(given, colliders, interruption);
     const std::string shrunk = shrunk_beside(given.path);
     if (is_worst(given.path) && paths.contains(shrunk)) page_case.smallest = shrunk;
-    page_case.commands.push_back(
-        fmt::format("{} show {}", this_program(), quoted_for_shell(given.path)));
+    page_case.commands.push_back(fmt::format("{} show {}", program, quoted_for_shell(given.path)));
     add_runs(page_case, files.results);
     cases.push_back(std::move(page_case));
   }
-  add_maps(cases, colliders, maps_max, interruption);
   return cases;
+}
+
+}  // namespace
+
+NamedColliders::NamedColliders(const Find& find, const std::optional<Collider>& subject,
+                               const std::optional<Collider>& oracle)
+    : find_(find) {
+  if (subject) known_[subject_ = subject->declaration.name] = subject;
+  if (oracle) known_[oracle_ = oracle->declaration.name] = oracle;
+}
+
+const Collider* NamedColliders::find(const std::string& name) {
+  auto known = known_.find(name);
+  if (known == known_.end()) known = known_.emplace(name, find_(name)).first;
+  return known->second ? &*known->second : nullptr;
+}
+
+std::string page_of(const RunFiles& files, NamedColliders& colliders, std::size_t maps_max,
+                    const PageCommands& commands) {
+  Interruption interruption(kUntilSignal);
+  Page page{commands.again, files.corpus.errors, files.results, {}};
+  try {
+    page.cases = page_cases(files, colliders, commands.program, interruption);
+    add_maps(page.cases, colliders, maps_max, interruption);
+  } catch (const Interrupted&) {
+    throw UserError("the page: interrupted before it was done");
+  }
+  return page_html(page);
 }
 
 }  // namespace manifuzz
