@@ -142,12 +142,12 @@ Answer answer_of(int status, const manifuzz_manifold& manifold,
 Collider collider_in_process(const std::string& path) {
   const auto library = std::make_shared<const Library>(path);
   Collider collider;
-  collider.declaration = declaration_of(library->says());
+  collider.declaration = declaration_of(library->declaration());
   collider.collide = [library, declaration = collider.declaration](const PairCase& pair) -> Answer {
     if (auto declined = beyond_limits(declaration, pair)) return *declined;
     manifuzz_manifold manifold;
     const int status = library->collide(pair, manifold);
-    return answer_of(status, manifold, library->says(), pair);
+    return answer_of(status, manifold, library->declaration(), pair);
   };
   return collider;
 }

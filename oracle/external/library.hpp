@@ -13,7 +13,7 @@ class Library {
   /// Throws UserError that says what is wrong with it.
   explicit Library(const std::string& path);
 
-  const manifuzz_declaration& says() const { return *declaration_; }
+  const manifuzz_declaration& declaration() const { return *declaration_; }
   /// What `manifuzz_collide` returns; the manifold comes zeroed.
   int collide(const PairCase& pair, manifuzz_manifold& manifold) const;
 

@@ -1,58 +1,69 @@
 #include "campaign/in_child.hpp"
 
-#include <chrono>
+#include <atomic>
 #include <optional>
-#include <sys/wait.h>
 
 #include "judging/completed.hpp"
+#include "process/pool.hpp"
+#include "process/shared_memory.hpp"
 
 namespace manifuzz {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-/// What a child leaves behind. The ledger entry's address holds in its parent too.
-struct Slot {
+/// What a child that judges leaves behind. The ledger entry's address holds in its parent too.
+struct JudgementSlot {
   std::atomic<Fault> at_work{Fault::none};
-  std::atomic<int> pulse{0};
   Judgement judgement;
 };
 
-/// What one in a process of its own answers, unless somebody asks to stop before: Interrupted.
+/// An answer without pointers, for shared memory.
+struct AnswerSlot {
+  enum class Kind { manifold, partial, unsupported, lost };
+  Kind kind = Kind::manifold;
+  PartialManifold manifold;
+  Lost::How how = Lost::How::crashed;
+  SharedText<512> why;
+
+  void put(const Answer& answer) {
+    if (const auto* const whole = std::get_if<Manifold<double>>(&answer)) {
+      kind = Kind::manifold;
+      manifold.manifold = *whole;
+    } else if (const auto* const partial = std::get_if<PartialManifold>(&answer)) {
+      kind = Kind::partial;
+      manifold = *partial;
+    } else if (const auto* const unsupported = std::get_if<Unsupported>(&answer)) {
+      kind = Kind::unsupported;
+      why.set(unsupported->why);
+    } else {
+      kind = Kind::lost;
+      how = std::get<Lost>(answer).how;
+      why.set(std::get<Lost>(answer).why);
+    }
+  }
+
+  Answer answer() const {
+    switch (kind) {
+      case Kind::manifold:
+        return manifold.manifold;
+      case Kind::partial:
+        return manifold;
+      case Kind::unsupported:
+        return Unsupported{why.str()};
+      default:
+        return Lost{how, why.str()};
+    }
+  }
+};
+
+/// What one in a process of its own answers.
 Answer ask_isolated(const Collider& collider, const PairCase& pair, Interruption& interruption) {
   Answer answer;
-  const auto go_on = [&] { return !interruption.requested(); };
+  const auto go_on = [&] { return !interruption.is_stopped(); };
   if (collider.collide_many({&pair, 1}, {&answer, 1}, go_on) == 0) throw Interrupted();
   return answer;
 }
 
 }  // namespace
-
-Ending run_in_child(const std::function<void()>& body, const std::atomic<int>& pulse,
-                    double seconds_max, Interruption& interruption) {
-  const pid_t child = spawn(body);
-  int seen = pulse;
-  Clock::time_point seen_at = Clock::now();
-  for (;;) {
-    int status = 0;
-    if (waitpid(child, &status, WNOHANG) == child) {
-      return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Ending::well : Ending::crashed;
-    }
-    if (pulse != seen) {
-      seen = pulse;
-      seen_at = Clock::now();
-    }
-    if (interruption.requested()) {
-      kill_and_wait(child);
-      return Ending::interrupted;
-    }
-    if (std::chrono::duration<double>(Clock::now() - seen_at).count() > seconds_max) {
-      kill_and_wait(child);
-      return Ending::hung;
-    }
-    interruption.wait(0.1);
-  }
-}
 
 Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Collider& oracle,
                          Interruption& interruption) {
@@ -66,7 +77,7 @@ Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Co
   if (subject_here && oracle_here) {
     return judge(pair, {subject.declaration, *subject_here}, {oracle.declaration, *oracle_here});
   }
-  const Shared<Slot> slot;
+  const Shared<JudgementSlot> slot;
   const auto body = [&] {
     slot->at_work = Fault::subject;
     const Answer of_subject = subject_here ? *subject_here : subject.collide(pair);
@@ -76,36 +87,34 @@ Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Co
     slot->judgement =
         judge(pair, {subject.declaration, of_subject}, {oracle.declaration, of_oracle});
   };
-  switch (run_in_child(body, slot->pulse, case_seconds_max(subject, oracle), interruption)) {
+  switch (run_in_child(body, case_seconds_max(subject, oracle), interruption)) {
     case Ending::crashed:
       return {.bucket = bucket_of_lost(Verdict::crashed, slot->at_work)};
-    case Ending::hung:
+    case Ending::timed_out:
       return {.bucket = bucket_of_lost(Verdict::timed_out, slot->at_work)};
-    case Ending::interrupted:
+    case Ending::stopped:
       throw Interrupted();
-    case Ending::well:
-      break;
+    default:
+      return slot->judgement;
   }
-  return slot->judgement;
 }
 
 Answer ask_in_child(const Collider& collider, const PairCase& pair, Interruption& interruption) {
   if (collider.is_isolated()) {
     return whole(ask_isolated(collider, pair, interruption), pair, collider.declaration);
   }
-  const std::atomic<int> pulse{0};
-  switch (run_in_child([&] { collider.collide(pair); }, pulse, case_seconds_max(collider, collider),
-                       interruption)) {
+  const Shared<AnswerSlot> slot;
+  switch (run_in_child([&] { slot->put(collider.collide(pair)); },
+                       case_seconds_max(collider, collider), interruption)) {
     case Ending::crashed:
       return Lost{Lost::How::crashed, "crashed"};
-    case Ending::hung:
+    case Ending::timed_out:
       return Lost{Lost::How::timed_out, "timed out"};
-    case Ending::interrupted:
+    case Ending::stopped:
       throw Interrupted();
-    case Ending::well:
-      break;
+    default:
+      return whole(slot->answer(), pair, collider.declaration);
   }
-  return ask(collider, pair);
 }
 
 }  // namespace manifuzz

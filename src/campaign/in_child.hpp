@@ -1,11 +1,9 @@
 #pragma once
 
-#include <atomic>
-#include <functional>
 #include <stdexcept>
 
 #include "judging/judge.hpp"
-#include "process/process.hpp"
+#include "process/interruption.hpp"
 
 namespace manifuzz {
 
@@ -15,13 +13,7 @@ inline double case_seconds_max(const Collider& subject, const Collider& oracle) 
   return 5 + subject.seconds_max + oracle.seconds_max;
 }
 
-enum class Ending { well, crashed, hung, interrupted };
-
-/// Runs `body` in a child process for as long as `pulse` moves at least once in `seconds_max`.
-Ending run_in_child(const std::function<void()>& body, const std::atomic<int>& pulse,
-                    double seconds_max, Interruption& interruption);
-
-/// Thrown where somebody asked to stop before there was an answer.
+/// Thrown where work was stopped before there was an answer.
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted before there was an answer") {}
 };
@@ -31,8 +23,8 @@ struct Interrupted : std::runtime_error {
 Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Collider& oracle,
                          Interruption& interruption);
 
-/// What the collider answers, completed; asked in a child process first where it could take this
-/// one along. Throws Interrupted.
+/// What the collider answers in a child process, asked once and completed; Lost where it dies or
+/// hangs. Throws Interrupted.
 Answer ask_in_child(const Collider& collider, const PairCase& pair, Interruption& interruption);
 
 }  // namespace manifuzz

@@ -1,54 +1,87 @@
 #include "campaign/jobs.hpp"
 
-#include <array>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <optional>
 #include <vector>
 
 #include "base/random.hpp"
+#include "campaign/in_child.hpp"
 #include "judging/completed.hpp"
 #include "oracle/external/external_collider.hpp"
-#include "process/watched_process.hpp"
+#include "process/shared_memory.hpp"
 
 namespace manifuzz {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Cases are handed out in blocks, small enough that no job is left behind at the end.
 constexpr std::uint64_t kBlock = 256;
-constexpr double kPollSeconds = 0.1;
 
-enum class Phase : int { generating, subject, oracle, judging };
+enum class Step : int { generating, asking_subject, asking_oracle, judging };
 
-/// A job's desk, where its parent can see what it is at.
-struct Desk {
+/// What a job is at, where its parent can see it even if it dies.
+struct JobState {
   std::atomic<CaseNumber> next{0};  ///< the case at work
   std::atomic<CaseNumber> end{0};   ///< of the block at work
-  std::atomic<Phase> phase{Phase::generating};
-  std::atomic<int> pulse{0};  ///< moves while it waits for colliders in processes of their own
+  std::atomic<Step> step{Step::generating};
+  std::atomic<std::uint64_t> waits{0};  ///< moves while colliders in their own processes are asked
   Tally tally;
+
+  void begin(Step next_step) { step.store(next_step, std::memory_order_relaxed); }
 };
 
-struct Office {
-  std::atomic<bool> stop{false};
-  std::atomic<Fault> unresponsive{Fault::none};  ///< who never answers, so that going on is no use
-  std::array<char, 256> why{};                   ///< of the one that gave up first
-  std::atomic<CaseNumber> undealt{0};
-  CaseNumber end = 0;
+/// What all jobs share.
+struct RunState {
+  SharedQueue cases;
+  std::atomic<Fault> given_up{Fault::none};
+  SharedText<256> why_given_up;  ///< of the first that was given up
 
-  void give_up(Fault party, const std::string& reason) {
-    Fault nobody = Fault::none;
-    if (unresponsive.compare_exchange_strong(nobody, party))
-      reason.copy(why.data(), why.size() - 1);
-    stop = true;
+  void give_up(Fault role, const std::string& why) {
+    Fault none = Fault::none;
+    if (given_up.compare_exchange_strong(none, role)) why_given_up.set(why);
+    cases.is_closed = true;
   }
 };
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+/// One that is not worth all the cases: it answers a case otherwise alone than among others,
+/// so often.
+constexpr int kUnsteadyMax = 20;
+
+/// A collider's answers to a block of cases, and how it has fared until now.
+struct BlockAnswers {
+  const Collider& collider;
+  Fault role;
+  std::vector<Answer> answers{};
+  int lost_in_a_row = 0;
+  int unsteady = 0;
+};
+
+/// Asks one in a process of its own for the whole block. How many cases have their answers, or get
+/// them one by one: all but those behind an end of the run.
+std::size_t ask_block(std::span<const PairCase> pairs, RunState& run, JobState& job,
+                      BlockAnswers& of) {
+  of.answers.assign(pairs.size(), Answer());
+  if (!of.collider.is_isolated()) return pairs.size();
+  const std::size_t answered = of.collider.collide_many(pairs, of.answers, [&] {
+    ++job.waits;
+    return run.cases.is_open();
+  });
+  for (std::size_t i = 0; i < answered; ++i) {
+    if (std::holds_alternative<Unsupported>(of.answers[i])) continue;
+    const auto* const lost = std::get_if<Lost>(&of.answers[i]);
+    of.lost_in_a_row = lost != nullptr ? of.lost_in_a_row + 1 : 0;
+    if (of.lost_in_a_row < kLossesInARowMax) continue;
+    run.give_up(of.role, lost->why);
+    return i + 1;
+  }
+  return answered;
+}
+
+/// The answer to case `i` of the block: the one that is there, or now.
+ColliderAnswer ask_case(const PairCase& pair, std::size_t i, BlockAnswers& of) {
+  if (!of.collider.is_isolated()) of.answers[i] = of.collider.collide(pair);
+  return {of.collider.declaration, of.answers[i]};
 }
 
 /// One agreeing case in `judge_every`, by what the case is and not by its place in the campaign:
@@ -58,209 +91,134 @@ bool is_sampled(const Plan& plan, CaseNumber number) {
   return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
 }
 
-/// One that is not worth all the cases: it answers a case otherwise alone than among others,
-/// so often.
-constexpr int kUnsteadyMax = 20;
-
-/// What a collider in a process of its own answered to a block of cases, and how often it has just
-/// failed to.
-struct Correspondence {
-  const Collider& collider;
-  Fault party;
-  std::vector<Answer> answers{};
-  int losses_in_a_row = 0;
-  int unsteady = 0;
-
-  /// How many it answered before it was time to stop.
-  std::size_t ask(std::span<const PairCase> pairs, Office& office, Desk& desk) {
-    answers.assign(pairs.size(), Answer());
-    if (!collider.is_isolated()) return pairs.size();
-    const std::size_t answered = collider.collide_many(pairs, answers, [&] {
-      ++desk.pulse;
-      return !office.stop.load(std::memory_order_relaxed);
-    });
-    for (std::size_t i = 0; i < answered; ++i) {
-      if (std::holds_alternative<Unsupported>(answers[i])) continue;
-      const auto* const lost = std::get_if<Lost>(&answers[i]);
-      losses_in_a_row = lost != nullptr ? losses_in_a_row + 1 : 0;
-      if (losses_in_a_row < kLossesInARowMax) continue;
-      office.give_up(party, lost->why);
-      return i + 1;
-    }
-    return answered;
-  }
-};
-
-/// Its answer to case `i` of a block: the one it gave already, or now.
-const Answer& answer_to(const PairCase& pair, std::size_t i, Correspondence& with) {
-  if (!with.collider.is_isolated()) with.answers[i] = with.collider.collide(pair);
-  return with.answers[i];
+/// Whether it is blamed for an answer that it does not give to the case alone: what went wrong may
+/// lie in the asking, of those who are asked for many cases at once.
+bool is_blamed_in_vain(const Bucket& bucket, const PairCase& pair, std::size_t i,
+                       const BlockAnswers& of) {
+  const bool is_blamed = bucket.fault == of.role || bucket.fault == Fault::both;
+  const bool has_answered =
+      bucket.verdict != Verdict::malformed && !std::holds_alternative<Lost>(of.answers[i]);
+  return of.collider.is_isolated() && is_blamed && has_answered &&
+         !is_same(of.collider.collide(pair), of.answers[i]);
 }
 
-/// What went wrong may lie in the asking: one that answers a case otherwise alone than among others
-/// has no answer to it.
-std::optional<Judgement> without_answer(const PairCase& pair, const Answer& given,
-                                        const Bucket& bucket, Correspondence& with) {
-  if (!with.collider.is_isolated() || bucket.verdict == Verdict::malformed ||
-      (bucket.fault != with.party && bucket.fault != Fault::both) ||
-      std::holds_alternative<Lost>(given) || is_same(with.collider.collide(pair), given)) {
-    return std::nullopt;
-  }
-  ++with.unsteady;
-  return Judgement{.bucket = bucket_of_lost(Verdict::malformed, with.party)};
-}
-
-void run_case(const Plan& plan, CaseNumber number, const PairCase& pair, std::size_t in_block,
-              Correspondence& with_subject, Correspondence& with_oracle, Desk& desk) {
+/// A case's way: two answers are compared, and judged where they do not plainly agree; the tally
+/// has it.
+void run_case(const Plan& plan, const PairCase& pair, std::size_t i, BlockAnswers& of_subject,
+              BlockAnswers& of_oracle, JobState& job) {
+  const CaseNumber number = job.next;
   const auto truth = std::make_shared<const exact::Truth>(pair);
-  const Standing where = standing(*truth);
-  desk.phase.store(Phase::subject, std::memory_order_relaxed);
-  const Answer& of_subject = answer_to(pair, in_block, with_subject);
-  desk.phase.store(Phase::oracle, std::memory_order_relaxed);
-  const Answer& of_oracle = answer_to(pair, in_block, with_oracle);
-  desk.phase.store(Phase::judging, std::memory_order_relaxed);
-  const ColliderAnswer subject{plan.subject.declaration, of_subject};
-  const ColliderAnswer oracle{plan.oracle.declaration, of_oracle};
+  job.begin(Step::asking_subject);
+  const ColliderAnswer subject = ask_case(pair, i, of_subject);
+  job.begin(Step::asking_oracle);
+  const ColliderAnswer oracle = ask_case(pair, i, of_oracle);
+  job.begin(Step::judging);
   Judgement judgement;
   if (is_sampled(plan, number) || !plainly_agree(*truth, subject, oracle)) {
     judgement = judge(truth, subject, oracle);
-    for (const auto& [with, given] :
-         {std::pair(&with_subject, &of_subject), std::pair(&with_oracle, &of_oracle)}) {
-      if (const auto lost = without_answer(pair, *given, judgement.bucket, *with))
-        judgement = *lost;
+    for (BlockAnswers* const of : {&of_subject, &of_oracle}) {
+      if (!is_blamed_in_vain(judgement.bucket, pair, i, *of)) continue;
+      ++of->unsteady;
+      judgement = {.bucket = bucket_of_lost(Verdict::malformed, of->role)};
     }
   }
-  desk.tally.add(plan.regime_of(number), number, where, judgement);
+  job.tally.add(plan.regime_of(number), number, standing(*truth), judgement);
 }
 
-/// The cases at the desk, to the end of its block.
-void run_block(const Plan& plan, Office& office, Desk& desk, Correspondence& with_subject,
-               Correspondence& with_oracle) {
-  desk.phase.store(Phase::generating, std::memory_order_relaxed);
+/// The cases of the job's block, to its end.
+void run_block(const Plan& plan, RunState& run, JobState& job, BlockAnswers& of_subject,
+               BlockAnswers& of_oracle) {
+  job.begin(Step::generating);
   std::vector<PairCase> pairs;
-  for (CaseNumber number = desk.next; number < desk.end; ++number) {
-    pairs.push_back(plan.pair(number));
-  }
+  for (CaseNumber number = job.next; number < job.end; ++number) pairs.push_back(plan.pair(number));
   const std::size_t answered =
-      std::min(with_subject.ask(pairs, office, desk), with_oracle.ask(pairs, office, desk));
+      std::min({ask_block(pairs, run, job, of_subject), ask_block(pairs, run, job, of_oracle)});
   for (std::size_t i = 0; i < answered; ++i) {
-    run_case(plan, desk.next, pairs[i], i, with_subject, with_oracle, desk);
-    desk.next.fetch_add(1);
-    for (const Correspondence* const with : {&with_subject, &with_oracle}) {
-      if (with->unsteady < kUnsteadyMax) continue;
-      return office.give_up(with->party, "answers a case otherwise alone than among others");
+    run_case(plan, pairs[i], i, of_subject, of_oracle, job);
+    job.next.fetch_add(1);
+    for (const BlockAnswers* const of : {&of_subject, &of_oracle}) {
+      if (of->unsteady < kUnsteadyMax) continue;
+      return run.give_up(of->role, "answers a case otherwise alone than among others");
     }
   }
 }
 
-void run_job(const Plan& plan, Office& office, Desk& desk) {
-  Correspondence with_subject{plan.subject, Fault::subject};
-  Correspondence with_oracle{plan.oracle, Fault::oracle};
-  while (!office.stop.load(std::memory_order_relaxed)) {
-    if (desk.next >= desk.end) {
-      const CaseNumber begin = office.undealt.fetch_add(kBlock);
-      if (begin >= office.end) return;
-      desk.end = office.end - begin < kBlock ? office.end : begin + kBlock;
-      desk.next = begin;
+void run_job(const Plan& plan, RunState& run, JobState& job) {
+  BlockAnswers of_subject{plan.subject, Fault::subject};
+  BlockAnswers of_oracle{plan.oracle, Fault::oracle};
+  while (run.cases.is_open()) {
+    if (job.next >= job.end) {
+      const SharedQueue::Block block = run.cases.take(kBlock);
+      if (block.begin >= block.end) return;
+      job.end = block.end;
+      job.next = block.begin;
     }
-    run_block(plan, office, desk, with_subject, with_oracle);
+    run_block(plan, run, job, of_subject, of_oracle);
   }
 }
 
-Fault fault_in(Phase phase) {
-  if (phase == Phase::subject) return Fault::subject;
-  return phase == Phase::oracle ? Fault::oracle : Fault::none;
+/// The case that a job died or hung at is a finding of its own.
+void lose_case(const Plan& plan, JobState& job, Verdict verdict) {
+  const CaseNumber number = job.next;
+  const Step step = job.step;
+  const Fault fault = step == Step::asking_subject  ? Fault::subject
+                      : step == Step::asking_oracle ? Fault::oracle
+                                                    : Fault::none;
+  const Standing where =
+      step == Step::generating ? Standing{} : standing(exact::Truth(plan.pair(number)));
+  job.tally.add(plan.regime_of(number), number, where, {.bucket = bucket_of_lost(verdict, fault)});
+  job.next.fetch_add(1);
 }
 
-/// The parent's side of one job.
-class Job {
- public:
-  Job(const Plan& plan, Office& office) : plan_(plan), office_(office) { start(); }
-
-  bool alive() const { return process_.alive(); }
-  const Tally& tally() const { return desk_->tally; }
-
-  /// Takes note of an end, and goes on behind a lost case.
-  void look_after() {
-    if (!alive()) return;
-    const std::uint64_t pulse = desk_->next + static_cast<std::uint64_t>(desk_->pulse);
-    switch (process_.look(pulse, case_seconds_max(plan_.subject, plan_.oracle))) {
-      case WatchedProcess::State::crashed:
-        return lose_case(Verdict::crashed);
-      case WatchedProcess::State::hung:
-        return lose_case(Verdict::timed_out);
-      default:
-        return;
-    }
-  }
-
-  void kill() { process_.kill(); }
-
- private:
-  void start() {
-    process_.start([this] { run_job(plan_, office_, *desk_); });
-  }
-
-  void lose_case(Verdict verdict) {
-    const CaseNumber number = desk_->next;
-    const Phase phase = desk_->phase;
-    const Standing where =
-        phase == Phase::generating ? Standing{} : standing(exact::Truth(plan_.pair(number)));
-    desk_->tally.add(plan_.regime_of(number), number, where,
-                     {.bucket = bucket_of_lost(verdict, fault_in(phase))});
-    desk_->next.fetch_add(1);
-    if (!office_.stop) start();
-  }
-
-  const Plan& plan_;
-  Office& office_;
-  Shared<Desk> desk_;
-  WatchedProcess process_;
-};
-
-std::unique_ptr<Tally> added(const std::vector<std::unique_ptr<Job>>& jobs) {
+std::unique_ptr<Tally> added(const SharedArray<JobState>& jobs) {
   auto total = std::make_unique<Tally>();
-  for (const auto& job : jobs) total->add(job->tally());
+  for (const JobState& job : jobs.all()) total->add(job.tally);
   return total;
+}
+
+/// The state it begins with, and hurry once the plan's time is up.
+Interruption::Limits limits_of(const Plan& plan, Interruption& interruption) {
+  using namespace std::chrono;
+  constexpr double thirty_years = 1e9;
+  Interruption::Limits limits{.begins = interruption.state()};
+  if (plan.seconds) {
+    const duration<double> time(std::min(*plan.seconds, thirty_years));
+    limits.hurried_at = steady_clock::now() + duration_cast<steady_clock::duration>(time);
+  }
+  return limits;
 }
 
 }  // namespace
 
-JobsResult run_jobs(const Plan& plan, Stretch stretch, Interruption& interruption,
-                    const std::function<void(const Progress&)>& on_progress) {
-  const auto start = Clock::now();
-  const Shared<Office> office;
-  office->undealt = stretch.begin;
-  office->end = stretch.end;
-  std::vector<std::unique_ptr<Job>> jobs;
-  for (int i = 0; i < plan.jobs; ++i) jobs.push_back(std::make_unique<Job>(plan, *office));
-
-  JobsResult result;
-  double progress_at = 0;
-  const auto any_alive = [&jobs] {
-    return std::any_of(jobs.begin(), jobs.end(), [](const auto& job) { return job->alive(); });
-  };
-  while (any_alive()) {
-    const double now = seconds_since(start);
-    const double left = plan.seconds ? *plan.seconds - now : kPollSeconds;
-    interruption.wait(std::clamp(left, 0.001, kPollSeconds));
-    result.interrupted = interruption.requested();
-    if (result.interrupted || (plan.seconds && seconds_since(start) >= *plan.seconds)) {
-      office->stop = true;
-    }
-    for (const auto& job : jobs) {
-      interruption.requests() > 1 ? job->kill() : job->look_after();
-    }
-    if (now - progress_at >= 2 * kPollSeconds) {
-      progress_at = now;
-      on_progress({*added(jobs), now});
-    }
-  }
-  result.tally = added(jobs);
-  result.unresponsive = office->unresponsive;
-  result.why_unresponsive = office->why.data();
-  result.seconds = seconds_since(start);
-  return result;
+JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& interruption,
+                    const OnProgress& on_progress) {
+  const Shared<RunState> run;
+  run->cases.next = cases.begin;
+  run->cases.end = cases.end;
+  const SharedArray<JobState> jobs(plan.jobs);
+  const Pool pool{.jobs = plan.jobs,
+                  .body = [&](int job) { run_job(plan, *run, jobs[job]); },
+                  .progress = [&](int job) { return jobs[job].next + jobs[job].waits; },
+                  .seconds_max = case_seconds_max(plan.subject, plan.oracle),
+                  .on_lost =
+                      [&](int job, Ending ending) {
+                        lose_case(
+                            plan, jobs[job],
+                            ending == Ending::crashed ? Verdict::crashed : Verdict::timed_out);
+                        return run->cases.is_open();
+                      },
+                  .hurry = &run->cases.is_closed,
+                  .on_tick =
+                      [&](double seconds) {
+                        on_progress({*added(jobs), seconds});
+                      }};
+  Interruption until_time_is_up(limits_of(plan, interruption));
+  const PoolResult result = run_pool(pool, until_time_is_up);
+  return {.tally = added(jobs),
+          .seconds = result.seconds,
+          .interrupted = interruption.state() != Interruption::State::running,
+          .given_up = run->given_up,
+          .why_given_up = run->why_given_up.str()};
 }
 
 }  // namespace manifuzz

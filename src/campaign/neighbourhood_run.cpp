@@ -1,6 +1,7 @@
 #include "campaign/neighbourhood_run.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <numeric>
@@ -8,6 +9,8 @@
 
 #include "campaign/in_child.hpp"
 #include "judging/completed.hpp"
+#include "process/pool.hpp"
+#include "process/shared_memory.hpp"
 
 namespace manifuzz {
 namespace {
@@ -21,8 +24,13 @@ constexpr double kGoldenSection = 0.6180339887498949;
 /// Where a child is, where its parent can see it even if it dies.
 struct Place {
   std::atomic<int> turn{0};  ///< counts the cells
-  int losses_left = 0;       ///< so many colliders may still die in processes of their own
+  int losses_left = 0;       ///< so many crashes there is still time for
   std::atomic<Fault> at_work{Fault::none};
+
+  void lose(Verdict verdict) {
+    if (verdict == Verdict::crashed) --losses_left;
+    if (verdict == Verdict::timed_out) losses_left = 0;
+  }
 };
 
 /// The cell whose turn it is: the middle one first, each of them once.
@@ -43,14 +51,14 @@ class Order {
 void judge_cell(const PairCase& pair, const Collider& subject, const Collider& oracle, Place& place,
                 Cell& cell) {
   const auto truth = std::make_shared<const exact::Truth>(pair);
-  cell.truth = statement(*truth);
+  cell.truth = summary_of(*truth);
   place.at_work = Fault::subject;
   const Answer of_subject = manifuzz::ask(subject, pair);
-  cell.subject = statement(of_subject);
+  cell.subject = summary_of(of_subject);
   place.at_work = Fault::oracle;
   const Answer of_oracle = manifuzz::ask(oracle, pair);
   place.at_work = Fault::none;
-  cell.oracle = statement(of_oracle);
+  cell.oracle = summary_of(of_oracle);
   cell.bucket =
       judge(truth, {subject.declaration, of_subject}, {oracle.declaration, of_oracle}).bucket;
   cell.state = Cell::State::judged;
@@ -65,37 +73,35 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
   const int count = grid.cell_count();
   const Order order(count);
   const Shared<Place> place;
-  const SharedMemory memory(sizeof(Cell) * static_cast<std::size_t>(count));
-  Cell* const cells = static_cast<Cell*>(memory.data());
-  std::uninitialized_default_construct_n(cells, count);
+  const SharedArray<Cell> cells(count);
 
   const int turns = std::min(count, cells_max);
-  int crashes_left = cells_max / kCellsACrash;
-  place->losses_left = crashes_left;
-  const auto ask_the_rest = [&] {
+  place->losses_left = cells_max / kCellsACrash;
+  const auto ask_the_rest = [&](int) {
     for (; place->turn < turns && place->losses_left > 0; ++place->turn) {
-      const int at = order.cell(place->turn);
-      const auto moved = neighbour(pair, grid, at);
-      cells[at].state = Cell::State::invalid;
+      Cell& cell = cells[order.cell(place->turn)];
+      const auto moved = neighbour(pair, grid, order.cell(place->turn));
+      cell.state = Cell::State::invalid;
       if (!moved) continue;
-      judge_cell(*moved, subject, oracle, *place, cells[at]);
-      const Verdict verdict = cells[at].bucket.verdict;
-      if (verdict == Verdict::crashed) --place->losses_left;
-      if (verdict == Verdict::timed_out) place->losses_left = 0;
+      judge_cell(*moved, subject, oracle, *place, cell);
+      place->lose(cell.bucket.verdict);
     }
   };
-  while (place->turn < turns) {
-    const Ending ending =
-        run_in_child(ask_the_rest, place->turn, case_seconds_max(subject, oracle), interruption);
-    if (ending == Ending::well || ending == Ending::interrupted) break;
-    const Verdict verdict = ending == Ending::hung ? Verdict::timed_out : Verdict::crashed;
-    Cell& lost = cells[order.cell(place->turn)];
-    lost.bucket = bucket_of_lost(verdict, place->at_work);
-    lost.state = Cell::State::judged;
+  const auto lose_cell = [&](int, Ending ending) {
+    const Verdict verdict = ending == Ending::timed_out ? Verdict::timed_out : Verdict::crashed;
+    Cell& cell = cells[order.cell(place->turn)];
+    cell.bucket = bucket_of_lost(verdict, place->at_work);
+    cell.state = Cell::State::judged;
+    place->lose(verdict);
     ++place->turn;
-    if (ending == Ending::hung || --crashes_left <= 0) break;
-  }
-  return {grid, {cells, cells + count}};
+    return place->losses_left > 0;
+  };
+  run_pool({.body = ask_the_rest,
+            .progress = [&](int) { return static_cast<std::uint64_t>(place->turn); },
+            .seconds_max = case_seconds_max(subject, oracle),
+            .on_lost = lose_cell},
+           interruption);
+  return {grid, {cells.all().begin(), cells.all().end()}};
 }
 
 }  // namespace manifuzz

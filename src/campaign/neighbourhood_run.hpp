@@ -1,7 +1,7 @@
 #pragma once
 
 #include "judging/neighbourhood.hpp"
-#include "process/process.hpp"
+#include "process/interruption.hpp"
 
 namespace manifuzz {
 

@@ -43,4 +43,11 @@ struct Plan {
   }
 };
 
+/// Takes the radii away where a collider takes none.
+inline void narrow_to_colliders(Plan& plan) {
+  plan.is_narrowed =
+      !plan.subject.declaration.takes_radius || !plan.oracle.declaration.takes_radius;
+  if (plan.is_narrowed) plan.context.radius = 0.0F;
+}
+
 }  // namespace manifuzz

@@ -1,5 +1,7 @@
 #include "campaign/property_run.hpp"
 
+#include <atomic>
+#include <functional>
 #include <memory>
 #include <ostream>
 #include <sstream>
@@ -9,11 +11,13 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "campaign/findings.hpp"
+#include "campaign/in_child.hpp"
+#include "campaign/shrink_finding.hpp"
 #include "corpus/corpus.hpp"
-#include "corpus/shrink.hpp"
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
+#include "process/pool.hpp"
+#include "process/shared_memory.hpp"
 
 namespace manifuzz {
 namespace {
@@ -31,6 +35,8 @@ void showValue(const Drawn& drawn, std::ostream& out) {
   out << line;
 }
 
+using CheckCase = std::function<Outcome(const PairCase&)>;
+
 bool fails_alike(const Outcome& outcome, const Outcome& root) {
   return outcome.kind == Outcome::Kind::fails && outcome.why == root.why &&
          outcome.magnitude >= kMagnitudeShareKept * root.magnitude;
@@ -38,10 +44,9 @@ bool fails_alike(const Outcome& outcome, const Outcome& root) {
 
 /// Simpler cases that fail in the root's way and no less: left alone, RapidCheck takes any failure,
 /// and slides a gross one to just above the tolerance.
-rc::Seq<Drawn> simpler(const Drawn& drawn, const Property& property, const Collider& collider,
-                       const Outcome& root) {
-  const auto alike = [&property, &collider, root](const PairCase& pair) {
-    return fails_alike(check(property, collider, pair), root);
+rc::Seq<Drawn> simpler(const Drawn& drawn, const CheckCase& check_case, const Outcome& root) {
+  const auto alike = [check_case, root](const PairCase& pair) {
+    return fails_alike(check_case(pair), root);
   };
   return rc::seq::map(rc::seq::filter(simpler_cases(drawn.pair), alike),
                       [regime = drawn.regime](PairCase&& pair) {
@@ -55,17 +60,16 @@ std::optional<float> radius_for(const Collider& collider) {
 }
 
 /// Draws one seed and a regime, and lets the project's generator make the case of them.
-rc::Gen<Drawn> any_case(const Property& property, const Collider& collider,
-                        std::span<const PairCase> corpus) {
-  return [&property, &collider, corpus](const rc::Random& random, int) {
+rc::Gen<Drawn> any_case(const CheckCase& check_case, const GenerationContext& context) {
+  return [check_case, context](const rc::Random& random, int) {
     rc::Random stream = random;
     const std::uint64_t seed = stream.next();
     const Regime& regime = regimes()[stream.next() % regimes().size()];
-    Drawn root{std::string(regime.name), generate(seed, regime, 0, {corpus, radius_for(collider)})};
+    const Drawn root{std::string(regime.name), generate(seed, regime, 0, context)};
     const auto outcome = std::make_shared<std::optional<Outcome>>();
-    const auto shrinks = [&property, &collider, outcome](const Drawn& drawn) {
-      if (!*outcome) *outcome = check(property, collider, drawn.pair);
-      return simpler(drawn, property, collider, **outcome);
+    const auto shrinks = [check_case, outcome](const Drawn& drawn) {
+      if (!*outcome) *outcome = check_case(drawn.pair);
+      return simpler(drawn, check_case, **outcome);
     };
     return rc::shrinkable::shrinkRecur(root, shrinks);
   };
@@ -92,8 +96,8 @@ class Silence : public rc::detail::TestListener {
 };
 
 /// The failures that a value of RC_PARAMS asks to repeat.
-std::unordered_map<std::string, rc::detail::Reproduce> failures_to_repeat(
-    const std::string& rc_params) {
+using FailuresToRepeat = std::unordered_map<std::string, rc::detail::Reproduce>;
+FailuresToRepeat failures_to_repeat(const std::string& rc_params) {
   if (rc_params.empty()) return {};
   try {
     return rc::detail::configFromString(rc_params, rc::detail::Configuration()).reproduce;
@@ -103,47 +107,72 @@ std::unordered_map<std::string, rc::detail::Reproduce> failures_to_repeat(
   }
 }
 
+/// What a run leaves behind as it goes, where its parent can see it even if it dies.
+struct RunSlot {
+  std::atomic<bool> is_over{false};  ///< it is to leave the rest out
+  std::atomic<std::uint64_t> checks{0};
+  PairCase at_work;
+  int cases = 0;             ///< before anything failed
+  bool has_failing = false;  ///< `failing` is the smallest so far, for the reason `why`
+  PairCase failing;
+  SharedText<512> why;
+  bool passed = false;
+  SharedText<1 << 16> report;
+  SharedText<1 << 16> reproduce;
+};
+
 /// The collider, which declines whatever there is no time for: from then on a property holds of all
 /// that is left, shrinking included.
-Collider while_asked(const Collider& collider, const PropertyPlan& plan) {
-  if (plan.interruption == nullptr) return collider;
+Collider until(const std::function<bool()>& is_over, const Collider& collider) {
   Collider hurried = collider;
-  hurried.collide = [collider, &plan](const PairCase& pair) -> Answer {
-    const auto go_on = [&plan] { return !plan.is_over(); };
+  hurried.collide = [collider, is_over](const PairCase& pair) -> Answer {
     Answer answer = Unsupported{"time is up"};
-    if (!collider.is_isolated()) return go_on() ? collider.collide(pair) : answer;
+    if (!collider.is_isolated()) return is_over() ? answer : collider.collide(pair);
+    const auto go_on = [&is_over] { return !is_over(); };
     return collider.collide_many({&pair, 1}, {&answer, 1}, go_on) == 1 ? answer
                                                                        : Unsupported{"time is up"};
   };
   return hurried;
 }
 
-void describe_failure(PropertyResult& result, const rc::detail::FailureResult& failure,
+void describe_failure(RunSlot& slot, const rc::detail::FailureResult& failure,
                       const std::string& id) {
   rc::detail::Configuration repeat;
   repeat.reproduce[id] = failure.reproduce;
-  result.reproduce = rc::detail::configToMinimalString(repeat);
-  if (failure.counterExample.empty()) return;
+  slot.reproduce.set(rc::detail::configToMinimalString(repeat));
+  slot.has_failing = !failure.counterExample.empty();
+  if (!slot.has_failing) return;
   const std::string& line = failure.counterExample.front().second;
-  result.failing = parse_case(line, FormatKey::optional).pair;
+  slot.failing = parse_case(line, FormatKey::optional).pair;
 }
 
-}  // namespace
+std::string message_of(const rc::detail::TestResult& result) {
+  std::ostringstream message;
+  rc::detail::printResultMessage(result, message);
+  return message.str();
+}
 
-PropertyResult run_property(const Property& property, const Collider& subject,
-                            const PropertyPlan& plan) {
-  const Collider collider = while_asked(subject, plan);
-  PropertyResult result;
+void run_rapidcheck(const Property& property, const Collider& subject, const PropertyPlan& plan,
+                    const FailuresToRepeat& to_repeat, const std::function<bool()>& is_over,
+                    RunSlot& slot) {
+  const Collider collider = until(is_over, subject);
+  const CheckCase check_case = [&](const PairCase& pair) {
+    slot.at_work = pair;
+    ++slot.checks;
+    return check(property, collider, pair);
+  };
   const auto testable = [&] {
-    if (plan.is_over()) return;
-    const Drawn drawn = *any_case(property, collider, plan.corpus).as("case");
-    const Outcome outcome = check(property, collider, drawn.pair);
+    if (is_over()) return;
+    const Drawn drawn = *any_case(check_case, {plan.corpus, radius_for(collider)}).as("case");
+    const Outcome outcome = check_case(drawn.pair);
     RC_TAG(drawn.regime, std::string(name_of(outcome.kind)));
     const Standing where = standing(exact::Truth(drawn.pair));
     RC_CLASSIFY(where.touching, std::string("touching"));
-    if (result.why.empty() && !plan.is_over()) ++result.cases;
+    if (!slot.has_failing && !is_over()) ++slot.cases;
     if (outcome.kind != Outcome::Kind::fails) return;
-    result.why = outcome.why;  // whatever it is shrunk to fails alike
+    slot.why.set(outcome.why);  // whatever it is shrunk to fails alike
+    slot.failing = drawn.pair;
+    slot.has_failing = true;
     RC_FAIL(outcome.why);
   };
   rc::detail::TestParams params;
@@ -153,22 +182,78 @@ PropertyResult run_property(const Property& property, const Collider& subject,
   metadata.id = collider.declaration.name + "/" + std::string(property.name);
   metadata.description = std::string(property.sentence);
   Silence silence;
-  const rc::detail::TestResult outcome =
-      rc::detail::checkProperty(rc::detail::toProperty(testable), metadata, params, silence,
-                                failures_to_repeat(plan.rc_params));
-
-  result.passed = outcome.is<rc::detail::SuccessResult>();
-  std::ostringstream report;
-  rc::detail::printResultMessage(outcome, report);
-  result.report = report.str();
+  const rc::detail::TestResult outcome = rc::detail::checkProperty(
+      rc::detail::toProperty(testable), metadata, params, silence, to_repeat);
+  slot.passed = outcome.is<rc::detail::SuccessResult>();
+  slot.report.set(message_of(outcome));
   if (outcome.is<rc::detail::FailureResult>()) {
-    describe_failure(result, outcome.get<rc::detail::FailureResult>(), metadata.id);
+    describe_failure(slot, outcome.get<rc::detail::FailureResult>(), metadata.id);
   }
+}
+
+/// What is left of a run that did not end by itself: a collider that died or hung did so on the
+/// case at work, as small as it is.
+void end_halfway(RunSlot& slot, Ending ending) {
+  if (ending != Ending::stopped) {
+    slot.why.set(ending == Ending::crashed ? "crashed" : "timed out");
+    slot.failing = slot.at_work;
+    slot.has_failing = slot.checks > 0;
+  }
+  slot.passed = ending == Ending::stopped && !slot.has_failing;
+  if (slot.passed) return;
+  rc::detail::FailureResult failure;
+  failure.numSuccess = slot.cases;
+  failure.description = slot.why.str();
+  std::string line;
+  append_case_line(line, slot.failing);
+  if (slot.has_failing) failure.counterExample = {{"case", line}};
+  slot.report.set(message_of(failure));
+}
+
+PropertyResult result_of(const RunSlot& slot, const PropertyPlan& plan) {
+  PropertyResult result{.passed = slot.passed,
+                        .cases = slot.cases,
+                        .report = slot.report.str(),
+                        .failing = {},
+                        .why = slot.why.str(),
+                        .reproduce = slot.reproduce.str()};
+  if (!result.passed && slot.has_failing) result.failing = slot.failing;
   if (result.passed && result.cases < plan.cases && plan.rc_params.empty()) {
     result.report =
         fmt::format("OK, passed {} of {} tests; then it was stopped", result.cases, plan.cases);
   }
   return result;
+}
+
+}  // namespace
+
+PropertyResult run_property(const Property& property, const Collider& subject,
+                            const PropertyPlan& plan) {
+  const FailuresToRepeat to_repeat = failures_to_repeat(plan.rc_params);
+  Interruption own;
+  Interruption& interruption = plan.interruption != nullptr ? *plan.interruption : own;
+  const Shared<RunSlot> slot;
+  if (subject.is_isolated()) {
+    // It is asked from here, where it runs already.
+    const auto is_over = [&] { return interruption.state() != Interruption::State::running; };
+    run_rapidcheck(property, subject, plan, to_repeat, is_over, *slot);
+    return result_of(*slot, plan);
+  }
+  Ending ending = Ending::done;
+  const auto is_over = [&slot] { return slot->is_over.load(std::memory_order_relaxed); };
+  const Pool pool{
+      .body = [&](int) { run_rapidcheck(property, subject, plan, to_repeat, is_over, *slot); },
+      .progress = [&](int) { return slot->checks.load(); },
+      .seconds_max = case_seconds_max(subject, subject),
+      .on_lost =
+          [&](int, Ending lost) {
+            ending = lost;
+            return false;
+          },
+      .hurry = &slot->is_over};
+  if (run_pool(pool, interruption).is_stopped) ending = Ending::stopped;
+  if (ending != Ending::done) end_halfway(*slot, ending);
+  return result_of(*slot, plan);
 }
 
 }  // namespace manifuzz

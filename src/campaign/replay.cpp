@@ -1,12 +1,17 @@
 #include "campaign/replay.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <optional>
 #include <tuple>
 
 #include <fmt/format.h>
 
 #include "campaign/in_child.hpp"
 #include "judging/properties.hpp"
+#include "process/pool.hpp"
+#include "process/shared_memory.hpp"
 
 namespace manifuzz {
 namespace {
@@ -21,28 +26,53 @@ bool was_against_subject(const Expectation& expect) {
   return expect.bucket.starts_with("subject/") || expect.bucket.starts_with("both/");
 }
 
-/// In a child process first: a collider that dies there must not take the replay along.
+/// What a child that checks a property leaves behind.
+struct OutcomeSlot {
+  Outcome::Kind kind = Outcome::Kind::holds;
+  SharedText<512> why;
+};
+
 Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
                          Interruption& interruption) {
   const Property* const property = find_property(recorded.property);
   if (property == nullptr) {
     return {false, fmt::format("a property named {}", recorded.property), "there is none"};
   }
-  const std::atomic<int> pulse{0};
   const std::string sentence(property->sentence);
-  switch (run_in_child([&] { check(*property, subject, recorded.pair); }, pulse,
-                       case_seconds_max(subject, subject), interruption)) {
+  const Shared<OutcomeSlot> slot;
+  const auto body = [&] {
+    const Outcome outcome = check(*property, subject, recorded.pair);
+    slot->kind = outcome.kind;
+    slot->why.set(outcome.why);
+  };
+  switch (run_in_child(body, case_seconds_max(subject, subject), interruption)) {
     case Ending::crashed:
       return {false, sentence, "crashed"};
-    case Ending::hung:
+    case Ending::timed_out:
       return {false, sentence, "timed_out"};
-    case Ending::interrupted:
+    case Ending::stopped:
       throw Interrupted();
-    case Ending::well:
-      break;
+    default:
+      return {slot->kind != Outcome::Kind::fails, sentence, slot->why.str()};
   }
-  const Outcome outcome = check(*property, subject, recorded.pair);
-  return {outcome.kind != Outcome::Kind::fails, sentence, outcome.why};
+}
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Nothing where there was no time for it.
+std::optional<Replayed> replay_in_time(const CorpusCase& recorded, const Collider& subject,
+                                       const Collider& oracle, Interruption& interruption) {
+  if (interruption.is_stopped()) return std::nullopt;
+  try {
+    const Replayed replayed = replay_case(recorded, subject, oracle, interruption);
+    return interruption.is_stopped() ? std::nullopt : std::optional(replayed);
+  } catch (const Interrupted&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -75,6 +105,26 @@ Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const 
     }
   }
   return {true, got, got};
+}
+
+std::size_t ReplayRun::failed() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(cases, [](const ReplayedCase& one) { return !one.result.passed; }));
+}
+
+ReplayRun replay_cases(const std::vector<CorpusCase>& cases, const Collider& subject,
+                       const Collider& oracle, Interruption& interruption) {
+  ReplayRun run{subject.declaration.name, oracle.declaration.name, {}};
+  const auto start = Clock::now();
+  for (const CorpusCase& recorded : cases) {
+    const auto case_start = Clock::now();
+    const auto replayed = replay_in_time(recorded, subject, oracle, interruption);
+    if (!replayed) break;
+    run.cases.push_back({&recorded, *replayed, seconds_since(case_start)});
+  }
+  run.left_out = cases.size() - run.cases.size();
+  run.seconds = seconds_since(start);
+  return run;
 }
 
 }  // namespace manifuzz

@@ -74,6 +74,15 @@ const ColliderEntry* find_entry(std::string_view name) {
   return entry == colliders().end() ? nullptr : &*entry;
 }
 
+std::optional<Collider> find_installed(const std::string& name) {
+  try {
+    const ColliderEntry* const entry = find_entry(name);
+    return entry == nullptr ? std::nullopt : std::optional(entry->make());
+  } catch (const UserError&) {
+    return std::nullopt;
+  }
+}
+
 Collider find_collider(std::string_view name) {
   if (const ColliderEntry* const entry = find_entry(name)) return entry->make();
   std::vector<std::string_view> names = names_of(colliders());

@@ -10,12 +10,13 @@
 #include <fmt/format.h>
 
 #include "base/user_error.hpp"
+#include "cli/colliders.hpp"
 #include "cli/commands.hpp"
-#include "cli/next_steps.hpp"
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
 #include "process/child.hpp"
 #include "process/process.hpp"
+#include "report/next_steps.hpp"
 
 namespace manifuzz {
 namespace {
@@ -42,7 +43,10 @@ int answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
 /// A call without arguments is answered in full; but a script that has lost its command must not
 /// pass, so its status is that of bad usage.
 int answer_bare_call(const char* program) {
-  write_to_reader(next_steps(program, "corpus"));
+  write_to_reader(next_steps(program, "corpus", [](const std::string& name) {
+    const ColliderEntry* const entry = find_entry(name);
+    return entry != nullptr && (entry->is_ours || name == "box2d");
+  }));
   return complain("a command is missing; above are some to begin with");
 }
 

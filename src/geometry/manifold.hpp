@@ -62,7 +62,8 @@ bool operator==(const Manifold<Scalar>& m, const Manifold<Scalar>& n) {
          (m.count < 2 || m.points[1] == n.points[1]);
 }
 
-/// Puts two points in the order of the contract, along the reference face's direction.
+/// Puts two points in the order of the contract, along the reference face's direction: its normal
+/// turned by a quarter counter-clockwise, whichever polygon's it is.
 template <class Scalar>
 void order_points(Manifold<Scalar>& manifold) {
   if (manifold.count < 2) return;
@@ -73,7 +74,8 @@ void order_points(Manifold<Scalar>& manifold) {
   }
 }
 
-/// The same manifold in another scalar.
+/// The same manifold in another scalar, each figure rounded once: the normal is as nearly unit as
+/// its rounded coordinates are.
 template <class To, class From>
 Manifold<To> manifold_cast(const Manifold<From>& from) {
   Manifold<To> to;

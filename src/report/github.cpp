@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "report/markdown.hpp"
+
 namespace manifuzz {
 namespace {
 
@@ -54,7 +56,7 @@ std::string table_of(const TestSuite& suite) {
   return text;
 }
 
-std::string came_to(const TestSuite& suite) {
+std::string result_in_words(const TestSuite& suite) {
   std::vector<std::string> parts;
   const std::size_t errors = suite.errors.size();
   if (errors > 0) parts.push_back(fmt::format("{} {}", errors, errors == 1 ? "error" : "errors"));
@@ -77,8 +79,9 @@ std::string errors_in_words(const TestSuite& suite) {
 }
 
 std::string head_of(const TestSuite& suite) {
-  return fmt::format("## {}: {}\n\n{}\n\n{}{}\n", escape_markdown(suite.name), came_to(suite),
-                     escape_markdown(suite.headline), errors_in_words(suite), table_of(suite));
+  return fmt::format("## {}: {}\n\n{}\n\n{}{}\n", escape_markdown(suite.name),
+                     result_in_words(suite), escape_markdown(suite.headline),
+                     errors_in_words(suite), table_of(suite));
 }
 
 std::string description_of(const TestSuite& suite, const TestResult& test,
@@ -141,23 +144,6 @@ std::string annotations(std::span<const TestSuite> suites, const FileInRepositor
     lines.push_back(error_annotation("manifuzz", "", fmt::format("and {} more", all - shown)));
   }
   return fmt::format("{}", fmt::join(lines, ""));
-}
-
-std::string escape_markdown(std::string_view text) {
-  constexpr std::string_view special = "\\`*_{}[]<>()#|~&$@!";
-  std::string out;
-  for (const char c : text) {
-    if (special.find(c) != special.npos) out += '\\';
-    out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
-  return out;
-}
-
-std::string code_block(std::string_view text, std::string_view language) {
-  std::string fence = "```";
-  while (text.find(fence) != text.npos) fence += '`';
-  const std::string_view end = text.ends_with('\n') ? "" : "\n";
-  return fmt::format("{}{}\n{}{}{}\n", fence, language, text, end, fence);
 }
 
 std::string step_summary(std::span<const TestSuite> suites, std::size_t room,

@@ -34,12 +34,6 @@ std::string error_annotation(std::string_view title, std::string_view file,
 /// left out.
 std::string annotations(std::span<const TestSuite> suites, const FileInRepository& in_repository);
 
-/// Text as Markdown that shows it as it is, in one line.
-std::string escape_markdown(std::string_view text);
-
-/// A block of code that `text` cannot end, whatever it holds.
-std::string code_block(std::string_view text, std::string_view language);
-
 /// The suites as Markdown of at most `room` bytes: errors and tables, then failures with file,
 /// expected, got, picture and command, as many as are described and fit; the rest is counted.
 /// `image_of` gives the address of a picture of a failure's file, or "".

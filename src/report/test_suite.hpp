@@ -21,7 +21,7 @@ struct TestResult {
   std::optional<TestFailure> failure{};
 };
 
-/// What a run came to, for JUnit reports and for what CI shows.
+/// The results of a run, for JUnit reports and for what CI shows.
 struct TestSuite {
   std::string name;  ///< "manifuzz replay"
   std::string headline;

@@ -1,4 +1,4 @@
-#include "campaign/findings.hpp"
+#include "campaign/shrink_finding.hpp"
 #include "canary/blame.hpp"
 #include "canary/planted.hpp"
 #include "canary/search.hpp"

@@ -15,6 +15,7 @@
 #include "oracle/external/library.hpp"
 #include "own_colliders/clip.hpp"
 #include "process/process.hpp"
+#include "process/shared_memory.hpp"
 
 // Colliders in a process of their own: whatever they do, the campaign ends, counts it and leaves
 // nobody behind.
@@ -84,7 +85,7 @@ void check_loses(const Collider& subject, Verdict verdict) {
 /// The campaign stops, having seen enough.
 void check_ends_campaign(const Collider& subject, Verdict verdict) {
   const JobsResult result = run(plan_of(subject));
-  CHECK(result.unresponsive == Fault::subject);
+  CHECK(result.given_up == Fault::subject);
   CHECK(result.tally->cases() < kCases);
   CHECK(result.tally->count(verdict) >= 20);
 }
@@ -165,7 +166,7 @@ TEST_CASE("a program that answers twice, or not at all, loses that case alone") 
 TEST_CASE("a program that answers out of order has no answers") {
   const JobsResult result =
       run(plan_of(collider_of_command(MANIFUZZ_TEST_PROGRAM " out-of-order", kSecondsMax / 10)));
-  CHECK(result.unresponsive == Fault::subject);
+  CHECK(result.given_up == Fault::subject);
   CHECK(result.tally->count(Verdict::malformed) >= 20);
   CHECK(result.tally->count(Verdict::subject_wrong) == 0);
 }

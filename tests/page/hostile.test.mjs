@@ -107,8 +107,8 @@ const [truth, ...colliders] = sample.parties;
 const severalRight = {...sample, parties: [{...truth, manifolds: [{points: []}, ...truth.manifolds]}, ...colliders]};
 onData('an answer is held against the right manifold that is nearest', reportOf({cases: [severalRight]}), async (page) => {
   await openFirst(page);
-  assert.match(await page.textContent('.party.subject .difference'), /^position off by 3\.3e-5/);
-  assert.equal(await page.textContent('.party.oracle .difference'), 'as the truth');
+  assert.match(await page.textContent('.answer.subject .difference'), /^position off by 3\.3e-5/);
+  assert.equal(await page.textContent('.answer.oracle .difference'), 'as the truth');
 });
 
 onData('a case with bodies alone is shown', reportOf({cases: [{file: 'bare.json', bodies: sample.bodies}]}), async (page) => {

@@ -14,11 +14,17 @@ struct SourceFile {
 /// What breaks a rule of the layout, a line each: the file, and what would be right.
 using Violations = std::vector<std::string>;
 
-/// Includes may point from a folder to those below it, and into its own, nowhere else.
-Violations upward_includes(const std::vector<SourceFile>& files);
+/// Which folders the includes of each folder point to, a line each, in the layout's order.
+std::string drawing_of_arrows(const std::vector<SourceFile>& files);
 
-/// Source files (src, oracle, tests, scripts) of more than 400 lines.
+/// Includes that point to a folder further down the list, or to one that is hidden.
+Violations forbidden_includes(const std::vector<SourceFile>& files);
+
+/// Source files (src, oracle, tests, scripts) of more than 300 lines.
 Violations long_files(const std::vector<SourceFile>& files);
+
+/// Folders of src and oracle with more than 20 modules; a header and its source are one.
+Violations crowded_folders(const std::vector<SourceFile>& files);
 
 /// Files whose top-level entry the layout does not name.
 Violations stray_entries(const std::vector<SourceFile>& files);

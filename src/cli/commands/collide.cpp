@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "base/user_error.hpp"
-#include "cli/answer_each.hpp"
-#include "cli/collider_options.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
+#include "corpus/case_stream.hpp"
 #include "exchange/json.hpp"
 #include "judging/completed.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 
 struct Options {
   ColliderChoice collider{"collider", "", ""};
-  ExternalOptions outside;
+  ExternalOptions external;
   std::optional<double> tie_bias;
   std::string file = "-";
 };
@@ -49,10 +49,10 @@ void append_collision(std::string& line, const Collider& collider, const PairCas
 }
 
 int collide_cases(const Options& options) {
-  if (options.collider.name.empty() && options.collider.command.empty()) {
+  if (!options.collider.is_given()) {
     throw UserError("--collider is required; `manifuzz list colliders` names them");
   }
-  const Collider collider = find_collider(options.collider, options.outside, options.tie_bias);
+  const Collider collider = find_collider(options.collider, options.external, options.tie_bias);
   answer_each(options.file, [&collider](const PairCase& pair, std::size_t, std::string& line) {
     append_collision(line, collider, pair);
   });
@@ -62,7 +62,7 @@ int collide_cases(const Options& options) {
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   add_collider(app, options->collider, "which one; `manifuzz list colliders` names them");
-  add_external_options(app, options->outside);
+  add_external_options(app, options->external);
   add_length(app, "--tie-bias", options->tie_bias,
              "by how much B's face must lead to be the reference");
   app.add_option("FILE", options->file,

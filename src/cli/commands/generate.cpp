@@ -1,17 +1,13 @@
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "base/user_error.hpp"
+#include "base/streams.hpp"
 #include "cli/commands.hpp"
-#include "cli/input.hpp"
 #include "cli/options.hpp"
-#include "cli/output.hpp"
+#include "corpus/known_cases.hpp"
 #include "exchange/json.hpp"
 #include "generating/regime.hpp"
 
@@ -48,17 +44,12 @@ int generate_cases(const Options& options) {
 
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  add_whole_number(app, "--seed", options->seed,
-                   "what the cases depend on; drawn and printed if not given");
-  app.add_option("--regime", options->regimes,
-                 "a regime to draw from, again for more; all by turns if not given")
-      ->type_name("R")
-      ->allow_extra_args(false);
+  add_seed(app, options->seed);
+  add_regimes(app, options->regimes);
   add_whole_number(app, "--first", options->first,
                    "the first index in each regime; 0 if not given");
   add_whole_number(app, "--cases", options->cases, "how many cases; 10 if not given", 1);
-  app.add_option("--corpus", options->corpus, "the folder that the regimes may mutate cases of")
-      ->type_name("DIR");
+  add_corpus(app, options->corpus, "the folder that the regimes may mutate cases of");
   return [options] { return generate_cases(*options); };
 }
 

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "base/names.hpp"
+#include "base/streams.hpp"
 #include "base/user_error.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
-#include "cli/output.hpp"
 #include "generating/regime.hpp"
 #include "generating/sweep.hpp"
 #include "generating/walk.hpp"
@@ -88,9 +88,7 @@ constexpr Catalogue kCatalogues[] = {{"colliders", list_colliders},
                                      {"scenes", list_scenes}};
 
 int list(const std::string& what) {
-  Output out;
-  out.write(chosen_by_name(kCatalogues, {&what, 1}, "list of", "list").front()->list());
-  out.flush();
+  write_output(chosen_by_name(kCatalogues, {&what, 1}, "list of", "list").front()->list());
   return 0;
 }
 

@@ -1,9 +1,7 @@
-#include "corpus/merge.hpp"
+#include "campaign/merge.hpp"
 
 #include <filesystem>
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,18 +11,15 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "campaign/findings.hpp"
-#include "campaign/merged_runs.hpp"
 #include "campaign/result_json.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "process/process.hpp"
+#include "cli/output_check.hpp"
+#include "report/run_tables.hpp"
 
 namespace manifuzz {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Options {
   std::vector<std::string> paths;
@@ -32,101 +27,49 @@ struct Options {
   std::string json;
 };
 
-fs::path folder_of(const CorpusCase& known) {
-  if (!known.property.empty()) return "regressions";
-  if (!known.expect) return "seeds";
-  const auto bucket = find_bucket(known.expect->bucket);
-  return bucket ? corpus_folder(*bucket, known.expect->oracle) : fs::path("seeds");
-}
-
-/// The case as its file has it, every byte: answers read and written again may differ by a
-/// rounding.
-std::string text_of(const CorpusCase& known) {
-  return known.path.ends_with(".json") ? InputFile(known.path).read_all() : format_case(known);
-}
-
-/// Writes them as a campaign would have; returns the files of the smallest by their findings' keys.
-std::map<std::string, std::string> write_all(const std::vector<MergedFinding>& all,
-                                             const fs::path& output, Interruption& interruption) {
-  std::map<std::string, std::string> files;
-  for (const MergedFinding& finding : all) {
-    if (interruption.requested()) throw UserError("merge: interrupted; nothing was written");
-    const CorpusCase& smallest = finding.smallest;
-    const fs::path file = corpus_file(output / folder_of(smallest), smallest);
-    write_file(file, text_of(smallest));
-    if (finding.worst) write_file(worst_beside(file), text_of(*finding.worst));
-    if (smallest.expect) files[finding_key(*smallest.expect)] = file.string();
-  }
-  return files;
-}
-
-/// A bucket's file is the merged one.
-void name_files(FuzzResult& run, const std::map<std::string, std::string>& files) {
-  Expectation expect{run.settings.subject, run.settings.oracle, {}, {}, {}};
-  for (BucketResult& found : run.buckets) {
-    expect.bucket = found.bucket;
-    const auto file = files.find(finding_key(expect));
-    if (file != files.end()) found.file = file->second;
-  }
-}
-
-std::string summary(const std::optional<FuzzResult>& sum) {
-  std::string text;
-  if (!sum) return text;
-  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
-    text += fmt::format("{:<18}{:>14}\n", kVerdictNames[i], sum->verdicts[i]);
-  }
-  return text + fmt::format("{:<18}{:>14}\n", "cases", sum->cases());
-}
-
-/// Whatever would come to nothing, or cost what is there, is refused before anything is written.
-void expect_possible(const Options& options, const RunFiles& files, const MergedRuns& runs) {
-  if (files.corpus.cases.empty() && !runs.sum) {
+void expect_something(const Options& options, const MergedRuns& runs) {
+  if (runs.findings.empty() && !runs.result) {
     throw UserError("merge: there is nothing to merge; name folders of cases and --json files");
   }
-  if (options.json.empty()) return;
-  if (!runs.sum)
+  if (!options.json.empty() && !runs.result) {
     throw UserError("--json: there is no result to write; name what fuzz --json wrote");
-  expect_apart({{"--json", options.json}}, files.corpus.files);
+  }
 }
 
-/// Writes all of it or nothing; returns what there is to say.
-std::string write_merged(const Options& options, const RunFiles& files, MergedRuns& runs) {
-  Interruption interruption;
+/// All of it or nothing.
+void write_merged(const Options& options, MergedRuns& runs) {
+  Interruption interruption(kUntilSignal);
   NewFolder folder(kept_path(options.output),
                    fmt::format("--output: {}", printable(options.output, 200)));
-  const std::vector<MergedFinding> all = merged_findings(files.corpus.cases);
-  const auto written = write_all(all, folder.path(), interruption);
-  if (runs.sum) name_files(*runs.sum, written);
-  const std::string json = runs.sum ? json_text(json_of(*runs.sum)) : "";
+  write_findings(runs, folder.path(), interruption);
   const bool has_file = !options.json.empty() && options.json != "-";
-  if (has_file) {
-    std::vector<std::string> unread;
-    expect_apart({{"--json", options.json}}, find_case_files({&folder.path(), 1}, unread));
-    write_file(options.json, json);
-  }
+  if (has_file) write_file(options.json, json_text(json_of(*runs.result)));
   folder.keep();
-  if (options.json == "-") return json;
-  const std::string cases =
-      all.empty() ? ""
-                  : fmt::format("{}: {} findings of {} cases\n", printable(options.output, 200),
-                                all.size(), files.corpus.cases.size());
-  return cases + summary(runs.sum);
+}
+
+std::string text_of(const Options& options, const RunFiles& files, const MergedRuns& runs) {
+  if (options.json == "-") return json_text(json_of(*runs.result));
+  std::string text;
+  if (!runs.findings.empty()) {
+    text = fmt::format("{}: {} findings of {} cases\n", printable(options.output, 200),
+                       runs.findings.size(), files.corpus.cases.size());
+  }
+  return runs.result ? text + verdict_table(*runs.result) : text;
 }
 
 int merge(const Options& options) {
-  if (options.output == "-") throw UserError("--output: a folder is expected; - is none");
-  const std::vector<fs::path> paths(options.paths.begin(), options.paths.end());
+  const std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
+  check_outputs(
+      {{{"--output", options.output, OutputPath::Kind::corpus}, {"--json", options.json}}, paths});
   const RunFiles files = read_run_files(paths);
-  MergedRuns runs = merged_runs(files.results);
-  std::vector<std::string> errors = files.corpus.errors;
-  errors.insert(errors.end(), runs.errors.begin(), runs.errors.end());
-  write_complaints(errors);
-  expect_possible(options, files, runs);
-  write_to_reader(write_merged(options, files, runs));
-  if (errors.empty()) return 0;
+  MergedRuns runs = merged_runs(files);
+  write_complaints(runs.errors);
+  expect_something(options, runs);
+  write_merged(options, runs);
+  write_to_reader(text_of(options, files, runs));
+  if (runs.errors.empty()) return 0;
   throw UserError(fmt::format(
-      "merge: {} of the files could not be read or added; the rest is merged", errors.size()));
+      "merge: {} of the files could not be read or added; the rest is merged", runs.errors.size()));
 }
 
 Run define(CLI::App& app) {

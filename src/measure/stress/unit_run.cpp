@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "measure/stress/flush_to_zero.hpp"
-#include "measure/stress/walk_watch.hpp"
+#include "measure/stress/walk_changes.hpp"
 
 namespace manifuzz {
 namespace {
@@ -30,60 +30,61 @@ class CaseSource {
   std::uint64_t index_ = 0;
 };
 
-/// One subject's side of a unit.
-struct Seat {
+/// One subject in a unit.
+struct SubjectRun {
   const StressSubject* subject = nullptr;
   std::size_t number = 0;
   std::vector<Answer> answers{};  ///< to a block, of one in a process of its own
   bool has_given_up = false;      ///< in its own process it does nothing but die
-  StepCollector collector;
-  WalkWatch watch{};
+  ErrorCollector collector;
+  WalkChangeCounter changes{};
 };
 
 /// Asks one in a process of its own for a whole block; what it does not answer is lost.
-void ask_for_block(Seat& seat, std::span<const PairCase> pairs, UnitDesk& desk,
+void ask_for_block(SubjectRun& run, std::span<const PairCase> pairs, UnitState& state,
                    const std::function<bool()>& go_on) {
-  const Collider& collider = seat.subject->collider;
+  const Collider& collider = run.subject->collider;
   if (!collider.is_isolated()) return;
-  seat.answers.assign(pairs.size(), Lost{});
-  if (seat.has_given_up) return;
-  const std::size_t answered = collider.collide_many(pairs, seat.answers, [&] {
-    ++desk.pulse;
+  run.answers.assign(pairs.size(), Lost{});
+  if (run.has_given_up) return;
+  const std::size_t answered = collider.collide_many(pairs, run.answers, [&] {
+    ++state.progress;
     return go_on();
   });
-  seat.has_given_up = answered < pairs.size() && go_on();
+  run.has_given_up = answered < pairs.size() && go_on();
 }
 
-Answer answer_of(const StressPlan& plan, Seat& seat, std::size_t in_block, std::uint64_t index,
-                 Referee& referee, UnitDesk& desk) {
-  const Collider& collider = seat.subject->collider;
-  if (desk.lost[seat.number].has(index)) return Lost{};
-  if (collider.is_isolated()) return std::move(seat.answers[in_block]);
+Answer answer_of(const StressPlan& plan, SubjectRun& run, std::size_t in_block, std::uint64_t index,
+                 Referee& referee, UnitState& state) {
+  const Collider& collider = run.subject->collider;
+  if (state.lost[run.number].has(index)) return Lost{};
+  if (collider.is_isolated()) return std::move(run.answers[in_block]);
   if (!collider.collide) {
     const Manifold<double>& truth = referee.truth_for(collider.declaration);
     return truth.count > 0 ? Answer(rounded_once(truth)) : Answer(Unsupported{});
   }
-  desk.subject.store(static_cast<int>(seat.number), std::memory_order_relaxed);
+  state.subject.store(static_cast<int>(run.number), std::memory_order_relaxed);
   Answer answer = [&] {
     const FlushToZero flushing(plan.flush_to_zero);
     return collider.collide(referee.truth().pair());
   }();
-  desk.subject.store(kNobody, std::memory_order_relaxed);
+  state.subject.store(kNobody, std::memory_order_relaxed);
   return answer;
 }
 
-void measure_case(const StressPlan& plan, const Unit& unit, std::vector<Seat>& seats,
-                  const PairCase& pair, std::size_t in_block, std::uint64_t index, UnitDesk& desk) {
-  desk.index.store(index, std::memory_order_relaxed);
+void measure_case(const StressPlan& plan, const Unit& unit, std::vector<SubjectRun>& runs,
+                  const PairCase& pair, std::size_t in_block, std::uint64_t index,
+                  UnitState& state) {
+  state.index.store(index, std::memory_order_relaxed);
   Referee referee(pair);
-  for (Seat& seat : seats) {
-    const Declaration& declaration = seat.subject->collider.declaration;
+  for (SubjectRun& run : runs) {
+    const Declaration& declaration = run.subject->collider.declaration;
     const Answer answer =
-        referee.heard(declaration, answer_of(plan, seat, in_block, index, referee, desk));
-    seat.collector.add(index, referee.measure(declaration, answer));
-    if (unit.walk != nullptr) seat.watch.see(index, referee, declaration, answer);
+        referee.completed(declaration, answer_of(plan, run, in_block, index, referee, state));
+    run.collector.add(index, referee.measure(declaration, answer));
+    if (unit.walk != nullptr) run.changes.add(index, referee, declaration, answer);
   }
-  ++desk.pulse;
+  ++state.progress;
 }
 
 }  // namespace
@@ -102,16 +103,17 @@ bool LostCases::has(std::uint64_t index) const {
   return index >= given_up_from || std::find(cases.begin(), end, index) != end;
 }
 
-bool run_unit(const StressPlan& plan, const Unit& unit, UnitDesk& desk,
+bool run_unit(const StressPlan& plan, const Unit& unit, UnitState& state,
               const std::function<bool()>& go_on,
-              const std::function<void(std::uint64_t)>& on_cases, StepTally* tallies) {
+              const std::function<void(std::uint64_t)>& on_cases,
+              std::span<StepStatistics> tallies) {
   const auto errors =
-      unit.walk != nullptr ? StepCollector::Errors::counted : StepCollector::Errors::kept;
-  std::vector<Seat> seats;
+      unit.walk != nullptr ? ErrorCollector::Errors::counted : ErrorCollector::Errors::kept;
+  std::vector<SubjectRun> runs;
   for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
     if (unit.walk == nullptr && plan.subjects[i].walks_only) continue;
-    seats.push_back(
-        {.subject = &plan.subjects[i], .number = i, .collector = StepCollector(errors)});
+    runs.push_back(
+        {.subject = &plan.subjects[i], .number = i, .collector = ErrorCollector(errors)});
   }
   CaseSource source(plan, unit);
   const std::uint64_t total = cases_of(plan, unit);
@@ -119,17 +121,15 @@ bool run_unit(const StressPlan& plan, const Unit& unit, UnitDesk& desk,
   for (std::uint64_t begin = 0; begin < total; begin += kBlock) {
     pairs.clear();
     while (pairs.size() < std::min(kBlock, total - begin)) pairs.push_back(source.next());
-    for (Seat& seat : seats) ask_for_block(seat, pairs, desk, go_on);
+    for (SubjectRun& run : runs) ask_for_block(run, pairs, state, go_on);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (!go_on()) return false;
-      measure_case(plan, unit, seats, pairs[i], i, begin + i, desk);
+      measure_case(plan, unit, runs, pairs[i], i, begin + i, state);
     }
     on_cases(pairs.size());
   }
-  for (const Seat& seat : seats) {
-    StepTally& tally = tallies[seat.number];
-    tally = seat.collector.tally();
-    tally.walk = seat.watch.tally();
+  for (const SubjectRun& run : runs) {
+    tallies[run.number] = {run.collector.statistics(), run.changes.changes()};
   }
   return true;
 }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <limits>
+#include <span>
 
 #include "measure/stress/stress.hpp"
 
@@ -12,7 +13,7 @@ namespace manifuzz {
 /// After so many lost cases a collider has lost the rest of its unit: crashes are slow.
 inline constexpr std::size_t kLostMax = 20;
 
-/// The cases at which a subject took its process along.
+/// The cases at which a subject died or hung.
 struct LostCases {
   std::array<std::uint64_t, kLostMax> cases{};
   std::size_t count = 0;
@@ -28,18 +29,20 @@ struct LostCases {
 /// Nobody is being asked.
 inline constexpr int kNobody = -1;
 
-/// What a job is at, where its parent can see it.
-struct UnitDesk {
+/// What is being done about a unit, in memory that a job shares with its parent.
+struct UnitState {
   std::atomic<std::uint64_t> index{0};         ///< the case at work
   std::atomic<int> subject{kNobody};           ///< who is being asked
-  std::atomic<std::uint64_t> pulse{0};         ///< moves while anything does
+  std::atomic<std::uint64_t> progress{0};      ///< moves while anything does
   std::array<LostCases, kSubjectsMax> lost{};  ///< by subject
 };
 
-/// Runs a unit from its first case on, and tells `on_cases` of every block that is done. False
+/// Runs a unit from its first case on, and tells `on_cases` of every block that is done; `tallies`
+/// are the subjects'. False
 /// where `go_on` said no before its end.
-bool run_unit(const StressPlan& plan, const Unit& unit, UnitDesk& desk,
+bool run_unit(const StressPlan& plan, const Unit& unit, UnitState& state,
               const std::function<bool()>& go_on,
-              const std::function<void(std::uint64_t)>& on_cases, StepTally* tallies);
+              const std::function<void(std::uint64_t)>& on_cases,
+              std::span<StepStatistics> tallies);
 
 }  // namespace manifuzz

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "report/judged_case.hpp"
+#include "campaign/judged_case.hpp"
 #include "report/picture/region.hpp"
 
 namespace manifuzz {
@@ -51,6 +51,6 @@ struct Scene {
   double radius(Side side) const { return radii[static_cast<std::size_t>(side)]; }
 };
 
-Scene make_scene(const JudgedCase& shown);
+Scene make_scene(const JudgedCase& judged);
 
 }  // namespace manifuzz

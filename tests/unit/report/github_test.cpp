@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "report/markdown.hpp"
+
 using namespace manifuzz;
 using Catch::Contains;
 

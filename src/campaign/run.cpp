@@ -1,0 +1,152 @@
+#include "campaign/run.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "campaign/budgets.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// The first round is over in a moment. Each is twice as long as the one before, so that a round's
+/// start weighs little, up to a few seconds.
+constexpr CaseNumber kFirstRound = 1024;
+constexpr CaseNumber kLongestRound = 1 << 18;
+
+/// Adds a round that came behind the others.
+void append(JobsResult round, JobsResult& all) {
+  round.tally->add(*all.tally);
+  round.seconds += all.seconds;
+  all = std::move(round);
+}
+
+/// The plan with the time that is left of it.
+Plan rest_of(const Plan& plan, double seconds_gone) {
+  Plan rest = plan;
+  if (plan.seconds) rest.seconds = *plan.seconds - seconds_gone;
+  return rest;
+}
+
+/// Every case of the plan, or, where it ends at what is new, rounds of them, up to the end of the
+/// first round that fills a bucket which is not among the known. Rounds depend on the plan's cases
+/// alone, so that any number of jobs finds the same.
+JobsResult run_plan(const Plan& plan, const KnownBuckets& known, Interruption& interruption,
+                    const OnProgress& on_progress) {
+  const CaseNumber end = plan.cases_max();
+  if (!plan.until_new) return run_jobs(plan, {0, end}, interruption, on_progress);
+  JobsResult all{.tally = std::make_unique<Tally>()};
+  CaseNumber length = kFirstRound;
+  for (CaseNumber begin = 0; begin < end; begin += length) {
+    if (begin > 0) length = std::min(2 * length, kLongestRound);
+    length = std::min(length, end - begin);
+    append(run_jobs(rest_of(plan, all.seconds), {begin, begin + length}, interruption,
+                    [&](const Progress& round) {
+                      const auto so_far = std::make_unique<Tally>(round.tally);
+                      so_far->add(*all.tally);
+                      on_progress({*so_far, all.seconds + round.seconds});
+                    }),
+           all);
+    const bool is_time_up = plan.seconds && all.seconds >= *plan.seconds;
+    const bool is_over = all.interrupted || all.given_up != Fault::none || is_time_up;
+    if (is_over || has_new(findings(*all.tally, plan, known))) break;
+  }
+  return all;
+}
+
+Settings settings_of(const Plan& plan) {
+  const bool has_radius = plan.context.radius && !plan.is_narrowed;
+  return {.subject = plan.subject.declaration.name,
+          .oracle = plan.oracle.declaration.name,
+          .versions = {},
+          .tie_bias = plan.subject.declaration.tie_bias,
+          .radius = has_radius ? std::optional<double>(*plan.context.radius) : std::nullopt,
+          .judge_every = plan.judge_every};
+}
+
+void add_provenance(CampaignResult& result, const nlohmann::ordered_json& provenance) {
+  result.machine = provenance.at("machine");
+  result.compiler = provenance.at("compiler");
+  for (const auto& [name, version] : provenance.at("versions").items()) {
+    result.settings.versions.emplace_back(name, version);
+  }
+}
+
+RegimeResult regime_result(const Regime& regime, const RegimeTally& tally) {
+  return {std::string(regime.name), tally.cases, tally.touching, tally.near, tally.unexplained};
+}
+
+LedgerResult ledger_result(const LedgerCount& count, const Plan& plan, const Tally& tally) {
+  LedgerResult entry{std::string(count.entry->id), count.hits, {}, count.over_budget};
+  for (std::size_t r = 0; r < plan.regimes.size(); ++r) {
+    const std::uint64_t hits = tally.explained[index_of(*count.entry)][r];
+    if (hits > 0) entry.regimes[std::string(plan.regimes[r]->name)] = hits;
+  }
+  return entry;
+}
+
+BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::string& command) {
+  const CaseNumber first = finding.tally.first;
+  const std::string regime(plan.regimes[plan.regime_of(first)]->name);
+  return {.bucket = to_string(finding.bucket),
+          .verdict = std::string(to_string(finding.bucket.verdict)),
+          .count = finding.tally.count,
+          .seed = plan.seed,
+          .first_index = plan.index_of(first),
+          .regime = regime,
+          .magnitude = finding.tally.magnitude,
+          .file = finding.file,
+          .command = fmt::format("{} --regime {} --seed {} --first {} --cases 1", command, regime,
+                                 plan.seed, plan.index_of(first)),
+          .is_new = finding.is_new};
+}
+
+CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
+  const Plan& plan = campaign.plan;
+  const Tally& tally = *campaign.run.tally;
+  CampaignResult result;
+  result.settings = settings_of(plan);
+  add_provenance(result, origin.provenance);
+  result.jobs = static_cast<std::uint64_t>(plan.jobs);
+  result.verdicts = tally.verdicts;
+  result.of_subject = tally.of_subject;
+  result.of_oracle = tally.of_oracle;
+  result.interrupted = campaign.run.interrupted || campaign.saving.interrupted;
+  result.stopped_early = campaign.run.given_up != Fault::none;
+  result.budgets_hold = holds_budgets(plan);
+  CasesRun part{plan.seed, plan.first, {}, campaign.run.seconds};
+  for (std::size_t i = 0; i < plan.regimes.size(); ++i) {
+    result.regimes.push_back(regime_result(*plan.regimes[i], tally.regimes[i]));
+    part.cases[result.regimes.back().name] = tally.regimes[i].cases;
+  }
+  result.parts = {part};
+  for (const LedgerCount& count : ledger_counts(tally, plan)) {
+    result.ledger.push_back(ledger_result(count, plan, tally));
+  }
+  for (const Finding& finding : campaign.findings) {
+    result.buckets.push_back(bucket_result(finding, plan, origin.command));
+  }
+  return result;
+}
+
+}  // namespace
+
+Campaign run_campaign(const Plan& plan, const KnownBuckets& known, const SaveTo& save_to,
+                      const Origin& origin, const OnProgress& on_progress) {
+  Interruption interruption;  // until it is saved: a signal between the steps ends no step
+  Campaign campaign{plan, run_plan(plan, known, interruption, on_progress), {}, {}, {}};
+  const JobsResult& run = campaign.run;
+  campaign.findings = findings(*run.tally, plan, known);
+  if (!save_to.folder.empty()) {
+    using State = Interruption::State;
+    campaign.saving =
+        save_new(campaign.findings, plan, save_to,
+                 run.interrupted ? State::hurried : State::running, [&](const std::string& text) {
+                   on_progress({*run.tally, run.seconds, text});
+                 });
+  }
+  campaign.result = result_of(campaign, origin);
+  return campaign;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,194 @@
+#include "campaign/save.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/user_error.hpp"
+#include "campaign/in_child.hpp"
+#include "campaign/neighbourhood_run.hpp"
+#include "campaign/result.hpp"
+#include "campaign/shrink_finding.hpp"
+
+namespace manifuzz {
+namespace {
+
+std::string note_of(const PairCase& pair, const Judgement& judgement, const Collider& subject,
+                    const Collider& oracle) {
+  if (judgement.explanation != nullptr) {
+    return fmt::format("{}: {}.", judgement.explanation->id, judgement.explanation->description);
+  }
+  const Bucket& bucket = judgement.bucket;
+  return fmt::format("{} against {}: {} ({}), the greatest separation being {:.3g}.",
+                     subject.declaration.name, oracle.declaration.name, to_string(bucket.verdict),
+                     name_of(bucket.kind, kKindNames), exact::Truth(pair).separation());
+}
+
+std::optional<double> recorded_magnitude(const Judgement& judgement) {
+  if (judgement.bucket.verdict == Verdict::agree) return std::nullopt;
+  return judgement.magnitude;
+}
+
+/// The map of the neighbours, unless it is stopped before all of them are asked.
+std::optional<Neighbourhood> whole_map(const PairCase& pair, const Collider& subject,
+                                       const Collider& oracle, const Interruption::Limits& limits) {
+  // A fair sample of the map's cells: the share is right to about 0.01, in about 15 ms.
+  constexpr int cells_max = 1000;
+  Interruption interruption(limits);
+  const Grid grid = grid_around(exact::Truth(pair));
+  Neighbourhood map = ask_neighbourhood(pair, subject, oracle, grid, cells_max, interruption);
+  return interruption.is_stopped() ? std::nullopt : std::optional(std::move(map));
+}
+
+/// The share of the neighbours that fail alike, to three digits; none where nobody is at fault and
+/// nothing differs, or where there is no time: once there is hurry, there is a second for it.
+std::optional<double> recorded_severity(const PairCase& pair, const Bucket& finding,
+                                        const Collider& subject, const Collider& oracle,
+                                        Interruption& interruption) {
+  if (finding.verdict == Verdict::agree) return std::nullopt;
+  std::optional<Neighbourhood> map;
+  Interruption::Limits limits = interruption.until_signal();
+  if (interruption.state() == Interruption::State::running) {
+    map = whole_map(pair, subject, oracle, limits);
+  }
+  if (!map && !interruption.is_stopped()) {
+    const auto in_a_second = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    limits.stopped_at = std::min(limits.stopped_at.value_or(in_a_second), in_a_second);
+    map = whole_map(pair, subject, oracle, limits);
+  }
+  if (!map) return std::nullopt;
+  const Severity found = severity(*map, finding);
+  if (found.valid == 0) return std::nullopt;
+  return std::round(found.share() * 1000) / 1000;
+}
+
+/// The finding's case as it was met: where it was found, and by which versions.
+Found found_at(const Plan& plan, CaseNumber number) {
+  Found found{.seed = plan.seed,
+              .regime = std::string(plan.regimes[plan.regime_of(number)]->name),
+              .index = plan.index_of(number),
+              .versions = {}};
+  for (const Collider* collider : {&plan.subject, &plan.oracle}) {
+    found.versions[collider->declaration.name] = collider->declaration.version;
+  }
+  return found;
+}
+
+/// Shrinks the finding's worst witness, if there is time, and writes it to the corpus, and beside
+/// it the worst as it was seen; sets `file`. Throws UserError where it cannot be written, and
+/// Interrupted.
+void save_finding(Finding& finding, const Plan& plan, const std::filesystem::path& corpus,
+                  Interruption& interruption) {
+  const auto judged = [&](const PairCase& pair) {
+    return judge_in_child(pair, plan.subject, plan.oracle, interruption);
+  };
+  const auto recorded = [&](const PairCase& pair, const Judgement& judgement) {
+    CorpusCase saved = recorded_case(pair, judgement, plan.subject, plan.oracle, interruption);
+    saved.found = found_at(plan, finding.tally.worst);
+    return saved;
+  };
+  const PairCase worst = plan.pair(finding.tally.worst);
+  const Judgement of_worst = judged(worst);
+  const auto folder = corpus / corpus_folder(finding.bucket, plan.oracle.declaration.name);
+  if (of_worst.bucket != finding.bucket) {
+    CorpusCase unrepeated = recorded(worst, {finding.bucket, finding.tally.magnitude});
+    unrepeated.note += fmt::format(" Asked again, alone, it is {}.", to_string(of_worst.bucket));
+    finding.file = write_corpus_case(folder, unrepeated).string();
+    return;
+  }
+  PairCase smallest = worst;
+  if (interruption.state() == Interruption::State::running) {
+    smallest = shrink_finding(worst, plan.subject, plan.oracle, interruption).pair;
+  }
+  const auto file = write_corpus_case(folder, recorded(smallest, judged(smallest)));
+  finding.file = file.string();
+  if (worst != smallest) write_worst_case(file, recorded(worst, of_worst));
+}
+
+/// What is new, what decides the status first: there may not be time for all.
+std::vector<Finding*> to_save(std::vector<Finding>& found) {
+  std::vector<Finding*> fresh;
+  for (Finding& finding : found) {
+    if (finding.is_new) fresh.push_back(&finding);
+  }
+  std::ranges::stable_sort(fresh, {}, [](const Finding* finding) {
+    return !decides_status(finding->bucket, finding->is_new);
+  });
+  return fresh;
+}
+
+}  // namespace
+
+std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& oracle) {
+  switch (bucket.verdict) {
+    case Verdict::tie:
+      return "ties";
+    case Verdict::known:
+    case Verdict::oracle_wrong:
+      return std::filesystem::path("defects") / oracle;
+    case Verdict::agree:
+    case Verdict::ill_posed:
+    case Verdict::unsupported:
+      return "seeds";
+    default:
+      return "regressions";
+  }
+}
+
+CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const Collider& subject,
+                         const Collider& oracle, Interruption& interruption) {
+  CorpusCase recorded;
+  recorded.pair = pair;
+  recorded.expect = Expectation{
+      .subject = subject.declaration.name,
+      .oracle = oracle.declaration.name,
+      .verdict = std::string(to_string(judgement.bucket.verdict)),
+      .bucket = to_string(judgement.bucket),
+      .manifolds = {},
+      .severity = recorded_severity(pair, judgement.bucket, subject, oracle, interruption),
+      .magnitude = recorded_magnitude(judgement)};
+  for (const Manifold<double>& right : right_manifolds(admissible(pair, subject.declaration))) {
+    recorded.expect->manifolds.push_back({std::string(kJudgeName), right});
+  }
+  std::string ends;
+  for (const Collider* collider : {&subject, &oracle}) {
+    const Answer answer = ask_in_child(*collider, pair, interruption);
+    if (const auto* const lost = std::get_if<Lost>(&answer)) {
+      ends += fmt::format(" {}: {}.", collider->declaration.name, lost->why);
+    } else {
+      recorded.expect->manifolds.push_back({collider->declaration.name, answer});
+    }
+  }
+  recorded.note = note_of(pair, judgement, subject, oracle) + ends;
+  return recorded;
+}
+
+Saving save_new(std::vector<Finding>& found, const Plan& plan, const SaveTo& save_to,
+                Interruption::State begins,
+                const std::function<void(const std::string&)>& on_finding) {
+  Interruption signals;
+  Interruption interruption({.begins = begins, .stopped_at = save_to.deadline});
+  Saving saving;
+  for (Finding* const finding : to_save(found)) {
+    if (interruption.is_stopped()) {
+      ++saving.unsaved;
+      continue;
+    }
+    const bool is_shrunk = interruption.state() == Interruption::State::running;
+    on_finding((is_shrunk ? "shrinking " : "saving ") + to_string(finding->bucket));
+    try {
+      save_finding(*finding, plan, save_to.folder, interruption);
+    } catch (const Interrupted&) {
+      ++saving.unsaved;
+    } catch (const UserError& error) {
+      if (saving.first_error.empty()) saving.first_error = error.what();
+    }
+  }
+  saving.interrupted = signals.state() != Interruption::State::running;
+  return saving;
+}
+
+}  // namespace manifuzz

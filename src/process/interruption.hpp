@@ -1,0 +1,55 @@
+#pragma once
+
+#include <chrono>
+#include <csignal>
+#include <optional>
+
+namespace manifuzz {
+
+/// A moment by which work must be done; none: it may take as long as it takes.
+using Deadline = std::optional<std::chrono::steady_clock::time_point>;
+inline bool has_passed(const Deadline& deadline) {
+  return deadline && std::chrono::steady_clock::now() >= *deadline;
+}
+
+/// Holds SIGINT and SIGTERM back for as long as it lives, so that work can end in good order. One
+/// that lives around another counts its signals too.
+class Interruption {
+ public:
+  enum class State {
+    running,
+    hurried,  ///< what is under way ends fast, and what was found is saved
+    stopped,  ///< nothing goes on
+  };
+  struct Limits {
+    State begins = State::running;  ///< each signal leads to the next state
+    Deadline hurried_at{};
+    Deadline stopped_at{};
+  };
+
+  Interruption() : Interruption(Limits{}) {}
+  explicit Interruption(const Limits& limits);
+  ~Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+  State state();
+  bool is_stopped() { return state() == State::stopped; }
+  /// Waits until a signal, a child's end or a deadline, at most so long.
+  void wait(double seconds);
+
+  /// Of work in its course that the next signal is to stop, as its own deadline does.
+  Limits until_signal() const {
+    return {.begins = State::hurried, .stopped_at = limits_.stopped_at};
+  }
+
+ private:
+  Limits limits_;
+  sigset_t mask_before_;
+  int signals_before_;  ///< taken by others before this one lived
+};
+
+/// Of work that leaves nothing to be saved: the first signal stops it.
+inline constexpr Interruption::Limits kUntilSignal{.begins = Interruption::State::hurried};
+
+}  // namespace manifuzz
