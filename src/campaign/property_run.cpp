@@ -11,7 +11,7 @@
 #include "base/user_error.hpp"
 #include "campaign/findings.hpp"
 #include "corpus/corpus.hpp"
-#include "corpus/shrink.hpp"
+#include "corpus/simpler_cases.hpp"
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
 
