@@ -42,6 +42,11 @@ Json row_json(const BenchRow& row) {
 
 }  // namespace
 
+std::string machine_line(const Json& json) {
+  return fmt::format("{}, {}\n\n", json["machine"]["processor"].get<std::string>(),
+                     json["compiler"].get<std::string>());
+}
+
 std::string bench_table(const std::vector<BenchRow>& rows) {
   std::string text = fmt::format(
       "{:<9} {:<10} {:<8} {:<10} {:<13} {:>8} {:>8} {:>6} {:>9} {:>8} {:>10} {:>10} {:>10} {:>7}\n",

@@ -10,6 +10,9 @@
 
 namespace manifuzz {
 
+/// "PROCESSOR, COMPILER" and an empty line, of what `bench_json` gave.
+std::string machine_line(const nlohmann::ordered_json& json);
+
 /// All rows for people.
 std::string bench_table(const std::vector<BenchRow>& rows);
 

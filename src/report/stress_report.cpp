@@ -126,6 +126,14 @@ std::string stress_table(const StressPlan& plan, const StressResult& result) {
   return text;
 }
 
+std::string progress_line(const StressProgress& progress) {
+  const auto done = static_cast<double>(progress.done);
+  const double share = done / static_cast<double>(progress.total);
+  const double left = share > 0 ? progress.seconds / share - progress.seconds : 0;
+  return fmt::format("{} of {} cases, {:.0f} a second, {:.0f} s left", progress.done,
+                     progress.total, done / progress.seconds, left);
+}
+
 std::string complaints(const Comparison& comparison) {
   std::string text;
   if (!comparison.worse.empty()) {

@@ -31,18 +31,13 @@ struct Options {
   std::vector<std::string> pictures;
 };
 
-/// Box2D first, to whose time the others' are ratios.
-std::vector<BenchSubject> all_subjects() {
+/// Box2D, to whose time the others' are ratios, and those that are named.
+std::vector<BenchSubject> chosen_subjects(const std::vector<std::string>& names) {
   std::vector<BenchSubject> all = own_subjects();
   all.insert(all.begin(), {{.name = "box2d", .prepare = box2d_pass, .collider = make_box2d},
                            {.name = "chipmunk", .prepare = chipmunk_pass, .collider = [] {
                               return find_collider("chipmunk");
                             }}});
-  return all;
-}
-
-std::vector<BenchSubject> chosen_subjects(const std::vector<std::string>& names) {
-  std::vector<BenchSubject> all = all_subjects();
   std::set<std::string> wanted{std::string(kRatioBase)};
   for (const BenchSubject* const one : chosen_by_name(all, names, "collider", "--collider")) {
     wanted.insert(one->name);
@@ -74,9 +69,7 @@ int bench(const Options& options) {
   if (options.json == "-") {
     text = json_text(json);
   } else if (!leaves_out_tables({options.json, options.csv})) {
-    text = fmt::format("{}, {}\n\n", json["machine"]["processor"].get<std::string>(),
-                       json["compiler"].get<std::string>()) +
-           bench_table(rows);
+    text = machine_line(json) + bench_table(rows);
   }
   Outputs outputs;
   outputs.write(true, [&] { write_to_reader(text); });

@@ -92,13 +92,8 @@ StressPlan plan_of(const Options& options) {
 
 StressResult run(const StressPlan& plan, Interruption& interruption) {
   const ProgressLine line;
-  return run_stress(plan, interruption, [&](const StressProgress& progress) {
-    const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
-    const double left = share > 0 ? progress.seconds / share - progress.seconds : 0;
-    line.show(fmt::format("{} of {} cases, {:.0f} a second, {:.0f} s left", progress.done,
-                          progress.total, static_cast<double>(progress.done) / progress.seconds,
-                          left));
-  });
+  return run_stress(plan, interruption,
+                    [&](const StressProgress& progress) { line.show(progress_line(progress)); });
 }
 
 void save(const StressPlan& plan, const StressResult& result, const std::string& folder,
