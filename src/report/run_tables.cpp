@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/text.hpp"
-#include "report/style.hpp"
+#include "report/terminal.hpp"
 
 namespace manifuzz {
 namespace {

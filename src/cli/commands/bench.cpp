@@ -17,7 +17,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/output_check.hpp"
+#include "corpus/output_check.hpp"
 #include "kernel/target.hpp"
 #include "measure/provenance.hpp"
 #include "report/plot/gnuplot.hpp"
