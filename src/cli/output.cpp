@@ -8,12 +8,6 @@
 
 namespace manifuzz {
 
-std::filesystem::path kept_path(const std::filesystem::path& path) {
-  std::error_code unknown;
-  const std::filesystem::path kept = std::filesystem::proximate(path, unknown);
-  return unknown || kept.empty() ? path : kept;
-}
-
 bool leaves_out_tables(std::initializer_list<std::string_view> files) {
   const auto takes_data = [](std::string_view file) { return !file.empty() && file != "-"; };
   return is_quiet() && std::ranges::any_of(files, takes_data);

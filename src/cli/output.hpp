@@ -9,14 +9,11 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "base/place.hpp"
 #include "base/streams.hpp"
 #include "report/terminal.hpp"
 
 namespace manifuzz {
-
-/// The path from the working folder, since no absolute path goes into what is kept; as it is where
-/// that cannot be told.
-std::filesystem::path kept_path(const std::filesystem::path& path);
 
 /// Whether tables are left out: when quiet, where one of these files (empty: none, "-": stdout)
 /// takes what they say.

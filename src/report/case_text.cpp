@@ -119,7 +119,7 @@ void write_candidate(Text& text, const PairCase& pair, const DeclaredAnswer& sub
                                     edge(pair[reference.side], reference.index)));
   text.row("incident", fmt::format("{}, world {}", face_name(incident, candidate->incident),
                                    edge(pair[incident], candidate->incident)));
-  const Manifold<double> manifold = true_manifold(pair, *judged);
+  const Manifold<double> manifold = true_manifold(pair, *candidate);
   text.row("normal", fmt::format("world {}, local {}", digits(world_normal(pair, manifold.normal)),
                                  digits(manifold.normal)));
   text.row("cos of the angle", digits(candidate->cosine));

@@ -54,7 +54,8 @@ std::vector<WorkloadSpec> workloads_of(const Options& options) {
   for (const std::size_t pairs : {kPairsInL1, kPairsInMemory}) {
     specs.push_back({generic, {}, 0.5, pairs});
   }
-  for (const Regime* const regime : choose_regimes(options.regimes)) {
+  for (const Regime* const regime :
+       chosen_by_name(regimes(), options.regimes, "regime", "--regime")) {
     if (regime != generic) specs.push_back({regime, {}, 0.5, kPairsInL2});
   }
   return specs;
