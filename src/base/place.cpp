@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/file.hpp"
+#include "base/text.hpp"
 
 namespace manifuzz {
 namespace {
@@ -97,6 +98,19 @@ std::string why_no_folder(const fs::path& folder) {
   if (fs::exists(folder, unknown) && !fs::is_directory(folder, unknown)) return "is no folder";
   const TrialFolder made(folder);
   return made.why_not().empty() ? why_no_temporary_file_in(folder) : made.why_not();
+}
+
+fs::path kept_path(const fs::path& path) {
+  std::error_code unknown;
+  const fs::path kept = fs::proximate(path, unknown);
+  return unknown || kept.empty() ? path : kept;
+}
+
+std::string this_program() {
+  std::error_code unknown;
+  const auto self = fs::read_symlink("/proc/self/exe", unknown);
+  if (unknown) return "manifuzz";
+  return quoted_for_shell(fs::relative(self, unknown).string());
 }
 
 }  // namespace manifuzz

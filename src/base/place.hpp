@@ -28,4 +28,12 @@ std::string why_not_writable(const std::filesystem::path& file);
 /// again where it is missing.
 std::string why_no_folder(const std::filesystem::path& folder);
 
+/// The path from the working folder, since no absolute path goes into what is kept; as it is where
+/// that cannot be told.
+std::filesystem::path kept_path(const std::filesystem::path& path);
+
+/// This program as it can be called again, relative to the working folder, so that a kept output
+/// holds no absolute path; for a shell.
+std::string this_program();
+
 }  // namespace manifuzz

@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/output.hpp"
-#include "cli/output_check.hpp"
+#include "corpus/output_check.hpp"
 #include "report/test_suite.hpp"
 
 namespace manifuzz {

@@ -129,11 +129,4 @@ std::string options_again(const ColliderChoice& choice, const ExternalOptions& e
   return text;
 }
 
-std::string this_program() {
-  std::error_code unknown;
-  const auto self = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  if (unknown) return "manifuzz";
-  return quoted_for_shell(std::filesystem::relative(self, unknown).string());
-}
-
 }  // namespace manifuzz

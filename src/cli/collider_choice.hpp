@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/place.hpp"
 #include "collider/collider.hpp"
 #include "oracle/external/command.hpp"
 
@@ -51,9 +52,5 @@ bool is_findable(const std::string& name);
 /// The options that choose the same colliders, or one collider, again, for a shell.
 std::string options_again(const SubjectAndOracle& colliders);
 std::string options_again(const ColliderChoice& choice, const ExternalOptions& external);
-
-/// This program as it can be called again, relative to the working folder, so that a kept output
-/// holds no absolute path; for a shell.
-std::string this_program();
 
 }  // namespace manifuzz

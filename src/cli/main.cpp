@@ -1,10 +1,8 @@
 #include <csignal>
-#include <cstdlib>
 #include <exception>
 #include <map>
 #include <string>
 #include <string_view>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,6 +13,7 @@
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
 #include "process/child.hpp"
+#include "process/exit_guard.hpp"
 #include "process/process.hpp"
 #include "report/next_steps.hpp"
 
@@ -74,27 +73,6 @@ int run(int argc, char** argv) {
   return runs.at(app.get_subcommands().front())();
 }
 
-bool is_done = false;
-
-/// Nothing here calls exit: only a library that was called in this process can have.
-void complain_of_exit() {
-  if (is_done) return;
-  complain("a library called exit in this process; leave out --in-process");
-  _exit(kBadUsage);
-}
-
-int run_guarding_exit(int argc, char** argv) {
-  std::atexit(complain_of_exit);
-  try {
-    const int status = run(argc, argv);
-    is_done = true;
-    return status;
-  } catch (...) {
-    is_done = true;
-    throw;
-  }
-}
-
 }  // namespace
 }  // namespace manifuzz
 
@@ -103,7 +81,12 @@ int main(int argc, char** argv) {
   manifuzz::stop_children_on_signals();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is noticed where output is written
   try {
-    return manifuzz::run_guarding_exit(argc, argv);
+    return manifuzz::guarding_exit(
+        [&] { return manifuzz::run(argc, argv); },
+        [] {
+          return manifuzz::complain(
+              "a library called exit in this process; leave out --in-process");
+        });
   } catch (const manifuzz::OutputClosed&) {
     return 0;
   } catch (const std::exception& error) {

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "base/names.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "cli/output.hpp"
@@ -89,10 +88,6 @@ std::uint64_t seed_or_draw(const std::optional<std::uint64_t>& seed) {
   const std::uint64_t drawn = (static_cast<std::uint64_t>(device()) << 32) | device();
   write_error(fmt::format("seed {}\n", drawn));
   return drawn;
-}
-
-std::vector<const Regime*> choose_regimes(const std::vector<std::string>& names) {
-  return chosen_by_name(regimes(), names, "regime", "--regime");
 }
 
 void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regimes) {

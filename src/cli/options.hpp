@@ -8,8 +8,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "generating/regime.hpp"
-
 namespace manifuzz {
 
 /// An option that takes a whole number from `least` to `most`. CLI11's own reading takes -1 for
@@ -35,9 +33,6 @@ void add_json(CLI::App& app, std::string& file, const std::string& what);
 
 /// The seed that was given, or one that is drawn and printed on stderr first.
 std::uint64_t seed_or_draw(const std::optional<std::uint64_t>& seed);
-
-/// The regimes of these names, or all of them for none. Throws UserError that lists the names.
-std::vector<const Regime*> choose_regimes(const std::vector<std::string>& names);
 
 /// Throws UserError where the last of `cases` cases, dealt to the regimes by turns from index
 /// `first` on, has an index beyond 64 bits.

@@ -9,28 +9,15 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "base/place.hpp"
 #include "base/streams.hpp"
+#include "report/terminal.hpp"
 
 namespace manifuzz {
-
-/// What is wrong, a line on the standard error: "manifuzz: what".
-void write_complaint(std::string_view what);
-void write_complaints(const std::vector<std::string>& all);
-
-/// The path from the working folder, since no absolute path goes into what is kept; as it is where
-/// that cannot be told.
-std::filesystem::path kept_path(const std::filesystem::path& path);
-
-/// From now on nothing but data, what is wrong, and what decides a status.
-void be_quiet();
-bool is_quiet();
 
 /// Whether tables are left out: when quiet, where one of these files (empty: none, "-": stdout)
 /// takes what they say.
 bool leaves_out_tables(std::initializer_list<std::string_view> files);
-
-/// A line on the standard error that nothing depends on; none when quiet.
-void write_remark(std::string_view line);
 
 /// JSON as it is written for people and programs: indented, with a line's end. Paths need not be
 /// UTF-8; what is not is replaced.
@@ -50,21 +37,6 @@ class Outputs {
 
  private:
   std::vector<std::string> errors_;
-};
-
-/// One line on a terminal, written over and over; nothing when quiet, and where stderr is no
-/// terminal that could erase it.
-class ProgressLine {
- public:
-  ProgressLine();
-  ~ProgressLine();
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
-  void show(std::string_view text) const;
-
- private:
-  bool is_shown_;
 };
 
 }  // namespace manifuzz

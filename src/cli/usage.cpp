@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
-#include "report/style.hpp"
+#include "report/terminal.hpp"
 
 namespace manifuzz {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/text.hpp"
 #include "exchange/json.hpp"
 #include "report/candidate.hpp"
-#include "report/style.hpp"
+#include "report/terminal.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

@@ -9,6 +9,7 @@
 #include "campaign/judged_case.hpp"
 #include "report/github.hpp"
 #include "report/picture/text_picture.hpp"
+#include "report/run_tables.hpp"
 
 namespace manifuzz {
 namespace {

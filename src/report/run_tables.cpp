@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/text.hpp"
-#include "report/style.hpp"
+#include "report/terminal.hpp"
 
 namespace manifuzz {
 namespace {
@@ -140,12 +140,17 @@ std::string progress_line(const Plan& plan, const Progress& progress) {
   return line;
 }
 
-std::string verdict_table(const CampaignResult& result) {
+std::string merged_text(const MergedRuns& runs, std::size_t cases, const std::string& folder) {
   std::string text;
-  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
-    text += fmt::format("{:<18}{:>14}\n", kVerdictNames[i], result.verdicts[i]);
+  if (!runs.findings.empty()) {
+    text = fmt::format("{}: {} findings of {} cases\n", printable(folder, 200),
+                       runs.findings.size(), cases);
   }
-  return text + fmt::format("{:<18}{:>14}\n", "cases", result.cases());
+  if (!runs.result) return text;
+  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
+    text += fmt::format("{:<18}{:>14}\n", kVerdictNames[i], runs.result->verdicts[i]);
+  }
+  return text + fmt::format("{:<18}{:>14}\n", "cases", runs.result->cases());
 }
 
 std::string replay_failures(const ReplayRun& run) {

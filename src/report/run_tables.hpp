@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/merge.hpp"
 #include "campaign/property_check.hpp"
 #include "campaign/replay.hpp"
 #include "campaign/run.hpp"
@@ -21,8 +22,8 @@ std::string objections(const Campaign& campaign);
 /// One line of a running campaign: cases, rate, verdicts that count, time left.
 std::string progress_line(const Plan& plan, const Progress& progress);
 
-/// The verdicts of a result, and its cases.
-std::string verdict_table(const CampaignResult& result);
+/// How many findings of so many cases were written to that folder, and the verdicts of the result.
+std::string merged_text(const MergedRuns& runs, std::size_t cases, const std::string& folder);
 
 /// What failed, a line each.
 std::string replay_failures(const ReplayRun& run);

@@ -12,7 +12,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/output_check.hpp"
+#include "corpus/output_check.hpp"
 #include "measure/bench/own_subjects.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "oracle/chipmunk/chipmunk_pass.hpp"

@@ -1,18 +1,15 @@
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "base/user_error.hpp"
 #include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/case_stream.hpp"
-#include "exchange/json.hpp"
-#include "judging/completed.hpp"
+#include "report/case_lines.hpp"
 
 namespace manifuzz {
 namespace {
@@ -23,30 +20,6 @@ struct Options {
   std::optional<double> tie_bias;
   std::string file = "-";
 };
-
-bool is_finite(const Manifold<double>& manifold) {
-  for (int i = 0; i < manifold.count; ++i) {
-    const auto& point = manifold.points[i];
-    if (!point.position.allFinite() || !std::isfinite(point.depth)) return false;
-  }
-  return manifold.count == 0 || manifold.normal.allFinite();
-}
-
-/// JSON has no words for numbers that overflowed.
-void append_collision(std::string& line, const Collider& collider, const PairCase& pair) {
-  const Answer answer = ask(collider, pair);
-  if (const auto* const lost = std::get_if<Lost>(&answer)) {
-    throw UserError(fmt::format("$: {} gives no answer: {}", collider.declaration.name, lost->why));
-  }
-  const auto* const manifold = std::get_if<Manifold<double>>(&answer);
-  if (manifold != nullptr && !is_finite(*manifold)) {
-    throw UserError(
-        fmt::format("$: {} answers with a number that is not finite; smaller "
-                    "coordinates are expected",
-                    collider.declaration.name));
-  }
-  append_answer(line, pair, collider.declaration.name, answer);
-}
 
 int collide_cases(const Options& options) {
   if (!options.collider.is_given()) {

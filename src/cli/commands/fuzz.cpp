@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "base/names.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "campaign/baseline.hpp"
@@ -64,7 +65,7 @@ Plan plan_of(const Options& options) {
   const SubjectAndOracle& asked = options.colliders;
   plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
   plan.oracle = find_collider(asked.oracle, asked.external);
-  plan.regimes = choose_regimes(options.regimes);
+  plan.regimes = chosen_by_name(regimes(), options.regimes, "regime", "--regime");
   if (options.radius) {
     plan.context.radius = radius_of(*options.radius);
   } else {

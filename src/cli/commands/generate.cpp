@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/names.hpp"
 #include "base/streams.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
@@ -23,7 +24,8 @@ struct Options {
 };
 
 int generate_cases(const Options& options) {
-  const std::vector<const Regime*> chosen = choose_regimes(options.regimes);
+  const std::vector<const Regime*> chosen =
+      chosen_by_name(regimes(), options.regimes, "regime", "--regime");
   const std::uint64_t first = options.first.value_or(0);
   const std::uint64_t cases = options.cases.value_or(10);
   expect_indices(first, cases, chosen.size());

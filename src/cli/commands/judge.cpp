@@ -12,7 +12,7 @@
 #include "corpus/case_stream.hpp"
 #include "exchange/answer_file.hpp"
 #include "judging/completed.hpp"
-#include "report/judgement_line.hpp"
+#include "report/case_lines.hpp"
 
 namespace manifuzz {
 namespace {

@@ -15,7 +15,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/output_check.hpp"
+#include "corpus/output_check.hpp"
 #include "report/run_tables.hpp"
 
 namespace manifuzz {
@@ -47,16 +47,6 @@ void write_merged(const Options& options, MergedRuns& runs) {
   folder.keep();
 }
 
-std::string text_of(const Options& options, const RunFiles& files, const MergedRuns& runs) {
-  if (options.json == "-") return json_text(json_of(*runs.result));
-  std::string text;
-  if (!runs.findings.empty()) {
-    text = fmt::format("{}: {} findings of {} cases\n", printable(options.output, 200),
-                       runs.findings.size(), files.corpus.cases.size());
-  }
-  return runs.result ? text + verdict_table(*runs.result) : text;
-}
-
 int merge(const Options& options) {
   const std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   check_outputs(
@@ -66,7 +56,9 @@ int merge(const Options& options) {
   write_complaints(runs.errors);
   expect_something(options, runs);
   write_merged(options, runs);
-  write_to_reader(text_of(options, files, runs));
+  write_to_reader(options.json == "-"
+                      ? json_text(json_of(*runs.result))
+                      : merged_text(runs, files.corpus.cases.size(), options.output));
   if (runs.errors.empty()) return 0;
   throw UserError(fmt::format(
       "merge: {} of the files could not be read or added; the rest is merged", runs.errors.size()));

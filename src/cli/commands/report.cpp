@@ -15,7 +15,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/output_check.hpp"
+#include "corpus/output_check.hpp"
 #include "report/page/page_cases.hpp"
 
 namespace manifuzz {

@@ -11,7 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/output_check.hpp"
+#include "corpus/output_check.hpp"
 #include "report/scene_report.hpp"
 
 namespace manifuzz {

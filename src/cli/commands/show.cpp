@@ -17,7 +17,7 @@
 #include "cli/commands.hpp"
 #include "cli/judged.hpp"
 #include "cli/options.hpp"
-#include "cli/output_check.hpp"
+#include "corpus/output_check.hpp"
 #include "report/case_text.hpp"
 #include "report/picture/case_map.hpp"
 #include "report/picture/case_picture.hpp"

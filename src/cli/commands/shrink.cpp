@@ -13,7 +13,7 @@
 #include "cli/case_argument.hpp"
 #include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
-#include "cli/output_check.hpp"
+#include "corpus/output_check.hpp"
 
 namespace manifuzz {
 namespace {

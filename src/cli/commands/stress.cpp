@@ -16,7 +16,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/output_check.hpp"
+#include "corpus/output_check.hpp"
 #include "measure/stress/breaking_points.hpp"
 #include "measure/stress/flush_to_zero.hpp"
 #include "measure/stress/plan.hpp"

@@ -270,18 +270,35 @@ TEST_CASE("two outputs never go to one place, and none to what is read") {
 
 TEST_CASE("CI is told of outputs that could not be written") {
   const Step step;
-  const std::string folder = step.folder.path().string();
+  const std::string full = "/dev/full";
   const std::vector<std::string> campaign{"fuzz", "--cases",   "20",       "--seed",
                                           "1",    "--no-save", "--corpus", step.corpus};
   for (const std::vector<std::string>& command :
-       {std::vector<std::string>{"replay", step.corpus, "--json", folder},
-        with(campaign, {"--json", folder}), with(campaign, {"--report", folder})}) {
+       {std::vector<std::string>{"replay", step.corpus, "--json", full},
+        with(campaign, {"--json", full}), with(campaign, {"--report", full})}) {
     const Outcome outcome = step.run(with(command, {"--junit", step.junit()}));
     CAPTURE(command[0], command.back());
     CHECK(outcome.status == 2);
     const auto elements = read_svg(text_of(step.junit()));
     CHECK(elements[0].attributes.at("errors") == "1");
     CHECK(elements[0].attributes.at("tests") != "1");
+    CHECK_THAT(outcome.out, Contains("No space left on device"));
+  }
+}
+
+TEST_CASE("CI is told of outputs that cannot be made, and nothing is run for them") {
+  const Step step;
+  const std::string folder = step.folder.path().string();
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"replay", step.corpus, "--json", folder},
+        {"fuzz", "--cases", "20", "--corpus", step.corpus, "--report", folder}}) {
+    const Outcome outcome = step.run(with(command, {"--junit", step.junit()}));
+    CAPTURE(command[0], outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+    const auto elements = read_svg(text_of(step.junit()));
+    CHECK(elements[0].attributes.at("errors") == "1");
+    CHECK(elements[0].attributes.at("tests") == "1");
     CHECK_THAT(outcome.out, Contains("is a folder; a file is expected"));
   }
 }

@@ -1,4 +1,4 @@
-#include "cli/output_check.hpp"
+#include "corpus/output_check.hpp"
 
 #include <algorithm>
 #include <optional>

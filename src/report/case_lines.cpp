@@ -1,12 +1,24 @@
-#include "report/judgement_line.hpp"
+#include "report/case_lines.hpp"
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/text.hpp"
+#include "base/user_error.hpp"
 #include "exchange/json.hpp"
+#include "judging/completed.hpp"
 
 namespace manifuzz {
 namespace {
+
+bool is_finite(const Manifold<double>& manifold) {
+  for (int i = 0; i < manifold.count; ++i) {
+    const auto& point = manifold.points[i];
+    if (!point.position.allFinite() || !std::isfinite(point.depth)) return false;
+  }
+  return manifold.count == 0 || manifold.normal.allFinite();
+}
 
 /// The largest bound of the points of the first right manifold; `least` where there are none.
 double widest(const Admissible& right, double least,
@@ -39,6 +51,21 @@ void append_admissible(std::string& line, const Admissible& right) {
 }
 
 }  // namespace
+
+void append_collision(std::string& line, const Collider& collider, const PairCase& pair) {
+  const Answer answer = ask(collider, pair);
+  if (const auto* const lost = std::get_if<Lost>(&answer)) {
+    throw UserError(fmt::format("$: {} gives no answer: {}", collider.declaration.name, lost->why));
+  }
+  const auto* const manifold = std::get_if<Manifold<double>>(&answer);
+  if (manifold != nullptr && !is_finite(*manifold)) {
+    throw UserError(
+        fmt::format("$: {} answers with a number that is not finite; smaller "
+                    "coordinates are expected",
+                    collider.declaration.name));
+  }
+  append_answer(line, pair, collider.declaration.name, answer);
+}
 
 void append_judgement(std::string& line, const Admissible& right, const Judgement& judgement) {
   const exact::Truth& truth = *right.truth;

@@ -1,12 +1,16 @@
-#include "report/style.hpp"
+#include "report/terminal.hpp"
 
 #include <cstdlib>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "base/streams.hpp"
+
 namespace manifuzz {
 namespace {
+
+bool quiet = false;
 
 /// Terminals' own names for colours, so that every theme is legible.
 constexpr std::string_view kRed = "\x1b[31m";
@@ -53,6 +57,36 @@ std::string fresh(std::string_view word) {
 
 std::string bad_on_stderr(std::string_view word) {
   return coloured(stderr_is_coloured, kRed, word);
+}
+
+void write_complaint(std::string_view what) {
+  write_error(fmt::format("{} {}\n", bad_on_stderr("manifuzz:"), what));
+}
+
+void write_complaints(const std::vector<std::string>& all) {
+  for (const std::string& what : all) write_complaint(what);
+}
+
+void be_quiet() {
+  quiet = true;
+}
+
+bool is_quiet() {
+  return quiet;
+}
+
+void write_remark(std::string_view line) {
+  if (!quiet) write_error(fmt::format("{}\n", line));
+}
+
+ProgressLine::ProgressLine() : is_shown_(!quiet && is_able_terminal(STDERR_FILENO)) {}
+
+ProgressLine::~ProgressLine() {
+  show("");
+}
+
+void ProgressLine::show(std::string_view text) const {
+  if (is_shown_) write_error("\r" + std::string(text) + "\x1b[K");
 }
 
 }  // namespace manifuzz
