@@ -207,9 +207,7 @@ onCase('each of several right manifolds is stepped to', tie, async (page) => {
 onCase('a finger that taps a point gets it explained', witness, async (page) => {
   await drawn(page);
   await page.touchscreen.tap(...await drawnAt(page));
-  await page.waitForTimeout(100);
-  assert.match(await page.textContent('#tooltip'), /clip \(subject\)/);
-  assert.ok(await page.locator('#tooltip').isVisible());
+  await page.locator('#tooltip:visible', {hasText: /clip \(subject\)/}).waitFor();
 }, {hasTouch: true});
 
 onCase('points of the next case are explained too', tie, async (page) => {

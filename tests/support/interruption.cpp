@@ -3,15 +3,17 @@
 namespace manifuzz::test {
 namespace {
 
-/// A script that passes its input on to `answering`, a pipe's end of shell.
+/// A script that passes its input on to `answering`, a command of the shell.
 std::string script(const TemporaryFolder& folder, int nth, const std::string& answering) {
+  const std::string interrupted = "'" + (folder.path() / "interrupted").string() + "'";
+  const std::string count = "count() {\n  n=0\n  while [ $n -lt " + std::to_string(nth) +
+                            " ] && read -r line; do\n    n=$((n + 1))\n    if [ $n -eq " +
+                            std::to_string(nth) + " ] && mkdir " + interrupted +
+                            " 2>/dev/null; then kill -INT \"$MANIFUZZ_PROCESS\"; fi\n"
+                            "    printf '%s\\n' \"$line\"\n  done\n}\n";
   // mkdir succeeds once, whoever calls it.
-  return "sh " +
-         folder.write("interrupting.sh",
-                      "n=0\nwhile read -r line; do\n  n=$((n + 1))\n  if [ $n -eq " +
-                          std::to_string(nth) + " ] && mkdir '" +
-                          (folder.path() / "interrupted").string() +
-                          "' 2>/dev/null; then kill -INT \"$MANIFUZZ_PROCESS\"; fi\n" + answering);
+  return "sh " + folder.write("interrupting.sh", count + "{ [ -d " + interrupted +
+                                                     " ] || count; exec cat; } | " + answering);
 }
 
 }  // namespace
@@ -25,14 +27,14 @@ Outcome run_interruptible(std::vector<std::string> arguments) {
 
 std::string interrupting_clip(const TemporaryFolder& folder, int nth) {
   const std::string declaration =
-      R"('{"declaration": {"name": "clip", "version": "0", "frame": "local"}}')";
-  return script(folder, nth,
-                "  printf '%s\\n' \"$line\"\ndone | {\n  echo " + declaration + "\n  exec '" +
-                    manifuzz_path() + "' collide --collider clip\n}\n");
+      R"({"declaration": {"name": "clip", "version": "0", "frame": "local"}})";
+  return script(
+      folder, nth,
+      "{ echo '" + declaration + "'; exec '" + manifuzz_path() + "' collide --collider clip; }\n");
 }
 
 std::string interrupting_blind(const TemporaryFolder& folder, int nth) {
-  return script(folder, nth, "  echo '{\"points\": []}'\ndone\n");
+  return script(folder, nth, "while read -r line; do echo '{\"points\": []}'; done\n");
 }
 
 }  // namespace manifuzz::test

@@ -1,4 +1,5 @@
 #include <limits>
+#include <set>
 
 #include <catch2/catch.hpp>
 
@@ -68,16 +69,19 @@ TEST_CASE("a result of fuzz is read back as it was written, infinity too") {
 }
 
 TEST_CASE("a result of fuzz with any part of another type, or without it, is refused by its path") {
+  // These follow from others, and are not read.
+  const std::set<std::string> unread{"/seed", "/first", "/seconds", "/cases_per_second",
+                                     "/vacuous"};
   const Json good = json_of(sample());
   const Json parts = good.flatten();
+  CHECK(parts.size() > 80);
   for (const auto& [path, value] : parts.items()) {
     for (const Json& other : {Json(-1), Json(true), Json("x"), Json::array(), Json::object()}) {
+      if (other.type() == value.type()) continue;
       Json bad = good;
       bad[Json::json_pointer(path)] = other;
       CAPTURE(path, other.dump());
-      const std::string why = refusal(bad);
-      CHECK((why.empty() || why.starts_with("$")));
-      if (value.is_string() && !other.is_string()) CHECK_FALSE(why.empty());
+      CHECK(refusal(bad).starts_with("$") == !unread.contains(path));
     }
   }
   for (const char* const key :
@@ -85,8 +89,8 @@ TEST_CASE("a result of fuzz with any part of another type, or without it, is ref
     Json bad = good;
     bad.erase(key);
     CHECK_THROWS_AS(read(bad), UserError);
-    bad[key] = "x";
-    if (std::string_view(key) != "compiler") CHECK_THROWS_AS(read(bad), UserError);
+    bad[key] = nullptr;
+    CHECK_THROWS_AS(read(bad), UserError);
   }
 }
 
