@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "report/junit.hpp"
-#include "report/workflow.hpp"
+#include "report/ci/junit.hpp"
+#include "report/ci/workflow.hpp"
 
 namespace manifuzz {
 

@@ -9,7 +9,7 @@
 
 #include "cli/output.hpp"
 #include "corpus/output_check.hpp"
-#include "report/test_suite.hpp"
+#include "report/ci/test_suite.hpp"
 
 namespace manifuzz {
 

@@ -22,8 +22,8 @@
 #include "cli/options.hpp"
 #include "corpus/known_cases.hpp"
 #include "measure/provenance.hpp"
+#include "report/ci/run_suites.hpp"
 #include "report/page/page_cases.hpp"
-#include "report/run_suites.hpp"
 #include "report/run_tables.hpp"
 
 namespace manifuzz {

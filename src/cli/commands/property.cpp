@@ -17,7 +17,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "corpus/known_cases.hpp"
-#include "report/run_suites.hpp"
+#include "report/ci/run_suites.hpp"
 #include "report/run_tables.hpp"
 
 namespace manifuzz {

@@ -16,7 +16,7 @@
 #include "cli/output.hpp"
 #include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"
-#include "report/run_suites.hpp"
+#include "report/ci/run_suites.hpp"
 #include "report/run_tables.hpp"
 
 namespace manifuzz {

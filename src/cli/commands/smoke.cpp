@@ -17,7 +17,7 @@
 #include "cli/options.hpp"
 #include "corpus/known_cases.hpp"
 #include "measure/provenance.hpp"
-#include "report/run_suites.hpp"
+#include "report/ci/run_suites.hpp"
 #include "report/run_tables.hpp"
 
 namespace manifuzz {

@@ -1,4 +1,4 @@
-#include "report/github.hpp"
+#include "report/ci/github.hpp"
 
 #include <catch2/catch.hpp>
 

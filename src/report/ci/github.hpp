@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "report/test_suite.hpp"
+#include "report/ci/test_suite.hpp"
 
 // What GitHub shows of a run: pure text, of plain data.
 

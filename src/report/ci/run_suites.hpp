@@ -6,7 +6,7 @@
 #include "campaign/property_check.hpp"
 #include "campaign/replay.hpp"
 #include "campaign/run.hpp"
-#include "report/test_suite.hpp"
+#include "report/ci/test_suite.hpp"
 
 // Runs as test suites. Of the first failures the cases are drawn, as far as there is time.
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "report/test_suite.hpp"
+#include "report/ci/test_suite.hpp"
 
 // The step of a GitHub workflow that this process runs in, as its environment describes it.
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "report/test_suite.hpp"
+#include "report/ci/test_suite.hpp"
 
 namespace manifuzz {
 

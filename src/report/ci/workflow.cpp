@@ -1,4 +1,4 @@
-#include "report/workflow.hpp"
+#include "report/ci/workflow.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -10,7 +10,7 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "report/github.hpp"
+#include "report/ci/github.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/run_suites.hpp"
+#include "report/ci/run_suites.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include "base/user_error.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/judged_case.hpp"
-#include "report/github.hpp"
+#include "report/ci/github.hpp"
 #include "report/picture/text_picture.hpp"
 #include "report/run_tables.hpp"
 
