@@ -18,11 +18,10 @@ std::string script(const TemporaryFolder& folder, int nth, const std::string& an
 
 }  // namespace
 
-Outcome run_interruptible(std::vector<std::string> arguments) {
+Outcome run_interruptible(const std::vector<std::string>& arguments) {
   const std::vector<std::string> shell{"sh", "-c", "export MANIFUZZ_PROCESS=$$; exec \"$0\" \"$@\"",
                                        manifuzz_path()};
-  arguments.insert(arguments.begin(), shell.begin(), shell.end());
-  return run_program(arguments);
+  return run_program(with(shell, arguments));
 }
 
 std::string interrupting_clip(const TemporaryFolder& folder, int nth) {

@@ -12,7 +12,7 @@
 namespace manifuzz::test {
 
 /// Runs the built manifuzz so that the colliders below find it.
-Outcome run_interruptible(std::vector<std::string> arguments);
+Outcome run_interruptible(const std::vector<std::string>& arguments);
 
 /// Commands of colliders that run in programs of their own. Of all the programs that run one of
 /// them, the first that is at its `nth` case (from 1 on) interrupts manifuzz by SIGINT, once,

@@ -35,27 +35,20 @@ struct Step {
   std::string junit() const { return (folder.path() / "junit.xml").string(); }
 
   Outcome run(const std::vector<std::string>& arguments) const {
-    std::vector<std::string> command{"env",
-                                     "GITHUB_ACTIONS=true",
-                                     "GITHUB_STEP_SUMMARY=" + summary.string(),
-                                     "GITHUB_WORKSPACE=" + folder.path().string(),
-                                     "GITHUB_SERVER_URL=https://github.com",
-                                     "GITHUB_REPOSITORY=me/engine",
-                                     "GITHUB_SHA=abc123",
-                                     manifuzz_path()};
-    command.insert(command.end(), arguments.begin(), arguments.end());
-    return run_program(command);
+    const std::vector<std::string> command{"env",
+                                           "GITHUB_ACTIONS=true",
+                                           "GITHUB_STEP_SUMMARY=" + summary.string(),
+                                           "GITHUB_WORKSPACE=" + folder.path().string(),
+                                           "GITHUB_SERVER_URL=https://github.com",
+                                           "GITHUB_REPOSITORY=me/engine",
+                                           "GITHUB_SHA=abc123",
+                                           manifuzz_path()};
+    return run_program(with(command, arguments));
   }
 };
 
 std::vector<std::string> broken_replay(const Step& step) {
   return {"replay", step.corpus.string(), "--subject", "box2d", "--oracle", "clip"};
-}
-
-std::vector<std::string> with(std::vector<std::string> arguments,
-                              const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
 }
 
 }  // namespace
@@ -232,7 +225,7 @@ TEST_CASE("a report may go to the standard output, which then has nothing else")
   for (const std::vector<std::string>& command :
        {std::vector<std::string>{"replay", step.corpus},
         {"property", "never-empty", "--cases", "10", "--seed", "1", "--corpus", step.corpus},
-        {"smoke", "--seconds", "2", "--seed", "1", "--no-save", "--corpus", step.corpus},
+        {"smoke", "--seconds", "0.01", "--seed", "1", "--no-save", "--corpus", step.corpus},
         {"fuzz", "--cases", "20", "--seed", "1", "--no-save", "--corpus", step.corpus}}) {
     const Outcome outcome = run_manifuzz(with(command, {"--junit", "-"}));
     CAPTURE(command[0], outcome.err);

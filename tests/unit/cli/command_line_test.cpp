@@ -141,9 +141,8 @@ void check_pasted(const std::string& example) {
   return true;
 }();
 
-Outcome generate(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "generate");
-  return run_manifuzz(arguments);
+Outcome generate(const std::vector<std::string>& arguments) {
+  return run_manifuzz(with({"generate"}, arguments));
 }
 
 Outcome shell(const std::string& script) {

@@ -13,10 +13,8 @@ using Json = nlohmann::json;
 
 namespace {
 
-std::vector<std::string> fuzz(const TemporaryFolder& folder, std::vector<std::string> more) {
-  std::vector<std::string> arguments{"fuzz", "--corpus", (folder.path() / "corpus").string()};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
+std::vector<std::string> fuzz(const TemporaryFolder& folder, const std::vector<std::string>& more) {
+  return with({"fuzz", "--corpus", (folder.path() / "corpus").string()}, more);
 }
 
 Json summary(const Outcome& outcome) {
@@ -129,8 +127,7 @@ TEST_CASE("bad usage of fuzz is one clear line and status 2") {
       {"--corpus", ""},
       {"--first", "18446744073709551615", "--cases", "100"}};
   for (const auto& arguments : bad) {
-    std::vector<std::string> all{"fuzz", "--no-save"};
-    all.insert(all.end(), arguments.begin(), arguments.end());
+    std::vector<std::string> all = with({"fuzz", "--no-save"}, arguments);
     if (arguments[0] != "--cases" && arguments[0] != "--seconds") {
       all.insert(all.end(), {"--cases", "10"});
     }

@@ -22,17 +22,16 @@ namespace fs = std::filesystem;
 Json run(const TemporaryFolder& folder, const std::string& name, int first, int cases,
          const std::string& seed = "2", const std::vector<std::string>& more = {}) {
   const std::string corpus = (folder.path() / name).string();
-  std::vector<std::string> words{"fuzz",
-                                 "--regime=tie_bias",
-                                 "--regime=sliver",
-                                 "--radius=0",
-                                 "--seed=" + seed,
-                                 "--first=" + std::to_string(first),
-                                 "--cases=" + std::to_string(cases),
-                                 "--corpus=" + corpus,
-                                 "--json=" + corpus + ".json"};
-  words.insert(words.end(), more.begin(), more.end());
-  CHECK(run_manifuzz(words).status == 0);
+  const std::vector<std::string> words{"fuzz",
+                                       "--regime=tie_bias",
+                                       "--regime=sliver",
+                                       "--radius=0",
+                                       "--seed=" + seed,
+                                       "--first=" + std::to_string(first),
+                                       "--cases=" + std::to_string(cases),
+                                       "--corpus=" + corpus,
+                                       "--json=" + corpus + ".json"};
+  CHECK(run_manifuzz(with(words, more)).status == 0);
   return Json::parse(text_of(corpus + ".json"));
 }
 
@@ -269,9 +268,7 @@ TEST_CASE("merging refuses what would cost a file that is there, before anything
                                  corpus + ".json"},
         {corpus, "--output", output, "--json", mine},
         {corpus, "--output", "-"}}) {
-    std::vector<std::string> words{"merge"};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    const Outcome outcome = run_manifuzz(words);
+    const Outcome outcome = run_manifuzz(with({"merge"}, arguments));
     CHECK(outcome.status == 2);
     CHECK(is_one_clear_line(outcome.err));
     CHECK_FALSE(fs::exists(output));

@@ -18,22 +18,21 @@ const std::string kYellow = "\x1b[33m";
 const std::string kErased = "\r\x1b[K";
 
 /// A campaign in which Box2D is at fault.
-std::vector<std::string> campaign(const TemporaryFolder& folder, std::vector<std::string> more,
+std::vector<std::string> campaign(const TemporaryFolder& folder,
+                                  const std::vector<std::string>& more,
                                   const char* cases = "5000") {
-  std::vector<std::string> words{
+  const std::vector<std::string> words{
       manifuzz_path(), "fuzz", "--subject", "box2d",
       "--oracle",      "clip", "--regime",  "tie_bias",
       "--seed",        "1",    "--cases",   cases,
       "--jobs",        "1",    "--corpus",  (folder.path() / "corpus").string()};
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
+  return with(words, more);
 }
 
 /// What it shows on a terminal in that environment.
-std::string shown(const std::vector<std::string>& environment, std::vector<std::string> command) {
-  command.insert(command.begin(), environment.begin(), environment.end());
-  command.insert(command.begin(), {"env", "-u", "NO_COLOR"});
-  return run_on_terminal(command).out;
+std::string shown(const std::vector<std::string>& environment,
+                  const std::vector<std::string>& command) {
+  return run_on_terminal(with(with({"env", "-u", "NO_COLOR"}, environment), command)).out;
 }
 
 bool has_colour(const std::string& text) {

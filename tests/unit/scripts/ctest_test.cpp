@@ -40,11 +40,10 @@ Outcome run_ctest(const std::string& results, int status,
                    "cp \"${0%/*}/results.xml\" \"$2\"\nexit " +
                        std::to_string(status) + "\n");
   std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-  std::vector<std::string> command{"env",
-                                   "PATH=" + folder.path().string() + ":" + std::getenv("PATH"),
-                                   (source_dir() / "scripts/ctest").string(), "release"};
-  command.insert(command.end(), options.begin(), options.end());
-  return run_program(command);
+  const std::vector<std::string> command{
+      "env", "PATH=" + folder.path().string() + ":" + std::getenv("PATH"),
+      (source_dir() / "scripts/ctest").string(), "release"};
+  return run_program(with(command, options));
 }
 
 }  // namespace

@@ -28,12 +28,12 @@ Json stored(int clip, int others = kCounted) {
        {{"clip", clip}, {"pair", others}, {"batch packed", others}, {"batch indices", others}}}};
 }
 
-struct Guarded {
+struct GuardRun {
   Outcome outcome;
   Json counts;  ///< as stored afterwards
 };
 
-Guarded guard(const Json& counts, const std::vector<std::string>& options = {}) {
+GuardRun guard(const Json& counts, const std::vector<std::string>& options = {}) {
   const TemporaryFolder folder;
   const auto program = [&](const std::string& name, const std::string& body) {
     std::string path = folder.write(name, "#!/bin/sh\n" + body);
@@ -44,13 +44,12 @@ Guarded guard(const Json& counts, const std::vector<std::string>& options = {}) 
   program("valgrind",
           "echo a target\necho '==7== Collected : " + std::to_string(kCounted) + "' >&2\n");
   const std::string file = folder.write("counts.json", counts.dump());
-  std::vector<std::string> command{"env", "MANIFUZZ_COUNTER=" + counter, "MANIFUZZ_COUNTS=" + file,
-                                   "PATH=" + folder.path().string() + ":" + std::getenv("PATH"),
-                                   (source_dir() / "scripts/guard").string()};
-  command.insert(command.end(), options.begin(), options.end());
-  Guarded guarded{run_program(command), {}};
-  guarded.counts = Json::parse(text_of(file));
-  return guarded;
+  const std::vector<std::string> command{
+      "env", "MANIFUZZ_COUNTER=" + counter, "MANIFUZZ_COUNTS=" + file,
+      "PATH=" + folder.path().string() + ":" + std::getenv("PATH"),
+      (source_dir() / "scripts/guard").string()};
+  const Outcome outcome = run_program(with(command, options));
+  return {outcome, Json::parse(text_of(file))};
 }
 
 }  // namespace
@@ -72,9 +71,9 @@ TEST_CASE("a count that rose or fell by more than 3% fails, and says how to upda
 }
 
 TEST_CASE("an update stores what is counted") {
-  const Guarded guarded = guard(stored(1), {"--update"});
-  CHECK(guarded.outcome.status == 0);
-  CHECK(guarded.counts == stored(kCounted));
+  const GuardRun run = guard(stored(1), {"--update"});
+  CHECK(run.outcome.status == 0);
+  CHECK(run.counts == stored(kCounted));
 }
 
 TEST_CASE("counts of another build or target are not checked, and it says so") {
