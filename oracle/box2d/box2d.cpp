@@ -1,7 +1,6 @@
 #include "oracle/box2d/box2d.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -64,18 +63,12 @@ Feature to_feature(uint8 type, uint8 index) {
   return {type == b2ContactFeature::e_face ? Feature::Kind::face : Feature::Kind::vertex, index};
 }
 
-double length(const Vector2<double>& v) {
-  return std::sqrt(v.dot(v));
-}
-
 /// A direction of the reference body as the unit normal from A to B in A's frame.
-Vector2<double> normal_in_a(const PairCase& pair, Side reference, const b2Vec2& local_normal) {
-  const Vector2<double> normal = from_box2d(local_normal);
+Vector2<double> normal_in_a(const PairCase& pair, Side reference, const b2Vec2& direction) {
+  const Vector2<double> normal = from_box2d(direction);
   if (reference == Side::a) return normal;
-  const Vector2<double> rotation_a = pair.a.pose.rotation.cast<double>();
   const Vector2<double> rotation_b = pair.b.pose.rotation.cast<double>();
-  const Vector2<double> turned = rotate_back<double>(rotation_a, rotate(rotation_b, normal));
-  return -turned / (length(rotation_a) * length(rotation_b));
+  return -local_normal(pair, rotate(rotation_b, normal), rotation_b.norm());
 }
 
 /// A local point of the incident body in A's frame.
@@ -85,8 +78,7 @@ Vector2<double> point_in_a(const PairCase& pair, Side reference, const b2Vec2& l
   const Vector2<double> apart =
       pair.b.pose.position.cast<double>() - pair.a.pose.position.cast<double>();
   const Vector2<double> from_a = rotate<double>(pair.b.pose.rotation.cast<double>(), point) + apart;
-  const Vector2<double> rotation_a = pair.a.pose.rotation.cast<double>();
-  return rotate_back(rotation_a, from_a) / rotation_a.dot(rotation_a);
+  return rotate_inverse<double>(pair.a.pose.rotation.cast<double>(), from_a);
 }
 
 Answer collide(const PairCase& pair) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "geometry/manifold.hpp"
 #include "oracle/exact/placed.hpp"
@@ -32,6 +33,7 @@ struct ClipPoint {
 /// The clip of one incident edge by one reference face, the slab widened by the total radius as in
 /// Box2D. Values are doubles; which end is cut is exact.
 struct Clip {
+  const PairCase* pair = nullptr;  ///< whose polygons these are
   FaceOf reference;
   int incident = 0;
   std::array<Cut, 2> cuts{};
@@ -44,47 +46,44 @@ struct Clip {
   int count = 0;  ///< 2, or 1 where the edge misses: then its nearest end, unclipped
   std::array<ClipPoint, 2> points;  ///< along the reference face's direction
 
+  /// Whether the incident edge lies outside one of the side planes.
+  bool misses() const { return cuts[0] == cuts[1] && cuts[0] != Cut::inside; }
   /// By how much the edge misses the slab; negative: how far it reaches in.
   double gap() const;
   /// The incident vertex at an end of the edge.
-  int vertex(const PairCase& pair, int end) const;
+  int vertex(int end) const;
 };
 
+/// Its `count` points.
+inline std::span<const ClipPoint> points_of(const Clip& clip) {
+  return {clip.points.data(), static_cast<std::size_t>(clip.count)};
+}
+
+/// The clip refers to the pair, which must outlive it.
 Clip clip(const PairCase& pair, FaceOf reference, int incident);
-
-/// The place of a clip point in any number type: to well past double in pairs of doubles, exactly
-/// in rationals.
-template <class Number>
-Located<Number> locate(const PairCase& pair, const Clip& clip, int end);
-
-/// The reference face's unit normal from A to B, in A's frame, in any number type.
-template <class Number>
-Point<Element<Number>> true_normal(const PairCase& pair, FaceOf face);
 
 /// The clip as a manifold, its figures right to the last digit of double: the ends that lie behind
 /// the face; of an edge that misses the slab by more than `slack`, none.
-Manifold<double> true_manifold(const PairCase& pair, const Clip& clip, double slack = 0);
+Manifold<double> true_manifold(const Clip& clip, double slack = 0);
 
 // Exact comparisons of what the clip is made of; each gives the sign of the difference.
 
 /// Gap - length.
-int compare_gap(const PairCase& pair, const Clip& clip, double length);
+int compare_gap(const Clip& clip, double length);
 /// Width of the slab - length.
-int compare_width(const PairCase& pair, const Clip& clip, double length);
+int compare_width(const Clip& clip, double length);
 /// Distance, along the face, from an unclipped end to the nearest side plane - length.
-int compare_margin(const PairCase& pair, const Clip& clip, int end, double length);
+int compare_margin(const Clip& clip, int end, double length);
 
 /// Depth of a point - length.
-int compare_depth(const PairCase& pair, const Clip& clip, const ClipPoint& point, double length);
+int compare_depth(const Clip& clip, const ClipPoint& point, double length);
 /// Whether a reported figure lies no farther than `bound` from the true one; never where it is not
 /// finite.
-bool is_near_position(const PairCase& pair, const Clip& clip, const ClipPoint& point,
-                      const Vector2<double>& position, double bound);
-bool is_near_depth(const PairCase& pair, const Clip& clip, const ClipPoint& point, double depth,
-                   double bound);
-bool is_near_normal(const PairCase& pair, const Clip& clip, const Vector2<double>& normal,
-                    double bound);
+bool is_near_position(const Clip& clip, const ClipPoint& point, const Vector2<double>& position,
+                      double bound);
+bool is_near_depth(const Clip& clip, const ClipPoint& point, double depth, double bound);
+bool is_near_normal(const Clip& clip, const Vector2<double>& normal, double bound);
 /// The distance between both points - length.
-int compare_apart(const PairCase& pair, const Clip& clip, double length);
+int compare_apart(const Clip& clip, double length);
 
 }  // namespace manifuzz::exact

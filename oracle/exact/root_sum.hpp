@@ -7,7 +7,7 @@
 #include "oracle/exact/expansion.hpp"
 #include "oracle/exact/rational.hpp"
 
-// The sign of a sum of square roots: what every comparison of lengths and angles comes to.
+// The sign of a sum of square roots: what every comparison of lengths and angles is in the end.
 
 namespace manifuzz::exact {
 

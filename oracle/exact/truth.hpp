@@ -26,6 +26,8 @@ struct FaceAndVertex {
 class Truth {
  public:
   explicit Truth(const PairCase& pair);
+  Truth(const Truth&) = delete;  // clips refer to its pair
+  Truth& operator=(const Truth&) = delete;
 
   const PairCase& pair() const { return pair_; }
   double size() const { return size_; }

@@ -7,18 +7,16 @@
 
 #include <fmt/format.h>
 
-#include "base/json_tree.hpp"
+#include "base/json.hpp"
 #include "base/user_error.hpp"
-#include "oracle/external/conversation.hpp"
-#include "oracle/external/limits.hpp"
+#include "oracle/external/external_collider.hpp"
+#include "oracle/external/program_process.hpp"
 
 namespace manifuzz {
 namespace {
 
-using End = Conversation::End;
-
-/// How long an answer too many may take to come.
-constexpr double kMoreSeconds = 0.002;
+/// An answer too many may take so long.
+constexpr double kExtraLineSeconds = 0.002;
 
 /// One of two words, the first of which is what is meant where there is none.
 bool is_second(const JsonView& object, std::string_view key, std::string_view first,
@@ -50,7 +48,7 @@ bool takes_radius_in(const JsonView& object) {
 
 struct Declared {
   Declaration declaration;
-  Dialect dialect;
+  Conventions conventions;
 };
 
 /// What is left out is taken to be the least that a collider can promise: float, in the world.
@@ -88,14 +86,7 @@ std::string name_in(const std::string& command) {
   }
   name = name.substr(name.rfind('/') + 1);  // npos + 1 is 0
   name = name.substr(0, name.find('.'));
-  Declaration declaration;
-  declaration.name = name;
-  try {
-    check_declaration(declaration, "");
-    return name;
-  } catch (const UserError&) {
-    return "command";
-  }
+  return is_collider_name(name) ? name : "command";
 }
 
 PairCase overlapping_boxes() {
@@ -107,28 +98,29 @@ PairCase overlapping_boxes() {
 
 class CommandCollider {
  public:
-  CommandCollider(const std::string& command, const Patience& patience)
-      : command_(command), conversation_(command), patience_(patience) {}
+  CommandCollider(const std::string& command, const TimeLimits& limits)
+      : command_(command), program_(command, limits) {}
 
-  /// One case, to hear what it declares. One that dies over it or says nothing is left to the
-  /// campaign.
-  Declaration introduce() {
+  /// Asks one case, before whose answer it may declare itself. One that dies over it or answers
+  /// nothing is left to the campaign.
+  Declaration ask_declaration() {
     const PairCase pair = overlapping_boxes();
     Answer answer;
     const auto start = std::chrono::steady_clock::now();
-    const auto talk = conversation_.ask({&pair, 1}, {&answer, 1}, {}, patience_, always);
+    const BatchResult result = program_.ask({&pair, 1}, {&answer, 1}, always);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    const double to_start = talk.end == End::done ? 3 * took.count() : 0;
-    patience_.start_seconds = patience_.case_seconds + to_start;
-    const std::string declared = conversation_.declared();
-    const std::string death = conversation_.stop();
-    if (talk.end == End::died && (death.ends_with("status 127") || death.ends_with("status 126"))) {
+    const double to_start = result.end == BatchEnd::answered ? 3 * took.count() : 0;
+    program_.limits.start_seconds = program_.limits.case_seconds + to_start;
+    const std::string declaration = program_.declaration();
+    const std::string death = program_.stop();
+    const bool cannot_run = death.ends_with("status 127") || death.ends_with("status 126");
+    if (result.end == BatchEnd::exited && cannot_run) {
       throw UserError(fmt::format("'{}' cannot be run: it {}", command_, death));
     }
-    const JsonTree tree = parse_json(declared.empty() ? "{\"declaration\": {}}" : declared);
+    const JsonTree tree = parse_json(declaration.empty() ? "{\"declaration\": {}}" : declaration);
     try {
       const Declared read = read_declaration(JsonView(tree).at("declaration"), name_in(command_));
-      dialect_ = read.dialect;
+      program_.conventions = read.conventions;
       return read.declaration;
     } catch (const UserError& error) {
       throw UserError(fmt::format("'{}' declares: {}", command_, error.what()));
@@ -136,23 +128,24 @@ class CommandCollider {
   }
 
   /// The longest that a case may take, where the program has to be started for it.
-  double seconds_max() const { return patience_.start_seconds; }
+  double seconds_max() const { return program_.limits.start_seconds; }
 
   /// Answers at least one, unless told to stop. A program that dies does so over the first case it
   /// has not answered, since it flushes each line; where lines and cases may have lost step, all
   /// are asked again, one at a time.
   std::size_t answer_batch(std::span<const PairCase> pairs, std::span<Answer> answers,
                            const std::function<bool()>& go_on) {
-    auto talk = conversation_.ask(pairs, answers, dialect_, patience_, go_on);
-    if (talk.end == End::done && pairs.size() > 1 && conversation_.says_more(kMoreSeconds)) {
-      talk.end = End::extra_lines;
+    BatchResult result = program_.ask(pairs, answers, go_on);
+    if (result.end == BatchEnd::answered && pairs.size() > 1 &&
+        program_.writes_more(kExtraLineSeconds)) {
+      result.end = BatchEnd::extra_lines;
     }
-    if (talk.end == End::done || talk.end == End::stopped) return talk.answered;
-    const Lost lost = lost_by(talk);
-    if (talk.end != End::died && pairs.size() > 1) {
+    if (result.end == BatchEnd::answered || result.end == BatchEnd::stopped) return result.answered;
+    const Lost lost = lost_by(result);
+    if (result.end != BatchEnd::exited && pairs.size() > 1) {
       return answer_one_by_one(pairs, answers, go_on);
     }
-    const std::size_t at = std::min(talk.answered, pairs.size() - 1);
+    const std::size_t at = std::min(result.answered, pairs.size() - 1);
     answers[at] = lost;
     return at + 1;
   }
@@ -160,25 +153,26 @@ class CommandCollider {
  private:
   static bool always() { return true; }
 
-  Lost lost_by(const Conversation::Talk& talk) {
-    const std::string death = conversation_.stop();
-    if (talk.end == End::died) {
+  Lost lost_by(const BatchResult& result) {
+    const std::string death = program_.stop();
+    if (result.end == BatchEnd::exited) {
       return {Lost::How::crashed, death.empty() ? "closed its output" : death};
     }
-    return {talk.end == End::silent ? Lost::How::timed_out : Lost::How::malformed, talk.why};
+    const bool is_late = result.end == BatchEnd::timed_out;
+    return {is_late ? Lost::How::timed_out : Lost::How::malformed, result.why};
   }
 
   std::size_t answer_one_by_one(std::span<const PairCase> pairs, std::span<Answer> answers,
                                 const std::function<bool()>& go_on) {
     std::size_t done = 0;
     while (done < pairs.size() && go_on() && !is_unresponsive(answers, done)) {
-      const auto talk = conversation_.ask(pairs.subspan(done, 1), answers.subspan(done, 1),
-                                          dialect_, patience_, go_on);
-      if (talk.end == End::stopped) break;
-      if (talk.end != End::done) {
-        answers[done] = lost_by(talk);
-      } else if (conversation_.says_more(kMoreSeconds)) {
-        conversation_.stop();
+      const BatchResult result =
+          program_.ask(pairs.subspan(done, 1), answers.subspan(done, 1), go_on);
+      if (result.end == BatchEnd::stopped) break;
+      if (result.end != BatchEnd::answered) {
+        answers[done] = lost_by(result);
+      } else if (program_.writes_more(kExtraLineSeconds)) {
+        program_.stop();
         answers[done] = Lost{Lost::How::malformed, "more answers than cases"};
       }
       ++done;
@@ -187,9 +181,7 @@ class CommandCollider {
   }
 
   std::string command_;
-  Conversation conversation_;
-  Patience patience_;
-  Dialect dialect_;
+  ProgramProcess program_;
 };
 
 }  // namespace
@@ -197,8 +189,8 @@ class CommandCollider {
 Collider collider_of_command(const std::string& command, double seconds_max,
                              double start_seconds_max) {
   const auto program = std::make_shared<CommandCollider>(
-      command, Patience{.start_seconds = start_seconds_max, .case_seconds = seconds_max});
-  const Declaration declaration = program->introduce();
+      command, TimeLimits{.start_seconds = start_seconds_max, .case_seconds = seconds_max});
+  const Declaration declaration = program->ask_declaration();
   return isolated(declaration, program->seconds_max(),
                   [program](auto pairs, auto answers, const auto& go_on) {
                     return program->answer_batch(pairs, answers, go_on);

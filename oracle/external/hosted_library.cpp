@@ -13,8 +13,8 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
+#include "oracle/external/external_collider.hpp"
 #include "oracle/external/library.hpp"
-#include "oracle/external/limits.hpp"
 #include "process/child.hpp"
 #include "process/shared_memory.hpp"
 
@@ -27,8 +27,8 @@ constexpr double kLoadSecondsMax = 20;
 constexpr double kPollSeconds = 0.05;
 
 /// What the library's process and ours share.
-struct Exchange {
-  manifuzz_declaration says{};  ///< its texts are in those below
+struct SharedState {
+  manifuzz_declaration declared{};  ///< its texts are in those below
   SharedText<64> name;
   SharedText<64> version;
   SharedText<16384> snippet;
@@ -48,25 +48,24 @@ void silence() {
 }
 
 /// The library's process: a byte from us asks for a batch, a byte from it says that it is done.
-void serve(const std::string& path, Exchange& exchange, int in, int out) {
+void serve(const std::string& path, SharedState& shared, int in, int out) {
   silence();
   char byte = 0;
   std::optional<Library> library;
   try {
     library.emplace(path);
-    exchange.says = library->says();
-    const auto text = [](const char* given) { return given == nullptr ? "" : given; };
-    exchange.name.set(text(exchange.says.name));
-    exchange.version.set(text(exchange.says.version));
-    exchange.snippet.set(text(exchange.says.snippet));
+    shared.declared = library->declaration();
+    shared.name.set(shared.declared.name);
+    shared.version.set(shared.declared.version);
+    shared.snippet.set(shared.declared.snippet);
   } catch (const UserError& error) {
-    exchange.error.set(error.what());
+    shared.error.set(error.what());
   }
   while (write(out, &byte, 1) == 1 && library && read(in, &byte, 1) == 1) {
-    const int asked = exchange.asked;
+    const int asked = shared.asked;
     for (int i = 0; i < asked; ++i) {
-      exchange.statuses[i] = library->collide(exchange.cases[i], exchange.manifolds[i]);
-      exchange.answered.store(i + 1, std::memory_order_release);
+      shared.statuses[i] = library->collide(shared.cases[i], shared.manifolds[i]);
+      shared.answered.store(i + 1, std::memory_order_release);
     }
   }
 }
@@ -79,14 +78,13 @@ class HostedLibrary {
   Declaration load() {
     const std::string death = start();
     if (!death.empty()) throw UserError(fmt::format("{}: {} while it was loaded", path_, death));
-    const Exchange& exchange = **exchange_;
-    if (!exchange.error.str().empty()) throw UserError(exchange.error.str());
+    const SharedState& shared = **shared_;
+    if (!shared.error.str().empty()) throw UserError(shared.error.str());
     try {
-      declaration_ = declaration_of(says());
+      return declaration_of(declared());
     } catch (const UserError& error) {
       throw UserError(fmt::format("{}: {}", path_, error.what()));
     }
-    return declaration_;
   }
 
   /// Answers at least one, unless told to stop.
@@ -99,17 +97,17 @@ class HostedLibrary {
         return 1;
       }
     }
-    Exchange& exchange = **exchange_;
-    std::ranges::copy(pairs, exchange.cases.begin());
-    exchange.asked = static_cast<int>(pairs.size());
-    exchange.answered = 0;
+    SharedState& shared = **shared_;
+    std::ranges::copy(pairs, shared.cases.begin());
+    shared.asked = static_cast<int>(pairs.size());
+    shared.answered = 0;
     const char byte = 0;
     [[maybe_unused]] const auto written = write(child_.to(), &byte, 1);  // the wait sees it die
     const std::optional<Lost> lost = wait_for_answers(go_on);
-    const int answered = std::clamp(exchange.answered.load(), 0, exchange.asked.load());
+    const int answered = std::clamp(shared.answered.load(), 0, shared.asked.load());
     auto done = std::min(static_cast<std::size_t>(answered), pairs.size());
     for (std::size_t i = 0; i < done; ++i) {
-      answers[i] = answer_of(exchange.statuses[i], exchange.manifolds[i], says(), pairs[i]);
+      answers[i] = answer_of(shared.statuses[i], shared.manifolds[i], declared(), pairs[i]);
     }
     if (lost && done < pairs.size()) answers[done++] = *lost;
     return done;
@@ -118,8 +116,8 @@ class HostedLibrary {
  private:
   /// Says how it died, if it did.
   std::string start() {
-    exchange_ = std::make_unique<Shared<Exchange>>();
-    child_.start([&](int in, int out) { serve(path_, **exchange_, in, out); });
+    shared_ = std::make_unique<Shared<SharedState>>();
+    child_.start([&](int in, int out) { serve(path_, **shared_, in, out); });
     if (!wait_readable(child_.from(), kLoadSecondsMax)) {
       child_.stop();
       return fmt::format("took more than {} s", kLoadSecondsMax);
@@ -132,13 +130,13 @@ class HostedLibrary {
     return read(child_.from(), &byte, 1) == 1;
   }
 
-  manifuzz_declaration says() const {
-    const Exchange& exchange = **exchange_;
-    manifuzz_declaration says = exchange.says;
-    says.name = exchange.name.c_str();
-    says.version = exchange.version.c_str();
-    says.snippet = exchange.snippet.c_str();
-    return says;
+  manifuzz_declaration declared() const {
+    const SharedState& shared = **shared_;
+    manifuzz_declaration declared = shared.declared;
+    declared.name = shared.name.c_str();
+    declared.version = shared.version.c_str();
+    declared.snippet = shared.snippet.c_str();
+    return declared;
   }
 
   /// Until all is answered or nothing more will come; what became of the case at work, if it was
@@ -147,7 +145,7 @@ class HostedLibrary {
     int seen = 0;
     Clock::time_point seen_at = Clock::now();
     while (!wait_readable(child_.from(), kPollSeconds)) {
-      const int answered = (*exchange_)->answered.load(std::memory_order_acquire);
+      const int answered = (*shared_)->answered.load(std::memory_order_acquire);
       if (answered != seen) {
         seen = answered;
         seen_at = Clock::now();
@@ -165,9 +163,8 @@ class HostedLibrary {
 
   std::string path_;
   double seconds_max_;
-  Declaration declaration_;
   Child child_;
-  std::unique_ptr<Shared<Exchange>> exchange_;
+  std::unique_ptr<Shared<SharedState>> shared_;
 };
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "oracle/external/library.hpp"
 
-#include <array>
-#include <cmath>
 #include <dlfcn.h>
 #include <memory>
 
@@ -9,7 +7,8 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "oracle/external/limits.hpp"
+#include "exchange/reported_manifold.hpp"
+#include "oracle/external/external_collider.hpp"
 
 namespace manifuzz {
 namespace {
@@ -33,12 +32,6 @@ manifuzz_body to_c(const Body& body) {
 
 Vector2<double> from_c(const manifuzz_double2& v) {
   return {v.x, v.y};
-}
-
-/// A normal of the world in A's frame, as long as it was.
-Vector2<double> normal_in_a(const PairCase& pair, const Vector2<double>& normal) {
-  const Vector2<double> rotation = pair.a.pose.rotation.cast<double>();
-  return rotate_back<double>(rotation, normal) / rotation.norm();
 }
 
 bool is_feature(const manifuzz_feature& feature, const Body& body) {
@@ -74,11 +67,12 @@ Library::Library(const std::string& path) {
   if (library == nullptr) {
     throw UserError(fmt::format("{}: cannot be loaded: {}", path, printable(dlerror(), 300)));
   }
-  says_ = static_cast<const manifuzz_declaration*>(dlsym(library, "manifuzz_collider"));
+  declaration_ = static_cast<const manifuzz_declaration*>(dlsym(library, "manifuzz_collider"));
   collide_ = reinterpret_cast<decltype(collide_)>(dlsym(library, "manifuzz_collide"));
-  if (says_ == nullptr || collide_ == nullptr) {
-    throw UserError(fmt::format("{}: has no {}; see manifuzz_collider.h", path,
-                                says_ == nullptr ? "manifuzz_collider" : "manifuzz_collide"));
+  if (declaration_ == nullptr || collide_ == nullptr) {
+    throw UserError(
+        fmt::format("{}: has no {}; see manifuzz_collider.h", path,
+                    declaration_ == nullptr ? "manifuzz_collider" : "manifuzz_collide"));
   }
 }
 
@@ -89,73 +83,71 @@ int Library::collide(const PairCase& pair, manifuzz_manifold& manifold) const {
   return collide_(&a, &b, &manifold);
 }
 
-Declaration declaration_of(const manifuzz_declaration& says) {
-  if (says.interface != MANIFUZZ_INTERFACE) {
-    throw UserError(fmt::format("manifuzz_collider.interface is {}; {} is what this program speaks",
-                                says.interface, static_cast<int>(MANIFUZZ_INTERFACE)));
+Declaration declaration_of(const manifuzz_declaration& declared) {
+  if (declared.interface != MANIFUZZ_INTERFACE) {
+    throw UserError(fmt::format("manifuzz_collider.interface is {}; {} is expected",
+                                declared.interface, static_cast<int>(MANIFUZZ_INTERFACE)));
   }
-  expect_between(says.scalar, MANIFUZZ_FLOAT32, MANIFUZZ_FLOAT64, "scalar");
-  expect_between(says.rounds_in, MANIFUZZ_WORLD, MANIFUZZ_FRAME_OF_A, "rounds_in");
-  expect_between(says.answers_in, MANIFUZZ_WORLD, MANIFUZZ_FRAME_OF_A, "answers_in");
-  expect_between(says.points, MANIFUZZ_CLIP_POINTS, MANIFUZZ_MIDPOINTS, "points");
-  expect_between(says.normal, MANIFUZZ_A_TO_B, MANIFUZZ_B_TO_A, "normal");
-  expect_between(says.vertices_max, 3, kMaxVertices, "vertices_max");
+  expect_between(declared.scalar, MANIFUZZ_FLOAT32, MANIFUZZ_FLOAT64, "scalar");
+  expect_between(declared.rounds_in, MANIFUZZ_WORLD, MANIFUZZ_FRAME_OF_A, "rounds_in");
+  expect_between(declared.answers_in, MANIFUZZ_WORLD, MANIFUZZ_FRAME_OF_A, "answers_in");
+  expect_between(declared.points, MANIFUZZ_CLIP_POINTS, MANIFUZZ_MIDPOINTS, "points");
+  expect_between(declared.normal, MANIFUZZ_A_TO_B, MANIFUZZ_B_TO_A, "normal");
+  expect_between(declared.vertices_max, 3, kMaxVertices, "vertices_max");
   Declaration declaration{
-      .name = text_of(says.name),
-      .version = text_of(says.version),
+      .name = text_of(declared.name),
+      .version = text_of(declared.version),
       .description = "a shared library",
-      .scalar = says.scalar == MANIFUZZ_FLOAT32 ? ScalarType::float32 : ScalarType::float64,
-      .frame = says.rounds_in == MANIFUZZ_WORLD ? RoundingFrame::world : RoundingFrame::local,
-      .tie_bias = says.tie_bias,
-      .max_vertices = says.vertices_max,
-      .takes_radius = says.takes_radius != 0,
-      .snippet = text_of(says.snippet)};
+      .scalar = declared.scalar == MANIFUZZ_FLOAT32 ? ScalarType::float32 : ScalarType::float64,
+      .frame = declared.rounds_in == MANIFUZZ_WORLD ? RoundingFrame::world : RoundingFrame::local,
+      .tie_bias = declared.tie_bias,
+      .max_vertices = declared.vertices_max,
+      .takes_radius = declared.takes_radius != 0,
+      .snippet = text_of(declared.snippet)};
   check_declaration(declaration, "manifuzz_collider.");
   return declaration;
 }
 
-Answer answer_of(int status, const manifuzz_manifold& manifold, const manifuzz_declaration& says,
-                 const PairCase& pair) {
+Answer answer_of(int status, const manifuzz_manifold& manifold,
+                 const manifuzz_declaration& declared, const PairCase& pair) {
   if (status == 1) return Unsupported{"it declined this case"};
   if (status != 0) return malformed(fmt::format("returned {}; 0 or 1 is expected", status));
   if (manifold.count < 0 || manifold.count > 2) {
     return malformed(fmt::format("{} points; 0 to 2 are expected", manifold.count));
   }
-  PartialManifold result{.names_features = true,
-                         .has_midpoints = says.points == MANIFUZZ_MIDPOINTS};
-  Manifold<double>& answered = result.manifold;
-  answered.count = manifold.count;
-  if (manifold.count == 0) return answered;
-  result.names_reference = manifold.reference != MANIFUZZ_NO_REFERENCE;
-  answered.reference = manifold.reference == MANIFUZZ_B ? Side::b : Side::a;
-  answered.normal = from_c(manifold.normal) * (says.normal == MANIFUZZ_A_TO_B ? 1 : -1);
-  const bool in_world = says.answers_in == MANIFUZZ_WORLD;
-  if (in_world) answered.normal = normal_in_a(pair, answered.normal);
+  if (manifold.count == 0) return Manifold<double>{};
+  ReportedManifold reported{.count = manifold.count, .normal = from_c(manifold.normal)};
+  if (manifold.reference != MANIFUZZ_NO_REFERENCE) {
+    reported.reference = manifold.reference == MANIFUZZ_B ? Side::b : Side::a;
+  }
+  const bool in_a = declared.answers_in == MANIFUZZ_FRAME_OF_A;
   for (int i = 0; i < manifold.count; ++i) {
     const manifuzz_point& point = manifold.points[i];
     if (!is_feature(point.feature_a, pair.a) || !is_feature(point.feature_b, pair.b)) {
       return malformed("names a feature that the polygon does not have");
     }
-    const Vector2<double> position = from_c(point.position);
-    answered.points[i] = {in_world ? to_local(pair.a.pose, position) : position,
-                          point.depth,
-                          {from_c(point.feature_a), from_c(point.feature_b)}};
-    result.names_features = result.names_features && point.feature_a.kind != MANIFUZZ_UNSAID &&
-                            point.feature_b.kind != MANIFUZZ_UNSAID;
+    (in_a ? reported.points[i].local : reported.points[i].world) = from_c(point.position);
+    reported.points[i].depth = point.depth;
+    if (point.feature_a.kind != MANIFUZZ_UNSAID && point.feature_b.kind != MANIFUZZ_UNSAID) {
+      reported.points[i].features = {from_c(point.feature_a), from_c(point.feature_b)};
+    }
   }
-  order_points(answered);
-  return result;
+  return in_frame_of_a(reported,
+                       {.has_midpoints = declared.points == MANIFUZZ_MIDPOINTS,
+                        .normal_from_b = declared.normal == MANIFUZZ_B_TO_A,
+                        .normal_in_a = in_a},
+                       pair);
 }
 
 Collider collider_in_process(const std::string& path) {
   const auto library = std::make_shared<const Library>(path);
   Collider collider;
-  collider.declaration = declaration_of(library->says());
+  collider.declaration = declaration_of(library->declaration());
   collider.collide = [library, declaration = collider.declaration](const PairCase& pair) -> Answer {
     if (auto declined = beyond_limits(declaration, pair)) return *declined;
     manifuzz_manifold manifold;
     const int status = library->collide(pair, manifold);
-    return answer_of(status, manifold, library->says(), pair);
+    return answer_of(status, manifold, library->declaration(), pair);
   };
   return collider;
 }

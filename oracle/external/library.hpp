@@ -13,23 +13,25 @@ class Library {
   /// Throws UserError that says what is wrong with it.
   explicit Library(const std::string& path);
 
-  const manifuzz_declaration& says() const { return *says_; }
+  const manifuzz_declaration& declaration() const { return *declaration_; }
   /// What `manifuzz_collide` returns; the manifold comes zeroed.
   int collide(const PairCase& pair, manifuzz_manifold& manifold) const;
 
  private:
-  const manifuzz_declaration* says_ = nullptr;
+  const manifuzz_declaration* declaration_ = nullptr;
   decltype(&manifuzz_collide) collide_ = nullptr;
 };
 
-/// The declaration in our terms. Throws UserError that names the field that is wrong.
-Declaration declaration_of(const manifuzz_declaration& says);
+/// The declaration as a `Declaration`. Throws UserError that names the field that is wrong.
+Declaration declaration_of(const manifuzz_declaration& declared);
 
-/// What was returned for a case, in our terms: in A's frame, its normal from A to B.
-Answer answer_of(int status, const manifuzz_manifold& manifold, const manifuzz_declaration& says,
-                 const PairCase& pair);
+/// What `manifuzz_collide` returned for a case (0, or 1 where it declines) and the manifold that it
+/// filled in, as an answer: in A's frame, its normal from A to B; `Lost` where it is no manifold.
+Answer answer_of(int status, const manifuzz_manifold& manifold,
+                 const manifuzz_declaration& declared, const PairCase& pair);
 
-/// A collider that runs in this process: the fastest, and it can take the process along.
+/// A shared library after manifuzz_collider.h as a collider in this process: the fastest, but where
+/// it crashes, so does this process. Throws UserError where the library cannot be loaded.
 Collider collider_in_process(const std::string& path);
 
 }  // namespace manifuzz

@@ -194,4 +194,44 @@ void write_file(const fs::path& path, std::string_view text) {
   temporary.rename_to_target();
 }
 
+fs::path resolved(const fs::path& path) {
+  constexpr int links_max = 40;
+  if (path == "-") return path;
+  std::error_code unknown;
+  fs::path place = fs::absolute(path, unknown);
+  for (int i = 0; i < links_max && fs::is_symlink(place, unknown); ++i) {
+    place = place.parent_path() / fs::read_symlink(place, unknown);
+  }
+  return fs::weakly_canonical(place, unknown);
+}
+
+bool is_within(const fs::path& path, const fs::path& folder) {
+  const fs::path way = resolved(path).lexically_relative(resolved(folder));
+  return !way.empty() && *way.begin() != "..";
+}
+
+NewFolder::NewFolder(const fs::path& path, std::string_view shown) : path_(path), first_new_(path) {
+  std::error_code unreadable;
+  was_there_ = fs::exists(fs::symlink_status(path, unreadable));
+  if (was_there_ && !(fs::is_directory(path, unreadable) && fs::is_empty(path, unreadable))) {
+    throw UserError(
+        fmt::format("{} is there already; a new or an empty folder is expected", shown));
+  }
+  while (first_new_.has_parent_path() && !fs::exists(first_new_.parent_path(), unreadable)) {
+    first_new_ = first_new_.parent_path();
+  }
+}
+
+NewFolder::~NewFolder() {
+  if (is_kept_) return;
+  std::error_code unremoved;
+  if (!was_there_) {
+    fs::remove_all(first_new_, unremoved);
+    return;
+  }
+  for (const auto& entry : fs::directory_iterator(path_, unremoved)) {
+    fs::remove_all(entry.path(), unremoved);
+  }
+}
+
 }  // namespace manifuzz

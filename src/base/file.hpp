@@ -76,4 +76,30 @@ class LineReader {
 /// Throws UserError and leaves no file behind.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
+/// The one spelling of all paths to where a file is or would be: absolute, links followed, those to
+/// nothing too. "-", a standard stream, stays as it is.
+std::filesystem::path resolved(const std::filesystem::path& path);
+
+/// Whether the path is in the folder or below, or the folder itself; neither needs to be there.
+bool is_within(const std::filesystem::path& path, const std::filesystem::path& folder);
+
+/// A folder that was empty or not there, and is so again at the end unless it is kept.
+class NewFolder {
+ public:
+  /// Throws UserError that begins with `shown` where anything is there.
+  NewFolder(const std::filesystem::path& path, std::string_view shown);
+  ~NewFolder();
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  void keep() { is_kept_ = true; }
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path first_new_;  ///< the topmost folder that is not there yet
+  bool was_there_ = false;
+  bool is_kept_ = false;
+};
+
 }  // namespace manifuzz

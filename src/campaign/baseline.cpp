@@ -32,7 +32,7 @@ struct Term {
   std::string value;
 };
 
-std::array<Term, 5> terms_of(const FuzzResult& result) {
+std::array<Term, 5> terms_of(const CampaignResult& result) {
   return {Term{"subject", result.settings.subject}, Term{"oracle", result.settings.oracle},
           Term{"seed", in_words(result.seed())}, Term{"first", std::to_string(result.first())},
           Term{"cases", std::to_string(result.cases())}};
@@ -40,10 +40,10 @@ std::array<Term, 5> terms_of(const FuzzResult& result) {
 
 }  // namespace
 
-FuzzResult read_baseline(const std::string& path) {
+CampaignResult read_baseline(const std::string& path) {
   try {
-    const Result result = read_result(path);
-    if (result.fuzz) return *result.fuzz;
+    const ResultFile result = read_result(path);
+    if (result.campaign) return *result.campaign;
     throw UserError(fmt::format("{}: is a result of {}; one of fuzz is expected",
                                 printable(path, 200), result.kind));
   } catch (const UserError& error) {
@@ -51,7 +51,7 @@ FuzzResult read_baseline(const std::string& path) {
   }
 }
 
-std::string differences_in_words(const FuzzResult& earlier, const FuzzResult& now) {
+std::string differences_in_words(const CampaignResult& earlier, const CampaignResult& now) {
   std::string text;
   const auto add = [&](std::string_view difference) {
     text += text.empty() ? "" : ", ";
@@ -70,7 +70,7 @@ std::string differences_in_words(const FuzzResult& earlier, const FuzzResult& no
   return fmt::format("the baseline differs in {}: what is new or gone may be due to that\n", text);
 }
 
-BucketComparison compared(const FuzzResult& earlier, const FuzzResult& now) {
+BucketComparison compared(const CampaignResult& earlier, const CampaignResult& now) {
   BucketComparison comparison;
   for (const BucketResult& found : now.buckets) {
     const auto before = std::ranges::find(earlier.buckets, found.bucket, &BucketResult::bucket);
@@ -89,7 +89,7 @@ BucketComparison compared(const FuzzResult& earlier, const FuzzResult& now) {
   return comparison;
 }
 
-std::string comparison_text(const FuzzResult& earlier, const FuzzResult& now) {
+std::string comparison_text(const CampaignResult& earlier, const CampaignResult& now) {
   const BucketComparison comparison = compared(earlier, now);
   std::string text = differences_in_words(earlier, now) + "against the baseline\n";
   for (const Part& part : kParts) {

@@ -18,16 +18,16 @@ struct BucketComparison {
 };
 
 /// What `fuzz --json` wrote. Throws UserError that names the file.
-FuzzResult read_baseline(const std::string& path);
+CampaignResult read_baseline(const std::string& path);
 
 /// One line that names the terms (subject, oracle, seed, first, cases, regimes) in which two runs
 /// differ, so that the comparison is not fair; empty where there are none.
-std::string differences_in_words(const FuzzResult& earlier, const FuzzResult& now);
+std::string differences_in_words(const CampaignResult& earlier, const CampaignResult& now);
 
-BucketComparison compared(const FuzzResult& earlier, const FuzzResult& now);
+BucketComparison compared(const CampaignResult& earlier, const CampaignResult& now);
 
 /// For people: what differs in the terms, and the buckets that are new, worse or gone.
-std::string comparison_text(const FuzzResult& earlier, const FuzzResult& now);
+std::string comparison_text(const CampaignResult& earlier, const CampaignResult& now);
 nlohmann::ordered_json comparison_json(const BucketComparison& comparison);
 
 }  // namespace manifuzz

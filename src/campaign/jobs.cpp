@@ -9,7 +9,7 @@
 #include "base/random.hpp"
 #include "campaign/in_child.hpp"
 #include "judging/completed.hpp"
-#include "oracle/external/limits.hpp"
+#include "oracle/external/external_collider.hpp"
 #include "process/shared_memory.hpp"
 
 namespace manifuzz {

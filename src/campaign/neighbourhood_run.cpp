@@ -50,14 +50,14 @@ class Order {
 void judge_cell(const PairCase& pair, const Collider& subject, const Collider& oracle, Place& place,
                 Cell& cell) {
   const auto truth = std::make_shared<const exact::Truth>(pair);
-  cell.truth = statement(*truth);
+  cell.truth = summary_of(*truth);
   place.at_work = Fault::subject;
   const Answer of_subject = manifuzz::ask(subject, pair);
-  cell.subject = statement(of_subject);
+  cell.subject = summary_of(of_subject);
   place.at_work = Fault::oracle;
   const Answer of_oracle = manifuzz::ask(oracle, pair);
   place.at_work = Fault::none;
-  cell.oracle = statement(of_oracle);
+  cell.oracle = summary_of(of_oracle);
   cell.bucket =
       judge(truth, {subject.declaration, of_subject}, {oracle.declaration, of_oracle}).bucket;
   cell.state = Cell::State::judged;

@@ -14,6 +14,7 @@
 #include "campaign/in_child.hpp"
 #include "campaign/shrink_finding.hpp"
 #include "corpus/corpus.hpp"
+#include "corpus/simpler_cases.hpp"
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
 #include "process/shared_memory.hpp"

@@ -1,6 +1,9 @@
 #include "campaign/replay.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <optional>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -48,6 +51,24 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
   return {slot->kind != Outcome::Kind::fails, sentence, slot->why.str()};
 }
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Nothing where there was no time for it.
+std::optional<Replayed> replay_in_time(const CorpusCase& recorded, const Collider& subject,
+                                       const Collider& oracle, Interruption& interruption) {
+  if (interruption.is_stopped()) return std::nullopt;
+  try {
+    const Replayed replayed = replay_case(recorded, subject, oracle, interruption);
+    return interruption.is_stopped() ? std::nullopt : std::optional(replayed);
+  } catch (const Interrupted&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const Collider& oracle,
@@ -78,6 +99,26 @@ Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const 
     }
   }
   return {true, got, got};
+}
+
+std::size_t ReplayRun::failed() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(cases, [](const ReplayedCase& one) { return !one.result.passed; }));
+}
+
+ReplayRun replay_cases(const std::vector<CorpusCase>& cases, const Collider& subject,
+                       const Collider& oracle, Interruption& interruption) {
+  ReplayRun run{subject.declaration.name, oracle.declaration.name, {}};
+  const auto start = Clock::now();
+  for (const CorpusCase& recorded : cases) {
+    const auto case_start = Clock::now();
+    const auto replayed = replay_in_time(recorded, subject, oracle, interruption);
+    if (!replayed) break;
+    run.cases.push_back({&recorded, *replayed, seconds_since(case_start)});
+  }
+  run.left_out = cases.size() - run.cases.size();
+  run.seconds = seconds_since(start);
+  return run;
 }
 
 }  // namespace manifuzz

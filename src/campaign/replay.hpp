@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "corpus/corpus.hpp"
 #include "judging/judge.hpp"
@@ -20,5 +21,27 @@ struct Replayed {
 /// must pass that property.
 Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const Collider& oracle,
                      Interruption& interruption);
+
+/// A corpus case that was run again.
+struct ReplayedCase {
+  const CorpusCase* recorded = nullptr;
+  Replayed result;
+  double seconds = 0;
+};
+
+struct ReplayRun {
+  std::string subject;
+  std::string oracle;
+  std::vector<ReplayedCase> cases;
+  double seconds = 0;
+  std::size_t left_out = 0;  ///< cases that were not run, since it was time to stop
+
+  std::size_t failed() const;
+  std::size_t passed() const { return cases.size() - failed(); }
+};
+
+/// Every case again, as far as there is time; the run refers to the cases.
+ReplayRun replay_cases(const std::vector<CorpusCase>& cases, const Collider& subject,
+                       const Collider& oracle, Interruption& interruption);
 
 }  // namespace manifuzz

@@ -13,19 +13,19 @@ std::uint64_t sum_of(const std::vector<RegimeResult>& regimes, std::uint64_t Reg
 
 }  // namespace
 
-std::uint64_t FuzzResult::cases() const {
+std::uint64_t CampaignResult::cases() const {
   return sum_of(regimes, &RegimeResult::cases);
 }
 
-std::uint64_t FuzzResult::touching() const {
+std::uint64_t CampaignResult::touching() const {
   return sum_of(regimes, &RegimeResult::touching);
 }
 
-std::uint64_t FuzzResult::near() const {
+std::uint64_t CampaignResult::near() const {
   return sum_of(regimes, &RegimeResult::near);
 }
 
-std::uint64_t FuzzResult::unexplained() const {
+std::uint64_t CampaignResult::unexplained() const {
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     if (is_unexplained(static_cast<Verdict>(i))) sum += verdicts[i];
@@ -33,18 +33,18 @@ std::uint64_t FuzzResult::unexplained() const {
   return sum;
 }
 
-double FuzzResult::seconds() const {
+double CampaignResult::seconds() const {
   double sum = 0;
   for (const CasesRun& part : parts) sum += part.seconds;
   return sum;
 }
 
-std::optional<std::uint64_t> FuzzResult::seed() const {
+std::optional<std::uint64_t> CampaignResult::seed() const {
   if (parts.empty() || parts.front().seed != parts.back().seed) return std::nullopt;
   return parts.front().seed;
 }
 
-std::uint64_t FuzzResult::first() const {
+std::uint64_t CampaignResult::first() const {
   const auto least = std::ranges::min_element(parts, {}, &CasesRun::first);
   return least == parts.end() ? 0 : least->first;
 }
@@ -60,7 +60,7 @@ bool overlap(const CasesRun& part, const CasesRun& with) {
   });
 }
 
-bool is_vacuous(const FuzzResult& result) {
+bool is_vacuous(const CampaignResult& result) {
   if (result.cases() == 0) return true;
   std::uint64_t cases = 0;
   std::uint64_t touching = 0;
@@ -81,7 +81,7 @@ bool decides_status(const BucketResult& found) {
   return !bucket || decides_status(*bucket, found.is_new);
 }
 
-bool has_failed(const FuzzResult& result) {
+bool has_failed(const CampaignResult& result) {
   return is_vacuous(result) ||
          std::ranges::any_of(result.buckets,
                              [](const BucketResult& found) { return decides_status(found); }) ||

@@ -19,7 +19,7 @@ namespace manifuzz {
 /// Counts are so small that sums of them are exact, in this program and in any that reads JSON.
 inline constexpr std::uint64_t kCountMax = std::uint64_t{1} << 53;
 
-/// What a regime's cases came to.
+/// Counts of a regime's cases.
 struct RegimeResult {
   std::string name;
   std::uint64_t cases = 0;
@@ -36,7 +36,7 @@ struct LedgerResult {
   std::vector<std::string> over_budget;          ///< the regimes in which it fired too often
 };
 
-/// What was found with one look.
+/// The findings of one bucket.
 struct BucketResult {
   std::string bucket;
   std::string verdict{};
@@ -75,18 +75,18 @@ struct Settings {
 /// Whether both count some case.
 bool overlap(const CasesRun& part, const CasesRun& with);
 
-/// What a campaign came to, or several as one: all that `fuzz --json` says.
-struct FuzzResult {
+/// The result of a campaign, or of several as one: all that `fuzz --json` writes.
+struct CampaignResult {
   nlohmann::ordered_json machine = nlohmann::ordered_json::object();  ///< as `provenance` has it
   std::string compiler;
   Settings settings;
   std::vector<CasesRun> parts;  ///< one of a campaign, each of several that were merged; sorted
   std::uint64_t jobs = 0;
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
-  ErrorShare of_subject;  ///< the worst errors of wrong answers
-  ErrorShare of_oracle;
+  ManifoldError of_subject;  ///< the worst errors of wrong answers
+  ManifoldError of_oracle;
   bool interrupted = false;
-  bool stopped_early = false;  ///< a party gave no answer again and again
+  bool stopped_early = false;  ///< a collider gave no answer again and again
   bool budgets_hold = false;   ///< whether the ledger's budgets apply to it
   std::vector<RegimeResult> regimes;
   std::vector<LedgerResult> ledger;
@@ -104,7 +104,7 @@ struct FuzzResult {
 /// A run of no case proves nothing, nor does one of so many outside the regime `separated` in which
 /// nothing touched.
 inline constexpr std::uint64_t kVacuousCases = 1000;
-bool is_vacuous(const FuzzResult& result);
+bool is_vacuous(const CampaignResult& result);
 
 /// Whether a bucket is one that the status must tell: anything against the subject, and what is
 /// new against the oracle.
@@ -114,6 +114,6 @@ bool decides_status(const BucketResult& found);
 
 /// Whether the status must tell of it: such a bucket, an entry of the ledger over its budget, or a
 /// vacuous run.
-bool has_failed(const FuzzResult& result);
+bool has_failed(const CampaignResult& result);
 
 }  // namespace manifuzz

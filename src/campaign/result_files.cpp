@@ -40,12 +40,12 @@ struct Document {
   JsonTree tree;
 };
 
-Result result_of(const std::string& path, const Document& document, const KindKey& kind) {
+ResultFile result_of(const std::string& path, const Document& document, const KindKey& kind) {
   const JsonView root(document.tree);
-  Result result{path, kind.kind, {}};
+  ResultFile result{path, kind.kind, {}};
   if (kind.kind == "fuzz") {
-    result.fuzz = read_fuzz_result(root);
-    result.json = json_of(*result.fuzz);
+    result.campaign = read_campaign_result(root);
+    result.json = json_of(*result.campaign);
   } else {
     for (const JsonView& row : root.at(kind.key).elements()) row.keys();
     result.json = nlohmann::ordered_json::parse(document.text);
@@ -82,7 +82,7 @@ void read_json_file(const std::string& path, RunFiles& files) {
 
 }  // namespace
 
-Result read_result(const std::string& path) {
+ResultFile read_result(const std::string& path) {
   return with_document(path, [&](const Document& document) {
     const KindKey* const kind = kind_of(JsonView(document.tree));
     if (kind == nullptr) throw UserError("is no result; what --json writes is expected");
@@ -95,7 +95,7 @@ RunFiles read_run_files(std::span<const fs::path> paths) {
   files.corpus.files = find_case_files(paths, files.corpus.errors);
   for (const auto& path : files.corpus.files) {
     if (path != "-" && path.extension() != ".json") {
-      read_case_files(path, files.corpus);
+      add_case_file(path, files.corpus);
       continue;
     }
     try {

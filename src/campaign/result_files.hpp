@@ -15,20 +15,20 @@
 namespace manifuzz {
 
 /// What a measuring command wrote with --json.
-struct Result {
+struct ResultFile {
   std::string path;
   std::string_view kind;  ///< the command: fuzz, replay, bench, stress or scene
   nlohmann::ordered_json json;
-  std::optional<FuzzResult> fuzz{};  ///< the same, of fuzz
+  std::optional<CampaignResult> campaign{};  ///< the same, of fuzz
 };
 
 /// The result in a file. Throws UserError that begins with the file's name.
-Result read_result(const std::string& path);
+ResultFile read_result(const std::string& path);
 
 /// What runs left behind: cases and results, told apart by what is in them.
 struct RunFiles {
   Corpus corpus;  ///< its errors name what is neither, its files are all that were read
-  std::vector<Result> results;
+  std::vector<ResultFile> results;
 };
 
 /// Everything in these files and folders, sorted by path; "-" is the standard input. What is broken

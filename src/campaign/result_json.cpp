@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "campaign/result_check.hpp"
-
 namespace manifuzz {
 namespace {
 
@@ -18,7 +16,7 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json json_of(const ErrorShare& error) {
+Json json_of(const ManifoldError& error) {
   return {{"depth", error.depth}, {"position", error.position}};
 }
 
@@ -97,8 +95,8 @@ std::map<std::string, Count> read_counts(const JsonView& object) {
   return counts;
 }
 
-ErrorShare read_error(const JsonView& object) {
-  return {object.at("depth").magnitude(), object.at("position").magnitude()};
+ManifoldError read_error(const JsonView& object) {
+  return {.position = object.at("position").magnitude(), .depth = object.at("depth").magnitude()};
 }
 
 RegimeResult read_regime(const JsonView& row) {
@@ -153,6 +151,15 @@ auto read_list(const std::optional<JsonView>& list, const Read& read) {
   return all;
 }
 
+/// Cases are counted once.
+void expect_disjoint(const JsonView& root, const std::vector<CasesRun>& parts) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (overlap(parts[i], parts[j])) root.at("parts").fail("has cases twice");
+    }
+  }
+}
+
 Json read_machine(const JsonView& machine) {
   return {{"processor", string_or(machine, "processor", "unknown")},
           {"cores", count_or(machine, "cores", 0)},
@@ -174,7 +181,7 @@ Settings read_settings(const JsonView& root) {
 
 }  // namespace
 
-Json json_of(const FuzzResult& result) {
+Json json_of(const CampaignResult& result) {
   const Settings& settings = result.settings;
   const double seconds = result.seconds();
   Json json{{"machine", result.machine},
@@ -212,12 +219,15 @@ Json json_of(const FuzzResult& result) {
   return json;
 }
 
-FuzzResult read_fuzz_result(const JsonView& root) {
-  FuzzResult result;
+CampaignResult read_campaign_result(const JsonView& root) {
+  CampaignResult result;
   result.machine = read_machine(root.at("machine"));
   result.compiler = root.at("compiler").string();
   result.settings = read_settings(root);
   result.jobs = count_in(root, "jobs");
+  // Sums are those of the rows below.
+  for (const char* const sum : {"cases", "touching", "near", "unexplained"}) count_in(root, sum);
+  flag_in(root, "failed");
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
     result.verdicts[i] = count_in(root.at("verdicts"), kVerdictNames[i]);
   }
@@ -236,7 +246,7 @@ FuzzResult read_fuzz_result(const JsonView& root) {
   const Count seed = result.parts.front().seed;
   result.buckets =
       read_list(root.at("buckets"), [&](const JsonView& row) { return read_bucket(row, seed); });
-  expect_consistent(root, result);
+  expect_disjoint(root, result.parts);
   return result;
 }
 

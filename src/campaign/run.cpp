@@ -64,7 +64,7 @@ Settings settings_of(const Plan& plan) {
           .judge_every = plan.judge_every};
 }
 
-void add_provenance(FuzzResult& result, const nlohmann::ordered_json& provenance) {
+void add_provenance(CampaignResult& result, const nlohmann::ordered_json& provenance) {
   result.machine = provenance.at("machine");
   result.compiler = provenance.at("compiler");
   for (const auto& [name, version] : provenance.at("versions").items()) {
@@ -92,10 +92,10 @@ BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::
           .is_new = finding.is_new};
 }
 
-FuzzResult result_of(const Campaign& campaign, const Origin& origin) {
+CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
   const Plan& plan = campaign.plan;
   const Tally& tally = *campaign.run.tally;
-  FuzzResult result;
+  CampaignResult result;
   result.settings = settings_of(plan);
   add_provenance(result, origin.provenance);
   result.jobs = static_cast<std::uint64_t>(plan.jobs);

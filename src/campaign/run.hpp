@@ -15,7 +15,7 @@ struct Campaign {
   JobsResult run;
   std::vector<Finding> findings;
   Saving saving;
-  FuzzResult result;
+  CampaignResult result;
 };
 
 /// Where a result comes from, which the campaign cannot know.

@@ -12,11 +12,6 @@ std::uint64_t sum(const Tally& tally, std::uint64_t RegimeTally::*field) {
       [field](std::uint64_t total, const RegimeTally& regime) { return total + regime.*field; });
 }
 
-void widen(ErrorShare& worst, const ErrorShare& other) {
-  worst.depth = std::max(worst.depth, other.depth);
-  worst.position = std::max(worst.position, other.position);
-}
-
 }  // namespace
 
 void BucketTally::add(CaseNumber number, double finding_magnitude) {

@@ -38,8 +38,8 @@ struct Tally {
   std::array<RegimeTally, kRegimesMax> regimes{};
   std::array<BucketTally, kBucketCount> buckets{};
   /// The worst errors of wrong answers.
-  ErrorShare of_subject;
-  ErrorShare of_oracle;
+  ManifoldError of_subject;
+  ManifoldError of_oracle;
   /// How often each entry of the ledger fired in each regime.
   std::array<std::array<std::uint64_t, kRegimesMax>, kLedgerMax> explained{};
 

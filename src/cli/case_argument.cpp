@@ -1,84 +1,10 @@
 #include "cli/case_argument.hpp"
 
-#include <algorithm>
-#include <filesystem>
-#include <vector>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "base/nearest.hpp"
-#include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "corpus/corpus.hpp"
-#include "corpus/simplicity.hpp"
+#include "corpus/find_case.hpp"
 
 namespace manifuzz {
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr std::size_t kListedMax = 5;
-
-using Cases = std::vector<const CorpusCase*>;
-
-std::string dashed(std::string text) {
-  std::ranges::replace(text, '/', '-');
-  return text;
-}
-
-std::string file_name(const CorpusCase& known) {
-  return fs::path(known.path).filename().string();
-}
-
-std::string bucket_of(const CorpusCase& known) {
-  return known.expect ? known.expect->bucket : "";
-}
-
-/// Those that match; the worst ones, which lie beside their shrunk forms, only where no other does.
-template <class Matches>
-Cases matching(const std::vector<CorpusCase>& corpus, const Matches& matches) {
-  Cases shrunk;
-  Cases worst;
-  for (const CorpusCase& known : corpus) {
-    const bool is_file = known.path.ends_with(".json");  // not a line of one
-    if (is_file && matches(known)) (is_worst(known.path) ? worst : shrunk).push_back(&known);
-  }
-  return shrunk.empty() ? worst : shrunk;
-}
-
-[[noreturn]] void complain_of_none(const CaseArgument& argument,
-                                   const std::vector<CorpusCase>& corpus) {
-  std::vector<std::string> names;
-  for (const CorpusCase& known : corpus) {
-    names.push_back(bucket_of(known));
-    names.push_back(dashed(bucket_of(known)));
-    names.push_back(file_name(known));
-  }
-  std::ranges::sort(names);
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  const std::vector<std::string_view> views(names.begin(), names.end());
-  throw UserError(fmt::format("{}: there is no such file, and no such bucket or file in {}{}",
-                              printable(argument.name, 200), printable(argument.corpus, 200),
-                              did_you_mean(argument.name, views)));
-}
-
-[[noreturn]] void complain_of_several(const CaseArgument& argument, const Cases& found) {
-  std::vector<std::string> names;
-  for (const CorpusCase* const known : found) names.push_back(printable(file_name(*known), 200));
-  std::ranges::sort(names);
-  const std::size_t listed = std::min(names.size(), kListedMax);
-  names.resize(listed);
-  const std::string more =
-      found.size() > listed ? fmt::format(" and {} more", found.size() - listed) : "";
-  throw UserError(fmt::format("{}: {} files in {} begin with that: {}{}",
-                              printable(argument.name, 200), found.size(),
-                              printable(argument.corpus, 200), fmt::join(names, ", "), more));
-}
-
-}  // namespace
 
 void add_case_argument(CLI::App& app, CaseArgument& argument) {
   app.add_option("file", argument.name,
@@ -93,27 +19,9 @@ void add_case_argument(CLI::App& app, CaseArgument& argument) {
 }
 
 std::string case_file(const CaseArgument& argument) {
-  std::error_code unknown;
-  if (argument.name == "-" || fs::exists(argument.name, unknown)) return argument.name;
-  const fs::path folder = argument.corpus;
-  const std::vector<CorpusCase> corpus = read_corpus({&folder, 1}).cases;  // what is whole of it
-  const std::string wanted = dashed(argument.name);
-  const Cases alike =
-      matching(corpus, [&](const CorpusCase& known) { return dashed(bucket_of(known)) == wanted; });
-  if (!alike.empty()) {
-    const CorpusCase& smallest = **std::ranges::min_element(
-        alike, {}, [](const CorpusCase* known) { return complexity(known->pair); });
-    const std::string of =
-        alike.size() > 1 ? fmt::format(", the smallest of {} with that bucket", alike.size()) : "";
-    write_remark(fmt::format("taken: {}{}", printable(smallest.path, 200), of));
-    return smallest.path;
-  }
-  const Cases begun = matching(
-      corpus, [&](const CorpusCase& known) { return file_name(known).starts_with(wanted); });
-  if (begun.empty()) complain_of_none(argument, corpus);
-  if (begun.size() > 1) complain_of_several(argument, begun);
-  write_remark(fmt::format("taken: {}", printable(begun.front()->path, 200)));
-  return begun.front()->path;
+  const FoundCase found = find_case(argument.name, argument.corpus);
+  if (!found.remark.empty()) write_remark(found.remark);
+  return found.file;
 }
 
 }  // namespace manifuzz

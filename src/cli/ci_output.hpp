@@ -8,20 +8,26 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/output.hpp"
-#include "report/test_suite.hpp"
+#include "corpus/output_check.hpp"
+#include "report/ci/test_suite.hpp"
 
 namespace manifuzz {
 
-/// Where what a run came to goes besides a command's own outputs: a JUnit report, and, in a GitHub
-/// workflow (GITHUB_ACTIONS=true), annotations and the step summary.
+/// Where a run's test suites go besides a command's own outputs: a JUnit report, and, in a GitHub
+/// workflow, annotations and the step summary.
 struct CiOutput {
-  std::string junit;  ///< a file, "-" for stdout, or empty
+  std::string junit;      ///< a file, "-" for stdout, or empty
+  std::string summary{};  ///< the step summary's file, or empty
   bool stdout_is_data =
       false;  ///< annotations then go to the standard error, which is read as well
 };
 
 /// Adds --junit.
 void add_junit(CLI::App& app, CiOutput& ci);
+
+/// `check_outputs` of the command's files and these, and whether stdout is taken. A summary that
+/// is another output or an input is left out, with a complaint.
+void check_outputs(CommandFiles files, CiOutput& ci);
 
 /// Whether anybody is going to see the suites.
 bool is_wanted(const CiOutput& ci);
@@ -31,8 +37,7 @@ bool is_wanted(const CiOutput& ci);
 void write_ci(const CiOutput& ci, std::vector<TestSuite> suites, Outputs& outputs);
 
 /// Runs a command that writes suites of its own where it gets so far. Where it throws, that is what
-/// CI is told: a suite of the command's name with this one error; unless it is the output itself
-/// that is bad.
+/// CI is told: a suite of the command's name with this one error; unless it is --junit that is bad.
 int run_for_ci(std::string_view command, const CiOutput& ci, const std::function<int()>& run);
 
 }  // namespace manifuzz

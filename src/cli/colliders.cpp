@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/nearest.hpp"
+#include "base/names.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "oracle/box2d/box2d.hpp"
@@ -74,11 +74,18 @@ const ColliderEntry* find_entry(std::string_view name) {
   return entry == colliders().end() ? nullptr : &*entry;
 }
 
+std::optional<Collider> find_installed(const std::string& name) {
+  try {
+    const ColliderEntry* const entry = find_entry(name);
+    return entry == nullptr ? std::nullopt : std::optional(entry->make());
+  } catch (const UserError&) {
+    return std::nullopt;
+  }
+}
+
 Collider find_collider(std::string_view name) {
   if (const ColliderEntry* const entry = find_entry(name)) return entry->make();
-  std::vector<std::string_view> names;
-  std::transform(colliders().begin(), colliders().end(), std::back_inserter(names),
-                 [](const ColliderEntry& e) { return e.name; });
+  std::vector<std::string_view> names = names_of(colliders());
   names.emplace_back("./LIBRARY.so");
   throw UserError(no_such("collider", name, names));
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +20,9 @@ const std::vector<ColliderEntry>& colliders();
 
 /// The entry of that name, or nullptr.
 const ColliderEntry* find_entry(std::string_view name);
+
+/// The collider of that name; nothing where there is none, or where it is not installed.
+std::optional<Collider> find_installed(const std::string& name);
 
 /// The collider of that name. Throws UserError that lists the names.
 Collider find_collider(std::string_view name);

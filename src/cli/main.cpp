@@ -1,20 +1,20 @@
 #include <csignal>
-#include <cstdlib>
 #include <exception>
 #include <map>
 #include <string>
 #include <string_view>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "base/user_error.hpp"
+#include "cli/colliders.hpp"
 #include "cli/commands.hpp"
-#include "cli/next_steps.hpp"
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
 #include "process/child.hpp"
+#include "process/exit_guard.hpp"
+#include "report/next_steps.hpp"
 
 namespace manifuzz {
 namespace {
@@ -41,7 +41,10 @@ int answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
 /// A call without arguments is answered in full; but a script that has lost its command must not
 /// pass, so its status is that of bad usage.
 int answer_bare_call(const char* program) {
-  write_to_reader(next_steps(program, "corpus"));
+  write_to_reader(next_steps(program, "corpus", [](const std::string& name) {
+    const ColliderEntry* const entry = find_entry(name);
+    return entry != nullptr && (entry->is_ours || name == "box2d");
+  }));
   return complain("a command is missing; above are some to begin with");
 }
 
@@ -69,27 +72,6 @@ int run(int argc, char** argv) {
   return runs.at(app.get_subcommands().front())();
 }
 
-bool is_done = false;
-
-/// Nothing here calls exit: only a library that was called in this process can have.
-void complain_of_exit() {
-  if (is_done) return;
-  complain("a library called exit in this process; leave out --in-process");
-  _exit(kBadUsage);
-}
-
-int run_guarding_exit(int argc, char** argv) {
-  std::atexit(complain_of_exit);
-  try {
-    const int status = run(argc, argv);
-    is_done = true;
-    return status;
-  } catch (...) {
-    is_done = true;
-    throw;
-  }
-}
-
 }  // namespace
 }  // namespace manifuzz
 
@@ -98,7 +80,12 @@ int main(int argc, char** argv) {
   manifuzz::stop_children_on_signals();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is noticed where output is written
   try {
-    return manifuzz::run_guarding_exit(argc, argv);
+    return manifuzz::guarding_exit(
+        [&] { return manifuzz::run(argc, argv); },
+        [] {
+          return manifuzz::complain(
+              "a library called exit in this process; leave out --in-process");
+        });
   } catch (const manifuzz::OutputClosed&) {
     return 0;
   } catch (const std::exception& error) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "base/user_error.hpp"
 #include "cli/output.hpp"
 
 namespace manifuzz {
@@ -27,13 +28,16 @@ std::optional<Number> parse_number(const std::string& text) {
 
 CLI::Option* add_whole_number(CLI::App& app, const std::string& name,
                               std::optional<std::uint64_t>& to, const std::string& description,
-                              std::uint64_t least) {
-  const auto read = [name, &to, least](const std::string& text) {
+                              std::uint64_t least, std::uint64_t most) {
+  const auto read = [name, &to, least, most](const std::string& text) {
     to = parse_number<std::uint64_t>(text);
     if (!to || *to < least) {
       throw CLI::ValidationError(
           name, fmt::format("'{}' is not a whole number from {} to {}", printable(text), least,
                             std::numeric_limits<std::uint64_t>::max()));
+    }
+    if (*to > most) {
+      throw UserError(fmt::format("{}: {} are too many; take {} to {}", name, *to, least, most));
     }
   };
   return app.add_option_function<std::string>(name, read, description)->type_name("N");
@@ -55,12 +59,40 @@ std::string not_blank(const std::string& text) {
   return text.find_first_not_of(" \t\n") == std::string::npos ? "is empty" : "";
 }
 
+void add_seed(CLI::App& app, std::optional<std::uint64_t>& seed) {
+  add_whole_number(app, "--seed", seed, "what the cases depend on; drawn and printed if not given");
+}
+
+void add_regimes(CLI::App& app, std::vector<std::string>& names) {
+  app.add_option("--regime", names,
+                 "a regime to draw from, again for more; all by turns if not given")
+      ->type_name("R")
+      ->allow_extra_args(false);
+}
+
+void add_corpus(CLI::App& app, std::string& folder, const std::string& description) {
+  app.add_option("--corpus", folder, description)->type_name("DIR")->capture_default_str();
+}
+
+void add_no_save(CLI::App& app, bool& no_save) {
+  app.add_flag("--no-save", no_save, "shrink and save nothing");
+}
+
+void add_json(CLI::App& app, std::string& file, const std::string& what) {
+  app.add_option("--json", file, what + ", to a file or - for stdout")->type_name("FILE");
+}
+
 std::uint64_t seed_or_draw(const std::optional<std::uint64_t>& seed) {
   if (seed) return *seed;
   std::random_device device;
   const std::uint64_t drawn = (static_cast<std::uint64_t>(device()) << 32) | device();
   write_error(fmt::format("seed {}\n", drawn));
   return drawn;
+}
+
+void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regimes) {
+  if ((cases - 1) / regimes <= std::numeric_limits<std::uint64_t>::max() - first) return;
+  throw UserError("--first: the last index passes 18446744073709551615; take fewer --cases");
 }
 
 }  // namespace manifuzz

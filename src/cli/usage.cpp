@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "base/nearest.hpp"
+#include "base/names.hpp"
 #include "base/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
-#include "report/style.hpp"
+#include "report/terminal.hpp"
 
 namespace manifuzz {
 namespace {

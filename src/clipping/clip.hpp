@@ -28,11 +28,13 @@ inline Feature face(int index) {
   return {Feature::Kind::face, static_cast<unsigned char>(index)};
 }
 
-/// One clip of the article: cuts off what lies behind the line through the reference face's vertex
-/// `corner`, widened by `margin`. `inward` points along the face, into its slab. False when the
-/// edge and the slab do not overlap: fewer than two points are left. A crossing is told by signs,
-/// since a product of offsets underflows; and it is measured on the whole edge, not on what another
-/// clip has left, so that no rounding goes from one crossing into the other.
+/// One clip of the article ("Clipping"): cuts off what lies behind the line through the reference
+/// face's vertex `corner`, widened by `margin`, a length >= 0. `inward` is unit and points along
+/// the face, into its slab; both indices name the features of a crossing. False when the edge and
+/// the slab do not overlap: fewer than two points are left. A crossing is told by signs, since a
+/// product of offsets underflows (Box2D's does: b2ClipSegmentToLine); and it is measured on the
+/// whole edge, not on what another clip has left, so that no rounding goes from one crossing into
+/// the other.
 template <class Scalar>
 bool clip(ClipEdge<Scalar>& edge, const ClipEdge<Scalar>& whole, const Vector2<Scalar>& inward,
           const Vector2<Scalar>& corner, Scalar margin, int corner_index, int incident_index) {
@@ -49,8 +51,8 @@ bool clip(ClipEdge<Scalar>& edge, const ClipEdge<Scalar>& whole, const Vector2<S
 }
 
 /// The incident edge between the two side planes of the reference face, each widened by the total
-/// radius. The planes are parallel: neither clip changes what the other cuts off. Empty edges give
-/// false.
+/// radius, as in Box2D 2.4 (b2CollidePolygons). Edge and reference stand in one frame. The planes
+/// are parallel: neither clip changes what the other cuts off. False where nothing is left.
 template <class Scalar>
 bool clip_to_slab(ClipEdge<Scalar>& edge, const ConvexPolygon<Scalar>& reference, int face_index,
                   int incident_index, Scalar total_radius) {
@@ -64,8 +66,10 @@ bool clip_to_slab(ClipEdge<Scalar>& edge, const ConvexPolygon<Scalar>& reference
                       incident_index);
 }
 
-/// Keeps the ends that lie behind the reference face, each with its own depth; walks the incident
-/// edge backwards, which is along the reference face. (The article, last clip of "Clipping".)
+/// Keeps the ends that lie behind the reference face, or no farther in front of it than the total
+/// radius, each with its own depth >= 0; walks the incident edge backwards, which is along the
+/// reference face. The manifold, of 0, 1 or 2 points, is in the frame of edge and reference. (The
+/// article, last clip of "Clipping".)
 template <class Scalar>
 Manifold<Scalar> keep_behind_face(const ClipEdge<Scalar>& edge,
                                   const ConvexPolygon<Scalar>& reference, int face_index,

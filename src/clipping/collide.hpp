@@ -18,10 +18,14 @@
 /// Contact points by clipping, step by step, in float and double.
 namespace manifuzz::clipping {
 
-/// The manifold of two polygons that stand in one frame. B's face becomes the reference only where
-/// its separation leads by more than `tie_bias` (a length, 0 in the article). Polygons that overlap
-/// by more than rounding always get a contact, and at bias 0 one of it is as deep as the overlap: a
-/// bias asks for its face even where that face's clip is shallower.
+/// The manifold of two polygons that stand in one frame, which is the manifold's too. Both are free
+/// of defects, and their coordinates within a quarter of the scalar's range. B's face becomes the
+/// reference only where its separation leads by more than `tie_bias` (a length, 0 in the article).
+/// Polygons that overlap by more than rounding always get a contact, and at bias 0 one of it is as
+/// deep as the overlap: a bias asks for its face even where that face's clip is shallower. In
+/// float, separation and depth are off by at most 15 u times the extent (u = 2^-24), at clipped
+/// ends times 1 + tan of the angle between both edges: src/judging/bounds.md derives it, and the
+/// rest.
 template <class Scalar>
 Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                   Scalar tie_bias = 0) {
@@ -43,7 +47,8 @@ Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPo
                                                                      : manifold;
 }
 
-/// The manifold of A and B, B standing at `b_in_a` in A's frame (see `relative_pose`).
+/// The manifold of A and B in A's frame, B standing at `b_in_a` in it (see `relative_pose`), whose
+/// rotation is taken to be unit.
 template <class Scalar>
 Manifold<Scalar> collide(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                          const Pose<Scalar>& b_in_a, Scalar tie_bias = 0) {

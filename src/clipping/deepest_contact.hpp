@@ -5,7 +5,8 @@
 
 namespace manifuzz::clipping {
 
-/// The farthest vertex's distance from the frame's origin, |x| + |y|: no square may overflow.
+/// The farthest vertex's distance from the frame's origin, a length, as |x| + |y|: no square may
+/// overflow.
 template <class Scalar>
 Scalar reach_in_frame(const ConvexPolygon<Scalar>& polygon) {
   Scalar reach = 0;
@@ -14,8 +15,9 @@ Scalar reach_in_frame(const ConvexPolygon<Scalar>& polygon) {
   return reach;
 }
 
-/// At most 5.7 u E, E being the extent, is well inside the bound 15 u E on a separation's error: an
-/// overlap deeper than the bound is computed deeper than this.
+/// How much of a computed separation may be rounding, a length; both polygons in one frame. At most
+/// 5.7 u E, E being the extent, is well inside the bound 15 u E on a separation's error: an overlap
+/// deeper than the bound is computed deeper than this.
 template <class Scalar>
 Scalar separation_roundoff(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
   constexpr Scalar u = std::numeric_limits<Scalar>::epsilon() / 2;
@@ -36,7 +38,8 @@ bool misses_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>&
   return least > 0 && least > separation_roundoff(a, b);
 }
 
-/// Whether the slab of a face, widened by `margin`, holds a point.
+/// Whether the slab of a face, widened by `margin` (a length), holds a point of the polygon's
+/// frame.
 template <class Scalar>
 bool slab_holds(const ConvexPolygon<Scalar>& polygon, int face_index, const Vector2<Scalar>& point,
                 Scalar margin) {
@@ -45,7 +48,8 @@ bool slab_holds(const ConvexPolygon<Scalar>& polygon, int face_index, const Vect
          along.dot(polygon.vertices[polygon.next(face_index)] - point) >= -margin;
 }
 
-/// The vertex of `opposing` that is deepest behind a face, as the only contact point.
+/// The vertex of `opposing` that is deepest behind a face of polygon `side`, as the only contact
+/// point. Both polygons, and the manifold, are in one frame.
 template <class Scalar>
 Manifold<Scalar> lone_vertex(const ConvexPolygon<Scalar>& reference, Side side,
                              const FaceSeparation<Scalar>& found,
@@ -99,7 +103,8 @@ Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const Conve
 /// by a tie bias, or because two faces or edges are nearer than rounding can tell, and the slab of
 /// the wrong one misses the deepest vertex. Takes the face of greatest separation, of either
 /// polygon, whose slab holds it: the true one does, since the shortest way out of an overlap ends
-/// inside a face. Never empty: the last resort is the deepest vertex alone.
+/// inside a face. Neither the article nor Box2D does it: both report no contact there. Never empty:
+/// the last resort is the deepest vertex alone.
 template <class Scalar>
 Manifold<Scalar> deepest_contact(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
   const Scalar roundoff = separation_roundoff(a, b);

@@ -14,7 +14,8 @@ struct ContactFeatures {
   int incident = 0;               ///< the edge that is clipped, of the other polygon
 };
 
-/// The vertex farthest along `direction`, the first of equals.
+/// The vertex farthest along `direction`, of any length and in the polygon's frame; the first of
+/// equals.
 template <class Scalar>
 int farthest_vertex(const ConvexPolygon<Scalar>& polygon, const Vector2<Scalar>& direction) {
   int farthest = 0;
@@ -42,7 +43,8 @@ int best_edge(const ConvexPolygon<Scalar>& polygon, const Vector2<Scalar>& norma
 }
 
 /// Reference is the best edge more perpendicular to the normal, A's on a tie; the other is
-/// incident. (The article, "Clipping"; with unit edges, since a given normal may be approximate.)
+/// incident. Both polygons stand in one frame; the normal is unit and points from A to B. (The
+/// article, "Clipping"; with unit edges, since a given normal may be approximate.)
 template <class Scalar>
 ContactFeatures choose_features(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                 const Vector2<Scalar>& normal) {
@@ -54,7 +56,8 @@ ContactFeatures choose_features(const ConvexPolygon<Scalar>& a, const ConvexPoly
   return {Side::b, edge_b, edge_a};
 }
 
-/// The edge whose normal is most opposed to the reference face's, the first of equals. It is the
+/// The edge whose normal is most opposed to the reference face's outward one, the first of equals;
+/// both in one frame. Equals are told as exactly as the scalar's dot of two unit normals. It is the
 /// best edge of the article, found without the farthest vertex, which picks wrongly on tiny edges.
 /// (Box2D: b2FindIncidentEdge.)
 template <class Scalar>

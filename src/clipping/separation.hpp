@@ -14,8 +14,9 @@ struct FaceSeparation {
   int deepest = 0;                                               ///< the other polygon's vertex
 };
 
-/// The signed distance from a face to the other polygon's deepest vertex. Both in one frame. The
-/// difference comes first: it is what keeps the rounding relative to the distance.
+/// The signed distance from a face to the other polygon's deepest vertex, the first of equals:
+/// negative where that lies behind the face. Both in one frame, radii left out. The difference
+/// comes first: it is what keeps the rounding relative to the distance.
 template <class Scalar>
 FaceSeparation<Scalar> face_separation(const ConvexPolygon<Scalar>& polygon, int face,
                                        const ConvexPolygon<Scalar>& other) {
@@ -33,7 +34,8 @@ FaceSeparation<Scalar> face_separation(const ConvexPolygon<Scalar>& polygon, int
 }
 
 /// The face of greatest separation, the first of equals. Stops at the first face that separates by
-/// more than `limit`, which need not be the greatest. (Box2D: b2FindMaxSeparation.)
+/// more than `limit`, a length, which need not be the greatest. (The article's separating axes,
+/// faces only; Box2D: b2FindMaxSeparation.)
 template <class Scalar>
 FaceSeparation<Scalar> greatest_separation(const ConvexPolygon<Scalar>& polygon,
                                            const ConvexPolygon<Scalar>& other, Scalar limit) {

@@ -9,22 +9,23 @@
 
 namespace manifuzz {
 
+/// What a collider computes in; its roundoff scales every bound.
 enum class ScalarType { float32, float64 };
 
 /// Where a collider rounds: in a frame that travels with the pair, or in world coordinates.
 enum class RoundingFrame { local, world };
 
-/// What a collider says of itself. It is judged by this, and by nothing else.
+/// What a collider declares of itself. It is judged by this, and by nothing else.
 struct Declaration {
-  std::string name;
-  std::string version;
+  std::string name;         ///< in tables, options and the names of files
+  std::string version;      ///< of the engine or the library that it calls
   std::string description;  ///< one line for `list colliders`
   ScalarType scalar = ScalarType::float32;
   RoundingFrame frame = RoundingFrame::local;
-  double tie_bias = 0;  ///< a length: B's face is the reference only where it leads by more
-  int max_vertices = kMaxVertices;
-  bool takes_radius = true;  ///< false: rounded polygons are not asked
-  std::string snippet{};     ///< of a program that shows one case; report/upstream.hpp fills it in
+  double tie_bias = 0;  ///< a world length: B's face is the reference where it leads by more
+  int max_vertices = kMaxVertices;  ///< of a polygon; with more it is not asked
+  bool takes_radius = true;         ///< false: rounded polygons are not asked
+  std::string snippet{};  ///< of a program that shows one case; report/upstream.hpp fills it in
 };
 
 /// A collider cannot take this input, and says why. Not an error.
@@ -32,7 +33,8 @@ struct Unsupported {
   std::string why;
 };
 
-/// A manifold from a collider outside, which may leave out what a judge can tell for itself.
+/// A manifold of a program or a library, which may leave out what a judge can tell for itself: in
+/// A's frame, as `Manifold` is, but for midpoints.
 struct PartialManifold {
   Manifold<double> manifold{};
   bool names_reference = false;
@@ -40,13 +42,14 @@ struct PartialManifold {
   bool has_midpoints = false;   ///< points halfway between both surfaces, as Box2D 3 has them
 };
 
-/// There is no answer: the collider died, hung, or said what is no manifold.
+/// There is no answer: the collider died, took too long, or gave what is no manifold.
 struct Lost {
   enum class How { crashed, timed_out, malformed };
   How how = How::crashed;
   std::string why{};
 };
 
+/// What a collider answers to a case: a manifold in A's frame, whatever the collider's own frame.
 using Answer = std::variant<Manifold<double>, Unsupported, PartialManifold, Lost>;
 
 /// Anything that turns a pair case into a manifold. All but the first two are empty where a
@@ -54,8 +57,11 @@ using Answer = std::variant<Manifold<double>, Unsupported, PartialManifold, Lost
 struct Collider {
   Declaration declaration;
   std::function<Answer(const PairCase&)> collide;
+  /// The same collider with another tie bias, a world length.
   std::function<Collider(double tie_bias)> with_tie_bias;
+  /// The manifold for a known normal: unit, from A to B, in A's frame.
   std::function<Answer(const PairCase&, const Vector2<double>& normal)> from_normal;
+  /// The same algorithm in double.
   std::function<Collider()> in_double;
   /// Of a collider in a process of its own: answers to many cases at once, cheaper than one by one.
   /// `go_on` is asked several times a second; returns how many were answered, all unless it says
@@ -66,7 +72,7 @@ struct Collider {
 
   double seconds_max = 0;  ///< of one in a process of its own: how long over a case, its start too
 
-  /// Whether it is safe to ask: it cannot take this process along.
+  /// Whether it runs in a process of its own, so that a crash of it ends nothing else.
   bool is_isolated() const { return static_cast<bool>(collide_many); }
 };
 

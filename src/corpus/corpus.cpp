@@ -89,10 +89,13 @@ bool is_same_finding(const CorpusCase& known, const CorpusCase& other) {
          expect.oracle == of_other.oracle;
 }
 
-/// Whether the file holds the case already.
+/// Where a case belongs in a folder, and whether that file holds it already.
+struct Place {
+  fs::path file;
+  bool holds_it = false;
+};
+
 bool holds(const fs::path& file, const CorpusCase& corpus_case) {
-  std::error_code unknown;
-  if (!fs::is_regular_file(file, unknown)) return false;
   try {
     return is_same_finding(read_case_file(file.string()), corpus_case);
   } catch (const UserError&) {
@@ -100,11 +103,15 @@ bool holds(const fs::path& file, const CorpusCase& corpus_case) {
   }
 }
 
-/// One path for all spellings of and links to a file.
-fs::path place_of(const fs::path& path) {
+Place find_place(const fs::path& folder, const CorpusCase& corpus_case) {
+  const fs::path usual = folder / corpus_file_name(corpus_case);
+  fs::path file = usual;
   std::error_code unknown;
-  const fs::path place = fs::canonical(path, unknown);
-  return unknown ? path : place;
+  for (int turn = 2; fs::is_regular_file(file, unknown); ++turn) {
+    if (holds(file, corpus_case)) return {file, true};
+    file = folder / fmt::format("{}-{}{}", usual.stem().string(), turn, kEnding);
+  }
+  return {file};
 }
 
 }  // namespace
@@ -125,11 +132,11 @@ std::vector<fs::path> find_case_files(std::span<const fs::path> paths,
   }
   std::sort(files.begin(), files.end());
   std::set<fs::path> places;
-  std::erase_if(files, [&](const fs::path& file) { return !places.insert(place_of(file)).second; });
+  std::erase_if(files, [&](const fs::path& file) { return !places.insert(resolved(file)).second; });
   return files;
 }
 
-void read_case_files(const fs::path& path, Corpus& corpus) {
+void add_case_file(const fs::path& path, Corpus& corpus) {
   try {
     if (path.extension() == ".jsonl") {
       read_lines_file(path.string(), corpus);
@@ -144,7 +151,7 @@ void read_case_files(const fs::path& path, Corpus& corpus) {
 Corpus read_corpus(std::span<const fs::path> paths) {
   Corpus corpus;
   corpus.files = find_case_files(paths, corpus.errors);
-  for (const auto& path : corpus.files) read_case_files(path, corpus);
+  for (const auto& path : corpus.files) add_case_file(path, corpus);
   return corpus;
 }
 
@@ -155,19 +162,13 @@ std::string corpus_file_name(const CorpusCase& corpus_case) {
 }
 
 fs::path corpus_file(const fs::path& folder, const CorpusCase& corpus_case) {
-  const fs::path usual = folder / corpus_file_name(corpus_case);
-  fs::path file = usual;
-  std::error_code unknown;
-  for (int turn = 2; fs::is_regular_file(file, unknown) && !holds(file, corpus_case); ++turn) {
-    file = folder / fmt::format("{}-{}{}", usual.stem().string(), turn, kEnding);
-  }
-  return file;
+  return find_place(folder, corpus_case).file;
 }
 
 fs::path write_corpus_case(const fs::path& folder, const CorpusCase& corpus_case) {
-  fs::path path = corpus_file(folder, corpus_case);
-  if (!holds(path, corpus_case)) write_file(path, format_case(corpus_case));
-  return path;
+  const auto [file, holds_it] = find_place(folder, corpus_case);
+  if (!holds_it) write_file(file, format_case(corpus_case));
+  return file;
 }
 
 fs::path worst_beside(const fs::path& file) {

@@ -75,7 +75,7 @@ std::vector<std::filesystem::path> find_case_files(std::span<const std::filesyst
                                                    std::vector<std::string>& errors);
 
 /// Adds the cases of one file (*.json: one case; *.jsonl: one a line), or an error line.
-void read_case_files(const std::filesystem::path& path, Corpus& corpus);
+void add_case_file(const std::filesystem::path& path, Corpus& corpus);
 
 /// Every case in these files and folders (all such files in
 /// them and below), sorted by path. What is broken gives an error line, the rest is read all the

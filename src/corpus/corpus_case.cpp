@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/json_tree.hpp"
+#include "base/json.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "corpus/corpus.hpp"
@@ -58,7 +58,7 @@ Expectation read_expectation(const JsonView& object, const PairCase& pair) {
   if (const auto magnitude = object.find("magnitude")) expect.magnitude = magnitude->magnitude();
   if (const auto manifolds = object.find("manifolds")) {
     for (std::size_t i = 0; i < manifolds->length("an array of manifolds"); ++i) {
-      expect.manifolds.push_back(read_answer((*manifolds)[i], pair));
+      expect.manifolds.push_back(read_recorded_answer((*manifolds)[i], pair));
     }
   }
   return expect;
@@ -157,12 +157,8 @@ CorpusCase read_case_file(const std::string& path) {
 }
 
 std::string format_case(const CorpusCase& corpus_case) {
-  constexpr std::string_view separator = ",\n    ";
-  std::string out = fmt::format("{{\n  \"format\": \"{}\",\n  \"a\": {{\n    ", kCaseFormat);
-  append_body(out, corpus_case.pair.a, separator);
-  out += "\n  },\n  \"b\": {\n    ";
-  append_body(out, corpus_case.pair.b, separator);
-  out += "\n  }";
+  std::string out;
+  append_case_start(out, corpus_case.pair);
   if (corpus_case.found) append_found(out, *corpus_case.found);
   if (corpus_case.expect) append_expectation(out, corpus_case.pair, *corpus_case.expect);
   append_member(out, ",\n  ", "property", corpus_case.property);

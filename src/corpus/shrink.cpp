@@ -1,318 +1,32 @@
 #include "corpus/shrink.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <set>
 #include <vector>
 
-#include "corpus/simplicity.hpp"
+#include <rapidcheck.h>
+
+#include "corpus/simpler_cases.hpp"
 #include "generating/edits.hpp"
 
 namespace manifuzz {
 namespace {
 
-using Cases = rc::Seq<PairCase>;
-using MaybeCase = std::optional<PairCase>;
-
-/// The cases that `make(0)`, ..., `make(count - 1)` give, made when they are asked for.
-template <class Make>
-Cases each(int count, Make make) {
-  return rc::seq::mapMaybe(rc::seq::range(0, count), [make](int i) -> rc::Maybe<PairCase> {
-    if (MaybeCase made = make(i)) return std::move(*made);
-    return rc::Nothing;
-  });
-}
-
-void remove_vertex(ConvexPolygon<float>& polygon, int vertex) {
-  for (int i = vertex; i + 1 < polygon.count; ++i) polygon.vertices[i] = polygon.vertices[i + 1];
-  --polygon.count;
-}
-
-Cases without_a_vertex(const PairCase& pair) {
-  const int count_a = pair.a.polygon.count;
-  return each(count_a + pair.b.polygon.count, [pair, count_a](int i) -> MaybeCase {
-    PairCase smaller = pair;
-    const Side side = i < count_a ? Side::a : Side::b;
-    if (smaller[side].polygon.count == kMinVertices) return std::nullopt;
-    remove_vertex(smaller[side].polygon, side == Side::a ? i : i - count_a);
-    return smaller;
-  });
-}
-
-Pose<double> widened(const Pose<float>& pose) {
-  return {pose.position.cast<double>(), pose.rotation.cast<double>()};
-}
-
-/// The body where it stands, its rotation or its whole pose worked into the vertices.
-Body without_rotation(Body body) {
-  for (int i = 0; i < body.polygon.count; ++i) {
-    const Vector2<double> turned =
-        rotate<double>(body.pose.rotation.cast<double>(), body.polygon.vertices[i].cast<double>());
-    body.polygon.vertices[i] = turned.cast<float>();
-  }
-  body.pose.rotation = {1, 0};
-  return body;
-}
-
-Body without_position(Body body) {
-  for (int i = 0; i < body.polygon.count; ++i) {
-    const Vector2<double> moved =
-        transform<double>(widened(body.pose), body.polygon.vertices[i].cast<double>());
-    body.polygon.vertices[i] = moved.cast<float>();
-  }
-  body.pose = {};
-  return body;
-}
-
-PairCase seen_from_a(PairCase pair) {
-  const Pose<double> relative = relative_pose(widened(pair.a.pose), widened(pair.b.pose));
-  const Vector2<double> unit =
-      relative.rotation / std::sqrt(relative.rotation.dot(relative.rotation));
-  pair.a.pose = {};
-  pair.b.pose = {relative.position.cast<float>(), unit.cast<float>()};
-  return pair;
-}
-
-constexpr std::array<std::array<float, 2>, 6> kPlainRotations{
-    {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0.8F, 0.6F}, {0.6F, 0.8F}}};
-
-Cases with_plainer_poses(const PairCase& pair) {
-  const auto change = [pair](Side side, auto make) {
-    PairCase changed = pair;
-    changed[side] = make(changed[side]);
-    return changed;
-  };
-  std::vector<PairCase> plainer{seen_from_a(pair)};
+/// All that tells two cases apart.
+std::vector<float> numbers_of(PairCase pair) {
+  std::vector<float> numbers{static_cast<float>(pair.a.polygon.count)};
+  for (const float* number : free_numbers(pair)) numbers.push_back(*number);
   for (const Side side : {Side::a, Side::b}) {
-    plainer.push_back(change(side, without_position));
-    plainer.push_back(change(side, without_rotation));
-    plainer.push_back(change(side, [](Body body) {
-      body.pose.position = {0, 0};
-      return body;
-    }));
-    plainer.push_back(change(side, [](Body body) {
-      body.polygon.radius = 0;
-      return body;
-    }));
-    for (const auto& rotation : kPlainRotations) {
-      plainer.push_back(change(side, [&](Body body) {
-        body.pose.rotation = {rotation[0], rotation[1]};
-        return body;
-      }));
-    }
+    numbers.push_back(pair[side].pose.rotation.x());
+    numbers.push_back(pair[side].pose.rotation.y());
   }
-  return rc::seq::fromContainer(std::move(plainer));
-}
-
-/// Moves a polygon's vertices, and both polygons' alike, so that one vertex comes to lie at zero.
-Cases with_a_vertex_at_zero(const PairCase& pair) {
-  const int count_a = pair.a.polygon.count;
-  const int count = count_a + pair.b.polygon.count;
-  return each(count, [pair, count_a](int i) -> MaybeCase {
-    PairCase moved = pair;
-    const Vector2<float> origin =
-        i < count_a ? pair.a.polygon.vertices[i] : pair.b.polygon.vertices[i - count_a];
-    for (const Side side : {Side::a, Side::b}) {
-      for (auto& vertex : moved[side].polygon.vertices) vertex -= origin;
-    }
-    return moved;
-  });
-}
-
-/// Both polygons seen in a mirror, x turned to -x, their vertices counter-clockwise again.
-PairCase mirrored(PairCase pair) {
-  for (const Side side : {Side::a, Side::b}) {
-    Body& body = pair[side];
-    auto& vertices = body.polygon.vertices;
-    std::reverse(vertices.begin(), vertices.begin() + body.polygon.count);
-    for (auto& vertex : vertices) vertex.x() = -vertex.x();
-    body.pose.position.x() = -body.pose.position.x();
-    body.pose.rotation.y() = -body.pose.rotation.y();
-  }
-  return pair;
-}
-
-PairCase turned_by_quarter(PairCase pair) {
-  for (const Side side : {Side::a, Side::b}) {
-    for (auto& vertex : pair[side].polygon.vertices) vertex = counter_clockwise_quarter(vertex);
-    pair[side].pose.position = counter_clockwise_quarter(pair[side].pose.position);
-  }
-  return pair;
-}
-
-PairCase renumbered(PairCase pair, Side side) {
-  auto& vertices = pair[side].polygon.vertices;
-  std::rotate(vertices.begin(), vertices.begin() + 1, vertices.begin() + pair[side].polygon.count);
-  return pair;
-}
-
-/// The same case in other words: swapped, mirrored, turned, its vertices counted from elsewhere.
-/// Which of them still fail alike is for the gate to say.
-Cases symmetric_images(const PairCase& pair) {
-  std::vector<PairCase> images;
-  for (const PairCase& start : {pair, PairCase{pair.b, pair.a}}) {
-    for (PairCase image : {start, mirrored(start)}) {
-      for (int quarters = 0; quarters < 4; ++quarters) {
-        images.push_back(image);
-        image = turned_by_quarter(image);
-      }
-    }
-  }
-  for (const Side side : {Side::a, Side::b}) {
-    PairCase image = pair;
-    for (int i = 1; i < pair[side].polygon.count; ++i) {
-      image = renumbered(image, side);
-      images.push_back(image);
-    }
-  }
-  return rc::seq::fromContainer(std::move(images));
-}
-
-using Corners = std::vector<Vector2<float>>;
-
-/// Every triangle with corners on the grid {-1, 0, 1, 2}^2 and no wider or higher than 2.
-std::vector<Corners> plain_triangles() {
-  constexpr int side = 4;
-  constexpr int points = side * side;
-  const auto at = [](int i) {
-    return Vector2<float>(static_cast<float>(i % side - 1), static_cast<float>(i / side - 1));
-  };
-  const auto fits = [](const Vector2<float>& edge) { return edge.cwiseAbs().maxCoeff() <= 2; };
-  std::vector<Corners> triangles;
-  for (int i = 0; i < points; ++i) {
-    for (int j = i + 1; j < points; ++j) {
-      for (int k = i + 1; k < points; ++k) {
-        const Corners corners{at(i), at(j), at(k)};
-        const bool small = fits(corners[1] - corners[0]) && fits(corners[2] - corners[1]) &&
-                           fits(corners[0] - corners[2]);
-        if (small && !find_defect(corners)) triangles.push_back(corners);
-      }
-    }
-  }
-  return triangles;
-}
-
-/// The unit triangle against each of those and each against it, the simplest first: what fails in
-/// any such case has one normal form, wherever it was found.
-const std::vector<PairCase>& plain_cases() {
-  static const std::vector<PairCase> cases = [] {
-    const auto unit = make_polygon<float>(Corners{{0, 0}, {1, 0}, {0, 1}});
-    std::vector<PairCase> made;
-    for (const Corners& corners : plain_triangles()) {
-      const auto other = make_polygon<float>(corners);
-      made.push_back({{unit, {}}, {other, {}}});
-      made.push_back({{other, {}}, {unit, {}}});
-    }
-    std::stable_sort(made.begin(), made.end(), [](const PairCase& p, const PairCase& q) {
-      return complexity(p) < complexity(q);
-    });
-    return made;
-  }();
-  return cases;
-}
-
-Cases plainest() {
-  return each(static_cast<int>(plain_cases().size()),
-              [](int i) -> MaybeCase { return plain_cases()[static_cast<std::size_t>(i)]; });
-}
-
-constexpr int kDigitsMax = 8;
-
-/// All numbers, or one polygon's, to fewer digits: to one, to two, ...
-Cases with_fewer_digits(const PairCase& pair) {
-  return each(3 * kDigitsMax, [pair](int i) -> MaybeCase {
-    PairCase rounded = pair;
-    const int digits = 1 + i / 3;
-    const std::size_t of_a = 2 * static_cast<std::size_t>(pair.a.polygon.count) + 3;
-    const std::vector<float*> numbers = free_numbers(rounded);
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-      const bool chosen = i % 3 == 0 || (i % 3 == 1) == (k < of_a);
-      if (chosen) *numbers[k] = rounded_to_digits(*numbers[k], digits);
-    }
-    return rounded;
-  });
-}
-
-/// All lengths multiplied by a power of ten or two, digits kept: sizes near 1 read best.
-Cases with_plainer_size(const PairCase& pair) {
-  constexpr std::array kFactors{1e16F, 1e8F,  1e4F,  1e2F, 1e1F, 1e-1F,
-                                1e-2F, 1e-4F, 1e-8F, 2.0F, 0.5F, 0.25F};
-  return each(static_cast<int>(kFactors.size()), [pair, kFactors](int i) -> MaybeCase {
-    PairCase scaled = pair;
-    for (float* number : free_numbers(scaled)) {
-      const int digits = significant_digits(*number);
-      if (digits > 0) *number = rounded_to_digits(*number * kFactors[i], digits);
-    }
-    return scaled;
-  });
-}
-
-/// One number changed: to zero, to fewer digits, to ten times or half of it, or one unit of its
-/// last digit nearer to zero.
-Cases with_one_number_simpler(const PairCase& pair) {
-  PairCase copy = pair;
-  const int numbers = static_cast<int>(free_numbers(copy).size());
-  constexpr int kChanges = kDigitsMax + 4;
-  return each(numbers * kChanges, [pair](int i) -> MaybeCase {
-    PairCase changed = pair;
-    float& number = *free_numbers(changed)[static_cast<std::size_t>(i / kChanges)];
-    if (number == 0) return std::nullopt;
-    const int change = i % kChanges;
-    if (change == 0) {
-      number = 0;
-    } else if (change <= kDigitsMax) {
-      number = rounded_to_digits(number, change);
-    } else if (change == kDigitsMax + 1) {
-      number = rounded_to_digits(number * 10, significant_digits(number));
-    } else if (change == kDigitsMax + 2) {
-      number = rounded_to_digits(number / 2, significant_digits(number));
-    } else {
-      number = nearer_to_zero(number);
-    }
-    return changed;
-  });
-}
-
-PairCase without_negative_zeros(PairCase pair) {
-  for (float* number : free_numbers(pair)) *number += 0.0F;
-  for (const Side side : {Side::a, Side::b}) pair[side].pose.rotation.array() += 0.0F;
-  return pair;
+  return numbers;
 }
 
 }  // namespace
 
-rc::Seq<PairCase> simpler_cases(const PairCase& pair) {
-  const Complexity limit = complexity(pair);
-  Cases proposals =
-      rc::seq::concat(plainest(), without_a_vertex(pair), with_plainer_poses(pair),
-                      with_fewer_digits(pair), with_a_vertex_at_zero(pair), with_plainer_size(pair),
-                      with_one_number_simpler(pair), symmetric_images(pair));
-  return rc::seq::mapMaybe(std::move(proposals), [limit](const PairCase& proposal) {
-    const MaybeCase valid = revalidated(without_negative_zeros(proposal));
-    return valid && complexity(*valid) < limit ? rc::Maybe<PairCase>(*valid)
-                                               : rc::Maybe<PairCase>(rc::Nothing);
-  });
-}
-
-rc::Shrinkable<PairCase> shrink_tree(const PairCase& pair) {
-  // A lambda, since clang cannot bind a plain function here.
-  const auto simpler = [](const PairCase& parent) { return simpler_cases(parent); };
-  return rc::shrinkable::shrinkRecur(pair, simpler);
-}
-
 Shrunk shrink(const PairCase& pair, const std::function<bool(const PairCase&)>& still_fails,
               int evaluations_max) {
   Shrunk result;
-  const auto numbers_of = [](PairCase pair_case) {
-    std::vector<float> key{static_cast<float>(pair_case.a.polygon.count)};
-    for (const float* number : free_numbers(pair_case)) key.push_back(*number);
-    for (const Side side : {Side::a, Side::b}) {
-      key.push_back(pair_case[side].pose.rotation.x());
-      key.push_back(pair_case[side].pose.rotation.y());
-    }
-    return key;
-  };
   std::set<std::vector<float>> seen{numbers_of(pair)};
   const auto consider = [&](const PairCase& candidate) {
     if (!result.complete || !seen.insert(numbers_of(candidate)).second) return false;
@@ -326,7 +40,10 @@ Shrunk shrink(const PairCase& pair, const std::function<bool(const PairCase&)>& 
   const PairCase positive_zeros = without_negative_zeros(pair);
   ++result.evaluations;
   const PairCase& start = still_fails(positive_zeros) ? positive_zeros : pair;
-  result.pair = rc::shrinkable::findLocalMin(shrink_tree(start), consider).first;
+  // A lambda, since clang cannot bind a plain function here.
+  const auto simpler = [](const PairCase& parent) { return simpler_cases(parent); };
+  const auto tree = rc::shrinkable::shrinkRecur(start, simpler);
+  result.pair = rc::shrinkable::findLocalMin(tree, consider).first;
   return result;
 }
 

@@ -1,14 +1,13 @@
 #include "exchange/json.hpp"
 
 #include <charconv>
-#include <cmath>
 #include <iterator>
 #include <limits>
 
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include "base/json_tree.hpp"
+#include "base/json.hpp"
 #include "base/text.hpp"
 
 namespace manifuzz {
@@ -61,9 +60,46 @@ void append_vector(std::string& out, const Vector2<Scalar>& v) {
   out += ']';
 }
 
-void append_feature(std::string& out, Feature feature) {
-  const char kind = feature.kind == Feature::Kind::face ? 'f' : 'v';
-  fmt::format_to(std::back_inserter(out), FMT_COMPILE("\"{}{}\""), kind, feature.index);
+/// The white space before a member that is not on the line of the one before it; empty: all are on
+/// one line.
+struct LineBreaks {
+  std::string_view in_case;
+  std::string_view in_body;
+};
+
+void append_separator(std::string& out, std::string_view line_break) {
+  out.append(",").append(line_break.empty() ? " " : line_break);
+}
+
+void append_body(std::string& out, const Body& body, const LineBreaks& breaks) {
+  out.append("{").append(breaks.in_body) += "\"vertices\": [";
+  for (int i = 0; i < body.polygon.count; ++i) {
+    if (i > 0) out += ',';
+    append_vector(out, body.polygon.vertices[i]);
+  }
+  out += ']';
+  append_separator(out, breaks.in_body);
+  out += "\"radius\": ";
+  append_number(out, body.polygon.radius);
+  append_separator(out, breaks.in_body);
+  out += "\"position\": ";
+  append_vector(out, body.pose.position);
+  append_separator(out, breaks.in_body);
+  out += "\"rotation\": ";
+  append_vector(out, body.pose.rotation);
+  out.append(breaks.in_case) += '}';
+}
+
+/// Without the closing brace.
+void append_case(std::string& out, const PairCase& pair, const LineBreaks& breaks) {
+  out.append("{").append(breaks.in_case) += "\"format\": \"";
+  out.append(kCaseFormat) += '"';
+  append_separator(out, breaks.in_case);
+  out += "\"a\": ";
+  append_body(out, pair.a, breaks);
+  append_separator(out, breaks.in_case);
+  out += "\"b\": ";
+  append_body(out, pair.b, breaks);
 }
 
 void append_point(std::string& out, const PairCase& pair, const ContactPoint<double>& point) {
@@ -73,11 +109,8 @@ void append_point(std::string& out, const PairCase& pair, const ContactPoint<dou
   append_vector(out, point.position);
   out += ", \"depth\": ";
   append_number(out, point.depth);
-  out += ", \"features\": [";
-  append_feature(out, point.features.a);
-  out += ',';
-  append_feature(out, point.features.b);
-  out += "]}";
+  fmt::format_to(std::back_inserter(out), FMT_COMPILE(", \"features\": [\"{}\",\"{}\"]}}"),
+                 feature_name(point.features.a), feature_name(point.features.b));
 }
 
 void append_manifold(std::string& out, const PairCase& pair, const Manifold<double>& manifold) {
@@ -94,59 +127,79 @@ void append_manifold(std::string& out, const PairCase& pair, const Manifold<doub
   out += ']';
 }
 
-double read_answered_number(const JsonView& value) {
-  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.number();
-}
+/// Reads a manifold as a corpus file records it, or as a program answers. A corpus file has every
+/// key and no other, null for a number that is not finite, and any feature, since what was recorded
+/// may be nonsense. A program may leave out what is optional and add what it likes.
+class ManifoldReader {
+ public:
+  ManifoldReader(const PairCase& pair, bool is_recorded) : pair_(pair), is_recorded_(is_recorded) {}
 
-Vector2<double> read_answered_vector(const JsonView& array) {
-  expect_two(array, "an array of two numbers");
-  return {read_answered_number(array[0]), read_answered_number(array[1])};
-}
+  ReportedManifold manifold(const JsonView& object) const {
+    ReportedManifold result;
+    const JsonView points = object.at("points");
+    const std::size_t count = points.length("an array of 0 to 2 points");
+    if (count > result.points.size()) {
+      points.fail(fmt::format("has {} points; a manifold has 0 to 2", count));
+    }
+    result.count = static_cast<int>(count);
+    if (count == 0) return result;
+    result.normal = vector(object.at("normal"));
+    if (const auto reference = member(object, "reference")) result.reference = side(*reference);
+    for (std::size_t i = 0; i < count; ++i) result.points[i] = point(points[i]);
+    return result;
+  }
 
-/// A recorded answer may be nonsense, so any index that a feature can hold is read.
-Feature read_feature(const JsonView& value) {
-  const std::string_view text = value.string();
-  const char* const end = text.data() + text.size();
-  unsigned char index = 0;
-  const bool named = text.starts_with('f') || text.starts_with('v');
-  if (!named || std::from_chars(text.data() + 1, end, index).ptr != end || text.size() < 2) {
-    value.fail(
-        fmt::format("\"{}\" is not a feature; f or v and an index is expected", printable(text)));
+ private:
+  std::optional<JsonView> member(const JsonView& object, std::string_view key) const {
+    return is_recorded_ ? object.at(key) : object.find(key);
   }
-  return {text[0] == 'f' ? Feature::Kind::face : Feature::Kind::vertex, index};
-}
 
-ContactPoint<double> read_point(const JsonView& object) {
-  object.expect_keys({"position", "local", "depth", "features"});
-  read_answered_vector(object.at("position"));
-  const JsonView features = object.at("features");
-  expect_two(features, "[A's feature, B's feature]");
-  return {read_answered_vector(object.at("local")),
-          read_answered_number(object.at("depth")),
-          {read_feature(features[0]), read_feature(features[1])}};
-}
+  double number(const JsonView& value) const {
+    if (is_recorded_ && value.is_null()) return std::numeric_limits<double>::quiet_NaN();
+    return value.number();
+  }
 
-Manifold<double> read_manifold(const JsonView& object, const PairCase& pair) {
-  Manifold<double> manifold;
-  const JsonView points = object.at("points");
-  if (points.length("an array of 0 to 2 points") > manifold.points.size()) {
-    points.fail(fmt::format("has {} points; a manifold has 0 to 2", points.length()));
+  Vector2<double> vector(const JsonView& array) const {
+    expect_two(array, "an array of two numbers");
+    return {number(array[0]), number(array[1])};
   }
-  manifold.count = static_cast<int>(points.length());
-  if (manifold.count == 0) return manifold;
-  const std::string_view reference = object.at("reference").string();
-  if (reference != "a" && reference != "b") {
-    object.at("reference").fail("the reference is \"a\" or \"b\"");
+
+  static Side side(const JsonView& value) {
+    const std::string_view name = value.string();
+    if (name != "a" && name != "b") value.fail("the reference is \"a\" or \"b\"");
+    return name == "a" ? Side::a : Side::b;
   }
-  manifold.reference = reference == "a" ? Side::a : Side::b;
-  const Vector2<double> rotation = pair.a.pose.rotation.cast<double>();
-  manifold.normal = rotate_back<double>(rotation, read_answered_vector(object.at("normal"))) /
-                    std::sqrt(rotation.dot(rotation));  // undoes `world_normal`
-  for (int i = 0; i < manifold.count; ++i) {
-    manifold.points[i] = read_point(points[static_cast<std::size_t>(i)]);
+
+  Feature feature(const JsonView& value, const Body& body) const {
+    const auto feature = find_feature(value.string());
+    const bool is_known = feature && (is_recorded_ || feature->index < body.polygon.count);
+    if (is_known) return *feature;
+    value.fail(fmt::format("\"{}\" is not a feature; f or v and an index{} is expected",
+                           printable(value.string()),
+                           is_recorded_ ? "" : fmt::format(" below {}", body.polygon.count)));
   }
-  return manifold;
-}
+
+  ReportedPoint point(const JsonView& object) const {
+    if (is_recorded_) object.expect_keys({"position", "local", "depth", "features"});
+    ReportedPoint result;
+    const auto local = member(object, "local");
+    const auto world = member(object, "position");
+    if (!local && !world) {
+      object.fail("neither \"position\" nor \"local\" is there; one of them is expected");
+    }
+    if (local) result.local = vector(*local);
+    if (world && (is_recorded_ || !local)) result.world = vector(*world);
+    result.depth = number(object.at("depth"));
+    if (const auto features = member(object, "features")) {
+      expect_two(*features, "[A's feature, B's feature]");
+      result.features = {feature((*features)[0], pair_.a), feature((*features)[1], pair_.b)};
+    }
+    return result;
+  }
+
+  const PairCase& pair_;
+  bool is_recorded_;
+};
 
 }  // namespace
 
@@ -160,28 +213,27 @@ Body read_body(const JsonView& object) {
   return body;
 }
 
-void append_body(std::string& out, const Body& body, std::string_view separator) {
-  out += "\"vertices\": [";
-  for (int i = 0; i < body.polygon.count; ++i) {
-    if (i > 0) out += ',';
-    append_vector(out, body.polygon.vertices[i]);
-  }
-  out += ']';
-  out.append(separator) += "\"radius\": ";
-  append_number(out, body.polygon.radius);
-  out.append(separator) += "\"position\": ";
-  append_vector(out, body.pose.position);
-  out.append(separator) += "\"rotation\": ";
-  append_vector(out, body.pose.rotation);
+std::string feature_name(Feature feature) {
+  return fmt::format(FMT_COMPILE("{}{}"), feature.kind == Feature::Kind::face ? 'f' : 'v',
+                     feature.index);
+}
+
+std::optional<Feature> find_feature(std::string_view name) {
+  if (!name.starts_with('f') && !name.starts_with('v')) return std::nullopt;
+  Feature feature{name[0] == 'f' ? Feature::Kind::face : Feature::Kind::vertex, 0};
+  const char* const end = name.data() + name.size();
+  const auto [read_to, error] = std::from_chars(name.data() + 1, end, feature.index);
+  if (error != std::errc() || read_to != end) return std::nullopt;
+  return feature;
 }
 
 void append_case_line(std::string& out, const PairCase& pair) {
-  fmt::format_to(std::back_inserter(out), FMT_COMPILE("{{\"format\": \"{}\", \"a\": {{"),
-                 kCaseFormat);
-  append_body(out, pair.a);
-  out += "}, \"b\": {";
-  append_body(out, pair.b);
-  out += "}}";
+  append_case(out, pair, {});
+  out += '}';
+}
+
+void append_case_start(std::string& out, const PairCase& pair) {
+  append_case(out, pair, {"\n  ", "\n    "});
 }
 
 void append_answer(std::string& out, const PairCase& pair, std::string_view collider,
@@ -205,13 +257,22 @@ void append_manifold_object(std::string& out, const PairCase& pair,
   out += '}';
 }
 
-NamedAnswer read_answer(const JsonView& object, const PairCase& pair) {
+NamedAnswer read_recorded_answer(const JsonView& object, const PairCase& pair) {
   object.expect_keys({"collider", "unsupported", "normal", "reference", "points"});
   const std::string collider(object.at("collider").string());
   if (const auto unsupported = object.find("unsupported")) {
     return {collider, Unsupported{std::string(unsupported->string())}};
   }
-  return {collider, read_manifold(object, pair)};
+  const ReportedManifold recorded = ManifoldReader(pair, true).manifold(object);
+  return {collider, in_frame_of_a(recorded, {.is_ordered = true}, pair).manifold};
+}
+
+Answer read_reported_answer(const JsonView& object, const PairCase& pair,
+                            const Conventions& conventions) {
+  if (const auto unsupported = object.find("unsupported")) {
+    return Unsupported{std::string(unsupported->string())};
+  }
+  return in_frame_of_a(ManifoldReader(pair, false).manifold(object), conventions, pair);
 }
 
 }  // namespace manifuzz

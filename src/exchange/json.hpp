@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "collider/collider.hpp"
+#include "exchange/reported_manifold.hpp"
 
 namespace manifuzz {
 
@@ -25,11 +27,17 @@ inline constexpr std::string_view kJudgeName = "judge";
 /// [cos, sin]}; all but the vertices may be left out. Throws UserError that begins with a path.
 Body read_body(const JsonView& object);
 
-/// Appends all keys of a body with their values, `separator` between them, without the braces.
-void append_body(std::string& out, const Body& body, std::string_view separator = ", ");
+/// "f2" for face 2, "v0" for vertex 0.
+std::string feature_name(Feature feature);
+
+/// The feature of that name, of any index up to 255; nothing for any other text.
+std::optional<Feature> find_feature(std::string_view name);
 
 /// Appends a pair case as one line, without the line's end.
 void append_case_line(std::string& out, const PairCase& pair);
+
+/// Appends the same as a corpus file begins: a line for each member, and the last brace not yet.
+void append_case_start(std::string& out, const PairCase& pair);
 
 /// Appends a manifold line (without the line's end) in the world of `pair`: normal and positions in
 /// world coordinates, `local` in A's frame, depths as world lengths.
@@ -42,13 +50,15 @@ void append_manifold_object(std::string& out, const PairCase& pair,
                             const Manifold<double>& manifold);
 
 /// Reads what `append_answer` wrote, every key required, null for a number that is not finite.
-/// Points are taken from `local`; the normal comes back into A's frame to within a rounding.
-NamedAnswer read_answer(const JsonView& object, const PairCase& pair);
+/// Points are taken from `local`; the normal comes back into A's frame to within a rounding. Throws
+/// UserError that begins with a path.
+NamedAnswer read_recorded_answer(const JsonView& object, const PairCase& pair);
 
-/// An answer from outside: {"points": [...], "normal": ...}, which comes as a partial manifold, or
-/// {"unsupported": "why"}. Each point
-/// has `depth` and `position` (in the world) or `local` (in A's frame); reference and features may
-/// be left out, and unknown keys are ignored. Throws UserError that begins with a path.
-Answer read_outside_answer(const JsonView& object, const PairCase& pair);
+/// Reads what a program answers: {"points": [...], "normal": ...}, which becomes a partial
+/// manifold, or {"unsupported": "why"}. Each point has `depth` and `position` (in the world) or
+/// `local` (in A's frame), the normal is in the world; reference and features may be left out, and
+/// unknown keys are ignored. Throws UserError that begins with a path.
+Answer read_reported_answer(const JsonView& object, const PairCase& pair,
+                            const Conventions& conventions = {});
 
 }  // namespace manifuzz

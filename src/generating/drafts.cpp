@@ -107,6 +107,12 @@ Outline sized_outline(Random& random, int most) {
   return stretched(outline, scale, scale);
 }
 
+Outline face_or_corner_up(Random& random, const Outline& outline, double margin) {
+  const int place = random_place(random, outline);
+  if (random.chance(0.5)) return face_up(outline, place, random.uniform(margin, 1 - margin));
+  return corner_up(outline, place, random.uniform(margin, 1 - margin));
+}
+
 Draft maybe_swapped(Random& random, const Draft& draft) {
   return random.chance(0.5) ? swapped(draft) : draft;
 }

@@ -29,6 +29,10 @@ Draft any_meeting(Random& random);
 /// A random outline of random count, between a quarter and twice the usual size.
 Outline sized_outline(Random& random, int most = kMaxVertices);
 
+/// The outline with a face on y = 0, facing +y, or with a corner up at the origin, but not within
+/// `margin` (a share) of a face's ends, or of a corner's two normals.
+Outline face_or_corner_up(Random& random, const Outline& outline, double margin);
+
 /// The draft, or A and B exchanged.
 Draft maybe_swapped(Random& random, const Draft& draft);
 

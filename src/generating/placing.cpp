@@ -51,6 +51,7 @@ std::optional<Body> embodied(const Sketch& sketch, float radius, const Pose<doub
   body.polygon = *polygon;
   body.pose.rotation = rotate(world.rotation, sketch.pose.rotation).cast<float>();
   body.pose.position = transform(world, sketch.pose.position).cast<float>();
+  if (!is_unit_rotation(body.pose.rotation)) return std::nullopt;
   return body;
 }
 
@@ -108,8 +109,7 @@ void put_apart(PairCase& pair, const Vector2<double>& p) {
 }
 
 bool shift_vertices(Body& body, const Vector2<double>& residual) {
-  const Vector2<double> rotation = body.pose.rotation.cast<double>();
-  const Vector2<double> shift = rotate_back<double>(rotation, residual) / rotation.dot(rotation);
+  const Vector2<double> shift = rotate_inverse<double>(body.pose.rotation.cast<double>(), residual);
   Outline outline;
   outline.count = body.polygon.count;
   for (int i = 0; i < outline.count; ++i) {
@@ -120,12 +120,23 @@ bool shift_vertices(Body& body, const Vector2<double>& residual) {
   return polygon.has_value();
 }
 
+bool place_exactly(PairCase& pair, const std::function<Vector2<double>(const Faces&)>& place) {
+  pair.a.pose.position = pair.b.pose.position = {0, 0};
+  if (!shift_vertices(pair.b, place(faces_of(pair)))) return false;
+  put_apart(pair, place(faces_of(pair)));
+  return true;
+}
+
 std::optional<ConvexPolygon<float>> rounded(const Outline& outline, float radius) {
   std::array<Vector2<float>, kMaxVertices> vertices;
   for (int i = 0; i < outline.count; ++i) vertices[i] = outline.vertices[i].cast<float>();
   const std::span<const Vector2<float>> used(vertices.data(), outline.count);
   if (find_defect(used)) return std::nullopt;
   return make_polygon(used, radius);
+}
+
+void put_off_unit(Sketch& sketch, double defect) {
+  sketch.pose.rotation *= std::sqrt(1 + defect);
 }
 
 std::optional<PairCase> settle(const Draft& draft) {

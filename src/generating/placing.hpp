@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "generating/shapes.hpp"
@@ -67,11 +68,19 @@ void put_apart(PairCase& pair, const Vector2<double>& p);
 /// Moves B by `residual` (world) through its vertices; false where floats leave no valid polygon.
 bool shift_vertices(Body& body, const Vector2<double>& residual);
 
+/// Puts both origins next to the world's, where floats are dense, and B at `place`, from A's
+/// origin, to a small share of an ulp: its vertices take up nearly all of the way. False where
+/// floats leave no valid polygon.
+bool place_exactly(PairCase& pair, const std::function<Vector2<double>(const Faces&)>& place);
+
 /// The outline rounded to floats, or none where that leaves no valid polygon.
 std::optional<ConvexPolygon<float>> rounded(const Outline& outline, float radius);
 
+/// Gives the rotation cos^2 + sin^2 = 1 + `defect`.
+void put_off_unit(Sketch& sketch, double defect);
+
 /// The drawing as a pair case, B placed by the rounded polygons; none where rounding spoils a
-/// polygon.
+/// polygon or a rotation.
 std::optional<PairCase> settle(const Draft& draft);
 
 /// A rotation by an angle of tangent 2 t / (1 - t^2).

@@ -1,6 +1,5 @@
 // Regimes in which two features are nearly as good as each other.
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/ulps.hpp"
@@ -22,17 +21,17 @@ double often_none(Random& random, int low, int high) {
 Draft roof(Random& random) {
   const Outline a = random_outline(random, random_count(random, kMaxVertices - 1));
   const int face = random.integer(0, a.count - 1);
-  const double length = std::sqrt(a.face(face).dot(a.face(face)));
+  const double wide = length(a.face(face));
   const Outline flat = face_up(a, face, random.uniform(0.2, 0.8));
-  const double narrow = length * random.magnitude(-8, 0);
+  const double narrow = wide * random.magnitude(-8, 0);
   const Outline b = random_outline(random);
   const int corner = random.integer(0, b.count - 1);
   const Outline tip = upside_down(corner_up(b, corner, random.uniform(0.05, 0.95)));
   Draft draft;
-  draft.a.outline = with_vertex(flat, face, {0, length * random.magnitude(-34, -8)});
-  const double tall = random.chance(0.5) ? narrow : length * random.magnitude(-2, 0);
+  draft.a.outline = with_vertex(flat, face, {0, wide * random.magnitude(-34, -8)});
+  const double tall = random.chance(0.5) ? narrow : wide * random.magnitude(-2, 0);
   draft.b.outline = stretched(tip, narrow, tall);
-  draft.start.x() = random.either_sign(length * random.magnitude(-10, -1));
+  draft.start.x() = random.either_sign(wide * random.magnitude(-10, -1));
   return draft;
 }
 
@@ -71,33 +70,22 @@ Draft strip(Random& random) {
   return draft;
 }
 
-/// The corner chamfered by about `length`, less than half of either edge.
-Outline micro_chamfered(Random& random, const Outline& outline, int corner, double length) {
-  const auto share = [&](const Vector2<double>& face) {
-    return std::min(0.45, random.uniform(0.2, 1) * length / std::sqrt(face.dot(face)));
-  };
-  const double before = share(outline.face(outline.previous(corner)));
-  const double after = share(outline.face(corner));
-  return chamfered(outline, corner, before, after);
-}
-
 /// A corner with a tiny chamfer, at the origin and up; half the time the chamfer faces up.
 Outline micro_corner(Random& random) {
   const Outline outline = sized_outline(random, kMaxVertices - 1);
   const int corner = random.integer(0, outline.count - 1);
   const Outline up = corner_up(outline, corner, random.unit());
   const double length = span(up) * random.magnitude(-23, -6);
-  const Outline cut = micro_chamfered(random, up, corner, length);
+  const double before = random.uniform(0.2, 1) * length;
+  const double after = random.uniform(0.2, 1) * length;
+  const Outline cut = cut_corner(up, corner, before, after);
   return random.chance(0.5) ? cut : face_up(cut, corner, random.unit());
 }
 
 /// Something to meet at the origin, below it: a face, a corner, or a corner with a chamfer.
 Outline partner(Random& random, bool micro) {
   if (micro) return micro_corner(random);
-  const Outline outline = sized_outline(random);
-  const int place = random.integer(0, outline.count - 1);
-  if (random.chance(0.5)) return face_up(outline, place, random.uniform(0.02, 0.98));
-  return corner_up(outline, place, random.uniform(0.02, 0.98));
+  return face_or_corner_up(random, sized_outline(random), 0.02);
 }
 
 /// A vertex near the origin, which lies on the face, out by the fewest steps of floats that leave
@@ -174,20 +162,12 @@ std::optional<PairCase> tie_bias(Random& random, const GenerationContext& contex
   frame(random, draft, 0.2);
   auto pair = settle(draft);
   if (!pair) return std::nullopt;
-  const Faces faces = faces_of(*pair);
-  const double level = separation(faces, apart(*pair));
-  const auto tie = walk_to_tie(faces, apart(*pair), random.either_sign(1));
+  const auto tie = find_tie(*pair, random.either_sign(1));
   if (!tie) return std::nullopt;
   const double lead = draw_lead(random);
-  const auto place = [&](const Faces& of) {
-    return place_at(of, tie->face_a, level - lead, tie->face_b, level);
-  };
-  put_apart(*pair, place(faces));
-  if (random.chance(0.7)) {  // the positions next to the origin, where floats are dense
-    pair->a.pose.position = pair->b.pose.position = {0, 0};
-    if (!shift_vertices(pair->b, place(faces))) return std::nullopt;
-    put_apart(*pair, place(faces_of(*pair)));
-  }
+  const auto place = [&](const Faces& faces) { return place_at(faces, *tie, lead); };
+  if (random.chance(0.7)) return place_exactly(*pair, place) ? pair : std::nullopt;
+  put_apart(*pair, place(faces_of(*pair)));
   return pair;
 }
 

@@ -182,6 +182,14 @@ Outline chamfered(const Outline& outline, int corner, double before, double afte
   return result;
 }
 
+Outline cut_corner(const Outline& outline, int corner, double before, double after) {
+  const auto share = [](double cut, const Vector2<double>& face) {
+    return std::min(0.45, cut / length(face));
+  };
+  return chamfered(outline, corner, share(before, outline.face(outline.previous(corner))),
+                   share(after, outline.face(corner)));
+}
+
 Outline with_vertex(const Outline& outline, int face, const Vector2<double>& vertex) {
   Outline result = outline;
   for (int i = result.count; i > face + 1; --i) result.vertices[i] = result.vertices[i - 1];

@@ -19,9 +19,13 @@ struct Outline {
   Vector2<double> face(int i) const { return vertices[next(i)] - vertices[i]; }
 };
 
+inline double length(const Vector2<double>& v) {
+  return std::sqrt(v.dot(v));
+}
+
 /// `v` made of unit length.
 inline Vector2<double> unit(const Vector2<double>& v) {
-  return v / std::sqrt(v.dot(v));
+  return v / length(v);
 }
 
 /// A rational point of the unit circle, (1 - t^2, 2t) / (1 + t^2) in a random quadrant: a
@@ -69,6 +73,9 @@ Outline upside_down(const Outline& outline);
 /// The corner replaced by a face (numbered as the corner was), from the share `before` of the face
 /// before it to the share `after` of the face after it. Needs room for one more vertex.
 Outline chamfered(const Outline& outline, int corner, double before, double after);
+
+/// The same by lengths along both faces, each cut to less than half of its face.
+Outline cut_corner(const Outline& outline, int corner, double before, double after);
 
 /// The vertex inserted into the face, between its ends. Needs room for one more.
 Outline with_vertex(const Outline& outline, int face, const Vector2<double>& vertex);

@@ -13,10 +13,7 @@ Outline benign_outline(Random& random, int most) {
 }
 
 Outline benign_partner(Random& random) {
-  const Outline outline = benign_outline(random);
-  const int place = random.integer(0, outline.count - 1);
-  if (random.chance(0.5)) return face_up(outline, place, random.uniform(0.05, 0.95));
-  return corner_up(outline, place, random.uniform(0.05, 0.95));
+  return face_or_corner_up(random, benign_outline(random), 0.05);
 }
 
 void give_own_axes(Random& random, Sketch& sketch) {
@@ -40,13 +37,6 @@ void stand_near(Random& random, Draft& draft) {
   // A float, so that A stands where the drawing has it.
   draft.world.position = Vector2<double>(x, y).cast<float>().cast<double>();
   draft.exact_gap = true;
-}
-
-bool place_exactly(PairCase& pair, const std::function<Vector2<double>(const Faces&)>& place) {
-  pair.a.pose.position = pair.b.pose.position = {0, 0};
-  if (!shift_vertices(pair.b, place(faces_of(pair)))) return false;
-  put_apart(pair, place(faces_of(pair)));
-  return true;
 }
 
 double gap_error(const PairCase& pair, double gap) {

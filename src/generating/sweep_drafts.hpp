@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 #include "generating/drafts.hpp"
 
 namespace manifuzz {
@@ -26,11 +24,6 @@ inline void meet(Random& random, Draft& draft) {
 /// Turns the drawing in the world and stands it up to two of its sizes from the origin. B's
 /// vertices take up what rounding its position leaves.
 void stand_near(Random& random, Draft& draft);
-
-/// Puts both origins next to the world's, where floats are dense, and B at `place`, from A's
-/// origin, to a small share of an ulp: its vertices take up nearly all of the way. False where
-/// floats leave no valid polygon.
-bool place_exactly(PairCase& pair, const std::function<Vector2<double>(const Faces&)>& place);
 
 /// By how much the gap of a settled pair is off, as a share of the gap asked for.
 double gap_error(const PairCase& pair, double gap);

@@ -84,15 +84,8 @@ std::optional<PairCase> off_unit(Random& random, double value) {
   Draft draft = benign_pair(random, 1, 1);
   meet(random, draft);
   stand_near(random, draft);
-  for (Sketch* sketch : {&draft.a, &draft.b}) {
-    sketch->pose.rotation *= std::sqrt(1 + random.either_sign(value));
-  }
-  auto pair = settle(draft);
-  if (!pair || !is_unit_rotation(pair->a.pose.rotation) ||
-      !is_unit_rotation(pair->b.pose.rotation)) {
-    return std::nullopt;
-  }
-  return pair;
+  for (Sketch* sketch : {&draft.a, &draft.b}) put_off_unit(*sketch, random.either_sign(value));
+  return settle(draft);
 }
 
 }  // namespace manifuzz::turn

@@ -1,9 +1,6 @@
 // Sweeps named for the polygons' shapes. What is delicate keeps the drawing's axes and lies at its
 // origin, where floats are dense.
 
-#include <algorithm>
-#include <cmath>
-
 #include "generating/sweep_drafts.hpp"
 #include "generating/sweep_list.hpp"
 
@@ -19,10 +16,6 @@ std::optional<PairCase> met_from_above(Random& random, const Outline& delicate) 
   meet(random, draft);
   stand_near(random, draft);
   return settle(maybe_swapped(random, draft));
-}
-
-double length(const Vector2<double>& v) {
-  return std::sqrt(v.dot(v));
 }
 
 }  // namespace
@@ -65,12 +58,10 @@ std::optional<PairCase> chamfer(Random& random, double value) {
   const Outline outline = benign_outline(random, kMaxVertices - 1);
   const int corner = random.integer(0, outline.count - 1);
   const Outline up = corner_up(outline, corner, random.unit());
-  const double cut = value * span(up);
-  const auto share = [&](int face) { return std::min(0.45, cut / length(up.face(face))); };
-  const Outline cut_off = chamfered(up, corner, share(up.previous(corner)), share(corner));
+  const double length = value * span(up);
+  const Outline cut = cut_corner(up, corner, length, length);
   const bool chamfer_faces_up = random.chance(0.5);
-  return met_from_above(random,
-                        chamfer_faces_up ? face_up(cut_off, corner, random.unit()) : cut_off);
+  return met_from_above(random, chamfer_faces_up ? face_up(cut, corner, random.unit()) : cut);
 }
 
 }  // namespace manifuzz::turn

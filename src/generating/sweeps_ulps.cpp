@@ -34,13 +34,9 @@ std::optional<PairCase> tied_sides(Random& random, double lead) {
   draft.world.rotation = random_direction(random);
   auto pair = settle(draft);
   if (!pair) return std::nullopt;
-  const Faces faces = faces_of(*pair);
-  const double level = separation(faces, apart(*pair));
-  const auto tie = walk_to_tie(faces, apart(*pair), random.either_sign(1));
+  const auto tie = find_tie(*pair, random.either_sign(1));
   if (!tie) return std::nullopt;
-  const auto place = [&](const Faces& of) {
-    return place_at(of, tie->face_a, level - lead, tie->face_b, level);
-  };
+  const auto place = [&](const Faces& faces) { return place_at(faces, *tie, lead); };
   if (!place_exactly(*pair, place)) return std::nullopt;
   const Faces placed = faces_of(*pair);
   const Vector2<double> at = apart(*pair);

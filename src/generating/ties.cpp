@@ -4,7 +4,9 @@
 
 namespace manifuzz {
 
-std::optional<Tie> walk_to_tie(const Faces& faces, Vector2<double> place, double sense) {
+std::optional<Tie> find_tie(const PairCase& pair, double sense) {
+  const Faces faces = faces_of(pair);
+  Vector2<double> place = apart(pair);
   const double level = separation(faces, place);
   int face = 0;
   while (faces.separation(face, place) < level) ++face;
@@ -24,18 +26,18 @@ std::optional<Tie> walk_to_tie(const Faces& faces, Vector2<double> place, double
     if (next == face) return std::nullopt;
     place += shortest * along;
     if (faces.side(next) != faces.side(face)) {
-      return Tie{std::min(face, next), std::max(face, next), place};
+      return Tie{std::min(face, next), std::max(face, next), level};
     }
     face = next;
   }
   return std::nullopt;
 }
 
-Vector2<double> place_at(const Faces& faces, int k, double s, int l, double t) {
-  const Vector2<double>& m = faces.normals[k];
-  const Vector2<double>& n = faces.normals[l];
-  const double x = faces.offsets[k] + s;
-  const double y = faces.offsets[l] + t;
+Vector2<double> place_at(const Faces& faces, const Tie& tie, double lead) {
+  const Vector2<double>& m = faces.normals[tie.face_a];
+  const Vector2<double>& n = faces.normals[tie.face_b];
+  const double x = faces.offsets[tie.face_a] + (tie.separation - lead);
+  const double y = faces.offsets[tie.face_b] + tie.separation;
   return Vector2<double>(x * n.y() - y * m.y(), y * m.x() - x * n.x()) / cross(m, n);
 }
 

@@ -6,18 +6,19 @@
 
 namespace manifuzz {
 
-/// A face of A and one of B that separate alike with B at `place`.
+/// A face of A and one of B that can separate alike.
 struct Tie {
-  int face_a;
-  int face_b;
-  Vector2<double> place;
+  int face_a = 0;  ///< numbered as in `Faces`
+  int face_b = 0;
+  double separation = 0;  ///< of B's face there
 };
 
-/// Walks with B round A at the separation it has at `place`, clockwise or not, until the face that
-/// separates changes owner.
-std::optional<Tie> walk_to_tie(const Faces& faces, Vector2<double> place, double sense);
+/// Walks with B round A, at the separation that the pair has, until the face that separates changes
+/// owner: clockwise where `sense` is 1, the other way where it is -1. None where there is no such
+/// place.
+std::optional<Tie> find_tie(const PairCase& pair, double sense);
 
-/// Where face k separates by s and face l by t.
-Vector2<double> place_at(const Faces& faces, int k, double s, int l, double t);
+/// B's place, from A, where B's face of the tie leads A's by `lead`.
+Vector2<double> place_at(const Faces& faces, const Tie& tie, double lead);
 
 }  // namespace manifuzz

@@ -16,7 +16,8 @@ inline constexpr int kMinVertices = 3;
 /// A polygon has at most so many vertices.
 inline constexpr int kMaxVertices = 8;
 
-/// A convex polygon in its own frame: 3 to 8 vertices in counter-clockwise order, strictly convex.
+/// A convex polygon in its own frame: 3 to 8 vertices in counter-clockwise order, strictly convex;
+/// coordinates are lengths in the unit of the world.
 /// Face i runs from vertex i to vertex i + 1; `normals[i]` is its outward unit normal. The polygon
 /// is rounded by `radius` (a length, >= 0), as Box2D's skin is. Plain data: build it with
 /// `make_polygon`, or through `find_defect` first where the vertices are not trusted.
@@ -39,30 +40,33 @@ struct ConvexPolygon {
 
 /// What can be wrong with vertices, in the order in which it is looked for.
 enum class PolygonDefect {
-  too_few,
-  too_many,
-  not_finite,
-  repeated_vertex,
-  clockwise,
-  not_strictly_convex,
-  winds_twice,
+  too_few,              ///< less than kMinVertices
+  too_many,             ///< more than kMaxVertices
+  not_finite,           ///< a coordinate is infinite or not a number
+  repeated_vertex,      ///< two vertices are equal
+  clockwise,            ///< they turn the other way round
+  not_strictly_convex,  ///< some corner turns clockwise, or not at all
+  winds_twice,          ///< every corner turns the right way, and they go round more than once
 };
 
-/// The first defect, or none. Decided exactly on the floats.
+/// The first defect, or none. Decided exactly on the floats, without a tolerance: see
+/// `orientation`.
 std::optional<PolygonDefect> find_defect(std::span<const Vector2<float>> vertices);
 
 /// One clause for a person: what is wrong, and what would be right.
 std::string_view describe(PolygonDefect defect);
 
-/// The outward unit normal of the counter-clockwise edge from `from` to `to`, computed in double
-/// and rounded once.
+/// The outward unit normal of the counter-clockwise edge from `from` to `to`, in their frame,
+/// computed in double and rounded once: off by one roundoff of float, in double by three.
 template <class Scalar>
 Vector2<Scalar> outward_normal(const Vector2<Scalar>& from, const Vector2<Scalar>& to) {
   const Vector2<double> edge = to.template cast<double>() - from.template cast<double>();
   return clockwise_quarter(unit_direction(edge)).template cast<Scalar>();
 }
 
-/// The polygon with these vertices, which must be free of defects.
+/// The polygon with these vertices, which must be free of defects (asserted in part, in debug
+/// builds only), rounded by `radius`, a length >= 0. Vertices are taken as they are, normals
+/// computed.
 template <class Scalar>
 ConvexPolygon<Scalar> make_polygon(std::span<const Vector2<Scalar>> vertices, Scalar radius = 0) {
   assert(vertices.size() >= kMinVertices && vertices.size() <= kMaxVertices);
@@ -86,7 +90,9 @@ ConvexPolygon<To> polygon_cast(const ConvexPolygon<From>& polygon) {
                           static_cast<To>(polygon.radius));
 }
 
-/// The polygon seen from the frame in which `pose` places it. The rotation is taken to be unit.
+/// The polygon seen from the frame in which `pose` places it. The rotation is taken to be unit:
+/// lengths, normals among them, come out times its length. Of float polygons, a vertex is off by up
+/// to 2.5 roundoffs of its reach, and one of its sum with the position.
 template <class Scalar>
 ConvexPolygon<Scalar> transform(const Pose<Scalar>& pose, const ConvexPolygon<Scalar>& polygon) {
   ConvexPolygon<Scalar> placed;
@@ -109,10 +115,10 @@ bool operator==(const ConvexPolygon<Scalar>& p, const ConvexPolygon<Scalar>& q) 
   return true;
 }
 
-/// The largest distance between two vertices.
+/// The largest distance between two vertices, a length, the radius left out.
 double diameter(const ConvexPolygon<float>& polygon);
 
-/// The largest distance of a vertex from the polygon's own origin.
+/// The largest distance of a vertex from the polygon's own origin, a length, the radius left out.
 double reach(const ConvexPolygon<float>& polygon);
 
 }  // namespace manifuzz

@@ -62,7 +62,8 @@ bool operator==(const Manifold<Scalar>& m, const Manifold<Scalar>& n) {
          (m.count < 2 || m.points[1] == n.points[1]);
 }
 
-/// Puts two points in the order of the contract, along the reference face's direction.
+/// Puts two points in the order of the contract, along the reference face's direction: its normal
+/// turned by a quarter counter-clockwise, whichever polygon's it is.
 template <class Scalar>
 void order_points(Manifold<Scalar>& manifold) {
   if (manifold.count < 2) return;
@@ -73,7 +74,8 @@ void order_points(Manifold<Scalar>& manifold) {
   }
 }
 
-/// The same manifold in another scalar.
+/// The same manifold in another scalar, each figure rounded once: the normal is as nearly unit as
+/// its rounded coordinates are.
 template <class To, class From>
 Manifold<To> manifold_cast(const Manifold<From>& from) {
   Manifold<To> to;
@@ -99,11 +101,16 @@ inline Vector2<double> world_normal(const PairCase& pair, const Vector2<double>&
   return rotate<double>(rotation, local) / std::sqrt(rotation.dot(rotation));
 }
 
-/// A world point in A's frame: R^-1 (x - p), the transpose over cos^2 + sin^2.
+/// A normal of the world, from A to B, in A's frame: unit where `length` is its length.
+inline Vector2<double> local_normal(const PairCase& pair, const Vector2<double>& world,
+                                    double length = 1) {
+  const Vector2<double> rotation = pair.a.pose.rotation.cast<double>();
+  return rotate_back<double>(rotation, world) / (std::sqrt(rotation.dot(rotation)) * length);
+}
+
+/// A world point in the frame at `pose`: R^-1 (x - p).
 inline Vector2<double> to_local(const Pose<float>& pose, const Vector2<double>& world) {
-  const Vector2<double> rotation = pose.rotation.cast<double>();
-  return rotate_back<double>(rotation, world - pose.position.cast<double>()) /
-         rotation.dot(rotation);
+  return rotate_inverse<double>(pose.rotation.cast<double>(), world - pose.position.cast<double>());
 }
 
 }  // namespace manifuzz

@@ -35,17 +35,18 @@ struct PairCase {
   friend bool operator==(const PairCase&, const PairCase&) = default;
 };
 
-/// A plus B rounded: shapes touch while the separation is at most this.
+/// The sum of both radii, a length: shapes touch while the separation is at most this.
 inline double total_radius(const PairCase& pair) {
   return static_cast<double>(pair.a.polygon.radius) + static_cast<double>(pair.b.polygon.radius);
 }
 
-/// The smaller polygon's diameter: the yardstick of errors.
+/// The smaller polygon's diameter, a length: the yardstick of errors.
 inline double size(const PairCase& pair) {
   return std::min(diameter(pair.a.polygon), diameter(pair.b.polygon));
 }
 
-/// E of the error bounds: the reach of both polygons plus the distance between their origins.
+/// E of the error bounds, a length: the reach of both polygons plus the distance between their
+/// origins.
 inline double extent(const PairCase& pair) {
   const Vector2<double> apart =
       pair.b.pose.position.cast<double>() - pair.a.pose.position.cast<double>();

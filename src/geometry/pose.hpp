@@ -29,7 +29,8 @@ Scalar rounded_product(Scalar x, Scalar y) {
   return product;
 }
 
-/// R v.
+/// R v: `v` turned counter-clockwise, and as many times as long as the rotation is. Off by up
+/// to 2.5 roundoffs of |v|.
 template <class Scalar>
 Vector2<Scalar> rotate(const Vector2<Scalar>& rotation, const Vector2<Scalar>& v) {
   return {rounded_product(rotation.x(), v.x()) - rounded_product(rotation.y(), v.y()),
@@ -43,14 +44,21 @@ Vector2<Scalar> rotate_back(const Vector2<Scalar>& rotation, const Vector2<Scala
           rounded_product(rotation.x(), v.y()) - rounded_product(rotation.y(), v.x())};
 }
 
+/// R^-1 v: the transpose over cos^2 + sin^2, the inverse of `rotate` to within roundings.
+template <class Scalar>
+Vector2<Scalar> rotate_inverse(const Vector2<Scalar>& rotation, const Vector2<Scalar>& v) {
+  return rotate_back(rotation, v) / rotation.dot(rotation);
+}
+
 /// R v + position: a local point, placed.
 template <class Scalar>
 Vector2<Scalar> transform(const Pose<Scalar>& pose, const Vector2<Scalar>& v) {
   return rotate(pose.rotation, v) + pose.position;
 }
 
-/// B's pose in A's frame. Subtracting the positions first keeps the distance from the origin out of
-/// everything that follows.
+/// B's pose in A's frame, of both poses in the world. Subtracting the positions first keeps the
+/// distance from the origin out of everything that follows. Rotations are taken to be unit: the
+/// position is as many times as long as A's, and the rotation as A's times B's.
 template <class Scalar>
 Pose<Scalar> relative_pose(const Pose<Scalar>& a, const Pose<Scalar>& b) {
   return {rotate_back<Scalar>(a.rotation, b.position - a.position),

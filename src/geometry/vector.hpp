@@ -7,11 +7,12 @@
 
 namespace manifuzz {
 
-/// A point or a direction of the plane. Unaligned, so that it may live in any container.
+/// A point or a direction of the plane: x to the right, y up, angles counter-clockwise. Unaligned,
+/// so that it may live in any container.
 template <class Scalar>
 using Vector2 = Eigen::Matrix<Scalar, 2, 1, Eigen::DontAlign>;
 
-/// z of a x b: positive where b points counter-clockwise of a.
+/// z of a x b, an area: positive where b points counter-clockwise of a.
 template <class Scalar>
 Scalar cross(const Vector2<Scalar>& a, const Vector2<Scalar>& b) {
   return a.x() * b.y() - a.y() * b.x();

@@ -38,21 +38,16 @@ double distance(const Vector2<double>& p, const Vector2<double>& q) {
   return std::sqrt(apart.dot(apart));
 }
 
-std::span<const ClipPoint> points_of(const Clip& clip) {
-  return {clip.points.data(), static_cast<std::size_t>(clip.count)};
-}
-
-bool nearly_clipped(const Admissible& right, const Clip& clip, const ClipPoint& point) {
+bool nearly_clipped(const Bounds& bounds, const Clip& clip, const ClipPoint& point) {
   return point.crossing || clip.count < 2 ||
-         compare_margin(right.pair(), clip, point.end, right.bounds.separation) <= 0;
+         compare_margin(clip, point.end, bounds.separation) <= 0;
 }
 
 /// Whether a reported point has the true place and depth.
 bool matches(const Admissible& right, const Clip& clip, const ClipPoint& point,
              const ContactPoint<double>& reported) {
-  return is_near_position(right.pair(), clip, point, reported.position,
-                          position_bound(right, clip, point)) &&
-         is_near_depth(right.pair(), clip, point, reported.depth, depth_bound(right, clip, point));
+  return is_near_position(clip, point, reported.position, position_bound(right, clip, point)) &&
+         is_near_depth(clip, point, reported.depth, depth_bound(right, clip, point));
 }
 
 /// Two points within bound of each other may be reported as one.
@@ -71,11 +66,10 @@ bool closer(const Mismatch& m, const Mismatch& n) {
 
 Mismatch point_mismatch(const Admissible& right, const Clip& clip, const ClipPoint& point,
                         const ContactPoint<double>& reported) {
-  const PairCase& pair = right.pair();
-  if (!is_near_position(pair, clip, point, reported.position, position_bound(right, clip, point))) {
+  if (!is_near_position(clip, point, reported.position, position_bound(right, clip, point))) {
     return {Kind::position, distance(reported.position, point.position())};
   }
-  if (!is_near_depth(pair, clip, point, reported.depth, depth_bound(right, clip, point))) {
+  if (!is_near_depth(clip, point, reported.depth, depth_bound(right, clip, point))) {
     return {Kind::depth, std::abs(reported.depth - point.depth())};
   }
   if (reported.features != point.features && features_decided(right, clip, point)) {
@@ -101,26 +95,29 @@ double Admissible::from_contact() const {
   return std::abs(truth->separation() - total_radius(pair()));
 }
 
-double position_bound(const Admissible& right, const Clip& clip, const ClipPoint& point) {
-  const Bounds& bounds = right.bounds;
-  if (!nearly_clipped(right, clip, point)) return bounds.position;
+double position_bound(const Bounds& bounds, const Clip& clip, const ClipPoint& point) {
+  if (!nearly_clipped(bounds, clip, point)) return bounds.position;
   return bounds.position + std::min(bounds.separation / clip.cosine, clip.edge_length);
 }
 
-double depth_bound(const Admissible& right, const Clip& clip, const ClipPoint& point) {
-  const double depth = right.bounds.separation;
-  if (!nearly_clipped(right, clip, point)) return depth;
+double depth_bound(const Bounds& bounds, const Clip& clip, const ClipPoint& point) {
+  const double depth = bounds.separation;
+  if (!nearly_clipped(bounds, clip, point)) return depth;
   return depth + std::min(depth * clip.tangent, clip.edge_length);
 }
 
 bool may_miss(const Admissible& right, const Clip& clip) {
-  return compare_gap(right.pair(), clip, -right.bounds.separation) >= 0 ||
-         compare_width(right.pair(), clip, right.bounds.separation) <= 0;
+  return compare_gap(clip, -right.bounds.separation) >= 0 ||
+         compare_width(clip, right.bounds.separation) <= 0;
 }
 
 bool is_optional(const Admissible& right, const Clip& clip, const ClipPoint& point) {
-  return compare_depth(right.pair(), clip, point, depth_bound(right, clip, point)) <= 0 ||
-         may_miss(right, clip);
+  return compare_depth(clip, point, depth_bound(right, clip, point)) <= 0 || may_miss(right, clip);
+}
+
+bool is_at_zero_depth(const Admissible& right, const Clip& clip, const ClipPoint& point) {
+  const double bound = depth_bound(right, clip, point);
+  return compare_depth(clip, point, bound) <= 0 && compare_depth(clip, point, -bound) >= 0;
 }
 
 bool may_be_empty(const Admissible& right, const Clip& clip) {
@@ -131,13 +128,18 @@ bool may_be_empty(const Admissible& right, const Clip& clip) {
 bool features_decided(const Admissible& right, const Clip& clip, const ClipPoint& point) {
   if (right.candidates.size() > 1 || clip.count < 2) return false;
   const double bound = position_bound(right, clip, point);
-  return compare_margin(right.pair(), clip, point.end, bound) > 0 &&
-         compare_apart(right.pair(), clip, 2 * bound) > 0;
+  return compare_margin(clip, point.end, bound) > 0 && compare_apart(clip, 2 * bound) > 0;
 }
 
 Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declaration& declaration) {
+  const Bounds own = bounds(truth->pair(), declaration, truth->extent());
+  return admissible(std::move(truth), declaration.tie_bias, own);
+}
+
+Admissible admissible(std::shared_ptr<const exact::Truth> truth, double tie_bias,
+                      const Bounds& bounds) {
   Admissible result;
-  result.bounds = bounds(truth->pair(), declaration, truth->extent());
+  result.bounds = bounds;
   const double bound = result.bounds.separation;
   if (!std::isfinite(bound)) {
     result.truth = std::move(truth);
@@ -150,7 +152,7 @@ Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declarati
   const bool may_overlap = truth->compare_separation(bound) < 0;
   result.truth = std::move(truth);
   if (!result.may_touch) return result;
-  add_references(declaration.tie_bias, result);
+  add_references(tie_bias, result);
   if (may_overlap && std::ranges::any_of(result.candidates, [&](const Clip* clip) {
         return may_be_empty(result, *clip);
       })) {
@@ -166,10 +168,10 @@ Admissible admissible(const PairCase& pair, const Declaration& declaration) {
 Mismatch mismatch(const Manifold<double>& manifold, const Clip& clip, const Admissible& right) {
   if (manifold.count > 0) {
     if (manifold.reference != clip.reference.side ||
-        !is_near_normal(right.pair(), clip, manifold.normal, right.bounds.normal)) {
+        !is_near_normal(clip, manifold.normal, right.bounds.normal)) {
       return {Kind::normal, distance(manifold.normal, clip.normal)};
     }
-    if (compare_gap(right.pair(), clip, right.bounds.separation) > 0) {
+    if (compare_gap(clip, right.bounds.separation) > 0) {
       return {Kind::position, clip.gap()};
     }
   }
@@ -207,7 +209,7 @@ std::vector<Manifold<double>> right_manifolds(const Admissible& right) {
   const Manifold<double> apart;
   if (mismatch(apart, right).kind == Kind::none) manifolds.push_back(apart);
   for (const Clip* clip : right.candidates) {
-    const Manifold<double> touching = true_manifold(right.pair(), *clip, right.bounds.separation);
+    const Manifold<double> touching = true_manifold(*clip, right.bounds.separation);
     if (touching.count > 0) manifolds.push_back(touching);
   }
   return manifolds;

@@ -31,15 +31,29 @@ struct Admissible {
 /// Where the scalar may overflow the bound is infinite, and nothing is decided: no candidates.
 Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declaration& declaration);
 Admissible admissible(const PairCase& pair, const Declaration& declaration);
+/// The same within these bounds.
+Admissible admissible(std::shared_ptr<const exact::Truth> truth, double tie_bias,
+                      const Bounds& bounds);
 
 /// How far position and depth of a candidate's point may be off: the angle's term where the end is
 /// clipped or nearly so, capped by the incident edge's length.
-double position_bound(const Admissible& right, const exact::Clip& clip,
-                      const exact::ClipPoint& point);
-double depth_bound(const Admissible& right, const exact::Clip& clip, const exact::ClipPoint& point);
+double position_bound(const Bounds& bounds, const exact::Clip& clip, const exact::ClipPoint& point);
+double depth_bound(const Bounds& bounds, const exact::Clip& clip, const exact::ClipPoint& point);
+inline double position_bound(const Admissible& right, const exact::Clip& clip,
+                             const exact::ClipPoint& point) {
+  return position_bound(right.bounds, clip, point);
+}
+inline double depth_bound(const Admissible& right, const exact::Clip& clip,
+                          const exact::ClipPoint& point) {
+  return depth_bound(right.bounds, clip, point);
+}
 
 /// Whether the incident edge misses the slab, or nearly; or the slab is narrower than rounding.
 bool may_miss(const Admissible& right, const exact::Clip& clip);
+
+/// Whether the point's depth is 0 within its bound.
+bool is_at_zero_depth(const Admissible& right, const exact::Clip& clip,
+                      const exact::ClipPoint& point);
 
 /// A point that a right collider may leave out: too shallow, or of an edge that may miss the slab.
 bool is_optional(const Admissible& right, const exact::Clip& clip, const exact::ClipPoint& point);

@@ -9,7 +9,7 @@
 
 namespace manifuzz {
 
-/// What a comparison of two colliders comes to.
+/// The result of comparing a subject with an oracle on one case.
 enum class Verdict {
   agree,  ///< they match each other within bound
   tie,    ///< they differ, and each is right by its own declaration
@@ -30,7 +30,7 @@ inline constexpr std::array<std::string_view, 11> kVerdictNames{
 enum class Fault { none, subject, oracle, both };
 inline constexpr std::array<std::string_view, 4> kFaultNames{"none", "subject", "oracle", "both"};
 
-/// What is wrong with a manifold, or how two differ; the later, the closer it came to be right.
+/// What is wrong with a manifold, or how two differ; the later, the closer to being right.
 enum class Kind {
   none,
   missed_contact,
@@ -62,6 +62,11 @@ struct Bucket {
 
   friend bool operator==(const Bucket&, const Bucket&) = default;
 };
+
+/// Of an answer that never came, or is nonsense: crashed, timed_out or malformed.
+inline Bucket bucket_of_lost(Verdict verdict, Fault fault) {
+  return {.fault = fault, .verdict = verdict};
+}
 
 template <class Enum, std::size_t N>
 std::string_view name_of(Enum value, const std::array<std::string_view, N>& names) {

@@ -61,6 +61,13 @@ std::vector<Vector2<double>> differences(const PairCase& pair) {
   return all;
 }
 
+/// The reference face as float colliders have it, in its polygon's own frame.
+Vector2<float> float_face(const exact::Clip& clip) {
+  const auto& [side, face] = clip.reference;
+  const ConvexPolygon<float>& polygon = (*clip.pair)[side].polygon;
+  return polygon.vertices[polygon.next(face)] - polygon.vertices[face];
+}
+
 double length_of(const PairCase& pair, exact::FaceOf face) {
   return std::sqrt(exact::square<double>(pair, face));
 }
@@ -76,41 +83,28 @@ bool no_contact_on_tied_features(const Deviation& d) {
   return misses_overlap(d) && (may_be_empty_from(d, Side::a) || may_be_empty_from(d, Side::b));
 }
 
-/// The reference face is too short for b2Vec2::Normalize, or shorter than world coordinates
-/// resolve.
 bool tiny_reference_face(const Deviation& d) {
   if (d.kind != Kind::normal && d.kind != Kind::missed_contact) return false;
   const double unresolved =
       std::max(d.right.bounds.separation, 2.0 * std::numeric_limits<float>::epsilon());
   return any_candidate(d, [&](const exact::Clip& clip) {
-    const ConvexPolygon<float>& polygon = d.right.pair()[clip.reference.side].polygon;
-    const Vector2<float> face = polygon.vertices[polygon.next(clip.reference.index)] -
-                                polygon.vertices[clip.reference.index];
-    return static_cast<double>(face.norm()) <= unresolved;
+    return static_cast<double>(float_face(clip).norm()) <= unresolved;
   });
 }
 
-/// The square of the reference face's length is beyond float, so that b2Vec2::Normalize divides by
-/// infinity.
 bool huge_reference_face(const Deviation& d) {
   if (d.kind != Kind::normal && d.kind != Kind::missed_contact) return false;
-  return any_candidate(d, [&](const exact::Clip& clip) {
-    const ConvexPolygon<float>& polygon = d.right.pair()[clip.reference.side].polygon;
-    const Vector2<float> face = polygon.vertices[polygon.next(clip.reference.index)] -
-                                polygon.vertices[clip.reference.index];
+  return any_candidate(d, [](const exact::Clip& clip) {
+    const Vector2<float> face = float_face(clip);
     return !std::isfinite(face.dot(face));
   });
 }
 
-/// An end of the incident edge lies so near a side plane that the product of both ends' distances
-/// underflows: the crossing is not seen, and one point is left.
 bool crossing_underflows(const Deviation& d) {
   return misses_overlap(d) && any_candidate(d, [&](const exact::Clip& clip) {
-           return std::any_of(clip.points.begin(), clip.points.begin() + clip.count,
-                              [&](const exact::ClipPoint& point) {
-                                return compare_margin(d.right.pair(), clip, point.end,
-                                                      std::numeric_limits<float>::min()) <= 0;
-                              });
+           return std::ranges::any_of(points_of(clip), [&](const exact::ClipPoint& point) {
+             return compare_margin(clip, point.end, std::numeric_limits<float>::min()) <= 0;
+           });
          });
 }
 
@@ -118,7 +112,7 @@ bool edge_extended_to_slab(const Deviation& d) {
   const bool fits = d.kind == Kind::position || d.kind == Kind::depth || d.kind == Kind::count ||
                     d.kind == Kind::phantom_contact;
   return fits && any_clip_of_greatest(d, [&](const exact::Clip& clip) {
-           return compare_gap(d.right.pair(), clip, -d.right.bounds.separation) > 0;
+           return compare_gap(clip, -d.right.bounds.separation) > 0;
          });
 }
 
@@ -141,7 +135,7 @@ bool normal_of_rounded_vertices(const Deviation& d) {
   return any_candidate(d, [&](const exact::Clip& clip) {
     // Two vertices, each rounded by a rotation (2.42 u) and a sum (u), over the face's length.
     const double bound = d.right.bounds.normal + 7 * u * reach / length_of(pair, clip.reference);
-    return is_near_normal(pair, clip, d.got.normal, bound);
+    return is_near_normal(clip, d.got.normal, bound);
   });
 }
 

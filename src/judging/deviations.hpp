@@ -14,7 +14,8 @@ bool no_contact_on_tied_features(const Deviation& deviation);
 /// The reference face is too short for b2Vec2::Normalize, or shorter than world coordinates
 /// resolve.
 bool tiny_reference_face(const Deviation& deviation);
-/// The square of the reference face's length is beyond float.
+/// The square of the reference face's length is beyond float, so that b2Vec2::Normalize divides by
+/// infinity.
 bool huge_reference_face(const Deviation& deviation);
 /// An end of the incident edge lies so near a side plane that the product of both ends' distances
 /// underflows: the crossing is not seen, and one point is left.

@@ -4,59 +4,11 @@
 #include <optional>
 
 #include "judging/completed.hpp"
-#include "judging/plain_error.hpp"
 
 namespace manifuzz {
 namespace {
 
 using exact::Clip;
-
-double distance(const Vector2<double>& p, const Vector2<double>& q) {
-  const Vector2<double> apart = p - q;
-  return std::sqrt(apart.dot(apart));
-}
-
-bool matches_one(const Manifold<double>& manifold, const Clip& clip, const Admissible& right) {
-  return mismatch(manifold, clip, right).kind == Kind::none;
-}
-
-/// Both match one candidate within their own bounds, hence each other within the sum.
-bool agree_within_bounds(const Manifold<double>& subject, const Admissible& right_for_subject,
-                         const Manifold<double>& oracle, const Admissible& right_for_oracle) {
-  if (subject.count != oracle.count) return false;
-  if (subject.count == 0) return true;
-  return std::ranges::any_of(right_for_subject.candidates, [&](const Clip* clip) {
-    return matches_one(subject, *clip, right_for_subject) &&
-           matches_one(oracle, *clip, right_for_oracle);
-  });
-}
-
-/// How two right manifolds differ: the kind, and the magnitude as a world length.
-Mismatch difference(const Manifold<double>& subject, const Manifold<double>& oracle,
-                    double from_contact) {
-  if (subject.count == 0) return {Kind::missed_contact, from_contact};
-  if (oracle.count == 0) return {Kind::phantom_contact, from_contact};
-  double apart = 0;
-  double deeper = 0;
-  for (int i = 0; i < subject.count; ++i) {
-    const auto& point = subject.points[i];
-    const auto* nearest = &oracle.points[0];
-    for (int j = 1; j < oracle.count; ++j) {
-      if (distance(point.position, oracle.points[j].position) <
-          distance(point.position, nearest->position)) {
-        nearest = &oracle.points[j];
-      }
-    }
-    apart = std::max(apart, distance(point.position, nearest->position));
-    deeper = std::max(deeper, std::abs(point.depth - nearest->depth));
-  }
-  const double magnitude = std::max(apart, deeper);
-  if (subject.reference != oracle.reference || subject.normal != oracle.normal) {
-    return {Kind::normal, magnitude};
-  }
-  if (subject.count != oracle.count) return {Kind::count, magnitude};
-  return {Kind::position, magnitude};
-}
 
 bool several_references(const Admissible& right) {
   return std::ranges::any_of(right.candidates, [&](const Clip* clip) {
@@ -67,18 +19,15 @@ bool several_references(const Admissible& right) {
 bool contact_boundary(const Admissible& right) {
   if (right.may_touch && right.may_be_apart) return true;
   const Clip& clip = *right.candidates.front();
-  return std::any_of(clip.points.begin(), clip.points.begin() + clip.count, [&](const auto& point) {
-    const double bound = depth_bound(right, clip, point);
-    return compare_depth(right.pair(), clip, point, bound) <= 0 &&
-           compare_depth(right.pair(), clip, point, -bound) >= 0;
-  });
+  return std::ranges::any_of(
+      points_of(clip), [&](const auto& point) { return is_at_zero_depth(right, clip, point); });
 }
 
 bool clip_boundary(const Admissible& right) {
   const Clip& clip = *right.candidates.front();
   return clip.count < 2 || may_miss(right, clip) ||
-         std::any_of(clip.points.begin(), clip.points.begin() + clip.count, [&](const auto& point) {
-           return compare_margin(right.pair(), clip, point.end, right.bounds.separation) <= 0;
+         std::ranges::any_of(points_of(clip), [&](const auto& point) {
+           return compare_margin(clip, point.end, right.bounds.separation) <= 0;
          });
 }
 
@@ -107,25 +56,6 @@ TieClass relevant(TieClass tie_class, Verdict verdict, Kind kind) {
   return boundary && verdict != Verdict::tie ? TieClass::none : tie_class;
 }
 
-/// A magnitude in world lengths as a share of the size; a normal's is a share already.
-double share(const Mismatch& mismatch, double size) {
-  return mismatch.kind == Kind::normal ? mismatch.magnitude : mismatch.magnitude / size;
-}
-
-ErrorShare error_share(const Manifold<double>& manifold, const Admissible& right) {
-  const PlainError error = plain_error(manifold, right);
-  return {error.depth / right.truth->size(), error.position / right.truth->size()};
-}
-
-bool is_ill_posed(const exact::Truth& truth, const Declaration& declaration) {
-  return manifuzz::is_ill_posed(truth.size(), bounds(truth.pair(), declaration, truth.extent()));
-}
-
-/// What overflows in the collider's scalar is no nonsense of the collider's.
-bool may_overflow(const exact::Truth& truth, const Declaration& declaration) {
-  return !std::isfinite(bounds(truth.pair(), declaration, truth.extent()).separation);
-}
-
 /// The manifold of an answer, complete or not; nullptr where there is none.
 const Manifold<double>* manifold_in(const Answer& answer) {
   if (const auto* const partial = std::get_if<PartialManifold>(&answer)) return &partial->manifold;
@@ -150,45 +80,56 @@ Verdict verdict_of(Lost::How how) {
   }
 }
 
-/// What a party's answer comes to by itself: lost, or nonsense.
-std::optional<Bucket> without_manifold(const PairCase& pair, const Answer& answer, Fault party) {
+/// An answer that is no manifold to judge, as the finding that it is by itself: lost, or nonsense.
+std::optional<Bucket> without_manifold(const PairCase& pair, const Answer& answer, Fault fault) {
   if (const auto* const lost = std::get_if<Lost>(&answer)) {
-    return bucket_of_lost(verdict_of(lost->how), party);
+    return bucket_of_lost(verdict_of(lost->how), fault);
   }
   const Manifold<double>* const manifold = manifold_in(answer);
   if (manifold == nullptr || is_well_formed(pair, *manifold)) return std::nullopt;
-  return bucket_of_lost(Verdict::malformed, party);
+  return bucket_of_lost(Verdict::malformed, fault);
 }
 
 /// A verdict that needs no judging of manifolds, if it is one.
 std::optional<Bucket> without_judging(const exact::Truth& truth, const ColliderAnswer& subject,
                                       const ColliderAnswer& oracle) {
   const PairCase& pair = truth.pair();
-  if (may_overflow(truth, subject.declaration) || may_overflow(truth, oracle.declaration)) {
-    return Bucket{.verdict = Verdict::ill_posed};
-  }
+  const Bounds wider = std::ranges::max({bounds(pair, subject.declaration, truth.extent()),
+                                         bounds(pair, oracle.declaration, truth.extent())},
+                                        {}, &Bounds::separation);
+  // What overflows in the collider's scalar is no nonsense of the collider's.
+  if (!std::isfinite(wider.separation)) return Bucket{.verdict = Verdict::ill_posed};
   if (const auto bucket = without_manifold(pair, subject.answer, Fault::subject)) return bucket;
   if (const auto bucket = without_manifold(pair, oracle.answer, Fault::oracle)) return bucket;
   if (manifold_in(subject.answer) == nullptr || manifold_in(oracle.answer) == nullptr) {
     return Bucket{.verdict = Verdict::unsupported};
   }
-  if (is_ill_posed(truth, subject.declaration) || is_ill_posed(truth, oracle.declaration)) {
-    return Bucket{.verdict = Verdict::ill_posed};
-  }
+  if (is_ill_posed(truth.size(), wider)) return Bucket{.verdict = Verdict::ill_posed};
   return std::nullopt;
 }
 
-struct Wrongs {
-  Mismatch subject;
-  Mismatch oracle;
+/// One collider's manifold, what is right for it, and how it falls short.
+struct Judged {
+  Admissible right;
+  Manifold<double> manifold;
+  Mismatch mismatch;
 
-  Fault fault() const {
-    const bool of_subject = subject.kind != Kind::none;
-    const bool of_oracle = oracle.kind != Kind::none;
-    if (of_subject && of_oracle) return Fault::both;
-    return of_subject ? Fault::subject : of_oracle ? Fault::oracle : Fault::none;
-  }
+  bool is_wrong() const { return mismatch.kind != Kind::none; }
 };
+
+Judged judged(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& given) {
+  Judged result{.right = admissible(truth, given.declaration), .manifold = {}, .mismatch = {}};
+  result.manifold = manifold_of(given.answer, result.right);
+  result.mismatch = mismatch(result.manifold, result.right);
+  return result;
+}
+
+Fault fault_of(const Judged& subject, const Judged& oracle) {
+  const bool of_subject = subject.is_wrong();
+  const bool of_oracle = oracle.is_wrong();
+  if (of_subject && of_oracle) return Fault::both;
+  return of_subject ? Fault::subject : of_oracle ? Fault::oracle : Fault::none;
+}
 
 Verdict verdict_of(Fault fault) {
   switch (fault) {
@@ -203,45 +144,25 @@ Verdict verdict_of(Fault fault) {
   }
 }
 
-bool plainly_agree(const exact::Truth& truth, const Declaration& of_subject,
-                   const Manifold<double>& s, const Declaration& of_oracle,
-                   const Manifold<double>& o) {
-  if (s.count != o.count) return false;
-  const Bounds for_subject = bounds(truth.pair(), of_subject, truth.extent());
-  const Bounds for_oracle = bounds(truth.pair(), of_oracle, truth.extent());
-  if (is_ill_posed(truth.size(), for_subject) || is_ill_posed(truth.size(), for_oracle)) {
-    return false;
+/// The error of a wrong manifold.
+ManifoldError error_of(const Judged& judged) {
+  if (!judged.is_wrong()) return {};
+  return share_of_size(plain_error(judged.manifold, judged.right), judged.right.truth->size());
+}
+
+/// How two right manifolds differ, or else how a wrong one falls short, the subject's before the
+/// oracle's; the magnitude as a share of the size.
+Mismatch disagreement(const Judged& subject, const Judged& oracle, double size) {
+  if (!subject.is_wrong() && !oracle.is_wrong()) {
+    const Mismatch apart =
+        difference(subject.manifold, oracle.manifold, subject.right.from_contact());
+    return {apart.kind, apart.magnitude / size};
   }
-  if (s.count == 0) return truth.compare_contact(for_subject.separation) > 0;
-  if (s.count < 0 || s.count > 2 || s.reference != o.reference || truth.compare_contact(0) > 0) {
-    return false;
-  }
-  if (!(distance(s.normal, o.normal) <= for_subject.normal + for_oracle.normal)) return false;
-  const double apart = for_subject.position + for_oracle.position;
-  const double deeper = for_subject.separation + for_oracle.separation;
-  for (int i = 0; i < s.count; ++i) {
-    if (!(distance(s.points[i].position, o.points[i].position) <= apart) ||
-        !(std::abs(s.points[i].depth - o.points[i].depth) <= deeper) ||
-        s.points[i].features != o.points[i].features) {
-      return false;
-    }
-  }
-  return true;
+  const auto [kind, magnitude] = subject.is_wrong() ? subject.mismatch : oracle.mismatch;
+  return {kind, kind == Kind::normal ? magnitude : magnitude / size};
 }
 
 }  // namespace
-
-bool is_well_formed(const PairCase& pair, const Manifold<double>& m) {
-  if (m.count < 0 || m.count > 2) return false;
-  if (m.count > 0 && !m.normal.allFinite()) return false;
-  const auto exists = [](const Feature& feature, const Body& body) {
-    return feature.index < body.polygon.count;
-  };
-  return std::all_of(m.points.begin(), m.points.begin() + m.count, [&](const auto& point) {
-    return point.position.allFinite() && std::isfinite(point.depth) && point.depth >= 0 &&
-           exists(point.features.a, pair.a) && exists(point.features.b, pair.b);
-  });
-}
 
 Standing standing(const exact::Truth& truth) {
   const double above = truth.separation() - total_radius(truth.pair());
@@ -249,61 +170,29 @@ Standing standing(const exact::Truth& truth) {
           .near = std::abs(above) <= kNearShare * truth.size()};
 }
 
-bool plainly_agree(const exact::Truth& truth, const ColliderAnswer& subject,
-                   const ColliderAnswer& oracle) {
-  const auto* const s = std::get_if<Manifold<double>>(&subject.answer);
-  const auto* const o = std::get_if<Manifold<double>>(&oracle.answer);
-  if (s && o) return plainly_agree(truth, subject.declaration, *s, oracle.declaration, *o);
-  if (const auto* const p = std::get_if<PartialManifold>(&subject.answer); p && o) {
-    return plainly_agree(truth, subject.declaration, completed(*p, truth.pair(), *o),
-                         oracle.declaration, *o);
-  }
-  if (const auto* const p = std::get_if<PartialManifold>(&oracle.answer); p && s) {
-    return plainly_agree(truth, subject.declaration, *s, oracle.declaration,
-                         completed(*p, truth.pair(), *s));
-  }
-  return false;
-}
-
 Judgement judge(std::shared_ptr<const exact::Truth> truth, const ColliderAnswer& subject,
                 const ColliderAnswer& oracle) {
   if (const auto bucket = without_judging(*truth, subject, oracle)) return {.bucket = *bucket};
-  const Admissible right_for_subject = admissible(truth, subject.declaration);
-  const Admissible right_for_oracle = admissible(truth, oracle.declaration);
-  const Manifold<double> of_subject = manifold_of(subject.answer, right_for_subject);
-  const Manifold<double> of_oracle = manifold_of(oracle.answer, right_for_oracle);
-  const Wrongs wrongs{mismatch(of_subject, right_for_subject),
-                      mismatch(of_oracle, right_for_oracle)};
-
-  Judgement result;
-  if (wrongs.subject.kind != Kind::none) {
-    result.of_subject = error_share(of_subject, right_for_subject);
-  }
-  if (wrongs.oracle.kind != Kind::none) {
-    result.of_oracle = error_share(of_oracle, right_for_oracle);
-  }
-  result.bucket.reference = truth->greatest().side;
-  result.bucket.fault = wrongs.fault();
-  if (result.bucket.fault == Fault::none &&
-      agree_within_bounds(of_subject, right_for_subject, of_oracle, right_for_oracle)) {
+  const Judged of_subject = judged(truth, subject);
+  const Judged of_oracle = judged(truth, oracle);
+  Judgement result{.of_subject = error_of(of_subject), .of_oracle = error_of(of_oracle)};
+  Bucket& bucket = result.bucket;
+  bucket.reference = truth->greatest().side;
+  bucket.fault = fault_of(of_subject, of_oracle);
+  if (bucket.fault == Fault::none && agree_within_bounds(of_subject.manifold, of_subject.right,
+                                                         of_oracle.manifold, of_oracle.right)) {
     return result;
   }
-  result.bucket.verdict = verdict_of(result.bucket.fault);
-  if (result.bucket.fault == Fault::none) {
-    const Mismatch apart = difference(of_subject, of_oracle, right_for_subject.from_contact());
-    result.bucket.kind = apart.kind;
-    result.magnitude = apart.magnitude / truth->size();
-  } else {
-    const Mismatch& worst = result.bucket.fault == Fault::oracle ? wrongs.oracle : wrongs.subject;
-    result.bucket.kind = worst.kind;
-    result.magnitude = share(worst, truth->size());
-  }
-  result.bucket.tie_class = relevant(tie_class(right_for_subject, right_for_oracle),
-                                     result.bucket.verdict, result.bucket.kind);
-  if (result.bucket.verdict == Verdict::oracle_wrong) {
+  const Mismatch found = disagreement(of_subject, of_oracle, truth->size());
+  bucket.verdict = verdict_of(bucket.fault);
+  bucket.kind = found.kind;
+  bucket.tie_class =
+      relevant(tie_class(of_subject.right, of_oracle.right), bucket.verdict, bucket.kind);
+  result.magnitude = found.magnitude;
+  if (bucket.verdict == Verdict::oracle_wrong) {
     result.explanation = find_explanation(oracle.declaration.name,
-                                          {right_for_oracle, of_oracle, wrongs.oracle.kind});
-    if (result.explanation != nullptr) result.bucket.verdict = Verdict::known;
+                                          {of_oracle.right, of_oracle.manifold, found.kind});
+    if (result.explanation != nullptr) bucket.verdict = Verdict::known;
   }
   return result;
 }
@@ -316,10 +205,6 @@ Judgement judge(const PairCase& pair, const Collider& subject, const Collider& o
   const Answer of_subject = subject.collide(pair);
   const Answer of_oracle = oracle.collide(pair);
   return judge(pair, {subject.declaration, of_subject}, {oracle.declaration, of_oracle});
-}
-
-Bucket bucket_of_lost(Verdict verdict, Fault fault) {
-  return {.fault = fault, .verdict = verdict};
 }
 
 }  // namespace manifuzz

@@ -8,10 +8,11 @@
 namespace manifuzz {
 namespace {
 
-Statement stated(const Manifold<double>& manifold) {
-  if (manifold.count == 0) return {.kind = Statement::Kind::apart};
-  Statement result{
-      .kind = Statement::Kind::contact, .count = manifold.count, .reference = manifold.reference};
+ContactSummary summary_of(const Manifold<double>& manifold) {
+  if (manifold.count == 0) return {.kind = ContactSummary::Kind::apart};
+  ContactSummary result{.kind = ContactSummary::Kind::contact,
+                        .count = manifold.count,
+                        .reference = manifold.reference};
   for (int i = 0; i < manifold.count; ++i) result.features[i] = manifold.points[i].features;
   return result;
 }
@@ -40,19 +41,19 @@ std::optional<PairCase> neighbour(const PairCase& pair, const Grid& grid, int ce
   return revalidated(moved);
 }
 
-Statement statement(const Answer& answer) {
+ContactSummary summary_of(const Answer& answer) {
   const auto* const manifold = std::get_if<Manifold<double>>(&answer);
   if (manifold == nullptr || manifold->count < 0 || manifold->count > 2) return {};
-  return stated(*manifold);
+  return summary_of(*manifold);
 }
 
-Statement statement(const exact::Truth& truth) {
-  if (truth.compare_contact(0) > 0) return {.kind = Statement::Kind::apart};
+ContactSummary summary_of(const exact::Truth& truth) {
+  if (truth.compare_contact(0) > 0) return {.kind = ContactSummary::Kind::apart};
   const exact::FaceOf face = truth.greatest();
   const exact::Clip& clip = truth.clip(face, truth.incident_edges(face, 0).front());
-  const Manifold<double> manifold = true_manifold(truth.pair(), clip);
-  if (manifold.count > 0) return stated(manifold);
-  return {.kind = Statement::Kind::no_clip, .reference = face.side};
+  const Manifold<double> manifold = true_manifold(clip);
+  if (manifold.count > 0) return summary_of(manifold);
+  return {.kind = ContactSummary::Kind::no_clip, .reference = face.side};
 }
 
 bool fails_alike(const Bucket& bucket, const Bucket& finding) {

@@ -42,32 +42,32 @@ Grid grid_around(const exact::Truth& truth, int step = 1);
 /// The pair with its vertex moved to that cell, or none where its polygon is no polygon any more.
 std::optional<PairCase> neighbour(const PairCase& pair, const Grid& grid, int cell);
 
-/// What a party says of the contact, in so few words that neighbours can say the same.
-struct Statement {
+/// A contact without its figures, so that neighbours can have the same one.
+struct ContactSummary {
   enum class Kind : unsigned char { nothing, apart, no_clip, contact };
   Kind kind = Kind::nothing;
   int count = 0;
   Side reference = Side::a;
   std::array<FeaturePair, 2> features{};  ///< of the points
 
-  friend bool operator==(const Statement&, const Statement&) = default;
+  friend bool operator==(const ContactSummary&, const ContactSummary&) = default;
 };
 
 /// `nothing` where the collider has no manifold to give, or no such number of points.
-Statement statement(const Answer& answer);
+ContactSummary summary_of(const Answer& answer);
 
 /// The clip of the first best incident edge by the first face of the greatest separation, decided
 /// exactly: one right manifold of perhaps several. `no_clip` where they touch and it keeps no
 /// point.
-Statement statement(const exact::Truth& truth);
+ContactSummary summary_of(const exact::Truth& truth);
 
 struct Cell {
   enum class State : unsigned char { not_asked, invalid, judged };
   State state = State::not_asked;
   Bucket bucket;
-  Statement subject;
-  Statement oracle;
-  Statement truth;
+  ContactSummary subject;
+  ContactSummary oracle;
+  ContactSummary truth;
 };
 
 /// A case's neighbours as two colliders see them; `cells` in the order of the grid.
@@ -84,7 +84,7 @@ struct Severity {
   double share() const { return valid > 0 ? static_cast<double>(failing) / valid : 0; }
 };
 
-/// Whether this is the finding's failure again: the same party is wrong, or both are where both
+/// Whether this is the finding's failure again: the same collider is wrong, or both are where both
 /// were; where nobody is at fault, the same verdict, and beside an agreement any fault.
 bool fails_alike(const Bucket& bucket, const Bucket& finding);
 

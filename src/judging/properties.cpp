@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "judging/asked_collider.hpp"
 #include "judging/ledger.hpp"
+#include "judging/properties_shared.hpp"
 #include "judging/property_list.hpp"
 
 namespace manifuzz {
@@ -47,56 +47,6 @@ Outcome check(const Property& property, const Collider& collider, const PairCase
     outcome.kind = Outcome::Kind::known;
   }
   return outcome;
-}
-
-std::optional<Admissible> decided(const PairCase& pair, const Declaration& declaration) {
-  Admissible right = admissible(pair, declaration);
-  if (is_ill_posed(pair, right.bounds) || right.candidates.size() != 1) return std::nullopt;
-  const exact::Clip& only = *right.candidates.front();
-  const double undecided = declaration.tie_bias + right.bounds.separation;
-  const bool leads = right.truth->compare_lead_of_b(undecided) > 0 ||
-                     right.truth->compare_lead_of_b(-undecided) < 0;
-  if (!leads || right.may_be_apart || only.count < 2 || may_miss(right, only)) return std::nullopt;
-  for (const exact::ClipPoint& point : only.points) {
-    const double depth = depth_bound(right, only, point);
-    if (!features_decided(right, only, point) || (compare_depth(pair, only, point, depth) <= 0 &&
-                                                  compare_depth(pair, only, point, -depth) >= 0)) {
-      return std::nullopt;
-    }
-  }
-  return right;
-}
-
-Tolerance tolerance(const Admissible& right) {
-  Tolerance within{.normal = 2 * right.bounds.normal, .position = 0, .depth = 0};
-  const exact::Clip& clip = *right.candidates.front();
-  for (int i = 0; i < clip.count; ++i) {
-    within.position = std::max(within.position, 2 * position_bound(right, clip, clip.points[i]));
-    within.depth = std::max(within.depth, 2 * depth_bound(right, clip, clip.points[i]));
-  }
-  return within;
-}
-
-Outcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
-                      const Manifold<double>& got, const Tolerance& within, Features features) {
-  const double unit = size(pair);
-  if (expected.count != got.count) return fails("another number of points", 1);
-  if (expected.count == 0) return holds();
-  if (expected.reference != got.reference) return fails("another reference polygon", 1);
-  const double turn = (expected.normal - got.normal).norm();
-  if (!(turn <= within.normal)) return fails("another normal", turn);
-  for (int i = 0; i < expected.count; ++i) {
-    const auto& p = expected.points[i];
-    const auto& q = got.points[i];
-    const double off = (p.position - q.position).norm();
-    if (!(off <= within.position)) return fails("another position", off / unit);
-    const double deeper = std::abs(p.depth - q.depth);
-    if (!(deeper <= within.depth)) return fails("another depth", deeper / unit);
-    if (features == Features::compared && p.features != q.features) {
-      return fails("other features", 0);
-    }
-  }
-  return holds();
 }
 
 }  // namespace manifuzz

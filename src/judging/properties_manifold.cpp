@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "judging/asked_collider.hpp"
 #include "judging/judge.hpp"
+#include "judging/properties_shared.hpp"
 #include "judging/property_list.hpp"
 
 namespace manifuzz {
@@ -31,8 +31,8 @@ double largest_depth(const Manifold<double>& manifold) {
 double widest_depth_bound(const Admissible& right) {
   double widest = right.bounds.separation;
   for (const exact::Clip* clip : right.candidates) {
-    for (int i = 0; i < clip->count; ++i) {
-      widest = std::max(widest, depth_bound(right, *clip, clip->points[i]));
+    for (const exact::ClipPoint& point : points_of(*clip)) {
+      widest = std::max(widest, depth_bound(right, *clip, point));
     }
   }
   return widest;

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <optional>
 
-#include "judging/asked_collider.hpp"
+#include "judging/properties_shared.hpp"
 #include "judging/property_list.hpp"
 
 namespace manifuzz {
@@ -56,10 +56,10 @@ Outcome compare_moved(AskedCollider& ask, const PairCase& pair, const PairCase& 
   const auto here = ask.manifold(pair);
   const auto there = ask.manifold(moved);
   if (!here || !there) return not_applicable();
-  const Tolerance p = tolerance(*right);
-  const Tolerance q = tolerance(*right_moved);
-  const Tolerance within{(p.normal + q.normal) / 2, (p.position + q.position) / 2,
-                         (p.depth + q.depth) / 2};
+  const ManifoldError p = tolerance(*right);
+  const ManifoldError q = tolerance(*right_moved);
+  const ManifoldError within{(p.normal + q.normal) / 2, (p.position + q.position) / 2,
+                             (p.depth + q.depth) / 2};
   return same_manifold(pair, *here, back(*there), within, features);
 }
 

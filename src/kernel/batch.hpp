@@ -8,7 +8,9 @@
 
 namespace manifuzz::kernel {
 
-/// `out` holds a block for each of the pairs'; columns beyond the last pair repeat it.
+/// `out[i]` becomes the manifolds of block i, each in the frame of its pair's A; it holds
+/// `pairs.block_count()` of them. Columns beyond the last pair repeat it. `tie_bias` is a length >=
+/// 0.
 void collide_packed(const PackedPairs<float>& pairs, float tie_bias,
                     std::span<ManifoldBlock<float>> out);
 /// The same in double.
@@ -16,8 +18,9 @@ void collide_packed(const PackedPairs<double>& pairs, double tie_bias,
                     std::span<ManifoldBlock<double>> out);
 
 /// `out[i]` becomes the manifold of `pairs[i]`, in the frame of its A; where there are no points,
-/// the rest of it is unspecified. Shapes and poses are fetched by index, pairs grouped by their
-/// vertex counts on the way.
+/// the rest of it is unspecified. `out` is as long as `pairs`. Shapes and poses, which are in the
+/// world, are fetched by index, unchecked; pairs are grouped by their vertex counts on the way.
+/// `tie_bias` is a length >= 0.
 void collide_pairs(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
                    std::span<const BodyPair> pairs, float tie_bias, std::span<Manifold<float>> out);
 /// The same in double.

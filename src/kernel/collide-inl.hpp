@@ -176,8 +176,8 @@ HWY_INLINE void store(D d, const LaneManifolds<D>& m, int column,
 
 /// Replaces the manifolds of the lanes that need it by the clean code's last step.
 template <class D>
-HWY_NOINLINE void cure(D d, const Strip<D>& s, hn::Mask<D> needs,
-                       ManifoldBlock<hn::TFromD<D>>& out) {
+HWY_NOINLINE void put_deepest_contacts(D d, const Strip<D>& s, hn::Mask<D> needs,
+                                       ManifoldBlock<hn::TFromD<D>>& out) {
   using T = hn::TFromD<D>;
   alignas(64) T flags[hn::MaxLanes(D())];
   hn::Store(hn::IfThenElseZero(needs, hn::Set(d, T{1})), d, flags);
@@ -218,7 +218,7 @@ HWY_INLINE void collide_placed(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   const auto empty = hn::RebindMask(d, hn::Eq(m.count, hn::Zero(di)));
   const auto among = tie_bias > 0 ? hn::And(touching, empty) : touching;
   const auto needs = misses_deepest(d, s, m, found, take_b, total_radius, among);
-  if (HWY_UNLIKELY(!hn::AllFalse(d, needs))) cure(d, s, needs, out);
+  if (HWY_UNLIKELY(!hn::AllFalse(d, needs))) put_deepest_contacts(d, s, needs, out);
 }
 
 /// The manifolds of a block of pairs.

@@ -28,12 +28,12 @@ using LaneInt = std::conditional_t<sizeof(Scalar) == 4, std::int32_t, std::int64
 
 /// The rows of a block of pairs before the polygons': each body's pose, the total radius, counts.
 enum PairRow : int {
-  kPoseA = 0,
-  kPoseB = 4,
-  kTotalRadius = 8,
-  kCountA = 9,
-  kCountB = 10,
-  kCorners
+  kPoseA = 0,        ///< four rows: x and y of the position in the world, cos, sin
+  kPoseB = 4,        ///< the same of B
+  kTotalRadius = 8,  ///< a length
+  kCountA = 9,       ///< of A's corners, 3 to 8, as a scalar
+  kCountB = 10,      ///< of B's
+  kCorners           ///< the first row of A's corners; B's follow
 };
 
 /// The rows of one corner, a scalar each.
@@ -48,7 +48,7 @@ constexpr int polygon_rows(int count_max) {
 /// The rows of a block of the largest polygons.
 inline constexpr int kBlockRowsMax = kCorners + 2 * polygon_rows(kMaxVertices);
 
-/// A body: which shape, and where it stands.
+/// A body: which shape, and where it stands. (cos, sin) is taken to be unit.
 template <class Scalar>
 struct Placement {
   std::uint32_t shape = 0;  ///< its index among the `Shapes`
@@ -74,7 +74,7 @@ struct PairBlock {
 template <class Scalar>
 class PackedPairs {
  public:
-  /// Lays out the pairs in this order, sixteen a block.
+  /// Lays out the pairs in this order, sixteen a block. Indices are not checked.
   PackedPairs(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
               std::span<const BodyPair> pairs);
 
@@ -97,7 +97,7 @@ class PackedPairs {
   std::vector<Row<Scalar>> rows_;
 };
 
-/// The manifolds of a block of pairs.
+/// The manifolds of a block of pairs, each in the frame of its A; units and signs are `Manifold`'s.
 template <class Scalar>
 struct ManifoldBlock {
   Row<LaneInt<Scalar>> count;        ///< of points: 0, 1 or 2
@@ -108,7 +108,8 @@ struct ManifoldBlock {
   Row<LaneInt<Scalar>> features[2];  ///< of each point: a `FeaturePair`'s bytes
 };
 
-/// The manifold in one column of a block. Without points, the rest of the column is unspecified.
+/// The manifold in one column of a block, 0 <= column < kBlockPairs. Without points, the rest of
+/// the column is unspecified.
 template <class Scalar>
 Manifold<Scalar> manifold(const ManifoldBlock<Scalar>& block, int column);
 

@@ -23,12 +23,13 @@ struct FaceHint {
 /// greatest.
 struct PairSeparation {
   bool touches = false;  ///< no face separates by more than the total radius
-  float separation = 0;  ///< < 0 overlaps
+  float separation = 0;  ///< a length, radii left out; < 0 overlaps
   FaceHint face;         ///< whose separation it is
 };
 
-/// `clipping::collide(a, b, b_in_a, tie_bias)`. A hint, where one is given, is used and brought up
-/// to date; it changes no result.
+/// `clipping::collide(a, b, b_in_a, tie_bias)`: the manifold in A's frame, B standing at `b_in_a`
+/// in it; `tie_bias` is a length >= 0. A hint, where one is given, is used and brought up to date;
+/// it changes no result, whatever it says.
 Manifold<float> collide(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
                         float tie_bias = 0, FaceHint* hint = nullptr);
 

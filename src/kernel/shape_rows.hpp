@@ -16,7 +16,7 @@ struct alignas(64) ShapeRows {
   float radius = 0;              ///< a length, >= 0
 };
 
-/// A polygon, laid out.
+/// A polygon, laid out in the same frame.
 ShapeRows rows_of(const ConvexPolygon<float>& polygon);
 
 /// The polygon that was laid out.

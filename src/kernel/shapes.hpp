@@ -23,10 +23,10 @@ struct alignas(64) ShapeCorners {
 template <class Scalar>
 class Shapes {
  public:
-  /// The new shape's index.
+  /// The new shape's index: 0, 1, 2, ... The polygon must be free of defects.
   std::uint32_t add(const ConvexPolygon<Scalar>& polygon);
 
-  /// A shape, as the kernels fetch it.
+  /// A shape, as the kernels fetch it, in its own frame.
   const ShapeCorners<Scalar>& corners(std::uint32_t shape) const { return corners_[shape]; }
   /// How many vertices a shape has.
   unsigned count(std::uint32_t shape) const { return counts_[shape]; }

@@ -4,6 +4,8 @@
 #include <string>
 #include <thread>
 
+#include "kernel/target.hpp"
+
 namespace manifuzz {
 namespace {
 
@@ -15,19 +17,6 @@ std::string processor() {
     return value == std::string::npos ? "unknown" : line.substr(value);
   }
   return "unknown";
-}
-
-/// What the compiler was allowed to use: nothing here is dispatched at run time.
-std::string_view instruction_set() {
-#if defined(__AVX2__)
-  return "avx2";
-#elif defined(__x86_64__)
-  return "sse2";
-#elif defined(__aarch64__)
-  return "neon";
-#else
-  return "generic";
-#endif
 }
 
 std::string_view compiler() {
@@ -44,7 +33,7 @@ nlohmann::ordered_json provenance(std::uint64_t seed, std::span<const Declaratio
   nlohmann::ordered_json json;
   json["machine"] = {{"processor", processor()},
                      {"cores", std::thread::hardware_concurrency()},
-                     {"instruction_set", instruction_set()}};
+                     {"instruction_set", kernel::targets().front()}};
   json["compiler"] = compiler();
   json["seed"] = seed;
   json["versions"]["manifuzz"] = MANIFUZZ_VERSION;

@@ -9,8 +9,9 @@
 
 namespace manifuzz {
 
-/// What every measurement begins with: machine (processor, cores, instruction set; no host name),
-/// compiler, seed, and the versions of manifuzz and of the colliders that ran.
+/// What every measurement begins with: machine (processor, cores, the instruction set that the
+/// kernels run on; no host name), compiler, seed, and the versions of manifuzz and of the colliders
+/// that ran.
 nlohmann::ordered_json provenance(std::uint64_t seed, std::span<const Declaration> colliders);
 
 }  // namespace manifuzz

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "judging/admissible.hpp"
-#include "judging/plain_error.hpp"
+#include "judging/manifold_error.hpp"
 
 namespace manifuzz {
 
@@ -13,40 +13,20 @@ namespace manifuzz {
 /// than this length.
 inline constexpr double kGrossShare = 0.01;
 
-/// What an answer comes to.
+/// What is found of one answer. Missed and phantom are decided by the same bounds as all else:
+/// every other definition would call an answer wrong that a right collider may give, or excuse one
+/// that none gives.
 enum class Assessment {
   unsupported,
   /// Not even in A's frame do the collider's roundoffs leave 95% of the size: its errors are
   /// measured, and nothing else is held against it.
   ill_posed,
   right,        ///< nothing is wrong with it but its errors
-  missed,       ///< no contact, though they overlap by more than the tolerance
-  phantom,      ///< a contact, though they are apart by more than the tolerance
+  missed,       ///< no contact, though every right manifold has one
+  phantom,      ///< a contact, though no right manifold has one
   gross,        ///< grossly off
   wrong_count,  ///< not off, but a point that must be there is not, or there is one too many
   lost,         ///< the collider died, hung, or answered nonsense
-};
-
-/// Errors of an answer's figures against the right manifold nearest to it.
-struct FigureErrors {
-  float depth = 0;
-  float position = 0;
-  float normal = 0;
-};
-
-struct Measured {
-  Assessment assessment = Assessment::right;
-  bool has_errors = false;  ///< it has points, and there is something to hold them against
-  FigureErrors of_size{};   ///< as shares of the size; the normal's a length
-  /// As shares of the bounds that a collider of its scalar has in A's frame: of what the input
-  /// determines. A bound is 15 roundoffs of the extent (26 in double), times the case's condition.
-  FigureErrors of_bound{};
-  /// Depth's or position's, whichever is larger, in roundoffs of the extent: 2^-24, 2^-53 in
-  /// double.
-  float of_extent = 0;
-  /// How bad a wrong answer is, to tell the worst: its error, or the separation's distance from
-  /// contact, as a share of the size.
-  float wrongness = 0;
 };
 
 /// Whether that is against the collider.
@@ -54,17 +34,37 @@ inline bool is_wrong(Assessment assessment) {
   return assessment > Assessment::right;
 }
 
-/// All that is right for one case, for colliders of several declarations.
+/// One answer against the right manifold nearest to it.
+struct Measured {
+  Assessment assessment = Assessment::right;
+  bool has_errors = false;  ///< it has points, and there is something to hold them against
+  ManifoldError error{};    ///< world lengths
+  ManifoldError of_size{};  ///< as shares of the size
+  /// As shares of the bounds that a collider of its scalar has in A's frame: of what the input
+  /// determines. A bound is 15 roundoffs of the extent (26 in double), times the case's condition.
+  ManifoldError of_bound{};
+  /// Depth's or position's, whichever is larger, in roundoffs of the extent: 2^-24, 2^-53 in
+  /// double.
+  double of_extent = 0;
+  /// How bad a wrong answer is, to tell the worst: its error, or the separation's distance from
+  /// contact, as a share of the size.
+  float wrongness = 0;
+};
+
+/// Measures answers to one case, of colliders of several declarations: for bench, stress and scene
+/// alike.
 class Referee {
  public:
   explicit Referee(const PairCase& pair) : truth_(std::make_shared<const exact::Truth>(pair)) {}
 
   const exact::Truth& truth() const { return *truth_; }
-  /// What is right for such a collider, found once for all that declare alike.
+  /// What is right for such a collider, found once for all that declare alike: within its bounds,
+  /// but where these grow with the distance from the origin, it is allowed no more than in A's
+  /// frame, or a gross error where that is more.
   const Admissible& right_for(const Declaration& declaration);
-  /// The answer as it is measured: a partial manifold completed, nonsense lost.
-  Answer heard(const Declaration& declaration, Answer answer);
-  /// Of an answer that was heard.
+  /// The answer as it is measured: a partial manifold completed, one that is not well formed lost.
+  Answer completed(const Declaration& declaration, Answer answer);
+  /// Of a completed answer.
   Measured measure(const Declaration& declaration, const Answer& answer);
 
   /// The truth's own manifold under the collider's bias: the reference that the bias leaves, the
@@ -73,30 +73,23 @@ class Referee {
   const Manifold<double>& truth_for(const Declaration& declaration);
 
  private:
-  struct Ruling {
+  struct Rules {
     ScalarType scalar;
     RoundingFrame frame;
     double tie_bias;
     Admissible right;
     Bounds in_a_frame;
-    std::optional<Manifold<double>> of_truth{};
+    std::optional<Manifold<double>> truth{};
     /// Colliders that declare alike often answer alike.
     std::vector<std::pair<Manifold<double>, Measured>> measured{};
   };
-  Ruling& ruling_for(const Declaration& declaration);
-  Measured measure(Ruling& ruling, const Manifold<double>& manifold);
-  Measured errors_of(const Ruling& ruling, const Manifold<double>& manifold, bool& is_right);
-  Assessment assess(const Ruling& ruling, const Manifold<double>& manifold,
-                    const FigureErrors& of_size, bool is_right);
-  bool has_wrong_count(const Ruling& ruling, const Manifold<double>& manifold);
-
-  /// What rounding may decide: the separation's bound, or 1% of the size where the bound is wider,
-  /// for no distance from the origin excuses more.
-  double tolerance_of(const Ruling& ruling) const;
+  Rules& rules_for(const Declaration& declaration);
+  Measured measure(const Rules& rules, const Manifold<double>& manifold);
+  bool has_right_count(const Admissible& right, const Manifold<double>& manifold);
 
   std::shared_ptr<const exact::Truth> truth_;
-  FineClips fine_;
-  std::vector<std::unique_ptr<Ruling>> rulings_;
+  ClipFiguresCache figures_;
+  std::vector<std::unique_ptr<Rules>> rules_;
 };
 
 /// What float makes of the truth: each figure rounded once.

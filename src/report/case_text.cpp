@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "report/style.hpp"
+#include "exchange/json.hpp"
+#include "report/candidate.hpp"
+#include "report/terminal.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -37,10 +39,6 @@ class Text {
  private:
   std::string text_;
 };
-
-std::string feature_name(Feature feature) {
-  return fmt::format("{}{}", feature.kind == Feature::Kind::face ? 'f' : 'v', feature.index);
-}
 
 std::string features_name(const FeaturePair& features) {
   return fmt::format("A {}, B {}", feature_name(features.a), feature_name(features.b));
@@ -83,14 +81,14 @@ void write_truth(Text& text, const PairCase& pair) {
   text.row("size", digits(truth.size()));
 }
 
-void write_bounds(Text& text, const JudgedCase& shown) {
-  const Bounds of_subject = bounds(shown.given.pair, shown.subject.declaration);
-  const Bounds of_oracle = bounds(shown.given.pair, shown.oracle.declaration);
+void write_bounds(Text& text, const JudgedCase& judged) {
+  const Bounds of_subject = bounds(judged.given.pair, judged.subject.declaration);
+  const Bounds of_oracle = bounds(judged.given.pair, judged.oracle.declaration);
   const auto row = [&](std::string_view name, double Bounds::*member) {
     text.row(name, fmt::format("{:<24} {}", digits(of_subject.*member), digits(of_oracle.*member)));
   };
-  text.line("bounds               {:<24} {}", shown.subject.declaration.name,
-            shown.oracle.declaration.name);
+  text.line("bounds               {:<24} {}", judged.subject.declaration.name,
+            judged.oracle.declaration.name);
   row("separation, depth", &Bounds::separation);
   row("incident dot", &Bounds::incident_dot);
   row("normal", &Bounds::normal);
@@ -109,39 +107,39 @@ std::string edge(const Body& body, int face) {
                      digits(world_vertex(body, body.polygon.next(face))));
 }
 
-void write_candidate(Text& text, const PairCase& pair, const KeptAnswer& subject) {
+void write_candidate(Text& text, const PairCase& pair, const DeclaredAnswer& subject) {
   const Admissible right = admissible(pair, subject.declaration);
   text.line("right manifold       one of {} for {}", right.candidates.size(),
             subject.declaration.name);
-  const exact::Clip* const shown = candidate_to_show(right, subject);
-  if (shown == nullptr) return text.row("", "no contact");
-  const exact::FaceOf reference = shown->reference;
+  const exact::Clip* const candidate = candidate_to_show(right, subject);
+  if (candidate == nullptr) return text.row("", "no contact");
+  const exact::FaceOf reference = candidate->reference;
   const Side incident = other(reference.side);
   text.row("reference", fmt::format("{}, world {}", face_name(reference.side, reference.index),
                                     edge(pair[reference.side], reference.index)));
-  text.row("incident", fmt::format("{}, world {}", face_name(incident, shown->incident),
-                                   edge(pair[incident], shown->incident)));
-  const Manifold<double> manifold = true_manifold(pair, *shown);
+  text.row("incident", fmt::format("{}, world {}", face_name(incident, candidate->incident),
+                                   edge(pair[incident], candidate->incident)));
+  const Manifold<double> manifold = true_manifold(*candidate);
   text.row("normal", fmt::format("world {}, local {}", digits(world_normal(pair, manifold.normal)),
                                  digits(manifold.normal)));
-  text.row("cos of the angle", digits(shown->cosine));
-  if (const double gap = shown->gap(); gap > 0) text.row("misses the slab by", digits(gap));
+  text.row("cos of the angle", digits(candidate->cosine));
+  if (const double gap = candidate->gap(); gap > 0) text.row("misses the slab by", digits(gap));
   for (int i = 0; i < manifold.count; ++i) {
     const ContactPoint<double>& point = manifold.points[i];
     write_point(text, pair, point.position, point.depth, point.features);
   }
 }
 
-void write_answer(Text& text, const PairCase& pair, const KeptAnswer& party,
+void write_answer(Text& text, const PairCase& pair, const DeclaredAnswer& asked,
                   std::string_view role) {
-  text.line("{}: {} {}, {}", role, party.declaration.name, party.declaration.version,
-            answer_in_words(party));
-  const Manifold<double>* const manifold = party.manifold();
-  if (manifold == nullptr || party.count() == 0) return;
+  text.line("{}: {} {}, {}", role, asked.declaration.name, asked.declaration.version,
+            answer_in_words(asked));
+  const Manifold<double>* const manifold = asked.manifold();
+  if (manifold == nullptr || asked.count() == 0) return;
   text.row("reference", manifold->reference == Side::a ? "A" : "B");
   text.row("normal", fmt::format("world {}, local {}", digits(world_normal(pair, manifold->normal)),
                                  digits(manifold->normal)));
-  for (int i = 0; i < party.count(); ++i) {
+  for (int i = 0; i < asked.count(); ++i) {
     const ContactPoint<double>& point = manifold->points[i];
     write_point(text, pair, point.position, point.depth, point.features);
   }
@@ -172,19 +170,19 @@ void write_origin(Text& text, const CorpusCase& given) {
 
 }  // namespace
 
-std::string case_text(const JudgedCase& shown) {
-  const PairCase& pair = shown.given.pair;
+std::string case_text(const JudgedCase& judged) {
+  const PairCase& pair = judged.given.pair;
   Text text;
-  text.line("{}", verdict_sentence(shown));
-  write_verdict(text, shown.judgement);
-  write_origin(text, shown.given);
+  text.line("{}", verdict_sentence(judged));
+  write_verdict(text, judged.judgement);
+  write_origin(text, judged.given);
   write_body(text, pair.a, 'A');
   write_body(text, pair.b, 'B');
   write_truth(text, pair);
-  write_bounds(text, shown);
-  write_candidate(text, pair, shown.subject);
-  write_answer(text, pair, shown.subject, "subject");
-  write_answer(text, pair, shown.oracle, "oracle");
+  write_bounds(text, judged);
+  write_candidate(text, pair, judged.subject);
+  write_answer(text, pair, judged.subject, "subject");
+  write_answer(text, pair, judged.oracle, "oracle");
   return text.take();
 }
 

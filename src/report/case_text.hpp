@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "report/judged_case.hpp"
+#include "campaign/judged_case.hpp"
 
 namespace manifuzz {
 
 /// The case for a terminal: verdict, polygons, truth, bounds, candidate and answers. Numbers read
 /// back bit for bit.
-std::string case_text(const JudgedCase& shown);
+std::string case_text(const JudgedCase& judged);
 
 }  // namespace manifuzz

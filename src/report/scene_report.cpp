@@ -4,13 +4,22 @@
 
 #include <fmt/format.h>
 
-#include "kernel/target.hpp"
 #include "measure/provenance.hpp"
+#include "report/picture/frame_picture.hpp"
 
 namespace manifuzz {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using Points = std::vector<std::pair<double, double>>;
+
+double ratio(std::size_t part, std::size_t all) {
+  return static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, all));
+}
+
+double percent(std::size_t part, std::size_t all) {
+  return 100 * ratio(part, all);
+}
 
 /// Bodies and ns a step, by scene, in the order of the runs.
 std::vector<std::pair<std::string, Points>> times_by_scene(const std::vector<SceneRun>& runs) {
@@ -23,27 +32,68 @@ std::vector<std::pair<std::string, Points>> times_by_scene(const std::vector<Sce
 }
 
 /// The error that counts: a solver takes depths and positions alike.
-double error_of(const StepTally& judged) {
-  return std::max(judged.of_size.depth.p999, judged.of_size.position.p999);
+double error_of(const ErrorStatistics& errors) {
+  return std::max(errors.of_size.depth.p999, errors.of_size.position.p999);
 }
 
-nlohmann::ordered_json curve_json(const RecyclingCurve& curve) {
-  nlohmann::ordered_json json{{"scene", curve.scene}, {"bodies", curve.bodies}};
-  json["points"] = nlohmann::ordered_json::array();
+Json row_json(const SceneRun& run) {
+  const scene::StepCounts& counts = run.counts;
+  Json json{{"scene", run.scene},
+            {"bodies", run.bodies},
+            {"moving", static_cast<double>(counts.moved) / static_cast<double>(run.steps)},
+            {"mode", run.recycled_motion > 0 ? "recycle" : "strict"},
+            {"recycled_motion", run.recycled_motion},
+            {"steps", run.steps},
+            {"ns_per_step", run.ns_per_step},
+            {"speedup_over_box2d", run.speedup_over_all},
+            {"speedup_over_box2d_moved", run.speedup_over_moved},
+            {"mismatches", nullptr},
+            {"steps_held_against_afresh", run.afresh.steps},
+            {"candidates", counts.pairs.candidates},
+            {"skipped",
+             {{"at_rest", counts.pairs.at_rest},
+              {"separated", counts.pairs.separated},
+              {"recycled", counts.pairs.recycled}}},
+            {"computed", counts.pairs.collided},
+            {"left_boxes", counts.left_boxes},
+            {"proofs", counts.proofs},
+            {"contacts", run.contacts},
+            {"pairs", run.pairs},
+            {"bytes", run.memory.bodies + run.memory.pairs},
+            {"bytes_of_bodies", run.memory.bodies},
+            {"bytes_of_pairs", run.memory.pairs}};
+  if (run.afresh.steps > 0) json["mismatches"] = run.afresh.mismatches;
+  return json;
+}
+
+Json curve_json(const RecyclingCurve& curve) {
+  Json json{{"scene", curve.scene}, {"bodies", curve.bodies}};
+  json["points"] = Json::array();
   for (const RecyclingRun& run : curve.runs) {
-    const auto figures = [](const Spread& spread) {
-      return nlohmann::ordered_json{
-          {"median", spread.median}, {"p999", spread.p999}, {"max", spread.max}};
-    };
-    json["points"].push_back({{"motion", run.motion},
-                              {"skipped", run.skipped},
-                              {"judged", run.judged.cases},
-                              {"wrong", run.judged.wrong()},
-                              {"depth", figures(run.judged.of_size.depth)},
-                              {"position", figures(run.judged.of_size.position)},
-                              {"normal", figures(run.judged.of_size.normal)}});
+    Json point{{"motion", run.motion},
+               {"skipped", run.skipped},
+               {"judged", run.errors.cases},
+               {"wrong", run.errors.wrong()}};
+    point.update(spreads_json(run.errors.of_size));
+    json["points"].push_back(std::move(point));
   }
   return json;
+}
+
+std::string curves_table(const std::vector<RecyclingCurve>& curves) {
+  std::string text = fmt::format("{:<14} {:>7} {:>8} {:>10} {:>13} {:>13} {:>15} {:>8}\n", "scene",
+                                 "bodies", "motion", "% skipped", "depth, median", "depth, 99.9%",
+                                 "position, 99.9%", "% wrong");
+  for (const RecyclingCurve& curve : curves) {
+    for (const RecyclingRun& run : curve.runs) {
+      text += fmt::format("{:<14} {:>7} {:>8} {:>10.1f} {:>13.2e} {:>13.2e} {:>15.2e} {:>8.2f}\n",
+                          curve.scene, curve.bodies, run.motion, 100 * run.skipped,
+                          run.errors.of_size.depth.median, run.errors.of_size.depth.p999,
+                          run.errors.of_size.position.p999,
+                          percent(run.errors.wrong(), run.errors.cases));
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -67,56 +117,91 @@ LinePlot recycling_plot(const std::vector<RecyclingCurve>& curves) {
   for (const RecyclingCurve& curve : curves) {
     Points points;
     for (const RecyclingRun& run : curve.runs) {
-      points.emplace_back(100 * run.skipped, error_of(run.judged));
+      points.emplace_back(100 * run.skipped, error_of(run.errors));
     }
     plot.lines.push_back({curve.scene, points, {}});
   }
   return plot;
 }
 
-std::vector<SkipBar> skip_bars(const std::vector<SceneRun>& runs) {
-  std::vector<SkipBar> bars;
+BarPlot skipped_plot(const std::vector<SceneRun>& runs) {
+  BarPlot plot{.title = "Where candidate pairs went",
+               .y_label = "% of candidate pairs",
+               .parts = {{"at rest", "#d0d0d0"},
+                         {"proven separated", "#8fb3d9"},
+                         {"recycled", "#e69f00"},
+                         {"collided", "#1f4e79"}},
+               .bars = {}};
   for (const SceneRun& run : runs) {
-    if (bars.empty() || bars.back().name != run.scene) bars.emplace_back();
+    if (plot.bars.empty() || plot.bars.back().name != run.scene) plot.bars.emplace_back();
     const scene::PairCounts& pairs = run.counts.pairs;
-    const auto all = static_cast<double>(std::max<std::size_t>(1, pairs.candidates));
-    const auto percent = [&](std::size_t part) { return 100 * static_cast<double>(part) / all; };
-    bars.back() = {run.scene, percent(pairs.at_rest), percent(pairs.separated),
-                   percent(pairs.recycled), percent(pairs.collided)};
+    plot.bars.back() = {
+        run.scene,
+        {percent(pairs.at_rest, pairs.candidates), percent(pairs.separated, pairs.candidates),
+         percent(pairs.recycled, pairs.candidates), percent(pairs.collided, pairs.candidates)}};
   }
-  return bars;
+  return plot;
 }
 
-std::string curves_table(const std::vector<RecyclingCurve>& curves) {
-  std::string text = fmt::format("{:<14} {:>7} {:>8} {:>10} {:>13} {:>13} {:>15} {:>8}\n", "scene",
-                                 "bodies", "motion", "% skipped", "depth, median", "depth, 99.9%",
-                                 "position, 99.9%", "% wrong");
-  for (const RecyclingCurve& curve : curves) {
-    for (const RecyclingRun& run : curve.runs) {
-      const auto cases = static_cast<double>(std::max<std::uint64_t>(1, run.judged.cases));
-      text += fmt::format("{:<14} {:>7} {:>8} {:>10.1f} {:>13.2e} {:>13.2e} {:>15.2e} {:>8.2f}\n",
-                          curve.scene, curve.bodies, run.motion, 100 * run.skipped,
-                          run.judged.of_size.depth.median, run.judged.of_size.depth.p999,
-                          run.judged.of_size.position.p999,
-                          100 * static_cast<double>(run.judged.wrong()) / cases);
-    }
+std::string scene_table(const SceneResult& result) {
+  std::string text = fmt::format(
+      "{:<14} {:>7} {:>10} {:>7} {:>8} {:>9} {:>7} {:>7} {:>10} {:>10} {:>9} {:>7} {:>7} {:>10}\n",
+      "scene", "bodies", "us a step", "x all", "x moved", "pairs", "% rest", "% apart",
+      "% recycled", "% collided", "contacts", "B/body", "B/pair", "mismatches");
+  for (const SceneRun& run : result.runs) {
+    const scene::PairCounts& pairs = run.counts.pairs;
+    text += fmt::format(
+        "{:<14} {:>7} {:>10.2f} {:>7.2f} {:>8.2f} {:>9} {:>7.1f} {:>7.1f} {:>10.1f} {:>10.1f} "
+        "{:>9} {:>7.0f} {:>7.0f} {:>10}\n",
+        run.scene, run.bodies, run.ns_per_step / 1000, run.speedup_over_all, run.speedup_over_moved,
+        run.pairs, percent(pairs.at_rest, pairs.candidates),
+        percent(pairs.separated, pairs.candidates), percent(pairs.recycled, pairs.candidates),
+        percent(pairs.collided, pairs.candidates), run.contacts,
+        ratio(run.memory.bodies, run.bodies), ratio(run.memory.pairs, run.pairs),
+        run.afresh.steps > 0 ? std::to_string(run.afresh.mismatches) : "-");
+  }
+  if (!result.curves.empty()) text += '\n' + curves_table(result.curves);
+  return text;
+}
+
+std::string mismatches_in_words(const std::vector<SceneRun>& runs) {
+  std::string text;
+  for (const SceneRun& run : runs) {
+    if (run.afresh.mismatches == 0) continue;
+    text += fmt::format("{} of {} bodies: {} mismatches\n", run.scene, run.bodies,
+                        run.afresh.mismatches);
   }
   return text;
 }
 
-nlohmann::ordered_json report_json(const SceneReport& report) {
-  nlohmann::ordered_json json = provenance(1, {});
-  json["machine"]["instruction_set"] = kernel::targets().front();
-  json["rows"] = nlohmann::ordered_json::array();
-  for (const SceneRun& run : report.runs) json["rows"].push_back(row_json(run));
-  json["exponents"] = nlohmann::ordered_json::array();
-  for (const auto& [scene, points] : times_by_scene(report.runs)) {
+Json scene_json(const SceneResult& result) {
+  Json json = provenance(1, {});
+  json["rows"] = Json::array();
+  for (const SceneRun& run : result.runs) json["rows"].push_back(row_json(run));
+  json["exponents"] = Json::array();
+  for (const auto& [scene, points] : times_by_scene(result.runs)) {
     const auto exponent = fitted_exponent(points);
     if (exponent) json["exponents"].push_back({{"scene", scene}, {"exponent", *exponent}});
   }
-  json["recycling"] = nlohmann::ordered_json::array();
-  for (const RecyclingCurve& curve : report.curves) json["recycling"].push_back(curve_json(curve));
+  json["recycling"] = Json::array();
+  for (const RecyclingCurve& curve : result.curves) json["recycling"].push_back(curve_json(curve));
   return json;
+}
+
+std::string scene_frame(const ScenePlan& plan) {
+  const SceneSpec& spec = *plan.scenes.front();
+  const std::size_t bodies = plan.sizes.front();
+  const Frame frame = last_frame(spec.make(bodies, plan.steps), plan.settings);
+  std::vector<FramePoint> points;
+  for (const scene::Contact& contact : frame.contacts) {
+    const Pose<float>& a = frame.bodies[contact.a.index].pose;
+    const Vector2<float> normal = rotate(a.rotation, contact.manifold.normal);
+    for (int i = 0; i < contact.manifold.count; ++i) {
+      const Vector2<float> position = transform(a, contact.manifold.points[i].position);
+      points.push_back({position.cast<double>(), normal.cast<double>()});
+    }
+  }
+  return frame_svg(frame.bodies, points, fmt::format("{} of {} bodies", spec.name, bodies));
 }
 
 }  // namespace manifuzz

@@ -1,36 +1,34 @@
 #pragma once
 
-#include "measure/scene/scene_recycling.hpp"
-#include "measure/scene/scene_run.hpp"
-#include "report/plot/line_plot.hpp"
-#include "report/plot/skip_plot.hpp"
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "measure/scene/scene_plan.hpp"
+#include "report/plot/gnuplot.hpp"
 
 namespace manifuzz {
 
-/// What recycling costs a scene, a run a motion.
-struct RecyclingCurve {
-  std::string scene;
-  std::size_t bodies = 0;
-  std::vector<RecyclingRun> runs;
-};
+/// Rows and curves for people.
+std::string scene_table(const SceneResult& result);
 
-struct SceneReport {
-  std::vector<SceneRun> runs;  ///< those of one scene follow each other
-  std::vector<RecyclingCurve> curves;
-};
+/// What decides the status, in words.
+std::string mismatches_in_words(const std::vector<SceneRun>& runs);
+
+/// Where it was measured, and "rows", "exponents" and "recycling".
+nlohmann::ordered_json scene_json(const SceneResult& result);
 
 /// The time of a step against the number of bodies, a line a scene with its fitted exponent.
 LinePlot scaling_plot(const std::vector<SceneRun>& runs);
 
+/// Of each scene the run of the most bodies: at rest, proven separated, recycled, collided.
+BarPlot skipped_plot(const std::vector<SceneRun>& runs);
+
 /// The error that recycling adds against the share of pairs that it skips, a line a scene.
 LinePlot recycling_plot(const std::vector<RecyclingCurve>& curves);
 
-/// Of each scene the run of the most bodies.
-std::vector<SkipBar> skip_bars(const std::vector<SceneRun>& runs);
-
-/// The curves for people.
-std::string curves_table(const std::vector<RecyclingCurve>& curves);
-
-nlohmann::ordered_json report_json(const SceneReport& report);
+/// The last step of the first scene, at its least number of bodies, as an SVG document.
+std::string scene_frame(const ScenePlan& plan);
 
 }  // namespace manifuzz

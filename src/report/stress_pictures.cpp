@@ -16,7 +16,7 @@ double drawn_at(double value) {
 }
 
 PlotLine line_of(const Sweep& sweep, const StressSubject& subject,
-                 const std::vector<StepTally>& steps) {
+                 const std::vector<StepStatistics>& steps) {
   PlotLine line{.name = subject.name, .points = {}, .breaks_at = {}};
   line.is_ideal = subject.name == kIdealName;
   if (line.is_ideal) line.name = "the truth, rounded to float";
@@ -25,7 +25,7 @@ PlotLine line_of(const Sweep& sweep, const StressSubject& subject,
     const bool breaks_here = i == breaking && !line.is_ideal;
     if (steps[i].contacts == 0 && !breaks_here) continue;
     if (breaks_here) line.breaks_at = line.points.size();
-    const FigureSpreads& of_size = steps[i].of_size;
+    const ErrorSpreads& of_size = steps[i].of_size;
     line.points.emplace_back(drawn_at(sweep.values[i]),
                              std::max(of_size.depth.p999, of_size.position.p999));
   }
@@ -51,20 +51,12 @@ LinePlot plot_of(const StressPlan& plan, const StressResult& result, const Sweep
   return plot;
 }
 
-void make_picture_folder(const std::filesystem::path& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (!failed) return;
-  throw UserError(fmt::format("--pictures: {}: cannot make the folder: {}",
-                              printable(folder.string(), 200), failed.message()));
-}
-
 void write_stress_pictures(const std::filesystem::path& folder, const StressPlan& plan,
                            const StressResult& result, const Sweep& sweep) {
   const LinePlot plot = plot_of(plan, result, sweep);
   if (plot.lines.empty()) return;
   for (const char* const ending : {"svg", "png"}) {
-    write_line_plot((folder / fmt::format("{}.{}", sweep.name, ending)).string(), plot);
+    write_plot((folder / fmt::format("{}.{}", sweep.name, ending)).string(), plot);
   }
 }
 

@@ -3,16 +3,13 @@
 #include <filesystem>
 
 #include "measure/stress/stress.hpp"
-#include "report/plot/line_plot.hpp"
+#include "report/plot/gnuplot.hpp"
 
 namespace manifuzz {
 
 /// Error against the knob, a line a collider: the larger of depth's and position's 99.9th
 /// percentile, as a share of the size.
 LinePlot plot_of(const StressPlan& plan, const StressResult& result, const Sweep& sweep);
-
-/// Throws UserError where it is not there and cannot be made.
-void make_picture_folder(const std::filesystem::path& folder);
 
 /// DIR/SWEEP.svg and DIR/SWEEP.png, where anything of the sweep was measured. Throws UserError.
 void write_stress_pictures(const std::filesystem::path& folder, const StressPlan& plan,

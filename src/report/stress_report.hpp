@@ -2,21 +2,18 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
-#include "measure/stress/stress.hpp"
+#include "measure/stress/breaking_points.hpp"
 
 namespace manifuzz {
 
 /// Sweep by collider: breaking points; then the walks. For people.
 std::string stress_table(const StressPlan& plan, const StressResult& result);
 
-/// The arrays "sweeps" and "walks".
-nlohmann::ordered_json stress_sweeps_json(const StressPlan& plan, const StressResult& result);
-nlohmann::ordered_json stress_walks_json(const StressPlan& plan, const StressResult& result);
+/// How far a run is, and how long it takes from there.
+std::string progress_line(const StressProgress& progress);
 
-/// Every step with commas, then the walks, a heading first; columns that are not for a row are
-/// empty.
-std::string stress_csv(const StressPlan& plan, const StressResult& result);
+/// What decides the status, in words: nothing where no breaking point is worse than stored and
+/// every one was compared.
+std::string complaints(const Comparison& comparison);
 
 }  // namespace manifuzz

@@ -1,10 +1,12 @@
 #include "report/upstream.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "exchange/json.hpp"
+#include "report/markdown.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -57,19 +59,17 @@ void fill_in(std::string& text, const std::string& name, const Body& body) {
   replace_all(text, fmt::format("@{}.count@", name), std::to_string(body.polygon.count));
 }
 
-void append_manifold(std::string& out, const PairCase& pair, const Manifold<double>& manifold) {
-  if (manifold.count == 0) {
-    out += "no contact\n";
-    return;
-  }
+std::string manifold_in_words(const PairCase& pair, const Manifold<double>& manifold) {
+  if (manifold.count == 0) return "no contact\n";
   const Vector2<double> normal = world_normal(pair, manifold.normal);
-  out += fmt::format("normal ({}, {}), from A to B, a face of {}\n", normal.x() + 0.0,
-                     normal.y() + 0.0, manifold.reference == Side::a ? 'A' : 'B');
+  std::string text = fmt::format("normal ({}, {}), from A to B, a face of {}\n", normal.x() + 0.0,
+                                 normal.y() + 0.0, manifold.reference == Side::a ? 'A' : 'B');
   for (int i = 0; i < manifold.count; ++i) {
     const Vector2<double> at = to_world(pair, manifold.points[i].position);
-    out += fmt::format("point ({}, {}), depth {}\n", at.x() + 0.0, at.y() + 0.0,
-                       manifold.points[i].depth + 0.0);
+    text += fmt::format("point ({}, {}), depth {}\n", at.x() + 0.0, at.y() + 0.0,
+                        manifold.points[i].depth + 0.0);
   }
+  return text;
 }
 
 void append_body(std::string& out, char name, const Body& body) {
@@ -81,14 +81,14 @@ void append_body(std::string& out, char name, const Body& body) {
                      text_of(body.pose.rotation, round));
 }
 
-const KeptAnswer& party_at_fault(const JudgedCase& shown) {
-  switch (shown.judgement.bucket.fault) {
+const DeclaredAnswer& answer_at_fault(const JudgedCase& judged) {
+  switch (judged.judgement.bucket.fault) {
     case Fault::none:
       throw UserError("--upstream: nobody is at fault in this case; there is nothing to report");
     case Fault::oracle:
-      return shown.oracle;
+      return judged.oracle;
     default:
-      return shown.subject;
+      return judged.subject;
   }
 }
 
@@ -100,14 +100,6 @@ std::string_view language_of(const std::string& snippet) {
   return is_script ? "js" : "";
 }
 
-/// Code between fences that are longer than any of its own.
-std::string fenced(std::string_view language, std::string code) {
-  std::string fence = "```";
-  while (code.find(fence) != std::string::npos) fence += '`';
-  if (!code.ends_with('\n')) code += '\n';
-  return fmt::format("{}{}\n{}{}\n", fence, language, code, fence);
-}
-
 }  // namespace
 
 std::string filled_in(std::string snippet, const PairCase& pair) {
@@ -116,41 +108,35 @@ std::string filled_in(std::string snippet, const PairCase& pair) {
   return snippet;
 }
 
-std::string upstream_report(const JudgedCase& shown, const std::string& parties) {
-  const KeptAnswer& party = party_at_fault(shown);
-  const PairCase& pair = shown.given.pair;
-  std::string text = fmt::format("# {} {}: {}\n\n", party.declaration.name,
-                                 party.declaration.version, verdict_sentence(shown));
-  text += "Two convex polygons, numbers as 32-bit floats:\n\n```\n";
-  append_body(text, 'A', pair.a);
-  append_body(text, 'B', pair.b);
-  text += "```\n\n## Got\n\n```\n";
-  if (party.manifold() == nullptr) {
-    text += answer_in_words(party) + '\n';
-  } else {
-    append_manifold(text, pair, *party.manifold());
+std::string upstream_report(const JudgedCase& judged, const std::string& options) {
+  const DeclaredAnswer& asked = answer_at_fault(judged);
+  const PairCase& pair = judged.given.pair;
+  std::string text = fmt::format("# {} {}: {}\n\n", asked.declaration.name,
+                                 asked.declaration.version, verdict_sentence(judged));
+  std::string bodies;
+  append_body(bodies, 'A', pair.a);
+  append_body(bodies, 'B', pair.b);
+  text += "Two convex polygons, numbers as 32-bit floats:\n\n" + code_block(bodies, "");
+  std::string got = answer_in_words(asked) + '\n';
+  if (asked.manifold() != nullptr) got = manifold_in_words(pair, *asked.manifold());
+  text += "\n## Got\n\n" + code_block(got, "") + "\n## Expected, in exact arithmetic\n\n";
+  std::vector<std::string> expected;
+  for (const Manifold<double>& right : right_manifolds(admissible(pair, asked.declaration))) {
+    expected.push_back(manifold_in_words(pair, right));
   }
-  text += "```\n\n## Expected, in exact arithmetic\n\n";
-  const auto rights = right_manifolds(admissible(pair, party.declaration));
-  if (rights.size() > 1) text += "Any of these:\n\n";
-  text += "```\n";
-  for (std::size_t i = 0; i < rights.size(); ++i) {
-    if (i > 0) text += "\n";
-    append_manifold(text, pair, rights[i]);
+  if (expected.size() > 1) text += "Any of these:\n\n";
+  text += code_block(fmt::format("{}", fmt::join(expected, "\n")), "");
+  if (judged.judgement.explanation != nullptr) {
+    text += fmt::format("\n## Cause\n\n{}: {}.\n", judged.judgement.explanation->source,
+                        judged.judgement.explanation->description);
   }
-  text += "```\n";
-  if (shown.judgement.explanation != nullptr) {
-    text += fmt::format("\n## Cause\n\n{}: {}.\n", shown.judgement.explanation->source,
-                        shown.judgement.explanation->description);
-  }
-  const std::string& snippet = party.declaration.snippet;
   text += "\n## A program that shows it\n\n";
-  if (!snippet.empty()) {
-    return text + fenced(language_of(snippet), filled_in(snippet, pair));
-  }
+  const std::string& snippet = asked.declaration.snippet;
+  if (!snippet.empty()) return text + code_block(filled_in(snippet, pair), language_of(snippet));
   std::string line;
   append_case_line(line, pair);
-  return text + fenced("sh", fmt::format("manifuzz judge {} <<'END'\n{}\nEND\n", parties, line));
+  return text +
+         code_block(fmt::format("manifuzz judge {} <<'END'\n{}\nEND\n", options, line), "sh");
 }
 
 }  // namespace manifuzz

@@ -8,21 +8,21 @@ namespace manifuzz {
 namespace {
 
 /// A magnitude is a share of the size; people want to see the length.
-double magnitude_length(const JudgedCase& shown) {
-  return shown.judgement.magnitude * size(shown.given.pair);
+double magnitude_length(const JudgedCase& judged) {
+  return judged.judgement.magnitude * size(judged.given.pair);
 }
 
 /// What is wrong with a collider's answer.
-std::string wrong_in_words(const JudgedCase& shown, const KeptAnswer& party) {
-  const std::string& name = party.declaration.name;
-  const std::string off = brief(magnitude_length(shown));
-  switch (shown.judgement.bucket.kind) {
+std::string wrong_in_words(const JudgedCase& judged, const DeclaredAnswer& asked) {
+  const std::string& name = asked.declaration.name;
+  const std::string off = brief(magnitude_length(judged));
+  switch (judged.judgement.bucket.kind) {
     case Kind::missed_contact:
-      return fmt::format("{} reports no contact, true {}", name, truth_in_words(shown.given.pair));
+      return fmt::format("{} reports no contact, true {}", name, truth_in_words(judged.given.pair));
     case Kind::phantom_contact:
-      return fmt::format("{} reports contact across a {}", name, truth_in_words(shown.given.pair));
+      return fmt::format("{} reports contact across a {}", name, truth_in_words(judged.given.pair));
     case Kind::normal:
-      return fmt::format("the normal of {} is off by {}", name, brief(shown.judgement.magnitude));
+      return fmt::format("the normal of {} is off by {}", name, brief(judged.judgement.magnitude));
     case Kind::position:
       return fmt::format("a point of {} is off by {}", name, off);
     case Kind::depth:
@@ -32,7 +32,7 @@ std::string wrong_in_words(const JudgedCase& shown, const KeptAnswer& party) {
     case Kind::features:
       return fmt::format("{} names the wrong features", name);
     default:
-      return fmt::format("{} reports {}", name, answer_in_words(party));
+      return fmt::format("{} reports {}", name, answer_in_words(asked));
   }
 }
 
@@ -51,26 +51,26 @@ std::string tie_in_words(TieClass tie_class) {
   }
 }
 
-std::string agreement(const JudgedCase& shown) {
+std::string agreement(const JudgedCase& judged) {
   const std::string names =
-      fmt::format("{} and {}", shown.subject.declaration.name, shown.oracle.declaration.name);
-  if (shown.subject.count() == 0) {
-    return fmt::format("agree: {} report no contact, {}", names, truth_in_words(shown.given.pair));
+      fmt::format("{} and {}", judged.subject.declaration.name, judged.oracle.declaration.name);
+  if (judged.subject.count() == 0) {
+    return fmt::format("agree: {} report no contact, {}", names, truth_in_words(judged.given.pair));
   }
-  return fmt::format("agree within rounding: {} report {}", names, answer_in_words(shown.subject));
+  return fmt::format("agree within rounding: {} report {}", names, answer_in_words(judged.subject));
 }
 
-std::string silent_or_nonsense(const JudgedCase& shown, std::string_view what) {
-  const bool of_subject = shown.judgement.bucket.fault == Fault::subject;
-  const KeptAnswer& party = of_subject ? shown.subject : shown.oracle;
-  return fmt::format("{} {}", party.declaration.name, what);
+std::string silent_or_nonsense(const JudgedCase& judged, std::string_view what) {
+  const bool of_subject = judged.judgement.bucket.fault == Fault::subject;
+  const DeclaredAnswer& asked = of_subject ? judged.subject : judged.oracle;
+  return fmt::format("{} {}", asked.declaration.name, what);
 }
 
-std::string unsupported_in_words(const JudgedCase& shown) {
-  for (const KeptAnswer* party : {&shown.subject, &shown.oracle}) {
-    const auto* const unsupported = std::get_if<Unsupported>(&party->answer);
+std::string unsupported_in_words(const JudgedCase& judged) {
+  for (const DeclaredAnswer* asked : {&judged.subject, &judged.oracle}) {
+    const auto* const unsupported = std::get_if<Unsupported>(&asked->answer);
     if (unsupported == nullptr) continue;
-    return fmt::format("{} cannot take this case: {}", party->declaration.name, unsupported->why);
+    return fmt::format("{} cannot take this case: {}", asked->declaration.name, unsupported->why);
   }
   return "a collider cannot take this case";
 }
@@ -100,12 +100,12 @@ std::string truth_in_words(const PairCase& pair) {
   return fmt::format("overlap {}", brief(-separation));
 }
 
-std::string answer_in_words(const KeptAnswer& party) {
-  if (const auto* const lost = std::get_if<Lost>(&party.answer)) return lost->why;
-  const Manifold<double>* const manifold = party.manifold();
-  if (manifold == nullptr) return "unsupported: " + std::get<Unsupported>(party.answer).why;
+std::string answer_in_words(const DeclaredAnswer& asked) {
+  if (const auto* const lost = std::get_if<Lost>(&asked.answer)) return lost->why;
+  const Manifold<double>* const manifold = asked.manifold();
+  if (manifold == nullptr) return "unsupported: " + std::get<Unsupported>(asked.answer).why;
   const auto& points = manifold->points;
-  switch (party.count()) {
+  switch (asked.count()) {
     case 0:
       return "no contact";
     case 1:
@@ -116,31 +116,31 @@ std::string answer_in_words(const KeptAnswer& party) {
   }
 }
 
-std::string verdict_sentence(const JudgedCase& shown) {
-  switch (shown.judgement.bucket.verdict) {
+std::string verdict_sentence(const JudgedCase& judged) {
+  switch (judged.judgement.bucket.verdict) {
     case Verdict::agree:
-      return agreement(shown);
+      return agreement(judged);
     case Verdict::tie:
-      return "tie, both are right: " + tie_in_words(shown.judgement.bucket.tie_class);
+      return "tie, both are right: " + tie_in_words(judged.judgement.bucket.tie_class);
     case Verdict::known:
-      return "oracle wrong (known): " + wrong_in_words(shown, shown.oracle);
+      return "oracle wrong (known): " + wrong_in_words(judged, judged.oracle);
     case Verdict::subject_wrong:
-      return "subject wrong: " + wrong_in_words(shown, shown.subject);
+      return "subject wrong: " + wrong_in_words(judged, judged.subject);
     case Verdict::oracle_wrong:
-      return "oracle wrong: " + wrong_in_words(shown, shown.oracle);
+      return "oracle wrong: " + wrong_in_words(judged, judged.oracle);
     case Verdict::both_wrong:
       return fmt::format("both wrong: {}, and {} is wrong too",
-                         wrong_in_words(shown, shown.subject), shown.oracle.declaration.name);
+                         wrong_in_words(judged, judged.subject), judged.oracle.declaration.name);
     case Verdict::ill_posed:
       return "ill-posed: rounding moves these polygons by more than 5% of the smaller one";
     case Verdict::unsupported:
-      return "unsupported: " + unsupported_in_words(shown);
+      return "unsupported: " + unsupported_in_words(judged);
     case Verdict::crashed:
-      return "crashed: " + silent_or_nonsense(shown, "died on this case");
+      return "crashed: " + silent_or_nonsense(judged, "died on this case");
     case Verdict::timed_out:
-      return "timed out: " + silent_or_nonsense(shown, "gave no answer in time");
+      return "timed out: " + silent_or_nonsense(judged, "gave no answer in time");
     case Verdict::malformed:
-      return "malformed: " + silent_or_nonsense(shown, "answered nonsense");
+      return "malformed: " + silent_or_nonsense(judged, "answered nonsense");
   }
   return {};
 }

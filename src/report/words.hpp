@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "report/judged_case.hpp"
+#include "campaign/judged_case.hpp"
 
 namespace manifuzz {
 
@@ -19,9 +19,9 @@ std::string face_name(Side side, int face);
 std::string truth_in_words(const PairCase& pair);
 
 /// What a collider answered: "no contact", "2 points, depths 0.3 and 0.25", "crashed".
-std::string answer_in_words(const KeptAnswer& party);
+std::string answer_in_words(const DeclaredAnswer& asked);
 
 /// The verdict as a sentence: "oracle wrong (known): box2d reports no contact, true overlap 0.31".
-std::string verdict_sentence(const JudgedCase& shown);
+std::string verdict_sentence(const JudgedCase& judged);
 
 }  // namespace manifuzz

@@ -32,14 +32,14 @@ inline constexpr float kLengthMax = 1e15F;
 
 /// What can be wrong with what a scene is given.
 enum class Defect {
-  position_not_finite,
-  position_too_far,
-  rotation_not_unit,
-  shape_too_large,
-  shape_too_sharp,
-  setting_not_a_length,
-  unknown_shape,
-  unknown_body,
+  position_not_finite,   ///< infinite, or not a number
+  position_too_far,      ///< a coordinate above kLengthMax
+  rotation_not_unit,     ///< |cos^2 + sin^2 - 1| above kRotationTolerance
+  shape_too_large,       ///< a reach or radius above kLengthMax
+  shape_too_sharp,       ///< a corner is less than 2e-5 radians wide
+  setting_not_a_length,  ///< below 0, above kLengthMax, or not a number
+  unknown_shape,         ///< no shape of that index was added
+  unknown_body,          ///< no such body is in the scene, or not any more
 };
 
 /// The first defect of a pose, or none.

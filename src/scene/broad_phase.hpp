@@ -6,7 +6,7 @@ namespace manifuzz::scene {
 
 /// How far a box is fattened, as shares of its body's reach.
 struct Fatness {
-  float all_round;
+  float all_round;  ///< on each side,
   float ahead_max;  ///< and in the direction of its motion, no farther than this,
   float ahead;      ///< a multiple of how far the body went since it was last looked at
 };
@@ -31,6 +31,7 @@ class BroadPhase {
   bool update(std::uint32_t body, const Box& box, const Pose<float>& pose, float reach,
               const Fatness& fatness);
 
+  /// Whether a body was updated, and not removed since.
   bool holds(std::uint32_t body) const { return grid_.holds(body); }
 
   /// Of a body whose box changes with no motion: its shape is another one.
@@ -38,9 +39,10 @@ class BroadPhase {
     if (body < anchors_.size()) anchors_[body].slack = 0;
   }
 
-  /// Does nothing to a body that was never updated.
+  /// Takes a body out; does nothing to one that was never updated.
   void remove(std::uint32_t body);
 
+  /// Whether the fattened boxes of two bodies overlap.
   bool overlap(std::uint32_t body, std::uint32_t other) const {
     return scene::overlap(grid_.box(body), grid_.box(other));
   }
@@ -53,6 +55,7 @@ class BroadPhase {
     });
   }
 
+  /// The memory it takes.
   std::size_t bytes() const { return anchors_.capacity() * sizeof(Anchor) + grid_.bytes(); }
 
  private:

@@ -12,15 +12,15 @@ namespace manifuzz::scene {
 /// A face of one body, the near one, separates the other, far one; or, of a pair that touches, how
 /// long its manifold is recycled.
 struct Certificate {
-  Pose<float> far_in_near;  ///< at that moment
+  Pose<float> far_in_near;  ///< the far body's pose in the near one's frame, at that moment
   /// The far polygon's vertices may move by less than this, seen from the near one, and the kernel
   /// still finds it separated, or the manifold is still recycled; <= 0: nothing is proven. Length.
   float margin = -1;
-  Side near = Side::a;
+  Side near = Side::a;  ///< whose face it is
 };
 
-/// The proof that A and B are separated at these poses, by the face that the kernel finds; proves
-/// nothing where they are nearer than rounding can tell.
+/// The proof that A and B are separated at these poses in the world, by the face that the kernel
+/// finds; proves nothing where they are nearer than rounding can tell.
 Certificate prove_separated(const ShapeTable& shapes, const kernel::Placement<float>& a,
                             const kernel::Placement<float>& b);
 

@@ -21,7 +21,7 @@ struct EndedContact {
   BodyHandle b;  ///< the other
 };
 
-/// Where the candidate pairs of a step went: they add up to `candidates`.
+/// What was done with the candidate pairs of a step: counts that add up to `candidates`.
 struct PairCounts {
   std::size_t at_rest = 0;     ///< neither body moved: not looked at
   std::size_t separated = 0;   ///< a separating face was proven to separate still
@@ -30,9 +30,9 @@ struct PairCounts {
   std::size_t candidates = 0;  ///< pairs whose fattened boxes overlap
 };
 
-/// What the other parts of a step did.
+/// What the parts of a step did; all are counts.
 struct StepCounts {
-  PairCounts pairs;               ///< where they went
+  PairCounts pairs;               ///< what was done with the candidates
   std::size_t moved = 0;          ///< bodies that moved, were added or got another shape
   std::size_t left_boxes = 0;     ///< of them, those that left their fattened box
   std::size_t pairs_added = 0;    ///< candidates that were none before

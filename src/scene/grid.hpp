@@ -10,14 +10,16 @@ namespace manifuzz::scene {
 /// Bodies by where their boxes are: square cells in levels, each four times as wide as the one
 /// below. A body is in one cell, that of its box's middle on the lowest level whose cells are no
 /// narrower than the box; so whatever overlaps a box has its middle within half a cell of it. Cells
-/// take no memory of their own: bodies hang in lists by the hash of their cell.
+/// take no memory of their own: bodies are in linked lists by the hash of their cell.
 class Grid {
  public:
   /// Puts a body in, or moves it to where its box is now.
   void place(std::uint32_t body, const Box& box);
 
+  /// Of a body that it holds.
   void remove(std::uint32_t body);
 
+  /// Whether a body was placed, and not removed since.
   bool holds(std::uint32_t body) const { return body < entries_.size() && entries_[body].placed; }
 
   /// Of a body that it holds.
@@ -27,6 +29,7 @@ class Grid {
   template <class Found>
   void near(const Box& box, const Found& found) const;
 
+  /// The memory it takes.
   std::size_t bytes() const;
 
  private:
@@ -87,7 +90,7 @@ void Grid::near(const Box& box, const Found& found) const {
       for (int x = range.x_min; x <= range.x_max; ++x) {
         const Cell cell{level.level, x, y};
         for (std::uint32_t i = buckets_[bucket_of(cell)]; i != kNone; i = entries_[i].next) {
-          // Another cell's bodies may hang in the same list.
+          // Another cell's bodies may be in the same list.
           if (overlap(entries_[i].box, box) && entries_[i].cell == cell) found(i);
         }
       }

@@ -19,9 +19,11 @@ struct Pair {
 /// removed, begins or ends to touch.
 class PairCache {
  public:
+  /// How many pairs there are.
   std::size_t size() const { return pairs_.size(); }
+  /// The pair of that index, 0 <= pair < size().
   Pair& operator[](std::uint32_t pair) { return pairs_[pair]; }
-
+  /// The pair of that index, 0 <= pair < size().
   const Pair& operator[](std::uint32_t pair) const { return pairs_[pair]; }
 
   /// The pair's index, or kNone.
@@ -52,6 +54,7 @@ class PairCache {
   /// Of a pair that does not touch.
   void remove(std::uint32_t pair);
 
+  /// The memory that grows with the number of bodies, and with that of pairs.
   std::size_t bytes_by_body() const;
   std::size_t bytes_by_pair() const;
 

@@ -33,7 +33,8 @@ inline constexpr float kRoundUp = 1.001F;
 /// Less than the roundings of a difference of two floats add.
 inline constexpr float kRoundDown = 0.999F;
 
-/// At least how far any vertex of a polygon of this reach has moved from one pose to another.
+/// At least how far any vertex of a polygon of this reach (a length) has moved from one pose to
+/// another, both in one frame; a length.
 inline float displacement(const Pose<float>& from, const Pose<float>& to, float reach) {
   return kRoundUp * (length_at_most(to.position - from.position) +
                      reach * length_at_most(to.rotation - from.rotation));

@@ -56,7 +56,7 @@ class Scene {
   /// The new shape's index. The polygon must be free of `PolygonDefect`s.
   std::variant<std::uint32_t, Defect> add_shape(const ConvexPolygon<float>& polygon);
 
-  /// A new body, of a shape that was added, at a pose in the world.
+  /// A new body, of a shape that was added, at a pose in the world; the next step looks at it.
   std::variant<BodyHandle, Defect> add(std::uint32_t shape, const Pose<float>& pose);
   /// Takes a body out; its contacts are reported as ended by the next step.
   std::optional<Defect> remove(BodyHandle body);
@@ -67,7 +67,7 @@ class Scene {
   /// the last counts.
   std::variant<StepResult, RefusedMove> step(std::span<const Move> moves);
 
-  /// Of a body that is in the scene.
+  /// Where a body stands in the world, as of the last step; it must be in the scene.
   const Pose<float>& pose(BodyHandle body) const { return placements_[body.index].pose; }
 
   /// How many bodies are in the scene.

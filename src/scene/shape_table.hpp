@@ -21,12 +21,15 @@ struct ShapeFacts {
 /// The polygons of a scene, laid out for both kernels.
 class ShapeTable {
  public:
+  /// `tie_bias` is the kernels', a length >= 0: it takes part in what a shape's padding must cover.
   explicit ShapeTable(float tie_bias) : tie_bias_(tie_bias) {}
 
   /// The new shape's index. The polygon must be free of `PolygonDefect`s.
   std::variant<std::uint32_t, Defect> add(const ConvexPolygon<float>& polygon);
 
+  /// How many shapes there are: their indices are below it.
   std::size_t size() const { return facts_.size(); }
+  /// A shape's facts; its rows for one pair at a time; all shapes for many pairs at once.
   const ShapeFacts& facts(std::uint32_t shape) const { return facts_[shape]; }
   const kernel::ShapeRows& rows(std::uint32_t shape) const { return rows_[shape]; }
   const kernel::Shapes<float>& for_pairs() const { return for_pairs_; }

@@ -1,5 +1,3 @@
-#include <fstream>
-
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -8,6 +6,7 @@
 #include "generating/walk.hpp"
 #include "support/run_program.hpp"
 #include "support/source_tree.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace manifuzz;
 
@@ -26,7 +25,7 @@ TEST_CASE("no breaking point has moved down") {
 }
 
 TEST_CASE("a breaking point is stored for every sweep, and faults for every walk, of ours") {
-  const auto stored = nlohmann::json::parse(std::ifstream(stored_path()));
+  const auto stored = nlohmann::json::parse(test::text_of(stored_path()));
   for (const ColliderEntry& entry : colliders()) {
     if (!entry.is_ours) continue;
     CAPTURE(entry.name);

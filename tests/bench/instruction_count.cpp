@@ -10,7 +10,7 @@
 #include <string>
 
 #include "kernel/target.hpp"
-#include "measure/bench/own_bench_subjects.hpp"
+#include "measure/bench/own_subjects.hpp"
 #include "measure/bench/workload.hpp"
 
 extern "C" [[gnu::noinline]] void manifuzz_counted(const std::function<void()>& pass) {
@@ -30,7 +30,7 @@ std::string target() {
 
 int count(const std::string& name, const std::string& input) {
   const std::string used = target();
-  const std::vector<BenchSubject> all = own_bench_subjects();
+  const std::vector<BenchSubject> all = own_subjects();
   const auto subject = std::ranges::find_if(all, [&](const BenchSubject& c) {
     return c.name == name && c.input == input && c.query == "manifold" &&
            (c.target.empty() || c.target == used);

@@ -86,8 +86,8 @@ float tie_bias(std::uint64_t number) {
   return number / regimes().size() % 2 == 0 ? 0.0F : 0.0005F;
 }
 
-/// Whether the chosen features' clip misses the overlap: what is found is the cure's.
-bool is_cured(const PairCase& pair) {
+/// Whether the chosen features' clip misses the overlap: what is found is the deepest contact.
+bool takes_deepest_contact(const PairCase& pair) {
   const ConvexPolygon<float>& a = pair.a.polygon;
   const auto b = transform(relative_pose(pair.a.pose, pair.b.pose), pair.b.polygon);
   const auto manifold = clipping::collide_in_frame(a, b);
@@ -104,14 +104,14 @@ bool is_cured(const PairCase& pair) {
   return manifold != clipping::clip_features(a, b, features);
 }
 
-/// One case of each regime, and one that needs the cure.
+/// One case of each regime, and one that takes the deepest contact.
 const std::vector<PairCase>& companions() {
   static const std::vector<PairCase> all = [] {
     std::vector<PairCase> made;
     for (const Regime& regime : regimes()) made.push_back(generate(2, regime, 0));
     const Regime& regime = *find_regime("near_collinear");
     std::uint64_t index = 0;
-    while (!is_cured(generate(2, regime, index))) ++index;
+    while (!takes_deepest_contact(generate(2, regime, index))) ++index;
     made.push_back(generate(2, regime, index));
     return made;
   }();
@@ -234,7 +234,7 @@ std::optional<Broken> broken_by_batch(typename PlantedBatch<Scalar>::Collide col
   return std::nullopt;
 }
 
-/// Asked in one of four ways, in turn; each regime comes to all of them, by either bias.
+/// Asked in one of four ways, in turn; each regime in all of them, by either bias.
 std::optional<Broken> broken_by_batches(const PlantedBatch<float>& batch,
                                         const PlantedBatch<double>& batch64, std::uint64_t number,
                                         const PairCase& pair) {

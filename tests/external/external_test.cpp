@@ -143,7 +143,7 @@ TEST_CASE("a library's wrong depths are found") {
   CHECK(run(plan_of(library())).tally->count(Verdict::subject_wrong) > kCases / 4);
 }
 
-TEST_CASE("a program that crashes, ends, hangs or talks nonsense loses that case alone") {
+TEST_CASE("a program that crashes, ends, hangs or answers nonsense loses that case alone") {
   check_loses(program("crashes"), Verdict::crashed);
   check_loses(program("exits"), Verdict::crashed);
   check_loses(program("sleeps"), Verdict::timed_out);
@@ -153,7 +153,7 @@ TEST_CASE("a program that crashes, ends, hangs or talks nonsense loses that case
   CHECK_FALSE(has_children());
 }
 
-TEST_CASE("a program that answers twice, or not at all, loses that case alone") {
+TEST_CASE("a program that answers twice, or not at all, is not called wrong for it") {
   // Which case it was is a matter of time, on a busy machine: others may be blamed beside it.
   const JobsResult twice = run(plan_of(program("twice")));
   CHECK(twice.tally->count(Verdict::malformed) > 0);

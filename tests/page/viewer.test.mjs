@@ -195,7 +195,7 @@ onCase('switches hide and show what they name', tie, async (page) => {
 onCase('each of several right manifolds is stepped to', tie, async (page) => {
   const rights = tie.parties[0].manifolds.length;
   assert.equal(await page.textContent('#right-count'), `right manifold 1 of ${rights}`);
-  const truth = () => page.textContent('.party.truth');
+  const truth = () => page.textContent('.answer.truth');
   const first = await truth();
   await page.click('[aria-label="next right manifold"]');
   assert.equal(await page.textContent('#right-count'), `right manifold 2 of ${rights}`);
@@ -207,9 +207,7 @@ onCase('each of several right manifolds is stepped to', tie, async (page) => {
 onCase('a finger that taps a point gets it explained', witness, async (page) => {
   await drawn(page);
   await page.touchscreen.tap(...await drawnAt(page));
-  await page.waitForTimeout(100);
-  assert.match(await page.textContent('#tooltip'), /clip \(subject\)/);
-  assert.ok(await page.locator('#tooltip').isVisible());
+  await page.locator('#tooltip:visible', {hasText: /clip \(subject\)/}).waitFor();
 }, {hasTouch: true});
 
 onCase('points of the next case are explained too', tie, async (page) => {

@@ -1,5 +1,7 @@
 #include "support/bad_cases.hpp"
 
+#include <array>
+
 namespace manifuzz::test {
 namespace {
 
@@ -78,14 +80,19 @@ Rows text_rows() {
       {"100000 open brackets", repeat("[", 100000), "nested deeper than 32"},
       {"deep objects in a note", with_more(R"("note": )" + repeat(R"({"x": )", 5000)),
        "nested deeper than 32"},
-      {"two megabytes of note", with_more("\"note\": \"" + std::string(2 << 20, 'x') + "\""),
-       "1 MiB"},
-      {"two megabytes of blanks", std::string(2 << 20, ' '), "1 MiB"},
       {"an array", "[" + good + "]", "$: is an array; an object is expected"},
       {"a string", R"("manifuzz/case/1")", "$: is a string; an object"},
       {"a number", "17", "$: is a number; an object"},
       {"null", "null", "$: is null; an object"},
       {"an empty object", "{}", "missing"},
+  };
+}
+
+Rows size_rows() {
+  return {
+      {"two megabytes of note", with_more("\"note\": \"" + std::string(2 << 20, 'x') + "\""),
+       "1 MiB"},
+      {"two megabytes of blanks", std::string(2 << 20, ' '), "1 MiB"},
   };
 }
 
@@ -251,6 +258,11 @@ Rows record_rows() {
   };
 }
 
+std::array<Rows, 7> kinds() {
+  return {text_rows(), size_rows(), number_rows(), polygon_rows(),
+          type_rows(), key_rows(),  record_rows()};
+}
+
 }  // namespace
 
 std::string good_case() {
@@ -260,13 +272,16 @@ std::string good_case() {
 const std::vector<BadCase>& bad_cases() {
   static const Rows all = [] {
     Rows rows;
-    for (const auto& part :
-         {text_rows(), number_rows(), polygon_rows(), type_rows(), key_rows(), record_rows()}) {
-      rows.insert(rows.end(), part.begin(), part.end());
-    }
+    for (const Rows& kind : kinds()) rows.insert(rows.end(), kind.begin(), kind.end());
     return rows;
   }();
   return all;
+}
+
+std::vector<BadCase> bad_case_of_each_kind() {
+  std::vector<BadCase> rows;
+  for (const Rows& kind : kinds()) rows.push_back(kind.front());
+  return rows;
 }
 
 }  // namespace manifuzz::test

@@ -124,13 +124,18 @@ Outcome run_on_terminal(const std::vector<std::string>& command) {
   return outcome;
 }
 
-Outcome run_manifuzz(std::vector<std::string> arguments, std::string_view input) {
-  arguments.insert(arguments.begin(), manifuzz_path());
-  return run_program(arguments, input);
+Outcome run_manifuzz(const std::vector<std::string>& arguments, std::string_view input) {
+  return run_program(with({manifuzz_path()}, arguments), input);
 }
 
 std::string manifuzz_path() {
   return MANIFUZZ_PROGRAM;
+}
+
+std::vector<std::string> with(std::vector<std::string> command,
+                              const std::vector<std::string>& more) {
+  command.insert(command.end(), more.begin(), more.end());
+  return command;
 }
 
 std::vector<std::string> lines_of(std::string_view text) {

@@ -21,10 +21,14 @@ Outcome run_program(const std::vector<std::string>& command, std::string_view in
 Outcome run_on_terminal(const std::vector<std::string>& command);
 
 /// Runs the built manifuzz.
-Outcome run_manifuzz(std::vector<std::string> arguments, std::string_view input = {});
+Outcome run_manifuzz(const std::vector<std::string>& arguments, std::string_view input = {});
 
 /// The path of the built manifuzz.
 std::string manifuzz_path();
+
+/// A command with more arguments.
+std::vector<std::string> with(std::vector<std::string> command,
+                              const std::vector<std::string>& more);
 
 /// The lines of a text; each must have its end.
 std::vector<std::string> lines_of(std::string_view text);

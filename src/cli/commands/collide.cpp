@@ -1,58 +1,31 @@
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "base/user_error.hpp"
-#include "cli/answer_each.hpp"
-#include "cli/collider_options.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "exchange/json.hpp"
-#include "judging/completed.hpp"
+#include "corpus/case_stream.hpp"
+#include "report/case_lines.hpp"
 
 namespace manifuzz {
 namespace {
 
 struct Options {
   ColliderChoice collider{"collider", "", ""};
-  ExternalOptions outside;
+  ExternalOptions external;
   std::optional<double> tie_bias;
   std::string file = "-";
 };
 
-bool is_finite(const Manifold<double>& manifold) {
-  for (int i = 0; i < manifold.count; ++i) {
-    const auto& point = manifold.points[i];
-    if (!point.position.allFinite() || !std::isfinite(point.depth)) return false;
-  }
-  return manifold.count == 0 || manifold.normal.allFinite();
-}
-
-/// JSON has no words for numbers that overflowed.
-void append_collision(std::string& line, const Collider& collider, const PairCase& pair) {
-  const Answer answer = ask(collider, pair);
-  if (const auto* const lost = std::get_if<Lost>(&answer)) {
-    throw UserError(fmt::format("$: {} gives no answer: {}", collider.declaration.name, lost->why));
-  }
-  const auto* const manifold = std::get_if<Manifold<double>>(&answer);
-  if (manifold != nullptr && !is_finite(*manifold)) {
-    throw UserError(
-        fmt::format("$: {} answers with a number that is not finite; smaller "
-                    "coordinates are expected",
-                    collider.declaration.name));
-  }
-  append_answer(line, pair, collider.declaration.name, answer);
-}
-
 int collide_cases(const Options& options) {
-  if (options.collider.name.empty() && options.collider.command.empty()) {
+  if (!options.collider.is_given()) {
     throw UserError("--collider is required; `manifuzz list colliders` names them");
   }
-  const Collider collider = find_collider(options.collider, options.outside, options.tie_bias);
+  const Collider collider = find_collider(options.collider, options.external, options.tie_bias);
   answer_each(options.file, [&collider](const PairCase& pair, std::size_t, std::string& line) {
     append_collision(line, collider, pair);
   });
@@ -62,7 +35,7 @@ int collide_cases(const Options& options) {
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   add_collider(app, options->collider, "which one; `manifuzz list colliders` names them");
-  add_external_options(app, options->outside);
+  add_external_options(app, options->external);
   add_length(app, "--tie-bias", options->tie_bias,
              "by how much B's face must lead to be the reference");
   app.add_option("FILE", options->file,

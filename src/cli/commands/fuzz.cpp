@@ -1,4 +1,5 @@
-#include <filesystem>
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <string>
@@ -8,21 +9,22 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/file.hpp"
+#include "base/names.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "campaign/baseline.hpp"
 #include "campaign/result_json.hpp"
-#include "cli/campaign_progress.hpp"
+#include "campaign/run.hpp"
 #include "cli/ci_output.hpp"
-#include "cli/collider_options.hpp"
+#include "cli/collider_choice.hpp"
+#include "cli/colliders.hpp"
 #include "cli/commands.hpp"
-#include "cli/fuzz_report.hpp"
-#include "cli/fuzz_suite.hpp"
-#include "cli/input.hpp"
 #include "cli/options.hpp"
-#include "cli/output.hpp"
-#include "cli/report_page.hpp"
+#include "corpus/known_cases.hpp"
+#include "measure/provenance.hpp"
+#include "report/ci/run_suites.hpp"
+#include "report/page/page_cases.hpp"
+#include "report/run_tables.hpp"
 
 namespace manifuzz {
 namespace {
@@ -31,7 +33,7 @@ constexpr double kDefaultSeconds = 10;
 constexpr std::uint64_t kJobsMax = 256;
 
 struct Options {
-  ComparedColliders parties;
+  SubjectAndOracle colliders;
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> cases;
   std::optional<double> seconds;
@@ -50,13 +52,6 @@ struct Options {
   CiOutput ci;
 };
 
-int jobs_of(const Options& options) {
-  if (options.jobs && *options.jobs > kJobsMax) {
-    throw UserError(fmt::format("--jobs: {} are too many; take 1 to {}", *options.jobs, kJobsMax));
-  }
-  return static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
-}
-
 /// Both radii together are a float still.
 float radius_of(double radius) {
   constexpr float most = std::numeric_limits<float>::max() / 2;
@@ -67,9 +62,10 @@ float radius_of(double radius) {
 /// All of the plan that options decide; what is wrong with them comes before a seed is drawn.
 Plan plan_of(const Options& options) {
   Plan plan;
-  plan.subject = find_subject(options.parties, options.tie_bias);
-  plan.oracle = find_oracle(options.parties);
-  plan.regimes = choose_regimes(options.regimes);
+  const SubjectAndOracle& asked = options.colliders;
+  plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
+  plan.oracle = find_collider(asked.oracle, asked.external);
+  plan.regimes = chosen_by_name(regimes(), options.regimes, "regime", "--regime");
   if (options.radius) {
     plan.context.radius = radius_of(*options.radius);
   } else {
@@ -82,7 +78,8 @@ Plan plan_of(const Options& options) {
   plan.seconds = options.seconds;
   const bool is_unlimited = !options.cases && !options.seconds && !options.until_new;
   if (is_unlimited) plan.seconds = kDefaultSeconds;
-  plan.jobs = jobs_of(options);
+  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
+  plan.jobs = static_cast<int>(options.jobs.value_or(cores));
   plan.judge_every = options.judge_every.value_or(kJudgeEvery);
   return plan;
 }
@@ -90,7 +87,7 @@ Plan plan_of(const Options& options) {
 /// The beginning of a command that repeats a case: whatever it depends on besides regime, seed and
 /// index.
 std::string repeating_command(const Options& options) {
-  std::string command = fmt::format("{} fuzz {}", this_program(), options_again(options.parties));
+  std::string command = fmt::format("{} fuzz {}", this_program(), options_again(options.colliders));
   if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
   if (options.radius) command += fmt::format(" --radius {}", *options.radius);
   if (options.judge_every) command += fmt::format(" --judge-every {}", *options.judge_every);
@@ -99,21 +96,22 @@ std::string repeating_command(const Options& options) {
 }
 
 /// The page of this campaign and its corpus.
-std::string page_of(const Campaign& campaign, const nlohmann::ordered_json& summary,
-                    const Options& options) {
+std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_json& summary,
+                             const Options& options) {
   const bool is_kept = !options.json.empty() && options.json != "-";
   const std::string run = is_kept ? kept_path(options.json).string() : "this run";
   const RunFiles files{read_corpus_folder(options.corpus),
                        {{run, "fuzz", summary, campaign.result}}};
-  NamedColliders colliders(campaign.plan.subject, campaign.plan.oracle);
+  NamedColliders colliders(find_installed, campaign.plan.subject, campaign.plan.oracle);
+  const std::string program = this_program();
   const std::string again =
-      is_kept ? fmt::format("{} report {} {}", this_program(), quoted_for_shell(options.corpus),
+      is_kept ? fmt::format("{} report {} {}", program, quoted_for_shell(options.corpus),
                             quoted_for_shell(run))
               : "";
-  return report_page(files, colliders, kMapsUsual, again);
+  return page_of(files, colliders, kMapsUsual, {program, again});
 }
 
-std::string text_of(const Campaign& campaign, const std::optional<FuzzResult>& baseline,
+std::string text_of(const Campaign& campaign, const std::optional<CampaignResult>& baseline,
                     bool is_terse) {
   if (is_terse) return objections(campaign);
   std::string text = summary_table(campaign);
@@ -122,7 +120,7 @@ std::string text_of(const Campaign& campaign, const std::optional<FuzzResult>& b
 }
 
 /// Everything that was asked for; one output that fails loses no other.
-Outputs write_all(const Campaign& campaign, const std::optional<FuzzResult>& baseline,
+Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>& baseline,
                   const Options& options) {
   nlohmann::ordered_json summary = json_of(campaign.result);
   if (baseline) summary["baseline"] = comparison_json(compared(*baseline, campaign.result));
@@ -132,11 +130,10 @@ Outputs write_all(const Campaign& campaign, const std::optional<FuzzResult>& bas
   });
   outputs.write(!options.json.empty(), [&] { write_data(options.json, json_text(summary)); });
   outputs.write(!options.report.empty(), [&] {
-    write_data(options.report, page_of(campaign, summary, options));
+    write_data(options.report, page_of_campaign(campaign, summary, options));
     if (options.report != "-") write_remark("page " + options.report);
   });
-  const std::string& unsaved = campaign.saving.first_error;
-  outputs.write(!unsaved.empty(), [&] { throw UserError(unsaved); });
+  outputs.add_error(campaign.saving.first_error);
   if (is_wanted(options.ci)) {
     Interruption interruption(kUntilSignal);
     write_ci(options.ci, {fuzz_suite(campaign, interruption)}, outputs);
@@ -144,41 +141,43 @@ Outputs write_all(const Campaign& campaign, const std::optional<FuzzResult>& bas
   return outputs;
 }
 
-/// The run that this one is held against; --json may take its place, and nothing else.
-std::optional<FuzzResult> baseline_of(const Options& options) {
-  if (options.baseline.empty()) return std::nullopt;
-  const std::filesystem::path input(options.baseline);
-  expect_apart({{"--junit", options.ci.junit}, {"--report", options.report}}, {&input, 1});
-  return read_baseline(options.baseline);
+CommandFiles files_of(const Options& options) {
+  CommandFiles files{{{"--corpus", options.no_save ? "" : options.corpus, OutputPath::Kind::corpus},
+                      {.option = "--json", .path = options.json, .replaces = options.baseline},
+                      {"--report", options.report}},
+                     {options.corpus}};
+  if (!options.baseline.empty()) files.inputs.emplace_back(options.baseline);
+  return files;
+}
+
+Campaign run_with_progress(const Plan& plan, const Corpus& corpus, const Options& options) {
+  const std::array declarations{plan.subject.declaration, plan.oracle.declaration};
+  const ProgressLine line;
+  return run_campaign(plan, KnownBuckets(corpus.cases), {options.no_save ? "" : options.corpus},
+                      {repeating_command(options), provenance(plan.seed, declarations)},
+                      [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
 }
 
 int fuzz(Options& options) {
-  options.ci.stdout_is_data = takes_stdout(
-      {{"--json", options.json}, {"--junit", options.ci.junit}, {"--report", options.report}});
   // No absolute path goes into what is kept.
   if (!options.corpus.empty()) options.corpus = kept_path(options.corpus).string();
-  expect_outside({{"--json", options.json}, {"--junit", options.ci.junit}}, options.corpus);
+  check_outputs(files_of(options), options.ci);
   const Corpus corpus = read_corpus_folder(options.corpus);
-  expect_apart(
-      {{"--json", options.json}, {"--junit", options.ci.junit}, {"--report", options.report}},
-      corpus.files);
   Plan plan = plan_of(options);
-  const std::optional<FuzzResult> baseline = baseline_of(options);
+  std::optional<CampaignResult> baseline;
+  if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
-  const Campaign campaign =
-      run_with_progress(plan, KnownBuckets(corpus.cases), {options.no_save ? "" : options.corpus},
-                        repeating_command(options));
+  const Campaign campaign = run_with_progress(plan, corpus, options);
   if (!write_all(campaign, baseline, options).are_written()) return 2;
   return has_failed(campaign.result) ? 1 : 0;
 }
 
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  add_compared_colliders(app, options->parties);
-  add_whole_number(app, "--seed", options->seed,
-                   "what the cases depend on; drawn and printed if not given");
+  add_subject_and_oracle(app, options->colliders);
+  add_seed(app, options->seed);
   CLI::Option* const cases =
       add_whole_number(app, "--cases", options->cases, "how many cases, all regimes together", 1);
   add_length(app, "--seconds", options->seconds, "how long, all regimes together; 10 if not given")
@@ -187,25 +186,20 @@ Run define(CLI::App& app) {
                "until something is found that the corpus does not show; without --cases or "
                "--seconds there is no other end");
   add_whole_number(app, "--first", options->first, "the first index in each regime");
-  add_whole_number(app, "--jobs", options->jobs, "how many processes; one a core if not given", 1);
+  add_whole_number(app, "--jobs", options->jobs, "how many processes; one a core if not given", 1,
+                   kJobsMax);
   add_whole_number(app, "--judge-every", options->judge_every,
                    "of the cases that agree, one in so many is judged too; 256 if not given", 1);
-  app.add_option("--regime", options->regimes,
-                 "a regime to draw from, again for more; all by turns if not given")
-      ->type_name("R")
-      ->allow_extra_args(false);
+  add_regimes(app, options->regimes);
   add_length(app, "--tie-bias", options->tie_bias, "the subject's tie bias");
   add_length(app, "--radius", options->radius, "of each polygon; the regime's own if not given");
-  app.add_option("--corpus", options->corpus, "the folder of known cases, where new ones are saved")
-      ->type_name("DIR")
-      ->capture_default_str();
-  app.add_flag("--no-save", options->no_save, "shrink and save nothing");
+  add_corpus(app, options->corpus, "the folder of known cases, where new ones are saved");
+  add_no_save(app, options->no_save);
   app.add_option("--baseline", options->baseline,
                  "the --json of an earlier run: says which buckets are new, worse, gone")
       ->type_name("FILE")
       ->check(not_blank);
-  app.add_option("--json", options->json, "the summary as JSON, to a file or - for stdout")
-      ->type_name("FILE");
+  add_json(app, options->json, "the summary as JSON");
   app.add_option("--report", options->report, "a page of this run and its corpus, - for stdout")
       ->type_name("FILE.html")
       ->check(not_blank);

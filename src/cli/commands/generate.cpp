@@ -1,17 +1,14 @@
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "base/user_error.hpp"
+#include "base/names.hpp"
+#include "base/streams.hpp"
 #include "cli/commands.hpp"
-#include "cli/input.hpp"
 #include "cli/options.hpp"
-#include "cli/output.hpp"
+#include "corpus/known_cases.hpp"
 #include "exchange/json.hpp"
 #include "generating/regime.hpp"
 
@@ -27,7 +24,8 @@ struct Options {
 };
 
 int generate_cases(const Options& options) {
-  const std::vector<const Regime*> chosen = choose_regimes(options.regimes);
+  const std::vector<const Regime*> chosen =
+      chosen_by_name(regimes(), options.regimes, "regime", "--regime");
   const std::uint64_t first = options.first.value_or(0);
   const std::uint64_t cases = options.cases.value_or(10);
   expect_indices(first, cases, chosen.size());
@@ -48,17 +46,12 @@ int generate_cases(const Options& options) {
 
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  add_whole_number(app, "--seed", options->seed,
-                   "what the cases depend on; drawn and printed if not given");
-  app.add_option("--regime", options->regimes,
-                 "a regime to draw from, again for more; all by turns if not given")
-      ->type_name("R")
-      ->allow_extra_args(false);
+  add_seed(app, options->seed);
+  add_regimes(app, options->regimes);
   add_whole_number(app, "--first", options->first,
                    "the first index in each regime; 0 if not given");
   add_whole_number(app, "--cases", options->cases, "how many cases; 10 if not given", 1);
-  app.add_option("--corpus", options->corpus, "the folder that the regimes may mutate cases of")
-      ->type_name("DIR");
+  add_corpus(app, options->corpus, "the folder that the regimes may mutate cases of");
   return [options] { return generate_cases(*options); };
 }
 

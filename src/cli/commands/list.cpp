@@ -5,16 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/nearest.hpp"
+#include "base/names.hpp"
+#include "base/streams.hpp"
 #include "base/user_error.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
-#include "cli/output.hpp"
-#include "generating/regime.hpp"
-#include "generating/sweep.hpp"
-#include "generating/walk.hpp"
-#include "judging/ledger.hpp"
-#include "measure/scene/trajectory.hpp"
+#include "report/lists.hpp"
 
 namespace manifuzz {
 namespace {
@@ -38,44 +34,6 @@ std::string list_colliders() {
   return lines;
 }
 
-std::string list_regimes() {
-  std::string lines;
-  for (const Regime& regime : regimes()) {
-    lines += fmt::format("{:<16} {}\n", regime.name, regime.description);
-  }
-  return lines;
-}
-
-std::string list_sweeps() {
-  std::string lines;
-  for (const Sweep& sweep : sweeps()) {
-    lines += fmt::format("{:<10} {}: {} ({}), {:g} to {:g} in {} steps\n", sweep.name,
-                         sweep.description, sweep.knob, sweep.unit, sweep.values.front(),
-                         sweep.values.back(), sweep.values.size());
-  }
-  for (const Walk& walk : walks()) {
-    lines += fmt::format("{:<10} {}\n", walk.name, walk.description);
-  }
-  return lines;
-}
-
-std::string list_scenes() {
-  std::string lines;
-  for (const SceneSpec& spec : scene_specs()) {
-    lines += fmt::format("{:<14} {}\n", spec.name, spec.sentence);
-  }
-  return lines;
-}
-
-std::string list_ledger() {
-  std::string lines;
-  for (const LedgerEntry& entry : ledger()) {
-    lines += fmt::format("{:<34} {} [{}; witness corpus/{}]\n", entry.id, entry.description,
-                         entry.source, entry.witness);
-  }
-  return lines;
-}
-
 struct Catalogue {
   std::string_view name;
   std::string (*list)();
@@ -88,17 +46,8 @@ constexpr Catalogue kCatalogues[] = {{"colliders", list_colliders},
                                      {"scenes", list_scenes}};
 
 int list(const std::string& what) {
-  std::vector<std::string_view> names;
-  for (const Catalogue& catalogue : kCatalogues) {
-    if (catalogue.name == what) {
-      Output out;
-      out.write(catalogue.list());
-      out.flush();
-      return 0;
-    }
-    names.push_back(catalogue.name);
-  }
-  throw UserError("list: " + no_such("list of", what, names));
+  write_output(chosen_by_name(kCatalogues, {&what, 1}, "list of", "list").front()->list());
+  return 0;
 }
 
 Run define(CLI::App& app) {

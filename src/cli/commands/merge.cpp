@@ -1,9 +1,7 @@
-#include "corpus/merge.hpp"
+#include "campaign/merge.hpp"
 
 #include <filesystem>
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,18 +11,15 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "campaign/merged_runs.hpp"
 #include "campaign/result_json.hpp"
-#include "campaign/save.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "process/interruption.hpp"
+#include "corpus/output_check.hpp"
+#include "report/run_tables.hpp"
 
 namespace manifuzz {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Options {
   std::vector<std::string> paths;
@@ -32,139 +27,41 @@ struct Options {
   std::string json;
 };
 
-/// A folder that was empty or not there, and is so again unless it is kept.
-class NewFolder {
- public:
-  explicit NewFolder(const fs::path& path) : path_(kept_path(path)), first_new_(path_) {
-    std::error_code unreadable;
-    was_there_ = fs::exists(fs::symlink_status(path, unreadable));
-    if (was_there_ && !(fs::is_directory(path, unreadable) && fs::is_empty(path, unreadable))) {
-      throw UserError(
-          fmt::format("--output: {} is there already; a new or an empty folder is expected",
-                      printable(path.string(), 200)));
-    }
-    while (first_new_.has_parent_path() && !fs::exists(first_new_.parent_path(), unreadable)) {
-      first_new_ = first_new_.parent_path();
-    }
-  }
-  ~NewFolder() {
-    if (is_kept_) return;
-    std::error_code unremoved;
-    if (!was_there_) {
-      fs::remove_all(first_new_, unremoved);
-      return;
-    }
-    for (const auto& entry : fs::directory_iterator(path_, unremoved)) {
-      fs::remove_all(entry.path(), unremoved);
-    }
-  }
-  NewFolder(const NewFolder&) = delete;
-  NewFolder& operator=(const NewFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-  void keep() { is_kept_ = true; }
-
- private:
-  fs::path path_;
-  fs::path first_new_;  ///< the topmost folder that is not there yet
-  bool was_there_ = false;
-  bool is_kept_ = false;
-};
-
-fs::path folder_of(const CorpusCase& known) {
-  if (!known.property.empty()) return "regressions";
-  if (!known.expect) return "seeds";
-  const auto bucket = find_bucket(known.expect->bucket);
-  return bucket ? corpus_folder(*bucket, known.expect->oracle) : fs::path("seeds");
-}
-
-/// The case as its file has it, every byte: answers read and written again may differ by a
-/// rounding.
-std::string text_of(const CorpusCase& known) {
-  return known.path.ends_with(".json") ? InputFile(known.path).read_all() : format_case(known);
-}
-
-/// Writes them as a campaign would have; returns the files of the smallest by their findings' keys.
-std::map<std::string, std::string> write_all(const std::vector<MergedFinding>& all,
-                                             const fs::path& output, Interruption& interruption) {
-  std::map<std::string, std::string> files;
-  for (const MergedFinding& finding : all) {
-    if (interruption.is_stopped()) throw UserError("merge: interrupted; nothing was written");
-    const CorpusCase& smallest = finding.smallest;
-    const fs::path file = corpus_file(output / folder_of(smallest), smallest);
-    write_file(file, text_of(smallest));
-    if (finding.worst) write_file(worst_beside(file), text_of(*finding.worst));
-    if (smallest.expect) files[finding_key(*smallest.expect)] = file.string();
-  }
-  return files;
-}
-
-/// A bucket's file is the merged one.
-void name_files(FuzzResult& run, const std::map<std::string, std::string>& files) {
-  Expectation expect{run.settings.subject, run.settings.oracle, {}, {}, {}};
-  for (BucketResult& found : run.buckets) {
-    expect.bucket = found.bucket;
-    const auto file = files.find(finding_key(expect));
-    if (file != files.end()) found.file = file->second;
-  }
-}
-
-std::string summary(const std::optional<FuzzResult>& sum) {
-  std::string text;
-  if (!sum) return text;
-  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
-    text += fmt::format("{:<18}{:>14}\n", kVerdictNames[i], sum->verdicts[i]);
-  }
-  return text + fmt::format("{:<18}{:>14}\n", "cases", sum->cases());
-}
-
-/// Whatever would come to nothing, or cost what is there, is refused before anything is written.
-void expect_possible(const Options& options, const RunFiles& files, const MergedRuns& runs) {
-  if (files.corpus.cases.empty() && !runs.sum) {
+void expect_something(const Options& options, const MergedRuns& runs) {
+  if (runs.findings.empty() && !runs.result) {
     throw UserError("merge: there is nothing to merge; name folders of cases and --json files");
   }
-  if (options.json.empty()) return;
-  if (!runs.sum)
+  if (!options.json.empty() && !runs.result) {
     throw UserError("--json: there is no result to write; name what fuzz --json wrote");
-  expect_apart({{"--json", options.json}}, files.corpus.files);
+  }
 }
 
-/// Writes all of it or nothing; returns what there is to say.
-std::string write_merged(const Options& options, const RunFiles& files, MergedRuns& runs) {
+/// All of it or nothing.
+void write_merged(const Options& options, MergedRuns& runs) {
   Interruption interruption(kUntilSignal);
-  NewFolder folder(options.output);
-  const std::vector<MergedFinding> all = merged_findings(files.corpus.cases);
-  const auto written = write_all(all, folder.path(), interruption);
-  if (runs.sum) name_files(*runs.sum, written);
-  const std::string json = runs.sum ? json_text(json_of(*runs.sum)) : "";
+  NewFolder folder(kept_path(options.output),
+                   fmt::format("--output: {}", printable(options.output, 200)));
+  write_findings(runs, folder.path(), interruption);
   const bool has_file = !options.json.empty() && options.json != "-";
-  if (has_file) {
-    std::vector<std::string> unread;
-    expect_apart({{"--json", options.json}}, find_case_files({&folder.path(), 1}, unread));
-    write_file(options.json, json);
-  }
+  if (has_file) write_file(options.json, json_text(json_of(*runs.result)));
   folder.keep();
-  if (options.json == "-") return json;
-  const std::string cases =
-      all.empty() ? ""
-                  : fmt::format("{}: {} findings of {} cases\n", printable(options.output, 200),
-                                all.size(), files.corpus.cases.size());
-  return cases + summary(runs.sum);
 }
 
 int merge(const Options& options) {
-  if (options.output == "-") throw UserError("--output: a folder is expected; - is none");
-  const std::vector<fs::path> paths(options.paths.begin(), options.paths.end());
+  const std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
+  check_outputs(
+      {{{"--output", options.output, OutputPath::Kind::corpus}, {"--json", options.json}}, paths});
   const RunFiles files = read_run_files(paths);
-  MergedRuns runs = merged_runs(files.results);
-  std::vector<std::string> errors = files.corpus.errors;
-  errors.insert(errors.end(), runs.errors.begin(), runs.errors.end());
-  write_complaints(errors);
-  expect_possible(options, files, runs);
-  write_to_reader(write_merged(options, files, runs));
-  if (errors.empty()) return 0;
+  MergedRuns runs = merged_runs(files);
+  write_complaints(runs.errors);
+  expect_something(options, runs);
+  write_merged(options, runs);
+  write_to_reader(options.json == "-"
+                      ? json_text(json_of(*runs.result))
+                      : merged_text(runs, files.corpus.cases.size(), options.output));
+  if (runs.errors.empty()) return 0;
   throw UserError(fmt::format(
-      "merge: {} of the files could not be read or added; the rest is merged", errors.size()));
+      "merge: {} of the files could not be read or added; the rest is merged", runs.errors.size()));
 }
 
 Run define(CLI::App& app) {

@@ -8,87 +8,70 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/file.hpp"
 #include "base/user_error.hpp"
 #include "cli/ci_output.hpp"
-#include "cli/collider_options.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/replay_run.hpp"
 #include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"
+#include "report/ci/run_suites.hpp"
+#include "report/run_tables.hpp"
 
 namespace manifuzz {
 namespace {
 
 struct Options {
   std::vector<std::string> paths;
-  ComparedColliders parties;
+  SubjectAndOracle colliders;
   std::string json;
   CiOutput ci;
 };
 
-nlohmann::ordered_json json_of(const ReplayRun& run, std::size_t unread, const Collider& subject,
-                               const Collider& oracle) {
+std::string json_of(const ReplayRun& run, std::size_t unread, const Collider& subject,
+                    const Collider& oracle) {
   const std::array declarations{subject.declaration, oracle.declaration};
   nlohmann::ordered_json json = provenance(0, declarations);
-  json["subject"] = declarations[0].name;
-  json["oracle"] = declarations[1].name;
-  json["cases"] = run.tests.size();
-  json["passed"] = run.passed();
-  json["failed"] = run.failures.size();
-  json["left_out"] = run.left_out;
-  json["unread"] = unread;
-  json["seconds"] = run.seconds;
-  json["failures"] = nlohmann::ordered_json::array();
-  for (const FailedReplay& failure : run.failures) {
-    json["failures"].push_back({{"file", failure.recorded->path},
-                                {"expected", failure.replayed.expected},
-                                {"got", failure.replayed.got}});
-  }
-  return json;
+  append_replay_json(json, run, unread);
+  return json_text(json);
 }
 
 int replay(Options& options) {
-  options.ci.stdout_is_data =
-      takes_stdout({{"--json", options.json}, {"--junit", options.ci.junit}});
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   if (paths.empty()) paths.emplace_back("corpus");
-  for (const auto& path : paths) {
-    expect_outside({{"--json", options.json}, {"--junit", options.ci.junit}}, path);
-  }
-  const Collider subject = find_subject(options.parties);
-  const Collider oracle = find_oracle(options.parties);
+  check_outputs({{{"--json", options.json}}, paths}, options.ci);
+  const SubjectAndOracle& asked = options.colliders;
+  const Collider subject = find_collider(asked.subject, asked.external);
+  const Collider oracle = find_collider(asked.oracle, asked.external);
   const Corpus corpus = read_corpus(paths);
-  expect_apart({{"--json", options.json}, {"--junit", options.ci.junit}}, corpus.files);
+  const std::size_t unread = corpus.errors.size();
   write_complaints(corpus.errors);
-  if (corpus.cases.empty() && corpus.errors.empty()) {
+  if (corpus.cases.empty() && unread == 0) {
     throw UserError("replay: there is no case; name files or folders of cases");
   }
 
   Interruption interruption(kUntilSignal);
   const ReplayRun run = replay_cases(corpus.cases, subject, oracle, interruption);
   Outputs outputs;
-  outputs.write(run.left_out > 0,
-                [&] { throw UserError("replay: interrupted before it was done"); });
-  outputs.write(!options.ci.stdout_is_data,
-                [&] { write_to_reader(replay_text(run, subject, oracle)); });
-  outputs.write(!options.json.empty(), [&] {
-    write_data(options.json, json_text(json_of(run, corpus.errors.size(), subject, oracle)));
+  if (run.left_out > 0) outputs.add_error("replay: interrupted before it was done");
+  outputs.write(!options.ci.stdout_is_data, [&] {
+    write_to_reader(replay_failures(run) + (is_quiet() ? "" : replay_counts(run) + '\n'));
   });
+  outputs.write(!options.json.empty(),
+                [&] { write_data(options.json, json_of(run, unread, subject, oracle)); });
   if (is_wanted(options.ci)) {
     TestSuite suite =
-        replay_suite(run, subject, oracle, options_again(options.parties), interruption);
+        replay_suite(run, subject, oracle, {this_program(), options_again(asked)}, interruption);
     suite.errors = corpus.errors;
     write_ci(options.ci, {suite}, outputs);
   }
-  if (!corpus.errors.empty()) {
-    write_complaint(fmt::format("replay: {} of the files could not be read; the rest was replayed",
-                                corpus.errors.size()));
+  if (unread > 0) {
+    write_complaint(
+        fmt::format("replay: {} of the files could not be read; the rest was replayed", unread));
   }
-  if (!outputs.are_written() || !corpus.errors.empty()) return 2;
-  return run.failures.empty() ? 0 : 1;
+  if (!outputs.are_written() || unread > 0) return 2;
+  return run.failed() == 0 ? 0 : 1;
 }
 
 Run define(CLI::App& app) {
@@ -96,10 +79,9 @@ Run define(CLI::App& app) {
   app.add_option("paths", options->paths, "files and folders of cases; corpus if not given")
       ->type_name("PATH")
       ->check(not_blank);
-  add_compared_colliders(app, options->parties);
+  add_subject_and_oracle(app, options->colliders);
   add_junit(app, options->ci);
-  app.add_option("--json", options->json, "the summary as JSON, to a file or - for stdout")
-      ->type_name("FILE");
+  add_json(app, options->json, "the summary as JSON");
   return [options] { return run_for_ci("replay", options->ci, [&] { return replay(*options); }); };
 }
 

@@ -10,12 +10,13 @@
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "campaign/result_files.hpp"
-#include "cli/collider_options.hpp"
+#include "cli/collider_choice.hpp"
+#include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/page_cases.hpp"
-#include "cli/report_page.hpp"
+#include "corpus/output_check.hpp"
+#include "report/page/page_cases.hpp"
 
 namespace manifuzz {
 namespace {
@@ -24,14 +25,13 @@ constexpr std::uint64_t kMapsMax = 1000;
 
 struct Options {
   std::vector<std::string> paths;
-  ComparedColliders parties{{"subject", "", ""}, {"oracle", "", ""}, {}};
+  SubjectAndOracle colliders{{"subject", "", ""}, {"oracle", "", ""}, {}};
   std::string output = "report.html";
   std::optional<std::uint64_t> maps;
 };
 
-std::optional<Collider> chosen(const ColliderChoice& choice, const ExternalOptions& outside) {
-  if (choice.name.empty() && choice.command.empty()) return std::nullopt;
-  return find_collider(choice, outside);
+std::optional<Collider> chosen(const ColliderChoice& choice, const ExternalOptions& external) {
+  return choice.is_given() ? std::optional(find_collider(choice, external)) : std::nullopt;
 }
 
 std::string repeating_command(const std::vector<std::filesystem::path>& paths,
@@ -44,22 +44,20 @@ std::string repeating_command(const std::vector<std::filesystem::path>& paths,
 }
 
 int report(const Options& options) {
-  if (options.maps.value_or(0) > kMapsMax) {
-    throw UserError(fmt::format("--maps: {} are too many; take 0 to {}", *options.maps, kMapsMax));
-  }
   std::vector<std::filesystem::path> paths;
   for (const std::string& path : options.paths) paths.push_back(kept_path(path));
   if (paths.empty()) paths.emplace_back("corpus");
+  check_outputs({{{"--output", options.output}}, paths});
   const RunFiles files = read_run_files(paths);
   write_complaints(files.corpus.errors);
   if (files.corpus.cases.empty() && files.results.empty()) {
     throw UserError("report: there is nothing to report; name folders of cases and --json files");
   }
-  expect_apart({{"--output", options.output}}, files.corpus.files);
-  NamedColliders colliders(chosen(options.parties.subject, options.parties.outside),
-                           chosen(options.parties.oracle, options.parties.outside));
-  const std::string html = report_page(files, colliders, options.maps.value_or(kMapsUsual),
-                                       repeating_command(paths, options));
+  const SubjectAndOracle& asked = options.colliders;
+  NamedColliders colliders(find_installed, chosen(asked.subject, asked.external),
+                           chosen(asked.oracle, asked.external));
+  const std::string html = page_of(files, colliders, options.maps.value_or(kMapsUsual),
+                                   {this_program(), repeating_command(paths, options)});
   write_data(options.output, html);
   if (options.output != "-") {
     write_remark(fmt::format("{}: {} cases, {} results", printable(options.output, 200),
@@ -81,11 +79,11 @@ Run define(CLI::App& app) {
       ->check(not_blank)
       ->capture_default_str();
   add_whole_number(app, "--maps", options->maps,
-                   "of how many buckets the neighbourhood is drawn; 12 if not given");
-  add_collider(app, options->parties.subject,
+                   "of how many buckets the neighbourhood is drawn; 12 if not given", 0, kMapsMax);
+  add_collider(app, options->colliders.subject,
                "whom cases that name nobody are put to; clip if not given");
-  add_collider(app, options->parties.oracle, "the one it is held against; box2d if not given");
-  add_external_options(app, options->parties.outside);
+  add_collider(app, options->colliders.oracle, "the one it is held against; box2d if not given");
+  add_external_options(app, options->colliders.external);
   return [options] { return report(*options); };
 }
 

@@ -6,15 +6,12 @@
 #include <fmt/format.h>
 
 #include "base/file.hpp"
-#include "base/nearest.hpp"
-#include "base/text.hpp"
+#include "base/names.hpp"
 #include "base/user_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "corpus/corpus.hpp"
-#include "report/picture/frame_picture.hpp"
-#include "report/plot/gnuplot.hpp"
+#include "corpus/output_check.hpp"
 #include "report/scene_report.hpp"
 
 namespace manifuzz {
@@ -25,15 +22,12 @@ constexpr std::size_t kBodiesMax = 1'000'000;
 /// Poses that a trajectory keeps: 20 bytes each.
 constexpr std::size_t kPosesMax = 100'000'000;
 
-/// A hundredth of a body.
-constexpr double kMotion = 0.01;
-
-/// Ten bodies.
+constexpr double kMotion = 0.01;  ///< a hundredth of a body
 constexpr double kMotionMax = 10;
 
 struct Options {
   std::vector<std::string> scenes;
-  std::vector<std::size_t> bodies;
+  std::vector<std::size_t> bodies{100, 1'000, 10'000};
   std::optional<std::uint64_t> steps;
   std::string mode = "strict";
   std::optional<double> motion;
@@ -44,118 +38,32 @@ struct Options {
   std::string recycling;
   std::string frame;
   std::string save;
-
-  /// Rising, each once.
-  std::vector<std::size_t> sizes() const {
-    if (bodies.empty()) return {100, 1'000, 10'000};
-    const std::set<std::size_t> distinct(bodies.begin(), bodies.end());
-    return {distinct.begin(), distinct.end()};
-  }
-  int steps_or_default() const { return static_cast<int>(steps.value_or(30)); }
-  scene::Settings settings() const {
-    const auto length = static_cast<float>(motion.value_or(kMotion));
-    return {.recycled_motion = mode == "recycle" ? length : 0,
-            .certificates = !without_certificates};
-  }
 };
 
-/// One that is named twice is gone through once.
-std::vector<const SceneSpec*> chosen_scenes(const std::vector<std::string>& names) {
-  std::vector<const SceneSpec*> chosen;
-  for (const std::string& name : names) {
-    const SceneSpec* const spec = find_scene(name);
-    if (spec == nullptr) {
-      std::vector<std::string_view> known;
-      for (const SceneSpec& each : scene_specs()) known.emplace_back(each.name);
-      throw UserError("--scene: " + no_such("scene", name, known));
-    }
-    if (std::ranges::find(chosen, spec) == chosen.end()) chosen.push_back(spec);
+ScenePlan plan_of(const Options& options) {
+  const std::set<std::size_t> sizes(options.bodies.begin(), options.bodies.end());
+  ScenePlan plan{.scenes = chosen_by_name(scene_specs(), options.scenes, "scene", "--scene"),
+                 .sizes = {sizes.begin(), sizes.end()},
+                 .settings = {.certificates = !options.without_certificates},
+                 .has_curves = !options.recycling.empty()};
+  plan.steps = static_cast<int>(options.steps.value_or(plan.steps));
+  if (options.mode == "recycle") {
+    plan.settings.recycled_motion = static_cast<float>(options.motion.value_or(kMotion));
   }
-  if (!chosen.empty()) return chosen;
-  for (const SceneSpec& spec : scene_specs()) chosen.push_back(&spec);
-  return chosen;
-}
-
-/// Each chosen scene at each number of bodies.
-template <class Visit>
-void for_each_scene(const Options& options, std::span<const std::size_t> sizes,
-                    std::string_view doing, const Visit& visit) {
-  const ProgressLine line;
-  for (const SceneSpec* const spec : chosen_scenes(options.scenes)) {
-    for (const std::size_t bodies : sizes) {
-      line.show(fmt::format("{}: {} of {} bodies", doing, spec->name, bodies));
-      visit(*spec, spec->make(bodies, options.steps_or_default()));
-    }
-  }
-}
-
-SceneReport run_all(const Options& options) {
-  SceneReport report;
-  const auto sizes = options.sizes();
-  for_each_scene(options, sizes, "timing",
-                 [&](const SceneSpec& spec, const Trajectory& trajectory) {
-                   report.runs.push_back(run_scene(spec.name, trajectory, options.settings()));
-                 });
-  if (options.recycling.empty()) return report;
-  const std::span<const std::size_t> first(sizes.data(), 1);
-  for_each_scene(options, first, "recycling",
-                 [&](const SceneSpec& spec, const Trajectory& trajectory) {
-                   RecyclingCurve& curve = report.curves.emplace_back();
-                   curve.scene = spec.name;
-                   curve.bodies = trajectory.start.size();
-                   curve.runs = run_recycling(trajectory);
-                 });
-  return report;
-}
-
-/// The last step of the first scene, at its least number of bodies.
-std::string frame_of(const Options& options) {
-  const SceneSpec& spec = *chosen_scenes(options.scenes).front();
-  const std::size_t bodies = options.sizes().front();
-  const Trajectory trajectory = spec.make(bodies, options.steps_or_default());
-  const Frame frame = last_frame(trajectory, options.settings());
-  std::vector<FramePoint> points;
-  for (const scene::Contact& contact : frame.contacts) {
-    const Pose<float>& a = frame.bodies[contact.a.index].pose;
-    const Vector2<float> normal = rotate(a.rotation, contact.manifold.normal);
-    for (int i = 0; i < contact.manifold.count; ++i) {
-      const Vector2<float> position = transform(a, contact.manifold.points[i].position);
-      points.push_back({position.cast<double>(), normal.cast<double>()});
-    }
-  }
-  return frame_svg(frame.bodies, points, fmt::format("{} of {} bodies", spec.name, bodies));
-}
-
-/// A pair that mismatched is met in a scene by the tests from then on, as all of the corpus.
-void save_findings(const std::string& folder, const std::vector<SceneRun>& runs) {
-  for (const SceneRun& run : runs) {
-    for (const PairCase& pair : run.afresh.findings) {
-      CorpusCase finding;
-      finding.pair = pair;
-      finding.note = fmt::format("In the scene {} of {} bodies it was not as it is afresh.",
-                                 run.scene, run.bodies);
-      write_corpus_case(folder, finding);
-    }
-  }
+  return plan;
 }
 
 /// What can be said before anything is run.
-void expect_possible(const Options& options) {
-  takes_stdout({{"--json", options.json},
-                {"--frame", options.frame},
-                {"--scaling", options.scaling},
-                {"--skipped", options.skipped},
-                {"--recycling", options.recycling}});
-  chosen_scenes(options.scenes);
-  for (const std::string& picture : {options.scaling, options.skipped, options.recycling}) {
-    if (!picture.empty()) expect_plot_name(picture);
-  }
-  if (!options.scaling.empty() && options.sizes().size() < 2) {
+void expect_possible(const Options& options, const ScenePlan& plan) {
+  using enum OutputPath::Kind;
+  check_outputs({{{"--json", options.json},
+                  {"--save", options.save, corpus},
+                  {"--frame", options.frame, file, {".svg"}},
+                  {"--scaling", options.scaling, file, kPictureEndings},
+                  {"--skipped", options.skipped, file, kPictureEndings},
+                  {"--recycling", options.recycling, file, kPictureEndings}}});
+  if (!options.scaling.empty() && plan.sizes.size() < 2) {
     throw UserError("--scaling: needs two numbers of bodies or more");
-  }
-  if (!options.frame.empty() && !options.frame.ends_with(".svg")) {
-    throw UserError(
-        fmt::format("--frame: {}: a name that ends in .svg is expected", printable(options.frame)));
   }
   if (options.motion && options.mode != "recycle") {
     throw UserError("--recycled-motion: needs --mode recycle");
@@ -164,90 +72,70 @@ void expect_possible(const Options& options) {
     throw UserError(fmt::format("--recycled-motion: {} is not above 0 and at most {}",
                                 *options.motion, kMotionMax));
   }
-  const auto steps = static_cast<std::size_t>(options.steps_or_default());
-  if (options.sizes().back() > kPosesMax / steps) {
+  if (plan.sizes.back() > kPosesMax / static_cast<std::size_t>(plan.steps)) {
     throw UserError(fmt::format("--bodies, --steps: {} bodies for {} steps are more than {} poses",
-                                options.sizes().back(), steps, kPosesMax));
+                                plan.sizes.back(), plan.steps, kPosesMax));
   }
-}
-
-void write_files(const Options& options, const SceneReport& report, const std::string& json,
-                 Outputs& outputs) {
-  outputs.write(!options.json.empty() && options.json != "-",
-                [&] { write_file(options.json, json); });
-  outputs.write(!options.save.empty(), [&] { save_findings(options.save, report.runs); });
-  outputs.write(!options.frame.empty(), [&] { write_file(options.frame, frame_of(options)); });
-  outputs.write(!options.scaling.empty(),
-                [&] { write_line_plot(options.scaling, scaling_plot(report.runs)); });
-  outputs.write(!options.skipped.empty(),
-                [&] { write_skip_plot(options.skipped, skip_bars(report.runs)); });
-  outputs.write(!options.recycling.empty(),
-                [&] { write_line_plot(options.recycling, recycling_plot(report.curves)); });
-}
-
-/// What decides the status, alone.
-std::string mismatches_in_words(const std::vector<SceneRun>& runs) {
-  std::string text;
-  for (const SceneRun& run : runs) {
-    if (run.afresh.mismatches == 0) continue;
-    text += fmt::format("{} of {} bodies: {} mismatches\n", run.scene, run.bodies,
-                        run.afresh.mismatches);
-  }
-  return text;
 }
 
 int scene_command(const Options& options) {
-  expect_possible(options);
-  const SceneReport report = run_all(options);
-  const std::string json = json_text(report_json(report));
-  std::string tables = rows_table(report.runs);
-  if (!report.curves.empty()) tables += '\n' + curves_table(report.curves);
-  if (leaves_out_tables({options.json})) tables = mismatches_in_words(report.runs);
+  const ScenePlan plan = plan_of(options);
+  expect_possible(options, plan);
+  const SceneResult result = [&] {
+    const ProgressLine line;
+    return run_scenes(plan, [&](std::string_view doing, std::string_view scene, std::size_t n) {
+      line.show(fmt::format("{}: {} of {} bodies", doing, scene, n));
+    });
+  }();
+  const std::string json = json_text(scene_json(result));
+  const std::string mismatches = mismatches_in_words(result.runs);
+  const std::string text = leaves_out_tables({options.json}) ? mismatches : scene_table(result);
   Outputs outputs;
-  outputs.write(true, [&] { write_to_reader(options.json == "-" ? json : tables); });
-  write_files(options, report, json, outputs);
+  outputs.write(true, [&] { write_to_reader(options.json == "-" ? json : text); });
+  outputs.write(!options.json.empty() && options.json != "-",
+                [&] { write_file(options.json, json); });
+  outputs.write(!options.save.empty(), [&] { save_mismatches(options.save, result.runs); });
+  outputs.write(!options.frame.empty(), [&] { write_file(options.frame, scene_frame(plan)); });
+  outputs.write(!options.scaling.empty(),
+                [&] { write_plot(options.scaling, scaling_plot(result.runs)); });
+  outputs.write(!options.skipped.empty(),
+                [&] { write_plot(options.skipped, skipped_plot(result.runs)); });
+  outputs.write(!options.recycling.empty(),
+                [&] { write_plot(options.recycling, recycling_plot(result.curves)); });
   if (!outputs.are_written()) return 2;
-  const auto has_mismatch = [](const SceneRun& run) { return run.afresh.mismatches > 0; };
-  return std::ranges::any_of(report.runs, has_mismatch) ? 1 : 0;
+  return mismatches.empty() ? 0 : 1;
 }
 
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("--scene", options->scenes, "one to go through, again for more; all if not given")
-      ->type_name("S")
+  const auto add = [&app](const char* name, auto& to, const char* type, const char* what) {
+    return app.add_option(name, to, what)->type_name(type);
+  };
+  add("--scene", options->scenes, "S", "one to go through, again for more; all if not given")
       ->allow_extra_args(false);
-  app.add_option("--bodies", options->bodies,
-                 "how many, 10 to 1000000, again for more; 100, 1000 and 10000 if not given")
-      ->type_name("N")
+  add("--bodies", options->bodies, "N",
+      "how many, 10 to 1000000, again for more; 100, 1000 and 10000 if not given")
       ->check(CLI::Range(std::size_t{10}, kBodiesMax))
       ->allow_extra_args(false);
   add_whole_number(app, "--steps", options->steps, "how many; 30 if not given", 1)
       ->check(CLI::Range(1, 100'000));
-  app.add_option(
-         "--mode", options->mode,
-         "strict: contacts as colliding all pairs afresh gives them, bit for bit (checked, up to "
-         "10000 bodies); recycle: "
-         "touching pairs keep theirs, carried along; strict if not given")
-      ->type_name("M")
+  add("--mode", options->mode, "M",
+      "strict: contacts as colliding all pairs afresh gives them, bit for bit (checked, up to "
+      "10000 bodies); recycle: "
+      "touching pairs keep theirs, carried along; strict if not given")
       ->check(CLI::IsMember({"strict", "recycle"}));
   add_length(app, "--recycled-motion", options->motion,
              "how far a body may move before its contacts are not recycled; 0.01 if not given");
   app.add_flag("--without-certificates", options->without_certificates,
                "collide every pair that moved, whatever was proven");
-  app.add_option("--json", options->json, "the rows as JSON, to a file or - for stdout")
-      ->type_name("FILE");
-  app.add_option("--save", options->save, "a corpus for pairs that are not as they are afresh")
-      ->type_name("DIR");
-  app.add_option("--scaling", options->scaling, "time against bodies, FILE.svg or FILE.png")
-      ->type_name("FILE");
-  app.add_option("--skipped", options->skipped, "where pairs went, by scene, FILE.svg or FILE.png")
-      ->type_name("FILE");
-  app.add_option("--recycling", options->recycling,
-                 "what recycling costs at eight motions: pairs skipped against error, judged; "
-                 "FILE.svg or FILE.png")
-      ->type_name("FILE");
-  app.add_option("--frame", options->frame, "the first scene's last step with its contacts, as SVG")
-      ->type_name("FILE");
+  add("--json", options->json, "FILE", "the rows as JSON, to a file or - for stdout");
+  add("--save", options->save, "DIR", "a corpus for pairs that are not as they are afresh");
+  add("--scaling", options->scaling, "FILE", "time against bodies, FILE.svg or FILE.png");
+  add("--skipped", options->skipped, "FILE", "where pairs went, by scene, FILE.svg or FILE.png");
+  add("--recycling", options->recycling, "FILE",
+      "what recycling costs at eight motions: pairs skipped against error, judged; "
+      "FILE.svg or FILE.png");
+  add("--frame", options->frame, "FILE", "the first scene's last step with its contacts, as SVG");
   return [options] { return scene_command(*options); };
 }
 

@@ -5,22 +5,22 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/file.hpp"
+#include "base/streams.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "campaign/in_child.hpp"
-#include "campaign/neighbourhood_run.hpp"
+#include "campaign/judged_case.hpp"
 #include "cli/case_argument.hpp"
-#include "cli/collider_options.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
+#include "cli/judged.hpp"
 #include "cli/options.hpp"
-#include "cli/output.hpp"
-#include "cli/shown.hpp"
+#include "corpus/output_check.hpp"
 #include "report/case_text.hpp"
+#include "report/picture/case_map.hpp"
 #include "report/picture/case_picture.hpp"
-#include "report/picture/map_picture.hpp"
-#include "report/picture/map_words.hpp"
 #include "report/picture/text_picture.hpp"
 #include "report/upstream.hpp"
 
@@ -32,7 +32,7 @@ constexpr std::uint64_t kMapStepMax = 100'000;
 
 struct Options {
   CaseArgument given;
-  ComparedColliders parties{{"subject", "", ""}, {"oracle", "", ""}, {}};
+  SubjectAndOracle colliders{{"subject", "", ""}, {"oracle", "", ""}, {}};
   std::string svg;
   bool upstream = false;
   bool text_picture = false;
@@ -40,10 +40,10 @@ struct Options {
   std::optional<std::uint64_t> map_step;
 };
 
-/// What was asked for, else what the case names, else the usual one.
+/// The collider that was asked for, else the one that the case names, else the usual one.
 ColliderChoice chosen(const std::string& file, ColliderChoice asked, const std::string& recorded,
                       const char* usual) {
-  if (!asked.name.empty() || !asked.command.empty()) return asked;
+  if (asked.is_given()) return asked;
   asked.name = recorded.empty() ? usual : recorded;
   if (is_findable(asked.name)) return asked;
   throw UserError(
@@ -52,72 +52,47 @@ ColliderChoice chosen(const std::string& file, ColliderChoice asked, const std::
                   file, printable(asked.name), asked.role, asked.role));
 }
 
-void check_map(const Options& options) {
-  if (options.map && !options.map->ends_with(".png")) {
-    throw UserError(fmt::format("--map: {} is not the name of a PNG file; FILE.png is expected",
-                                printable(*options.map, 200)));
-  }
-  if (options.map && *options.map == options.svg) {
-    throw UserError("--svg and --map name the same file; two names are expected");
-  }
+int show(const Options& options) {
   if (options.map_step && !options.map) {
     throw UserError("--map-step: there is no map without --map FILE.png");
   }
-  if (options.map_step.value_or(1) > kMapStepMax) {
-    throw UserError(fmt::format("--map-step: {} ulps are too many; take 1 to {}", *options.map_step,
-                                kMapStepMax));
-  }
-}
-
-/// Draws the map to its file and says in words what it comes to.
-std::string write_map(const Options& options, const JudgedCase& shown, const Collider& subject,
-                      const Collider& oracle, Interruption& interruption) {
-  const Grid grid =
-      grid_around(exact::Truth(shown.given.pair), static_cast<int>(options.map_step.value_or(1)));
-  const Neighbourhood map =
-      ask_neighbourhood(shown.given.pair, subject, oracle, grid, grid.cell_count(), interruption);
-  if (interruption.is_stopped()) throw Interrupted();
-  write_file(*options.map, map_png(shown, map));
-  return fmt::format("map: {}\n  {}\n", grid_in_words(grid), severity_in_words(shown, map));
-}
-
-int show(const Options& options) {
-  check_map(options);
   const std::string file = case_file(options.given);
-  const std::filesystem::path input(file);
-  expect_apart({{"--svg", options.svg}, {"--map", options.map.value_or("")}}, {&input, 1});
+  check_outputs({{{"--svg", options.svg},
+                  {"--map", options.map.value_or(""), OutputPath::Kind::file, {".png"}}},
+                 {file}});
   const CorpusCase given = read_case_file(file);
   const Expectation recorded = given.expect.value_or(Expectation{});
-  ComparedColliders parties = options.parties;
-  parties.subject = chosen(file, parties.subject, recorded.subject, "clip");
-  parties.oracle = chosen(file, parties.oracle, recorded.oracle, "box2d");
-  const Collider subject = find_subject(parties);
-  const Collider oracle = find_oracle(parties);
+  SubjectAndOracle asked = options.colliders;
+  asked.subject = chosen(file, asked.subject, recorded.subject, "clip");
+  asked.oracle = chosen(file, asked.oracle, recorded.oracle, "box2d");
+  const Collider subject = find_collider(asked.subject, asked.external);
+  const Collider oracle = find_collider(asked.oracle, asked.external);
   Interruption interruption(kUntilSignal);
-  const JudgedCase shown = ask_both(given, subject, oracle, interruption);
-  if (!options.svg.empty() && options.svg != "-") write_file(options.svg, case_svg(shown));
-  std::string text = options.svg == "-" ? case_svg(shown)
-                     : options.upstream ? upstream_report(shown, options_again(parties))
-                                        : case_text(shown);
-  if (options.text_picture && options.svg != "-") text += '\n' + text_picture(shown);
+  const JudgedCase judged = judged_case(given, subject, oracle, interruption);
+  const bool is_picture_alone = options.svg == "-";
+  if (!options.svg.empty() && !is_picture_alone) write_file(options.svg, case_svg(judged));
+  std::string text = is_picture_alone   ? case_svg(judged)
+                     : options.upstream ? upstream_report(judged, options_again(asked))
+                                        : case_text(judged);
+  if (options.text_picture && !is_picture_alone) text += '\n' + text_picture(judged);
   if (options.map) {
-    const std::string words = write_map(options, shown, subject, oracle, interruption);
-    if (options.svg != "-") text += words;
+    const auto step_ulps = static_cast<int>(options.map_step.value_or(1));
+    const CaseMap map = case_map(judged, subject, oracle, step_ulps, interruption);
+    write_file(*options.map, map.png);
+    if (!is_picture_alone) text += fmt::format("map: {}\n", fmt::join(map.words, "\n  "));
   }
-  Output out;
-  out.write(text);
-  out.flush();
+  write_output(text);
   return 0;
 }
 
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   add_case_argument(app, options->given);
-  add_collider(app, options->parties.subject,
+  add_collider(app, options->colliders.subject,
                "the collider under test; if not given, the one the case names, or clip");
-  add_collider(app, options->parties.oracle,
+  add_collider(app, options->colliders.oracle,
                "the collider it is held against; if not given, the one the case names, or box2d");
-  add_external_options(app, options->parties.outside);
+  add_external_options(app, options->colliders.external);
   app.add_option("--svg", options->svg, "a picture too; - for the picture alone, on stdout")
       ->type_name("FILE");
   app.add_flag("--upstream", options->upstream,
@@ -129,7 +104,7 @@ Run define(CLI::App& app) {
          "the case's neighbours as a PNG: one vertex moved by ulps, what each says, who fails")
       ->type_name("FILE.png");
   add_whole_number(app, "--map-step", options->map_step,
-                   "how many ulps apart neighbours are; 1 if not given", 1);
+                   "how many ulps apart neighbours are; 1 if not given", 1, kMapStepMax);
   return [options] { return show(*options); };
 }
 

@@ -5,30 +5,31 @@
 #include <fmt/format.h>
 
 #include "base/file.hpp"
+#include "base/streams.hpp"
 #include "base/user_error.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/save.hpp"
 #include "campaign/shrink_finding.hpp"
 #include "cli/case_argument.hpp"
-#include "cli/collider_options.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
-#include "cli/output.hpp"
+#include "corpus/output_check.hpp"
 
 namespace manifuzz {
 namespace {
 
 struct Options {
   CaseArgument given;
-  ComparedColliders parties;
+  SubjectAndOracle colliders;
   std::string output = "-";
 };
 
 int shrink_file(const Options& options) {
-  const Collider subject = find_subject(options.parties);
-  const Collider oracle = find_oracle(options.parties);
+  const SubjectAndOracle& asked = options.colliders;
+  const Collider subject = find_collider(asked.subject, asked.external);
+  const Collider oracle = find_collider(asked.oracle, asked.external);
   const std::string file = case_file(options.given);
-  const std::filesystem::path input(file);
-  expect_apart({{"--output", options.output}}, {&input, 1});
+  check_outputs({{{"--output", options.output}}, {file}});
   const CorpusCase given = read_case_file(file);
   Interruption interruption(kUntilSignal);
   const Judgement root = judge_in_child(given.pair, subject, oracle, interruption);
@@ -41,20 +42,15 @@ int shrink_file(const Options& options) {
   const Judgement judgement = judge_in_child(smallest, subject, oracle, interruption);
   CorpusCase shrunk = recorded_case(smallest, judgement, subject, oracle, interruption);
   shrunk.found = given.found;
-  if (options.output != "-") {
-    write_file(options.output, format_case(shrunk));
-    return 0;
-  }
-  Output out;
-  out.write(format_case(shrunk));
-  out.flush();
+  const std::string text = format_case(shrunk);
+  options.output == "-" ? write_output(text) : write_file(options.output, text);
   return 0;
 }
 
 Run define(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   add_case_argument(app, options->given);
-  add_compared_colliders(app, options->parties);
+  add_subject_and_oracle(app, options->colliders);
   app.add_option("--output", options->output, "where the smallest case goes, - for stdout")
       ->type_name("FILE")
       ->capture_default_str();

@@ -1,30 +1,27 @@
 #include "measure/stress/stress.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/file.hpp"
-#include "base/nearest.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "campaign/in_child.hpp"
-#include "cli/collider_options.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/stress_options.hpp"
-#include "cli/stress_save.hpp"
-#include "kernel/target.hpp"
-#include "measure/provenance.hpp"
+#include "corpus/output_check.hpp"
 #include "measure/stress/breaking_points.hpp"
 #include "measure/stress/flush_to_zero.hpp"
+#include "measure/stress/plan.hpp"
+#include "measure/stress/save_worst.hpp"
+#include "report/stress_data.hpp"
 #include "report/stress_pictures.hpp"
 #include "report/stress_report.hpp"
 
@@ -34,80 +31,53 @@ namespace {
 constexpr std::uint64_t kQuickCases = 600;
 constexpr std::uint64_t kQuickFrames = 10'000;
 
-/// One that is named twice is run once.
-template <class Family>
-void choose(const Family* family, std::vector<const Family*>& chosen) {
-  if (std::ranges::find(chosen, family) == chosen.end()) chosen.push_back(family);
-}
+struct Options {
+  std::vector<std::string> sweeps;
+  std::vector<std::string> colliders;
+  ColliderChoice program{"collider", "", ""};
+  ExternalOptions outside;
+  std::optional<std::uint64_t> cases;
+  std::optional<std::uint64_t> frames;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> jobs;
+  bool quick = false;
+  bool flush_to_zero = false;
+  std::string json;
+  std::string csv;
+  std::string pictures;
+  std::string save;
+  std::string baseline;
+  std::string store;
+};
 
-void choose_sweeps(const std::vector<std::string>& names, StressPlan& plan) {
-  std::vector<std::string_view> known;
-  for (const Sweep& sweep : sweeps()) {
-    if (names.empty()) plan.sweeps.push_back(&sweep);
-    known.push_back(sweep.name);
-  }
-  for (const Walk& walk : walks()) {
-    if (names.empty()) plan.walks.push_back(&walk);
-    known.push_back(walk.name);
-  }
-  for (const std::string& name : names) {
-    if (const Sweep* const sweep = find_sweep(name)) {
-      choose(sweep, plan.sweeps);
-    } else if (const Walk* const walk = find_walk(name)) {
-      choose(walk, plan.walks);
-    } else {
-      throw UserError("--sweep: " + no_such("sweep", name, known));
-    }
-  }
-}
-
-void expect_names_of_their_own(const std::vector<StressSubject>& subjects) {
-  for (auto one = subjects.begin(); one != subjects.end(); ++one) {
-    if (std::ranges::find(subjects.begin(), one, one->name, &StressSubject::name) == one) continue;
-    throw UserError(fmt::format("--collider: there is more than one '{}'", printable(one->name)));
-  }
-}
-
-/// Every collider that is there, or those that are named; of each that takes a tie bias, a variant
-/// for the walks.
-std::vector<StressSubject> contestants_of(const StressOptions& options) {
-  std::vector<Collider> chosen;
+/// The colliders that are named, or every one that is there.
+std::vector<StressSubject> chosen_subjects(const Options& options) {
+  std::vector<StressSubject> chosen;
+  const auto add = [&chosen](const Collider& collider) {
+    const ColliderEntry* const entry = find_entry(collider.declaration.name);
+    const bool is_ours = entry != nullptr && entry->is_ours;
+    chosen.push_back({collider.declaration.name, collider, false, is_ours});
+  };
   for (const std::string& name : options.colliders) {
-    chosen.push_back(find_collider(ColliderChoice{"collider", name, ""}, options.outside));
+    add(find_collider(ColliderChoice{"collider", name, ""}, options.outside));
   }
-  if (!options.program.command.empty()) {
-    chosen.push_back(find_collider(options.program, options.outside));
-  }
-  if (chosen.empty()) {
-    for (const ColliderEntry& entry : colliders()) {
-      try {
-        Collider collider = entry.make();
-        if (options.quick && collider.is_isolated()) continue;
-        chosen.push_back(std::move(collider));
-      } catch (const UserError& error) {
-        write_remark(fmt::format("left out: {}", error.what()));
-      }
+  if (!options.program.command.empty()) add(find_collider(options.program, options.outside));
+  if (!chosen.empty()) return chosen;
+  for (const ColliderEntry& entry : colliders()) {
+    try {
+      const Collider collider = entry.make();
+      if (!options.quick || !collider.is_isolated()) add(collider);
+    } catch (const UserError& error) {
+      write_remark(fmt::format("left out: {}", error.what()));
     }
   }
-  std::vector<StressSubject> subjects{ideal_subject()};
-  for (const Collider& collider : chosen) {
-    const std::string name = collider.declaration.name;
-    subjects.push_back({name, collider});
-    if (collider.with_tie_bias) {
-      subjects.push_back({name + " with a bias", collider.with_tie_bias(kWalkBias), true});
-    }
-  }
-  expect_names_of_their_own(subjects);
-  if (subjects.size() > kSubjectsMax) {
-    throw UserError("--collider: that is too many at once");
-  }
-  return subjects;
+  return chosen;
 }
 
-StressPlan plan_of(const StressOptions& options) {
+StressPlan plan_of(const Options& options) {
   StressPlan plan;
-  choose_sweeps(options.sweeps, plan);
-  plan.subjects = contestants_of(options);
+  choose_sweeps(options.sweeps, "--sweep", plan);
+  plan.subjects = with_variants(chosen_subjects(options));
   plan.seed = options.seed.value_or(plan.seed);
   plan.cases = options.cases.value_or(options.quick ? kQuickCases : plan.cases);
   plan.flush_to_zero = options.flush_to_zero;
@@ -120,61 +90,30 @@ StressPlan plan_of(const StressOptions& options) {
   return plan;
 }
 
-std::string progress_line(const StressProgress& progress) {
-  const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
-  const double left = share > 0 ? progress.seconds / share - progress.seconds : 0;
-  return fmt::format("{} of {} cases, {:.0f} a second, {:.0f} s left", progress.done,
-                     progress.total, static_cast<double>(progress.done) / progress.seconds, left);
-}
-
-/// What a run has against it; nothing where all is as stored, or nothing is.
-std::string objections(const Comparison& comparison) {
-  std::string text;
-  if (!comparison.worse.empty()) {
-    text += fmt::format("\nworse than stored:\n{}\n", fmt::join(comparison.worse, "\n"));
-  }
-  if (!comparison.not_compared.empty()) {
-    text += fmt::format("\ninterrupted, and not compared:\n{}\n",
-                        fmt::join(comparison.not_compared, "\n"));
-  }
-  return text;
-}
-
-nlohmann::ordered_json report_json(const StressPlan& plan, const StressResult& result,
-                                   const Comparison& comparison) {
-  std::vector<Declaration> declarations;
-  for (const StressSubject& subject : plan.subjects) {
-    const bool is_collider = subject.name != kIdealName && !subject.walks_only;
-    if (is_collider) declarations.push_back(subject.collider.declaration);
-  }
-  nlohmann::ordered_json json = provenance(plan.seed, declarations);
-  json["machine"]["instruction_set"] = kernel::targets().front();
-  json["cases"] = plan.cases;
-  json["frames"] = plan.frames;
-  json["flush_to_zero"] = plan.flush_to_zero;
-  json["seconds"] = result.seconds;
-  json["interrupted"] = result.interrupted;
-  json["worse"] = comparison.worse;
-  json["not_compared"] = comparison.not_compared;
-  json["sweeps"] = stress_sweeps_json(plan, result);
-  json["walks"] = stress_walks_json(plan, result);
-  return json;
+StressResult run(const StressPlan& plan, Interruption& interruption) {
+  const ProgressLine line;
+  return run_stress(plan, interruption,
+                    [&](const StressProgress& progress) { line.show(progress_line(progress)); });
 }
 
 void save(const StressPlan& plan, const StressResult& result, const std::string& folder,
           Interruption& interruption) {
   const ProgressLine line;
-  const std::string corpus = kept_path(folder).string();
   try {
-    save_worst(plan, result, corpus, interruption,
-               [&](const std::string& name) { line.show("saving " + name); });
+    save_worst(
+        plan, result, kept_path(folder), interruption,
+        [&](const std::string& name) { line.show("saving " + name); },
+        [](const std::filesystem::path& file) {
+          write_error(fmt::format("kept: {} is worse than what this run met\n",
+                                  printable(file.string(), 200)));
+        });
   } catch (const Interrupted&) {
     throw UserError("--save: interrupted, not all was saved");
   }
 }
 
 /// What a run found is written, even after it was interrupted; another signal ends the writing.
-void write_files(const StressPlan& plan, const StressResult& result, const StressOptions& options,
+void write_files(const StressPlan& plan, const StressResult& result, const Options& options,
                  const std::string& json, const nlohmann::ordered_json& stored,
                  Interruption& interruption, Outputs& outputs) {
   outputs.write(!options.json.empty() && options.json != "-",
@@ -196,48 +135,82 @@ void write_files(const StressPlan& plan, const StressResult& result, const Stres
   }
 }
 
-std::string report_text(const StressPlan& plan, const StressResult& result,
-                        const Comparison& comparison) {
-  std::string text = result.interrupted ? "interrupted: what was measured until then\n" : "";
-  text += stress_table(plan, result);
-  return text + objections(comparison);
-}
-
-int stress(const StressOptions& options) {
-  takes_stdout({{"--json", options.json}, {"--csv", options.csv}, {"--store", options.store}});
+int stress(const Options& options) {
+  using enum OutputPath::Kind;
+  CommandFiles files{
+      {{"--json", options.json},
+       {"--csv", options.csv, file},
+       {.option = "--store", .path = options.store, .kind = file, .replaces = options.baseline},
+       {"--pictures", options.pictures, folder},
+       {"--save", options.save, corpus}}};
+  if (!options.baseline.empty()) files.inputs.emplace_back(options.baseline);
+  check_outputs(files);
   const StressPlan plan = plan_of(options);
-  if (!options.pictures.empty()) make_picture_folder(options.pictures);
   std::vector<StoredPoint> baseline;
   if (!options.baseline.empty()) baseline = read_breaking_points(options.baseline, plan);
   nlohmann::ordered_json stored;
   if (!options.store.empty()) stored = stored_before(options.store, plan);
   Interruption interruption;
-  StressResult result;
-  {
-    const ProgressLine line;
-    result = run_stress(plan, interruption, [&](const StressProgress& progress) {
-      line.show(progress_line(progress));
-    });
-  }
+  const StressResult result = run(plan, interruption);
   Interruption writing(kUntilSignal);
   const Comparison comparison = compare(plan, result, baseline);
   const std::string json =
-      options.json.empty() ? "" : report_json(plan, result, comparison).dump(1, '\t') + '\n';
-  const bool has_table = options.json != "-";
-  if (!has_table) write_error(objections(comparison));
-  const bool is_terse = leaves_out_tables({options.json, options.csv});
-  const std::string text =
-      is_terse ? objections(comparison) : report_text(plan, result, comparison);
+      options.json.empty() ? "" : stress_json(plan, result, comparison).dump(1, '\t') + '\n';
+  std::string text = complaints(comparison);
+  if (options.json == "-") write_error(text);
+  if (!leaves_out_tables({options.json, options.csv})) text = stress_table(plan, result) + text;
   Outputs outputs;
-  outputs.write(true, [&] { write_to_reader(has_table ? text : json); });
+  outputs.write(true, [&] { write_to_reader(options.json == "-" ? json : text); });
   write_files(plan, result, options, json, stored, writing, outputs);
   if (!outputs.are_written()) return 2;
   return comparison.worse.empty() && comparison.not_compared.empty() ? 0 : 1;
 }
 
+void add_run(CLI::App& app, Options& options) {
+  app.add_option("--sweep", options.sweeps, "a sweep or a walk, again for more; all if not given")
+      ->type_name("S")
+      ->allow_extra_args(false);
+  app.add_option("--collider", options.colliders,
+                 "a collider, again for more; all that are there if not given")
+      ->type_name("C|LIBRARY.so")
+      ->allow_extra_args(false);
+  app.add_option("--collider-command", options.program.command,
+                 "one more, as a program: case lines in, manifold lines out")
+      ->type_name("COMMAND")
+      ->check(not_blank);
+  add_external_options(app, options.outside);
+  add_whole_number(app, "--cases", options.cases, "a step; 100000 if not given", 1);
+  add_whole_number(app, "--frames", options.frames, "a walk; 1000000 if not given", 1);
+  add_whole_number(app, "--seed", options.seed, "what the cases depend on; 1 if not given");
+  add_whole_number(app, "--jobs", options.jobs, "how many processes; one a core if not given", 1);
+  app.add_flag(
+      "--quick", options.quick,
+      "fewer cases, and no collider in a process of its own unless it is named: less than 20 s");
+  app.add_flag("--flush-to-zero", options.flush_to_zero,
+               "colliders in this process compute without subnormal numbers, as engines may");
+}
+
+void add_outputs(CLI::App& app, Options& options) {
+  app.add_option("--json", options.json, "every step as JSON, to a file or - for stdout")
+      ->type_name("FILE");
+  app.add_option("--csv", options.csv, "every step with commas")->type_name("FILE");
+  const auto add = [&app](const char* name, std::string& to, const char* type, const char* what) {
+    app.add_option(name, to, what)->type_name(type)->check(not_blank);
+  };
+  add("--pictures", options.pictures, "DIR",
+      "error against each sweep's knob, DIR/SWEEP.svg and DIR/SWEEP.png");
+  add("--save", options.save, "DIR",
+      "a corpus for the worst: wrong cases shrunk, and clip's worst of every sweep");
+  add("--baseline", options.baseline, "FILE",
+      "breaking points that were stored: none may have moved down");
+  add("--store", options.store, "FILE",
+      "stores the breaking points, for --baseline, over those in it");
+}
+
 Run define(CLI::App& app) {
-  const auto options = std::make_shared<StressOptions>();
-  add_stress_options(app, *options);
+  const auto options = std::make_shared<Options>();
+  add_run(app, *options);
+  add_outputs(app, *options);
   return [options] { return stress(*options); };
 }
 

@@ -21,7 +21,7 @@ struct BenchSubject {
   std::function<Collider()> collider{};
 };
 
-/// The one that every other is a ratio to.
-inline constexpr std::string_view kPaceMaker = "box2d";
+/// The subject to whose time every other's is a ratio.
+inline constexpr std::string_view kRatioBase = "box2d";
 
 }  // namespace manifuzz

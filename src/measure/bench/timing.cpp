@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "kernel/target.hpp"
-#include "measure/median.hpp"
+#include "measure/spread.hpp"
 
 namespace manifuzz {
 namespace {
@@ -54,9 +54,9 @@ std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
                                   const Workload& workload, const TimingOptions& options) {
   initialize(options);
   const auto name_of = [](std::size_t i) { return fmt::format("subject {}", i); };
-  std::size_t pace_maker = subjects.size();
+  std::size_t base = subjects.size();
   for (std::size_t i = 0; i < subjects.size(); ++i) {
-    if (subjects[i].name == kPaceMaker) pace_maker = i;
+    if (subjects[i].name == kRatioBase) base = i;
     const auto pass = subjects[i].prepare(workload.pairs);
     const std::string target = subjects[i].target;
     benchmark::RegisterBenchmark(name_of(i).c_str(), [pass, target](benchmark::State& state) {
@@ -64,17 +64,18 @@ std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
       for ([[maybe_unused]] const auto once : state) pass();
     });
   }
-  assert(pace_maker < subjects.size());
+  assert(base < subjects.size());
   Collecting collected;
   benchmark::RunSpecifiedBenchmarks(&collected);
   benchmark::ClearRegisteredBenchmarks();
+  kernel::use_target(kernel::targets().front());
 
   std::vector<Timing> timings;
-  const std::vector<double>& pace = collected.seconds(name_of(pace_maker));
+  const std::vector<double>& of_base = collected.seconds(name_of(base));
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     const std::vector<double>& seconds = collected.seconds(name_of(i));
-    std::vector<double> ratios(std::min(seconds.size(), pace.size()));
-    for (std::size_t k = 0; k < ratios.size(); ++k) ratios[k] = pace[k] / seconds[k];
+    std::vector<double> ratios(std::min(seconds.size(), of_base.size()));
+    for (std::size_t k = 0; k < ratios.size(); ++k) ratios[k] = of_base[k] / seconds[k];
     timings.push_back(
         {1e9 * median(seconds) / static_cast<double>(workload.pairs.size()), median(ratios)});
   }

@@ -17,7 +17,8 @@ struct Timing {
   double speedup_over_box2d = 0;  ///< the median of their ratios, each to Box2D's of its number
 };
 
-/// Times the subjects over one workload, on Google Benchmark, their repetitions in random order.
+/// Times the subjects over one workload, on Google Benchmark, their repetitions in random order;
+/// the kernels then use the widest instruction set again.
 std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
                                   const Workload& workload, const TimingOptions& options);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,13 @@ struct Workload {
   WorkloadSpec spec;
   std::vector<PairCase> pairs;
 };
+
+/// The regime `generic`, mixed counts, half touching, in the second cache.
+WorkloadSpec usual_workload();
+
+/// The usual workload first; then, each by itself, other counts, shares of touching pairs and
+/// numbers of pairs, and other regimes.
+std::vector<WorkloadSpec> all_workloads(std::span<const Regime* const> regimes);
 
 /// The regime's first cases that fit, polygons without radius, touching and separated ones mixed.
 /// None where the regime has hardly any that fit.

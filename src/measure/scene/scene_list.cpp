@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "measure/scene/scene_recordings.hpp"
 #include "measure/scene/scene_scripts.hpp"
 #include "measure/scene/trajectory.hpp"
@@ -23,11 +21,6 @@ constexpr SceneSpec kSpecs[] = {
 
 std::span<const SceneSpec> scene_specs() {
   return kSpecs;
-}
-
-const SceneSpec* find_scene(std::string_view name) {
-  const auto* const found = std::ranges::find(kSpecs, name, &SceneSpec::name);
-  return found == std::end(kSpecs) ? nullptr : found;
 }
 
 }  // namespace manifuzz

@@ -1,16 +1,25 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "measure/error_statistics.hpp"
 #include "measure/scene/trajectory.hpp"
-#include "measure/stress/step_tally.hpp"
 
 namespace manifuzz {
 
-/// What recycling makes of a scene: what it skips, and what that does to the contacts.
+/// What recycling up to a motion skips in a scene, and how good the contacts are then.
 struct RecyclingRun {
-  float motion = 0;  ///< scene::Settings::recycled_motion; 0 is strict
-  double skipped =
-      0;             ///< how many fewer pairs are collided than in strict mode, as a share of those
-  StepTally judged;  ///< of a sample of the contacts, spread over all steps
+  float motion = 0;        ///< scene::Settings::recycled_motion; 0 is strict
+  double skipped = 0;      ///< the share of strict mode's collisions that it spares
+  ErrorStatistics errors;  ///< of a sample of the contacts, spread over all steps
+};
+
+/// The same of one scene, a run a motion.
+struct RecyclingCurve {
+  std::string scene;
+  std::size_t bodies = 0;
+  std::vector<RecyclingRun> runs;
 };
 
 /// The motions of a curve: lengths, in scenes of bodies about 1 wide. Strict mode comes first.

@@ -6,10 +6,8 @@
 #include <cmath>
 #include <memory>
 
-#include <fmt/format.h>
-
-#include "measure/median.hpp"
 #include "measure/scene/scene_player.hpp"
+#include "measure/spread.hpp"
 
 namespace manifuzz {
 namespace {
@@ -22,7 +20,7 @@ double ns_of(const Work& work) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
-/// The three that go through a trajectory.
+/// The scene and both baselines, which go through a trajectory together.
 class Race {
  public:
   Race(const Trajectory& trajectory, const scene::Settings& settings)
@@ -109,60 +107,6 @@ Frame last_frame(const Trajectory& trajectory, const scene::Settings& settings) 
   const auto contacts = player.result().contacts;
   frame.contacts.assign(contacts.begin(), contacts.end());
   return frame;
-}
-
-nlohmann::ordered_json row_json(const SceneRun& run) {
-  const scene::StepCounts& counts = run.counts;
-  nlohmann::ordered_json json{
-      {"scene", run.scene},
-      {"bodies", run.bodies},
-      {"moving", static_cast<double>(counts.moved) / static_cast<double>(run.steps)},
-      {"mode", run.recycled_motion > 0 ? "recycle" : "strict"},
-      {"recycled_motion", run.recycled_motion},
-      {"steps", run.steps},
-      {"ns_per_step", run.ns_per_step},
-      {"speedup_over_box2d", run.speedup_over_all},
-      {"speedup_over_box2d_moved", run.speedup_over_moved},
-      {"mismatches", nullptr},
-      {"steps_held_against_afresh", run.afresh.steps},
-      {"candidates", counts.pairs.candidates},
-      {"skipped",
-       {{"at_rest", counts.pairs.at_rest},
-        {"separated", counts.pairs.separated},
-        {"recycled", counts.pairs.recycled}}},
-      {"computed", counts.pairs.collided},
-      {"left_boxes", counts.left_boxes},
-      {"proofs", counts.proofs},
-      {"contacts", run.contacts},
-      {"pairs", run.pairs},
-      {"bytes", run.memory.bodies + run.memory.pairs},
-      {"bytes_of_bodies", run.memory.bodies},
-      {"bytes_of_pairs", run.memory.pairs}};
-  if (run.afresh.steps > 0) json["mismatches"] = run.afresh.mismatches;
-  return json;
-}
-
-std::string rows_table(const std::vector<SceneRun>& runs) {
-  std::string text = fmt::format(
-      "{:<14} {:>7} {:>10} {:>7} {:>8} {:>9} {:>7} {:>7} {:>10} {:>10} {:>9} {:>7} {:>7} {:>10}\n",
-      "scene", "bodies", "us a step", "x all", "x moved", "pairs", "% rest", "% apart",
-      "% recycled", "% collided", "contacts", "B/body", "B/pair", "mismatches");
-  for (const SceneRun& run : runs) {
-    const auto per = [](std::size_t part, std::size_t all) {
-      return static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, all));
-    };
-    const scene::PairCounts& pairs = run.counts.pairs;
-    const auto percent = [&](std::size_t part) { return 100 * per(part, pairs.candidates); };
-    text += fmt::format(
-        "{:<14} {:>7} {:>10.2f} {:>7.2f} {:>8.2f} {:>9} {:>7.1f} {:>7.1f} {:>10.1f} {:>10.1f} "
-        "{:>9} {:>7.0f} {:>7.0f} {:>10}\n",
-        run.scene, run.bodies, run.ns_per_step / 1000, run.speedup_over_all, run.speedup_over_moved,
-        run.pairs, percent(pairs.at_rest), percent(pairs.separated), percent(pairs.recycled),
-        percent(pairs.collided), run.contacts, per(run.memory.bodies, run.bodies),
-        per(run.memory.pairs, run.pairs),
-        run.afresh.steps > 0 ? std::to_string(run.afresh.mismatches) : "-");
-  }
-  return text;
 }
 
 std::optional<double> fitted_exponent(const std::vector<std::pair<double, double>>& points) {

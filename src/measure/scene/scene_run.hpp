@@ -2,8 +2,7 @@
 
 #include <optional>
 #include <string>
-
-#include <nlohmann/json.hpp>
+#include <vector>
 
 #include "measure/scene/scene_afresh.hpp"
 #include "scene/scene.hpp"
@@ -40,12 +39,6 @@ struct Frame {
 
 /// As a trajectory leaves them.
 Frame last_frame(const Trajectory& trajectory, const scene::Settings& settings);
-
-/// A row as the JSON has it.
-nlohmann::ordered_json row_json(const SceneRun& run);
-
-/// All rows for people.
-std::string rows_table(const std::vector<SceneRun>& runs);
 
 /// The exponent k of y ~ x^k that fits points best, in logarithms; none for fewer than two x.
 std::optional<double> fitted_exponent(const std::vector<std::pair<double, double>>& points);

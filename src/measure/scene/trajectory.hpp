@@ -38,7 +38,4 @@ struct SceneSpec {
 /// All scenes, in the order of reports.
 std::span<const SceneSpec> scene_specs();
 
-/// None where there is none of this name.
-const SceneSpec* find_scene(std::string_view name);
-
 }  // namespace manifuzz

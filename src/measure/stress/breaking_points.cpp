@@ -17,14 +17,14 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kFormat = "manifuzz/breaking_points/1";
 
 /// Wrong frames, and changes that the truth does not ask for and rounding does not excuse.
-std::uint64_t faults_of(const StepTally& tally) {
-  const WalkTally& walk = tally.walk;
+std::uint64_t faults_of(const StepStatistics& tally) {
+  const WalkChanges& walk = tally.walk;
   return tally.wrong() + walk.flickers.with_margin + walk.jumps.with_margin +
          walk.features.with_margin;
 }
 
 /// The first step that breaks, or the number of steps.
-std::size_t place_of_break(const Sweep& sweep, const std::vector<StepTally>& steps) {
+std::size_t place_of_break(const Sweep& sweep, const std::vector<StepStatistics>& steps) {
   return breaking_step(steps).value_or(sweep.values.size());
 }
 
@@ -149,7 +149,7 @@ Comparison compare(const StressPlan& plan, const StressResult& result,
       }
       continue;
     }
-    const StepTally* const tally = result.walk(*before.walk, before.subject);
+    const StepStatistics* const tally = result.walk(*before.walk, before.subject);
     if (tally == nullptr) {
       comparison.not_compared.push_back(fmt::format("{}: {}", before.walk->name, who));
     } else if (faults_of(*tally) > before.faults) {
@@ -188,7 +188,7 @@ Json breaking_points_json(const StressPlan& plan, const StressResult& result, Js
       json["sweeps"][std::string(sweep->name)][name] = json_of(*sweep, place);
     }
     for (const Walk* const walk : plan.walks) {
-      const StepTally* const tally = result.walk(*walk, i);
+      const StepStatistics* const tally = result.walk(*walk, i);
       if (tally != nullptr) json["walks"][std::string(walk->name)][name] = faults_of(*tally);
     }
   }

@@ -27,10 +27,10 @@ struct Work {
   const StressPlan& plan;
   const std::vector<Unit>& units;
   SharedQueue& queue;                        ///< of units
-  const Shared<StepTally>& tallies;          ///< of every unit, by subject
+  const Shared<StepStatistics>& tallies;     ///< of every unit, by subject
   const Shared<std::atomic<bool>>& is_done;  ///< by unit
 
-  std::span<StepTally> tallies_of(std::size_t unit) const {
+  std::span<StepStatistics> tallies_of(std::size_t unit) const {
     return tallies.all().subspan(unit * plan.subjects.size(), plan.subjects.size());
   }
 };
@@ -102,8 +102,8 @@ PairCase case_of(const StressPlan& plan, const Unit& unit, std::uint64_t index) 
   return draw_case(plan.seed, *unit.sweep, unit.sweep->values[unit.step], index);
 }
 
-std::vector<StepTally> StressResult::steps(const Sweep& sweep, std::size_t subject) const {
-  std::vector<StepTally> steps;
+std::vector<StepStatistics> StressResult::steps(const Sweep& sweep, std::size_t subject) const {
+  std::vector<StepStatistics> steps;
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (units[i].sweep == &sweep && units[i].step == steps.size()) {
       steps.push_back(tallies[i][subject]);
@@ -112,7 +112,7 @@ std::vector<StepTally> StressResult::steps(const Sweep& sweep, std::size_t subje
   return steps;
 }
 
-const StepTally* StressResult::walk(const Walk& walk, std::size_t subject) const {
+const StepStatistics* StressResult::walk(const Walk& walk, std::size_t subject) const {
   const auto found = std::ranges::find(units, &walk, &Unit::walk);
   return found == units.end() ? nullptr : &tallies[found - units.begin()][subject];
 }
@@ -123,7 +123,7 @@ StressResult run_stress(const StressPlan& plan, Interruption& interruption,
   const std::vector<Unit> units = units_of(plan);
   const Shared<SharedQueue> queue;
   queue->end = units.size();
-  const Shared<StepTally> tallies(units.size() * plan.subjects.size());
+  const Shared<StepStatistics> tallies(units.size() * plan.subjects.size());
   const Shared<std::atomic<bool>> is_done(units.size());
   const Work work{plan, units, *queue, tallies, is_done};
   const Shared<JobState> jobs(plan.jobs);

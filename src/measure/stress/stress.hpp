@@ -7,7 +7,7 @@
 #include "collider/collider.hpp"
 #include "generating/sweep.hpp"
 #include "generating/walk.hpp"
-#include "measure/stress/step_tally.hpp"
+#include "measure/stress/step_statistics.hpp"
 #include "process/interruption.hpp"
 
 namespace manifuzz {
@@ -17,6 +17,7 @@ struct StressSubject {
   std::string name;
   Collider collider;
   bool walks_only = false;  ///< a variant that only walks have a use for
+  bool is_ours = false;     ///< of this repository
 };
 
 /// The line that no float collider can stay below: the truth, its figures rounded once.
@@ -52,15 +53,15 @@ std::uint64_t cases_of(const StressPlan& plan, const Unit& unit);
 PairCase case_of(const StressPlan& plan, const Unit& unit, std::uint64_t index);
 
 struct StressResult {
-  std::vector<Unit> units;                      ///< that were measured, in the plan's order
-  std::vector<std::vector<StepTally>> tallies;  ///< of each, by subject
+  std::vector<Unit> units;                           ///< that were measured, in the plan's order
+  std::vector<std::vector<StepStatistics>> tallies;  ///< of each, by subject
   bool interrupted = false;
   double seconds = 0;
 
   /// The steps of a sweep, as far as they were measured without a gap.
-  std::vector<StepTally> steps(const Sweep& sweep, std::size_t subject) const;
+  std::vector<StepStatistics> steps(const Sweep& sweep, std::size_t subject) const;
   /// Of a walk; nullptr where it was not measured.
-  const StepTally* walk(const Walk& walk, std::size_t subject) const;
+  const StepStatistics* walk(const Walk& walk, std::size_t subject) const;
 };
 
 struct StressProgress {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "measure/stress/flush_to_zero.hpp"
-#include "measure/stress/walk_watch.hpp"
+#include "measure/stress/walk_changes.hpp"
 
 namespace manifuzz {
 namespace {
@@ -36,8 +36,8 @@ struct SubjectRun {
   std::size_t number = 0;
   std::vector<Answer> answers{};  ///< to a block, of one in a process of its own
   bool has_given_up = false;      ///< in its own process it does nothing but die
-  StepCollector collector;
-  WalkWatch watch{};
+  ErrorCollector collector;
+  WalkChangeCounter changes{};
 };
 
 /// Asks one in a process of its own for a whole block; what it does not answer is lost.
@@ -80,9 +80,9 @@ void measure_case(const StressPlan& plan, const Unit& unit, std::vector<SubjectR
   for (SubjectRun& run : runs) {
     const Declaration& declaration = run.subject->collider.declaration;
     const Answer answer =
-        referee.heard(declaration, answer_of(plan, run, in_block, index, referee, state));
+        referee.completed(declaration, answer_of(plan, run, in_block, index, referee, state));
     run.collector.add(index, referee.measure(declaration, answer));
-    if (unit.walk != nullptr) run.watch.see(index, referee, declaration, answer);
+    if (unit.walk != nullptr) run.changes.add(index, referee, declaration, answer);
   }
   ++state.progress;
 }
@@ -105,13 +105,15 @@ bool LostCases::has(std::uint64_t index) const {
 
 bool run_unit(const StressPlan& plan, const Unit& unit, UnitState& state,
               const std::function<bool()>& go_on,
-              const std::function<void(std::uint64_t)>& on_cases, std::span<StepTally> tallies) {
+              const std::function<void(std::uint64_t)>& on_cases,
+              std::span<StepStatistics> tallies) {
   const auto errors =
-      unit.walk != nullptr ? StepCollector::Errors::counted : StepCollector::Errors::kept;
+      unit.walk != nullptr ? ErrorCollector::Errors::counted : ErrorCollector::Errors::kept;
   std::vector<SubjectRun> runs;
   for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
     if (unit.walk == nullptr && plan.subjects[i].walks_only) continue;
-    runs.push_back({.subject = &plan.subjects[i], .number = i, .collector = StepCollector(errors)});
+    runs.push_back(
+        {.subject = &plan.subjects[i], .number = i, .collector = ErrorCollector(errors)});
   }
   CaseSource source(plan, unit);
   const std::uint64_t total = cases_of(plan, unit);
@@ -127,9 +129,7 @@ bool run_unit(const StressPlan& plan, const Unit& unit, UnitState& state,
     on_cases(pairs.size());
   }
   for (const SubjectRun& run : runs) {
-    StepTally& tally = tallies[run.number];
-    tally = run.collector.tally();
-    tally.walk = run.watch.tally();
+    tallies[run.number] = {run.collector.statistics(), run.changes.changes()};
   }
   return true;
 }

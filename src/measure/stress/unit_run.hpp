@@ -42,6 +42,7 @@ struct UnitState {
 /// where `go_on` said no before its end.
 bool run_unit(const StressPlan& plan, const Unit& unit, UnitState& state,
               const std::function<bool()>& go_on,
-              const std::function<void(std::uint64_t)>& on_cases, std::span<StepTally> tallies);
+              const std::function<void(std::uint64_t)>& on_cases,
+              std::span<StepStatistics> tallies);
 
 }  // namespace manifuzz

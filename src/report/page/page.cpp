@@ -14,7 +14,7 @@ constexpr std::array kResultKinds{"fuzz", "replay", "bench", "stress", "scene"};
 
 Json sources_json(const Page& page) {
   Json sources = Json::array();
-  for (const PageResult& result : page.results) {
+  for (const ResultFile& result : page.results) {
     sources.push_back({{"path", result.path}, {"kind", result.kind}, {"cases", nullptr}});
   }
   if (page.cases.empty()) return sources;
@@ -30,7 +30,7 @@ Json data_of(const Page& page) {
             {"errors", page.errors}};
   for (const char* const kind : kResultKinds) {
     Json results = Json::array();
-    for (const PageResult& result : page.results) {
+    for (const ResultFile& result : page.results) {
       if (result.kind == kind) {
         results.push_back({{"path", result.path}, {"result", result.json}});
       }

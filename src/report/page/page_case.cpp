@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "exchange/json.hpp"
 #include "oracle/exact/rough.hpp"
 #include "report/page/base64.hpp"
 #include "report/words.hpp"
@@ -47,10 +48,6 @@ std::optional<int> edge_of(const Manifold<double>& manifold, Side side, int coun
   return std::nullopt;
 }
 
-std::string feature_name(Feature feature) {
-  return fmt::format("{}{}", feature.kind == Feature::Kind::face ? 'f' : 'v', feature.index);
-}
-
 Json point_json(const PairCase& pair, const ContactPoint<double>& point) {
   const Vector2<double> seen = rotate<double>(pair.a.pose.rotation.cast<double>(), point.position);
   return {{"position", vector_json(seen)},
@@ -77,20 +74,20 @@ Json manifold_json(const PairCase& pair, const Manifold<double>& manifold, int c
   return json;
 }
 
-Json party_json(const PairCase& pair, const KeptAnswer& party, std::string_view role) {
+Json answer_json(const PairCase& pair, const DeclaredAnswer& asked, std::string_view role) {
   Json manifolds = Json::array();
-  if (party.manifold() != nullptr) {
-    manifolds.push_back(manifold_json(pair, *party.manifold(), party.count()));
+  if (asked.manifold() != nullptr) {
+    manifolds.push_back(manifold_json(pair, *asked.manifold(), asked.count()));
   }
   return {{"role", role},
-          {"name", party.declaration.name},
-          {"version", party.declaration.version},
-          {"words", answer_in_words(party)},
+          {"name", asked.declaration.name},
+          {"version", asked.declaration.version},
+          {"words", answer_in_words(asked)},
           {"manifolds", manifolds}};
 }
 
 Json truth_json(const PageCase& page_case) {
-  const PairCase& pair = page_case.shown.given.pair;
+  const PairCase& pair = page_case.judged.given.pair;
   Json manifolds = Json::array();
   for (const Manifold<double>& right : page_case.right) {
     manifolds.push_back(manifold_json(pair, right, right.count));
@@ -110,27 +107,27 @@ Json found_json(const std::optional<Found>& found) {
           {"versions", found->versions}};
 }
 
-/// In a sentence what it comes to; without a judgement, what its file says.
+/// The verdict as a sentence; without a judgement, what its file says.
 std::string sentence_of(const PageCase& page_case) {
-  if (page_case.is_judged) return verdict_sentence(page_case.shown);
-  const CorpusCase& given = page_case.shown.given;
+  if (page_case.is_judged) return verdict_sentence(page_case.judged);
+  const CorpusCase& given = page_case.judged.given;
   return given.note.empty() ? truth_in_words(given.pair) : given.note;
 }
 
-Json map_json(const std::optional<PageMap>& map) {
+Json map_json(const std::optional<CaseMap>& map) {
   return map ? Json("data:image/png;base64," + base64(map->png)) : Json();
 }
 
 }  // namespace
 
 Json page_case_json(const PageCase& page_case) {
-  const JudgedCase& shown = page_case.shown;
-  const CorpusCase& given = shown.given;
+  const JudgedCase& judged = page_case.judged;
+  const CorpusCase& given = judged.given;
   const PairCase& pair = given.pair;
   const exact::Truth truth(pair);
   const exact::RoughPair placed = exact::place_roughly(pair);
   const Expectation expect = given.expect.value_or(Expectation{});
-  const Bucket& bucket = shown.judgement.bucket;
+  const Bucket& bucket = judged.judgement.bucket;
   std::string line;
   append_case_line(line, pair);
   const bool is_recorded = !expect.bucket.empty() || !page_case.is_judged;
@@ -140,13 +137,13 @@ Json page_case_json(const PageCase& page_case) {
           {"bucket", is_recorded ? expect.bucket : to_string(bucket)},
           {"verdict", is_recorded ? expect.verdict : std::string(to_string(bucket.verdict))},
           {"regime", given.found ? given.found->regime : ""},
-          {"subject", shown.subject.declaration.name},
-          {"oracle", shown.oracle.declaration.name},
+          {"subject", judged.subject.declaration.name},
+          {"oracle", judged.oracle.declaration.name},
           {"sentence", sentence_of(page_case)},
           {"note", given.note},
           {"property", given.property},
           {"severity", value_or_null(expect.severity)},
-          {"magnitude", page_case.is_judged ? Json(shown.judgement.magnitude) : Json()},
+          {"magnitude", page_case.is_judged ? Json(judged.judgement.magnitude) : Json()},
           {"count", value_or_null(page_case.count)},
           {"found", found_json(given.found)},
           {"commands", page_case.commands},
@@ -158,8 +155,8 @@ Json page_case_json(const PageCase& page_case) {
           {"origin", vector_json(pair.a.pose.position.cast<double>())},
           {"bodies", {body_json(pair.a, placed.a), body_json(pair.b, placed.b)}},
           {"parties",
-           {truth_json(page_case), party_json(pair, shown.subject, "subject"),
-            party_json(pair, shown.oracle, "oracle")}},
+           {truth_json(page_case), answer_json(pair, judged.subject, "subject"),
+            answer_json(pair, judged.oracle, "oracle")}},
           {"map", map_json(page_case.map)},
           {"map_words", page_case.map ? Json(page_case.map->words) : Json::array()}};
 }

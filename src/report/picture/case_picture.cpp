@@ -64,10 +64,10 @@ std::string place(const Point& at) {
 
 class Picture {
  public:
-  explicit Picture(const JudgedCase& shown)
-      : shown_(shown),
-        scene_(make_scene(shown)),
-        names_{shown.subject.declaration.name, shown.oracle.declaration.name} {}
+  explicit Picture(const JudgedCase& judged)
+      : judged_(judged),
+        scene_(make_scene(judged)),
+        names_{judged.subject.declaration.name, judged.oracle.declaration.name} {}
 
   std::string draw() {
     write_title();
@@ -77,7 +77,7 @@ class Picture {
     const double height = y_;
     paper.box({0.5, 0.5, kWidth - 1, height - 1}, "paper", 8);
     paper.append(svg_);
-    return paper.finish(kWidth, height, verdict_sentence(shown_), kStyle);
+    return paper.finish(kWidth, height, verdict_sentence(judged_), kStyle);
   }
 
  private:
@@ -91,14 +91,14 @@ class Picture {
 
   void write_title() {
     y_ = 38;
-    write(verdict_sentence(shown_), kEdge, kTitleFont, "title");
+    write(verdict_sentence(judged_), kEdge, kTitleFont, "title");
     y_ -= 5;
     write(truth_line(), kEdge, kTextFont, "subtitle");
     y_ -= 6;
   }
 
   std::string truth_line() const {
-    const PairCase& pair = shown_.given.pair;
+    const PairCase& pair = judged_.given.pair;
     const exact::Truth truth(pair);
     std::string line = "Greatest separation";
     for (const Side side : kSides) {
@@ -113,9 +113,9 @@ class Picture {
   void draw_views();
   void write_shapes();
   void write_legend();
-  void write_party(const KeptAnswer& party, bool is_subject);
+  void write_answer(const DeclaredAnswer& asked, bool is_subject);
 
-  const JudgedCase& shown_;
+  const JudgedCase& judged_;
   Scene scene_;
   MarkNames names_;
   Svg svg_;
@@ -129,19 +129,19 @@ void Picture::draw_views() {
   y_ += kLine + 4;
 }
 
-void Picture::write_party(const KeptAnswer& party, bool is_subject) {
+void Picture::write_answer(const DeclaredAnswer& asked, bool is_subject) {
   draw_mark(svg_, {kEdge + 9, y_ - 4}, is_subject);
   std::string text =
-      fmt::format("{} {} ({}): {}", party.declaration.name, party.declaration.version,
-                  is_subject ? "subject" : "oracle", answer_in_words(party));
-  if (party.count() > 0) {
-    const Manifold<double>& manifold = *party.manifold();
-    const Point normal = world_normal(shown_.given.pair, manifold.normal);
+      fmt::format("{} {} ({}): {}", asked.declaration.name, asked.declaration.version,
+                  is_subject ? "subject" : "oracle", answer_in_words(asked));
+  if (asked.count() > 0) {
+    const Manifold<double>& manifold = *asked.manifold();
+    const Point normal = world_normal(judged_.given.pair, manifold.normal);
     text +=
         fmt::format("; reference {}, normal ({}, {})", manifold.reference == Side::a ? 'A' : 'B',
                     brief(normal.x()), brief(normal.y()));
-    for (int i = 0; i < party.count(); ++i) {
-      const Point at = to_world(shown_.given.pair, manifold.points[i].position);
+    for (int i = 0; i < asked.count(); ++i) {
+      const Point at = to_world(judged_.given.pair, manifold.points[i].position);
       text += (i == 0 ? "; at " : " and ") + place(at);
     }
   }
@@ -166,7 +166,7 @@ void Picture::write_shapes() {
     svg_.text(at + Point(26, 0), text, kTextFont, "legend");
   };
   for (const Side side : kSides) {
-    const Body& body = shown_.given.pair[side];
+    const Body& body = judged_.given.pair[side];
     std::string text = fmt::format("{}: {} vertices, at {}", side == Side::a ? 'A' : 'B',
                                    body.polygon.count, place(body.pose.position.cast<double>()));
     if (body.polygon.radius > 0) text += ", radius " + brief(body.polygon.radius);
@@ -184,9 +184,9 @@ void Picture::write_shapes() {
 
 void Picture::write_legend() {
   write_shapes();
-  write_party(shown_.subject, true);
-  write_party(shown_.oracle, false);
-  if (const LedgerEntry* const entry = shown_.judgement.explanation) {
+  write_answer(judged_.subject, true);
+  write_answer(judged_.oracle, false);
+  if (const LedgerEntry* const entry = judged_.judgement.explanation) {
     write(fmt::format("Known as {}: {}. {}", entry->id, entry->description, entry->source), kEdge,
           kTextFont, "subtitle");
   }
@@ -194,8 +194,8 @@ void Picture::write_legend() {
 
 }  // namespace
 
-std::string case_svg(const JudgedCase& shown) {
-  return Picture(shown).draw();
+std::string case_svg(const JudgedCase& judged) {
+  return Picture(judged).draw();
 }
 
 }  // namespace manifuzz

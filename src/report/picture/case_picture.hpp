@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "report/judged_case.hpp"
+#include "campaign/judged_case.hpp"
 
 namespace manifuzz {
 
 /// The case as an SVG document: verdict, polygons, overlap, reference and incident, every
 /// collider's points with their depths, closer views of what is too small to be seen, a legend.
-std::string case_svg(const JudgedCase& shown);
+std::string case_svg(const JudgedCase& judged);
 
 }  // namespace manifuzz

@@ -43,7 +43,7 @@ void extend_reference(Drawing& drawing) {
 void draw_bars(Drawing& drawing) {
   const Scene& scene = drawing.scene;
   if (scene.points.empty()) draw_bar(drawing, scene.deepest, 0, "bar truth");
-  for (const ReportedPoint& point : scene.points) {
+  for (const DrawnPoint& point : scene.points) {
     draw_bar(drawing, point.bar, point.by_subject ? -kBarOffset : kBarOffset,
              point.by_subject ? "bar subject" : "bar oracle");
   }
@@ -60,7 +60,7 @@ double clearance(const Drawing& drawing, const Point& place) {
     see(scene.deepest.from);
     see(scene.deepest.to);
   }
-  for (const ReportedPoint& point : scene.points) {
+  for (const DrawnPoint& point : scene.points) {
     see(point.position);
     see(point.bar.to);
   }
@@ -99,7 +99,7 @@ void draw_normal(Drawing& drawing) {
 /// Of a collider whose normal is clearly another one.
 void draw_differing_normal(Drawing& drawing, bool of_subject) {
   constexpr double clearly = 0.998;
-  for (const ReportedPoint& point : drawing.scene.points) {
+  for (const DrawnPoint& point : drawing.scene.points) {
     const Point at = drawing.view.place(point.position);
     if (point.by_subject != of_subject || !drawing.sees(at)) continue;
     const double reported = length(point.normal);
@@ -113,9 +113,9 @@ void draw_differing_normal(Drawing& drawing, bool of_subject) {
 }
 
 /// "depth 0.31 (clip, box2d)": what is reported at one spot, equal figures once.
-std::string depth_text(const std::vector<const ReportedPoint*>& spot, const MarkNames& names) {
+std::string depth_text(const std::vector<const DrawnPoint*>& spot, const MarkNames& names) {
   std::vector<std::pair<std::string, std::vector<std::string>>> said;  // figure, by whom
-  for (const ReportedPoint* point : spot) {
+  for (const DrawnPoint* point : spot) {
     const std::string figure = brief(point->bar.depth);
     const std::string& who = point->by_subject ? names.subject : names.oracle;
     auto same = std::find_if(said.begin(), said.end(),
@@ -131,8 +131,8 @@ std::string depth_text(const std::vector<const ReportedPoint*>& spot, const Mark
 }
 
 /// The class of those who report at one spot; of nobody where both do.
-std::string whose(const std::vector<const ReportedPoint*>& spot) {
-  const bool same = std::all_of(spot.begin(), spot.end(), [&](const ReportedPoint* point) {
+std::string whose(const std::vector<const DrawnPoint*>& spot) {
+  const bool same = std::all_of(spot.begin(), spot.end(), [&](const DrawnPoint* point) {
     return point->by_subject == spot.front()->by_subject;
   });
   if (!same) return {};
@@ -141,14 +141,14 @@ std::string whose(const std::vector<const ReportedPoint*>& spot) {
 
 /// A reported depth is named at its point, or where its bar is seen if the point is not.
 struct Named {
-  const ReportedPoint* point;
+  const DrawnPoint* point;
   Point at;
 };
 
 std::vector<Named> named_points(const Drawing& drawing) {
   constexpr double shortest_bar = 14;
   std::vector<Named> named;
-  for (const ReportedPoint& point : drawing.scene.points) {
+  for (const DrawnPoint& point : drawing.scene.points) {
     const Point at = drawing.view.place(point.position);
     const auto bar =
         inside(drawing.view.place(Segment(point.bar.from, point.bar.to)), drawing.view.frame);
@@ -168,7 +168,7 @@ void label_depths(Drawing& drawing) {
     const auto others = std::stable_partition(left.begin(), left.end(), [&](const Named& named) {
       return length(named.at - first.at) < kSameSpot;
     });
-    std::vector<const ReportedPoint*> spot;
+    std::vector<const DrawnPoint*> spot;
     for (auto named = left.begin(); named != others; ++named) spot.push_back(named->point);
     left.erase(left.begin(), others);
     const Point inwards = View::direction(first.point->bar.from - first.point->bar.to);
@@ -203,7 +203,7 @@ void draw_mark(Svg& svg, const Point& at, bool by_subject) {
 void draw_contacts(Drawing& drawing) {
   extend_reference(drawing);
   draw_bars(drawing);
-  for (const ReportedPoint& point : drawing.scene.points) {
+  for (const DrawnPoint& point : drawing.scene.points) {
     const Point at = drawing.view.place(point.position);
     if (drawing.sees(at))
       drawing.labels.block(Box{at.x(), at.y(), 0, 0}.grown(kMarkSquare / 2 + 1));
@@ -212,7 +212,7 @@ void draw_contacts(Drawing& drawing) {
   for (const bool of_subject : {true, false}) draw_differing_normal(drawing, of_subject);
   label_depths(drawing);
   label_truth(drawing);
-  for (const ReportedPoint& point : drawing.scene.points) {
+  for (const DrawnPoint& point : drawing.scene.points) {
     const Point at = drawing.view.place(point.position);
     if (drawing.sees(at)) draw_mark(drawing.svg, at, point.by_subject);
   }

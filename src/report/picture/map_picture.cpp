@@ -66,13 +66,13 @@ std::string verdict_in_words(Verdict verdict, const std::string& subject,
   }
 }
 
-/// The parties whose statements are shown, in the order of their panels.
-constexpr std::array kParties{&Cell::subject, &Cell::oracle, &Cell::truth};
+/// The roles whose statements are drawn, in the order of their panels.
+constexpr std::array kRoles{&Cell::subject, &Cell::oracle, &Cell::truth};
 
-/// A statement, the cells in which each party makes it, and its colour.
+/// A statement, the cells in which each role has it, and its colour.
 struct Said {
-  Statement what;
-  std::array<int, kParties.size()> cells{};
+  ContactSummary what;
+  std::array<int, kRoles.size()> cells{};
   Colour colour = kOther;
 
   int total() const { return cells[0] + cells[1] + cells[2]; }
@@ -84,19 +84,19 @@ std::vector<Said> all_said(const Neighbourhood& neighbourhood) {
   std::vector<Said> all;
   for (const Cell& cell : neighbourhood.cells) {
     if (cell.state != Cell::State::judged) continue;
-    for (std::size_t party = 0; party < kParties.size(); ++party) {
-      const Statement& what = cell.*kParties[party];
+    for (std::size_t role = 0; role < kRoles.size(); ++role) {
+      const ContactSummary& what = cell.*kRoles[role];
       auto known = std::ranges::find(all, what, &Said::what);
       if (known == all.end()) known = all.insert(all.end(), Said{.what = what});
-      ++known->cells[party];
+      ++known->cells[role];
     }
   }
   std::ranges::stable_sort(all, std::ranges::greater(), &Said::total);
   std::size_t used = 0;
   for (Said& said : all) {
-    if (said.what.kind == Statement::Kind::apart) {
+    if (said.what.kind == ContactSummary::Kind::apart) {
       said.colour = kPale;
-    } else if (said.what.kind == Statement::Kind::nothing) {
+    } else if (said.what.kind == ContactSummary::Kind::nothing) {
       said.colour = kBlack;
     } else if (used < kStatementColours.size()) {
       said.colour = kStatementColours[used++];
@@ -107,8 +107,8 @@ std::vector<Said> all_said(const Neighbourhood& neighbourhood) {
 
 class MapPicture {
  public:
-  MapPicture(const JudgedCase& shown, const Neighbourhood& neighbourhood)
-      : shown_(shown),
+  MapPicture(const JudgedCase& judged, const Neighbourhood& neighbourhood)
+      : judged_(judged),
         map_(neighbourhood),
         side_(neighbourhood.grid.side()),
         pixels_(std::max(1.0, std::ceil(kPanelWidthMin / side_))),
@@ -160,7 +160,7 @@ class MapPicture {
   }
   Colour colour_of_cell(int panel, const Cell& cell) const;
 
-  const JudgedCase& shown_;
+  const JudgedCase& judged_;
   const Neighbourhood& map_;
   int side_;
   double pixels_;  // a cell's width
@@ -173,11 +173,11 @@ class MapPicture {
 
 void MapPicture::write_title() {
   const double right = width_ - kEdge;
-  const std::string name = std::filesystem::path(shown_.given.path).filename().string();
+  const std::string name = std::filesystem::path(judged_.given.path).filename().string();
   y_ = 38;
   write(name.empty() || name == "-" ? "a case" : name, kEdge, right, kTitleFont, kInk);
-  write(verdict_sentence(shown_), kEdge, right, kTextFont, kInk);
-  write(severity_in_words(shown_, map_), kEdge, right, kTextFont, kInk);
+  write(verdict_sentence(judged_), kEdge, right, kTextFont, kInk);
+  write(severity_in_words(judged_, map_), kEdge, right, kTextFont, kInk);
   write(fmt::format("The map: {}. Right is +x, up is +y; the ring marks the case itself.",
                     grid_in_words(map_.grid)),
         kEdge, right, kTextFont, kQuiet);
@@ -186,7 +186,7 @@ void MapPicture::write_title() {
 
 Colour MapPicture::colour_of_cell(int panel, const Cell& cell) const {
   if (panel == kPanels - 1) return colour_of(cell.bucket.verdict);
-  const Statement& what = cell.*kParties[static_cast<std::size_t>(panel)];
+  const ContactSummary& what = cell.*kRoles[static_cast<std::size_t>(panel)];
   return std::ranges::find(said_, what, &Said::what)->colour;
 }
 
@@ -216,24 +216,24 @@ void MapPicture::draw_panel(int panel, std::string_view title) {
 }
 
 void MapPicture::draw_panels() {
-  const auto named = [](std::string_view role, const KeptAnswer& party) {
-    return fmt::format("{}: {}", role, party.declaration.name);
+  const auto named = [](std::string_view role, const DeclaredAnswer& asked) {
+    return fmt::format("{}: {}", role, asked.declaration.name);
   };
-  draw_panel(0, named("subject", shown_.subject));
-  draw_panel(1, named("oracle", shown_.oracle));
+  draw_panel(0, named("subject", judged_.subject));
+  draw_panel(1, named("oracle", judged_.oracle));
   draw_panel(2, "truth: the exact clip");
   draw_panel(3, "difference: the verdict");
   y_ += panel_ + 58;
 }
 
 void MapPicture::write_statements(double x, double right) {
-  const std::array<std::string_view, kParties.size()> names{
-      shown_.subject.declaration.name, shown_.oracle.declaration.name, "truth"};
-  const auto entry = [&](std::string_view words, const std::array<int, kParties.size()>& cells) {
+  const std::array<std::string_view, kRoles.size()> names{judged_.subject.declaration.name,
+                                                          judged_.oracle.declaration.name, "truth"};
+  const auto entry = [&](std::string_view words, const std::array<int, kRoles.size()>& cells) {
     std::string text(words);
     std::string_view separator = "   (cells: ";
-    for (std::size_t party = 0; party < kParties.size(); ++party) {
-      text += fmt::format("{}{} {}", separator, names[party], cells[party]);
+    for (std::size_t role = 0; role < kRoles.size(); ++role) {
+      text += fmt::format("{}{} {}", separator, names[role], cells[role]);
       separator = ", ";
     }
     return text + ")";
@@ -241,7 +241,7 @@ void MapPicture::write_statements(double x, double right) {
   write("What is said; points by their features, A's/B's: f a face, v a vertex", x, right,
         kPanelFont, kInk);
   y_ += 4;
-  std::array<int, kParties.size()> others{};
+  std::array<int, kRoles.size()> others{};
   int kinds = 0;
   for (const Said& said : said_) {
     if (said.colour != kOther) {
@@ -249,8 +249,7 @@ void MapPicture::write_statements(double x, double right) {
       continue;
     }
     ++kinds;
-    for (std::size_t party = 0; party < kParties.size(); ++party)
-      others[party] += said.cells[party];
+    for (std::size_t role = 0; role < kRoles.size(); ++role) others[role] += said.cells[role];
   }
   if (kinds > 0) {
     write_entry(entry(fmt::format("something else, of {}", counted(kinds, "kind")), others), x,
@@ -273,16 +272,16 @@ void MapPicture::write_verdicts(double x, double right) {
       return cell.state == Cell::State::judged && cell.bucket.verdict == verdict;
     });
     if (cells == 0) continue;
-    const std::string words =
-        verdict_in_words(verdict, shown_.subject.declaration.name, shown_.oracle.declaration.name);
+    const std::string words = verdict_in_words(verdict, judged_.subject.declaration.name,
+                                               judged_.oracle.declaration.name);
     write_entry(fmt::format("{} ({})", words, cells), x, right, colour_of(verdict));
   }
 }
 
 }  // namespace
 
-std::string map_png(const JudgedCase& shown, const Neighbourhood& neighbourhood) {
-  return MapPicture(shown, neighbourhood).draw();
+std::string map_png(const JudgedCase& judged, const Neighbourhood& neighbourhood) {
+  return MapPicture(judged, neighbourhood).draw();
 }
 
 }  // namespace manifuzz

@@ -2,13 +2,13 @@
 
 #include <string>
 
+#include "campaign/judged_case.hpp"
 #include "judging/neighbourhood.hpp"
-#include "report/judged_case.hpp"
 
 namespace manifuzz {
 
 /// The neighbourhood as a PNG file: what the subject says, what the oracle says, what is true and
-/// what that comes to, side by side, with the severity and a legend in words.
-std::string map_png(const JudgedCase& shown, const Neighbourhood& neighbourhood);
+/// the verdict, side by side, with the severity and a legend in words.
+std::string map_png(const JudgedCase& judged, const Neighbourhood& neighbourhood);
 
 }  // namespace manifuzz

@@ -4,27 +4,24 @@
 
 #include <fmt/format.h>
 
+#include "exchange/json.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
 namespace {
-
-std::string feature_name(Feature feature) {
-  return fmt::format("{}{}", feature.kind == Feature::Kind::face ? 'f' : 'v', feature.index);
-}
 
 std::string features_name(const FeaturePair& features) {
   return feature_name(features.a) + "/" + feature_name(features.b);
 }
 
 /// Who fails, and the verb: "box2d is wrong on".
-std::string failing_in_words(const JudgedCase& shown) {
-  const Bucket& finding = shown.judgement.bucket;
+std::string failing_in_words(const JudgedCase& judged) {
+  const Bucket& finding = judged.judgement.bucket;
   switch (finding.fault) {
     case Fault::subject:
-      return shown.subject.declaration.name + " is wrong on";
+      return judged.subject.declaration.name + " is wrong on";
     case Fault::oracle:
-      return shown.oracle.declaration.name + " is wrong on";
+      return judged.oracle.declaration.name + " is wrong on";
     case Fault::both:
       return "both are wrong on";
     case Fault::none:
@@ -40,16 +37,16 @@ std::ptrdiff_t count_of(const Neighbourhood& neighbourhood, Cell::State state) {
 
 }  // namespace
 
-std::string statement_in_words(const Statement& statement) {
+std::string statement_in_words(const ContactSummary& statement) {
   const char clipping = statement.reference == Side::a ? 'A' : 'B';
   switch (statement.kind) {
-    case Statement::Kind::nothing:
+    case ContactSummary::Kind::nothing:
       return "no manifold";
-    case Statement::Kind::apart:
+    case ContactSummary::Kind::apart:
       return "no contact";
-    case Statement::Kind::no_clip:
+    case ContactSummary::Kind::no_clip:
       return fmt::format("they touch, but the best face, {}'s, clips all away", clipping);
-    case Statement::Kind::contact:
+    case ContactSummary::Kind::contact:
       break;
   }
   std::string words = fmt::format("{} clips, {}: {}", clipping, counted(statement.count, "point"),
@@ -65,10 +62,10 @@ std::string grid_in_words(const Grid& grid) {
       counted(grid.step, "ulp"), brief(grid.step * grid.ulp));
 }
 
-std::string severity_in_words(const JudgedCase& shown, const Neighbourhood& neighbourhood) {
-  const Severity found = severity(neighbourhood, shown.judgement.bucket);
+std::string severity_in_words(const JudgedCase& judged, const Neighbourhood& neighbourhood) {
+  const Severity found = severity(neighbourhood, judged.judgement.bucket);
   std::string words = fmt::format("severity {:.3g}: {} {} of {} neighbours", found.share(),
-                                  failing_in_words(shown), found.failing, found.valid);
+                                  failing_in_words(judged), found.failing, found.valid);
   if (const auto invalid = count_of(neighbourhood, Cell::State::invalid)) {
     words += fmt::format("; on {} more the polygon is not convex", invalid);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/candidate.hpp"
+
 namespace manifuzz {
 namespace {
 
@@ -41,9 +43,9 @@ DepthBar deepest_bar(const Scene& scene, const PairCase& pair, const exact::Clip
                 scene.outward);
 }
 
-void add_points(Scene& scene, const PairCase& pair, const KeptAnswer& party, bool is_subject) {
-  for (int i = 0; i < party.count(); ++i) {
-    const Manifold<double>& manifold = *party.manifold();
+void add_points(Scene& scene, const PairCase& pair, const DeclaredAnswer& asked, bool is_subject) {
+  for (int i = 0; i < asked.count(); ++i) {
+    const Manifold<double>& manifold = *asked.manifold();
     const ContactPoint<double>& point = manifold.points[i];
     const Point normal = world_normal(pair, manifold.normal);
     if (!point.position.allFinite() || !std::isfinite(point.depth) || !normal.allFinite()) continue;
@@ -57,11 +59,11 @@ void add_points(Scene& scene, const PairCase& pair, const KeptAnswer& party, boo
 
 }  // namespace
 
-Scene make_scene(const JudgedCase& shown) {
-  const PairCase& pair = shown.given.pair;
+Scene make_scene(const JudgedCase& judged) {
+  const PairCase& pair = judged.given.pair;
   const auto world = exact::place_roughly(pair);
-  const Admissible right = admissible(pair, shown.subject.declaration);
-  const exact::Clip* const candidate = candidate_to_show(right, shown.subject);
+  const Admissible right = admissible(pair, judged.subject.declaration);
+  const exact::Clip* const candidate = candidate_to_show(right, judged.subject);
 
   Scene scene;
   scene.polygons = {world.a, world.b};
@@ -77,8 +79,8 @@ Scene make_scene(const JudgedCase& shown) {
   scene.slab = {scene.reference.segment.first - widening,
                 scene.reference.segment.second + widening};
   scene.deepest = deepest_bar(scene, pair, candidate);
-  add_points(scene, pair, shown.subject, true);
-  add_points(scene, pair, shown.oracle, false);
+  add_points(scene, pair, judged.subject, true);
+  add_points(scene, pair, judged.oracle, false);
   return scene;
 }
 

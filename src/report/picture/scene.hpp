@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "report/judged_case.hpp"
+#include "campaign/judged_case.hpp"
 #include "report/picture/region.hpp"
 
 namespace manifuzz {
@@ -23,7 +23,7 @@ struct DepthBar {
 };
 
 /// A contact point that a collider reported.
-struct ReportedPoint {
+struct DrawnPoint {
   bool by_subject = true;
   Point position{0, 0};
   Point normal{0, 0};  ///< of its manifold, from A to B, as long as it was reported
@@ -38,12 +38,12 @@ struct Scene {
   /// alone.
   PlacedFace reference;
   std::optional<PlacedFace> incident;
-  std::array<Point, 2> slab;          ///< where the side planes cross the reference face's line
-  Point outward{0, 0};                ///< the reference face's normal, unit
-  Point normal{0, 0};                 ///< the same from A to B
-  DepthBar deepest;                   ///< the truth at the deepest point
-  double rounding = 0;                ///< how far the subject's figures may be off, by its bounds
-  std::vector<ReportedPoint> points;  ///< finite ones, the subject's first
+  std::array<Point, 2> slab;       ///< where the side planes cross the reference face's line
+  Point outward{0, 0};             ///< the reference face's normal, unit
+  Point normal{0, 0};              ///< the same from A to B
+  DepthBar deepest;                ///< the truth at the deepest point
+  double rounding = 0;             ///< how far the subject's figures may be off, by its bounds
+  std::vector<DrawnPoint> points;  ///< finite ones, the subject's first
 
   const exact::RoughPolygon& polygon(Side side) const {
     return polygons[static_cast<std::size_t>(side)];
@@ -51,6 +51,6 @@ struct Scene {
   double radius(Side side) const { return radii[static_cast<std::size_t>(side)]; }
 };
 
-Scene make_scene(const JudgedCase& shown);
+Scene make_scene(const JudgedCase& judged);
 
 }  // namespace manifuzz

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "report/candidate.hpp"
 #include "report/picture/dot_canvas.hpp"
 #include "report/words.hpp"
 
@@ -25,9 +26,9 @@ constexpr double kPrecision = 1e-9;
 /// A closer view shows this share of the whole at least, where there is but one place to show.
 constexpr double kPlaceShare = 1.0 / 16;
 
-/// Right points first, then those of the parties; several in one cell are one mark.
+/// Right points first, then those of the answers; several in one cell are one mark.
 constexpr char kRight = '+';
-constexpr std::array<char, 2> kPartyMarks{'S', 'O'};
+constexpr std::array<char, 2> kAnswerMarks{'S', 'O'};
 constexpr char kSeveral = '*';
 
 struct Marked {
@@ -69,19 +70,19 @@ void add_points(Sight& sight, const PairCase& pair, const Manifold<double>& mani
   }
 }
 
-Sight sight_of(const PairCase& pair, std::span<const KeptAnswer> parties) {
+Sight sight_of(const PairCase& pair, std::span<const DeclaredAnswer> answers) {
   const auto placed = exact::place_roughly(pair);
   Sight sight{{placed.a, placed.b}, {pair.a.polygon.radius, pair.b.polygon.radius}, {}};
   const exact::Truth truth(pair);
   sight.depth = std::abs(leading(truth.fine_separation(truth.greatest())) - total_radius(pair));
-  const Admissible right = admissible(pair, parties[0].declaration);
-  if (const exact::Clip* const clip = candidate_to_show(right, parties[0])) {
-    const Manifold<double> manifold = true_manifold(pair, *clip);
+  const Admissible right = admissible(pair, answers[0].declaration);
+  if (const exact::Clip* const clip = candidate_to_show(right, answers[0])) {
+    const Manifold<double> manifold = true_manifold(*clip);
     add_points(sight, pair, manifold, manifold.count, kRight);
   }
-  for (std::size_t i = 0; i < parties.size() && i < kPartyMarks.size(); ++i) {
-    const Manifold<double>* const manifold = parties[i].manifold();
-    if (manifold) add_points(sight, pair, *manifold, parties[i].count(), kPartyMarks[i]);
+  for (std::size_t i = 0; i < answers.size() && i < kAnswerMarks.size(); ++i) {
+    const Manifold<double>* const manifold = answers[i].manifold();
+    if (manifold) add_points(sight, pair, *manifold, answers[i].count(), kAnswerMarks[i]);
   }
   return sight;
 }
@@ -191,21 +192,22 @@ std::string drawn(const Sight& sight, const Frame& frame) {
   return canvas.text();
 }
 
-std::string legend(const PairCase& pair, std::span<const KeptAnswer> parties, const Frame& frame) {
+std::string legend(const PairCase& pair, std::span<const DeclaredAnswer> answers,
+                   const Frame& frame) {
   std::string text =
       fmt::format("A solid, B dotted, overlap filled; a character is {} wide\n{} right: {}\n",
                   brief(2 / frame.scale), kRight, truth_in_words(pair));
-  for (std::size_t i = 0; i < parties.size() && i < kPartyMarks.size(); ++i) {
-    text += fmt::format("{} {}: {}\n", kPartyMarks[i], parties[i].declaration.name,
-                        printable(answer_in_words(parties[i]), 200));
+  for (std::size_t i = 0; i < answers.size() && i < kAnswerMarks.size(); ++i) {
+    text += fmt::format("{} {}: {}\n", kAnswerMarks[i], answers[i].declaration.name,
+                        printable(answer_in_words(answers[i]), 200));
   }
   return text + fmt::format("{} several of these\n", kSeveral);
 }
 
 }  // namespace
 
-std::string text_picture(const PairCase& pair, std::span<const KeptAnswer> parties) {
-  const Sight sight = sight_of(pair, parties);
+std::string text_picture(const PairCase& pair, std::span<const DeclaredAnswer> answers) {
+  const Sight sight = sight_of(pair, answers);
   const Frame all = framed(whole(sight), kRowsOfAll);
   std::string text = drawn(sight, all);
   const double tolerance = 0.25 / all.scale;
@@ -218,11 +220,11 @@ std::string text_picture(const PairCase& pair, std::span<const KeptAnswer> parti
       text += fmt::format("\n{} times closer:\n{}", brief(times), drawn(sight, near));
     }
   }
-  return text + '\n' + legend(pair, parties, all);
+  return text + '\n' + legend(pair, answers, all);
 }
 
-std::string text_picture(const JudgedCase& shown) {
-  return text_picture(shown.given.pair, std::array{shown.subject, shown.oracle});
+std::string text_picture(const JudgedCase& judged) {
+  return text_picture(judged.given.pair, std::array{judged.subject, judged.oracle});
 }
 
 }  // namespace manifuzz

@@ -104,7 +104,7 @@ Box whole(const Scene& scene) {
   }
   const Box shapes = box_around(points);
   const Box about = shapes.grown(std::max(shapes.width, shapes.height));
-  for (const ReportedPoint& reported : scene.points) {
+  for (const DrawnPoint& reported : scene.points) {
     if (about.contains(reported.position)) points.push_back(reported.position);
   }
   return box_around(points);

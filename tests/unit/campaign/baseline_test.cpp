@@ -13,8 +13,8 @@ namespace {
 using Names = std::vector<std::string>;
 
 /// A run that met these buckets, each so badly.
-FuzzResult run_with(const std::vector<std::pair<std::string, double>>& magnitudes) {
-  FuzzResult run;
+CampaignResult run_with(const std::vector<std::pair<std::string, double>>& magnitudes) {
+  CampaignResult run;
   run.parts = {{.seed = 1, .cases = {{"boxes", 10}}}};
   run.settings.oracle = "box2d";
   run.regimes = {{"boxes", 10, 1, 0, 0}};
@@ -38,8 +38,8 @@ TEST_CASE("a run against an earlier one: what is new, worse, still there, gone")
 }
 
 TEST_CASE("what two runs do not share is said") {
-  const FuzzResult one = run_with({});
-  FuzzResult other = one;
+  const CampaignResult one = run_with({});
+  CampaignResult other = one;
   CHECK(differences_in_words(one, other).empty());
   other.parts[0].seed = 2;
   other.regimes[0].name = "grid";
@@ -50,7 +50,7 @@ TEST_CASE("what two runs do not share is said") {
 
 TEST_CASE("a baseline is what fuzz --json wrote, and nothing else") {
   const test::TemporaryFolder folder;
-  FuzzResult run = run_with({{"depth", 0.1}});
+  CampaignResult run = run_with({{"depth", 0.1}});
   run.verdicts[0] = 10;
   const nlohmann::ordered_json good = json_of(run);
   CHECK(read_baseline(folder.write("good.json", good.dump())).buckets.size() == 1);

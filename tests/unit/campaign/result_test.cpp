@@ -1,4 +1,5 @@
 #include <limits>
+#include <set>
 
 #include <catch2/catch.hpp>
 
@@ -14,8 +15,8 @@ const char* const kWrong = "subject/subject_wrong/depth/none/a";
 const char* const kOracleWrong = "oracle/oracle_wrong/depth/none/a";
 
 /// A result in which every part has something of its own.
-FuzzResult sample() {
-  FuzzResult result;
+CampaignResult sample() {
+  CampaignResult result;
   result.machine = {{"processor", "p"}, {"cores", 2}, {"instruction_set", "sse2"}};
   result.compiler = "g++";
   result.settings = {.subject = "zeta",
@@ -41,9 +42,9 @@ FuzzResult sample() {
   return result;
 }
 
-FuzzResult read(const Json& json) {
+CampaignResult read(const Json& json) {
   const JsonTree tree = parse_json(json.dump());
-  return read_fuzz_result(JsonView(tree));
+  return read_campaign_result(JsonView(tree));
 }
 
 /// What is said against it, or nothing.
@@ -68,16 +69,19 @@ TEST_CASE("a result of fuzz is read back as it was written, infinity too") {
 }
 
 TEST_CASE("a result of fuzz with any part of another type, or without it, is refused by its path") {
+  // These follow from others, and are not read.
+  const std::set<std::string> unread{"/seed", "/first", "/seconds", "/cases_per_second",
+                                     "/vacuous"};
   const Json good = json_of(sample());
   const Json parts = good.flatten();
+  CHECK(parts.size() > 80);
   for (const auto& [path, value] : parts.items()) {
     for (const Json& other : {Json(-1), Json(true), Json("x"), Json::array(), Json::object()}) {
+      if (other.type() == value.type()) continue;
       Json bad = good;
       bad[Json::json_pointer(path)] = other;
       CAPTURE(path, other.dump());
-      const std::string why = refusal(bad);
-      CHECK((why.empty() || why.starts_with("$")));
-      if (value.is_string() && !other.is_string()) CHECK_FALSE(why.empty());
+      CHECK(refusal(bad).starts_with("$") == !unread.contains(path));
     }
   }
   for (const char* const key :
@@ -85,40 +89,34 @@ TEST_CASE("a result of fuzz with any part of another type, or without it, is ref
     Json bad = good;
     bad.erase(key);
     CHECK_THROWS_AS(read(bad), UserError);
-    bad[key] = "x";
-    if (std::string_view(key) != "compiler") CHECK_THROWS_AS(read(bad), UserError);
+    bad[key] = nullptr;
+    CHECK_THROWS_AS(read(bad), UserError);
   }
 }
 
-TEST_CASE("a result that contradicts itself is refused by what does not add up") {
-  const Json good = json_of(sample());
-  const auto refused = [&](const char* path, const Json& value, const std::string& why) {
-    Json bad = good;
-    bad[Json::json_pointer(path)] = value;
-    CAPTURE(path, value.dump());
-    CHECK(refusal(bad) == why);
-  };
-  refused("/verdicts/subject_wrong", 5,
-          "$.verdicts.subject_wrong: is 5, but its buckets add up to 0");
-  refused("/verdicts/agree", 91, "$.cases: is 100, but the verdicts add up to 101");
-  refused("/regimes/0/cases", 61, "$.cases: is 100, but the regimes add up to 101");
-  refused("/parts/0/cases/boxes", 21, "$.cases: is 100, but the parts add up to 101");
-  refused("/buckets/1/count", std::uint64_t{1} << 60,
-          "$.buckets[1].count: 1152921504606846976 is no count; at most 9007199254740992 is "
-          "expected");
-  refused("/regimes/1/touching", 36, "$.touching: is 40, but the regimes add up to 66");
-  refused("/regimes/1/unexplained", 41, "$.regimes[1].unexplained: is 41, more than the cases: 40");
-  refused("/regimes/1/name", "boxes", "$.regimes: has boxes twice");
-  refused("/ledger/0/hits", 5, "$.ledger[0].hits: is 5, but the regimes add up to 4");
-  refused("/buckets/2/verdict", "tie", "$.verdicts.tie: is 5, but its buckets add up to 9");
-  refused("/buckets/2/bucket", "none/tie/count/none/a",
-          "$.buckets[2].verdict: is not that of the bucket's name");
-  refused("/near", 26, "$.near: is 26, but the regimes add up to 25");
-  refused("/failed", false, "$.failed: does not follow from what is told beside it");
+TEST_CASE("sums are those of the rows, whatever is written beside them") {
+  Json bad = json_of(sample());
+  for (const char* const sum : {"cases", "touching", "near", "unexplained"}) bad[sum] = 12345;
+  bad["verdicts"]["subject_wrong"] = 7;
+  bad["failed"] = false;
+  const Json again = json_of(read(bad));
+  CHECK(again["cases"] == 100);
+  CHECK(again["touching"] == 40);
+  CHECK(again["near"] == 25);
+  CHECK(again["unexplained"] == 8);
+  CHECK(again["failed"] == true);
+}
+
+TEST_CASE("a count is so small that sums of it are exact") {
+  Json bad = json_of(sample());
+  bad["buckets"][1]["count"] = std::uint64_t{1} << 60;
+  CHECK(refusal(bad) ==
+        "$.buckets[1].count: 1152921504606846976 is no count; at most 9007199254740992 is "
+        "expected");
 }
 
 TEST_CASE("a result that counts cases twice is refused") {
-  FuzzResult result = sample();
+  CampaignResult result = sample();
   result.parts = {{3, 0, {{"boxes", 20}}, 0.5}, {3, 19, {{"boxes", 40}, {"grid", 40}}, 1}};
   CHECK(refusal(json_of(result)) == "$.parts: has cases twice");
   result.parts[1].first = 20;
@@ -132,7 +130,7 @@ TEST_CASE("a result without parts is one, and later keys are let be") {
   CHECK_FALSE(refusal(json).empty());  // of several seeds
   json["seed"] = 4;
   json["first"] = 2;
-  const FuzzResult result = read(json);
+  const CampaignResult result = read(json);
   CHECK(result.parts.size() == 1);
   CHECK(result.seed() == 4U);
   CHECK(result.first() == 2);
@@ -146,7 +144,7 @@ TEST_CASE("a result without parts is one, and later keys are let be") {
 
 TEST_CASE(
     "a result has failed by a wrong subject, a new fault of the oracle, a budget, or nothing") {
-  FuzzResult result;
+  CampaignResult result;
   CHECK(has_failed(result));  // no case proves nothing
   result.regimes = {{"boxes", 10, 1, 0, 0}};
   CHECK_FALSE(has_failed(result));

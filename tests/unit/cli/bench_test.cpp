@@ -1,14 +1,14 @@
 #include "measure/bench/bench.hpp"
 
+#include <algorithm>
 #include <fstream>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/bench_subjects.hpp"
+#include "measure/bench/own_subjects.hpp"
 #include "oracle/exact/truth.hpp"
 #include "report/plot/gnuplot.hpp"
-#include "report/plot/plot.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -41,16 +41,12 @@ TEST_CASE("bench measures every subject and writes what it found") {
 TEST_CASE("bench's errors are those of the same manifolds") {
   const auto workload = draw_workload({find_regime("sliver"), {}, 0.5, 400}, 1);
   REQUIRE(workload);
-  std::optional<JudgedErrors> of_clip;
-  for (const BenchSubject& subject : bench_subjects()) {
-    const bool is_clip = subject.name == "clip" || subject.name == "batch";
-    if (!is_clip || !subject.collider) continue;
-    const JudgedErrors errors = judged_errors(subject.collider(), workload->pairs);
-    CHECK(errors.cases == 400);
-    if (!of_clip) of_clip = errors;
-    CHECK(errors.depth.max == of_clip->depth.max);
-    CHECK(errors.position.p999 == of_clip->position.p999);
-  }
+  const auto errors = measure_errors(own_subjects(), workload->pairs);
+  const BenchErrors& of_clip = errors.at("clip");
+  const BenchErrors& of_batch = errors.at("batch");
+  CHECK(of_clip.cases == 400);
+  CHECK(of_batch.cases == 400);
+  CHECK(of_batch.of_extent == of_clip.of_extent);
 }
 
 TEST_CASE("a workload has the share of touching pairs and the counts that were asked for") {
@@ -73,9 +69,27 @@ TEST_CASE("the front is what nothing else is left of and below") {
   CHECK(best[1].name == "slow");
 }
 
+TEST_CASE("an output that bench cannot write loses neither the table nor the others") {
+  const test::TemporaryFolder folder;
+  const std::string csv = (folder.path() / "bench.csv").string();
+  const std::string picture = (folder.path() / "bench.svg").string();
+  const auto outcome = test::run_manifuzz({"bench", "--quick", "--collider", "clip", "--json",
+                                           "/dev/full", "--csv", csv, "--picture", picture});
+  INFO(outcome.err);
+  CHECK(outcome.status == 2);
+  CHECK(outcome.out.find("x box2d") != std::string::npos);
+  CHECK(outcome.err.find("/dev/full") != std::string::npos);
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK(test::text_of(csv).starts_with("collider,"));
+  CHECK(test::text_of(picture).find("box2d") != std::string::npos);
+}
+
 TEST_CASE("bench refuses what it cannot do in one line") {
-  CHECK(test::run_manifuzz({"bench", "--collider", "nobody"}).status == 2);
-  CHECK(
-      test::run_manifuzz({"bench", "--quick", "--collider", "clip", "--picture", "a.txt"}).status ==
-      2);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"bench", "--collider", "nobody"},
+        {"bench", "--quick", "--collider", "clip", "--picture", "a.txt"}}) {
+    const test::Outcome outcome = test::run_manifuzz(arguments);
+    CHECK(outcome.status == 2);
+    CHECK(test::is_one_clear_line(outcome.err));
+  }
 }

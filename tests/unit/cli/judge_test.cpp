@@ -60,11 +60,11 @@ TEST_CASE("no contact is among what is right where the polygons are apart") {
   CHECK(got["admissible"] == json::parse(R"([{"points": []}])"));
 }
 
-TEST_CASE("answers from outside may leave out reference and features") {
+TEST_CASE("answers in a file may leave out reference and features") {
   CHECK(judge_answer(kRight, 0)["verdict"] == "agree");
 }
 
-TEST_CASE("wrong answers from outside are the subject's, and status 1") {
+TEST_CASE("wrong answers in a file are the subject's, and status 1") {
   std::string wrong = kRight;
   wrong.replace(wrong.find("0.25"), 4, "0.26");
   CHECK(judge_answer(wrong, 1)["bucket"] == "subject/subject_wrong/depth/reference/a");
@@ -128,7 +128,7 @@ TEST_CASE("where the scalar may overflow the case is ill-posed, and the lines be
   CHECK(json::parse(outcome.out.substr(end))["verdict"] == "agree");
 }
 
-TEST_CASE("huge radii and biases end no campaign") {
+TEST_CASE("huge radii end no campaign, and a bias beyond float is refused") {
   for (const char* radius : {"1e5", "1e38", "1.7e38"}) {
     CAPTURE(radius);
     const TemporaryFolder folder;
@@ -136,7 +136,7 @@ TEST_CASE("huge radii and biases end no campaign") {
         run_manifuzz({"fuzz", "--radius", radius, "--seed", "17", "--cases", "2000", "--corpus",
                       folder.path().string(), "--judge-every", "1"});
     INFO(outcome.out << outcome.err);
-    CHECK(outcome.status != 2);
+    CHECK(outcome.status == 0);
     CHECK(outcome.out.find("crashed                        0") != std::string::npos);
   }
   CHECK(run_manifuzz({"fuzz", "--tie-bias", "1e300", "--cases", "10", "--no-save"}).status == 2);

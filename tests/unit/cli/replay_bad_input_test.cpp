@@ -1,11 +1,11 @@
 #include <filesystem>
+#include <map>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <catch2/catch.hpp>
 
 #include "support/bad_cases.hpp"
-#include "support/named_tests.hpp"
+#include "support/permissions.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -13,68 +13,54 @@ using namespace manifuzz::test;
 
 namespace {
 
-/// Replays a folder that holds a good case and something broken named `broken`: that gives one
-/// clear line which contains `complaint`, and the good case is replayed all the same.
-void check_broken(const TemporaryFolder& folder, const std::string& broken,
-                  const std::string& complaint) {
+/// Replays a folder that holds a good case, and files that each have one clear line against them:
+/// FILE: COMPLAINT. The good case is replayed all the same.
+void check_broken(const TemporaryFolder& folder, const std::map<std::string, std::string>& broken) {
   folder.write("good.json", good_case());
   const Outcome outcome = run_manifuzz({"replay", folder.path()});
   INFO(outcome.out << outcome.err);
   CHECK(outcome.status == 2);
   CHECK(outcome.out.find("1 cases, 1 passed, 0 failed") != std::string::npos);
   const auto lines = lines_of(outcome.err);
-  REQUIRE(lines.size() == 2);
-  CHECK(is_one_clear_line(lines[0] + "\n"));
-  CHECK(lines[0].starts_with("manifuzz: " + (folder.path() / broken).string() + ":"));
-  CHECK(lines[0].find(complaint) != std::string::npos);
-  CHECK(lines[1] == "manifuzz: replay: 1 of the files could not be read; the rest was replayed");
-}
-
-[[maybe_unused]] const bool registered = [] {
-  for (const auto& row : bad_cases()) {
-    add_test("replay refuses " + row.name, "[bad-input]", [&row] {
-      const TemporaryFolder folder;
-      folder.write("bad.json", row.text);
-      check_broken(folder, "bad.json", row.complaint);
-    });
+  REQUIRE(lines.size() == broken.size() + 1);
+  std::size_t i = 0;
+  for (const auto& [file, complaint] : broken) {
+    CHECK(is_one_clear_line(lines[i] + "\n"));
+    CHECK(lines[i].starts_with("manifuzz: " + (folder.path() / file).string() + ":"));
+    CHECK(lines[i].find(complaint) != std::string::npos);
+    ++i;
   }
-  return true;
-}();
+  CHECK(lines.back() == "manifuzz: replay: " + std::to_string(broken.size()) +
+                            " of the files could not be read; the rest was replayed");
+}
 
 }  // namespace
 
-TEST_CASE("replay refuses an empty file", "[bad-input]") {
+TEST_CASE("replay refuses bad files, each by its name and what is wrong, and replays the rest",
+          "[bad-input]") {
   const TemporaryFolder folder;
-  folder.write("bad.json", "");
-  check_broken(folder, "bad.json", "is empty");
-}
-
-TEST_CASE("replay refuses blank lines alone", "[bad-input]") {
-  const TemporaryFolder folder;
-  folder.write("bad.jsonl", "\n\n");
-  check_broken(folder, "bad.jsonl", "is empty");
-}
-
-TEST_CASE("replay refuses a bad line", "[bad-input]") {
-  const TemporaryFolder folder;
-  folder.write("bad.jsonl", "{}\n[]\n");
-  check_broken(folder, "bad.jsonl", ":1: $: the key \"a\" is missing");
-}
-
-TEST_CASE("replay refuses a link to nowhere", "[bad-input]") {
-  const TemporaryFolder folder;
-  std::filesystem::create_symlink("nowhere", folder.path() / "bad.json");
-  check_broken(folder, "bad.json", "No such file");
+  std::map<std::string, std::string> broken;
+  for (const BadCase& row : bad_case_of_each_kind()) {
+    const std::string name = "bad" + std::to_string(broken.size()) + ".json";
+    folder.write(name, row.text);
+    broken[name] = row.complaint;
+  }
+  folder.write("blank.jsonl", "\n\n");
+  folder.write("empty.json", "");
+  folder.write("lines.jsonl", "{}\n[]\n");
+  std::filesystem::create_symlink("nowhere", folder.path() / "link.json");
+  broken.insert({{"blank.jsonl", "is empty"},
+                 {"empty.json", "is empty"},
+                 {"lines.jsonl", ":1: $: the key \"a\" is missing"},
+                 {"link.json", "No such file"}});
+  check_broken(folder, broken);
 }
 
 TEST_CASE("replay refuses a file without permission", "[bad-input]") {
-  if (geteuid() == 0) {
-    WARN("skipped: root may read everything");
-    return;
-  }
+  const BoundByPermissions bound;
   const TemporaryFolder folder;
   chmod(folder.write("bad.json", good_case()).c_str(), 0);
-  check_broken(folder, "bad.json", "Permission denied");
+  check_broken(folder, {{"bad.json", "Permission denied"}});
 }
 
 TEST_CASE("replay refuses paths without cases", "[bad-input]") {

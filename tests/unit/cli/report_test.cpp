@@ -24,9 +24,7 @@ Json data_of(const std::string& html) {
 }
 
 Json reported(const std::vector<std::string>& paths) {
-  std::vector<std::string> arguments{"report", "--output", "-", "--maps", "1"};
-  arguments.insert(arguments.end(), paths.begin(), paths.end());
-  const Outcome outcome = run_manifuzz(arguments);
+  const Outcome outcome = run_manifuzz(with({"report", "--output", "-", "--maps", "1"}, paths));
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   return data_of(outcome.out);

@@ -20,11 +20,10 @@ Outcome smoke(const TemporaryFolder& folder, const std::vector<std::string>& mor
   std::filesystem::create_directories(corpus);
   std::filesystem::copy(source_dir() / "corpus/defects/box2d" / name, corpus / name,
                         std::filesystem::copy_options::overwrite_existing);
-  std::vector<std::string> arguments{
+  const std::vector<std::string> arguments{
       "smoke",     "--seed",   "1",    "--seconds", "3",
       "--no-save", "--corpus", corpus, "--junit",   (folder.path() / "junit.xml").string()};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return run_manifuzz(arguments);
+  return run_manifuzz(with(arguments, more));
 }
 
 }  // namespace

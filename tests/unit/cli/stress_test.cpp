@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "support/interruption.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -93,7 +94,7 @@ TEST_CASE("stress writes a table, JSON, CSV and pictures of what it measured") {
   }
 }
 
-TEST_CASE("stress comes to the same whatever the jobs") {
+TEST_CASE("stress measures the same, whatever the jobs") {
   const auto figures = [](const char* jobs) {
     Json report = Json::parse(run_small({"--jobs", jobs, "--json", "-"}).out);
     report.erase("seconds");
@@ -232,22 +233,26 @@ TEST_CASE("the worst cases are saved, and replay finds them as they were") {
   CHECK(replayed.status == 0);
 }
 
-TEST_CASE("an interrupted stress keeps what it measured") {
+TEST_CASE("an interrupted stress keeps what it measured, and compares nothing else") {
   const TemporaryFolder folder;
   const std::string json = (folder.path() / "stress.json").string();
   const std::string baseline = folder.write(
       "baseline.json",
-      R"({"format": "manifuzz/breaking_points/1", "seed": 1, "flush_to_zero": false, "cases": 500000,
+      R"({"format": "manifuzz/breaking_points/1", "seed": 1, "flush_to_zero": false, "cases": 1000,
           "sweeps": {"touch": {"clip": null}, "large": {"clip": null}}, "walks": {}})");
   const Outcome outcome =
-      run_program({"timeout", "--preserve-status", "--signal=INT", "3", manifuzz_path(), "stress",
-                   "--sweep", "touch", "--collider", "clip", "--cases", "500000", "--sweep",
-                   "large", "--json", json, "--baseline", baseline});
+      run_interruptible({"stress", "--sweep", "touch", "--sweep", "large", "--cases", "1000",
+                         "--jobs", "1", "--collider-command", interrupting_clip(folder, 2500),
+                         "--json", json, "--baseline", baseline});
   INFO(outcome.err);
   CHECK(outcome.status == 1);
   CHECK(outcome.out.find("large: clip: 0 of") != std::string::npos);
   CHECK(outcome.out.find("interrupted") != std::string::npos);
-  CHECK(Json::parse(text_of(json)).at("interrupted") == true);
+  const Json report = Json::parse(text_of(json));
+  CHECK(report.at("interrupted") == true);
+  const Json& steps = report.at("sweeps").at(1).at("steps");  // of clip over touch
+  CHECK(steps.size() >= 2);
+  for (const Json& step : steps) CHECK(step.at("cases") == 1000);
 }
 
 TEST_CASE("of a collider that answers nothing no breaking point is said") {

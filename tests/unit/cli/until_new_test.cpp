@@ -12,10 +12,9 @@ using Json = nlohmann::json;
 
 namespace {
 
-std::vector<std::string> until_new(const std::string& corpus, std::vector<std::string> more) {
-  std::vector<std::string> words{"fuzz", "--until-new", "--seed", "3", "--corpus", corpus};
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
+std::vector<std::string> until_new(const std::string& corpus,
+                                   const std::vector<std::string>& more) {
+  return with({"fuzz", "--until-new", "--seed", "3", "--corpus", corpus}, more);
 }
 
 /// What a campaign says, but for its speed.

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "corpus/simpler_cases.hpp"
 #include "corpus/simplicity.hpp"
 #include "generating/edits.hpp"
 #include "generating/regime.hpp"

@@ -1,15 +1,14 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <map>
 #include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
-#include <fmt/format.h>
 
 #include "base/ulps.hpp"
 #include "generating/regime.hpp"
+#include "unit/generating/case_hash.hpp"
 
 namespace manifuzz {
 namespace {
@@ -74,26 +73,6 @@ std::vector<PairCase> small_corpus() {
     for (std::uint64_t i = 0; i < 8; ++i) pairs.push_back(generate(7, *find_regime(name), i));
   }
   return pairs;
-}
-
-std::uint32_t bits_of(float x) {
-  return std::bit_cast<std::uint32_t>(x);
-}
-
-/// FNV-1a of every bit that makes the case; the normals follow from it.
-std::uint64_t hash_of_case(std::uint64_t hash, const PairCase& pair) {
-  const auto add = [&](float x) { hash = (hash ^ bits_of(x)) * 0x100000001b3ULL; };
-  for (const Body* body : {&pair.a, &pair.b}) {
-    for (const auto& v : body->polygon.corners()) {
-      add(v.x());
-      add(v.y());
-    }
-    for (const float x : {body->polygon.radius, body->pose.position.x(), body->pose.position.y(),
-                          body->pose.rotation.x(), body->pose.rotation.y()}) {
-      add(x);
-    }
-  }
-  return hash;
 }
 
 struct Counts {
@@ -177,14 +156,12 @@ TEST_CASE("the first cases of each regime are bit for bit what they were") {
   };
   const auto corpus = small_corpus();
   for (const Regime& regime : regimes()) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (std::uint64_t i = 0; i < 256; ++i) {
-      hash = hash_of_case(hash, generate(42, regime, i, {corpus, {}}));
-    }
+    CaseHash hash;
+    for (std::uint64_t i = 0; i < 256; ++i) hash.add(generate(42, regime, i, {corpus, {}}));
     const std::string name(regime.name);
     const auto expected = golden.find(name);
     INFO("regime " << name);
-    CHECK(fmt::format("{:016x}", hash) == (expected == golden.end() ? "" : expected->second));
+    CHECK(hash.hex() == (expected == golden.end() ? "" : expected->second));
   }
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -8,11 +7,11 @@
 #include <string>
 
 #include <catch2/catch.hpp>
-#include <fmt/format.h>
 
 #include "generating/edits.hpp"
 #include "generating/sweep.hpp"
 #include "oracle/exact/truth.hpp"
+#include "unit/generating/case_hash.hpp"
 
 namespace manifuzz {
 namespace {
@@ -212,23 +211,6 @@ const std::map<std::string_view, std::function<bool(const PairCase&, double)>> k
      }},
 };
 
-void add_bits(std::uint64_t& hash, float x) {
-  hash = (hash ^ std::bit_cast<std::uint32_t>(x)) * 0x100000001b3ULL;
-}
-
-void add_bits(std::uint64_t& hash, const PairCase& pair) {
-  for (const Body* body : {&pair.a, &pair.b}) {
-    for (const auto& v : body->polygon.corners()) {
-      add_bits(hash, v.x());
-      add_bits(hash, v.y());
-    }
-    for (const float x : {body->polygon.radius, body->pose.position.x(), body->pose.position.y(),
-                          body->pose.rotation.x(), body->pose.rotation.y()}) {
-      add_bits(hash, x);
-    }
-  }
-}
-
 }  // namespace
 
 TEST_CASE("every step of every sweep draws valid pairs, and its knob does what it says") {
@@ -304,13 +286,13 @@ TEST_CASE("the first cases of each sweep are bit for bit what they were") {
       {"corner", "fa99844b775bc5ce"},
   };
   for (const Sweep& sweep : sweeps()) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    CaseHash hash;
     for (const double x : sweep.values) {
-      for (std::uint64_t i = 0; i < 16; ++i) add_bits(hash, draw_case(42, sweep, x, i));
+      for (std::uint64_t i = 0; i < 16; ++i) hash.add(draw_case(42, sweep, x, i));
     }
     CAPTURE(sweep.name);
     const auto expected = golden.find(sweep.name);
-    CHECK(fmt::format("{:016x}", hash) == (expected == golden.end() ? "" : expected->second));
+    CHECK(hash.hex() == (expected == golden.end() ? "" : expected->second));
   }
 }
 

@@ -6,11 +6,12 @@
 
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
-#include "judging/plain_error.hpp"
+#include "judging/manifold_error.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "oracle/exact/figures.hpp"
 #include "own_colliders/clip.hpp"
 
-// How close right colliders come to their bounds: never past them, and not a thousand times short.
+// How far right colliders use their bounds: never past them, and not a thousand times short.
 
 using namespace manifuzz;
 
@@ -20,15 +21,13 @@ using Fine = exact::Approximate<exact::DoubleDouble>;
 
 /// What of the bounds was used, 1 being all of it: by figures, and by decisions.
 struct Used {
-  PlainError figures;
+  ManifoldError figures;
   double reference = 0;  ///< by how much the reference's separation falls short of its side's
   double incident = 0;   ///< by how much the incident edge's dot exceeds the least
   double contact = 0;    ///< how far apart a contact was seen, or how deep an overlap was not
 
   void widen(const Used& other) {
-    figures.normal = std::max(figures.normal, other.figures.normal);
-    figures.position = std::max(figures.position, other.figures.position);
-    figures.depth = std::max(figures.depth, other.figures.depth);
+    manifuzz::widen(figures, other.figures);
     reference = std::max(reference, other.reference);
     incident = std::max(incident, other.incident);
     contact = std::max(contact, other.contact);
@@ -43,7 +42,7 @@ double short_of_its_side(const Admissible& right, exact::FaceOf reference) {
 
 double above_the_least_dot(const Admissible& right, const exact::Clip& clip) {
   const Side opposing = other(clip.reference.side);
-  const auto normal = exact::true_normal<Fine>(right.pair(), clip.reference);
+  const auto normal = exact::true_normal<Fine>(clip);
   const auto against = [&](int edge) {  // both normals point from A to B: minus the dot
     return exact::dot(normal, exact::true_normal<Fine>(right.pair(), {opposing, edge})).value;
   };
@@ -66,9 +65,9 @@ double contact_error(const Manifold<double>& manifold, const exact::Truth& truth
 Used used_by(const Manifold<double>& manifold, const Admissible& right) {
   Used used;
   used.contact = contact_error(manifold, *right.truth) / right.bounds.separation;
-  const auto measured = measure_error(manifold, right);
+  const auto measured = error_if_right(manifold, right);
   if (!measured) return used;
-  used.figures = measured->share;
+  used.figures = measured->of_bound;
   used.reference = short_of_its_side(right, measured->clip->reference) / right.bounds.separation;
   used.incident = above_the_least_dot(right, *measured->clip) / right.bounds.incident_dot;
   return used;
@@ -93,13 +92,13 @@ Used most_used(const Collider& collider, const Regime& regime, std::uint64_t cas
 
 }  // namespace
 
-TEST_CASE("every right collider comes to its bounds and never past them") {
+TEST_CASE("every right collider comes close to its bounds and never past them") {
   std::puts("largest share of a bound   normal  position   depth  reference  incident  contact");
   for (const Collider& collider : {make_clip(), make_clip64(), make_box2d()}) {
     for (const Regime& regime : regimes()) {
       const bool generic = regime.name == "generic";
       const Used most = most_used(collider, regime, generic ? 20'000 : 2000);
-      const PlainError& figures = most.figures;
+      const ManifoldError& figures = most.figures;
       std::printf("%-8s %-16s  %7.3f  %8.3f  %6.3f  %9.3f  %8.3f  %7.3f\n",
                   collider.declaration.name.c_str(), std::string(regime.name).c_str(),
                   figures.normal, figures.position, figures.depth, most.reference, most.incident,
@@ -122,9 +121,9 @@ TEST_CASE("an error is measured to past double") {
   const Collider clip64 = make_clip64();
   auto manifold = std::get<Manifold<double>>(clip64.collide(pair));
   const Admissible right = admissible(pair, clip64.declaration);
-  CHECK(measure_error(manifold, right)->error.depth <= 1e-16);
+  CHECK(error_if_right(manifold, right)->error.depth <= 1e-16);
   manifold.points[0].depth += 0x1p-52;
-  CHECK(measure_error(manifold, right)->error.depth >= 0x1p-53);
+  CHECK(error_if_right(manifold, right)->error.depth >= 0x1p-53);
   manifold.count = 0;
-  CHECK(!measure_error(manifold, right));
+  CHECK(!error_if_right(manifold, right));
 }

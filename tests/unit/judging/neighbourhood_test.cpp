@@ -86,31 +86,31 @@ TEST_CASE("a neighbour that is no convex polygon of floats is none") {
 
 TEST_CASE("what is said is the points' features, whatever their figures") {
   Manifold<double> manifold;
-  CHECK(statement(Answer(manifold)).kind == Statement::Kind::apart);
+  CHECK(summary_of(Answer(manifold)).kind == ContactSummary::Kind::apart);
   manifold.count = 1;
-  const Statement said = statement(Answer(manifold));
-  CHECK(said.kind == Statement::Kind::contact);
+  const ContactSummary said = summary_of(Answer(manifold));
+  CHECK(said.kind == ContactSummary::Kind::contact);
   manifold.points[0].depth = 7;
-  CHECK(statement(Answer(manifold)) == said);
+  CHECK(summary_of(Answer(manifold)) == said);
   manifold.points[0].features.b.index = 1;
-  CHECK_FALSE(statement(Answer(manifold)) == said);
+  CHECK_FALSE(summary_of(Answer(manifold)) == said);
   manifold.count = 3;
-  CHECK(statement(Answer(manifold)).kind == Statement::Kind::nothing);
-  CHECK(statement(Answer(Unsupported{"no"})).kind == Statement::Kind::nothing);
+  CHECK(summary_of(Answer(manifold)).kind == ContactSummary::Kind::nothing);
+  CHECK(summary_of(Answer(Unsupported{"no"})).kind == ContactSummary::Kind::nothing);
 }
 
 TEST_CASE("the truth says what the exact clip keeps") {
   PairCase pair = triangle_on_triangle();
-  const Statement said = statement(exact::Truth(pair));
-  CHECK(said.kind == Statement::Kind::contact);
+  const ContactSummary said = summary_of(exact::Truth(pair));
+  CHECK(said.kind == ContactSummary::Kind::contact);
   CHECK(said.reference == Side::a);
   CHECK(said.count == 1);
   CHECK(said.features[0] == FeaturePair{{Feature::Kind::face, 0}, {Feature::Kind::vertex, 2}});
   pair.b.pose.position.y() = -1;
-  CHECK(statement(exact::Truth(pair)).kind == Statement::Kind::apart);
+  CHECK(summary_of(exact::Truth(pair)).kind == ContactSummary::Kind::apart);
 }
 
-TEST_CASE("a neighbour fails alike where the party at fault is wrong") {
+TEST_CASE("a neighbour fails alike where the collider at fault is wrong") {
   const Bucket agree;
   const Bucket tie = bucket(Fault::none, Verdict::tie);
   const Bucket known = bucket(Fault::oracle, Verdict::known);

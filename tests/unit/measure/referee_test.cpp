@@ -33,7 +33,7 @@ Manifold<double> right_answer(const PairCase& pair) {
 Assessment assessed(const PairCase& pair, const Answer& answer,
                     const Declaration& declaration = of_clip()) {
   Referee referee(pair);
-  return referee.measure(declaration, referee.heard(declaration, answer)).assessment;
+  return referee.measure(declaration, referee.completed(declaration, answer)).assessment;
 }
 
 }  // namespace
@@ -107,6 +107,32 @@ TEST_CASE(
   Manifold<double> one = right;
   one.count = 1;
   CHECK(assessed(far, one, box2d) == Assessment::wrong_count);
+}
+
+TEST_CASE("no distance from the origin makes a wrong face right, or excuses skins that overlap") {
+  const Declaration box2d = make_box2d().declaration;
+  for (const float far : {0.0F, 0x1p22F}) {
+    CAPTURE(far);
+    const PairCase pair = squares(1.75F, far);
+    const exact::Truth truth(pair);
+    const Manifold<double> sideways = true_manifold(truth.clip({Side::a, 1}, 3));
+    REQUIRE(sideways.count == 2);
+    REQUIRE(sideways.points[0].depth == Approx(1.5));  // where 0.25 is right
+    CHECK(assessed(pair, sideways, box2d) == Assessment::gross);
+    PairCase skins = squares(2.2F, far);
+    skins.a.polygon.radius = skins.b.polygon.radius = 0.2F;
+    CHECK(assessed(skins, right_answer(skins), box2d) == Assessment::right);
+    CHECK(assessed(skins, Manifold<double>{}, box2d) == Assessment::missed);
+  }
+}
+
+TEST_CASE("what a right collider may answer is neither missed nor phantom") {
+  const float bound = static_cast<float>(bounds(squares(2), of_clip()).separation);
+  const PairCase within = squares(2 - bound / 2);
+  CHECK(assessed(within, Manifold<double>{}) == Assessment::right);
+  CHECK(assessed(within, right_answer(within)) == Assessment::right);
+  CHECK(assessed(squares(2 - 2 * bound), Manifold<double>{}) == Assessment::missed);
+  CHECK(assessed(squares(2 + 2 * bound), right_answer(within)) == Assessment::phantom);
 }
 
 TEST_CASE("what float cannot tell is ill posed, and its errors are measured") {

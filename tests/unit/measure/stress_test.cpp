@@ -62,7 +62,7 @@ TEST_CASE("what is measured does not depend on the number of jobs") {
   CHECK_FALSE(one.tallies == run(plan).tallies);
 }
 
-TEST_CASE("every unit is measured, and colliders that answer alike come to the same") {
+TEST_CASE("every unit is measured, and colliders that answer alike have the same errors") {
   const StressPlan plan = small_plan();
   const StressResult result = run(plan);
   CHECK(result.units.size() == units_of(plan).size());
@@ -70,10 +70,10 @@ TEST_CASE("every unit is measured, and colliders that answer alike come to the s
   const auto steps = result.steps(*plan.sweeps[0], 1);
   REQUIRE(steps.size() == plan.sweeps[0]->values.size());
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const StepTally of_batch = result.steps(*plan.sweeps[0], 2)[i];
+    const StepStatistics of_batch = result.steps(*plan.sweeps[0], 2)[i];
     CHECK(steps[i].cases == 300);
     CHECK(steps[i].of_size.position.max == of_batch.of_size.position.max);
-    const StepTally of_double = result.steps(*plan.sweeps[0], 3)[i];
+    const StepStatistics of_double = result.steps(*plan.sweeps[0], 3)[i];
     CHECK(of_double.of_size.depth.p999 < steps[i].of_size.depth.p999);
     CHECK(result.steps(*plan.sweeps[0], 0)[i].of_extent.max <= 1);
   }
@@ -109,8 +109,8 @@ TEST_CASE("one that does nothing but die has lost the rest of the step, soon") {
   plan.jobs = 2;
   plan.subjects = {spoilt("dies", [](const PairCase&) { _exit(kDeath); }), subject(make_clip())};
   const StressResult result = run(plan);
-  for (const StepTally& step : result.steps(*plan.sweeps[0], 0)) CHECK(step.lost == 400);
-  for (const StepTally& step : result.steps(*plan.sweeps[0], 1)) CHECK(step.lost == 0);
+  for (const StepStatistics& step : result.steps(*plan.sweeps[0], 0)) CHECK(step.lost == 400);
+  for (const StepStatistics& step : result.steps(*plan.sweeps[0], 1)) CHECK(step.lost == 0);
 }
 
 TEST_CASE("one that dies again and again is given up, in whatever order its deaths come") {
@@ -138,7 +138,7 @@ TEST_CASE("nonsense is counted") {
     return manifold;
   };
   plan.subjects = {fool};
-  for (const StepTally& step : run(plan).steps(*plan.sweeps[0], 0)) CHECK(step.lost == 50);
+  for (const StepStatistics& step : run(plan).steps(*plan.sweeps[0], 0)) CHECK(step.lost == 50);
 }
 
 TEST_CASE("a unit's case is the one that was measured") {

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "generating/edits.hpp"
-#include "measure/stress/walk_watch.hpp"
+#include "measure/stress/walk_changes.hpp"
 #include "own_colliders/clip.hpp"
 
 namespace manifuzz {
@@ -11,19 +11,19 @@ namespace {
 
 using Planted = std::function<void(std::uint64_t frame, Manifold<double>& manifold)>;
 
-/// What is seen of `clip` with a bias, spoilt as planted, through so many frames.
-WalkTally watched(std::string_view walk, std::uint64_t frames, const Planted& planted = {}) {
+/// The changes of `clip` with a bias, spoilt as planted, through so many frames.
+WalkChanges changes_of(std::string_view walk, std::uint64_t frames, const Planted& planted = {}) {
   const Collider clip = make_clip(0.0005);
   Walker walker(1, *find_walk(walk));
-  WalkWatch watch;
+  WalkChangeCounter counter;
   for (std::uint64_t frame = 0; frame < frames; ++frame) {
     const PairCase pair = walker.next();
     Referee referee(pair);
     auto manifold = std::get<Manifold<double>>(clip.collide(pair));
     if (planted) planted(frame, manifold);
-    watch.see(frame, referee, clip.declaration, manifold);
+    counter.add(frame, referee, clip.declaration, manifold);
   }
-  return watch.tally();
+  return counter.changes();
 }
 
 }  // namespace
@@ -62,11 +62,11 @@ TEST_CASE("a walk's frames depend on the seed and the walk alone") {
 TEST_CASE("nothing is held against a steady collider") {
   for (const Walk& walk : walks()) {
     CAPTURE(walk.name);
-    const WalkTally tally = watched(walk.name, 3000);
-    CHECK(tally.touching > 1000);
-    CHECK(tally.flickers.with_margin == 0);
-    CHECK(tally.jumps.with_margin == 0);
-    CHECK(tally.features.with_margin == 0);
+    const WalkChanges changes = changes_of(walk.name, 3000);
+    CHECK(changes.touching > 1000);
+    CHECK(changes.flickers.with_margin == 0);
+    CHECK(changes.jumps.with_margin == 0);
+    CHECK(changes.features.with_margin == 0);
   }
 }
 
@@ -76,33 +76,33 @@ TEST_CASE("a planted flicker of the reference is seen, each time") {
       manifold.reference = other(manifold.reference);
     }
   };
-  const WalkTally tally = watched("resting", 300, flicker);
-  CHECK(tally.flickers.with_margin == 4);  // there and back, twice
-  CHECK(tally.flickers.first == 100);
-  CHECK(tally.flickers.within_bound == 0);
-  CHECK(tally.jumps.with_margin == 0);
+  const WalkChanges changes = changes_of("resting", 300, flicker);
+  CHECK(changes.flickers.with_margin == 4);  // there and back, twice
+  CHECK(changes.flickers.first == 100);
+  CHECK(changes.flickers.within_bound == 0);
+  CHECK(changes.jumps.with_margin == 0);
 }
 
 TEST_CASE("a flicker within the bound is told from one with a margin") {
   const Collider clip = make_clip(0);  // box on box: the faces of both tie
   Walker walker(1, *find_walk("resting"));
-  WalkWatch watch;
+  WalkChangeCounter counter;
   for (std::uint64_t frame = 0; frame < 500; ++frame) {
     const PairCase pair = walker.next();
     Referee referee(pair);
-    watch.see(frame, referee, clip.declaration, clip.collide(pair));
+    counter.add(frame, referee, clip.declaration, clip.collide(pair));
   }
-  CHECK(watch.tally().flickers.with_margin == 0);
-  CHECK(watch.tally().flickers.within_bound > 0);
+  CHECK(counter.changes().flickers.with_margin == 0);
+  CHECK(counter.changes().flickers.within_bound > 0);
 }
 
 TEST_CASE("a planted jump of a point is seen") {
   const auto jump = [](std::uint64_t frame, Manifold<double>& manifold) {
     if (frame == 150) manifold.points[1].position.x() += 1e-3;
   };
-  const WalkTally tally = watched("resting", 300, jump);
-  CHECK(tally.jumps.with_margin + tally.jumps.within_bound == 2);
-  CHECK(tally.flickers.with_margin == 0);
+  const WalkChanges changes = changes_of("resting", 300, jump);
+  CHECK(changes.jumps.with_margin + changes.jumps.within_bound == 2);
+  CHECK(changes.flickers.with_margin == 0);
 }
 
 TEST_CASE("planted changes of features and of the number of points are seen") {
@@ -110,8 +110,8 @@ TEST_CASE("planted changes of features and of the number of points are seen") {
     if (frame == 50) manifold.points[0].features.a.index ^= 1;
     if (frame == 100) manifold.count = 1;
   };
-  const WalkTally tally = watched("resting", 300, change);
-  CHECK(tally.features.with_margin + tally.features.within_bound == 4);
+  const WalkChanges changes = changes_of("resting", 300, change);
+  CHECK(changes.features.with_margin + changes.features.within_bound == 4);
 }
 
 TEST_CASE("frames without a contact end what is compared") {
@@ -119,7 +119,7 @@ TEST_CASE("frames without a contact end what is compared") {
     if (frame == 100) manifold = {};
     if (frame == 101) manifold.reference = other(manifold.reference);
   };
-  CHECK(watched("resting", 300, lose).flickers.with_margin == 1);  // back, at frame 102
+  CHECK(changes_of("resting", 300, lose).flickers.with_margin == 1);  // back, at frame 102
 }
 
 }  // namespace manifuzz

@@ -9,10 +9,10 @@ using namespace manifuzz::test;
 using Catch::Contains;
 
 TEST_CASE("the text holds polygons, truth, bounds, candidate, answers and verdict") {
-  JudgedCase shown = shown_case(box_on_box(0.25F));
-  shown.given.found = Found{.seed = 7, .regime = "boxes", .index = 12, .versions = {}};
-  shown.given.note = "Two boxes.";
-  const std::string text = case_text(shown);
+  JudgedCase judged = judged_case(box_on_box(0.25F));
+  judged.given.found = Found{.seed = 7, .regime = "boxes", .index = 12, .versions = {}};
+  judged.given.note = "Two boxes.";
+  const std::string text = case_text(judged);
   CHECK_THAT(text, Contains("agree within rounding: clip and box2d"));
   CHECK_THAT(text, Contains("none/agree/none/none/a"));
   CHECK_THAT(text, Contains("seed 7, regime boxes, index 12"));
@@ -32,22 +32,22 @@ TEST_CASE("numbers of the text read back bit for bit") {
   PairCase pair = box_on_box(0.25F);
   pair.a.pose.position = {0.1F, 1e-7F};
   pair.b.polygon.radius = 0.3F;
-  const std::string text = case_text(shown_case(pair));
+  const std::string text = case_text(judged_case(pair));
   CHECK_THAT(text, Contains("position           (0.1, 1e-07)"));
   CHECK_THAT(text, Contains("world (-0.8999999985098839, -0.9999998999999988)"));
   CHECK_THAT(text, Contains("total radius       0.30000001192092896"));
 }
 
 TEST_CASE("polygons apart have no right manifold but none") {
-  const std::string text = case_text(shown_case(box_on_box(-0.5F)));
+  const std::string text = case_text(judged_case(box_on_box(-0.5F)));
   CHECK_THAT(text, Contains("one of 0 for clip"));
   CHECK_THAT(text, Contains("subject: clip 0.1.0, no contact"));
 }
 
 TEST_CASE("a ledger entry is shown with its source") {
-  JudgedCase shown = shown_case(box_on_box(0.25F));
-  shown.judgement.explanation = &ledger().front();
-  const std::string text = case_text(shown);
+  JudgedCase judged = judged_case(box_on_box(0.25F));
+  judged.judgement.explanation = &ledger().front();
+  const std::string text = case_text(judged);
   CHECK_THAT(text, Contains(std::string(ledger().front().id)));
   CHECK_THAT(text, Contains(std::string(ledger().front().source)));
 }

@@ -1,6 +1,8 @@
-#include "report/github.hpp"
+#include "report/ci/github.hpp"
 
 #include <catch2/catch.hpp>
+
+#include "report/markdown.hpp"
 
 using namespace manifuzz;
 using Catch::Contains;

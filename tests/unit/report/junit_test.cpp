@@ -1,4 +1,4 @@
-#include "report/junit.hpp"
+#include "report/ci/junit.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,10 +1,9 @@
-#include "report/plot/line_plot.hpp"
-
 #include <filesystem>
 
 #include <catch2/catch.hpp>
 
 #include "base/user_error.hpp"
+#include "report/plot/gnuplot.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace manifuzz;
@@ -37,11 +36,11 @@ TEST_CASE("lines of equal points are drawn once, with all their names") {
 TEST_CASE("a picture of lines names them and what is on its axes") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "lines.svg";
-  write_line_plot(path.string(), plot());
+  write_plot(path.string(), plot());
   const std::string svg = test::text_of(path);
   for (const char* text : {"a title", "knob", "error", "clip, pair", "other", "breaks here"}) {
     CAPTURE(text);
     CHECK(svg.find(text) != std::string::npos);
   }
-  CHECK_THROWS_AS(write_line_plot((folder.path() / "lines.txt").string(), plot()), UserError);
+  CHECK_THROWS_AS(write_plot((folder.path() / "lines.txt").string(), plot()), UserError);
 }

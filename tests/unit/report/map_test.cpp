@@ -37,23 +37,23 @@ bool is_moved_right(const PairCase& pair) {
 }
 
 struct Map {
-  JudgedCase shown;
+  JudgedCase judged;
   Neighbourhood neighbourhood;
 
   double severity() const {
-    return manifuzz::severity(neighbourhood, shown.judgement.bucket).share();
+    return manifuzz::severity(neighbourhood, judged.judgement.bucket).share();
   }
-  std::string words() const { return severity_in_words(shown, neighbourhood); }
+  std::string words() const { return severity_in_words(judged, neighbourhood); }
 };
 
 Map map_of(const PairCase& pair, const Collider& subject, const Collider& oracle,
            int cells_max = 1 << 20) {
   Interruption interruption;
   Map map;
-  map.shown.given.pair = pair;
-  map.shown.subject.declaration = subject.declaration;
-  map.shown.oracle.declaration = oracle.declaration;
-  map.shown.judgement = judge_in_child(pair, subject, oracle, interruption);
+  map.judged.given.pair = pair;
+  map.judged.subject.declaration = subject.declaration;
+  map.judged.oracle.declaration = oracle.declaration;
+  map.judged.judgement = judge_in_child(pair, subject, oracle, interruption);
   map.neighbourhood = ask_neighbourhood(pair, subject, oracle, grid_around(exact::Truth(pair)),
                                         cells_max, interruption);
   return map;
@@ -95,7 +95,7 @@ class Image {
 
 TEST_CASE("a collider that is always wrong has a severity of 1") {
   const Map map = map_of(box_on_box(0.25F), changed(no_contact), find_collider("clip"));
-  CHECK(map.shown.judgement.bucket.verdict == Verdict::subject_wrong);
+  CHECK(map.judged.judgement.bucket.verdict == Verdict::subject_wrong);
   CHECK(map.severity() == 1);
   CHECK(map.words() == "severity 1: changed is wrong on 16641 of 16641 neighbours");
 }
@@ -117,7 +117,7 @@ TEST_CASE("the severity is the share of the neighbours, and a sample comes near 
   PairCase pair = box_on_box(0.25F);
   pair.b.polygon.vertices[2].x() = std::nextafter(0.5F, 1.0F);
   const Map map = map_of(pair, half_wrong, clip);
-  CHECK(severity(map.neighbourhood, map.shown.judgement.bucket).failing == 129 * 65);
+  CHECK(severity(map.neighbourhood, map.judged.judgement.bucket).failing == 129 * 65);
   CHECK(map_of(pair, half_wrong, clip, 1000).severity() == Approx(map.severity()).margin(0.02));
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("a neighbour on which a collider dies is lost, and the others are judg
     if (cell.bucket.verdict != Verdict::crashed) continue;
     ++lost;
     CHECK(cell.bucket.fault == Fault::subject);
-    CHECK(cell.truth.kind == Statement::Kind::contact);
+    CHECK(cell.truth.kind == ContactSummary::Kind::contact);
   }
   CHECK(lost == 64);
 }
@@ -151,9 +151,9 @@ TEST_CASE("where a collider always dies, some neighbours are asked and the rest 
 
 TEST_CASE("the map is a PNG with four panels of their own colours") {
   const Map map = map_of(box_on_box(0.25F), changed(no_contact), find_collider("clip"));
-  const std::string png = map_png(map.shown, map.neighbourhood);
+  const std::string png = map_png(map.judged, map.neighbourhood);
   CHECK(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
-  CHECK(png == map_png(map.shown, map.neighbourhood));
+  CHECK(png == map_png(map.judged, map.neighbourhood));
   const Image image(png);
   const int panel = 3 * map.neighbourhood.grid.side();
   REQUIRE(image.width() >= 4 * panel);
@@ -170,11 +170,13 @@ TEST_CASE("every known defect has a map") {
   const std::filesystem::path folder = source_dir() / "corpus" / "defects" / "box2d";
   const Collider subject = find_collider("clip");
   const Collider oracle = find_collider("box2d");
-  for (const CorpusCase& known : read_corpus({&folder, 1}).cases) {
+  const Corpus corpus = read_corpus({&folder, 1});
+  CHECK(corpus.cases.size() > 5);
+  for (const CorpusCase& known : corpus.cases) {
     CAPTURE(known.path);
     Map map = map_of(known.pair, subject, oracle, 100);
-    map.shown.given = known;
-    CHECK(Image(map_png(map.shown, map.neighbourhood)).width() > 1000);
+    map.judged.given = known;
+    CHECK(Image(map_png(map.judged, map.neighbourhood)).width() > 1000);
     CHECK(map.severity() > 0);
   }
 }

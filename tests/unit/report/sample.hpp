@@ -3,24 +3,24 @@
 #include <array>
 #include <string>
 
+#include "campaign/judged_case.hpp"
 #include "cli/colliders.hpp"
 #include "generating/regime.hpp"
-#include "report/judged_case.hpp"
 
 namespace manifuzz::test {
 
 /// A case as `clip` and `box2d` see it, without the guard of a child process.
-inline JudgedCase shown_case(const PairCase& pair, const std::string& subject = "clip",
-                             const std::string& oracle = "box2d") {
+inline JudgedCase judged_case(const PairCase& pair, const std::string& subject = "clip",
+                              const std::string& oracle = "box2d") {
   const Collider of_subject = find_collider(subject);
   const Collider of_oracle = find_collider(oracle);
-  JudgedCase shown;
-  shown.given.pair = pair;
-  shown.subject = {of_subject.declaration, of_subject.collide(pair)};
-  shown.oracle = {of_oracle.declaration, of_oracle.collide(pair)};
-  shown.judgement = judge(pair, {shown.subject.declaration, shown.subject.answer},
-                          {shown.oracle.declaration, shown.oracle.answer});
-  return shown;
+  JudgedCase judged;
+  judged.given.pair = pair;
+  judged.subject = {of_subject.declaration, of_subject.collide(pair)};
+  judged.oracle = {of_oracle.declaration, of_oracle.collide(pair)};
+  judged.judgement = judge(pair, {judged.subject.declaration, judged.subject.answer},
+                           {judged.oracle.declaration, judged.oracle.answer});
+  return judged;
 }
 
 inline ConvexPolygon<float> box_polygon(float half_width, float half_height, float radius = 0) {

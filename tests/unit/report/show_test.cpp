@@ -4,6 +4,7 @@
 
 #include "corpus/corpus.hpp"
 #include "support/run_program.hpp"
+#include "support/source_tree.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/report/sample.hpp"
 #include "unit/report/svg_reader.hpp"
@@ -110,20 +111,21 @@ TEST_CASE("show refuses bad input in one line") {
 }
 
 TEST_CASE("every defect in the corpus has its picture") {
-  const std::filesystem::path defects =
-      std::filesystem::path(MANIFUZZ_SOURCE_DIR) / "corpus/defects";
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(defects)) {
+  int pictures = 0;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(source_dir() / "corpus/defects")) {
     std::filesystem::path file = entry.path();
     if (file.extension() != ".json" || file.stem().extension() == ".worst") continue;
     INFO(file);
     CHECK(std::filesystem::exists(file.replace_extension(".svg")));
+    ++pictures;
   }
+  CHECK(pictures > 10);
 }
 
 TEST_CASE("a polygon that rounding leaves no thickness is drawn") {
-  const std::filesystem::path defects =
-      std::filesystem::path(MANIFUZZ_SOURCE_DIR) / "corpus/defects";
-  const auto file = defects / "box2d/oracle-known-missed_contact-none-a-0103adb7.json";
+  const auto file =
+      source_dir() / "corpus/defects/box2d/oracle-known-missed_contact-none-a-0103adb7.json";
   const Outcome outcome = run_manifuzz({"show", file.string(), "--svg", "-"});
   CHECK(outcome.status == 0);
   CHECK_THAT(outcome.out, Contains("</svg>"));

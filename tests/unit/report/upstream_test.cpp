@@ -17,12 +17,12 @@ TEST_CASE("a snippet's placeholders become the case's numbers") {
 }
 
 TEST_CASE("a report says what was got, what is right, and how to see it") {
-  JudgedCase shown = test::shown_case(test::box_on_box(0.25F), "clip", "box2d");
-  CHECK_THROWS_AS(upstream_report(shown, "--subject clip"), UserError);
-  shown.oracle.answer = Manifold<double>{};
-  shown.judgement = judge(shown.given.pair, {shown.subject.declaration, shown.subject.answer},
-                          {shown.oracle.declaration, shown.oracle.answer});
-  const std::string report = upstream_report(shown, "--subject clip");
+  JudgedCase judged = test::judged_case(test::box_on_box(0.25F), "clip", "box2d");
+  CHECK_THROWS_AS(upstream_report(judged, "--subject clip"), UserError);
+  judged.oracle.answer = Manifold<double>{};
+  judged.judgement = judge(judged.given.pair, {judged.subject.declaration, judged.subject.answer},
+                           {judged.oracle.declaration, judged.oracle.answer});
+  const std::string report = upstream_report(judged, "--subject clip");
   CHECK(report.starts_with("# box2d 2.4.1: oracle wrong"));
   CHECK(report.find("## Got\n\n```\nno contact") != std::string::npos);
   CHECK(report.find("depth 0.25") != std::string::npos);

@@ -18,9 +18,9 @@ TEST_CASE("numbers in labels are short") {
 }
 
 TEST_CASE("agreement says what they agree on") {
-  CHECK(verdict_sentence(shown_case(box_on_box(0.25F))) ==
+  CHECK(verdict_sentence(judged_case(box_on_box(0.25F))) ==
         "agree within rounding: clip and box2d report 2 points, depths 0.25 and 0.25");
-  CHECK(verdict_sentence(shown_case(box_on_box(-0.5F))) ==
+  CHECK(verdict_sentence(judged_case(box_on_box(-0.5F))) ==
         "agree: clip and box2d report no contact, gap 0.5");
 }
 
@@ -32,13 +32,13 @@ TEST_CASE("what lies between the polygons") {
 }
 
 TEST_CASE("each verdict has its sentence") {
-  JudgedCase shown = shown_case(box_on_box(0.25F));
-  shown.judgement.magnitude = 0.5;
+  JudgedCase judged = judged_case(box_on_box(0.25F));
+  judged.judgement.magnitude = 0.5;
   const auto sentence = [&](Verdict verdict, Kind kind, Fault fault) {
-    shown.judgement.bucket.verdict = verdict;
-    shown.judgement.bucket.kind = kind;
-    shown.judgement.bucket.fault = fault;
-    return verdict_sentence(shown);
+    judged.judgement.bucket.verdict = verdict;
+    judged.judgement.bucket.kind = kind;
+    judged.judgement.bucket.fault = fault;
+    return verdict_sentence(judged);
   };
   CHECK(sentence(Verdict::known, Kind::missed_contact, Fault::oracle) ==
         "oracle wrong (known): box2d reports no contact, true overlap 0.25");
@@ -68,17 +68,17 @@ TEST_CASE("each verdict has its sentence") {
 }
 
 TEST_CASE("what a collider answered") {
-  KeptAnswer party = shown_case(box_on_box(0.25F)).subject;
-  CHECK(answer_in_words(party) == "2 points, depths 0.25 and 0.25");
-  party.answer = Unsupported{"too many vertices"};
-  CHECK(answer_in_words(party) == "unsupported: too many vertices");
-  party.answer = Lost{Lost::How::crashed, "crashed"};
-  CHECK(answer_in_words(party) == "crashed");
+  DeclaredAnswer asked = judged_case(box_on_box(0.25F)).subject;
+  CHECK(answer_in_words(asked) == "2 points, depths 0.25 and 0.25");
+  asked.answer = Unsupported{"too many vertices"};
+  CHECK(answer_in_words(asked) == "unsupported: too many vertices");
+  asked.answer = Lost{Lost::How::crashed, "crashed"};
+  CHECK(answer_in_words(asked) == "crashed");
 }
 
 TEST_CASE("an unsupported case says why") {
-  JudgedCase shown = shown_case(box_on_box(0.25F));
-  shown.oracle.answer = Unsupported{"rounded polygons"};
-  shown.judgement.bucket = {.verdict = Verdict::unsupported};
-  CHECK(verdict_sentence(shown) == "unsupported: box2d cannot take this case: rounded polygons");
+  JudgedCase judged = judged_case(box_on_box(0.25F));
+  judged.oracle.answer = Unsupported{"rounded polygons"};
+  judged.judgement.bucket = {.verdict = Verdict::unsupported};
+  CHECK(verdict_sentence(judged) == "unsupported: box2d cannot take this case: rounded polygons");
 }

@@ -4,7 +4,7 @@
 
 namespace manifuzz::test {
 
-/// A property: whatever commands come to a scene of at most 16 bodies, drawn by rc::state, each
+/// A property: whatever commands a scene of at most 16 bodies gets, drawn by rc::state, each
 /// step equals its pairs afresh.
 void check_commands(MakeScene make);
 

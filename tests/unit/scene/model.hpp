@@ -38,7 +38,7 @@ using Ordinals = std::array<std::size_t, 2>;
 /// Boxes, a long bar, a sliver, polygons of every count, with and without a radius.
 const std::vector<ConvexPolygon<float>>& shapes_for_scenes();
 
-/// A scene under test, and what is to come to it.
+/// A scene under test, and what is to be done to it next.
 struct Subject {
   std::unique_ptr<AnyScene> scene;
   std::vector<Handle> handles;  ///< by ordinal

@@ -9,6 +9,7 @@
 #include "support/temporary_folder.hpp"
 
 using namespace manifuzz::test;
+using Catch::Contains;
 using Json = nlohmann::json;
 
 namespace {
@@ -43,24 +44,20 @@ Outcome campaign(const std::string& report, int status) {
       {"env", "MANIFUZZ=" + program, (source_dir() / "scripts/campaign").string(), "1"});
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("a campaign without findings passes") {
   const Outcome outcome = campaign(quiet_report().dump(), 0);
   CHECK(outcome.status == 0);
-  CHECK(contains(outcome.out, "the table"));
-  CHECK(contains(outcome.out, "seed "));
+  CHECK_THAT(outcome.out, Contains("the table"));
+  CHECK_THAT(outcome.out, Contains("seed "));
 }
 
 TEST_CASE("a finding of the oracle alone is reported, not failed") {
   const Outcome outcome = campaign(report_with("oracle_wrong").dump(), 1);
   CHECK(outcome.status == 0);
-  CHECK(contains(outcome.out, "some/bucket: 2"));
-  CHECK(contains(outcome.out, "manifuzz fuzz --seed 7"));
+  CHECK_THAT(outcome.out, Contains("some/bucket: 2"));
+  CHECK_THAT(outcome.out, Contains("manifuzz fuzz --seed 7"));
 }
 
 TEST_CASE("anything wrong with the subject fails the campaign") {
@@ -68,7 +65,7 @@ TEST_CASE("anything wrong with the subject fails the campaign") {
     CAPTURE(verdict);
     const Outcome outcome = campaign(report_with(verdict).dump(), 1);
     CHECK(outcome.status == 1);
-    CHECK(contains(outcome.out, std::string(verdict) + ": 2"));
+    CHECK_THAT(outcome.out, Contains(std::string(verdict) + ": 2"));
   }
 }
 
@@ -77,8 +74,8 @@ TEST_CASE("a ledger entry over its budget fails the campaign") {
   report["ledger"].push_back({{"id", "some-entry"}, {"over_budget", {"grid", "boxes"}}});
   const Outcome outcome = campaign(report.dump(), 1);
   CHECK(outcome.status == 1);
-  CHECK(contains(outcome.out, "some-entry"));
-  CHECK(contains(outcome.out, "grid, boxes"));
+  CHECK_THAT(outcome.out, Contains("some-entry"));
+  CHECK_THAT(outcome.out, Contains("grid, boxes"));
 }
 
 TEST_CASE("a campaign in which nothing touched, or nothing ran, fails") {

@@ -37,11 +37,9 @@ struct Repository {
   }
 
   Outcome ci(const std::vector<std::string>& variables) const {
-    std::vector<std::string> command{"env", "-C", folder.path().string(), "MANIFUZZ=./stand-in",
-                                     "MANIFUZZ_SEED=7"};
-    command.insert(command.end(), variables.begin(), variables.end());
-    command.push_back((source_dir() / "scripts/ci").string());
-    return run_program(command);
+    const std::vector<std::string> command{"env", "-C", folder.path().string(),
+                                           "MANIFUZZ=./stand-in", "MANIFUZZ_SEED=7"};
+    return run_program(with(with(command, variables), {(source_dir() / "scripts/ci").string()}));
   }
   std::string called() const { return text_of(folder.path() / "called"); }
 };

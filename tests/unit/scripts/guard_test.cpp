@@ -1,6 +1,5 @@
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -13,6 +12,7 @@
 // scripts/guard over stand-ins for valgrind and for what it counts.
 
 using namespace manifuzz::test;
+using Catch::Contains;
 using Json = nlohmann::json;
 
 namespace {
@@ -28,12 +28,12 @@ Json stored(int clip, int others = kCounted) {
        {{"clip", clip}, {"pair", others}, {"batch packed", others}, {"batch indices", others}}}};
 }
 
-struct Guarded {
+struct GuardRun {
   Outcome outcome;
   Json counts;  ///< as stored afterwards
 };
 
-Guarded guard(const Json& counts, const std::vector<std::string>& options = {}) {
+GuardRun guard(const Json& counts, const std::vector<std::string>& options = {}) {
   const TemporaryFolder folder;
   const auto program = [&](const std::string& name, const std::string& body) {
     std::string path = folder.write(name, "#!/bin/sh\n" + body);
@@ -44,17 +44,12 @@ Guarded guard(const Json& counts, const std::vector<std::string>& options = {}) 
   program("valgrind",
           "echo a target\necho '==7== Collected : " + std::to_string(kCounted) + "' >&2\n");
   const std::string file = folder.write("counts.json", counts.dump());
-  std::vector<std::string> command{"env", "MANIFUZZ_COUNTER=" + counter, "MANIFUZZ_COUNTS=" + file,
-                                   "PATH=" + folder.path().string() + ":" + std::getenv("PATH"),
-                                   (source_dir() / "scripts/guard").string()};
-  command.insert(command.end(), options.begin(), options.end());
-  Guarded guarded{run_program(command), {}};
-  guarded.counts = Json::parse(std::ifstream(file));
-  return guarded;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  const std::vector<std::string> command{
+      "env", "MANIFUZZ_COUNTER=" + counter, "MANIFUZZ_COUNTS=" + file,
+      "PATH=" + folder.path().string() + ":" + std::getenv("PATH"),
+      (source_dir() / "scripts/guard").string()};
+  const Outcome outcome = run_program(with(command, options));
+  return {outcome, Json::parse(text_of(file))};
 }
 
 }  // namespace
@@ -67,18 +62,18 @@ TEST_CASE("a count that rose or fell by more than 3% fails, and says how to upda
   for (const int clip : {970, 1031}) {
     const Outcome outcome = guard(stored(clip)).outcome;
     CHECK(outcome.status == 1);
-    CHECK(contains(outcome.out, "clip: stored " + std::to_string(clip) + ", counted 1000, "));
-    CHECK(contains(outcome.out, "scripts/guard --update"));
+    CHECK_THAT(outcome.out, Contains("clip: stored " + std::to_string(clip) + ", counted 1000, "));
+    CHECK_THAT(outcome.out, Contains("scripts/guard --update"));
   }
-  CHECK(contains(guard(stored(970)).outcome.out, "+3.09%"));
-  CHECK(contains(guard(stored(1031)).outcome.out, "-3.01%"));
+  CHECK_THAT(guard(stored(970)).outcome.out, Contains("+3.09%"));
+  CHECK_THAT(guard(stored(1031)).outcome.out, Contains("-3.01%"));
   CHECK(guard(stored(kCounted, 970)).outcome.status == 1);
 }
 
 TEST_CASE("an update stores what is counted") {
-  const Guarded guarded = guard(stored(1), {"--update"});
-  CHECK(guarded.outcome.status == 0);
-  CHECK(guarded.counts == stored(kCounted));
+  const GuardRun run = guard(stored(1), {"--update"});
+  CHECK(run.outcome.status == 0);
+  CHECK(run.counts == stored(kCounted));
 }
 
 TEST_CASE("counts of another build or target are not checked, and it says so") {
@@ -87,8 +82,19 @@ TEST_CASE("counts of another build or target are not checked, and it says so") {
     counts[key] = "another";
     const Outcome outcome = guard(counts).outcome;
     CHECK(outcome.status == 0);
-    CHECK(contains(outcome.out, "scripts/guard: skipped: the stored counts are for "));
+    CHECK_THAT(outcome.out, Contains("scripts/guard: skipped: the stored counts are for "));
   }
+}
+
+TEST_CASE("without valgrind nothing is checked, and it says so") {
+  const TemporaryFolder folder;
+  for (const char* const tool : {"bash", "dirname", "realpath"}) {
+    std::filesystem::create_symlink(std::filesystem::path("/usr/bin") / tool, folder.path() / tool);
+  }
+  const Outcome outcome = run_program(
+      {"env", "PATH=" + folder.path().string(), (source_dir() / "scripts/guard").string()});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("scripts/guard: skipped: valgrind is missing"));
 }
 
 TEST_CASE("the guard refuses other options and counts that are not there") {
@@ -96,7 +102,7 @@ TEST_CASE("the guard refuses other options and counts that are not there") {
        std::vector<std::vector<std::string>>{{"--check"}, {"--update", "1"}}) {
     const Outcome outcome = guard(stored(kCounted), options).outcome;
     CHECK(outcome.status == 2);
-    CHECK(contains(outcome.err, "takes no option but --update"));
+    CHECK_THAT(outcome.err, Contains("takes no option but --update"));
   }
   CHECK(guard(Json::object()).outcome.status == 2);
   Json counts = stored(kCounted);

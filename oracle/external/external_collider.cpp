@@ -1,0 +1,130 @@
+#include "oracle/external/external_collider.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/names.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr std::size_t kNameLengthMax = 40;
+
+/// What a snippet may ask for of either body.
+constexpr std::array<std::string_view, 6> kSnippetKeys{"vertices", "normals", "position",
+                                                       "rotation", "radius",  "count"};
+
+constexpr std::size_t kVersionLengthMax = 60;
+
+bool is_plain(std::string_view text) {
+  return std::ranges::all_of(text, [](unsigned char c) { return c >= ' ' && c < 0x7f; });
+}
+
+/// Every @a.NAME@ and @b.NAME@ must be one that report/upstream.hpp fills in.
+void check_snippet(std::string_view snippet, std::string_view prefix) {
+  for (std::size_t at = snippet.find('@'); at != std::string_view::npos;) {
+    const std::size_t end = snippet.find('@', at + 1);
+    if (end == std::string_view::npos) return;
+    const std::string_view word = snippet.substr(at + 1, end - at - 1);
+    if (!word.starts_with("a.") && !word.starts_with("b.")) {
+      at = end;
+      continue;
+    }
+    const std::string_view key = word.substr(2, word.find_first_of("[{(") - 2);
+    if (std::ranges::find(kSnippetKeys, key) == kSnippetKeys.end()) {
+      throw UserError(fmt::format("{}snippet: there is no '@{}@'{}; there are {}", prefix,
+                                  printable(word), did_you_mean(key, kSnippetKeys),
+                                  fmt::join(kSnippetKeys, ", ")));
+    }
+    at = snippet.find('@', end + 1);
+  }
+}
+
+}  // namespace
+
+bool is_collider_name(std::string_view name) {
+  return !name.empty() && name.size() <= kNameLengthMax && name.front() != '.' &&
+         std::ranges::all_of(name, [](unsigned char c) {
+           return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
+         });
+}
+
+std::optional<Unsupported> beyond_limits(const Declaration& declaration, const PairCase& pair) {
+  const int vertices = std::max(pair.a.polygon.count, pair.b.polygon.count);
+  if (vertices > declaration.max_vertices) {
+    return Unsupported{fmt::format("takes up to {} vertices", declaration.max_vertices)};
+  }
+  if (!declaration.takes_radius && total_radius(pair) > 0) {
+    return Unsupported{"takes no rounded polygons"};
+  }
+  return std::nullopt;
+}
+
+void check_declaration(const Declaration& declaration, std::string_view prefix) {
+  if (!is_collider_name(declaration.name)) {
+    throw UserError(fmt::format("{}name: '{}' is no name; 1 to {} letters, digits, - _ . are",
+                                prefix, printable(declaration.name), kNameLengthMax));
+  }
+  if (declaration.version.size() > kVersionLengthMax || !is_plain(declaration.version)) {
+    throw UserError(fmt::format("{}version: '{}' is no version; up to {} printable characters are",
+                                prefix, printable(declaration.version), kVersionLengthMax));
+  }
+  check_snippet(declaration.snippet, prefix);
+  if (!std::isfinite(declaration.tie_bias) || declaration.tie_bias < 0) {
+    throw UserError(fmt::format("{}tie_bias: {} is no length; 0 or more is expected", prefix,
+                                declaration.tie_bias));
+  }
+}
+
+bool is_unresponsive(std::span<const Answer> answers, std::size_t done) {
+  if (done < std::size_t{kLossesInARowMax}) return false;
+  return std::ranges::all_of(
+      answers.subspan(done - kLossesInARowMax, kLossesInARowMax),
+      [](const Answer& answer) { return std::holds_alternative<Lost>(answer); });
+}
+
+Collider isolated(const Declaration& declaration, double seconds_max, AnswerBatch answer_batch) {
+  Collider collider;
+  collider.declaration = declaration;
+  collider.seconds_max = seconds_max;
+  collider.collide_many = [declaration, answer_batch](std::span<const PairCase> pairs,
+                                                      std::span<Answer> answers,
+                                                      const std::function<bool()>& go_on) {
+    std::vector<PairCase> asked;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (auto declined = beyond_limits(declaration, pairs[i])) {
+        answers[i] = *std::move(declined);
+      } else {
+        asked.push_back(pairs[i]);
+        places.push_back(i);
+      }
+    }
+    const std::span<const PairCase> all = asked;
+    std::vector<Answer> answered(asked.size());
+    std::size_t count = 0;
+    while (count < all.size() && go_on() && !is_unresponsive(answered, count)) {
+      const std::size_t batch = std::min(kBatch, all.size() - count);
+      count +=
+          answer_batch(all.subspan(count, batch), std::span(answered).subspan(count, batch), go_on);
+    }
+    for (std::size_t k = 0; k < count; ++k) answers[places[k]] = std::move(answered[k]);
+    return count < asked.size() ? places[count] : pairs.size();
+  };
+  collider.collide = [many = collider.collide_many](const PairCase& pair) {
+    Answer answer;
+    many({&pair, 1}, {&answer, 1}, [] { return true; });
+    return answer;
+  };
+  return collider;
+}
+
+}  // namespace manifuzz

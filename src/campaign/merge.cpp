@@ -1,0 +1,285 @@
+#include "campaign/merge.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <span>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "campaign/budgets.hpp"
+#include "campaign/findings.hpp"
+#include "campaign/save.hpp"
+#include "corpus/simplicity.hpp"
+#include "generating/regime.hpp"
+
+namespace manifuzz {
+namespace {
+
+namespace fs = std::filesystem;
+using Count = std::uint64_t;
+
+std::string key_of(const CorpusCase& known) {
+  if (known.expect && !known.expect->bucket.empty()) return finding_key(*known.expect);
+  std::string line;
+  append_case_line(line, known.pair);
+  return known.property + '|' + line;
+}
+
+/// The order in which witnesses are preferred, the first the best.
+auto badness(const CorpusCase& witness) {
+  const double magnitude = witness.expect ? witness.expect->magnitude.value_or(-1) : -1;
+  const Found found = witness.found.value_or(Found{});
+  const auto place = std::ranges::find(regimes(), found.regime, &Regime::name);
+  return std::tuple(-magnitude, found.index, place - regimes().begin(), found.seed, witness.path);
+}
+
+auto size_of(const CorpusCase& known) {
+  return std::pair(complexity(known.pair), badness(known));
+}
+
+using Members = std::vector<const CorpusCase*>;
+
+/// The least by an order that is not cheap to tell.
+template <class Order>
+const CorpusCase& least(const Members& members, const Order& order) {
+  const CorpusCase* best = members.front();
+  auto rank = order(*best);
+  for (const CorpusCase* known : std::span(members).subspan(1)) {
+    auto other = order(*known);
+    if (!(other < rank)) continue;
+    best = known;
+    rank = std::move(other);
+  }
+  return *best;
+}
+
+MergedFinding merged_finding(const Members& members) {
+  std::set<std::string> shrunk;  // files beside which lies what they were shrunk from
+  for (const CorpusCase* known : members) {
+    if (is_worst(known->path)) shrunk.insert(shrunk_beside(known->path));
+  }
+  Members as_seen;
+  for (const CorpusCase* known : members) {
+    if (!shrunk.contains(known->path)) as_seen.push_back(known);
+  }
+  MergedFinding kept{least(members, size_of), {}};
+  const CorpusCase& worst = least(as_seen, badness);
+  if (worst.pair != kept.smallest.pair) kept.worst = worst;
+  return kept;
+}
+
+fs::path folder_of(const CorpusCase& known) {
+  if (!known.property.empty()) return "regressions";
+  if (!known.expect) return "seeds";
+  const auto bucket = find_bucket(known.expect->bucket);
+  return bucket ? corpus_folder(*bucket, known.expect->oracle) : fs::path("seeds");
+}
+
+/// The case as its file has it, every byte: answers read and written again may differ by a
+/// rounding.
+std::string text_of(const CorpusCase& known) {
+  return known.path.ends_with(".json") ? InputFile(known.path).read_all() : format_case(known);
+}
+
+/// A bucket's file is the merged one.
+void name_files(CampaignResult& run, const std::map<std::string, std::string>& files) {
+  Expectation expect{run.settings.subject, run.settings.oracle, {}, {}, {}};
+  for (BucketResult& found : run.buckets) {
+    expect.bucket = found.bucket;
+    const auto file = files.find(finding_key(expect));
+    if (file != files.end()) found.file = file->second;
+  }
+}
+
+std::string in_words(const Settings& settings) {
+  std::vector<std::string> versions;
+  for (const auto& [name, version] : settings.versions) versions.push_back(name + ' ' + version);
+  std::string text = fmt::format("{} against {} ({}), tie bias {}, judging 1 in {}",
+                                 settings.subject, settings.oracle, fmt::join(versions, ", "),
+                                 settings.tie_bias, settings.judge_every);
+  if (settings.radius) text += fmt::format(", radius {}", *settings.radius);
+  return printable(text, 300);
+}
+
+/// The settings that most results share; of equally many those of the most cases, then the first.
+const Settings* usual_settings(std::span<const ResultFile> results) {
+  const Settings* usual = nullptr;
+  std::pair<std::size_t, Count> most;
+  for (const ResultFile& candidate : results) {
+    if (!candidate.campaign) continue;
+    std::pair<std::size_t, Count> weight;
+    for (const ResultFile& other : results) {
+      if (!other.campaign || other.campaign->settings != candidate.campaign->settings) continue;
+      ++weight.first;
+      weight.second += other.campaign->cases();
+    }
+    if (usual != nullptr && weight <= most) continue;
+    usual = &candidate.campaign->settings;
+    most = weight;
+  }
+  return usual;
+}
+
+void expect_addable(const CampaignResult& sum, const CampaignResult& run) {
+  if (sum.settings != run.settings) {
+    throw UserError(fmt::format("is of {}; the others, which are added up, are of {}",
+                                in_words(run.settings), in_words(sum.settings)));
+  }
+  if (run.cases() > kCountMax - sum.cases()) throw UserError("has more cases than can be counted");
+  for (const CasesRun& part : sum.parts) {
+    for (const CasesRun& with : run.parts) {
+      if (!overlap(part, with)) continue;
+      throw UserError(fmt::format("counts cases of seed {} from {} on, which are counted already",
+                                  with.seed, with.first));
+    }
+  }
+}
+
+/// The row that has that name, appended where there is none.
+template <class Row>
+Row& row_of(std::vector<Row>& rows, std::string Row::*name, const std::string& wanted) {
+  const auto known = std::ranges::find(rows, wanted, name);
+  if (known != rows.end()) return *known;
+  rows.emplace_back().*name = wanted;
+  return rows.back();
+}
+
+/// Regimes stand as the runs have them, where all have the same; else in the order of the list.
+void add_regimes(CampaignResult& sum, const CampaignResult& run) {
+  const bool is_alike =
+      std::ranges::equal(sum.regimes, run.regimes, {}, &RegimeResult::name, &RegimeResult::name);
+  const bool is_ordered = sum.regimes.empty() || is_alike;
+  for (const RegimeResult& other : run.regimes) {
+    RegimeResult& regime = row_of(sum.regimes, &RegimeResult::name, other.name);
+    regime.cases += other.cases;
+    regime.touching += other.touching;
+    regime.near += other.near;
+    regime.unexplained += other.unexplained;
+  }
+  if (is_ordered) return;
+  std::ranges::stable_sort(sum.regimes, {}, [](const RegimeResult& regime) {
+    return std::ranges::find(regimes(), regime.name, &Regime::name) - regimes().begin();
+  });
+}
+
+void add_ledger(CampaignResult& sum, const CampaignResult& run) {
+  for (const LedgerResult& other : run.ledger) {
+    LedgerResult& entry = row_of(sum.ledger, &LedgerResult::id, other.id);
+    entry.hits += other.hits;
+    for (const auto& [regime, hits] : other.regimes) entry.regimes[regime] += hits;
+  }
+}
+
+/// A case's place in the order of a campaign: its index, then its regime's turn; then its seed.
+auto place_of(const BucketResult& found, const CampaignResult& sum) {
+  const auto turn = std::ranges::find(sum.regimes, found.regime, &RegimeResult::name);
+  return std::tuple(found.first_index, turn - sum.regimes.begin(), found.seed);
+}
+
+void add_buckets(CampaignResult& sum, const CampaignResult& run) {
+  for (const BucketResult& other : run.buckets) {
+    const auto kept = std::ranges::find(sum.buckets, other.bucket, &BucketResult::bucket);
+    if (kept == sum.buckets.end()) {
+      sum.buckets.push_back(other);
+      continue;
+    }
+    BucketResult added = place_of(other, sum) < place_of(*kept, sum) ? other : *kept;
+    added.count = kept->count + other.count;
+    added.magnitude = std::max(kept->magnitude, other.magnitude);
+    added.is_new = kept->is_new || other.is_new;
+    *kept = added;
+  }
+}
+
+/// Of the sums, since what fires too often in one run may be chance, and the other way round.
+void find_over_budget(CampaignResult& sum) {
+  for (LedgerResult& row : sum.ledger) {
+    row.over_budget.clear();
+    const auto entry = std::ranges::find(ledger(), row.id, &LedgerEntry::id);
+    if (entry == ledger().end() || !sum.budgets_hold) continue;
+    for (const auto& [regime, hits] : row.regimes) {
+      const auto counted = std::ranges::find(sum.regimes, regime, &RegimeResult::name);
+      const Count cases = counted == sum.regimes.end() ? 0 : counted->cases;
+      if (is_over_budget(*entry, regime, hits, cases)) row.over_budget.push_back(regime);
+    }
+  }
+}
+
+std::size_t place_in_order(const BucketResult& found) {
+  const auto bucket = find_bucket(found.bucket);
+  return bucket ? index_of(*bucket) : kBucketCount;
+}
+
+void add_run(CampaignResult& sum, const CampaignResult& run) {
+  expect_addable(sum, run);
+  if (sum.parts.empty()) {
+    sum.machine = run.machine;
+    sum.compiler = run.compiler;
+  }
+  sum.jobs = std::max(sum.jobs, run.jobs);
+  for (std::size_t i = 0; i < sum.verdicts.size(); ++i) sum.verdicts[i] += run.verdicts[i];
+  widen(sum.of_subject, run.of_subject);
+  widen(sum.of_oracle, run.of_oracle);
+  sum.interrupted = sum.interrupted || run.interrupted;
+  sum.stopped_early = sum.stopped_early || run.stopped_early;
+  sum.budgets_hold = sum.budgets_hold && run.budgets_hold;
+  add_regimes(sum, run);
+  add_ledger(sum, run);
+  add_buckets(sum, run);
+  sum.parts.insert(sum.parts.end(), run.parts.begin(), run.parts.end());
+  std::ranges::sort(sum.parts);
+}
+
+}  // namespace
+
+std::vector<MergedFinding> merged_findings(const std::vector<CorpusCase>& cases) {
+  std::map<std::string, Members> groups;
+  for (const CorpusCase& known : cases) groups[key_of(known)].push_back(&known);
+  std::vector<MergedFinding> all;
+  for (const auto& [key, members] : groups) all.push_back(merged_finding(members));
+  return all;
+}
+
+MergedRuns merged_runs(const RunFiles& files) {
+  MergedRuns runs{merged_findings(files.corpus.cases), {}, files.corpus.errors};
+  if (const Settings* const usual = usual_settings(files.results)) {
+    runs.result.emplace();
+    runs.result->settings = *usual;
+    runs.result->budgets_hold = true;
+  }
+  for (const ResultFile& result : files.results) {
+    try {
+      if (!result.campaign) {
+        throw UserError(fmt::format("is a result of {}; those of fuzz are added up", result.kind));
+      }
+      add_run(*runs.result, *result.campaign);
+    } catch (const UserError& error) {
+      runs.errors.push_back(fmt::format("{}: {}", result.path, error.what()));
+    }
+  }
+  if (!runs.result) return runs;
+  find_over_budget(*runs.result);
+  std::ranges::stable_sort(runs.result->buckets, {}, place_in_order);
+  return runs;
+}
+
+void write_findings(MergedRuns& runs, const fs::path& folder, Interruption& interruption) {
+  std::map<std::string, std::string> files;  // of the smallest, by their findings' keys
+  for (const MergedFinding& finding : runs.findings) {
+    if (interruption.is_stopped()) throw UserError("merge: interrupted; nothing was written");
+    const CorpusCase& smallest = finding.smallest;
+    const fs::path file = corpus_file(folder / folder_of(smallest), smallest);
+    write_file(file, text_of(smallest));
+    if (finding.worst) write_file(worst_beside(file), text_of(*finding.worst));
+    if (smallest.expect) files[finding_key(*smallest.expect)] = file.string();
+  }
+  if (runs.result) name_files(*runs.result, files);
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,104 @@
+#include "corpus/find_case.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/names.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "corpus/corpus.hpp"
+#include "corpus/simplicity.hpp"
+
+namespace manifuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kListedMax = 5;
+
+using Cases = std::vector<const CorpusCase*>;
+
+std::string dashed(std::string text) {
+  std::ranges::replace(text, '/', '-');
+  return text;
+}
+
+std::string file_name(const CorpusCase& known) {
+  return fs::path(known.path).filename().string();
+}
+
+std::string bucket_of(const CorpusCase& known) {
+  return known.expect ? known.expect->bucket : "";
+}
+
+/// Those that match; the worst ones, which lie beside their shrunk forms, only where no other does.
+template <class Matches>
+Cases matching(const std::vector<CorpusCase>& corpus, const Matches& matches) {
+  Cases shrunk;
+  Cases worst;
+  for (const CorpusCase& known : corpus) {
+    const bool is_file = known.path.ends_with(".json");  // not a line of one
+    if (is_file && matches(known)) (is_worst(known.path) ? worst : shrunk).push_back(&known);
+  }
+  return shrunk.empty() ? worst : shrunk;
+}
+
+[[noreturn]] void complain_of_none(const std::string& name, const fs::path& folder,
+                                   const std::vector<CorpusCase>& corpus) {
+  std::vector<std::string> names;
+  for (const CorpusCase& known : corpus) {
+    names.push_back(bucket_of(known));
+    names.push_back(dashed(bucket_of(known)));
+    names.push_back(file_name(known));
+  }
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  throw UserError(fmt::format("{}: there is no such file, and no such bucket or file in {}{}",
+                              printable(name, 200), printable(folder.string(), 200),
+                              did_you_mean(name, views)));
+}
+
+[[noreturn]] void complain_of_several(const std::string& name, const fs::path& folder,
+                                      const Cases& found) {
+  std::vector<std::string> names;
+  for (const CorpusCase* const known : found) names.push_back(printable(file_name(*known), 200));
+  std::ranges::sort(names);
+  const std::size_t listed = std::min(names.size(), kListedMax);
+  names.resize(listed);
+  const std::string more =
+      found.size() > listed ? fmt::format(" and {} more", found.size() - listed) : "";
+  throw UserError(fmt::format("{}: {} files in {} begin with that: {}{}", printable(name, 200),
+                              found.size(), printable(folder.string(), 200), fmt::join(names, ", "),
+                              more));
+}
+
+}  // namespace
+
+FoundCase find_case(const std::string& name, const fs::path& folder) {
+  std::error_code unknown;
+  if (name == "-" || fs::exists(name, unknown)) return {name};
+  const std::vector<CorpusCase> corpus = read_corpus({&folder, 1}).cases;  // what is whole of it
+  const std::string wanted = dashed(name);
+  const Cases alike =
+      matching(corpus, [&](const CorpusCase& known) { return dashed(bucket_of(known)) == wanted; });
+  if (!alike.empty()) {
+    const CorpusCase& smallest = **std::ranges::min_element(
+        alike, {}, [](const CorpusCase* known) { return complexity(known->pair); });
+    const std::string of =
+        alike.size() > 1 ? fmt::format(", the smallest of {} with that bucket", alike.size()) : "";
+    return {smallest.path, fmt::format("taken: {}{}", printable(smallest.path, 200), of)};
+  }
+  const Cases begun = matching(
+      corpus, [&](const CorpusCase& known) { return file_name(known).starts_with(wanted); });
+  if (begun.empty()) complain_of_none(name, folder, corpus);
+  if (begun.size() > 1) complain_of_several(name, folder, begun);
+  const std::string& path = begun.front()->path;
+  return {path, fmt::format("taken: {}", printable(path, 200))};
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "judging/admissible.hpp"
+#include "oracle/exact/approximate.hpp"
+#include "oracle/exact/double_double.hpp"
+
+namespace manifuzz {
+
+/// By how much a manifold's figures differ from a right manifold's: the largest of its points. As a
+/// share, each figure is divided: by the size (`share_of_size`), or by its bound, 1 being as far
+/// off as a right collider may be.
+struct ManifoldError {
+  double normal = 0;    ///< length of the difference of two unit vectors
+  double position = 0;  ///< distance, a world length
+  double depth = 0;     ///< |difference|, a world length
+};
+
+/// Keeps the larger of each figure.
+void widen(ManifoldError& worst, const ManifoldError& other);
+
+/// Position and depth divided by the size; a normal's error is a share already.
+ManifoldError share_of_size(const ManifoldError& error, double size);
+
+/// An error against one clip, free of any bound, and as a share of the bounds.
+struct ErrorAgainstClip {
+  ManifoldError error;
+  ManifoldError of_bound;             ///< the largest share that one of the points takes
+  const exact::Clip* clip = nullptr;  ///< the right manifold that it was held against
+};
+
+/// The true figures of a clip, in pairs of doubles: to well past double.
+struct ClipFigures {
+  using Number = exact::Approximate<exact::DoubleDouble>;
+
+  explicit ClipFigures(const exact::Clip& of);
+
+  const exact::Clip* clip;
+  exact::Point<exact::Element<Number>> normal;
+  std::array<exact::Located<Number>, 2> points;
+};
+
+/// Those of one case's clips, each worked out once.
+class ClipFiguresCache {
+ public:
+  const ClipFigures& of(const exact::Clip& clip);
+
+ private:
+  std::vector<std::unique_ptr<const ClipFigures>> known_;
+};
+
+/// Of a manifold with points against one clip that has some.
+ErrorAgainstClip error_against(const Manifold<double>& manifold, const ClipFigures& truth,
+                               const Bounds& bounds);
+
+/// Of a manifold with points that is one of the right ones, against the one of whose bounds it
+/// takes the least share.
+std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
+                                               const Admissible& right, ClipFiguresCache& figures);
+std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
+                                               const Admissible& right);
+
+/// Of any manifold with points, right or wrong, against the clip nearest to it; none where nothing
+/// may touch.
+std::optional<ErrorAgainstClip> nearest_error(const Manifold<double>& manifold,
+                                              const Admissible& right, ClipFiguresCache& figures);
+
+/// The error of any manifold, right or wrong, against the clip nearest to it: a contact that was
+/// missed, or seen across a gap, is off by its depth.
+ManifoldError plain_error(const Manifold<double>& manifold, const Admissible& right);
+
+}  // namespace manifuzz

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "campaign/result_files.hpp"
+#include "report/page/page.hpp"
+
+namespace manifuzz {
+
+/// The colliders that cases name, each made once; those that are given go by what they declare.
+class NamedColliders {
+ public:
+  /// Makes the collider of that name, or nothing.
+  using Find = std::function<std::optional<Collider>(const std::string& name)>;
+
+  NamedColliders(const Find& find, const std::optional<Collider>& subject,
+                 const std::optional<Collider>& oracle);
+
+  /// nullptr where there is none of that name.
+  const Collider* find(const std::string& name);
+
+  /// Whom a case that names nobody is put to: those given, else clip and box2d.
+  const std::string& subject() const { return subject_; }
+  const std::string& oracle() const { return oracle_; }
+
+ private:
+  Find find_;
+  std::string subject_ = "clip";
+  std::string oracle_ = "box2d";
+  std::map<std::string, std::optional<Collider>> known_;
+};
+
+/// Of so many buckets the neighbourhood is drawn where nobody says how many: a few seconds.
+inline constexpr std::size_t kMapsUsual = 12;
+
+/// How the page's commands call this program.
+struct PageCommands {
+  std::string program;
+  std::string again;  ///< makes the page again, or empty
+};
+
+/// The page of these files, its cases in their order. Answers are those that a file records; else
+/// its colliders are asked. At most `maps_max` buckets get the map of their smallest witness, those
+/// with somebody wrong first. Throws UserError where a signal interrupts it.
+std::string page_of(const RunFiles& files, NamedColliders& colliders, std::size_t maps_max,
+                    const PageCommands& commands);
+
+}  // namespace manifuzz

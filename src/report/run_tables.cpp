@@ -1,0 +1,211 @@
+#include "report/run_tables.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/text.hpp"
+#include "report/terminal.hpp"
+
+namespace manifuzz {
+namespace {
+
+std::string percent(std::uint64_t part, std::uint64_t whole) {
+  if (whole == 0) return "-";
+  return fmt::format("{:.1f}%", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+double rate(std::uint64_t cases, double seconds) {
+  return seconds > 0 ? static_cast<double>(cases) / seconds : 0;
+}
+
+std::string head_line(const Campaign& campaign) {
+  const CampaignResult& result = campaign.result;
+  return fmt::format("{} against {} {}: {} cases in {:.1f} s ({:.0f} a second, {} jobs), seed {}\n",
+                     result.settings.subject, result.settings.oracle,
+                     campaign.plan.oracle.declaration.version, result.cases(), result.seconds(),
+                     rate(result.cases(), result.seconds()), result.jobs, campaign.plan.seed);
+}
+
+std::string regime_rows(const CampaignResult& result) {
+  std::string text = fmt::format("{:<18}{:>14}{:>10}{:>8}{:>13}\n", "regime", "cases", "touching",
+                                 "near", "unexplained");
+  for (const RegimeResult& regime : result.regimes) {
+    text += fmt::format("{:<18}{:>14}{:>10}{:>8}{:>13}\n", regime.name, regime.cases,
+                        percent(regime.touching, regime.cases), percent(regime.near, regime.cases),
+                        regime.unexplained);
+  }
+  return text;
+}
+
+std::string verdict_rows(const CampaignResult& result) {
+  std::string text;
+  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
+    const std::string name = fmt::format("{:<18}", kVerdictNames[i]);
+    const bool is_bad = result.verdicts[i] > 0 && is_unexplained(static_cast<Verdict>(i));
+    text += fmt::format("{}{:>14}\n", is_bad ? bad(name) : name, result.verdicts[i]);
+  }
+  return text + fmt::format("{:<18}{:>14}\n", "unexplained", result.unexplained());
+}
+
+std::string over_budget_in_words(const LedgerResult& entry) {
+  if (entry.over_budget.empty()) return "";
+  return fmt::format("  {}\n",
+                     bad(fmt::format("over its budget in {}", fmt::join(entry.over_budget, ", "))));
+}
+
+std::string ledger_rows(const CampaignResult& result) {
+  std::string text;
+  for (const LedgerResult& entry : result.ledger) {
+    text += fmt::format("{:<36}{:>14}{}\n", entry.id, entry.hits,
+                        entry.hits == 0 ? "  never fired" : "");
+    text += over_budget_in_words(entry);
+  }
+  return text;
+}
+
+/// What became of the run as a whole, where it is not what was asked for.
+std::string state_in_words(const Campaign& campaign) {
+  std::string text;
+  if (is_vacuous(campaign.result)) {
+    text += "\nvacuous: nothing touched, so nothing was shown; choose other regimes or a radius\n";
+  }
+  if (campaign.result.stopped_early) {
+    const bool is_subject = campaign.run.given_up == Fault::subject;
+    text +=
+        fmt::format("\nstopped early: {} gave no answer again and again: {}\n",
+                    is_subject ? campaign.result.settings.subject : campaign.result.settings.oracle,
+                    printable(campaign.run.why_given_up, 200));
+  }
+  if (!campaign.result.interrupted) return text;
+  const std::size_t unsaved = campaign.saving.unsaved;
+  text += "\ninterrupted: what was found until then is counted";
+  return text +
+         (unsaved == 0 ? " and kept\n" : fmt::format(", but {} findings are not saved\n", unsaved));
+}
+
+std::string bucket_rows(const BucketResult& found) {
+  const bool is_bad = decides_status(found);
+  std::string text =
+      fmt::format("{}{}: {} times, worst {:.2g} of the size\n", found.is_new ? fresh("new ") : "",
+                  is_bad ? bad(found.bucket) : found.bucket, found.count, found.magnitude);
+  if (!found.file.empty()) text += fmt::format("  {}\n", found.file);
+  const auto bucket = find_bucket(found.bucket);
+  const bool is_open = found.is_new || (bucket && is_unexplained(bucket->verdict));
+  return is_open ? text + fmt::format("  {}\n", found.command) : text;
+}
+
+}  // namespace
+
+std::string summary_table(const Campaign& campaign) {
+  const CampaignResult& result = campaign.result;
+  std::string text = head_line(campaign) + '\n' + regime_rows(result) + '\n' + verdict_rows(result);
+  if (!result.ledger.empty()) text += '\n' + ledger_rows(result);
+  if (!result.buckets.empty()) text += '\n';
+  for (const BucketResult& found : result.buckets) text += bucket_rows(found);
+  if (campaign.plan.until_new && !has_new(campaign.findings)) {
+    text += "\nnothing new: the corpus shows each of these already\n";
+  }
+  return text + state_in_words(campaign);
+}
+
+std::string objections(const Campaign& campaign) {
+  std::string text;
+  for (const BucketResult& found : campaign.result.buckets) {
+    if (decides_status(found)) text += bucket_rows(found);
+  }
+  for (const LedgerResult& entry : campaign.result.ledger) {
+    const std::string over = over_budget_in_words(entry);
+    if (!over.empty()) text += fmt::format("{}\n{}", entry.id, over);
+  }
+  return text + state_in_words(campaign);
+}
+
+std::string progress_line(const Plan& plan, const Progress& progress) {
+  if (!progress.saving.empty()) return progress.saving;
+  const Tally& tally = progress.tally;
+  const double per_second = rate(tally.cases(), progress.seconds);
+  double left = 0;
+  if (plan.seconds) left = *plan.seconds - progress.seconds;
+  if (plan.cases && per_second > 0) {
+    left = static_cast<double>(*plan.cases - std::min(*plan.cases, tally.cases())) / per_second;
+  }
+  std::string line =
+      fmt::format("{} cases, {:.0f} a second; agree {}, tie {}, known {}, unexplained {}",
+                  tally.cases(), per_second, tally.count(Verdict::agree), tally.count(Verdict::tie),
+                  tally.count(Verdict::known), tally.unexplained());
+  if (plan.until_new) line += "; waiting for a new bucket";
+  if (plan.seconds || plan.cases) line += fmt::format("; {:.0f} s left", std::max(0.0, left));
+  return line;
+}
+
+std::string merged_text(const MergedRuns& runs, std::size_t cases, const std::string& folder) {
+  std::string text;
+  if (!runs.findings.empty()) {
+    text = fmt::format("{}: {} findings of {} cases\n", printable(folder, 200),
+                       runs.findings.size(), cases);
+  }
+  if (!runs.result) return text;
+  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
+    text += fmt::format("{:<18}{:>14}\n", kVerdictNames[i], runs.result->verdicts[i]);
+  }
+  return text + fmt::format("{:<18}{:>14}\n", "cases", runs.result->cases());
+}
+
+std::string replay_failures(const ReplayRun& run) {
+  std::string text;
+  for (const ReplayedCase& one : run.cases) {
+    if (one.result.passed) continue;
+    text += fmt::format("{} {}: expected {}, got {}\n", bad("FAIL"),
+                        printable(one.recorded->path, 200), one.result.expected, one.result.got);
+  }
+  return text;
+}
+
+std::string replay_counts(const ReplayRun& run) {
+  std::string text =
+      fmt::format("{} against {}: {} cases, {} passed, {} failed, in {:.2f} s", run.subject,
+                  run.oracle, run.cases.size(), run.passed(), run.failed(), run.seconds);
+  if (run.left_out > 0) text += fmt::format("; {} left out, for time was up", run.left_out);
+  return text;
+}
+
+void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std::size_t unread) {
+  json["subject"] = run.subject;
+  json["oracle"] = run.oracle;
+  json["cases"] = run.cases.size();
+  json["passed"] = run.passed();
+  json["failed"] = run.failed();
+  json["left_out"] = run.left_out;
+  json["unread"] = unread;
+  json["seconds"] = run.seconds;
+  json["failures"] = nlohmann::ordered_json::array();
+  for (const ReplayedCase& one : run.cases) {
+    if (one.result.passed) continue;
+    json["failures"].push_back(
+        {{"file", one.recorded->path}, {"expected", one.result.expected}, {"got", one.result.got}});
+  }
+}
+
+std::string property_text(const CheckedProperty& checked) {
+  const PropertyResult& result = checked.result;
+  std::string text = fmt::format("{} {}: {}\n{}\n", result.passed ? good("ok  ") : bad("FAIL"),
+                                 checked.property->name, checked.property->sentence, result.report);
+  if (!result.reproduce.empty()) {
+    text += fmt::format("repeat with RC_PARAMS=\"{}\"\n", result.reproduce);
+  }
+  if (!checked.saved.empty()) text += fmt::format("saved {}\n", checked.saved);
+  return text;
+}
+
+std::string property_line(const CheckedProperty& checked) {
+  const Property& property = *checked.property;
+  if (checked.is_left_out()) {
+    return fmt::format("--   {}: left out, for time was up\n", property.name);
+  }
+  return fmt::format("{} {}: {}, {} cases\n", good("ok  "), property.name, property.sentence,
+                     checked.result.cases);
+}
+
+}  // namespace manifuzz
