@@ -1,18 +1,11 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "campaign/plan.hpp"
+#include "campaign/result.hpp"
 
 namespace manifuzz {
-
-/// What an entry of the ledger did in a campaign.
-struct LedgerCount {
-  const LedgerEntry* entry = nullptr;
-  std::uint64_t hits = 0;
-  std::vector<std::string> over_budget;  ///< the regimes in which it fired too often
-};
 
 /// Budgets hold for the regimes as they are, as far as the colliders take them: a plan with radii
 /// of its own is not held to them.
@@ -25,6 +18,6 @@ bool is_over_budget(const LedgerEntry& entry, std::string_view regime, std::uint
                     std::uint64_t cases);
 
 /// Every entry of the plan's oracle.
-std::vector<LedgerCount> ledger_counts(const Tally& tally, const Plan& plan);
+std::vector<LedgerResult> ledger_counts(const Tally& tally, const Plan& plan);
 
 }  // namespace manifuzz

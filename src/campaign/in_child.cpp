@@ -1,10 +1,10 @@
 #include "campaign/in_child.hpp"
 
+#include <array>
 #include <atomic>
 #include <optional>
 
 #include "judging/completed.hpp"
-#include "process/pool.hpp"
 #include "process/shared_memory.hpp"
 
 namespace manifuzz {
@@ -18,40 +18,29 @@ struct JudgementSlot {
 
 /// An answer without pointers, for shared memory.
 struct AnswerSlot {
-  enum class Kind { manifold, partial, unsupported, lost };
-  Kind kind = Kind::manifold;
+  std::size_t kind = 0;  ///< its place among the kinds of an Answer
   PartialManifold manifold;
   Lost::How how = Lost::How::crashed;
   SharedText<512> why;
 
   void put(const Answer& answer) {
+    kind = answer.index();
     if (const auto* const whole = std::get_if<Manifold<double>>(&answer)) {
-      kind = Kind::manifold;
       manifold.manifold = *whole;
     } else if (const auto* const partial = std::get_if<PartialManifold>(&answer)) {
-      kind = Kind::partial;
       manifold = *partial;
-    } else if (const auto* const unsupported = std::get_if<Unsupported>(&answer)) {
-      kind = Kind::unsupported;
-      why.set(unsupported->why);
+    } else if (const auto* const lost = std::get_if<Lost>(&answer)) {
+      how = lost->how;
+      why.set(lost->why);
     } else {
-      kind = Kind::lost;
-      how = std::get<Lost>(answer).how;
-      why.set(std::get<Lost>(answer).why);
+      why.set(std::get<Unsupported>(answer).why);
     }
   }
 
   Answer answer() const {
-    switch (kind) {
-      case Kind::manifold:
-        return manifold.manifold;
-      case Kind::partial:
-        return manifold;
-      case Kind::unsupported:
-        return Unsupported{why.str()};
-      default:
-        return Lost{how, why.str()};
-    }
+    const std::array<Answer, std::variant_size_v<Answer>> kinds{
+        manifold.manifold, Unsupported{why.str()}, manifold, Lost{how, why.str()}};
+    return kinds[kind];
   }
 };
 
@@ -64,6 +53,15 @@ Answer ask_isolated(const Collider& collider, const PairCase& pair, Interruption
 }
 
 }  // namespace
+
+Lost lost_by(Ending ending) {
+  if (ending == Ending::crashed) return {Lost::How::crashed, "crashed"};
+  return {Lost::How::timed_out, "timed out"};
+}
+
+Bucket bucket_of_lost(Ending ending, Fault at_work) {
+  return bucket_of_lost(ending == Ending::crashed ? Verdict::crashed : Verdict::timed_out, at_work);
+}
 
 Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Collider& oracle,
                          Interruption& interruption) {
@@ -87,16 +85,10 @@ Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Co
     slot->judgement =
         judge(pair, {subject.declaration, of_subject}, {oracle.declaration, of_oracle});
   };
-  switch (run_in_child(body, case_seconds_max(subject, oracle), interruption)) {
-    case Ending::crashed:
-      return {.bucket = bucket_of_lost(Verdict::crashed, slot->at_work)};
-    case Ending::timed_out:
-      return {.bucket = bucket_of_lost(Verdict::timed_out, slot->at_work)};
-    case Ending::stopped:
-      throw Interrupted();
-    default:
-      return slot->judgement;
-  }
+  const Ending ending = run_in_child(body, case_seconds_max(subject, oracle), interruption);
+  if (ending == Ending::stopped) throw Interrupted();
+  if (ending == Ending::done) return slot->judgement;
+  return {.bucket = bucket_of_lost(ending, slot->at_work)};
 }
 
 Answer ask_in_child(const Collider& collider, const PairCase& pair, Interruption& interruption) {
@@ -104,17 +96,11 @@ Answer ask_in_child(const Collider& collider, const PairCase& pair, Interruption
     return whole(ask_isolated(collider, pair, interruption), pair, collider.declaration);
   }
   const Shared<AnswerSlot> slot;
-  switch (run_in_child([&] { slot->put(collider.collide(pair)); },
-                       case_seconds_max(collider, collider), interruption)) {
-    case Ending::crashed:
-      return Lost{Lost::How::crashed, "crashed"};
-    case Ending::timed_out:
-      return Lost{Lost::How::timed_out, "timed out"};
-    case Ending::stopped:
-      throw Interrupted();
-    default:
-      return whole(slot->answer(), pair, collider.declaration);
-  }
+  const Ending ending = run_in_child([&] { slot->put(collider.collide(pair)); },
+                                     case_seconds_max(collider, collider), interruption);
+  if (ending == Ending::stopped) throw Interrupted();
+  if (ending != Ending::done) return lost_by(ending);
+  return whole(slot->answer(), pair, collider.declaration);
 }
 
 }  // namespace manifuzz

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "judging/judge.hpp"
-#include "process/interruption.hpp"
+#include "process/pool.hpp"
 
 namespace manifuzz {
 
@@ -17,6 +17,10 @@ inline double case_seconds_max(const Collider& subject, const Collider& oracle) 
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted before there was an answer") {}
 };
+
+/// What a child's end, crashed or timed out, makes of the answer that it was to give.
+Lost lost_by(Ending ending);
+Bucket bucket_of_lost(Ending ending, Fault at_work);
 
 /// `judge` on what the two answer in a child process: a collider that dies or hangs is a verdict.
 /// Throws Interrupted.

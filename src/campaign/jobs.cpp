@@ -170,7 +170,7 @@ void lose_case(const Plan& plan, JobState& job, Verdict verdict) {
   job.next.fetch_add(1);
 }
 
-std::unique_ptr<Tally> added(const SharedArray<JobState>& jobs) {
+std::unique_ptr<Tally> added(const Shared<JobState>& jobs) {
   auto total = std::make_unique<Tally>();
   for (const JobState& job : jobs.all()) total->add(job.tally);
   return total;
@@ -195,7 +195,7 @@ JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& in
   const Shared<RunState> run;
   run->cases.next = cases.begin;
   run->cases.end = cases.end;
-  const SharedArray<JobState> jobs(plan.jobs);
+  const Shared<JobState> jobs(plan.jobs);
   const Pool pool{.jobs = plan.jobs,
                   .body = [&](int job) { run_job(plan, *run, jobs[job]); },
                   .progress = [&](int job) { return jobs[job].next + jobs[job].waits; },

@@ -9,7 +9,6 @@
 
 #include "campaign/in_child.hpp"
 #include "judging/completed.hpp"
-#include "process/pool.hpp"
 #include "process/shared_memory.hpp"
 
 namespace manifuzz {
@@ -73,7 +72,7 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
   const int count = grid.cell_count();
   const Order order(count);
   const Shared<Place> place;
-  const SharedArray<Cell> cells(count);
+  const Shared<Cell> cells(count);
 
   const int turns = std::min(count, cells_max);
   place->losses_left = cells_max / kCellsACrash;
@@ -88,11 +87,10 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
     }
   };
   const auto lose_cell = [&](int, Ending ending) {
-    const Verdict verdict = ending == Ending::timed_out ? Verdict::timed_out : Verdict::crashed;
     Cell& cell = cells[order.cell(place->turn)];
-    cell.bucket = bucket_of_lost(verdict, place->at_work);
+    cell.bucket = bucket_of_lost(ending, place->at_work);
     cell.state = Cell::State::judged;
-    place->lose(verdict);
+    place->lose(cell.bucket.verdict);
     ++place->turn;
     return place->losses_left > 0;
   };

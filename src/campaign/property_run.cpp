@@ -17,7 +17,6 @@
 #include "corpus/simpler_cases.hpp"
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
-#include "process/pool.hpp"
 #include "process/shared_memory.hpp"
 
 namespace manifuzz {
@@ -128,10 +127,10 @@ Collider until(const std::function<bool()>& is_over, const Collider& collider) {
   Collider hurried = collider;
   hurried.collide = [collider, is_over](const PairCase& pair) -> Answer {
     Answer answer = Unsupported{"time is up"};
-    if (!collider.is_isolated()) return is_over() ? answer : collider.collide(pair);
-    const auto go_on = [&is_over] { return !is_over(); };
-    return collider.collide_many({&pair, 1}, {&answer, 1}, go_on) == 1 ? answer
-                                                                       : Unsupported{"time is up"};
+    if (is_over()) return answer;
+    if (!collider.is_isolated()) return collider.collide(pair);
+    collider.collide_many({&pair, 1}, {&answer, 1}, [&is_over] { return !is_over(); });
+    return answer;
   };
   return hurried;
 }
@@ -196,7 +195,7 @@ void run_rapidcheck(const Property& property, const Collider& subject, const Pro
 /// case at work, as small as it is.
 void end_halfway(RunSlot& slot, Ending ending) {
   if (ending != Ending::stopped) {
-    slot.why.set(ending == Ending::crashed ? "crashed" : "timed out");
+    slot.why.set(lost_by(ending).why);
     slot.failing = slot.at_work;
     slot.has_failing = slot.checks > 0;
   }
@@ -240,19 +239,11 @@ PropertyResult run_property(const Property& property, const Collider& subject,
     run_rapidcheck(property, subject, plan, to_repeat, is_over, *slot);
     return result_of(*slot, plan);
   }
-  Ending ending = Ending::done;
   const auto is_over = [&slot] { return slot->is_over.load(std::memory_order_relaxed); };
-  const Pool pool{
-      .body = [&](int) { run_rapidcheck(property, subject, plan, to_repeat, is_over, *slot); },
-      .progress = [&](int) { return slot->checks.load(); },
-      .seconds_max = case_seconds_max(subject, subject),
-      .on_lost =
-          [&](int, Ending lost) {
-            ending = lost;
-            return false;
-          },
-      .hurry = &slot->is_over};
-  if (run_pool(pool, interruption).is_stopped) ending = Ending::stopped;
+  const Ending ending =
+      run_in_child([&] { run_rapidcheck(property, subject, plan, to_repeat, is_over, *slot); },
+                   case_seconds_max(subject, subject), interruption,
+                   [&] { return slot->checks.load(); }, &slot->is_over);
   if (ending != Ending::done) end_halfway(*slot, ending);
   return result_of(*slot, plan);
 }

@@ -10,7 +10,6 @@
 
 #include "campaign/in_child.hpp"
 #include "judging/properties.hpp"
-#include "process/pool.hpp"
 #include "process/shared_memory.hpp"
 
 namespace manifuzz {
@@ -45,16 +44,11 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
     slot->kind = outcome.kind;
     slot->why.set(outcome.why);
   };
-  switch (run_in_child(body, case_seconds_max(subject, subject), interruption)) {
-    case Ending::crashed:
-      return {false, sentence, "crashed"};
-    case Ending::timed_out:
-      return {false, sentence, "timed_out"};
-    case Ending::stopped:
-      throw Interrupted();
-    default:
-      return {slot->kind != Outcome::Kind::fails, sentence, slot->why.str()};
-  }
+  const Ending ending = run_in_child(body, case_seconds_max(subject, subject), interruption);
+  if (ending == Ending::stopped) throw Interrupted();
+  if (ending == Ending::crashed) return {false, sentence, "crashed"};
+  if (ending == Ending::timed_out) return {false, sentence, "timed_out"};
+  return {slot->kind != Outcome::Kind::fails, sentence, slot->why.str()};
 }
 
 using Clock = std::chrono::steady_clock;

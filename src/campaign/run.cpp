@@ -76,15 +76,6 @@ RegimeResult regime_result(const Regime& regime, const RegimeTally& tally) {
   return {std::string(regime.name), tally.cases, tally.touching, tally.near, tally.unexplained};
 }
 
-LedgerResult ledger_result(const LedgerCount& count, const Plan& plan, const Tally& tally) {
-  LedgerResult entry{std::string(count.entry->id), count.hits, {}, count.over_budget};
-  for (std::size_t r = 0; r < plan.regimes.size(); ++r) {
-    const std::uint64_t hits = tally.explained[index_of(*count.entry)][r];
-    if (hits > 0) entry.regimes[std::string(plan.regimes[r]->name)] = hits;
-  }
-  return entry;
-}
-
 BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::string& command) {
   const CaseNumber first = finding.tally.first;
   const std::string regime(plan.regimes[plan.regime_of(first)]->name);
@@ -120,9 +111,7 @@ CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
     part.cases[result.regimes.back().name] = tally.regimes[i].cases;
   }
   result.parts = {part};
-  for (const LedgerCount& count : ledger_counts(tally, plan)) {
-    result.ledger.push_back(ledger_result(count, plan, tally));
-  }
+  result.ledger = ledger_counts(tally, plan);
   for (const Finding& finding : campaign.findings) {
     result.buckets.push_back(bucket_result(finding, plan, origin.command));
   }

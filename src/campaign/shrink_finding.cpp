@@ -4,7 +4,6 @@
 #include <atomic>
 
 #include "campaign/in_child.hpp"
-#include "process/pool.hpp"
 #include "process/shared_memory.hpp"
 
 namespace manifuzz {

@@ -61,7 +61,7 @@ SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interru
   SmokeRun run;
   {
     Interruption in_time(
-        {.begins = Interruption::State::hurried, .stopped_at = plan.at(kReplayShare)});
+        {.first_signal = Interruption::State::stopped, .stopped_at = plan.at(kReplayShare)});
     run.replayed = replay_cases(plan.corpus.cases, plan.subject, plan.oracle, in_time);
   }
   listener.on_replayed(run.replayed);

@@ -14,7 +14,6 @@
 #include "cli/usage.hpp"
 #include "process/child.hpp"
 #include "process/exit_guard.hpp"
-#include "process/process.hpp"
 #include "report/next_steps.hpp"
 
 namespace manifuzz {

@@ -4,18 +4,20 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <optional>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
 
 #include <fmt/format.h>
-
-#include "process/process.hpp"
 
 namespace manifuzz {
 namespace {
@@ -72,6 +74,12 @@ extern "C" void die_with_children(int signal) {
   raise(signal);
 }
 
+constexpr int kLeftHalfway = 3;
+
+void leave_halfway() {
+  _exit(kLeftHalfway);
+}
+
 std::string obituary(int status) {
   if (WIFSIGNALED(status)) {
     return fmt::format("was killed by signal {} ({})", WTERMSIG(status),
@@ -82,6 +90,54 @@ std::string obituary(int status) {
 
 }  // namespace
 
+pid_t spawn(const std::function<void()>& body) {
+  std::fflush(nullptr);
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child < 0)
+    throw std::system_error(errno, std::generic_category(),
+                            "cannot start another process; fewer --jobs may do");
+  if (child > 0) return child;
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(kLeftHalfway);
+  for (auto& group : running_groups) group = 0;  // they are the parent's
+  std::atexit(leave_halfway);  // whoever calls exit in `body` has not run it to its end
+  int status = 0;
+  try {
+    body();
+  } catch (...) {
+    status = kLeftHalfway;
+  }
+  stop_children();
+  _exit(status);
+}
+
+Descendants::Descendants() {
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+}
+
+Descendants::~Descendants() {
+  const std::string path = "/proc/self/task/" + std::to_string(getpid()) + "/children";
+  for (;;) {
+    std::ifstream children(path);
+    pid_t child = 0;
+    if (!(children >> child)) return;
+    kill_and_wait(child);
+  }
+}
+
+bool wait_for(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+void kill_and_wait(pid_t child) {
+  kill(child, SIGKILL);
+  wait_for(child);
+}
+
 void stop_children() {
   for (auto& group : running_groups) {
     const pid_t leader = group.exchange(0);
@@ -89,10 +145,6 @@ void stop_children() {
     kill(-leader, SIGKILL);
     wait_for(leader);
   }
-}
-
-void disown_children() {
-  for (auto& group : running_groups) group = 0;
 }
 
 void stop_children_on_signals() {

@@ -7,6 +7,26 @@
 
 namespace manifuzz {
 
+/// Runs `body` in a child process, which dies with its parent. Once `body` has run, it stops its
+/// own `Child`ren and exits with status 0, or 3 where `body` throws or calls exit. Throws
+/// std::system_error where no process is to be had.
+pid_t spawn(const std::function<void()>& body);
+
+/// Waits for a child to end; whether it ended well.
+bool wait_for(pid_t child);
+
+/// Ends a child at once and waits for it.
+void kill_and_wait(pid_t child);
+
+/// Whoever a child of this process leaves behind is ended with this: a program's own children too.
+class Descendants {
+ public:
+  Descendants();
+  ~Descendants();
+  Descendants(const Descendants&) = delete;
+  Descendants& operator=(const Descendants&) = delete;
+};
+
 /// A child process with a pipe to it and a pipe from it, in a process group of its own. It belongs
 /// to the process that started it: in a fork of that, it counts as not started.
 class Child {
@@ -39,9 +59,6 @@ class Child {
 
 /// Stops every child of this process: destructors do not run in one that exits at once.
 void stop_children();
-
-/// Forgets the children of the process that this is a fork of.
-void disown_children();
 
 /// From here on SIGINT and SIGTERM stop the children before they end this process.
 void stop_children_on_signals();

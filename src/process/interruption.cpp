@@ -46,11 +46,11 @@ Interruption::~Interruption() {
 
 Interruption::State Interruption::state() {
   take_pending();
-  if (has_passed(limits_.stopped_at)) return State::stopped;
-  const int state = static_cast<int>(limits_.begins) + signals_taken - signals_before_;
-  const int least =
-      static_cast<int>(has_passed(limits_.hurried_at) ? State::hurried : State::running);
-  return static_cast<State>(std::clamp(state, least, static_cast<int>(State::stopped)));
+  const int signals = signals_taken - signals_before_;
+  if (has_passed(limits_.stopped_at) || signals > 1) return State::stopped;
+  const State by_time = has_passed(limits_.hurried_at) ? State::hurried : limits_.begins;
+  if (signals == 0) return std::max(limits_.begins, by_time);
+  return limits_.begins == State::hurried ? State::stopped : limits_.first_signal;
 }
 
 void Interruption::wait(double seconds) {

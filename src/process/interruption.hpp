@@ -22,7 +22,8 @@ class Interruption {
     stopped,  ///< nothing goes on
   };
   struct Limits {
-    State begins = State::running;  ///< each signal leads to the next state
+    State begins = State::running;
+    State first_signal = State::hurried;  ///< what that leads to; another one stops
     Deadline hurried_at{};
     Deadline stopped_at{};
   };
@@ -38,9 +39,9 @@ class Interruption {
   /// Waits until a signal, a child's end or a deadline, at most so long.
   void wait(double seconds);
 
-  /// Of work in its course that the next signal is to stop, as its own deadline does.
+  /// Of a part of this work that a signal is to stop at once, as this one's deadline does.
   Limits until_signal() const {
-    return {.begins = State::hurried, .stopped_at = limits_.stopped_at};
+    return {.first_signal = State::stopped, .stopped_at = limits_.stopped_at};
   }
 
  private:
@@ -50,6 +51,6 @@ class Interruption {
 };
 
 /// Of work that leaves nothing to be saved: the first signal stops it.
-inline constexpr Interruption::Limits kUntilSignal{.begins = Interruption::State::hurried};
+inline constexpr Interruption::Limits kUntilSignal{.first_signal = Interruption::State::stopped};
 
 }  // namespace manifuzz

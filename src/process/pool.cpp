@@ -6,7 +6,7 @@
 #include <sys/wait.h>
 #include <vector>
 
-#include "process/process.hpp"
+#include "process/child.hpp"
 
 namespace manifuzz {
 namespace {
@@ -93,7 +93,8 @@ PoolResult run_pool(const Pool& pool, Interruption& interruption) {
 }
 
 Ending run_in_child(const std::function<void()>& body, double seconds_max,
-                    Interruption& interruption, const std::function<std::uint64_t()>& progress) {
+                    Interruption& interruption, const std::function<std::uint64_t()>& progress,
+                    std::atomic<bool>* hurry) {
   Ending ending = Ending::done;
   const Pool pool{.body = [&](int) { body(); },
                   .progress = [&](int) { return progress ? progress() : 0; },
@@ -102,7 +103,8 @@ Ending run_in_child(const std::function<void()>& body, double seconds_max,
                       [&](int, Ending lost) {
                         ending = lost;
                         return false;
-                      }};
+                      },
+                  .hurry = hurry};
   return run_pool(pool, interruption).is_stopped ? Ending::stopped : ending;
 }
 

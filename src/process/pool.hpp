@@ -53,7 +53,7 @@ PoolResult run_pool(const Pool& pool, Interruption& interruption);
 
 /// A pool of one child that is not replaced. Without `progress`, `seconds_max` is all it has.
 Ending run_in_child(const std::function<void()>& body, double seconds_max,
-                    Interruption& interruption,
-                    const std::function<std::uint64_t()>& progress = {});
+                    Interruption& interruption, const std::function<std::uint64_t()>& progress = {},
+                    std::atomic<bool>* hurry = nullptr);
 
 }  // namespace manifuzz

@@ -24,14 +24,16 @@ class SharedMemory {
   std::size_t bytes_;
 };
 
-/// Values in shared memory. T must hold no pointers and need no destructor.
+/// A value in shared memory, or several. T must hold no pointers and need no destructor.
 template <class T>
-class SharedArray {
+class Shared {
  public:
-  explicit SharedArray(std::size_t size)
-      : memory_(size * sizeof(T)), values_(static_cast<T*>(memory_.data()), size) {
+  explicit Shared(std::size_t count = 1)
+      : memory_(count * sizeof(T)), values_(static_cast<T*>(memory_.data()), count) {
     std::uninitialized_value_construct(values_.begin(), values_.end());
   }
+  T& operator*() const { return values_[0]; }
+  T* operator->() const { return values_.data(); }
   T& operator[](std::size_t i) const { return values_[i]; }
   std::span<T> all() const { return values_; }
 
@@ -40,25 +42,11 @@ class SharedArray {
   std::span<T> values_;
 };
 
-/// One value in shared memory.
-template <class T>
-class Shared {
- public:
-  T& operator*() const { return one_[0]; }
-  T* operator->() const { return &one_[0]; }
-
- private:
-  SharedArray<T> one_{1};
-};
-
 /// Text for shared memory; what is too long is cut off.
 template <std::size_t Size>
 class SharedText {
  public:
   void set(std::string_view text) { characters_[text.copy(characters_.data(), Size - 1)] = 0; }
-  /// Without a text it is empty.
-  void set(const char* text) { set(std::string_view(text == nullptr ? "" : text)); }
-  void set(const std::string& text) { set(std::string_view(text)); }
   const char* c_str() const { return characters_.data(); }
   std::string str() const { return c_str(); }
 

@@ -14,7 +14,7 @@
 #include "oracle/external/hosted_library.hpp"
 #include "oracle/external/library.hpp"
 #include "own_colliders/clip.hpp"
-#include "process/process.hpp"
+#include "process/child.hpp"
 #include "process/shared_memory.hpp"
 
 // Colliders in a process of their own: whatever they do, the campaign ends, counts it and leaves
@@ -60,7 +60,7 @@ JobsResult run(const Plan& plan) {
   return run_jobs(plan, {0, plan.cases_max()}, interruption, [](const Progress&) {});
 }
 
-/// How many of the plan's cases a collider that is told so has no luck with.
+/// How many of the plan's cases a collider that is told so fails at.
 std::uint64_t unlucky(const Plan& plan) {
   std::uint64_t count = 0;
   for (CaseNumber number = 0; number < *plan.cases; ++number) {

@@ -97,7 +97,7 @@ SmokeListener printer(const Options& options, const ProgressLine& line, Outputs&
 
 std::vector<TestSuite> suites_of(const SmokeRun& run, const SmokePlan& plan,
                                  const Options& options) {
-  Interruption in_time({.begins = Interruption::State::hurried, .stopped_at = plan.end()});
+  Interruption in_time({.first_signal = Interruption::State::stopped, .stopped_at = plan.end()});
   const std::string subject_again =
       fmt::format("{} --seed {}{}", options_again(options.colliders.subject, {}), plan.seed,
                   corpus_again(options));

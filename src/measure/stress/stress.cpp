@@ -26,9 +26,9 @@ struct JobState {
 struct Work {
   const StressPlan& plan;
   const std::vector<Unit>& units;
-  SharedQueue& queue;                             ///< of units
-  const SharedArray<StepStatistics>& tallies;     ///< of every unit, by subject
-  const SharedArray<std::atomic<bool>>& is_done;  ///< by unit
+  SharedQueue& queue;                        ///< of units
+  const Shared<StepStatistics>& tallies;     ///< of every unit, by subject
+  const Shared<std::atomic<bool>>& is_done;  ///< by unit
 
   std::span<StepStatistics> tallies_of(std::size_t unit) const {
     return tallies.all().subspan(unit * plan.subjects.size(), plan.subjects.size());
@@ -123,10 +123,10 @@ StressResult run_stress(const StressPlan& plan, Interruption& interruption,
   const std::vector<Unit> units = units_of(plan);
   const Shared<SharedQueue> queue;
   queue->end = units.size();
-  const SharedArray<StepStatistics> tallies(units.size() * plan.subjects.size());
-  const SharedArray<std::atomic<bool>> is_done(units.size());
+  const Shared<StepStatistics> tallies(units.size() * plan.subjects.size());
+  const Shared<std::atomic<bool>> is_done(units.size());
   const Work work{plan, units, *queue, tallies, is_done};
-  const SharedArray<JobState> jobs(plan.jobs);
+  const Shared<JobState> jobs(plan.jobs);
   std::uint64_t total = 0;
   for (const Unit& unit : units) total += cases_of(plan, unit);
 

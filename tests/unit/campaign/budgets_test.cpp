@@ -22,7 +22,7 @@ std::size_t entries_over_budget(std::string_view regime, std::uint64_t cases, st
   tally.regimes[0].cases = cases;
   for (auto& of_entry : tally.explained) of_entry[0] = hits;
   std::size_t over = 0;
-  for (const LedgerCount& count : ledger_counts(tally, plan_of(regime))) {
+  for (const LedgerResult& count : ledger_counts(tally, plan_of(regime))) {
     if (!count.over_budget.empty()) ++over;
   }
   return over;
