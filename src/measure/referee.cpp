@@ -122,7 +122,9 @@ Measured Referee::measure(const Rules& rules, const Manifold<double>& manifold) 
     measured.error = nearest->error;
     measured.of_size = share_of_size(nearest->error, size);
     measured.of_bound =
-        error_against(manifold, figures_.of(*nearest->clip), rules.in_a_frame).of_bound;
+        rules.frame == RoundingFrame::local
+            ? nearest->of_bound
+            : error_against(manifold, figures_.of(*nearest->clip), rules.in_a_frame).of_bound;
     measured.of_extent = std::max(nearest->error.depth, nearest->error.position) /
                          (roundoff_of(rules.scalar) * truth_->extent());
   }
