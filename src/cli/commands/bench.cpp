@@ -53,9 +53,10 @@ int bench(const Options& options) {
   }
   check_outputs(files);
   const std::vector<BenchSubject> subjects = chosen_subjects(options.colliders);
-  const std::vector<WorkloadSpec> workloads = options.quick
-                                                  ? std::vector{usual_workload()}
-                                                  : all_workloads(choose_regimes(options.regimes));
+  const std::vector<WorkloadSpec> workloads =
+      options.quick
+          ? std::vector{usual_workload()}
+          : all_workloads(chosen_by_name(regimes(), options.regimes, "regime", "--regime"));
   BenchOptions how = options.quick ? quick_bench() : BenchOptions{};
   how.seed = options.seed.value_or(how.seed);
   const std::vector<BenchRow> rows = [&] {
