@@ -55,10 +55,9 @@ void serve(const std::string& path, SharedState& shared, int in, int out) {
   try {
     library.emplace(path);
     shared.declared = library->declaration();
-    const auto text = [](const char* given) { return given == nullptr ? "" : given; };
-    shared.name.set(text(shared.declared.name));
-    shared.version.set(text(shared.declared.version));
-    shared.snippet.set(text(shared.declared.snippet));
+    shared.name.set(shared.declared.name);
+    shared.version.set(shared.declared.version);
+    shared.snippet.set(shared.declared.snippet);
   } catch (const UserError& error) {
     shared.error.set(error.what());
   }

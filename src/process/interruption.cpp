@@ -48,8 +48,7 @@ Interruption::State Interruption::state() {
   take_pending();
   const int signals = signals_taken - signals_before_;
   if (has_passed(limits_.stopped_at) || signals > 1) return State::stopped;
-  const State by_time = has_passed(limits_.hurried_at) ? State::hurried : limits_.begins;
-  if (signals == 0) return std::max(limits_.begins, by_time);
+  if (signals == 0) return has_passed(limits_.hurried_at) ? State::hurried : limits_.begins;
   return limits_.begins == State::hurried ? State::stopped : limits_.first_signal;
 }
 

@@ -47,6 +47,7 @@ template <std::size_t Size>
 class SharedText {
  public:
   void set(std::string_view text) { characters_[text.copy(characters_.data(), Size - 1)] = 0; }
+  void set(const char* text) { set(std::string_view(text == nullptr ? "" : text)); }
   const char* c_str() const { return characters_.data(); }
   std::string str() const { return c_str(); }
 

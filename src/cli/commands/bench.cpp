@@ -53,10 +53,8 @@ int bench(const Options& options) {
   }
   check_outputs(files);
   const std::vector<BenchSubject> subjects = chosen_subjects(options.colliders);
-  const std::vector<WorkloadSpec> workloads =
-      options.quick
-          ? std::vector{usual_workload()}
-          : all_workloads(chosen_by_name(regimes(), options.regimes, "regime", "--regime"));
+  const auto chosen = chosen_by_name(regimes(), options.regimes, "regime", "--regime");
+  const auto workloads = options.quick ? std::vector{usual_workload()} : all_workloads(chosen);
   BenchOptions how = options.quick ? quick_bench() : BenchOptions{};
   how.seed = options.seed.value_or(how.seed);
   const std::vector<BenchRow> rows = [&] {
@@ -97,8 +95,7 @@ Run define(CLI::App& app) {
           ->allow_extra_args(false);
   app.add_flag("--quick", options->quick, "the usual workload alone, in less than 30 s")
       ->excludes(regime);
-  app.add_option("--json", options->json, "the rows as JSON, to a file or - for stdout")
-      ->type_name("FILE");
+  add_json(app, options->json, "the rows as JSON");
   app.add_option("--csv", options->csv, "the rows with commas")->type_name("FILE");
   app.add_option("--picture", options->pictures,
                  "run time against error, FILE.svg or FILE.png, again for another")
