@@ -31,7 +31,7 @@ double time_limit_of(const ExternalOptions& external) {
 }
 
 Collider find_any(const ColliderChoice& choice, const ExternalOptions& external) {
-  const double seconds = time_limit_of(outside);
+  const double seconds = time_limit_of(external);
   if (external.in_process && external.time_limit) {
     throw UserError(
         "--time-limit: holds for colliders in processes of their own; leave out --in-process");

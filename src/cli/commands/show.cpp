@@ -15,7 +15,6 @@
 #include "cli/case_argument.hpp"
 #include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
-#include "cli/judged.hpp"
 #include "cli/options.hpp"
 #include "corpus/output_check.hpp"
 #include "report/case_text.hpp"

@@ -41,12 +41,6 @@ std::vector<std::string> brief_campaign(const OneCase& given) {
   return {"fuzz", "--seed", "1", "--cases", "20", "--corpus", given.corpus.string()};
 }
 
-std::vector<std::string> with(std::vector<std::string> command,
-                              const std::vector<std::string>& more) {
-  command.insert(command.end(), more.begin(), more.end());
-  return command;
-}
-
 }  // namespace
 
 TEST_CASE("two outputs may not be one file, however it is spelled or linked") {
