@@ -1,8 +1,8 @@
 #include "cli/case_argument.hpp"
 
 #include "cli/options.hpp"
-#include "cli/output.hpp"
 #include "corpus/find_case.hpp"
+#include "report/outputs.hpp"
 
 namespace manifuzz {
 

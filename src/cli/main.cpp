@@ -10,11 +10,11 @@
 #include "base/user_error.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
-#include "cli/output.hpp"
 #include "cli/usage.hpp"
 #include "process/child.hpp"
 #include "process/exit_guard.hpp"
 #include "report/next_steps.hpp"
+#include "report/outputs.hpp"
 
 namespace manifuzz {
 namespace {

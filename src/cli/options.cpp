@@ -9,7 +9,7 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "cli/output.hpp"
+#include "report/outputs.hpp"
 
 namespace manifuzz {
 namespace {
@@ -76,6 +76,10 @@ void add_corpus(CLI::App& app, std::string& folder, const std::string& descripti
 
 void add_no_save(CLI::App& app, bool& no_save) {
   app.add_flag("--no-save", no_save, "shrink and save nothing");
+}
+
+void add_junit(CLI::App& app, std::string& file) {
+  app.add_option("--junit", file, "a JUnit XML report, - for stdout")->type_name("FILE");
 }
 
 void add_json(CLI::App& app, std::string& file, const std::string& what) {

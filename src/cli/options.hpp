@@ -29,6 +29,9 @@ void add_seed(CLI::App& app, std::optional<std::uint64_t>& seed);
 void add_regimes(CLI::App& app, std::vector<std::string>& names);
 void add_corpus(CLI::App& app, std::string& folder, const std::string& description);
 void add_no_save(CLI::App& app, bool& no_save);
+/// Adds --junit.
+void add_junit(CLI::App& app, std::string& file);
+
 void add_json(CLI::App& app, std::string& file, const std::string& what);
 
 /// The seed that was given, or one that is drawn and printed on stderr first.

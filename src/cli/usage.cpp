@@ -8,7 +8,7 @@
 #include "base/names.hpp"
 #include "base/text.hpp"
 #include "cli/commands.hpp"
-#include "cli/output.hpp"
+#include "report/outputs.hpp"
 #include "report/terminal.hpp"
 
 namespace manifuzz {

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/text.hpp"
+#include "campaign/baseline.hpp"
 #include "report/terminal.hpp"
 
 namespace manifuzz {
@@ -98,7 +99,7 @@ std::string bucket_rows(const BucketResult& found) {
 
 }  // namespace
 
-std::string summary_table(const Campaign& campaign) {
+std::string summary_table(const Campaign& campaign, const std::optional<CampaignResult>& baseline) {
   const CampaignResult& result = campaign.result;
   std::string text = head_line(campaign) + '\n' + regime_rows(result) + '\n' + verdict_rows(result);
   if (!result.ledger.empty()) text += '\n' + ledger_rows(result);
@@ -107,7 +108,9 @@ std::string summary_table(const Campaign& campaign) {
   if (campaign.plan.until_new && !has_new(campaign.findings)) {
     text += "\nnothing new: the corpus shows each of these already\n";
   }
-  return text + state_in_words(campaign);
+  text += state_in_words(campaign);
+  if (baseline) text += '\n' + comparison_text(*baseline, campaign.result);
+  return text;
 }
 
 std::string objections(const Campaign& campaign) {

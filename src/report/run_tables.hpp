@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -13,8 +14,10 @@
 
 namespace manifuzz {
 
-/// Regimes, verdicts (zeros too), findings with their commands.
-std::string summary_table(const Campaign& campaign);
+/// Regimes, verdicts (zeros too), findings with their commands, and what is new, worse and gone
+/// against a baseline.
+std::string summary_table(const Campaign& campaign,
+                          const std::optional<CampaignResult>& baseline = {});
 
 /// What of that decides the status, alone; nothing where all is well.
 std::string objections(const Campaign& campaign);

@@ -11,12 +11,12 @@
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "cli/output.hpp"
 #include "corpus/output_check.hpp"
 #include "measure/bench/own_subjects.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "oracle/chipmunk/chipmunk_pass.hpp"
 #include "report/bench_report.hpp"
+#include "report/outputs.hpp"
 
 namespace manifuzz {
 namespace {

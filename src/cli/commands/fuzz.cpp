@@ -15,13 +15,13 @@
 #include "campaign/baseline.hpp"
 #include "campaign/result_json.hpp"
 #include "campaign/run.hpp"
-#include "cli/ci_output.hpp"
 #include "cli/collider_choice.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/known_cases.hpp"
 #include "measure/provenance.hpp"
+#include "report/ci/ci_output.hpp"
 #include "report/ci/run_suites.hpp"
 #include "report/page/page_cases.hpp"
 #include "report/run_tables.hpp"
@@ -111,14 +111,6 @@ std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_j
   return page_of(files, colliders, kMapsUsual, {program, again});
 }
 
-std::string text_of(const Campaign& campaign, const std::optional<CampaignResult>& baseline,
-                    bool is_terse) {
-  if (is_terse) return objections(campaign);
-  std::string text = summary_table(campaign);
-  if (baseline) text += '\n' + comparison_text(*baseline, campaign.result);
-  return text;
-}
-
 /// Everything that was asked for; one output that fails loses no other.
 Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>& baseline,
                   const Options& options) {
@@ -126,7 +118,8 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
   if (baseline) summary["baseline"] = comparison_json(compared(*baseline, campaign.result));
   Outputs outputs;
   outputs.write(!options.ci.stdout_is_data, [&] {
-    write_to_reader(text_of(campaign, baseline, leaves_out_tables({options.json})));
+    const bool is_terse = leaves_out_tables({options.json});
+    write_to_reader(is_terse ? objections(campaign) : summary_table(campaign, baseline));
   });
   outputs.write(!options.json.empty(), [&] { write_data(options.json, json_text(summary)); });
   outputs.write(!options.report.empty(), [&] {
@@ -203,7 +196,7 @@ Run define(CLI::App& app) {
   app.add_option("--report", options->report, "a page of this run and its corpus, - for stdout")
       ->type_name("FILE.html")
       ->check(not_blank);
-  add_junit(app, options->ci);
+  add_junit(app, options->ci.junit);
   return [options] { return run_for_ci("fuzz", options->ci, [&] { return fuzz(*options); }); };
 }
 

@@ -14,8 +14,8 @@
 #include "campaign/result_json.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "cli/output.hpp"
 #include "corpus/output_check.hpp"
+#include "report/outputs.hpp"
 #include "report/run_tables.hpp"
 
 namespace manifuzz {

@@ -11,13 +11,13 @@
 #include "base/names.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "cli/ci_output.hpp"
 #include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "cli/output.hpp"
 #include "corpus/known_cases.hpp"
+#include "report/ci/ci_output.hpp"
 #include "report/ci/run_suites.hpp"
+#include "report/outputs.hpp"
 #include "report/run_tables.hpp"
 
 namespace manifuzz {
@@ -92,7 +92,7 @@ Run define(CLI::App& app) {
   add_seed(app, options->seed);
   add_corpus(app, options->corpus, "the folder of known cases, where failures are saved");
   app.add_flag("--no-save", options->no_save, "save nothing");
-  add_junit(app, options->ci);
+  add_junit(app, options->ci.junit);
   return [options] { return run_for_ci("property", options->ci, [&] { return run(*options); }); };
 }
 

@@ -9,14 +9,14 @@
 #include <nlohmann/json.hpp>
 
 #include "base/user_error.hpp"
-#include "cli/ci_output.hpp"
 #include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "cli/output.hpp"
 #include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"
+#include "report/ci/ci_output.hpp"
 #include "report/ci/run_suites.hpp"
+#include "report/outputs.hpp"
 #include "report/run_tables.hpp"
 
 namespace manifuzz {
@@ -80,7 +80,7 @@ Run define(CLI::App& app) {
       ->type_name("PATH")
       ->check(not_blank);
   add_subject_and_oracle(app, options->colliders);
-  add_junit(app, options->ci);
+  add_junit(app, options->ci.junit);
   add_json(app, options->json, "the summary as JSON");
   return [options] { return run_for_ci("replay", options->ci, [&] { return replay(*options); }); };
 }

@@ -14,8 +14,8 @@
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "cli/output.hpp"
 #include "corpus/output_check.hpp"
+#include "report/outputs.hpp"
 #include "report/page/page_cases.hpp"
 
 namespace manifuzz {

@@ -10,8 +10,8 @@
 #include "base/user_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "cli/output.hpp"
 #include "corpus/output_check.hpp"
+#include "report/outputs.hpp"
 #include "report/scene_report.hpp"
 
 namespace manifuzz {

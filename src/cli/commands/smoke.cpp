@@ -11,12 +11,12 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "cli/ci_output.hpp"
 #include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/known_cases.hpp"
 #include "measure/provenance.hpp"
+#include "report/ci/ci_output.hpp"
 #include "report/ci/run_suites.hpp"
 #include "report/run_tables.hpp"
 
@@ -95,21 +95,6 @@ SmokeListener printer(const Options& options, const ProgressLine& line, Outputs&
           }};
 }
 
-std::vector<TestSuite> suites_of(const SmokeRun& run, const SmokePlan& plan,
-                                 const Options& options) {
-  Interruption in_time({.first_signal = Interruption::State::stopped, .stopped_at = plan.end()});
-  const std::string subject_again =
-      fmt::format("{} --seed {}{}", options_again(options.colliders.subject, {}), plan.seed,
-                  corpus_again(options));
-  std::vector<TestSuite> suites{
-      replay_suite(run.replayed, plan.subject, plan.oracle,
-                   {this_program(), options_again(options.colliders)}, in_time),
-      property_suite(run.checked, plan.subject, {this_program(), subject_again}, in_time)};
-  if (run.campaign) suites.push_back(fuzz_suite(*run.campaign, in_time));
-  suites.front().errors = plan.corpus.errors;
-  return suites;
-}
-
 int smoke(Options& options) {
   // No absolute path goes into what is kept.
   if (!options.corpus.empty()) options.corpus = kept_path(options.corpus).string();
@@ -121,7 +106,15 @@ int smoke(Options& options) {
   Outputs outputs;
   const SmokeRun run = run_smoke(plan, printer(options, line, outputs), all);
   if (all.is_stopped()) outputs.add_error("smoke: interrupted before it was done");
-  if (is_wanted(options.ci)) write_ci(options.ci, suites_of(run, plan, options), outputs);
+  if (is_wanted(options.ci)) {
+    const std::string subject_again =
+        fmt::format("{} --seed {}{}", options_again(options.colliders.subject, {}), plan.seed,
+                    corpus_again(options));
+    write_ci(options.ci,
+             smoke_suites(run, plan, {this_program(), options_again(options.colliders)},
+                          {this_program(), subject_again}),
+             outputs);
+  }
   if (!outputs.are_written() || !plan.corpus.errors.empty()) return 2;
   return run.is_well() ? 0 : 1;
 }
@@ -136,7 +129,7 @@ Run define(CLI::App& app) {
   add_corpus(app, options->corpus,
              "the folder of known cases, which is replayed, and where new ones are saved");
   add_no_save(app, options->no_save);
-  add_junit(app, options->ci);
+  add_junit(app, options->ci.junit);
   return [options] { return run_for_ci("smoke", options->ci, [&] { return smoke(*options); }); };
 }
 

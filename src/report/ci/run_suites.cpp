@@ -186,4 +186,15 @@ TestSuite property_suite(std::span<const CheckedProperty> checked, const Collide
   return suite;
 }
 
+std::vector<TestSuite> smoke_suites(const SmokeRun& run, const SmokePlan& plan,
+                                    const CalledAgain& again, const CalledAgain& subject_again) {
+  Interruption in_time({.first_signal = Interruption::State::stopped, .stopped_at = plan.end()});
+  std::vector<TestSuite> suites{
+      replay_suite(run.replayed, plan.subject, plan.oracle, again, in_time),
+      property_suite(run.checked, plan.subject, subject_again, in_time)};
+  if (run.campaign) suites.push_back(fuzz_suite(*run.campaign, in_time));
+  suites.front().errors = plan.corpus.errors;
+  return suites;
+}
+
 }  // namespace manifuzz

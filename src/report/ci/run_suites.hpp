@@ -2,10 +2,12 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "campaign/property_check.hpp"
 #include "campaign/replay.hpp"
 #include "campaign/run.hpp"
+#include "campaign/smoke.hpp"
 #include "report/ci/test_suite.hpp"
 
 // Runs as test suites. Of the first failures the cases are drawn, as far as there is time.
@@ -31,5 +33,10 @@ TestSuite replay_suite(const ReplayRun& run, const Collider& subject, const Coll
 /// A test for each property for which there was time.
 TestSuite property_suite(std::span<const CheckedProperty> checked, const Collider& subject,
                          const CalledAgain& again, Interruption& interruption);
+
+/// A suite for each part that there was time for; `again` calls both colliders, `subject_again` the
+/// subject alone.
+std::vector<TestSuite> smoke_suites(const SmokeRun& run, const SmokePlan& plan,
+                                    const CalledAgain& again, const CalledAgain& subject_again);
 
 }  // namespace manifuzz

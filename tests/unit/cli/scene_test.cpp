@@ -1,6 +1,7 @@
 #include <fstream>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "measure/scene/scene_recycling.hpp"
 #include "measure/scene/scene_run.hpp"

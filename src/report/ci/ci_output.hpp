@@ -5,11 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
-#include "cli/output.hpp"
 #include "corpus/output_check.hpp"
 #include "report/ci/test_suite.hpp"
+#include "report/outputs.hpp"
 
 namespace manifuzz {
 
@@ -21,9 +19,6 @@ struct CiOutput {
   bool stdout_is_data =
       false;  ///< annotations then go to the standard error, which is read as well
 };
-
-/// Adds --junit.
-void add_junit(CLI::App& app, CiOutput& ci);
 
 /// `check_outputs` of the command's files and these, and whether stdout is taken. A summary that
 /// is another output or an input is left out, with a complaint.

@@ -1,4 +1,4 @@
-#include "cli/ci_output.hpp"
+#include "report/ci/ci_output.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,6 @@
 #include "report/ci/workflow.hpp"
 
 namespace manifuzz {
-
-void add_junit(CLI::App& app, CiOutput& ci) {
-  app.add_option("--junit", ci.junit, "a JUnit XML report, - for stdout")->type_name("FILE");
-}
 
 void check_outputs(CommandFiles files, CiOutput& ci) {
   files.outputs.push_back({"--junit", ci.junit});

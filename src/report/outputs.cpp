@@ -1,4 +1,4 @@
-#include "cli/output.hpp"
+#include "report/outputs.hpp"
 
 #include <algorithm>
 
