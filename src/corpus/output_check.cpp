@@ -27,13 +27,20 @@ bool is_stdout(const OutputPath& output) {
   return output.path == "-" && output.kind == OutputPath::Kind::data;
 }
 
+/// Whether nothing can lie below it: a file, or one to be; what is a folder where a file is
+/// expected has nothing to do with others.
+bool excludes_below(const OutputPath& output) {
+  std::error_code unknown;
+  return !is_folder(output) && !fs::is_directory(output.path, unknown);
+}
+
 /// Whether both cannot be: two files in one place, or one below the other.
 bool exclude_each_other(const OutputPath& one, const OutputPath& other) {
   if (is_stdout(one) || is_stdout(other)) return is_stdout(one) && is_stdout(other);
   const Place of_one(one.path);
   const Place of_other(other.path);
-  return (!is_folder(other) && of_one.is_within(of_other)) ||
-         (!is_folder(one) && of_other.is_within(of_one));
+  return (excludes_below(other) && of_one.is_within(of_other)) ||
+         (excludes_below(one) && of_other.is_within(of_one));
 }
 
 void expect_apart(const OutputPath& output, const std::vector<OutputPath>& others) {
