@@ -235,32 +235,6 @@ TEST_CASE("a report may go to the standard output, which then has nothing else")
   }
 }
 
-TEST_CASE("two outputs never go to one place, and none to what is read") {
-  const Step step;
-  const std::string one = (step.folder.path() / "one").string();
-  const std::string same = (step.folder.path() / "." / "one").string();
-  const std::string before = text_of(step.witness());
-  for (const std::vector<std::string>& command :
-       {std::vector<std::string>{"replay", step.corpus, "--json", "-", "--junit", "-"},
-        {"replay", step.corpus, "--json", one, "--junit", same},
-        {"replay", step.corpus, "--json", step.witness()},
-        {"replay", step.corpus, "--junit", step.witness()},
-        {"property", "--corpus", step.corpus, "--junit", step.witness()},
-        {"smoke", "--corpus", step.corpus, "--junit", step.witness()},
-        {"fuzz", "--corpus", step.corpus, "--report", step.witness()},
-        {"fuzz", "--corpus", step.corpus, "--json", (step.corpus / "new" / "run.json").string()},
-        {"replay", step.corpus, "--json", (step.corpus / ".." / "corpus" / "run.json").string()},
-        {"show", step.witness(), "--svg", step.witness()},
-        {"shrink", step.witness(), "--output", step.witness()}}) {
-    const Outcome outcome = run_manifuzz(command);
-    CAPTURE(command[0], outcome.err);
-    CHECK(outcome.status == 2);
-    CHECK(is_one_clear_line(outcome.err));
-    CHECK(text_of(step.witness()) == before);
-    CHECK_FALSE(std::filesystem::exists(one));
-  }
-}
-
 TEST_CASE("CI is told of outputs that could not be written") {
   const Step step;
   const std::string full = "/dev/full";

@@ -88,6 +88,32 @@ TEST_CASE("no output takes the place of an input, however it is spelled or linke
   CHECK_FALSE(fs::exists(given.corpus / "all"));
 }
 
+TEST_CASE("two outputs never go to one place, and none to what is read") {
+  const OneCase given;
+  const std::string one = (given.folder.path() / "one").string();
+  const std::string same = (given.folder.path() / "." / "one").string();
+  const std::string before = text_of(given.witness);
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"replay", given.corpus, "--json", "-", "--junit", "-"},
+        {"replay", given.corpus, "--json", one, "--junit", same},
+        {"replay", given.corpus, "--json", given.witness.string()},
+        {"replay", given.corpus, "--junit", given.witness.string()},
+        {"property", "--corpus", given.corpus, "--junit", given.witness.string()},
+        {"smoke", "--corpus", given.corpus, "--junit", given.witness.string()},
+        {"fuzz", "--corpus", given.corpus, "--report", given.witness.string()},
+        {"fuzz", "--corpus", given.corpus, "--json", (given.corpus / "new" / "run.json").string()},
+        {"replay", given.corpus, "--json", (given.corpus / ".." / "corpus" / "run.json").string()},
+        {"show", given.witness.string(), "--svg", given.witness.string()},
+        {"shrink", given.witness.string(), "--output", given.witness.string()}}) {
+    const Outcome outcome = run_manifuzz(command);
+    CAPTURE(command[0], outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+    CHECK(text_of(given.witness) == before);
+    CHECK_FALSE(std::filesystem::exists(one));
+  }
+}
+
 TEST_CASE("a baseline may be replaced by what is measured anew, and by nothing else") {
   const OneCase given;
   const std::string run = given.path("run.json");
