@@ -30,7 +30,7 @@ Collider spoilt(const std::function<void(int call)>& spoil) {
 }
 
 PairCase some_case() {
-  return generate(1, *find_regime("boxes"), 0);
+  return generate(1, *find_regime("deep"), 0);
 }
 
 }  // namespace
@@ -94,4 +94,13 @@ TEST_CASE("a collider that dies fails the property, the case at work being the f
   CHECK(result.reproduce.empty());
   CHECK(result.report.find("Falsifiable") != std::string::npos);
   CHECK(run_property(property, collider, {3, 500, {}, {}}).report == result.report);
+}
+
+TEST_CASE("a property that there is no time for ends at once, whatever was asked of it") {
+  Interruption interruption({.hurried_at = std::chrono::steady_clock::now()});
+  const PropertyPlan plan{3, 1'000'000'000, {}, {}, &interruption};
+  const PropertyResult result = run_property(*find_property("never-empty"), make_clip(), plan);
+  CHECK(result.passed);
+  CHECK(result.cases < plan.cases);
+  CHECK(result.report.find("then it was stopped") != std::string::npos);
 }
