@@ -1,8 +1,9 @@
 #include "report/bench_report.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
-#include "kernel/target.hpp"
 #include "measure/provenance.hpp"
 #include "report/case_json.hpp"
 
@@ -108,7 +109,10 @@ PointPlot bench_plot(const std::vector<BenchRow>& rows) {
                  .x_label = "ns a pair",
                  .y_label = "depth error, 99.9%, in 2^-24 of the extent",
                  .points = {}};
-  const std::string widest = kernel::targets().front();
+  // The kernels' subjects come with the widest instruction set first.
+  const auto of_kernel =
+      std::ranges::find_if(rows, [](const BenchRow& row) { return !row.subject->target.empty(); });
+  const std::string widest = of_kernel == rows.end() ? "" : of_kernel->subject->target;
   for (const BenchRow& row : rows) {
     const BenchSubject& subject = *row.subject;
     const bool is_widest = subject.target.empty() || subject.target == widest;

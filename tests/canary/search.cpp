@@ -143,7 +143,8 @@ TEST_CASE(
     CHECK(!bugs.empty());
     planted_in_all += bugs.size();
     if (edit.old_line.empty()) continue;
-    const bool is_clipping = edit.file.starts_with("src/clipping/");
+    const bool is_clipping =
+        edit.file.starts_with("src/clipping/") || edit.file.starts_with("src/own_colliders/");
     const bool is_kernel = edit.file.starts_with("src/kernel/");
     ++(is_clipping ? in_clipping : is_kernel ? in_kernels : in_judge);
   }
