@@ -1,4 +1,4 @@
-// An engine's loop: what README.md shows of it, and what it prints.
+// An engine's loop: what src/kernel/README.md shows of it, and what it prints.
 
 #include <iostream>
 #include <manifuzz/kernel/batch.hpp>

@@ -1,4 +1,4 @@
-// A scene: what README.md shows of it, and more steps.
+// A scene: what src/scene/README.md shows of it, and more steps.
 
 #include <cstdio>
 #include <manifuzz/scene/scene.hpp>
