@@ -1,5 +1,5 @@
-// The collider of oracle/external/README.md, compiled as it stands there and run; tests/install/ does
-// so with the library's code.
+// The collider of oracle/external/README.md, compiled as it stands there and run; tests/install/
+// does so with the library's code.
 
 #include <catch2/catch.hpp>
 
