@@ -74,8 +74,10 @@ PoolResult run_pool(const Pool& pool, Interruption& interruption) {
   const auto start = [&](int job) { children[job].start([&pool, job] { pool.body(job); }); };
   for (int job = 0; job < pool.jobs; ++job) start(job);
   double next_tick = kTickSeconds;
-  while (std::ranges::any_of(children, &WatchedChild::is_running)) {
-    interruption.wait(kPollSeconds);
+  // It may be hurried from the start: then nothing is waited for.
+  for (double poll = 0; std::ranges::any_of(children, &WatchedChild::is_running);
+       poll = kPollSeconds) {
+    interruption.wait(poll);
     const Interruption::State state = interruption.state();
     if (state == Interruption::State::stopped) return {true, seconds_since(begin)};
     if (state == Interruption::State::hurried && pool.hurry) *pool.hurry = true;

@@ -1,6 +1,7 @@
 #include "report/stress_pictures.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,13 @@ PlotLine line_of(const Sweep& sweep, const StressSubject& subject,
   return line;
 }
 
+std::array<std::string, 2> files_of(const std::filesystem::path& folder, const Sweep& sweep) {
+  const auto file = [&](const char* ending) {
+    return (folder / fmt::format("{}.{}", sweep.name, ending)).string();
+  };
+  return {file("svg"), file("png")};
+}
+
 }  // namespace
 
 LinePlot plot_of(const StressPlan& plan, const StressResult& result, const Sweep& sweep) {
@@ -51,13 +59,20 @@ LinePlot plot_of(const StressPlan& plan, const StressResult& result, const Sweep
   return plot;
 }
 
+std::vector<std::string> stress_picture_files(const std::string& folder, const StressPlan& plan) {
+  std::vector<std::string> files;
+  if (folder.empty()) return files;
+  for (const Sweep* const sweep : plan.sweeps) {
+    for (std::string& file : files_of(folder, *sweep)) files.push_back(std::move(file));
+  }
+  return files;
+}
+
 void write_stress_pictures(const std::filesystem::path& folder, const StressPlan& plan,
                            const StressResult& result, const Sweep& sweep) {
   const LinePlot plot = plot_of(plan, result, sweep);
   if (plot.lines.empty()) return;
-  for (const char* const ending : {"svg", "png"}) {
-    write_plot((folder / fmt::format("{}.{}", sweep.name, ending)).string(), plot);
-  }
+  for (const std::string& file : files_of(folder, sweep)) write_plot(file, plot);
 }
 
 }  // namespace manifuzz

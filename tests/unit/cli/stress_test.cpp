@@ -175,19 +175,22 @@ TEST_CASE("stress refuses what it cannot do in one line") {
   const std::string no_json = folder.write("no.json", "nonsense");
   const std::string stored = (folder.path() / "stored.json").string();
   REQUIRE(run_small({"--store", stored}).status == 0);
-  const std::vector<std::vector<std::string>> bad = {{"--sweep", "nothing"},
-                                                     {"--collider", "nobody"},
-                                                     {"--cases", "0"},
-                                                     {"--cases", "x"},
-                                                     {"--frames", "-1"},
-                                                     {"--jobs", "0"},
-                                                     {"--baseline", other},
-                                                     {"--baseline", no_json},
-                                                     {"--baseline", stored, "--seed", "7"},
-                                                     {"--baseline", "/nowhere"},
-                                                     {"--collider-command", " "},
-                                                     {"--json", "/dev/null/a.json"},
-                                                     {"--pictures", "/dev/null/x"}};
+  const std::vector<std::vector<std::string>> bad = {
+      {"--sweep", "nothing"},
+      {"--collider", "nobody"},
+      {"--cases", "0"},
+      {"--cases", "x"},
+      {"--frames", "-1"},
+      {"--jobs", "0"},
+      {"--baseline", other},
+      {"--baseline", no_json},
+      {"--baseline", stored, "--seed", "7"},
+      {"--baseline", "/nowhere"},
+      {"--collider-command", " "},
+      {"--json", "/dev/null/a.json"},
+      {"--pictures", "/dev/null/x"},
+      {"--pictures", folder.path().string(), "--json", (folder.path() / "touch.svg").string(),
+       "--sweep", "touch"}};
   for (const auto& arguments : bad) {
     std::vector<std::string> all{"stress", "--cases",    "10",  "--sweep",
                                  "touch",  "--collider", "clip"};
