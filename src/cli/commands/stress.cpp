@@ -144,11 +144,13 @@ int stress(const Options& options) {
        {"--pictures", options.pictures, folder},
        {"--save", options.save, corpus}}};
   if (!options.baseline.empty()) files.inputs.emplace_back(options.baseline);
+  check_outputs(files);
   const StressPlan plan = plan_of(options);
   for (const std::string& picture : stress_picture_files(options.pictures, plan)) {
-    files.outputs.push_back({"--pictures", picture, file});
+    if (is_apart({"--pictures", picture, file}, files)) continue;
+    throw UserError(fmt::format("--pictures: {} is another output, or is read; name another folder",
+                                printable(picture, 200)));
   }
-  check_outputs(files);
   std::vector<StoredPoint> baseline;
   if (!options.baseline.empty()) baseline = read_breaking_points(options.baseline, plan);
   nlohmann::ordered_json stored;
