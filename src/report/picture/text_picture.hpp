@@ -10,7 +10,7 @@ namespace manifuzz {
 /// The case as a picture of characters, for terminals, logs and code blocks: outlines, overlap,
 /// right contact points and those of the answers (the subject, then the oracle if there is one), a
 /// closer view where these are too near each other, a legend. At most 76 characters wide but for
-/// the legend, and 44 lines; UTF-8.
+/// the legend, and 46 lines with it; UTF-8.
 std::string text_picture(const PairCase& pair, std::span<const DeclaredAnswer> answers);
 
 /// Of a case between two colliders.
