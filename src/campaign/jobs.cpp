@@ -183,7 +183,7 @@ Interruption::Limits limits_of(const Plan& plan, Interruption& interruption) {
   Interruption::Limits limits{.begins = interruption.state()};
   if (plan.seconds) {
     const duration<double> time(std::min(*plan.seconds, thirty_years));
-    limits.hurried_at = steady_clock::now() + duration_cast<steady_clock::duration>(time);
+    limits.hurried_at = Clock::now() + duration_cast<Clock::duration>(time);
   }
   return limits;
 }

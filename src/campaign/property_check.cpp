@@ -1,6 +1,5 @@
 #include "campaign/property_check.hpp"
 
-#include <chrono>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -10,8 +9,6 @@
 
 namespace manifuzz {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Writes the failing case to the corpus and returns its path.
 std::string save(const std::string& corpus, const Property& property, const Collider& subject,
@@ -45,7 +42,7 @@ std::vector<CheckedProperty> check_properties(
     PropertyPlan in_turn = plan;
     in_turn.interruption = &interruption;
     CheckedProperty checked{property, run_property(*property, subject, in_turn)};
-    checked.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    checked.seconds = seconds_since(start);
     try {
       if (checked.result.failing && !save_to.empty()) {
         checked.saved = save(save_to, *property, subject, checked.result);

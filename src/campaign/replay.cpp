@@ -1,7 +1,6 @@
 #include "campaign/replay.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <tuple>
@@ -49,12 +48,6 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
   if (ending == Ending::crashed) return {false, sentence, "crashed"};
   if (ending == Ending::timed_out) return {false, sentence, "timed_out"};
   return {slot->kind != Outcome::Kind::fails, sentence, slot->why.str()};
-}
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 /// Nothing where there was no time for it.

@@ -55,7 +55,7 @@ std::optional<double> recorded_severity(const PairCase& pair, const Bucket& find
     map = whole_map(pair, subject, oracle, limits);
   }
   if (!map && !interruption.is_stopped()) {
-    const auto in_a_second = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    const auto in_a_second = Clock::now() + std::chrono::seconds(1);
     limits.stopped_at = std::min(limits.stopped_at.value_or(in_a_second), in_a_second);
     map = whole_map(pair, subject, oracle, limits);
   }

@@ -9,8 +9,6 @@
 namespace manifuzz {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// When each part must be done, as shares of the time; what is left is for pictures.
 constexpr double kReplayShare = 0.25;
 constexpr double kPropertyShare = 0.5;

@@ -21,7 +21,7 @@ struct SmokePlan {
   std::uint64_t seed = 0;
   std::string save_to{};  ///< a corpus folder; empty: nowhere
   Origin origin{};
-  std::chrono::steady_clock::time_point start{};
+  Clock::time_point start{};
   double seconds = 0;
 
   /// When this share of the time is over.

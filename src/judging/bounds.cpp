@@ -17,11 +17,6 @@ constexpr Constants kOfFloat{15, 9, 6, 10};
 constexpr Constants kOfDouble{26, 17, 12, 14};
 constexpr double kOfWorldNormal = 9;  ///< more for a double one's normal in world coordinates
 
-double roundoff(ScalarType scalar) {
-  return scalar == ScalarType::float32 ? std::numeric_limits<float>::epsilon() / 2.0
-                                       : std::numeric_limits<double>::epsilon() / 2.0;
-}
-
 double smallest(ScalarType scalar) {
   return scalar == ScalarType::float32
              ? static_cast<double>(std::numeric_limits<float>::denorm_min())
@@ -42,6 +37,11 @@ double defect(const Body& body) {
 }
 
 }  // namespace
+
+double roundoff(ScalarType scalar) {
+  return scalar == ScalarType::float32 ? std::numeric_limits<float>::epsilon() / 2.0
+                                       : std::numeric_limits<double>::epsilon() / 2.0;
+}
 
 Bounds bounds(const PairCase& pair, const Declaration& declaration) {
   return bounds(pair, declaration, extent(pair));

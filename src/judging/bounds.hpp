@@ -25,6 +25,9 @@ struct Bounds {
   double position = 0;      ///< world length, of an end that is not clipped
 };
 
+/// What one operation of that scalar may be off by, as a share of its result: 2^-24 or 2^-53.
+double roundoff(ScalarType scalar);
+
 Bounds bounds(const PairCase& pair, const Declaration& declaration);
 
 /// The same where the extent E is known already.

@@ -10,10 +10,6 @@
 namespace manifuzz {
 namespace {
 
-double roundoff_of(ScalarType scalar) {
-  return scalar == ScalarType::float32 ? 0x1p-24 : 0x1p-53;
-}
-
 bool is_gross(const ManifoldError& of_size) {
   return std::max({of_size.depth, of_size.position, of_size.normal}) > kGrossShare;
 }
@@ -126,7 +122,7 @@ Measured Referee::measure(const Rules& rules, const Manifold<double>& manifold) 
             ? nearest->of_bound
             : error_against(manifold, figures_.of(*nearest->clip), rules.in_a_frame).of_bound;
     measured.of_extent = std::max(nearest->error.depth, nearest->error.position) /
-                         (roundoff_of(rules.scalar) * truth_->extent());
+                         (roundoff(rules.scalar) * truth_->extent());
   }
   measured.assessment = [&] {
     if (is_ill_posed(size, rules.in_a_frame)) return Assessment::ill_posed;

@@ -6,8 +6,6 @@
 namespace manifuzz {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// How many signals this process has taken, whichever Interruption took them.
 int signals_taken = 0;
 

@@ -6,10 +6,15 @@
 
 namespace manifuzz {
 
+using Clock = std::chrono::steady_clock;
+inline double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 /// A moment by which work must be done; none: it may take as long as it takes.
-using Deadline = std::optional<std::chrono::steady_clock::time_point>;
+using Deadline = std::optional<Clock::time_point>;
 inline bool has_passed(const Deadline& deadline) {
-  return deadline && std::chrono::steady_clock::now() >= *deadline;
+  return deadline && Clock::now() >= *deadline;
 }
 
 /// Holds SIGINT and SIGTERM back for as long as it lives, so that work can end in good order. One

@@ -1,7 +1,6 @@
 #include "process/pool.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <sys/wait.h>
 #include <vector>
@@ -11,14 +10,8 @@
 namespace manifuzz {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kPollSeconds = 0.1;
 constexpr double kTickSeconds = 0.2;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 class WatchedChild {
  public:

@@ -50,7 +50,7 @@ async function openAll() {
     await new Promise((done) => addEventListener('hashchange', done, {once: true}));
     for (let i = 0; i < 3; ++i) await frame();
     const viewer = document.getElementById('viewer');
-    const points = one.parties.find(({role}) => role === 'truth')?.manifolds[0]?.points ?? [];
+    const points = one.answers.find(({role}) => role === 'truth')?.manifolds[0]?.points ?? [];
     const drawn = viewer.querySelectorAll('[data-key^="point truth"]').length;
     if (!viewer.querySelector('.viewer-title').textContent.endsWith(one.file)) wrong.push(`${one.file}: not opened`);
     if (drawn !== points.length) wrong.push(`${one.file}: ${drawn} of ${points.length} true points are drawn`);

@@ -95,7 +95,7 @@ onData('a case without any number says so', reportOf({cases: [numberless(sample)
   for (const key of ['+', '-', '0', 'f', 'o', '.', ',', '[', 'Shift+ArrowUp']) await page.keyboard.press(key);
 });
 
-onData('answers without numbers are told beside polygons that are drawn', reportOf({cases: [{...sample, parties: sample.parties.map(numberless)}]}), async (page) => {
+onData('answers without numbers are told beside polygons that are drawn', reportOf({cases: [{...sample, answers: sample.answers.map(numberless)}]}), async (page) => {
   await openFirst(page);
   await page.locator('#stage .edge').first().waitFor({state: 'attached'});
   assert.ok((await page.textContent('.details')).includes('not finite'));
@@ -103,8 +103,8 @@ onData('answers without numbers are told beside polygons that are drawn', report
   assert.ok(!(await page.locator('#stage').innerHTML()).includes('NaN'));
 });
 
-const [truth, ...colliders] = sample.parties;
-const severalRight = {...sample, parties: [{...truth, manifolds: [{points: []}, ...truth.manifolds]}, ...colliders]};
+const [truth, ...colliders] = sample.answers;
+const severalRight = {...sample, answers: [{...truth, manifolds: [{points: []}, ...truth.manifolds]}, ...colliders]};
 onData('an answer is held against the right manifold that is nearest', reportOf({cases: [severalRight]}), async (page) => {
   await openFirst(page);
   assert.match(await page.textContent('.answer.subject .difference'), /^position off by 3\.3e-5/);

@@ -80,7 +80,7 @@ function answerWords(manifold) {
   return depths.length === 1 ? `1 point, depth ${depths[0]}` : `2 points, depths ${depths.join(' and ')}`;
 }
 
-function partiesOf(given, origin) {
+function answersOf(given, origin) {
   const {subject, oracle, manifolds = []} = given.expect ?? {};
   const role = (role, name, all) => ({
     role, name, words: all.length > 0 ? answerWords(all[0]) : 'no answer', version: given.found?.versions?.[name] ?? '',
@@ -114,7 +114,7 @@ export function caseOf(given, file) {
     count: null, property: given.property ?? '', found: given.found ?? null,
     commands: [`manifuzz show ${file} --svg picture.svg`], case: JSON.stringify(given),
     separation, total_radius: bodies[0].radius + bodies[1].radius, size: Math.min(diameter(a), diameter(b)),
-    extent: diameter(a) + diameter(b), origin, bodies, parties: partiesOf(given, origin), map: null, map_words: [],
+    extent: diameter(a) + diameter(b), origin, bodies, answers: answersOf(given, origin), map: null, map_words: [],
   };
 }
 

@@ -8,8 +8,8 @@ import {corpusCases, reportOf} from './sample.mjs';
 
 const cases = corpusCases();
 const witness = cases.find(({file}) => file.includes('witness-box2d-no-contact-on-tied-features'));
-const tie = cases.find(({verdict, parties}) => verdict === 'tie' && parties[0].manifolds.length > 1
-  && parties.every(({manifolds}) => manifolds[0]?.points.length === 2));
+const tie = cases.find(({verdict, answers}) => verdict === 'tie' && answers[0].manifolds.length > 1
+  && answers.every(({manifolds}) => manifolds[0]?.points.length === 2));
 const hashOf = ({file}) => `#case=${encodeURIComponent(file)}`;
 
 let browser;
@@ -75,7 +75,7 @@ onCase('a point says its collider, position, depth and features', tie, async (pa
   await drawn(page);
   await page.mouse.move(...await drawnAt(page));
   const text = await page.textContent('#tooltip');
-  const point = tie.parties[1].manifolds[0].points[0];
+  const point = tie.answers[1].manifolds[0].points[0];
   for (const part of ['clip (subject)', String(point.world[0]), String(point.world[1]), String(point.depth), point.features[0], point.features[1]]) {
     assert.ok(text.includes(part), `${part} in ${text}`);
   }
@@ -110,7 +110,7 @@ onCase('the wheel zooms a million times at the pointer, and points stay where th
   assert.ok(camera.scale / start.scale > 1e6 && camera.scale / start.scale < 1.1e6);
   // Its place, computed from the camera that the page says it has.
   const stage = await page.locator('#stage').boundingBox();
-  const [x, y] = tie.parties[1].manifolds[0].points[0].position;
+  const [x, y] = tie.answers[1].manifolds[0].points[0].position;
   const at = [stage.x + stage.width / 2 + (x - camera.x) * camera.scale, stage.y + stage.height / 2 - (y - camera.y) * camera.scale];
   near(await drawnAt(page), at, 0.6);
 });
@@ -193,7 +193,7 @@ onCase('switches hide and show what they name', tie, async (page) => {
 });
 
 onCase('each of several right manifolds is stepped to', tie, async (page) => {
-  const rights = tie.parties[0].manifolds.length;
+  const rights = tie.answers[0].manifolds.length;
   assert.equal(await page.textContent('#right-count'), `right manifold 1 of ${rights}`);
   const truth = () => page.textContent('.answer.truth');
   const first = await truth();

@@ -41,7 +41,7 @@ std::string corpus_again(const Options& options) {
 
 SmokePlan plan_of(const Options& options) {
   SmokePlan plan;
-  plan.start = std::chrono::steady_clock::now();
+  plan.start = Clock::now();
   plan.seconds = options.seconds.value_or(kSecondsMax);
   if (plan.seconds <= 0 || plan.seconds > kSecondsMax) {
     throw UserError(fmt::format("--seconds: {} s are not on; more than 0, up to {} is expected",

@@ -154,7 +154,7 @@ Json page_case_json(const PageCase& page_case) {
           {"extent", truth.extent()},
           {"origin", vector_json(pair.a.pose.position.cast<double>())},
           {"bodies", {body_json(pair.a, placed.a), body_json(pair.b, placed.b)}},
-          {"parties",
+          {"answers",
            {truth_json(page_case), answer_json(pair, judged.subject, "subject"),
             answer_json(pair, judged.oracle, "oracle")}},
           {"map", map_json(page_case.map)},

@@ -55,10 +55,10 @@ TEST_CASE("a page tells of a case what its file and the judge say") {
   CHECK(known["oracle"] == "box2d");
   CHECK(known["sentence"].get<std::string>().starts_with("oracle wrong (known): box2d reports no"));
   CHECK(known["separation"].get<double>() < 0);
-  REQUIRE(known["parties"].size() == 3);
-  CHECK(known["parties"][0]["role"] == "truth");
-  CHECK_FALSE(known["parties"][0]["manifolds"].empty());
-  CHECK(known["parties"][2]["words"] == "no contact");
+  REQUIRE(known["answers"].size() == 3);
+  CHECK(known["answers"][0]["role"] == "truth");
+  CHECK_FALSE(known["answers"][0]["manifolds"].empty());
+  CHECK(known["answers"][2]["words"] == "no contact");
   CHECK(known["map"].get<std::string>().starts_with("data:image/png;base64,iVBORw0KGgo"));
   CHECK(Json::parse(known["case"].get<std::string>())["format"] == "manifuzz/case/1");
 }
@@ -73,7 +73,7 @@ TEST_CASE("a page places points in the world, seen from A's position") {
   CHECK(known["origin"] == Json({10.0, 20.0}));
   CHECK(known["bodies"][0]["vertices"][0] == Json({-1.0, -1.0}));
   CHECK(known["bodies"][1]["vertices"][0] == Json({-0.5, 0.5}));
-  const Json& manifold = known["parties"][1]["manifolds"][0];
+  const Json& manifold = known["answers"][1]["manifolds"][0];
   CHECK(manifold["reference"] == "a");
   CHECK(manifold["face"] == 2);
   CHECK(manifold["edge"] == 0);

@@ -44,7 +44,7 @@ function readCase(given, index) {
     ...given, index,
     file: given.file ?? `case ${index + 1}`,
     commands: given.commands ?? [], map_words: given.map_words ?? [],
-    bodies: given.bodies ?? [], answers: (given.parties ?? []).map(readAnswer),
+    bodies: given.bodies ?? [], answers: (given.answers ?? []).map(readAnswer),
   };
   read.vertices = read.bodies.reduce((sum, body) => sum + (body.vertices?.length ?? 0), 0);
   read.isDrawable = read.bodies.length === 2 && read.bodies.every((body) =>
