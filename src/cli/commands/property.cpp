@@ -24,7 +24,7 @@ namespace manifuzz {
 namespace {
 
 constexpr std::uint64_t kDefaultCases = 10'000;
-constexpr std::uint64_t kCasesMax = 1'000'000'000;
+constexpr std::uint64_t kCasesMax = 100'000'000;  // RapidCheck takes 24 bytes for each at once
 
 struct Options {
   std::vector<std::string> names;
