@@ -6,7 +6,7 @@ import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
 
-import {assemble} from './assemble.mjs';
+import {pageOf} from './sample.mjs';
 
 const flags = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
   '--disable-background-networking', '--disable-component-update', '--disable-sync'];
@@ -20,7 +20,7 @@ export async function startBrowser() {
     /** Writes a page that shows `data`; its path. */
     write(data) {
       const path = join(folder, `page-${++pages}.html`);
-      writeFileSync(path, assemble(data));
+      writeFileSync(path, pageOf(data));
       return path;
     },
     /** Opens the file in a context of its own; {page, troubles, url}. Troubles: what it logs, throws or asks the network for. */

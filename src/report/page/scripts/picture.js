@@ -101,7 +101,7 @@ function drawVertices(view) {
       putTarget(view, `vertex ${side}${v}`, "circle", { cx: pixels(at[0]), cy: pixels(at[1]), r: 7 });
       if (!view.show.numbers || view.isThumbnail) return;
       const [x, y] = unit(minus(vertex, center));
-      const found = freePlace(view.room, at, String(v), 4, [[x, -y]]);
+      const found = freePlace(view.room, at, String(v), 4, [[x, -y], [-x, -y], [x, y]]);
       if (found) putLabel(view, `number ${side}${v}`, found, String(v), `vertex ${side}`);
     });
   });
@@ -114,7 +114,10 @@ function drawLetters(view) {
     const seen = clipPolygonToBox(vertices, view.frame);
     if (seen.length < 3) return;
     const at = toScreen(view.camera, contains(view.frame, letter) ? letter : centerOf(boxOf(seen)));
-    const found = freePlace(view.room, at, "M", 4, [[0, 0], [0, -1], [0, 1], [-1, 0], [1, 0], [-2, -2], [2, 2]]);
+    const { left, right, bottom, top } = boxOf(seen);
+    const isThin = Math.min(right - left, top - bottom) * view.camera.scale < 26;
+    const aside = right - left < top - bottom ? [-1, 0] : [0, -1];
+    const found = freePlace(view.room, at, "M", 4, [isThin ? aside : [0, 0], [0, -1], [0, 1], [-1, 0], [1, 0], [-2, -2], [2, 2]]);
     putLabel(view, `letter ${side}`, found ?? at, side.toUpperCase(), `letter ${side}`);
   });
 }
