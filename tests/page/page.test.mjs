@@ -33,7 +33,7 @@ function onPage(name, options, check) {
 async function scrollThrough(page) {
   while (await page.locator('#more').isVisible()) {
     await page.locator('#more').evaluate((node) => node.scrollIntoView({block: 'center', behavior: 'instant'}));
-    await page.waitForTimeout(30);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   }
 }
 
@@ -132,7 +132,8 @@ onPage('a dark system gets a dark page', {colorScheme: 'dark'}, async (page) => 
   assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(20, 23, 28)');
 });
 
-onPage('paper shows every case with its picture, and no controls', {}, async (page) => {
+// In a context of its own, which stays paper.
+onPage('paper shows every case with its picture, and no controls', {colorScheme: 'light'}, async (page) => {
   await page.emulateMedia({media: 'print'});
   await page.waitForFunction(() => document.getElementById('more').hidden
     && [...document.querySelectorAll('.thumbnail-holder')].every((holder) => holder.firstChild));

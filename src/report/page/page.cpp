@@ -101,9 +101,12 @@ DeclaredAnswer answer_of(const CorpusCase& given, const std::string& name, const
 }
 
 bool is_alike(const Manifold<double>& m, const Manifold<double>& n) {
-  const auto same = [&](int i) { return m.points[i].features == n.points[i].features; };
-  return m.count == n.count && m.reference == n.reference && (m.count < 1 || same(0)) &&
-         (m.count < 2 || same(1));
+  const auto features = [](const ContactPoint<double>& point) { return point.features; };
+  const auto points = [](const Manifold<double>& of) {
+    return std::span(of.points).first(static_cast<std::size_t>(std::clamp(of.count, 0, 2)));
+  };
+  return m.reference == n.reference &&
+         std::ranges::equal(points(m), points(n), {}, features, features);
 }
 
 /// What is right, the subject's own manifold first where it is one of them.
@@ -128,24 +131,16 @@ std::vector<Manifold<double>> right_of(const PageCase& page_case) {
 PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
                       Interruption& interruption) {
   const Expectation expect = given.expect.value_or(Expectation{});
-  const auto or_usual = [](const std::string& name, const std::string& usual) {
-    return name.empty() ? usual : name;
-  };
-  const std::string subject_name = or_usual(expect.subject, colliders.subject());
-  const std::string oracle_name = or_usual(expect.oracle, colliders.oracle());
+  const std::string& subject_name = expect.subject.empty() ? colliders.subject() : expect.subject;
+  const std::string& oracle_name = expect.oracle.empty() ? colliders.oracle() : expect.oracle;
   const Collider* const subject = colliders.find(subject_name);
   const Collider* const oracle = colliders.find(oracle_name);
-  PageCase page_case{.judged = {given,
-                                answer_of(given, subject_name, subject, interruption),
-                                answer_of(given, oracle_name, oracle, interruption),
-                                {}},
-                     .is_judged = subject != nullptr && oracle != nullptr,
-                     .right = {},
-                     .smallest = {},
-                     .count = {},
-                     .commands = {},
-                     .map = {}};
+  PageCase page_case;
+  page_case.is_judged = subject != nullptr && oracle != nullptr;
   JudgedCase& judged = page_case.judged;
+  judged.given = given;
+  judged.subject = answer_of(given, subject_name, subject, interruption);
+  judged.oracle = answer_of(given, oracle_name, oracle, interruption);
   if (page_case.is_judged) {
     judged.judgement = judge(given.pair, {judged.subject.declaration, judged.subject.answer},
                              {judged.oracle.declaration, judged.oracle.answer});

@@ -20,12 +20,8 @@ function benchPoints(rows, chosen) {
 
 // Those that no other is left of and below.
 function benchFront(points) {
-  let least = Infinity;
-  return points.toSorted((p, q) => p.x - q.x || p.y - q.y).filter(({ y }) => {
-    const isBest = y < least;
-    least = Math.min(least, y);
-    return isBest;
-  });
+  const isBeaten = (p) => points.some((q) => q.x <= p.x && q.y <= p.y && (q.x < p.x || q.y < p.y));
+  return points.filter((point) => !isBeaten(point)).sort((p, q) => p.x - q.x);
 }
 
 // Names stand above or below their points; one that finds no room is left out.
