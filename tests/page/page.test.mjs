@@ -128,10 +128,6 @@ onPage('the page switches to dark and back, and keeps it', {colorScheme: 'light'
   assert.equal(await paper(), 'rgb(255, 255, 255)');
 });
 
-onPage('a dark system gets a dark page', {colorScheme: 'dark'}, async (page) => {
-  assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(20, 23, 28)');
-});
-
 // In a context of its own, which stays paper.
 onPage('paper shows every case with its picture, and no controls', {colorScheme: 'light'}, async (page) => {
   await page.emulateMedia({media: 'print'});

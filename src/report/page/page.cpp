@@ -74,14 +74,7 @@ std::string filled(std::string_view rest,
   return out.append(rest);
 }
 
-/// What the file records of that collider's answer.
-const Answer* recorded_answer(const CorpusCase& given, const std::string& name) {
-  if (!given.expect) return nullptr;
-  const auto& manifolds = given.expect->manifolds;
-  const auto found = std::ranges::find(manifolds, name, &NamedAnswer::collider);
-  return found == manifolds.end() ? nullptr : &found->answer;
-}
-
+/// What the file records of that collider's answer, else what it answers now.
 DeclaredAnswer answer_of(const CorpusCase& given, const std::string& name, const Collider* collider,
                          Interruption& interruption) {
   DeclaredAnswer asked;
@@ -90,8 +83,10 @@ DeclaredAnswer answer_of(const CorpusCase& given, const std::string& name, const
   if (given.found && given.found->versions.contains(name)) {
     asked.declaration.version = given.found->versions.at(name);
   }
-  if (const Answer* const answer = recorded_answer(given, name)) {
-    asked.answer = *answer;
+  const auto recorded = given.expect.value_or(Expectation{}).manifolds;
+  const auto own = std::ranges::find(recorded, name, &NamedAnswer::collider);
+  if (own != recorded.end()) {
+    asked.answer = own->answer;
   } else if (collider != nullptr) {
     asked.answer = ask_in_child(*collider, given.pair, interruption);
   } else {

@@ -94,22 +94,22 @@ Json body_json(const Body& body, const Region& own, const Region& other) {
           {"letter", vector_json(letter_place(own, other))}};
 }
 
-/// The edge of one polygon that features of these points name: by itself, or by its ends. What a
-/// malformed manifold names need not be there.
+/// The edge of one polygon that features of these points name: by itself, or by its ends.
 std::optional<Segment> named_edge(std::span<const ContactPoint<double>> points, Side side,
                                   const exact::RoughPolygon& polygon) {
-  std::vector<int> corners;
-  for (const ContactPoint<double>& point : points) {
-    const Feature feature = side == Side::a ? point.features.a : point.features.b;
-    if (feature.index >= polygon.count) return std::nullopt;
-    const int next = polygon.next(feature.index);
-    const Segment edge{polygon.vertices[feature.index], polygon.vertices[next]};
-    if (feature.kind == Feature::Kind::face) return edge;
-    corners.push_back(feature.index);
-  }
-  if (corners.size() < 2) return std::nullopt;
-  for (const auto& [from, to] : {std::pair(corners[0], corners[1]), {corners[1], corners[0]}}) {
-    if (polygon.next(from) == to) return Segment{polygon.vertices[from], polygon.vertices[to]};
+  const auto is_named = [&](Feature::Kind kind, int index) {
+    return std::ranges::any_of(points, [&](const ContactPoint<double>& point) {
+      const Feature feature = side == Side::a ? point.features.a : point.features.b;
+      return feature.kind == kind && feature.index == index;
+    });
+  };
+  for (int i = 0; i < polygon.count; ++i) {
+    const int next = polygon.next(i);
+    const bool by_ends =
+        is_named(Feature::Kind::vertex, i) && is_named(Feature::Kind::vertex, next);
+    if (by_ends || is_named(Feature::Kind::face, i)) {
+      return Segment{polygon.vertices[i], polygon.vertices[next]};
+    }
   }
   return std::nullopt;
 }
@@ -138,9 +138,11 @@ Json point_json(const PairCase& pair, const ContactPoint<double>& point, const P
           {"bar", has_bar ? segment_json(bar) : Json()}};
 }
 
-Json manifold_json(const PairCase& pair, const Manifold<double>& manifold, int count) {
+/// A malformed manifold may say any count.
+Json manifold_json(const PairCase& pair, const Manifold<double>& manifold) {
   Json json{{"normal", nullptr}, {"outward", nullptr}, {"reference", nullptr},   {"face", nullptr},
             {"planes", nullptr}, {"edge", nullptr},    {"points", Json::array()}};
+  const auto count = static_cast<std::size_t>(std::clamp(manifold.count, 0, 2));
   if (count == 0) return json;
   const exact::RoughPair placed = exact::place_roughly(pair);
   const Side incident = other(manifold.reference);
@@ -149,7 +151,7 @@ Json manifold_json(const PairCase& pair, const Manifold<double>& manifold, int c
   json["normal"] = vector_json(normal);
   json["outward"] = outward.allFinite() ? vector_json(outward) : Json();
   json["reference"] = manifold.reference == Side::a ? "a" : "b";
-  const std::span points(manifold.points.data(), static_cast<std::size_t>(count));
+  const auto points = std::span(manifold.points).first(count);
   const Side reference = manifold.reference;
   if (const auto face = named_edge(points, reference, placed[reference])) {
     json["face"] = segment_json(*face);
@@ -164,29 +166,19 @@ Json manifold_json(const PairCase& pair, const Manifold<double>& manifold, int c
   return json;
 }
 
-Json answer_json(const PairCase& pair, const DeclaredAnswer& asked, std::string_view role) {
-  Json manifolds = Json::array();
-  if (asked.manifold() != nullptr) {
-    manifolds.push_back(manifold_json(pair, *asked.manifold(), asked.count()));
+Json answer_json(const PairCase& pair, std::string_view role, const Declaration& by,
+                 const std::string& words, std::span<const Manifold<double>> manifolds) {
+  Json json{{"role", role}, {"name", by.name}, {"version", by.version}, {"words", words}};
+  json["manifolds"] = Json::array();
+  for (const Manifold<double>& manifold : manifolds) {
+    json["manifolds"].push_back(manifold_json(pair, manifold));
   }
-  return {{"role", role},
-          {"name", asked.declaration.name},
-          {"version", asked.declaration.version},
-          {"words", answer_in_words(asked)},
-          {"manifolds", manifolds}};
+  return json;
 }
 
-Json truth_json(const PageCase& page_case) {
-  const PairCase& pair = page_case.judged.given.pair;
-  Json manifolds = Json::array();
-  for (const Manifold<double>& right : page_case.right) {
-    manifolds.push_back(manifold_json(pair, right, right.count));
-  }
-  return {{"role", "truth"},
-          {"name", kJudgeName},
-          {"version", ""},
-          {"words", truth_in_words(pair)},
-          {"manifolds", manifolds}};
+Json answer_json(const PairCase& pair, std::string_view role, const DeclaredAnswer& asked) {
+  const std::span manifolds(asked.manifold(), asked.manifold() == nullptr ? 0 : 1);
+  return answer_json(pair, role, asked.declaration, answer_in_words(asked), manifolds);
 }
 
 Json found_json(const std::optional<Found>& found) {
@@ -220,38 +212,41 @@ Json page_case_json(const PageCase& page_case) {
   const Region b = region_of(placed.b);
   const Expectation expect = given.expect.value_or(Expectation{});
   const Bucket& bucket = judged.judgement.bucket;
+  Declaration judge;
+  judge.name = kJudgeName;
   std::string line;
   append_case_line(line, pair);
   const bool is_recorded = !expect.bucket.empty() || !page_case.is_judged;
-  return {{"file", given.path},
-          {"role", page_case.smallest.empty() ? "smallest" : "worst"},
-          {"smallest", page_case.smallest.empty() ? Json() : Json(page_case.smallest)},
-          {"bucket", is_recorded ? expect.bucket : to_string(bucket)},
-          {"verdict", is_recorded ? expect.verdict : std::string(to_string(bucket.verdict))},
-          {"regime", given.found ? given.found->regime : ""},
-          {"subject", judged.subject.declaration.name},
-          {"oracle", judged.oracle.declaration.name},
-          {"sentence", sentence_of(page_case)},
-          {"note", given.note},
-          {"property", given.property},
-          {"severity", value_or_null(expect.severity)},
-          {"magnitude", page_case.is_judged ? Json(judged.judgement.magnitude) : Json()},
-          {"count", value_or_null(page_case.count)},
-          {"found", found_json(given.found)},
-          {"commands", page_case.commands},
-          {"case", line},
-          {"separation", truth.separation()},
-          {"total_radius", total_radius(pair)},
-          {"size", truth.size()},
-          {"extent", truth.extent()},
-          {"origin", vector_json(pair.a.pose.position.cast<double>())},
-          {"bodies", {body_json(pair.a, a, b), body_json(pair.b, b, a)}},
-          {"thinnest", thinnest_json(a, b)},
-          {"answers",
-           {truth_json(page_case), answer_json(pair, judged.subject, "subject"),
-            answer_json(pair, judged.oracle, "oracle")}},
-          {"map", map_json(page_case.map)},
-          {"map_words", page_case.map ? Json(page_case.map->words) : Json::array()}};
+  return {
+      {"file", given.path},
+      {"role", page_case.smallest.empty() ? "smallest" : "worst"},
+      {"smallest", page_case.smallest.empty() ? Json() : Json(page_case.smallest)},
+      {"bucket", is_recorded ? expect.bucket : to_string(bucket)},
+      {"verdict", is_recorded ? expect.verdict : std::string(to_string(bucket.verdict))},
+      {"regime", given.found ? given.found->regime : ""},
+      {"subject", judged.subject.declaration.name},
+      {"oracle", judged.oracle.declaration.name},
+      {"sentence", sentence_of(page_case)},
+      {"note", given.note},
+      {"property", given.property},
+      {"severity", value_or_null(expect.severity)},
+      {"magnitude", page_case.is_judged ? Json(judged.judgement.magnitude) : Json()},
+      {"count", value_or_null(page_case.count)},
+      {"found", found_json(given.found)},
+      {"commands", page_case.commands},
+      {"case", line},
+      {"separation", truth.separation()},
+      {"total_radius", total_radius(pair)},
+      {"size", truth.size()},
+      {"extent", truth.extent()},
+      {"origin", vector_json(pair.a.pose.position.cast<double>())},
+      {"bodies", {body_json(pair.a, a, b), body_json(pair.b, b, a)}},
+      {"thinnest", thinnest_json(a, b)},
+      {"answers",
+       {answer_json(pair, "truth", judge, truth_in_words(pair), page_case.right),
+        answer_json(pair, "subject", judged.subject), answer_json(pair, "oracle", judged.oracle)}},
+      {"map", map_json(page_case.map)},
+      {"map_words", page_case.map ? Json(page_case.map->words) : Json::array()}};
 }
 
 }  // namespace manifuzz

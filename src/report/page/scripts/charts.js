@@ -94,7 +94,7 @@ function lineChart({ caption = "", label, titles: [titleX, titleY], scaleOfX, li
       chartMark(chart, `line-point ${color}`, at, 4, [name, ...told]);
     }
   }
-  return element("figure", { class: "small-plot" }, element("figcaption", {}, caption), chart.svg,
+  return element("figure", { class: "small-plot" }, caption && element("figcaption", {}, caption), chart.svg,
     legend(lines.map(({ name, color }) => [color, name])));
 }
 

@@ -101,7 +101,7 @@ function drawVertices(view) {
       putTarget(view, `vertex ${side}${v}`, "circle", { cx: pixels(at[0]), cy: pixels(at[1]), r: 7 });
       if (!view.show.numbers || view.isThumbnail) return;
       const [x, y] = unit(minus(vertex, center));
-      const found = freePlace(view.room, at, String(v), 4, [[x, -y], [-x, -y], [x, y]]);
+      const found = freePlace(view.room, at, String(v), 4, [[x, -y], [-x, -y], [x, y], [-x, y]]);
       if (found) putLabel(view, `number ${side}${v}`, found, String(v), `vertex ${side}`);
     });
   });
@@ -199,7 +199,7 @@ function drawDepthLabels(view) {
     if (!contains(view.frame, position) || written.some((other) => other.text === text && distance(other.at, at) < 24)) continue;
     written.push({ at, text });
     const [x, y] = outward ?? [0, 1];
-    const found = freePlace(view.room, at, text, 9, [[-x, y], [x, -y], [y, x], [-y, -x], [-2 * x, 2 * y], [2 * x, -2 * y]]);
+    const found = freePlace(view.room, at, text, 12, [[-x, y], [x, -y], [y, x], [-y, -x], [-2 * x, 2 * y], [2 * x, -2 * y]]);
     putLabel(view, `depth ${key}`, found ?? along(at, [-x, y], 25), text, `depth-word ${role}`);
   }
 }
