@@ -42,13 +42,13 @@ onPage('it is dark on a dark system', {colorScheme: 'dark'}, async (page) => {
 /** Opens each case in turn; what is wrong with any. Runs in the page. */
 async function openAll() {
   const {cases} = JSON.parse(document.getElementById('data').textContent);
-  const frame = () => new Promise((done) => requestAnimationFrame(done));
+  const viewer = document.getElementById('viewer');
   const wrong = [];
   for (const one of cases) {
     location.hash = `case=${encodeURIComponent(one.file)}`;
     await new Promise((done) => addEventListener('hashchange', done, {once: true}));
-    for (let i = 0; i < 3; ++i) await frame();
-    const viewer = document.getElementById('viewer');
+    const isWaiting = () => viewer.querySelector('#stage svg:not([data-camera])');
+    for (let i = 0; i < 1000 && isWaiting(); ++i) await new Promise((done) => setTimeout(done, 1));
     const points = one.answers.find(({role}) => role === 'truth')?.manifolds[0]?.points ?? [];
     const drawn = viewer.querySelectorAll('[data-key^="point truth"]').length;
     if (!viewer.querySelector('.viewer-title').textContent.endsWith(one.file)) wrong.push(`${one.file}: not opened`);
