@@ -1,17 +1,16 @@
-// What any page must do. MANIFUZZ_PAGE names one that `manifuzz report` wrote; without it a page of the corpus is checked.
+// What any page must do that `manifuzz report` wrote: here MANIFUZZ_PAGE.
 
 import assert from 'node:assert/strict';
 import {resolve} from 'node:path';
 import {after, before, test} from 'node:test';
 
 import {startBrowser} from './browser.mjs';
-import {corpusCases, reportOf} from './sample.mjs';
 
 let browser;
 let path;
 before(async () => {
   browser = await startBrowser();
-  path = process.env.MANIFUZZ_PAGE ? resolve(process.env.MANIFUZZ_PAGE) : browser.write(reportOf({cases: corpusCases()}));
+  path = resolve(process.env.MANIFUZZ_PAGE);
 });
 after(() => browser.stop());
 
@@ -43,13 +42,13 @@ onPage('it is dark on a dark system', {colorScheme: 'dark'}, async (page) => {
 /** Opens each case in turn; what is wrong with any. Runs in the page. */
 async function openAll() {
   const {cases} = JSON.parse(document.getElementById('data').textContent);
-  const frame = () => new Promise((done) => requestAnimationFrame(done));
+  const viewer = document.getElementById('viewer');
   const wrong = [];
   for (const one of cases) {
     location.hash = `case=${encodeURIComponent(one.file)}`;
     await new Promise((done) => addEventListener('hashchange', done, {once: true}));
-    for (let i = 0; i < 3; ++i) await frame();
-    const viewer = document.getElementById('viewer');
+    const isWaiting = () => viewer.querySelector('#stage svg:not([data-camera])');
+    for (let i = 0; i < 1000 && isWaiting(); ++i) await new Promise((done) => setTimeout(done, 1));
     const points = one.answers.find(({role}) => role === 'truth')?.manifolds[0]?.points ?? [];
     const drawn = viewer.querySelectorAll('[data-key^="point truth"]').length;
     if (!viewer.querySelector('.viewer-title').textContent.endsWith(one.file)) wrong.push(`${one.file}: not opened`);

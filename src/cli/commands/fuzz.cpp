@@ -23,7 +23,7 @@
 #include "measure/provenance.hpp"
 #include "report/ci/ci_output.hpp"
 #include "report/ci/run_suites.hpp"
-#include "report/page/page_cases.hpp"
+#include "report/page/page.hpp"
 #include "report/run_tables.hpp"
 
 namespace manifuzz {

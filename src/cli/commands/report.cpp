@@ -16,7 +16,7 @@
 #include "cli/options.hpp"
 #include "corpus/output_check.hpp"
 #include "report/outputs.hpp"
-#include "report/page/page_cases.hpp"
+#include "report/page/page.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,5 +1,5 @@
 # cmake -DFOLDER=<where files.txt lies> -DOUTPUT=<file.cpp> -P embed.cmake
-# Writes the files that files.txt lists as the string_views of report/page/page_source.hpp: as single characters, since a
+# Writes the files that files.txt lists as the string_views that page.cpp declares: as single characters, since a
 # compiler need not take a string literal of more than 65,536 bytes.
 file(STRINGS ${FOLDER}/files.txt files)
 
@@ -21,11 +21,12 @@ namespace {
 constexpr char ${constant}Bytes[] = {
 ${characters}};
 }  // namespace
+extern const std::string_view ${constant};
 const std::string_view ${constant}(${constant}Bytes, sizeof ${constant}Bytes);
 " PARENT_SCOPE)
 endfunction()
 
-set(text "#include \"report/page/page_source.hpp\"\n\nnamespace manifuzz {\n")
+set(text "#include <string_view>\n\nnamespace manifuzz {\n")
 embed(kPageTemplate "${html}")
 embed(kPageStyle "${css}")
 embed(kPageScript "${js}")

@@ -1,44 +1,54 @@
 #include "report/page/page.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <set>
+#include <span>
+#include <tuple>
 
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "campaign/in_child.hpp"
 #include "report/page/page_case.hpp"
-#include "report/page/page_source.hpp"
 
 namespace manifuzz {
+
+// What embed.cmake makes of the files that files.txt lists.
+
+/// The one `.html` file, in which `@style@`, `@data@` and `@script@` stand once each for what goes
+/// there.
+extern const std::string_view kPageTemplate;
+/// The style sheets, one after the other.
+extern const std::string_view kPageStyle;
+/// The scripts, one after the other: one module.
+extern const std::string_view kPageScript;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 constexpr std::array kResultKinds{"fuzz", "replay", "bench", "stress", "scene"};
 
-Json sources_json(const Page& page) {
-  Json sources = Json::array();
-  for (const ResultFile& result : page.results) {
-    sources.push_back({{"path", result.path}, {"kind", result.kind}, {"cases", nullptr}});
-  }
-  if (page.cases.empty()) return sources;
-  sources.push_back({{"path", "cases"}, {"kind", "cases"}, {"cases", page.cases.size()}});
-  return sources;
-}
-
-Json data_of(const Page& page) {
+Json data_of(const RunFiles& files, const std::vector<PageCase>& cases,
+             const std::string& command) {
   Json data{{"format", "manifuzz/report/1"},
             {"version", MANIFUZZ_VERSION},
-            {"command", page.command},
-            {"sources", sources_json(page)},
-            {"errors", page.errors}};
-  for (const char* const kind : kResultKinds) {
-    Json results = Json::array();
-    for (const ResultFile& result : page.results) {
-      if (result.kind == kind) {
-        results.push_back({{"path", result.path}, {"result", result.json}});
-      }
-    }
-    data[kind] = results;
+            {"command", command},
+            {"sources", Json::array()},
+            {"errors", files.corpus.errors}};
+  for (const char* const kind : kResultKinds) data[kind] = Json::array();
+  for (const ResultFile& result : files.results) {
+    data["sources"].push_back({{"path", result.path}, {"kind", result.kind}, {"cases", nullptr}});
+    data[std::string(result.kind)].push_back({{"path", result.path}, {"result", result.json}});
+  }
+  if (!cases.empty()) {
+    data["sources"].push_back({{"path", "cases"}, {"kind", "cases"}, {"cases", cases.size()}});
   }
   data["cases"] = Json::array();
-  for (const PageCase& page_case : page.cases) data["cases"].push_back(page_case_json(page_case));
+  for (const PageCase& page_case : cases) data["cases"].push_back(page_case_json(page_case));
   return data;
 }
 
@@ -48,38 +58,185 @@ std::string script_text(const Json& json) {
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string safe;
   safe.reserve(text.size());
-  for (const char c : text) {
-    if (c == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += c;
-    }
-  }
+  for (const char c : text) c == '<' ? safe += "\\u003c" : safe += c;
   return safe;
 }
 
-struct Filling {
-  std::string_view place;  ///< in the template
-  std::string_view text;
-};
-
 /// The template with each place filled; what is filled in is not searched for places.
-std::string filled(std::string_view rest, std::span<const Filling> fillings) {
+std::string filled(std::string_view rest,
+                   std::span<const std::pair<std::string_view, std::string_view>> fillings) {
   std::string out;
-  for (const Filling& filling : fillings) {
-    const std::size_t at = rest.find(filling.place);
-    out.append(rest.substr(0, at)).append(filling.text);
-    rest.remove_prefix(at + filling.place.size());
+  for (const auto& [place, text] : fillings) {
+    const std::size_t at = rest.find(place);
+    out.append(rest.substr(0, at)).append(text);
+    rest.remove_prefix(at + place.size());
   }
   return out.append(rest);
 }
 
+/// What the file records of that collider's answer, else what it answers now.
+DeclaredAnswer answer_of(const CorpusCase& given, const std::string& name, const Collider* collider,
+                         Interruption& interruption) {
+  DeclaredAnswer asked;
+  if (collider != nullptr) asked.declaration = collider->declaration;
+  asked.declaration.name = name;
+  if (given.found && given.found->versions.contains(name)) {
+    asked.declaration.version = given.found->versions.at(name);
+  }
+  const auto recorded = given.expect.value_or(Expectation{}).manifolds;
+  const auto own = std::ranges::find(recorded, name, &NamedAnswer::collider);
+  if (own != recorded.end()) {
+    asked.answer = own->answer;
+  } else if (collider != nullptr) {
+    asked.answer = ask_in_child(*collider, given.pair, interruption);
+  } else {
+    asked.answer = Lost{Lost::How::crashed, "no answer is recorded"};
+  }
+  return asked;
+}
+
+bool is_alike(const Manifold<double>& m, const Manifold<double>& n) {
+  const auto features = [](const ContactPoint<double>& point) { return point.features; };
+  const auto points = [](const Manifold<double>& of) {
+    return std::span(of.points).first(static_cast<std::size_t>(std::clamp(of.count, 0, 2)));
+  };
+  return m.reference == n.reference &&
+         std::ranges::equal(points(m), points(n), {}, features, features);
+}
+
+/// What is right, the subject's own manifold first where it is one of them.
+std::vector<Manifold<double>> right_of(const PageCase& page_case) {
+  std::vector<Manifold<double>> right;
+  const CorpusCase& given = page_case.judged.given;
+  if (page_case.is_judged) {
+    right = right_manifolds(admissible(given.pair, page_case.judged.subject.declaration));
+  } else if (given.expect) {
+    for (const NamedAnswer& named : given.expect->manifolds) {
+      const auto* const manifold = std::get_if<Manifold<double>>(&named.answer);
+      if (named.collider == kJudgeName && manifold != nullptr) right.push_back(*manifold);
+    }
+  }
+  if (page_case.judged.subject.manifold() == nullptr) return right;
+  const Manifold<double>& own = *page_case.judged.subject.manifold();
+  std::stable_partition(right.begin(), right.end(),
+                        [&](const auto& other) { return is_alike(other, own); });
+  return right;
+}
+
+PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
+                      Interruption& interruption) {
+  const Expectation expect = given.expect.value_or(Expectation{});
+  const std::string& subject_name = expect.subject.empty() ? colliders.subject() : expect.subject;
+  const std::string& oracle_name = expect.oracle.empty() ? colliders.oracle() : expect.oracle;
+  const Collider* const subject = colliders.find(subject_name);
+  const Collider* const oracle = colliders.find(oracle_name);
+  PageCase page_case;
+  page_case.is_judged = subject != nullptr && oracle != nullptr;
+  JudgedCase& judged = page_case.judged;
+  judged.given = given;
+  judged.subject = answer_of(given, subject_name, subject, interruption);
+  judged.oracle = answer_of(given, oracle_name, oracle, interruption);
+  if (page_case.is_judged) {
+    judged.judgement = judge(given.pair, {judged.subject.declaration, judged.subject.answer},
+                             {judged.oracle.declaration, judged.oracle.answer});
+  }
+  page_case.right = right_of(page_case);
+  return page_case;
+}
+
+/// What runs say of a bucket: how often they met it, and the commands that repeat it.
+void add_runs(PageCase& page_case, const std::vector<ResultFile>& results) {
+  const auto& expect = page_case.judged.given.expect;
+  if (!expect) return;
+  for (const ResultFile& result : results) {
+    const bool is_of_these = result.campaign &&
+                             result.campaign->settings.oracle == expect->oracle &&
+                             result.campaign->settings.subject == expect->subject;
+    if (!is_of_these) continue;
+    for (const BucketResult& found : result.campaign->buckets) {
+      if (found.bucket != expect->bucket) continue;
+      page_case.count = page_case.count.value_or(0) + found.count;
+      page_case.commands.push_back(found.command);
+    }
+  }
+}
+
+/// Those that deserve a map the most first: somebody is wrong and nothing explains it; somebody is
+/// wrong; the others.
+int rank_of(const PageCase& page_case) {
+  const Verdict verdict = page_case.judged.judgement.bucket.verdict;
+  if (is_unexplained(verdict)) return 0;
+  return verdict == Verdict::known ? 1 : 2;
+}
+
+void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size_t maps_max,
+              Interruption& interruption) {
+  std::set<std::tuple<std::string, std::string, std::string>> seen;
+  std::vector<PageCase*> wanted;
+  for (PageCase& page_case : cases) {
+    const JudgedCase& judged = page_case.judged;
+    const bool is_first =
+        page_case.is_judged && page_case.smallest.empty() &&
+        judged.judgement.bucket.verdict != Verdict::agree &&
+        seen.emplace(to_string(judged.judgement.bucket), judged.subject.declaration.name,
+                     judged.oracle.declaration.name)
+            .second;
+    if (is_first) wanted.push_back(&page_case);
+  }
+  std::ranges::stable_sort(wanted, {}, [](const PageCase* c) { return rank_of(*c); });
+  wanted.resize(std::min(wanted.size(), maps_max));
+  for (PageCase* page_case : wanted) {
+    const JudgedCase& judged = page_case->judged;
+    page_case->map = case_map(judged, *colliders.find(judged.subject.declaration.name),
+                              *colliders.find(judged.oracle.declaration.name), 1, interruption);
+  }
+}
+
+std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& colliders,
+                                 const std::string& program, Interruption& interruption) {
+  std::set<std::string> paths;
+  for (const CorpusCase& given : files.corpus.cases) paths.insert(given.path);
+  std::vector<PageCase> cases;
+  for (const CorpusCase& given : files.corpus.cases) {
+    if (interruption.is_stopped()) throw Interrupted();
+    PageCase page_case = page_case_of(given, colliders, interruption);
+    const std::string shrunk = shrunk_beside(given.path);
+    if (is_worst(given.path) && paths.contains(shrunk)) page_case.smallest = shrunk;
+    page_case.commands.push_back(fmt::format("{} show {}", program, quoted_for_shell(given.path)));
+    add_runs(page_case, files.results);
+    cases.push_back(std::move(page_case));
+  }
+  return cases;
+}
+
 }  // namespace
 
-std::string page_html(const Page& page) {
-  const std::string data = script_text(data_of(page));
-  const std::array fillings{Filling{"@style@", kPageStyle}, Filling{"@data@", data},
-                            Filling{"@script@", kPageScript}};
+NamedColliders::NamedColliders(const Find& find, const std::optional<Collider>& subject,
+                               const std::optional<Collider>& oracle)
+    : find_(find) {
+  if (subject) known_[subject_ = subject->declaration.name] = subject;
+  if (oracle) known_[oracle_ = oracle->declaration.name] = oracle;
+}
+
+const Collider* NamedColliders::find(const std::string& name) {
+  auto known = known_.find(name);
+  if (known == known_.end()) known = known_.emplace(name, find_(name)).first;
+  return known->second ? &*known->second : nullptr;
+}
+
+std::string page_of(const RunFiles& files, NamedColliders& colliders, std::size_t maps_max,
+                    const PageCommands& commands) {
+  Interruption interruption(kUntilSignal);
+  std::vector<PageCase> cases;
+  try {
+    cases = page_cases(files, colliders, commands.program, interruption);
+    add_maps(cases, colliders, maps_max, interruption);
+  } catch (const Interrupted&) {
+    throw UserError("the page: interrupted before it was done");
+  }
+  const std::string data = script_text(data_of(files, cases, commands.again));
+  const std::array<std::pair<std::string_view, std::string_view>, 3> fillings{
+      {{"@style@", kPageStyle}, {"@data@", data}, {"@script@", kPageScript}}};
   return filled(kPageTemplate, fillings);
 }
 

@@ -1,36 +1,54 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "campaign/judged_case.hpp"
 #include "campaign/result_files.hpp"
-#include "report/picture/case_map.hpp"
+#include "collider/collider.hpp"
 
 namespace manifuzz {
 
-/// A case on the page: what `show` shows, and what its file and the runs add.
-struct PageCase {
-  JudgedCase judged;       ///< its judgement is of these answers, where `is_judged`
-  bool is_judged = false;  ///< false: a collider is missing, of which the file tells all there is
-  std::vector<Manifold<double>> right;  ///< every right one, the one to show first
-  std::string smallest;                 ///< of a worst witness: the file of what it was shrunk to
-  std::optional<std::uint64_t> count;   ///< how often the runs met its bucket
-  std::vector<std::string> commands;    ///< that show or repeat it
-  std::optional<CaseMap> map;
+/// The colliders that cases name, each made once; those that are given go by what they declare.
+class NamedColliders {
+ public:
+  /// Makes the collider of that name, or nothing.
+  using Find = std::function<std::optional<Collider>(const std::string& name)>;
+
+  NamedColliders(const Find& find, const std::optional<Collider>& subject,
+                 const std::optional<Collider>& oracle);
+
+  /// nullptr where there is none of that name.
+  const Collider* find(const std::string& name);
+
+  /// Whom a case that names nobody is put to: those given, else clip and box2d.
+  const std::string& subject() const { return subject_; }
+  const std::string& oracle() const { return oracle_; }
+
+ private:
+  Find find_;
+  std::string subject_ = "clip";
+  std::string oracle_ = "box2d";
+  std::map<std::string, std::optional<Collider>> known_;
 };
 
-struct Page {
-  std::string command;  ///< that makes it again
-  std::vector<std::string> errors;
-  std::vector<ResultFile> results;
-  std::vector<PageCase> cases;
+/// Of so many buckets the neighbourhood is drawn where nobody says how many: a few seconds.
+inline constexpr std::size_t kMapsUsual = 12;
+
+/// How the page's commands call this program.
+struct PageCommands {
+  std::string program;
+  std::string again;  ///< makes the page again, or empty
 };
 
-/// The page: one HTML file that needs nothing else. Its data is a JSON object in the element
-/// `data`, whose keys src/report/page/common/data.js reads.
-std::string page_html(const Page& page);
+/// The page of these files, its cases in their order: one HTML file that needs nothing else. Its
+/// data is a JSON object in the element `data`, which src/report/page/scripts/data.js reads.
+/// Answers are those that a file records; else its colliders are asked. At most `maps_max` buckets
+/// get the map of their smallest witness, those with somebody wrong first. Throws UserError where a
+/// signal interrupts it.
+std::string page_of(const RunFiles& files, NamedColliders& colliders, std::size_t maps_max,
+                    const PageCommands& commands);
 
 }  // namespace manifuzz

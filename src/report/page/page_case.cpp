@@ -1,19 +1,41 @@
 #include "report/page/page_case.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "exchange/json.hpp"
 #include "oracle/exact/rough.hpp"
-#include "report/page/base64.hpp"
+#include "report/picture/region.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Bytes as text, after RFC 4648.
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const auto byte_at = [&](std::size_t i) {
+    return i < bytes.size() ? static_cast<unsigned>(static_cast<unsigned char>(bytes[i])) : 0U;
+  };
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const unsigned three = byte_at(i) << 16 | byte_at(i + 1) << 8 | byte_at(i + 2);
+    text += digits[three >> 18];
+    text += digits[three >> 12 & 63];
+    text += i + 1 < bytes.size() ? digits[three >> 6 & 63] : '=';
+    text += i + 2 < bytes.size() ? digits[three & 63] : '=';
+  }
+  return text;
+}
 
 Json vector_json(const Vector2<double>& v) {
   return Json::array({v.x(), v.y()});
@@ -24,79 +46,139 @@ Json value_or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json body_json(const Body& body, const exact::RoughPolygon& polygon) {
-  Json vertices = Json::array();
-  for (int i = 0; i < polygon.count; ++i) vertices.push_back(vector_json(polygon.vertices[i]));
-  return {{"vertices", vertices},
-          {"radius", static_cast<double>(body.polygon.radius)},
-          {"position", vector_json(body.pose.position.cast<double>())}};
+Json segment_json(const Segment& segment) {
+  return {vector_json(segment.first), vector_json(segment.second)};
 }
 
-/// The edge of one polygon that features of a manifold's points name: by itself, or by its ends.
-std::optional<int> edge_of(const Manifold<double>& manifold, Side side, int count) {
-  std::array<int, 2> corners{-1, -1};
-  for (int i = 0; i < manifold.count; ++i) {
-    const FeaturePair& features = manifold.points[i].features;
-    const Feature feature = side == Side::a ? features.a : features.b;
-    if (feature.kind == Feature::Kind::face) return feature.index;
-    corners[static_cast<std::size_t>(i)] = feature.index;
+Region region_of(const exact::RoughPolygon& polygon) {
+  return {polygon.vertices.begin(), polygon.vertices.begin() + polygon.count};
+}
+
+Point mean(const Region& points) {
+  Point sum(0, 0);
+  for (const Point& point : points) sum += point / static_cast<double>(points.size());
+  return sum;
+}
+
+/// Where a polygon's letter stands: off its middle, away from what it shares with the other.
+Point letter_place(const Region& own, const Region& other) {
+  Region outside = own;
+  std::erase_if(outside, [&](const Point& p) { return depth_in(other, p) > 0; });
+  return outside.empty() ? mean(own) : Point((mean(own) + mean(outside)) / 2);
+}
+
+/// How thick a convex region is where it is thinnest.
+double thickness(const Region& region) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    const Point along = unit(region[(i + 1) % region.size()] - region[i]);
+    double most = 0;
+    for (const Point& p : region) most = std::max(most, cross<double>(along, p - region[i]));
+    if (along != Point(0, 0)) least = std::min(least, most);
   }
-  if (manifold.count < 2) return std::nullopt;
-  for (const auto& [from, to] : {std::pair(corners[0], corners[1]), {corners[1], corners[0]}}) {
-    if ((from + 1) % count == to) return from;
+  return least;
+}
+
+/// The overlap of the polygons, or else the thinner of them.
+Json thinnest_json(const Region& a, const Region& b) {
+  const Region overlap = intersection(a, b);
+  const Region& thin = overlap.size() >= 3 ? overlap : thickness(a) < thickness(b) ? a : b;
+  return {{"center", vector_json(mean(thin))}, {"thickness", thickness(thin)}};
+}
+
+Json body_json(const Body& body, const Region& own, const Region& other) {
+  Json vertices = Json::array();
+  for (const Point& vertex : own) vertices.push_back(vector_json(vertex));
+  return {{"vertices", vertices},
+          {"radius", static_cast<double>(body.polygon.radius)},
+          {"letter", vector_json(letter_place(own, other))}};
+}
+
+/// The edge of one polygon that features of these points name: by itself, or by its ends.
+std::optional<Segment> named_edge(std::span<const ContactPoint<double>> points, Side side,
+                                  const exact::RoughPolygon& polygon) {
+  const auto is_named = [&](Feature::Kind kind, int index) {
+    return std::ranges::any_of(points, [&](const ContactPoint<double>& point) {
+      const Feature feature = side == Side::a ? point.features.a : point.features.b;
+      return feature.kind == kind && feature.index == index;
+    });
+  };
+  for (int i = 0; i < polygon.count; ++i) {
+    const int next = polygon.next(i);
+    const bool by_ends =
+        is_named(Feature::Kind::vertex, i) && is_named(Feature::Kind::vertex, next);
+    if (by_ends || is_named(Feature::Kind::face, i)) {
+      return Segment{polygon.vertices[i], polygon.vertices[next]};
+    }
   }
   return std::nullopt;
 }
 
-Json point_json(const PairCase& pair, const ContactPoint<double>& point) {
-  const Vector2<double> seen = rotate<double>(pair.a.pose.rotation.cast<double>(), point.position);
+/// Two points of the line of each side plane: of the reference face's ends, widened by the radii.
+Json planes_json(const PairCase& pair, const Segment& face) {
+  const Point along = unit(face.second - face.first);
+  const Point away = counter_clockwise_quarter<double>(along) * length(face.second - face.first);
+  const Point first = face.first - total_radius(pair) * along;
+  const Point second = face.second + total_radius(pair) * along;
+  return {segment_json({first, first + away}), segment_json({second, second + away})};
+}
+
+/// `outward` points from the incident shape out of the reference face. The bar is the depth as a
+/// stretch along it, from the incident skin below the point to the reference's.
+Json point_json(const PairCase& pair, const ContactPoint<double>& point, const Point& outward,
+                Side incident) {
+  const Point seen = rotate<double>(pair.a.pose.rotation.cast<double>(), point.position);
+  const Point skin = seen - static_cast<double>(pair[incident].polygon.radius) * outward;
+  const Segment bar{skin, skin + point.depth * outward};
+  const bool has_bar = bar.first.allFinite() && bar.second.allFinite();
   return {{"position", vector_json(seen)},
           {"world", vector_json(to_world(pair, point.position))},
           {"depth", point.depth},
-          {"features", {feature_name(point.features.a), feature_name(point.features.b)}}};
+          {"features", {feature_name(point.features.a), feature_name(point.features.b)}},
+          {"bar", has_bar ? segment_json(bar) : Json()}};
 }
 
-Json manifold_json(const PairCase& pair, const Manifold<double>& manifold, int count) {
-  Json points = Json::array();
-  for (int i = 0; i < count; ++i) points.push_back(point_json(pair, manifold.points[i]));
-  Json json{{"normal", nullptr},
-            {"reference", nullptr},
-            {"face", nullptr},
-            {"edge", nullptr},
-            {"points", points}};
+/// A malformed manifold may say any count.
+Json manifold_json(const PairCase& pair, const Manifold<double>& manifold) {
+  Json json{{"normal", nullptr}, {"outward", nullptr}, {"reference", nullptr},   {"face", nullptr},
+            {"planes", nullptr}, {"edge", nullptr},    {"points", Json::array()}};
+  const auto count = static_cast<std::size_t>(std::clamp(manifold.count, 0, 2));
   if (count == 0) return json;
+  const exact::RoughPair placed = exact::place_roughly(pair);
   const Side incident = other(manifold.reference);
-  json["normal"] = vector_json(world_normal(pair, manifold.normal));
+  const Point normal = world_normal(pair, manifold.normal);
+  const Point outward = incident == Side::b ? unit(normal) : Point(-unit(normal));
+  json["normal"] = vector_json(normal);
+  json["outward"] = outward.allFinite() ? vector_json(outward) : Json();
   json["reference"] = manifold.reference == Side::a ? "a" : "b";
-  json["face"] =
-      value_or_null(edge_of(manifold, manifold.reference, pair[manifold.reference].polygon.count));
-  json["edge"] = value_or_null(edge_of(manifold, incident, pair[incident].polygon.count));
+  const auto points = std::span(manifold.points).first(count);
+  const Side reference = manifold.reference;
+  if (const auto face = named_edge(points, reference, placed[reference])) {
+    json["face"] = segment_json(*face);
+    json["planes"] = planes_json(pair, *face);
+  }
+  if (const auto edge = named_edge(points, incident, placed[incident])) {
+    json["edge"] = segment_json(*edge);
+  }
+  for (const ContactPoint<double>& point : points) {
+    json["points"].push_back(point_json(pair, point, outward, incident));
+  }
   return json;
 }
 
-Json answer_json(const PairCase& pair, const DeclaredAnswer& asked, std::string_view role) {
-  Json manifolds = Json::array();
-  if (asked.manifold() != nullptr) {
-    manifolds.push_back(manifold_json(pair, *asked.manifold(), asked.count()));
+Json answer_json(const PairCase& pair, std::string_view role, const Declaration& by,
+                 const std::string& words, std::span<const Manifold<double>> manifolds) {
+  Json json{{"role", role}, {"name", by.name}, {"version", by.version}, {"words", words}};
+  json["manifolds"] = Json::array();
+  for (const Manifold<double>& manifold : manifolds) {
+    json["manifolds"].push_back(manifold_json(pair, manifold));
   }
-  return {{"role", role},
-          {"name", asked.declaration.name},
-          {"version", asked.declaration.version},
-          {"words", answer_in_words(asked)},
-          {"manifolds", manifolds}};
+  return json;
 }
 
-Json truth_json(const PageCase& page_case) {
-  const PairCase& pair = page_case.judged.given.pair;
-  Json manifolds = Json::array();
-  for (const Manifold<double>& right : page_case.right) {
-    manifolds.push_back(manifold_json(pair, right, right.count));
-  }
-  return {{"role", "truth"},
-          {"name", kJudgeName},
-          {"version", ""},
-          {"words", truth_in_words(pair)},
-          {"manifolds", manifolds}};
+Json answer_json(const PairCase& pair, std::string_view role, const DeclaredAnswer& asked) {
+  const std::span manifolds(asked.manifold(), asked.manifold() == nullptr ? 0 : 1);
+  return answer_json(pair, role, asked.declaration, answer_in_words(asked), manifolds);
 }
 
 Json found_json(const std::optional<Found>& found) {
@@ -126,39 +208,45 @@ Json page_case_json(const PageCase& page_case) {
   const PairCase& pair = given.pair;
   const exact::Truth truth(pair);
   const exact::RoughPair placed = exact::place_roughly(pair);
+  const Region a = region_of(placed.a);
+  const Region b = region_of(placed.b);
   const Expectation expect = given.expect.value_or(Expectation{});
   const Bucket& bucket = judged.judgement.bucket;
+  Declaration judge;
+  judge.name = kJudgeName;
   std::string line;
   append_case_line(line, pair);
   const bool is_recorded = !expect.bucket.empty() || !page_case.is_judged;
-  return {{"file", given.path},
-          {"role", page_case.smallest.empty() ? "smallest" : "worst"},
-          {"smallest", page_case.smallest.empty() ? Json() : Json(page_case.smallest)},
-          {"bucket", is_recorded ? expect.bucket : to_string(bucket)},
-          {"verdict", is_recorded ? expect.verdict : std::string(to_string(bucket.verdict))},
-          {"regime", given.found ? given.found->regime : ""},
-          {"subject", judged.subject.declaration.name},
-          {"oracle", judged.oracle.declaration.name},
-          {"sentence", sentence_of(page_case)},
-          {"note", given.note},
-          {"property", given.property},
-          {"severity", value_or_null(expect.severity)},
-          {"magnitude", page_case.is_judged ? Json(judged.judgement.magnitude) : Json()},
-          {"count", value_or_null(page_case.count)},
-          {"found", found_json(given.found)},
-          {"commands", page_case.commands},
-          {"case", line},
-          {"separation", truth.separation()},
-          {"total_radius", total_radius(pair)},
-          {"size", truth.size()},
-          {"extent", truth.extent()},
-          {"origin", vector_json(pair.a.pose.position.cast<double>())},
-          {"bodies", {body_json(pair.a, placed.a), body_json(pair.b, placed.b)}},
-          {"answers",
-           {truth_json(page_case), answer_json(pair, judged.subject, "subject"),
-            answer_json(pair, judged.oracle, "oracle")}},
-          {"map", map_json(page_case.map)},
-          {"map_words", page_case.map ? Json(page_case.map->words) : Json::array()}};
+  return {
+      {"file", given.path},
+      {"role", page_case.smallest.empty() ? "smallest" : "worst"},
+      {"smallest", page_case.smallest.empty() ? Json() : Json(page_case.smallest)},
+      {"bucket", is_recorded ? expect.bucket : to_string(bucket)},
+      {"verdict", is_recorded ? expect.verdict : std::string(to_string(bucket.verdict))},
+      {"regime", given.found ? given.found->regime : ""},
+      {"subject", judged.subject.declaration.name},
+      {"oracle", judged.oracle.declaration.name},
+      {"sentence", sentence_of(page_case)},
+      {"note", given.note},
+      {"property", given.property},
+      {"severity", value_or_null(expect.severity)},
+      {"magnitude", page_case.is_judged ? Json(judged.judgement.magnitude) : Json()},
+      {"count", value_or_null(page_case.count)},
+      {"found", found_json(given.found)},
+      {"commands", page_case.commands},
+      {"case", line},
+      {"separation", truth.separation()},
+      {"total_radius", total_radius(pair)},
+      {"size", truth.size()},
+      {"extent", truth.extent()},
+      {"origin", vector_json(pair.a.pose.position.cast<double>())},
+      {"bodies", {body_json(pair.a, a, b), body_json(pair.b, b, a)}},
+      {"thinnest", thinnest_json(a, b)},
+      {"answers",
+       {answer_json(pair, "truth", judge, truth_in_words(pair), page_case.right),
+        answer_json(pair, "subject", judged.subject), answer_json(pair, "oracle", judged.oracle)}},
+      {"map", map_json(page_case.map)},
+      {"map_words", page_case.map ? Json(page_case.map->words) : Json::array()}};
 }
 
 }  // namespace manifuzz
