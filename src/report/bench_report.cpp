@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "measure/provenance.hpp"
-#include "report/case_json.hpp"
+#include "report/case_text.hpp"
 
 namespace manifuzz {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "measure/bench/bench.hpp"
-#include "report/plot/gnuplot.hpp"
+#include "report/gnuplot.hpp"
 
 namespace manifuzz {
 

@@ -5,13 +5,19 @@
 #include <fmt/format.h>
 
 #include "measure/provenance.hpp"
-#include "report/picture/frame_picture.hpp"
+#include "report/picture/drawing.hpp"
 
 namespace manifuzz {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using Points = std::vector<std::pair<double, double>>;
+
+constexpr std::string_view kFrameStyle =
+    ".body { fill: #cfe0f0; stroke: #1f4e79; stroke-width: 1 }\n"
+    ".paper { fill: #ffffff }\n"
+    ".contact { fill: #c0392b }\n"
+    ".normal { stroke: #c0392b; stroke-width: 1.5 }\n";
 
 double ratio(std::size_t part, std::size_t all) {
   return static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, all));
@@ -94,6 +100,39 @@ std::string curves_table(const std::vector<RecyclingCurve>& curves) {
     }
   }
   return text;
+}
+
+/// From the world to pixels, y down, around all bodies.
+struct FrameMapping {
+  static constexpr double longer_side = 1200;
+  static constexpr double margin = 20;
+  Box shown;
+
+  double scale() const { return longer_side / std::max(shown.width, shown.height); }
+  Point operator()(const Point& p) const {
+    return {margin + (p.x() - shown.x) * scale(), margin + (shown.bottom() - p.y()) * scale()};
+  }
+};
+
+/// The corners of a body in the world.
+Region region_of(const Body& body) {
+  const Pose<double> pose{body.pose.position.cast<double>(), body.pose.rotation.cast<double>()};
+  Region region;
+  for (const auto& corner : body.polygon.corners()) {
+    region.push_back(transform(pose, Point(corner.cast<double>())));
+  }
+  return region;
+}
+
+void draw_contact(Svg& svg, const FrameMapping& mapping, const Pose<float>& a,
+                  const Manifold<float>& manifold) {
+  constexpr double normal_length = 9;
+  const Point normal = rotate(a.rotation, manifold.normal).cast<double>();
+  for (int i = 0; i < manifold.count; ++i) {
+    const Point at = mapping(transform(a, manifold.points[i].position).cast<double>());
+    svg.line({at, at + normal_length * Point(normal.x(), -normal.y())}, "normal");
+    svg.circle(at, 2.5, "contact");
+  }
 }
 
 }  // namespace
@@ -192,16 +231,23 @@ std::string scene_frame(const ScenePlan& plan) {
   const SceneSpec& spec = *plan.scenes.front();
   const std::size_t bodies = plan.sizes.front();
   const Frame frame = last_frame(spec.make(bodies, plan.steps), plan.settings);
-  std::vector<FramePoint> points;
-  for (const scene::Contact& contact : frame.contacts) {
-    const Pose<float>& a = frame.bodies[contact.a.index].pose;
-    const Vector2<float> normal = rotate(a.rotation, contact.manifold.normal);
-    for (int i = 0; i < contact.manifold.count; ++i) {
-      const Vector2<float> position = transform(a, contact.manifold.points[i].position);
-      points.push_back({position.cast<double>(), normal.cast<double>()});
-    }
+  std::vector<Region> regions;
+  std::vector<Point> corners;
+  for (const Body& body : frame.bodies) {
+    const Region& region = regions.emplace_back(region_of(body));
+    corners.insert(corners.end(), region.begin(), region.end());
   }
-  return frame_svg(frame.bodies, points, fmt::format("{} of {} bodies", spec.name, bodies));
+  const FrameMapping mapping{box_around(corners)};
+  Svg svg(fmt::format("{} of {} bodies", spec.name, bodies), kFrameStyle);
+  for (Region& region : regions) {
+    std::ranges::transform(region, region.begin(), mapping);
+    svg.polygon(region, "body");
+  }
+  for (const scene::Contact& contact : frame.contacts) {
+    draw_contact(svg, mapping, frame.bodies[contact.a.index].pose, contact.manifold);
+  }
+  return svg.finish(mapping.shown.width * mapping.scale() + 2 * mapping.margin,
+                    mapping.shown.height * mapping.scale() + 2 * mapping.margin);
 }
 
 }  // namespace manifuzz

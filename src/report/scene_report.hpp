@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "measure/scene/scene_plan.hpp"
-#include "report/plot/gnuplot.hpp"
+#include "report/gnuplot.hpp"
 
 namespace manifuzz {
 

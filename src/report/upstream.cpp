@@ -6,7 +6,6 @@
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "exchange/json.hpp"
-#include "report/markdown.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

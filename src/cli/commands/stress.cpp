@@ -21,8 +21,6 @@
 #include "measure/stress/plan.hpp"
 #include "measure/stress/save_worst.hpp"
 #include "report/outputs.hpp"
-#include "report/stress_data.hpp"
-#include "report/stress_pictures.hpp"
 #include "report/stress_report.hpp"
 
 namespace manifuzz {

@@ -5,8 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "report/candidate.hpp"
-#include "report/picture/svg.hpp"
+#include "report/picture/drawing.hpp"
 #include "report/words.hpp"
 #include "support/named_tests.hpp"
 #include "unit/report/sample.hpp"

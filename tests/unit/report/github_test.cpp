@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "report/markdown.hpp"
+#include "report/words.hpp"
 
 using namespace manifuzz;
 using Catch::Contains;

@@ -1,7 +1,6 @@
-#include "report/ci/junit.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "report/ci/test_suite.hpp"
 #include "unit/report/svg_reader.hpp"
 
 using namespace manifuzz;

@@ -9,7 +9,7 @@
 #include "campaign/neighbourhood_run.hpp"
 #include "corpus/corpus.hpp"
 #include "report/picture/map_picture.hpp"
-#include "report/picture/map_words.hpp"
+#include "report/words.hpp"
 #include "support/source_tree.hpp"
 #include "unit/report/sample.hpp"
 

@@ -4,7 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "report/picture/dot_canvas.hpp"
 #include "support/run_program.hpp"
 #include "unit/report/sample.hpp"
 

@@ -1,4 +1,4 @@
-#include "report/plot/gnuplot.hpp"
+#include "report/gnuplot.hpp"
 
 #include <algorithm>
 #include <array>
