@@ -1,6 +1,7 @@
 #include "report/scene_report.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -25,6 +26,12 @@ double ratio(std::size_t part, std::size_t all) {
 
 double percent(std::size_t part, std::size_t all) {
   return 100 * ratio(part, all);
+}
+
+/// Where candidate pairs went, in percent: at rest, proven separated, recycled, collided.
+std::array<double, 4> shares_of(const scene::PairCounts& pairs) {
+  return {percent(pairs.at_rest, pairs.candidates), percent(pairs.separated, pairs.candidates),
+          percent(pairs.recycled, pairs.candidates), percent(pairs.collided, pairs.candidates)};
 }
 
 /// Bodies and ns a step, by scene, in the order of the runs.
@@ -173,11 +180,8 @@ BarPlot skipped_plot(const std::vector<SceneRun>& runs) {
                .bars = {}};
   for (const SceneRun& run : runs) {
     if (plot.bars.empty() || plot.bars.back().name != run.scene) plot.bars.emplace_back();
-    const scene::PairCounts& pairs = run.counts.pairs;
-    plot.bars.back() = {
-        run.scene,
-        {percent(pairs.at_rest, pairs.candidates), percent(pairs.separated, pairs.candidates),
-         percent(pairs.recycled, pairs.candidates), percent(pairs.collided, pairs.candidates)}};
+    const auto shares = shares_of(run.counts.pairs);
+    plot.bars.back() = {run.scene, {shares.begin(), shares.end()}};
   }
   return plot;
 }
@@ -188,14 +192,12 @@ std::string scene_table(const SceneResult& result) {
       "scene", "bodies", "us a step", "x all", "x moved", "pairs", "% rest", "% apart",
       "% recycled", "% collided", "contacts", "B/body", "B/pair", "mismatches");
   for (const SceneRun& run : result.runs) {
-    const scene::PairCounts& pairs = run.counts.pairs;
+    const auto [at_rest, separated, recycled, collided] = shares_of(run.counts.pairs);
     text += fmt::format(
         "{:<14} {:>7} {:>10.2f} {:>7.2f} {:>8.2f} {:>9} {:>7.1f} {:>7.1f} {:>10.1f} {:>10.1f} "
         "{:>9} {:>7.0f} {:>7.0f} {:>10}\n",
         run.scene, run.bodies, run.ns_per_step / 1000, run.speedup_over_all, run.speedup_over_moved,
-        run.pairs, percent(pairs.at_rest, pairs.candidates),
-        percent(pairs.separated, pairs.candidates), percent(pairs.recycled, pairs.candidates),
-        percent(pairs.collided, pairs.candidates), run.contacts,
+        run.pairs, at_rest, separated, recycled, collided, run.contacts,
         ratio(run.memory.bodies, run.bodies), ratio(run.memory.pairs, run.pairs),
         run.afresh.steps > 0 ? std::to_string(run.afresh.mismatches) : "-");
   }

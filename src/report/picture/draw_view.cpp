@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +12,6 @@
 namespace manifuzz {
 namespace {
 
-constexpr Font kSmallFont{10.5};
 constexpr Font kDepthFont{12, true};
 constexpr double kMarkRadius = 5;
 constexpr double kMarkSquare = 15;
@@ -67,25 +68,25 @@ Box box_of(const Label& label) {
 /// Writes a label that fits into the frame; where its place is taken, above or below what is there
 /// if it may move that far, and else not at all.
 bool write(Drawing& drawing, const Label& label, bool may_move) {
-  const Box room = drawing.view.frame.grown(-4);
+  const Box& frame = drawing.view.frame;
+  const Box room = frame.grown(-4);
   Box wanted = box_of(label);
   if (wanted.width > room.width) return false;
   wanted.x = std::clamp(wanted.x, room.x, room.right() - wanted.width);
   wanted.y = std::clamp(wanted.y, room.y, room.bottom() - wanted.height);
   for (const bool downwards : {true, false}) {
     Box box = wanted;
-    const auto in_its_way = [&] {
-      return std::ranges::find_if(drawing.taken, [&](const Box& o) { return o.overlaps(box); });
-    };
-    auto other = in_its_way();
-    for (; may_move && other != drawing.taken.end() && room.contains(box); other = in_its_way()) {
-      box.y = downwards ? other->bottom() : other->y - box.height;
+    const auto overlaps = [&](const Box& other) { return other.overlaps(box); };
+    auto other = std::ranges::find_if(drawing.taken, overlaps);
+    while (may_move && other != drawing.taken.end() && frame.contains(box)) {
+      box.y = downwards ? other->bottom() + 0.1 : other->y - box.height - 0.1;
+      other = std::ranges::find_if(drawing.taken, overlaps);
     }
-    if (other != drawing.taken.end() || !room.contains(box)) continue;
+    if (other != drawing.taken.end() || !frame.contains(box)) continue;
     drawing.taken.push_back(box);
     drawing.svg.box(box, "label", 3);
-    drawing.svg.text({box.x + 3, box.bottom() - 3 - 0.2 * label.font.size}, label.text, label.font,
-                     label.css);
+    const Point at(box.x + 3, box.bottom() - 3 - 0.2 * label.font.size);
+    drawing.svg.text(at, label.text, label.font, label.css);
     return true;
   }
   return false;
@@ -122,9 +123,8 @@ void draw_side_planes(const Drawing& drawing) {
 /// Polygons, their overlap, reference and incident with the side planes.
 void draw_shapes(const Drawing& drawing) {
   const Scene& scene = drawing.scene;
-  for (const Side side : kSides) {
-    fill(drawing, drawing.shapes[static_cast<std::size_t>(side)], css("fill", side));
-  }
+  fill(drawing, drawing.shapes[0], "fill a");
+  fill(drawing, drawing.shapes[1], "fill b");
   fill(drawing, intersection(drawing.shapes[0], drawing.shapes[1]), "overlap");
   if (scene.incident) draw_side_planes(drawing);
   for (const Side side : kSides) draw_edges(drawing, side);
@@ -136,7 +136,7 @@ void draw_bar(const Drawing& drawing, const DepthBar& bar, double offset, std::s
   const Point from = drawing.view.place(bar.from);
   const Point along = drawing.view.place(bar.to) - from;
   const double pixels = length(along);
-  if (!(pixels >= 1)) return;
+  if (!(pixels >= 1 && std::isfinite(pixels))) return;
   const Point aside = clockwise_quarter<double>(along) / pixels;
   const Point foot = from + along + aside * offset;
   stroke(drawing, {foot - along, foot}, style);
@@ -151,8 +151,7 @@ void draw_arrow(Drawing& drawing, const Point& from, const Point& normal, std::s
   const Point neck = to - 10 * direction;
   drawing.svg.line({from, neck}, fmt::format("normal{}", whose));
   drawing.svg.polygon({to, neck + 4.5 * aside, neck - 4.5 * aside}, fmt::format("arrow{}", whose));
-  drawing.take(to, 5);
-  drawing.take(from + direction * kArrow / 2, 5);
+  for (const double share : {0.5, 1.0}) drawing.take(from + share * (to - from), 5);
 }
 
 /// The true one on the reference face, and of each collider that reports clearly another one.
@@ -194,8 +193,9 @@ void label_depths(Drawing& drawing) {
     auto spot = std::ranges::find_if(
         spots, [&](const Spot& known) { return length(known.label.anchor - at) < kSameSpot; });
     if (spot == spots.end()) {
-      const Point inwards = View::direction(unit(point.bar.from - point.bar.to));
-      spot = spots.insert(spot, {{"", at, inwards, 10, kDepthFont, style}});
+      const Point bar = (point.bar.from + point.bar.to) / 2;
+      const Point away = View::direction(unit(point.position - bar));
+      spot = spots.insert(spot, {{"", at, away, 10, kDepthFont, style}});
     }
     if (spot->label.css != style) spot->label.css = "depth-word";
     say(*spot, brief(point.bar.depth), drawing.names[point.by_subject ? 0 : 1]);
@@ -217,8 +217,7 @@ void draw_truth(Drawing& drawing) {
   const Point middle = drawing.view.place(Point((bar.from + bar.to) / 2));
   if (!drawing.sees(middle)) return;
   const Point aside = View::direction(clockwise_quarter<double>(unit(bar.to - bar.from)));
-  const std::string text =
-      bar.depth >= 0 ? "true depth " + brief(bar.depth) : "gap " + brief(-bar.depth);
+  const std::string text = (bar.depth >= 0 ? "true depth " : "gap ") + brief(std::abs(bar.depth));
   write(drawing, {text, middle, aside, 8, kDepthFont, "depth-word subject"}, true);
 }
 
@@ -254,14 +253,13 @@ void draw_letter(Drawing& drawing, Side side) {
       const Point p = middle + share * (corner - middle);
       const double room =
           std::min(depth_in(drawing.shapes[own], p), -depth_in(drawing.shapes[1 - own], p));
-      if (room <= 1.2 * most) continue;
-      most = room;
-      best = p;
+      if (room > 1.2 * most) std::tie(most, best) = std::tuple(room, p);
     }
   }
-  write(drawing,
-        {side == Side::a ? "A" : "B", view.place(best), {0, 0}, 0, {18, true}, css("letter", side)},
-        true);
+  // Beside a shape that is too narrow for it.
+  const Point towards = most * view.scale < 9 ? Point(0.8, -0.6) : Point(0, 0);
+  const std::string name = side == Side::a ? "A" : "B";
+  write(drawing, {name, view.place(best), towards, 5, {18, true}, css("letter", side)}, true);
 }
 
 /// Where there is room, beside the vertex or a little farther out.
@@ -270,10 +268,10 @@ void number_vertices(Drawing& drawing, Side side) {
   for (int i = 0; i < polygon.count; ++i) {
     const Point at = drawing.view.place(polygon.vertices[i]);
     if (!drawing.sees(at)) continue;
-    const Point sum = polygon.normals[i] + polygon.normals[i > 0 ? i - 1 : polygon.count - 1];
-    const Point outward = View::direction(unit(sum));
+    const Point& before = polygon.normals[i > 0 ? i - 1 : polygon.count - 1];
+    const Point outward = View::direction(unit(polygon.normals[i] + before));
     for (const double gap : {1.0, 10.0}) {
-      const Label label{fmt::format("{}", i), at, outward, gap, kSmallFont, css("vertex", side)};
+      const Label label{fmt::format("{}", i), at, outward, gap, {10.5}, css("vertex", side)};
       if (write(drawing, label, false)) break;
     }
   }

@@ -81,7 +81,7 @@ struct View {
             frame.width / scale, frame.height / scale};
   }
   /// Where the scale stands; no label does.
-  Box footer() const { return {frame.x + 8, frame.bottom() - 24, 250, 20}; }
+  Box footer() const { return {frame.x + 8, frame.bottom() - 24, 290, 20}; }
   /// A direction of the scene, on the canvas.
   static Point direction(const Point& d) { return {d.x(), -d.y()}; }
 };
