@@ -257,7 +257,7 @@ void draw_letter(Drawing& drawing, Side side) {
     }
   }
   // Beside a shape that is too narrow for it.
-  const Point towards = most * view.scale < 9 ? Point(0.8, -0.6) : Point(0, 0);
+  const Point towards = most * view.scale < 9 ? Point(0.6, -0.8) : Point(0, 0);
   const std::string name = side == Side::a ? "A" : "B";
   write(drawing, {name, view.place(best), towards, 5, {18, true}, css("letter", side)}, true);
 }
