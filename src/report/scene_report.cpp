@@ -1,11 +1,10 @@
-#include "report/scene_report.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
 #include "measure/provenance.hpp"
+#include "report/measurements.hpp"
 #include "report/picture/drawing.hpp"
 
 namespace manifuzz {

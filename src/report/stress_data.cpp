@@ -4,7 +4,7 @@
 
 #include "measure/provenance.hpp"
 #include "report/case_text.hpp"
-#include "report/stress_report.hpp"
+#include "report/measurements.hpp"
 
 namespace manifuzz {
 namespace {

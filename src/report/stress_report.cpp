@@ -1,5 +1,3 @@
-#include "report/stress_report.hpp"
-
 #include <algorithm>
 #include <array>
 
@@ -8,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
+#include "report/measurements.hpp"
 
 namespace manifuzz {
 namespace {

@@ -9,7 +9,7 @@
 #include "campaign/judged_case.hpp"
 #include "report/ci/github.hpp"
 #include "report/ci/test_suite.hpp"
-#include "report/picture/text_picture.hpp"
+#include "report/picture/pictures.hpp"
 #include "report/run_tables.hpp"
 
 namespace manifuzz {

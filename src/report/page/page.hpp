@@ -7,7 +7,7 @@
 
 #include "campaign/judged_case.hpp"
 #include "campaign/result_files.hpp"
-#include "report/picture/map_picture.hpp"
+#include "report/picture/pictures.hpp"
 
 namespace manifuzz {
 

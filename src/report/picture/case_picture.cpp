@@ -1,10 +1,9 @@
-#include "report/picture/case_picture.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "report/picture/pictures.hpp"
 #include "report/picture/scene.hpp"
 #include "report/words.hpp"
 

@@ -1,5 +1,3 @@
-#include "report/picture/map_picture.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "campaign/in_child.hpp"
 #include "campaign/neighbourhood_run.hpp"
 #include "report/picture/drawing.hpp"
+#include "report/picture/pictures.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

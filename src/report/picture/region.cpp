@@ -27,19 +27,17 @@ struct Arc {
   double tolerance = 0;
 
   Point at(const Point& direction) const { return center + radius * direction; }
-  /// Whether the chord will do in place of the arc between these directions.
-  bool is_fine(const Point& from, const Point& to) const {
-    const double chord = length(to - from) * radius;
-    const double sag = chord * chord / (8 * radius);
-    return sag <= tolerance || !inside({at(from), at(to)}, where.grown(sag));
-  }
 };
 
-/// The points from `from` to just before `to`.
+/// The points from `from` to just before `to`. A chord is fine where it is near the arc, or where
+/// nobody looks.
 void append_arc(Region& region, const Arc& arc, const Point& from, const Point& to,
                 int bisections) {
-  const bool is_coarse = bisections > kBisectionsMax - kBisectionsMin;
-  if (bisections == 0 || (!is_coarse && arc.is_fine(from, to))) {
+  const double chord = length(to - from) * arc.radius;
+  const double sag = chord * chord / (8 * arc.radius);
+  const bool is_fine =
+      sag <= arc.tolerance || !inside({arc.at(from), arc.at(to)}, arc.where.grown(sag));
+  if (bisections == 0 || (is_fine && bisections <= kBisectionsMax - kBisectionsMin)) {
     region.push_back(arc.at(from));
     return;
   }

@@ -1,5 +1,3 @@
-#include "report/picture/text_picture.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "report/picture/pictures.hpp"
 #include "report/picture/scene.hpp"
 #include "report/words.hpp"
 
@@ -30,18 +29,6 @@ constexpr double kPlaceShare = 1.0 / 16;
 constexpr char kRight = '+';
 constexpr std::array<char, 2> kAnswerMarks{'S', 'O'};
 constexpr char kSeveral = '*';
-
-/// The bits of a cell's dots, by row and column.
-constexpr unsigned kBits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
-
-int nearest_dot(double x) {
-  return static_cast<int>(std::floor(x + 0.5));
-}
-
-/// U+2800 and the dots, in UTF-8.
-std::string braille(unsigned dots) {
-  return {'\xe2', static_cast<char>(0xa0 | (dots >> 6)), static_cast<char>(0x80 | (dots & 0x3f))};
-}
 
 /// A part of the world on a canvas; `scale` in dots a length.
 struct Frame {
@@ -155,56 +142,6 @@ std::string legend(const PairCase& pair, std::span<const DeclaredAnswer> answers
 }
 
 }  // namespace
-
-DotCanvas::DotCanvas(int columns, int rows)
-    : columns_(columns), rows_(rows), cells_(static_cast<std::size_t>(columns * rows)) {}
-
-DotCanvas::Cell* DotCanvas::cell(int x, int y) {
-  if (x < 0 || x >= width() || y < 0 || y >= height()) return nullptr;
-  return &cells_[static_cast<std::size_t>(y / 4 * columns_ + x / 2)];
-}
-
-void DotCanvas::dot(int x, int y) {
-  if (Cell* const at = cell(x, y)) at->dots |= kBits[y % 4][x % 2];
-}
-
-void DotCanvas::line(const Point& from, const Point& to, int every) {
-  const int x = nearest_dot(from.x());
-  const int y = nearest_dot(from.y());
-  const int dx = nearest_dot(to.x()) - x;
-  const int dy = nearest_dot(to.y()) - y;
-  const int steps = std::max({std::abs(dx), std::abs(dy), 1});
-  for (int i = 0; i <= steps; i += every) {
-    const double share = static_cast<double>(i) / steps;
-    dot(x + nearest_dot(share * dx), y + nearest_dot(share * dy));
-  }
-}
-
-void DotCanvas::mark(const Point& at, char mark) {
-  if (Cell* const marked = cell(nearest_dot(at.x()), nearest_dot(at.y()))) marked->mark = mark;
-}
-
-char DotCanvas::mark_at(const Point& at) {
-  const Cell* const marked = cell(nearest_dot(at.x()), nearest_dot(at.y()));
-  return marked == nullptr ? '\0' : marked->mark;
-}
-
-std::string DotCanvas::text() const {
-  std::string text;
-  for (std::size_t i = 0; i < cells_.size();) {
-    std::size_t used = text.size();
-    for (int column = 0; column < columns_; ++column, ++i) {
-      const Cell& cell = cells_[i];
-      text += cell.mark != 0 ? std::string(1, cell.mark) : braille(cell.dots);
-      if (cell.mark != 0 || cell.dots != 0) used = text.size();
-    }
-    text.resize(used);
-    text += '\n';
-  }
-  const std::size_t begin = std::min(text.find_first_not_of('\n'), text.size());
-  while (text.size() > begin + 1 && text.ends_with("\n\n")) text.pop_back();
-  return text.substr(begin);
-}
 
 std::string text_picture(const PairCase& pair, std::span<const DeclaredAnswer> answers) {
   const Scene scene = make_scene(pair, answers);

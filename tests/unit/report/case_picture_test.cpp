@@ -1,11 +1,10 @@
-#include "report/picture/case_picture.hpp"
-
 #include <limits>
 #include <sstream>
 
 #include <catch2/catch.hpp>
 
 #include "report/picture/drawing.hpp"
+#include "report/picture/pictures.hpp"
 #include "report/words.hpp"
 #include "support/named_tests.hpp"
 #include "unit/report/sample.hpp"
