@@ -193,9 +193,8 @@ void label_depths(Drawing& drawing) {
     auto spot = std::ranges::find_if(
         spots, [&](const Spot& known) { return length(known.label.anchor - at) < kSameSpot; });
     if (spot == spots.end()) {
-      const Point bar = (point.bar.from + point.bar.to) / 2;
-      const Point away = View::direction(unit(point.position - bar));
-      spot = spots.insert(spot, {{"", at, away, 10, kDepthFont, style}});
+      const Point away = unit(point.position - (point.bar.from + point.bar.to) / 2);
+      spot = spots.insert(spot, {{"", at, View::direction(away), 10, kDepthFont, style}});
     }
     if (spot->label.css != style) spot->label.css = "depth-word";
     say(*spot, brief(point.bar.depth), drawing.names[point.by_subject ? 0 : 1]);
@@ -262,7 +261,7 @@ void draw_letter(Drawing& drawing, Side side) {
   write(drawing, {name, view.place(best), towards, 5, {18, true}, css("letter", side)}, true);
 }
 
-/// Where there is room, beside the vertex or a little farther out.
+/// Where there is room, outside the vertex or else beside it.
 void number_vertices(Drawing& drawing, Side side) {
   const auto& polygon = drawing.scene.polygons[side];
   for (int i = 0; i < polygon.count; ++i) {
@@ -270,10 +269,11 @@ void number_vertices(Drawing& drawing, Side side) {
     if (!drawing.sees(at)) continue;
     const Point& before = polygon.normals[i > 0 ? i - 1 : polygon.count - 1];
     const Point outward = View::direction(unit(polygon.normals[i] + before));
-    for (const double gap : {1.0, 10.0}) {
-      const Label label{fmt::format("{}", i), at, outward, gap, {10.5}, css("vertex", side)};
-      if (write(drawing, label, false)) break;
-    }
+    Label label{fmt::format("{}", i), at, outward, 1, {10.5}, css("vertex", side)};
+    if (write(drawing, label, false)) continue;
+    label.towards = {outward.x() < 0 ? -1 : 1, 0};
+    label.gap = 9;
+    write(drawing, label, false);
   }
 }
 

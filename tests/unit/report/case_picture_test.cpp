@@ -128,6 +128,22 @@ TEST_CASE("points at one spot share a label, in which each collider stands once"
   CHECK(whole == "depth 0.25 (clip, box2d)");
 }
 
+TEST_CASE("polygons have their letters, and vertices their numbers") {
+  const auto elements = read_svg(case_svg(judged_case(box_on_box(0.25F))));
+  for (const std::string side : {"a", "b"}) {
+    CHECK(select(elements, "text", "letter " + side).size() == 1);
+    CHECK(select(elements, "text", "vertex " + side).size() == 4);
+  }
+}
+
+TEST_CASE("labels of points near each other are stacked") {
+  PairCase pair = box_on_box(0.25F);
+  pair.b.polygon = box_polygon(0.05F, 0.5F);
+  const auto elements = read_svg(case_svg(judged_case(pair)));
+  CHECK(select(elements, "text", "depth-word").size() >= 2);
+  check_layout(elements);
+}
+
 TEST_CASE("the overlap is drawn where it is") {
   const auto elements = read_svg(case_svg(judged_case(box_on_box(0.25F))));
   const Box a = bounds_of(select(elements, "polygon", "fill a").at(0));
