@@ -13,7 +13,6 @@
 #include "cli/usage.hpp"
 #include "process/child.hpp"
 #include "process/exit_guard.hpp"
-#include "report/next_steps.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {

@@ -9,7 +9,6 @@
 #include "base/text.hpp"
 #include "cli/commands.hpp"
 #include "report/outputs.hpp"
-#include "report/terminal.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,11 +1,10 @@
-#include "report/bench_report.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "measure/provenance.hpp"
-#include "report/case_json.hpp"
+#include "report/case_text.hpp"
+#include "report/measurements.hpp"
 
 namespace manifuzz {
 namespace {

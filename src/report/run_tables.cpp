@@ -7,7 +7,10 @@
 
 #include "base/text.hpp"
 #include "campaign/baseline.hpp"
-#include "report/terminal.hpp"
+#include "generating/sweep.hpp"
+#include "generating/walk.hpp"
+#include "measure/scene/trajectory.hpp"
+#include "report/outputs.hpp"
 
 namespace manifuzz {
 namespace {
@@ -209,6 +212,44 @@ std::string property_line(const CheckedProperty& checked) {
   }
   return fmt::format("{} {}: {}, {} cases\n", good("ok  "), property.name, property.sentence,
                      checked.result.cases);
+}
+
+std::string list_regimes() {
+  std::string lines;
+  for (const Regime& regime : regimes()) {
+    lines += fmt::format("{:<16} {}\n", regime.name, regime.description);
+  }
+  return lines;
+}
+
+std::string list_sweeps() {
+  std::string lines;
+  for (const Sweep& sweep : sweeps()) {
+    lines += fmt::format("{:<10} {}: {} ({}), {:g} to {:g} in {} steps\n", sweep.name,
+                         sweep.description, sweep.knob, sweep.unit, sweep.values.front(),
+                         sweep.values.back(), sweep.values.size());
+  }
+  for (const Walk& walk : walks()) {
+    lines += fmt::format("{:<10} {}\n", walk.name, walk.description);
+  }
+  return lines;
+}
+
+std::string list_scenes() {
+  std::string lines;
+  for (const SceneSpec& spec : scene_specs()) {
+    lines += fmt::format("{:<14} {}\n", spec.name, spec.sentence);
+  }
+  return lines;
+}
+
+std::string list_ledger() {
+  std::string lines;
+  for (const LedgerEntry& entry : ledger()) {
+    lines += fmt::format("{:<34} {} [{}; witness corpus/{}]\n", entry.id, entry.description,
+                         entry.source, entry.witness);
+  }
+  return lines;
 }
 
 }  // namespace manifuzz

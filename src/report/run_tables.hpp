@@ -10,7 +10,7 @@
 #include "campaign/replay.hpp"
 #include "campaign/run.hpp"
 
-// What campaigns, replays and properties print, for people.
+// What campaigns, replays, properties and lists print, for people.
 
 namespace manifuzz {
 
@@ -39,5 +39,11 @@ void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std:
 std::string property_text(const CheckedProperty& checked);
 /// A property that holds, in a line.
 std::string property_line(const CheckedProperty& checked);
+
+/// What there is, a line each, with its description.
+std::string list_regimes();
+std::string list_sweeps();
+std::string list_scenes();
+std::string list_ledger();
 
 }  // namespace manifuzz

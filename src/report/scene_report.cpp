@@ -1,11 +1,11 @@
-#include "report/scene_report.hpp"
-
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
 #include "measure/provenance.hpp"
-#include "report/picture/frame_picture.hpp"
+#include "report/measurements.hpp"
+#include "report/picture/drawing.hpp"
 
 namespace manifuzz {
 namespace {
@@ -13,12 +13,24 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Points = std::vector<std::pair<double, double>>;
 
+constexpr std::string_view kFrameStyle =
+    ".body { fill: #cfe0f0; stroke: #1f4e79; stroke-width: 1 }\n"
+    ".paper { fill: #ffffff }\n"
+    ".contact { fill: #c0392b }\n"
+    ".normal { stroke: #c0392b; stroke-width: 1.5 }\n";
+
 double ratio(std::size_t part, std::size_t all) {
   return static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, all));
 }
 
 double percent(std::size_t part, std::size_t all) {
   return 100 * ratio(part, all);
+}
+
+/// Where candidate pairs went, in percent: at rest, proven separated, recycled, collided.
+std::array<double, 4> shares_of(const scene::PairCounts& pairs) {
+  return {percent(pairs.at_rest, pairs.candidates), percent(pairs.separated, pairs.candidates),
+          percent(pairs.recycled, pairs.candidates), percent(pairs.collided, pairs.candidates)};
 }
 
 /// Bodies and ns a step, by scene, in the order of the runs.
@@ -96,6 +108,39 @@ std::string curves_table(const std::vector<RecyclingCurve>& curves) {
   return text;
 }
 
+/// From the world to pixels, y down, around all bodies.
+struct FrameMapping {
+  static constexpr double longer_side = 1200;
+  static constexpr double margin = 20;
+  Box shown;
+
+  double scale() const { return longer_side / std::max(shown.width, shown.height); }
+  Point operator()(const Point& p) const {
+    return {margin + (p.x() - shown.x) * scale(), margin + (shown.bottom() - p.y()) * scale()};
+  }
+};
+
+/// The corners of a body in the world.
+Region region_of(const Body& body) {
+  const Pose<double> pose{body.pose.position.cast<double>(), body.pose.rotation.cast<double>()};
+  Region region;
+  for (const auto& corner : body.polygon.corners()) {
+    region.push_back(transform(pose, Point(corner.cast<double>())));
+  }
+  return region;
+}
+
+void draw_contact(Svg& svg, const FrameMapping& mapping, const Pose<float>& a,
+                  const Manifold<float>& manifold) {
+  constexpr double normal_length = 9;
+  const Point normal = rotate(a.rotation, manifold.normal).cast<double>();
+  for (int i = 0; i < manifold.count; ++i) {
+    const Point at = mapping(transform(a, manifold.points[i].position).cast<double>());
+    svg.line({at, at + normal_length * Point(normal.x(), -normal.y())}, "normal");
+    svg.circle(at, 2.5, "contact");
+  }
+}
+
 }  // namespace
 
 LinePlot scaling_plot(const std::vector<SceneRun>& runs) {
@@ -134,11 +179,8 @@ BarPlot skipped_plot(const std::vector<SceneRun>& runs) {
                .bars = {}};
   for (const SceneRun& run : runs) {
     if (plot.bars.empty() || plot.bars.back().name != run.scene) plot.bars.emplace_back();
-    const scene::PairCounts& pairs = run.counts.pairs;
-    plot.bars.back() = {
-        run.scene,
-        {percent(pairs.at_rest, pairs.candidates), percent(pairs.separated, pairs.candidates),
-         percent(pairs.recycled, pairs.candidates), percent(pairs.collided, pairs.candidates)}};
+    const auto shares = shares_of(run.counts.pairs);
+    plot.bars.back() = {run.scene, {shares.begin(), shares.end()}};
   }
   return plot;
 }
@@ -149,14 +191,12 @@ std::string scene_table(const SceneResult& result) {
       "scene", "bodies", "us a step", "x all", "x moved", "pairs", "% rest", "% apart",
       "% recycled", "% collided", "contacts", "B/body", "B/pair", "mismatches");
   for (const SceneRun& run : result.runs) {
-    const scene::PairCounts& pairs = run.counts.pairs;
+    const auto [at_rest, separated, recycled, collided] = shares_of(run.counts.pairs);
     text += fmt::format(
         "{:<14} {:>7} {:>10.2f} {:>7.2f} {:>8.2f} {:>9} {:>7.1f} {:>7.1f} {:>10.1f} {:>10.1f} "
         "{:>9} {:>7.0f} {:>7.0f} {:>10}\n",
         run.scene, run.bodies, run.ns_per_step / 1000, run.speedup_over_all, run.speedup_over_moved,
-        run.pairs, percent(pairs.at_rest, pairs.candidates),
-        percent(pairs.separated, pairs.candidates), percent(pairs.recycled, pairs.candidates),
-        percent(pairs.collided, pairs.candidates), run.contacts,
+        run.pairs, at_rest, separated, recycled, collided, run.contacts,
         ratio(run.memory.bodies, run.bodies), ratio(run.memory.pairs, run.pairs),
         run.afresh.steps > 0 ? std::to_string(run.afresh.mismatches) : "-");
   }
@@ -192,16 +232,23 @@ std::string scene_frame(const ScenePlan& plan) {
   const SceneSpec& spec = *plan.scenes.front();
   const std::size_t bodies = plan.sizes.front();
   const Frame frame = last_frame(spec.make(bodies, plan.steps), plan.settings);
-  std::vector<FramePoint> points;
-  for (const scene::Contact& contact : frame.contacts) {
-    const Pose<float>& a = frame.bodies[contact.a.index].pose;
-    const Vector2<float> normal = rotate(a.rotation, contact.manifold.normal);
-    for (int i = 0; i < contact.manifold.count; ++i) {
-      const Vector2<float> position = transform(a, contact.manifold.points[i].position);
-      points.push_back({position.cast<double>(), normal.cast<double>()});
-    }
+  std::vector<Region> regions;
+  std::vector<Point> corners;
+  for (const Body& body : frame.bodies) {
+    const Region& region = regions.emplace_back(region_of(body));
+    corners.insert(corners.end(), region.begin(), region.end());
   }
-  return frame_svg(frame.bodies, points, fmt::format("{} of {} bodies", spec.name, bodies));
+  const FrameMapping mapping{box_around(corners)};
+  Svg svg(fmt::format("{} of {} bodies", spec.name, bodies), kFrameStyle);
+  for (Region& region : regions) {
+    std::ranges::transform(region, region.begin(), mapping);
+    svg.polygon(region, "body");
+  }
+  for (const scene::Contact& contact : frame.contacts) {
+    draw_contact(svg, mapping, frame.bodies[contact.a.index].pose, contact.manifold);
+  }
+  return svg.finish(mapping.shown.width * mapping.scale() + 2 * mapping.margin,
+                    mapping.shown.height * mapping.scale() + 2 * mapping.margin);
 }
 
 }  // namespace manifuzz

@@ -1,11 +1,10 @@
-#include "report/stress_data.hpp"
-
 #include <array>
 
 #include <fmt/format.h>
 
 #include "measure/provenance.hpp"
-#include "report/case_json.hpp"
+#include "report/case_text.hpp"
+#include "report/measurements.hpp"
 
 namespace manifuzz {
 namespace {
@@ -62,46 +61,58 @@ Json changes_json(const Changes& changes) {
           {"first_with_margin", changes.with_margin > 0 ? Json(changes.first) : Json()}};
 }
 
-Json sweeps_json(const StressPlan& plan, const StressResult& result) {
-  Json rows = Json::array();
+/// Calls `use(sweep, subject, steps)` for each sweep of each subject that takes part in sweeps.
+void for_sweeps(const StressPlan& plan, const StressResult& result, const auto& use) {
   for (const Sweep* const sweep : plan.sweeps) {
     for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
-      if (plan.subjects[i].walks_only) continue;
-      const auto steps = result.steps(*sweep, i);
-      const auto breaking = breaking_step(steps);
-      Json row{{"sweep", sweep->name},
-               {"collider", plan.subjects[i].name},
-               {"unit", sweep->unit},
-               {"breaking_point", breaking ? Json(sweep->values[*breaking]) : Json()},
-               {"steps", Json::array()},
-               {"worst", worst_json(plan, *sweep, steps)}};
-      for (std::size_t k = 0; k < steps.size(); ++k) {
-        Json step{{"x", sweep->values[k]}};
-        step.update(step_json(steps[k]));
-        row["steps"].push_back(std::move(step));
-      }
-      rows.push_back(std::move(row));
+      if (!plan.subjects[i].walks_only) use(*sweep, plan.subjects[i], result.steps(*sweep, i));
     }
   }
+}
+
+/// Calls `use(walk, subject, tally)` for each walk that a subject took.
+void for_walks(const StressPlan& plan, const StressResult& result, const auto& use) {
+  for (const Walk* const walk : plan.walks) {
+    for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
+      const StepStatistics* const tally = result.walk(*walk, i);
+      if (tally != nullptr) use(*walk, plan.subjects[i], *tally);
+    }
+  }
+}
+
+Json sweeps_json(const StressPlan& plan, const StressResult& result) {
+  Json rows = Json::array();
+  for_sweeps(plan, result,
+             [&](const Sweep& sweep, const StressSubject& subject, const auto& steps) {
+               const auto breaking = breaking_step(steps);
+               Json row{{"sweep", sweep.name},
+                        {"collider", subject.name},
+                        {"unit", sweep.unit},
+                        {"breaking_point", breaking ? Json(sweep.values[*breaking]) : Json()},
+                        {"steps", Json::array()},
+                        {"worst", worst_json(plan, sweep, steps)}};
+               for (std::size_t k = 0; k < steps.size(); ++k) {
+                 Json step{{"x", sweep.values[k]}};
+                 step.update(step_json(steps[k]));
+                 row["steps"].push_back(std::move(step));
+               }
+               rows.push_back(std::move(row));
+             });
   return rows;
 }
 
 Json walks_json(const StressPlan& plan, const StressResult& result) {
   Json rows = Json::array();
-  for (const Walk* const walk : plan.walks) {
-    for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
-      const StepStatistics* const tally = result.walk(*walk, i);
-      if (tally == nullptr) continue;
-      Json row{{"walk", walk->name},
-               {"collider", plan.subjects[i].name},
-               {"touching", tally->walk.touching},
-               {"flickers", changes_json(tally->walk.flickers)},
-               {"jumps", changes_json(tally->walk.jumps)},
-               {"features", changes_json(tally->walk.features)}};
-      row.update(counts_json(*tally));
-      rows.push_back(std::move(row));
-    }
-  }
+  for_walks(plan, result, [&](const Walk& walk, const auto& subject, const StepStatistics& tally) {
+    Json row{{"walk", walk.name},
+             {"collider", subject.name},
+             {"touching", tally.walk.touching},
+             {"flickers", changes_json(tally.walk.flickers)},
+             {"jumps", changes_json(tally.walk.jumps)},
+             {"features", changes_json(tally.walk.features)}};
+    row.update(counts_json(tally));
+    rows.push_back(std::move(row));
+  });
   return rows;
 }
 
@@ -158,33 +169,22 @@ Json stress_json(const StressPlan& plan, const StressResult& result, const Compa
 
 std::string stress_csv(const StressPlan& plan, const StressResult& result) {
   std::string text = csv_heading();
-  for (const Sweep* const sweep : plan.sweeps) {
-    for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
-      if (plan.subjects[i].walks_only) continue;
-      const auto steps = result.steps(*sweep, i);
-      for (std::size_t k = 0; k < steps.size(); ++k) {
-        text +=
-            csv_start(sweep->name, plan.subjects[i], fmt::format("{}", sweep->values[k]), steps[k]);
-        for (const Spread& spread : spreads_of(steps[k])) {
-          text += spread_csv(spread);
+  for_sweeps(
+      plan, result, [&](const Sweep& sweep, const StressSubject& subject, const auto& steps) {
+        for (std::size_t k = 0; k < steps.size(); ++k) {
+          text += csv_start(sweep.name, subject, fmt::format("{}", sweep.values[k]), steps[k]);
+          for (const Spread& spread : spreads_of(steps[k])) text += spread_csv(spread);
+          text += std::string(kWalkColumns, ',') + '\n';
         }
-        text += std::string(kWalkColumns, ',') + '\n';
-      }
+      });
+  for_walks(plan, result, [&](const Walk& walk, const auto& subject, const StepStatistics& tally) {
+    text += csv_start(walk.name, subject, "", tally);
+    text += std::string(kSpreadColumns, ',') + fmt::format(",{}", tally.walk.touching);
+    for (const Changes& changes : {tally.walk.flickers, tally.walk.jumps, tally.walk.features}) {
+      text += fmt::format(",{},{}", changes.with_margin, changes.within_bound);
     }
-  }
-  for (const Walk* const walk : plan.walks) {
-    for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
-      const StepStatistics* const tally = result.walk(*walk, i);
-      if (tally == nullptr) continue;
-      text += csv_start(walk->name, plan.subjects[i], "", *tally);
-      text += std::string(kSpreadColumns, ',') + fmt::format(",{}", tally->walk.touching);
-      for (const Changes& changes :
-           {tally->walk.flickers, tally->walk.jumps, tally->walk.features}) {
-        text += fmt::format(",{},{}", changes.with_margin, changes.within_bound);
-      }
-      text += '\n';
-    }
-  }
+    text += '\n';
+  });
   return text;
 }
 

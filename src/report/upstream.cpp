@@ -6,32 +6,27 @@
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "exchange/json.hpp"
-#include "report/markdown.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
 namespace {
 
-struct Brackets {
-  char open;
-  char close;
-};
-
-std::string text_of(const Vector2<float>& v, Brackets brackets) {
-  std::string text(1, brackets.open);
+/// `brackets`: the opening and the closing one.
+std::string text_of(const Vector2<float>& v, std::string_view brackets) {
+  std::string text(1, brackets.front());
   append_number(text, v.x());
   text += ", ";
   append_number(text, v.y());
-  return text + brackets.close;
+  return text + brackets.back();
 }
 
-std::string text_of(std::span<const Vector2<float>> list, Brackets brackets) {
-  std::string text(1, brackets.open);
+std::string text_of(std::span<const Vector2<float>> list, std::string_view brackets) {
+  std::string text(1, brackets.front());
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (i > 0) text += ", ";
     text += text_of(list[i], brackets);
   }
-  return text + brackets.close;
+  return text + brackets.back();
 }
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
@@ -43,10 +38,9 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 void fill_in(std::string& text, const std::string& name, const Body& body) {
   const auto count = static_cast<std::size_t>(body.polygon.count);
-  for (const Brackets brackets : {Brackets{'[', ']'}, Brackets{'{', '}'}}) {
+  for (const std::string_view brackets : {"[]", "{}"}) {
     const auto replace = [&](std::string_view key, const std::string& value) {
-      replace_all(text, fmt::format("@{}.{}{}{}@", name, key, brackets.open, brackets.close),
-                  value);
+      replace_all(text, fmt::format("@{}.{}{}@", name, key, brackets), value);
     };
     replace("vertices", text_of(std::span(body.polygon.vertices.data(), count), brackets));
     replace("normals", text_of(std::span(body.polygon.normals.data(), count), brackets));
@@ -74,7 +68,7 @@ std::string manifold_in_words(const PairCase& pair, const Manifold<double>& mani
 
 void append_body(std::string& out, char name, const Body& body) {
   const auto count = static_cast<std::size_t>(body.polygon.count);
-  constexpr Brackets round{'(', ')'};
+  constexpr std::string_view round = "()";
   out += fmt::format("{}: vertices {}, radius {}, position {}, (cos, sin) {}\n", name,
                      text_of(std::span(body.polygon.vertices.data(), count), round),
                      body.polygon.radius, text_of(body.pose.position, round),

@@ -1,8 +1,11 @@
 #include "report/words.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include "exchange/json.hpp"
 
 namespace manifuzz {
 namespace {
@@ -75,6 +78,31 @@ std::string unsupported_in_words(const JudgedCase& judged) {
   return "a collider cannot take this case";
 }
 
+std::string features_name(const FeaturePair& features) {
+  return feature_name(features.a) + "/" + feature_name(features.b);
+}
+
+/// Who fails, and the verb: "box2d is wrong on".
+std::string failing_in_words(const JudgedCase& judged) {
+  const Bucket& finding = judged.judgement.bucket;
+  switch (finding.fault) {
+    case Fault::subject:
+      return judged.subject.declaration.name + " is wrong on";
+    case Fault::oracle:
+      return judged.oracle.declaration.name + " is wrong on";
+    case Fault::both:
+      return "both are wrong on";
+    case Fault::none:
+      break;
+  }
+  if (finding.verdict == Verdict::agree) return "somebody is wrong on";
+  return fmt::format("the verdict is {} on", to_string(finding.verdict));
+}
+
+std::ptrdiff_t count_of(const Neighbourhood& neighbourhood, Cell::State state) {
+  return std::ranges::count(neighbourhood.cells, state, &Cell::state);
+}
+
 }  // namespace
 
 std::string brief(double value) {
@@ -143,6 +171,98 @@ std::string verdict_sentence(const JudgedCase& judged) {
       return "malformed: " + silent_or_nonsense(judged, "answered nonsense");
   }
   return {};
+}
+
+std::string statement_in_words(const ContactSummary& statement) {
+  const char clipping = statement.reference == Side::a ? 'A' : 'B';
+  switch (statement.kind) {
+    case ContactSummary::Kind::nothing:
+      return "no manifold";
+    case ContactSummary::Kind::apart:
+      return "no contact";
+    case ContactSummary::Kind::no_clip:
+      return fmt::format("they touch, but the best face, {}'s, clips all away", clipping);
+    case ContactSummary::Kind::contact:
+      break;
+  }
+  std::string words = fmt::format("{} clips, {}: {}", clipping, counted(statement.count, "point"),
+                                  features_name(statement.features[0]));
+  if (statement.count > 1) words += " and " + features_name(statement.features[1]);
+  return words;
+}
+
+std::string grid_in_words(const Grid& grid) {
+  return fmt::format(
+      "vertex {} of {} moved by up to {} steps each way in its x and y, a step being {} ({})",
+      grid.vertex.index, grid.vertex.side == Side::a ? 'A' : 'B', grid.reach,
+      counted(grid.step, "ulp"), brief(grid.step * grid.ulp));
+}
+
+std::string severity_in_words(const JudgedCase& judged, const Neighbourhood& neighbourhood) {
+  const Severity found = severity(neighbourhood, judged.judgement.bucket);
+  std::string words = fmt::format("severity {:.3g}: {} {} of {} neighbours", found.share(),
+                                  failing_in_words(judged), found.failing, found.valid);
+  if (const auto invalid = count_of(neighbourhood, Cell::State::invalid)) {
+    words += fmt::format("; on {} more the polygon is not convex", invalid);
+  }
+  if (const auto left = count_of(neighbourhood, Cell::State::not_asked)) {
+    words += fmt::format("; {} were not asked", left);
+  }
+  return words;
+}
+
+const exact::Clip* candidate_to_show(const Admissible& right, const DeclaredAnswer& subject) {
+  const auto find = [&](const auto& wanted) -> const exact::Clip* {
+    const auto found = std::ranges::find_if(right.candidates, wanted);
+    return found == right.candidates.end() ? nullptr : *found;
+  };
+  const exact::Clip* const own = find([&](const exact::Clip* clip) {
+    return subject.count() > 0 && mismatch(*subject.manifold(), *clip, right).kind == Kind::none;
+  });
+  if (own != nullptr) return own;
+  const exact::Clip* const met =
+      find([&](const exact::Clip* clip) { return compare_gap(*clip, 0) <= 0; });
+  if (met != nullptr || right.candidates.empty()) return met;
+  return right.candidates.front();
+}
+
+std::string verdict_in_words(Verdict verdict, const std::string& subject,
+                             const std::string& oracle) {
+  switch (verdict) {
+    case Verdict::agree:
+      return "agree: both are right, and say the same";
+    case Verdict::tie:
+      return "tie: they differ, and both are right";
+    case Verdict::known:
+      return fmt::format("known: {} is wrong, as the ledger says", oracle);
+    case Verdict::subject_wrong:
+      return fmt::format("subject_wrong: {} is wrong", subject);
+    case Verdict::oracle_wrong:
+      return fmt::format("oracle_wrong: {} is wrong", oracle);
+    case Verdict::both_wrong:
+      return "both_wrong: both are wrong";
+    case Verdict::ill_posed:
+      return "ill_posed: rounding hides the answer";
+    default:
+      return std::string(to_string(verdict));
+  }
+}
+
+std::string escape_markdown(std::string_view text) {
+  constexpr std::string_view special = "\\`*_{}[]<>()#|~&$@!";
+  std::string out;
+  for (const char c : text) {
+    if (special.find(c) != special.npos) out += '\\';
+    out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return out;
+}
+
+std::string code_block(std::string_view text, std::string_view language) {
+  std::string fence = "```";
+  while (text.find(fence) != text.npos) fence += '`';
+  const std::string_view end = text.ends_with('\n') ? "" : "\n";
+  return fmt::format("{}{}\n{}{}{}\n", fence, language, text, end, fence);
 }
 
 }  // namespace manifuzz

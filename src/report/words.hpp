@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "campaign/judged_case.hpp"
+#include "judging/neighbourhood.hpp"
 
 namespace manifuzz {
 
@@ -23,5 +25,29 @@ std::string answer_in_words(const DeclaredAnswer& asked);
 
 /// The verdict as a sentence: "oracle wrong (known): box2d reports no contact, true overlap 0.31".
 std::string verdict_sentence(const JudgedCase& judged);
+
+/// A verdict, and what it means of these two colliders.
+std::string verdict_in_words(Verdict verdict, const std::string& subject,
+                             const std::string& oracle);
+
+/// "A clips, 2 points: f1/v0 and v2/f3": features are A's / B's.
+std::string statement_in_words(const ContactSummary& statement);
+
+/// What the map is a map of: "vertex 0 of B moved by up to 64 steps of 1 ulp (6e-08) each way ...".
+std::string grid_in_words(const Grid& grid);
+
+/// "severity 0.511: box2d is wrong on 8504 of 16641 neighbours", and what was not judged.
+std::string severity_in_words(const JudgedCase& judged, const Neighbourhood& neighbourhood);
+
+/// The right manifold that a picture or a text shows: the subject's own choice where that is right,
+/// else the first whose incident edge meets the slab, else the first; nullptr where the polygons
+/// are apart.
+const exact::Clip* candidate_to_show(const Admissible& right, const DeclaredAnswer& subject);
+
+/// Text as Markdown that shows it as it is, in one line.
+std::string escape_markdown(std::string_view text);
+
+/// A block of code that `text` cannot end, whatever it holds.
+std::string code_block(std::string_view text, std::string_view language);
 
 }  // namespace manifuzz

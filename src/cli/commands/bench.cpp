@@ -15,7 +15,7 @@
 #include "measure/bench/own_subjects.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "oracle/chipmunk/chipmunk_pass.hpp"
-#include "report/bench_report.hpp"
+#include "report/measurements.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {

@@ -9,7 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/case_stream.hpp"
-#include "report/case_lines.hpp"
+#include "report/case_text.hpp"
 
 namespace manifuzz {
 namespace {

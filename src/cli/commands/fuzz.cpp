@@ -22,7 +22,6 @@
 #include "corpus/known_cases.hpp"
 #include "measure/provenance.hpp"
 #include "report/ci/ci_output.hpp"
-#include "report/ci/run_suites.hpp"
 #include "report/page/page.hpp"
 #include "report/run_tables.hpp"
 

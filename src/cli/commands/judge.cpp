@@ -12,7 +12,7 @@
 #include "corpus/case_stream.hpp"
 #include "exchange/answer_file.hpp"
 #include "judging/completed.hpp"
-#include "report/case_lines.hpp"
+#include "report/case_text.hpp"
 
 namespace manifuzz {
 namespace {

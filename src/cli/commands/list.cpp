@@ -10,7 +10,7 @@
 #include "base/user_error.hpp"
 #include "cli/colliders.hpp"
 #include "cli/commands.hpp"
-#include "report/lists.hpp"
+#include "report/run_tables.hpp"
 
 namespace manifuzz {
 namespace {

@@ -16,7 +16,6 @@
 #include "cli/options.hpp"
 #include "corpus/known_cases.hpp"
 #include "report/ci/ci_output.hpp"
-#include "report/ci/run_suites.hpp"
 #include "report/outputs.hpp"
 #include "report/run_tables.hpp"
 

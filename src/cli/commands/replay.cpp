@@ -15,7 +15,6 @@
 #include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"
 #include "report/ci/ci_output.hpp"
-#include "report/ci/run_suites.hpp"
 #include "report/outputs.hpp"
 #include "report/run_tables.hpp"
 

@@ -11,8 +11,8 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/output_check.hpp"
+#include "report/measurements.hpp"
 #include "report/outputs.hpp"
-#include "report/scene_report.hpp"
 
 namespace manifuzz {
 namespace {

@@ -18,9 +18,7 @@
 #include "cli/options.hpp"
 #include "corpus/output_check.hpp"
 #include "report/case_text.hpp"
-#include "report/picture/case_map.hpp"
-#include "report/picture/case_picture.hpp"
-#include "report/picture/text_picture.hpp"
+#include "report/picture/pictures.hpp"
 #include "report/upstream.hpp"
 
 namespace manifuzz {

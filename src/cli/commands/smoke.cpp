@@ -17,7 +17,6 @@
 #include "corpus/known_cases.hpp"
 #include "measure/provenance.hpp"
 #include "report/ci/ci_output.hpp"
-#include "report/ci/run_suites.hpp"
 #include "report/run_tables.hpp"
 
 namespace manifuzz {

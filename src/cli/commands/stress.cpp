@@ -20,10 +20,8 @@
 #include "measure/stress/flush_to_zero.hpp"
 #include "measure/stress/plan.hpp"
 #include "measure/stress/save_worst.hpp"
+#include "report/measurements.hpp"
 #include "report/outputs.hpp"
-#include "report/stress_data.hpp"
-#include "report/stress_pictures.hpp"
-#include "report/stress_report.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,11 +1,202 @@
 #include "report/ci/ci_output.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "report/ci/junit.hpp"
-#include "report/ci/workflow.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "campaign/in_child.hpp"
+#include "campaign/judged_case.hpp"
+#include "report/ci/github.hpp"
+#include "report/ci/test_suite.hpp"
+#include "report/picture/pictures.hpp"
+#include "report/run_tables.hpp"
 
 namespace manifuzz {
+namespace {
+
+/// Draws what `draw` gives; what there is no time for is left out.
+template <class Draw>
+void add_picture(TestFailure& failure, const Draw& draw) {
+  try {
+    failure.picture = draw();
+  } catch (const Interrupted&) {
+  }
+}
+
+TestResult test_of_regime(const Campaign& campaign, std::size_t i) {
+  const RegimeTally& regime = campaign.run.tally->regimes[i];
+  const double cases = static_cast<double>(campaign.result.cases());
+  const double share = cases > 0 ? static_cast<double>(regime.cases) / cases : 0;
+  TestResult test{campaign.result.regimes[i].name, share * campaign.result.seconds()};
+  if (regime.failures > 0) {
+    test.failure =
+        TestFailure{fmt::format("{} to be right", campaign.result.settings.subject),
+                    fmt::format("{} of {} cases against it", regime.failures, regime.cases)};
+  }
+  return test;
+}
+
+/// The case that stands for a finding: the shrunk one where it was saved, else the first.
+CorpusCase case_of(const Campaign& campaign, const Finding& finding) {
+  try {
+    if (finding.is_new && !finding.file.empty()) return read_case_file(finding.file);
+  } catch (const UserError&) {
+    // Somebody took it away: the first shows the same.
+  }
+  CorpusCase first;
+  first.pair = campaign.plan.pair(finding.tally.first);
+  return first;
+}
+
+TestResult test_of_bucket(const CampaignResult& result, const Finding& finding,
+                          const BucketResult& found) {
+  TestResult test{found.bucket};
+  test.failure = TestFailure{finding.bucket.verdict == Verdict::oracle_wrong
+                                 ? fmt::format("nothing new against {}", result.settings.oracle)
+                                 : fmt::format("{} to be right", result.settings.subject),
+                             fmt::format("{}: {} times, worst {:.2g} of the size", found.bucket,
+                                         found.count, found.magnitude),
+                             found.file, found.command};
+  return test;
+}
+
+TestResult failed_test(const std::string& name, const TestFailure& failure) {
+  TestResult test{name};
+  test.failure = failure;
+  return test;
+}
+
+std::vector<std::vector<std::string>> verdict_rows(const CampaignResult& result) {
+  std::vector<std::vector<std::string>> table{{"verdict", "cases"}};
+  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
+    table.push_back({std::string(kVerdictNames[i]), std::to_string(result.verdicts[i])});
+  }
+  return table;
+}
+
+void add_buckets(TestSuite& suite, const Campaign& campaign, Interruption& interruption) {
+  const Plan& plan = campaign.plan;
+  std::size_t pictures = 0;
+  for (std::size_t i = 0; i < campaign.findings.size(); ++i) {
+    const Finding& finding = campaign.findings[i];
+    if (!decides_status(finding.bucket, finding.is_new)) continue;
+    suite.tests.push_back(test_of_bucket(campaign.result, finding, campaign.result.buckets[i]));
+    if (++pictures > kDescribedMax) continue;
+    add_picture(*suite.tests.back().failure, [&] {
+      return text_picture(
+          judged_case(case_of(campaign, finding), plan.subject, plan.oracle, interruption));
+    });
+  }
+}
+
+TestFailure failure_of(const CheckedProperty& checked, const CalledAgain& again) {
+  const PropertyResult& result = checked.result;
+  TestFailure failure{std::string(checked.property->sentence),
+                      result.why.empty() ? "a failure" : result.why, checked.saved};
+  if (!result.failing) return failure;
+  failure.got += " of ";
+  append_case_line(failure.got, *result.failing);
+  if (!result.reproduce.empty()) {
+    failure.command = fmt::format("RC_PARAMS={} ", quoted_for_shell(result.reproduce));
+  }
+  failure.command +=
+      fmt::format("{} property {} {}", again.program, checked.property->name, again.options);
+  return failure;
+}
+
+TestFailure failure_of(const ReplayedCase& replayed, const CalledAgain& again) {
+  const std::string& path = replayed.recorded->path;
+  const std::string file(file_and_line(path).first);
+  return {replayed.result.expected, replayed.result.got, path,
+          fmt::format("{} replay {} {}", again.program, quoted_for_shell(file), again.options)};
+}
+
+}  // namespace
+
+TestSuite fuzz_suite(const Campaign& campaign, Interruption& interruption) {
+  const CampaignResult& result = campaign.result;
+  TestSuite suite{"manifuzz fuzz",
+                  fmt::format("{} against {}: {} cases in {:.1f} s, {} unexplained, seed {}{}",
+                              result.settings.subject, result.settings.oracle, result.cases(),
+                              result.seconds(), result.unexplained(), campaign.plan.seed,
+                              result.interrupted ? "; interrupted" : ""),
+                  {},
+                  verdict_rows(result)};
+  // What is described first: buckets have cases, regimes only counts.
+  add_buckets(suite, campaign, interruption);
+  for (const LedgerResult& entry : result.ledger) {
+    if (entry.over_budget.empty()) continue;
+    suite.tests.push_back(
+        failed_test(entry.id, {"no more hits than its budget",
+                               fmt::format("more in {}", fmt::join(entry.over_budget, ", "))}));
+  }
+  if (is_vacuous(result)) {
+    suite.tests.push_back(failed_test("vacuous", {"cases that touch", "none"}));
+  }
+  for (std::size_t i = 0; i < result.regimes.size(); ++i) {
+    suite.tests.push_back(test_of_regime(campaign, i));
+  }
+  return suite;
+}
+
+TestSuite replay_suite(const ReplayRun& run, const Collider& subject, const Collider& oracle,
+                       const CalledAgain& again, Interruption& interruption) {
+  TestSuite suite{"manifuzz replay", replay_counts(run), {}};
+  suite.table = {{"cases", "passed", "failed", "left out"},
+                 {std::to_string(run.cases.size()), std::to_string(run.passed()),
+                  std::to_string(run.failed()), std::to_string(run.left_out)}};
+  std::size_t pictures = 0;
+  for (const ReplayedCase& one : run.cases) {
+    TestResult& test = suite.tests.emplace_back(TestResult{one.recorded->path, one.seconds});
+    if (one.result.passed) continue;
+    test.failure = failure_of(one, again);
+    if (++pictures > kDescribedMax) continue;
+    add_picture(*test.failure, [&] {
+      return text_picture(judged_case(*one.recorded, subject, oracle, interruption));
+    });
+  }
+  return suite;
+}
+
+TestSuite property_suite(std::span<const CheckedProperty> checked, const Collider& subject,
+                         const CalledAgain& again, Interruption& interruption) {
+  TestSuite suite{"manifuzz property", "", {}, {{"property", "result", "cases", "seconds"}}};
+  std::size_t pictures = 0;
+  std::size_t left_out = 0;
+  for (const CheckedProperty& one : checked) {
+    if (one.is_left_out()) {
+      ++left_out;
+      continue;
+    }
+    TestResult test{std::string(one.property->name), one.seconds};
+    if (!one.result.passed) test.failure = failure_of(one, again);
+    if (test.failure && one.result.failing && ++pictures <= kDescribedMax) {
+      add_picture(*test.failure, [&] {
+        const auto answer = declared_answer(subject, *one.result.failing, interruption);
+        return text_picture(*one.result.failing, {&answer, 1});
+      });
+    }
+    suite.table.push_back({test.name, one.result.passed ? "ok" : "FAIL",
+                           std::to_string(one.result.cases), fmt::format("{:.2f}", one.seconds)});
+    suite.tests.push_back(test);
+  }
+  suite.headline = fmt::format("{}: {} properties, {} failed", subject.declaration.name,
+                               suite.tests.size(), suite.failures());
+  if (left_out > 0) suite.headline += fmt::format("; {} left out, for time was up", left_out);
+  return suite;
+}
+
+std::vector<TestSuite> smoke_suites(const SmokeRun& run, const SmokePlan& plan,
+                                    const CalledAgain& again, const CalledAgain& subject_again) {
+  Interruption in_time({.first_signal = Interruption::State::stopped, .stopped_at = plan.end()});
+  std::vector<TestSuite> suites{
+      replay_suite(run.replayed, plan.subject, plan.oracle, again, in_time),
+      property_suite(run.checked, plan.subject, subject_again, in_time)};
+  if (run.campaign) suites.push_back(fuzz_suite(*run.campaign, in_time));
+  suites.front().errors = plan.corpus.errors;
+  return suites;
+}
 
 void check_outputs(CommandFiles files, CiOutput& ci) {
   files.outputs.push_back({"--junit", ci.junit});

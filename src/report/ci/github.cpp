@@ -1,11 +1,18 @@
 #include "report/ci/github.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "report/markdown.hpp"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "report/words.hpp"
 
 namespace manifuzz {
 namespace {
@@ -21,27 +28,16 @@ std::string escape_command(std::string_view text, bool is_property) {
   return out;
 }
 
-std::size_t failures_of(std::span<const TestSuite> suites) {
-  std::size_t count = 0;
-  for (const TestSuite& suite : suites) count += suite.failures();
-  return count;
-}
+using Failures = std::vector<std::pair<const TestSuite*, const TestResult*>>;
 
-std::size_t errors_of(std::span<const TestSuite> suites) {
-  std::size_t count = 0;
-  for (const TestSuite& suite : suites) count += suite.errors.size();
-  return count;
-}
-
-/// Calls `use` for the first so many failing tests.
-void for_failures(std::span<const TestSuite> suites, std::size_t most,
-                  const std::function<void(const TestSuite&, const TestResult&)>& use) {
-  std::size_t seen = 0;
+Failures failures_of(std::span<const TestSuite> suites) {
+  Failures failures;
   for (const TestSuite& suite : suites) {
     for (const TestResult& test : suite.tests) {
-      if (test.failure && ++seen <= most) use(suite, test);
+      if (test.failure) failures.emplace_back(&suite, &test);
     }
   }
+  return failures;
 }
 
 std::string table_of(const TestSuite& suite) {
@@ -105,6 +101,48 @@ std::string rest_in_words(std::size_t count) {
   return count == 0 ? "" : fmt::format("And {} more, in the log and in the JUnit report.\n", count);
 }
 
+namespace fs = std::filesystem;
+
+std::string environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+/// The file, or its line, from the root of the checked out repository; "" where it lies outside.
+std::string in_repository(const std::string& file) {
+  const std::string root = environment("GITHUB_WORKSPACE");
+  if (root.empty() || file.empty()) return "";
+  std::error_code unknown;
+  const fs::path path = fs::relative(file, root, unknown);
+  return unknown || path.empty() || *path.begin() == ".." ? "" : path.generic_string();
+}
+
+/// A path as a part of an address.
+std::string escape_path(std::string_view path) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~/";
+  std::string out;
+  for (const char c : path) {
+    out += plain.find(c) != plain.npos ? std::string(1, c)
+                                       : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return out;
+}
+
+/// The address of the picture beside a case of the repository, at this commit; "" where there is
+/// none.
+std::string image_of(const std::string& file) {
+  std::error_code unknown;
+  const fs::path picture = fs::path(file).replace_extension(".svg");
+  const std::string path = in_repository(picture.string());
+  const std::string commit = environment("GITHUB_SHA");
+  const std::string repository = environment("GITHUB_REPOSITORY");
+  const std::string server = environment("GITHUB_SERVER_URL");
+  if (path.empty() || commit.empty() || repository.empty() || server.empty()) return "";
+  if (!fs::is_regular_file(picture, unknown)) return "";
+  return fmt::format("{}/{}/raw/{}/{}", server, repository, commit, escape_path(path));
+}
+
 }  // namespace
 
 std::pair<std::string_view, std::string_view> file_and_line(std::string_view file) {
@@ -125,23 +163,22 @@ std::string error_annotation(std::string_view title, std::string_view file,
 }
 
 std::string annotations(std::span<const TestSuite> suites, const FileInRepository& in_repository) {
-  const std::size_t all = errors_of(suites) + failures_of(suites);
-  const std::size_t shown = all <= kAnnotationsMax ? all : kAnnotationsMax - 1;
   std::vector<std::string> lines;
   for (const TestSuite& suite : suites) {
     for (const std::string& error : suite.errors) {
       lines.push_back(error_annotation(suite.name, "", error));
     }
   }
-  for_failures(suites, shown, [&](const TestSuite& suite, const TestResult& test) {
-    std::string message = in_words(*test.failure);
-    if (!test.failure->command.empty()) message += '\n' + test.failure->command;
-    lines.push_back(error_annotation(suite.name + ": " + test.name,
-                                     in_repository(test.failure->file), message));
-  });
-  lines.resize(std::min(lines.size(), shown));
-  if (shown < all) {
-    lines.push_back(error_annotation("manifuzz", "", fmt::format("and {} more", all - shown)));
+  for (const auto& [suite, test] : failures_of(suites)) {
+    std::string message = in_words(*test->failure);
+    if (!test->failure->command.empty()) message += '\n' + test->failure->command;
+    lines.push_back(error_annotation(suite->name + ": " + test->name,
+                                     in_repository(test->failure->file), message));
+  }
+  if (lines.size() > kAnnotationsMax) {
+    const std::size_t left = lines.size() - (kAnnotationsMax - 1);
+    lines.resize(kAnnotationsMax - 1);
+    lines.push_back(error_annotation("manifuzz", "", fmt::format("and {} more", left)));
   }
   return fmt::format("{}", fmt::join(lines, ""));
 }
@@ -150,19 +187,42 @@ std::string step_summary(std::span<const TestSuite> suites, std::size_t room,
                          const std::function<std::string(const std::string& file)>& image_of) {
   std::string text;
   for (const TestSuite& suite : suites) text += head_of(suite);
-  const std::size_t failed = failures_of(suites);
-  const std::size_t for_the_rest = rest_in_words(failed).size();
+  const Failures failures = failures_of(suites);
+  const std::size_t for_the_rest = rest_in_words(failures.size()).size();
   std::size_t described = 0;
-  bool is_full = false;
-  for_failures(suites, kDescribedMax, [&](const TestSuite& suite, const TestResult& test) {
-    const std::string next = description_of(suite, test, image_of(test.failure->file));
-    is_full = is_full || text.size() + next.size() + for_the_rest > room;
-    if (is_full) return;
+  for (; described < std::min(failures.size(), kDescribedMax); ++described) {
+    const auto& [suite, test] = failures[described];
+    const std::string next = description_of(*suite, *test, image_of(test->failure->file));
+    if (text.size() + next.size() + for_the_rest > room) break;
     text += next;
-    ++described;
-  });
-  text += rest_in_words(failed - described);
+  }
+  text += rest_in_words(failures.size() - described);
   return text.size() <= room ? text : "";
+}
+
+bool is_in_workflow() {
+  return environment("GITHUB_ACTIONS") == "true";
+}
+
+std::string step_summary_file() {
+  return is_in_workflow() ? environment("GITHUB_STEP_SUMMARY") : "";
+}
+
+std::string workflow_annotations(std::span<const TestSuite> suites) {
+  return annotations(suites, in_repository);
+}
+
+void append_step_summary(const std::string& file, std::span<const TestSuite> suites) {
+  std::error_code missing;
+  const std::uintmax_t size = fs::file_size(file, missing);
+  const std::size_t used = missing ? 0 : static_cast<std::size_t>(size);
+  const std::size_t room = kSummaryBytesMax - std::min(used, kSummaryBytesMax);
+  errno = 0;
+  std::ofstream stream(file, std::ios::binary | std::ios::app);
+  stream << step_summary(suites, room, image_of) << std::flush;
+  if (stream) return;
+  throw UserError(fmt::format("{}: cannot write the step summary: {}", printable(file, 200),
+                              std::strerror(errno)));
 }
 
 }  // namespace manifuzz

@@ -9,9 +9,9 @@
 
 #include "report/ci/test_suite.hpp"
 
-// What GitHub shows of a run: pure text, of plain data.
-
 namespace manifuzz {
+
+// What GitHub shows of a run: pure text, of plain data.
 
 /// GitHub shows so many annotations of a step, and takes a step summary of so many bytes.
 inline constexpr std::size_t kAnnotationsMax = 10;
@@ -39,5 +39,20 @@ std::string annotations(std::span<const TestSuite> suites, const FileInRepositor
 /// `image_of` gives the address of a picture of a failure's file, or "".
 std::string step_summary(std::span<const TestSuite> suites, std::size_t room,
                          const std::function<std::string(const std::string& file)>& image_of);
+
+// The step of a GitHub workflow that this process runs in, as its environment describes it.
+
+/// Whether there is one: GITHUB_ACTIONS=true.
+bool is_in_workflow();
+
+/// The file of the step's summary, or empty.
+std::string step_summary_file();
+
+/// What is wrong with these, with files as the repository has them.
+std::string workflow_annotations(std::span<const TestSuite> suites);
+
+/// Appends the suites to the step's summary, what other programs of this step wrote stays. Throws
+/// UserError.
+void append_step_summary(const std::string& file, std::span<const TestSuite> suites);
 
 }  // namespace manifuzz

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,5 +46,9 @@ struct TestSuite {
 inline std::string in_words(const TestFailure& failure) {
   return "expected " + failure.expected + ", got " + failure.got;
 }
+
+/// A JUnit XML document, valid by the schema of Jenkins: a test case for each test, its class being
+/// the suite; the command and the picture are the failure's text.
+std::string junit_xml(std::span<const TestSuite> suites);
 
 }  // namespace manifuzz

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/judged_case.hpp"
-#include "report/picture/case_map.hpp"
+#include "report/picture/pictures.hpp"
 
 namespace manifuzz {
 

@@ -1,10 +1,10 @@
-#include "report/picture/case_picture.hpp"
-
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
-#include "report/picture/drawing.hpp"
+#include "report/picture/pictures.hpp"
+#include "report/picture/scene.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -15,6 +15,7 @@ constexpr double kEdge = 24;  // free at the picture's sides
 constexpr double kInner = kWidth - 2 * kEdge;
 constexpr Font kTitleFont{17, true};
 constexpr Font kTextFont{12.5};
+constexpr Font kScaleFont{10.5};
 constexpr double kLine = 21;
 
 /// Blue and orange, told apart by every eye (Okabe and Ito); what colliders say is dark or green.
@@ -36,20 +37,19 @@ constexpr std::string_view kStyle = R"(
 .incident{stroke:#9b30a8;stroke-width:4;stroke-linecap:round}
 .normal{stroke:#14181f;stroke-width:1.8}
 .arrow{fill:#14181f}
-.extension{stroke:#14181f;stroke-width:1;stroke-dasharray:1.5 3}
+.normal.subject{stroke:#c0143c}
+.normal.oracle{stroke:#00795c}
+.arrow.subject{fill:#c0143c}
+.arrow.oracle{fill:#00795c}
 .bar{stroke-width:2}
 .bar.subject,.bar.truth{stroke:#c0143c}
 .bar.oracle{stroke:#00795c}
 .mark-subject{fill:#c0143c;stroke:#ffffff;stroke-width:1.2}
 .mark-oracle{fill:none;stroke:#00795c;stroke-width:2.2}
-.leader{stroke:#8a93a0;stroke-width:.9}
 .label{fill:#fafbfc;fill-opacity:.85}
-.caption{fill:#eceff3}
 .zoomed{fill:none;stroke:#5a6472;stroke-width:1.1}
 .zoom-line{stroke:#5a6472;stroke-width:.8;stroke-dasharray:2 3}
 .scale{stroke:#14181f;stroke-width:1.4}
-.reference-word,.normal-word{fill:#14181f}
-.incident-word{fill:#7b1f88}
 .depth-word{font-weight:bold;fill:#14181f}
 .depth-word.subject{fill:#a01030}
 .depth-word.oracle{fill:#006048}
@@ -62,22 +62,72 @@ std::string place(const Point& at) {
   return fmt::format("({:.6g},{:.6g})", at.x(), at.y());
 }
 
+/// The longest of 1, 2 and 5 times a power of ten that is not too wide.
+double round_length(double scale) {
+  constexpr double widest = 120;
+  const double power = std::pow(10, std::floor(std::log10(widest / scale)));
+  for (const double factor : {5.0, 2.0}) {
+    if (power * factor * scale <= widest) return power * factor;
+  }
+  return power;
+}
+
+/// "660x closer", to two digits.
+std::string closer_in_words(double times) {
+  const double digits = std::pow(10, std::max(0.0, std::floor(std::log10(times)) - 1));
+  return fmt::format("{:g}x closer", std::round(times / digits) * digits);
+}
+
+/// Where a closer view lies in its host, and lines to it.
+void mark_view(Svg& svg, const View& host, const View& closer) {
+  const double shrunk = host.scale / closer.scale;
+  const Point center = host.place(closer.center);
+  const double width = std::max(9.0, closer.frame.width * shrunk);
+  const double height = std::max(9.0, closer.frame.height * shrunk);
+  const Box box{center.x() - width / 2, center.y() - height / 2, width, height};
+  const Box& frame = closer.frame;
+  const bool is_beside = frame.x > host.frame.right();
+  const Point second = is_beside ? Point(frame.x, frame.bottom()) : Point(frame.right(), frame.y);
+  for (const Point& corner : {Point(frame.x, frame.y), second}) {
+    svg.line({nearest(box, corner), corner}, "zoom-line");
+  }
+  svg.box(box, "zoomed", 2);
+}
+
+/// A view's footer: how long a round length is drawn, and how much closer than the whole that is.
+void draw_scale(Svg& svg, const View& view, double times_closer) {
+  const double unit = round_length(view.scale);
+  const std::string text =
+      times_closer > 1 ? brief(unit) + ", " + closer_in_words(times_closer) : brief(unit);
+  const Point left = Point(view.footer().x, view.footer().center().y()) + Point(6, 0);
+  const Point right = left + Point(unit * view.scale, 0);
+  svg.line({left, right}, "scale");
+  for (const Point& end : {left, right}) svg.line({end - Point(0, 4), end + Point(0, 4)}, "scale");
+  const Point at = right + Point(8, 4);
+  svg.box({at.x() - 3, at.y() - 11, text_width(text, kScaleFont) + 6, 15}, "label", 3);
+  svg.text(at, text, kScaleFont, "quiet");
+}
+
 class Picture {
  public:
   explicit Picture(const JudgedCase& judged)
       : judged_(judged),
-        scene_(make_scene(judged)),
-        names_{judged.subject.declaration.name, judged.oracle.declaration.name} {}
+        scene_(make_scene(judged.given.pair, std::array{judged.subject, judged.oracle})),
+        svg_(verdict_sentence(judged), kStyle) {
+    std::erase_if(scene_.points, [](const DrawnPoint& p) { return !p.bar.to.allFinite(); });
+  }
 
   std::string draw() {
     write_title();
     draw_views();
-    write_legend();
-    Svg paper;
-    const double height = y_;
-    paper.box({0.5, 0.5, kWidth - 1, height - 1}, "paper", 8);
-    paper.append(svg_);
-    return paper.finish(kWidth, height, verdict_sentence(judged_), kStyle);
+    write_swatches();
+    write_answer(judged_.subject, true);
+    write_answer(judged_.oracle, false);
+    if (const LedgerEntry* const entry = judged_.judgement.explanation) {
+      write(fmt::format("Known as {}: {}. {}", entry->id, entry->description, entry->source), kEdge,
+            kTextFont, "subtitle");
+    }
+    return svg_.finish(kWidth, y_);
   }
 
  private:
@@ -100,33 +150,81 @@ class Picture {
   std::string truth_line() const {
     const PairCase& pair = judged_.given.pair;
     const exact::Truth truth(pair);
-    std::string line = "Greatest separation";
-    for (const Side side : kSides) {
+    const auto greatest = [&](Side side) {
       const exact::FaceOf face = truth.greatest(side);
-      line += fmt::format("{} {} ({})", side == Side::a ? "" : ",",
-                          brief(leading(truth.fine_separation(face))), face_name(side, face.index));
-    }
-    return fmt::format("{}; total radius {}; {}.", line, brief(total_radius(pair)),
-                       truth_in_words(pair));
+      return fmt::format("{} ({})", brief(leading(truth.fine_separation(face))),
+                         face_name(side, face.index));
+    };
+    return fmt::format("Greatest separation {}, {}; total radius {}; {}.", greatest(Side::a),
+                       greatest(Side::b), brief(total_radius(pair)), truth_in_words(pair));
   }
 
-  void draw_views();
-  void write_shapes();
-  void write_legend();
+  void draw_views() {
+    const std::vector<View> views = choose_views(scene_, kEdge, y_, kInner);
+    for (const View& view : views) {
+      draw_view(svg_, scene_, view,
+                {judged_.subject.declaration.name, judged_.oracle.declaration.name});
+      draw_scale(svg_, view, view.scale / views.front().scale);
+      y_ = std::max(y_, view.frame.bottom());
+    }
+    for (std::size_t i = 1; i < views.size(); ++i) {
+      // Marked in the closest view that shows its center.
+      std::size_t host = i - 1;
+      while (host > 0 && !views[host].frame.contains(views[host].place(views[i].center))) --host;
+      mark_view(svg_, views[host], views[i]);
+    }
+    y_ += kLine + 4;
+  }
+
+  void write_swatches();
   void write_answer(const DeclaredAnswer& asked, bool is_subject);
 
   const JudgedCase& judged_;
   Scene scene_;
-  MarkNames names_;
   Svg svg_;
   double y_ = 0;
 };
 
-void Picture::draw_views() {
-  const std::vector<View> views = choose_views(scene_, kEdge, y_, kInner);
-  for (std::size_t i = 0; i < views.size(); ++i) draw_view(svg_, scene_, views, i, names_);
-  for (const View& view : views) y_ = std::max(y_, view.frame.bottom());
-  y_ += kLine + 4;
+/// What areas and lines mean, as many to a line as fit.
+void Picture::write_swatches() {
+  double x = kEdge;
+  const auto make_room = [&](std::string_view text) {
+    const double width = 26 + text_width(text, kTextFont);
+    if (x > kEdge && x + width > kWidth - kEdge) {
+      x = kEdge;
+      y_ += kLine;
+    }
+    const Point at(x, y_);
+    x += width + 20;
+    svg_.text(at + Point(26, 0), text, kTextFont, "legend");
+    return at;
+  };
+  const auto area = [&](std::string_view css, std::string_view text) {
+    const Point at = make_room(text);
+    svg_.box({at.x(), at.y() - 11, 18, 13}, css, 2);
+  };
+  const auto line = [&](std::string_view css, std::string_view text) {
+    const Point at = make_room(text) + Point(0, -4);
+    svg_.line({at, at + Point(20, 0)}, css);
+  };
+  for (const Side side : kSides) {
+    const Body& body = judged_.given.pair[side];
+    std::string text = fmt::format("{}: {} vertices, at {}", side == Side::a ? 'A' : 'B',
+                                   body.polygon.count, place(body.pose.position.cast<double>()));
+    if (body.polygon.radius > 0) text += ", radius " + brief(body.polygon.radius);
+    area(side == Side::a ? "fill a" : "fill b", text);
+  }
+  const auto face = [&](std::string_view role, const PlacedFace& placed) {
+    line(role, fmt::format("{} ({})", role, face_name(placed.side, placed.index)));
+  };
+  if (scene_.incident) area("overlap", "overlap");
+  face("reference", scene_.reference);
+  if (scene_.incident) {
+    face("incident", *scene_.incident);
+    line("plane", "side planes");
+  }
+  line("normal", "normal, A to B");
+  y_ += kLine;
 }
 
 void Picture::write_answer(const DeclaredAnswer& asked, bool is_subject) {
@@ -146,50 +244,6 @@ void Picture::write_answer(const DeclaredAnswer& asked, bool is_subject) {
     }
   }
   write(text, kEdge + 26, kTextFont, "legend");
-}
-
-void Picture::write_shapes() {
-  double x = kEdge;
-  const auto make_room = [&](std::string_view text) {
-    const double width = 26 + text_width(text, kTextFont);
-    if (x > kEdge && x + width > kWidth - kEdge) {
-      x = kEdge;
-      y_ += kLine;
-    }
-    const Point at(x, y_);
-    x += width + 20;
-    return at;
-  };
-  const auto swatch = [&](std::string_view css, std::string_view text) {
-    const Point at = make_room(text);
-    svg_.box({at.x(), at.y() - 11, 18, 13}, css, 2);
-    svg_.text(at + Point(26, 0), text, kTextFont, "legend");
-  };
-  for (const Side side : kSides) {
-    const Body& body = judged_.given.pair[side];
-    std::string text = fmt::format("{}: {} vertices, at {}", side == Side::a ? 'A' : 'B',
-                                   body.polygon.count, place(body.pose.position.cast<double>()));
-    if (body.polygon.radius > 0) text += ", radius " + brief(body.polygon.radius);
-    swatch(css("fill", side), text);
-  }
-  if (scene_.incident) {
-    swatch("overlap", "overlap");
-    constexpr std::string_view planes = "side planes";
-    const Point at = make_room(planes);
-    svg_.line({at + Point(0, -4), at + Point(20, -4)}, "plane");
-    svg_.text(at + Point(26, 0), planes, kTextFont, "legend");
-  }
-  y_ += kLine;
-}
-
-void Picture::write_legend() {
-  write_shapes();
-  write_answer(judged_.subject, true);
-  write_answer(judged_.oracle, false);
-  if (const LedgerEntry* const entry = judged_.judgement.explanation) {
-    write(fmt::format("Known as {}: {}. {}", entry->id, entry->description, entry->source), kEdge,
-          kTextFont, "subtitle");
-  }
 }
 
 }  // namespace

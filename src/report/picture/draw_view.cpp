@@ -1,169 +1,300 @@
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
-#include "report/picture/drawing.hpp"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "report/picture/scene.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
 namespace {
 
-/// How much room a letter has at a place of the canvas: inside its own shape, outside the other's.
-double room(const Drawing& drawing, Side side, const Point& at) {
-  const View& view = drawing.view;
-  const Point moved = at - view.frame.center();
-  const Point p = view.center + Point(moved.x(), -moved.y()) / view.scale;
-  const double in_own = depth_in(drawing.shape(side), p);
-  const double out_of_other = -depth_in(drawing.shape(other(side)), p);
-  const double in_frame = std::min({at.x() - view.frame.x, view.frame.right() - at.x(),
-                                    at.y() - view.frame.y, view.frame.bottom() - at.y()});
-  return std::min({in_own * view.scale, out_of_other * view.scale, in_frame});
+constexpr Font kDepthFont{12, true};
+constexpr double kMarkRadius = 5;
+constexpr double kMarkSquare = 15;
+constexpr double kArrow = 54;
+constexpr double kBarOffset = 3.5;  // of either collider's bars, so that both are seen
+constexpr double kSameSpot = 9;     // contact points nearer than this share a label
+
+/// One view of a scene while it is drawn.
+struct Drawing {
+  Svg& svg;
+  const Scene& scene;
+  const View& view;
+  const std::array<std::string, 2>& names;
+  std::array<Region, 2> shapes;  ///< A's and B's with their skins, in the scene
+  std::vector<Box> taken;        ///< where no label may lie
+
+  bool sees(const Point& on_canvas) const { return view.frame.contains(on_canvas); }
+  void take(const Point& at, double about) { taken.push_back(Box{at.x(), at.y()}.grown(about)); }
+};
+
+/// Classes of the style sheet: the kind of thing, and whose it is.
+std::string css(std::string_view kind, Side side) {
+  return fmt::format("{} {}", kind, side == Side::a ? "a" : "b");
 }
 
-/// Where the polygon is widest; beside it where it is too narrow for its letter.
+/// Draws the part of a canvas segment that is seen.
+void stroke(const Drawing& drawing, const Segment& on_canvas, std::string_view style) {
+  if (const auto seen = inside(on_canvas, drawing.view.frame)) drawing.svg.line(*seen, style);
+}
+
+void fill(const Drawing& drawing, const Region& region, std::string_view style) {
+  drawing.svg.polygon(intersection(drawing.view.place(region), drawing.view.frame), style);
+}
+
+/// A few words beside what they name.
+struct Label {
+  std::string text;
+  Point anchor{0, 0};   ///< what it names, on the canvas
+  Point towards{0, 0};  ///< the direction in which it lies, unit; zero: upon the anchor
+  double gap = 0;       ///< in pixels
+  Font font = {};
+  std::string css;
+};
+
+Box box_of(const Label& label) {
+  const double width = text_width(label.text, label.font) + 6;
+  const double height = label.font.size + 6;
+  const Point& d = label.towards;
+  const double out = std::min(width / 2 / std::abs(d.x()), height / 2 / std::abs(d.y()));
+  const Point center = d.isZero() ? label.anchor : Point(label.anchor + (out + label.gap) * d);
+  return {center.x() - width / 2, center.y() - height / 2, width, height};
+}
+
+/// Writes a label that fits into the frame; where its place is taken, above or below what is there
+/// if it may move that far, and else not at all.
+bool write(Drawing& drawing, const Label& label, bool may_move) {
+  const Box& frame = drawing.view.frame;
+  const Box room = frame.grown(-4);
+  Box wanted = box_of(label);
+  if (wanted.width > room.width) return false;
+  wanted.x = std::clamp(wanted.x, room.x, room.right() - wanted.width);
+  wanted.y = std::clamp(wanted.y, room.y, room.bottom() - wanted.height);
+  for (const bool downwards : {true, false}) {
+    Box box = wanted;
+    const auto overlaps = [&](const Box& other) { return other.overlaps(box); };
+    auto other = std::ranges::find_if(drawing.taken, overlaps);
+    while (may_move && other != drawing.taken.end() && frame.contains(box)) {
+      box.y = downwards ? other->bottom() + 0.1 : other->y - box.height - 0.1;
+      other = std::ranges::find_if(drawing.taken, overlaps);
+    }
+    if (other != drawing.taken.end() || !frame.contains(box)) continue;
+    drawing.taken.push_back(box);
+    drawing.svg.box(box, "label", 3);
+    const Point at(box.x + 3, box.bottom() - 3 - 0.2 * label.font.size);
+    drawing.svg.text(at, label.text, label.font, label.css);
+    return true;
+  }
+  return false;
+}
+
+void draw_edges(const Drawing& drawing, Side side) {
+  const auto& polygon = drawing.scene.polygons[side];
+  for (int i = 0; i < polygon.count; ++i) {
+    const Segment edge{polygon.vertices[i], polygon.vertices[polygon.next(i)]};
+    stroke(drawing, drawing.view.place(edge), css("edge", side));
+  }
+  if (drawing.scene.radius(side) <= 0) return;
+  const Region skin = drawing.view.place(drawing.shapes[static_cast<std::size_t>(side)]);
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    stroke(drawing, {skin[i], skin[(i + 1) % skin.size()]}, css("skin", side));
+  }
+}
+
+/// A side plane is a line; as much of it as the frame shows.
+void draw_side_planes(const Drawing& drawing) {
+  const Scene& scene = drawing.scene;
+  const Box& frame = drawing.view.frame;
+  const double far = 2 * (frame.width + frame.height);
+  const Point along = View::direction(scene.outward) * far;
+  const Point widening =
+      (scene.radii[0] + scene.radii[1]) * counter_clockwise_quarter<double>(scene.outward);
+  const auto& [first, second] = scene.reference.segment;
+  for (const Point& corner : {Point(first - widening), Point(second + widening)}) {
+    const Point at = drawing.view.place(corner);
+    if (length(at - frame.center()) < far / 2) stroke(drawing, {at - along, at + along}, "plane");
+  }
+}
+
+/// Polygons, their overlap, reference and incident with the side planes.
+void draw_shapes(const Drawing& drawing) {
+  const Scene& scene = drawing.scene;
+  fill(drawing, drawing.shapes[0], "fill a");
+  fill(drawing, drawing.shapes[1], "fill b");
+  fill(drawing, intersection(drawing.shapes[0], drawing.shapes[1]), "overlap");
+  if (scene.incident) draw_side_planes(drawing);
+  for (const Side side : kSides) draw_edges(drawing, side);
+  stroke(drawing, drawing.view.place(scene.reference.segment), "reference");
+  if (scene.incident) stroke(drawing, drawing.view.place(scene.incident->segment), "incident");
+}
+
+void draw_bar(const Drawing& drawing, const DepthBar& bar, double offset, std::string_view style) {
+  const Point from = drawing.view.place(bar.from);
+  const Point along = drawing.view.place(bar.to) - from;
+  const double pixels = length(along);
+  if (!(pixels >= 1 && std::isfinite(pixels))) return;
+  const Point aside = clockwise_quarter<double>(along) / pixels;
+  const Point foot = from + along + aside * offset;
+  stroke(drawing, {foot - along, foot}, style);
+  if (drawing.sees(foot)) drawing.svg.line({foot - 4 * aside, foot + 4 * aside}, style);
+}
+
+void draw_arrow(Drawing& drawing, const Point& from, const Point& normal, std::string_view whose) {
+  const Point direction = View::direction(unit(normal));
+  const Point to = from + kArrow * direction;
+  if (!drawing.view.frame.grown(-8).contains(to)) return;
+  const Point aside = clockwise_quarter<double>(direction);
+  const Point neck = to - 10 * direction;
+  drawing.svg.line({from, neck}, fmt::format("normal{}", whose));
+  drawing.svg.polygon({to, neck + 4.5 * aside, neck - 4.5 * aside}, fmt::format("arrow{}", whose));
+  for (const double share : {0.5, 1.0}) drawing.take(from + share * (to - from), 5);
+}
+
+/// The true one on the reference face, and of each collider that reports clearly another one.
+void draw_normals(Drawing& drawing) {
+  constexpr double clearly = 0.998;
+  const Point truth = drawing.scene.a_to_b();
+  const auto face =
+      inside(drawing.view.place(drawing.scene.reference.segment), drawing.view.frame.grown(-10));
+  if (face) draw_arrow(drawing, (face->first + face->second) / 2, truth, "");
+  std::array<bool, 2> is_drawn{};
+  for (const DrawnPoint& point : drawing.scene.points) {
+    const Point at = drawing.view.place(point.position);
+    const bool is_unit = std::abs(length(point.normal) - 1) <= 1 - clearly;
+    if (!drawing.sees(at) || (is_unit && point.normal.dot(truth) >= clearly)) continue;
+    if (std::exchange(is_drawn[point.by_subject], true)) continue;
+    draw_arrow(drawing, at, point.normal, point.by_subject ? " subject" : " oracle");
+  }
+}
+
+/// What is reported at one spot, a figure of all who report it.
+struct Spot {
+  Label label;
+  std::vector<std::pair<std::string, std::vector<std::string>>> said{};
+};
+
+void say(Spot& spot, const std::string& figure, const std::string& who) {
+  auto same = std::ranges::find(spot.said, figure, [](const auto& entry) { return entry.first; });
+  if (same == spot.said.end()) same = spot.said.insert(same, {figure, {}});
+  if (same->second.empty() || same->second.back() != who) same->second.push_back(who);
+}
+
+/// "depth 0.31 (clip, box2d)": of the points at one spot, equal figures once.
+void label_depths(Drawing& drawing) {
+  std::vector<Spot> spots;
+  for (const DrawnPoint& point : drawing.scene.points) {
+    const Point at = drawing.view.place(point.position);
+    if (!drawing.sees(at)) continue;
+    const std::string style = point.by_subject ? "depth-word subject" : "depth-word oracle";
+    auto spot = std::ranges::find_if(
+        spots, [&](const Spot& known) { return length(known.label.anchor - at) < kSameSpot; });
+    if (spot == spots.end()) {
+      const Point away = unit(point.position - (point.bar.from + point.bar.to) / 2);
+      spot = spots.insert(spot, {{"", at, View::direction(away), 10, kDepthFont, style}});
+    }
+    if (spot->label.css != style) spot->label.css = "depth-word";
+    say(*spot, brief(point.bar.depth), drawing.names[point.by_subject ? 0 : 1]);
+  }
+  for (Spot& spot : spots) {
+    std::vector<std::string> parts;
+    for (const auto& [figure, by] : spot.said) {
+      parts.push_back(fmt::format("{} ({})", figure, fmt::join(by, ", ")));
+    }
+    spot.label.text = fmt::format("depth {}", fmt::join(parts, ", "));
+    write(drawing, spot.label, true);
+  }
+}
+
+/// Where nothing is reported: the true depth, beside its bar.
+void draw_truth(Drawing& drawing) {
+  const DepthBar& bar = drawing.scene.deepest;
+  draw_bar(drawing, bar, 0, "bar truth");
+  const Point middle = drawing.view.place(Point((bar.from + bar.to) / 2));
+  if (!drawing.sees(middle)) return;
+  const Point aside = View::direction(clockwise_quarter<double>(unit(bar.to - bar.from)));
+  const std::string text = (bar.depth >= 0 ? "true depth " : "gap ") + brief(std::abs(bar.depth));
+  write(drawing, {text, middle, aside, 8, kDepthFont, "depth-word subject"}, true);
+}
+
+/// Depth bars, normals and contact points, with the depths as text.
+void draw_contacts(Drawing& drawing) {
+  const std::vector<DrawnPoint>& points = drawing.scene.points;
+  draw_normals(drawing);
+  for (const DrawnPoint& point : points) {
+    draw_bar(drawing, point.bar, point.by_subject ? -kBarOffset : kBarOffset,
+             point.by_subject ? "bar subject" : "bar oracle");
+  }
+  for (const DrawnPoint& point : points) {
+    const Point at = drawing.view.place(point.position);
+    if (!drawing.sees(at)) continue;
+    draw_mark(drawing.svg, at, point.by_subject);
+    drawing.take(at, kMarkSquare / 2 + 1);
+  }
+  if (points.empty()) draw_truth(drawing);
+  label_depths(drawing);
+}
+
+/// Where its shape has most room for it, outside the other's.
 void draw_letter(Drawing& drawing, Side side) {
   const View& view = drawing.view;
-  const Region seen = intersection(view.place(drawing.shape(side)), view.frame);
+  const auto own = static_cast<std::size_t>(side);
+  const Region seen = intersection(drawing.shapes[own], view.shown());
   if (seen.size() < 3) return;
-  const std::string name = side == Side::a ? "A" : "B";
-  const Box about = box_around(seen);
-  constexpr int steps = 20;
-  constexpr double enough = 14;
-  double best = 0;
-  Point at = about.center();
-  for (int i = 1; i < steps; ++i) {
-    for (int j = 1; j < steps; ++j) {
-      const Point p(about.x + about.width * i / steps, about.y + about.height * j / steps);
-      const double here = room(drawing, side, p);
-      const Box letter = Box{p.x(), p.y(), 0, 0}.grown(12);
-      if (here <= best || !drawing.labels.is_free(letter)) continue;
-      best = here;
-      at = p;
+  const Point middle = middle_of(seen);
+  Point best = middle;
+  double most = 0;
+  for (const double share : {0.0, 0.3, 0.6}) {
+    for (const Point& corner : seen) {
+      const Point p = middle + share * (corner - middle);
+      const double room =
+          std::min(depth_in(drawing.shapes[own], p), -depth_in(drawing.shapes[1 - own], p));
+      if (room > 1.2 * most) std::tie(most, best) = std::tuple(room, p);
     }
   }
-  if (best < enough) {
-    drawing.words.push_back(
-        {.text = name, .anchor = about.center(), .font = {16, true}, .css = css("letter", side)});
-    return;
-  }
-  drawing.svg.text(at + Point(-7.5, 8), name, {22, true}, css("letter", side));
-  drawing.labels.block(Box{at.x(), at.y(), 0, 0}.grown(12));
+  // Beside a shape that is too narrow for it.
+  const Point towards = most * view.scale < 9 ? Point(0.6, -0.8) : Point(0, 0);
+  const std::string name = side == Side::a ? "A" : "B";
+  write(drawing, {name, view.place(best), towards, 5, {18, true}, css("letter", side)}, true);
 }
 
+/// Where there is room, outside the vertex or else beside it.
 void number_vertices(Drawing& drawing, Side side) {
-  const auto& polygon = drawing.scene.polygon(side);
+  const auto& polygon = drawing.scene.polygons[side];
   for (int i = 0; i < polygon.count; ++i) {
     const Point at = drawing.view.place(polygon.vertices[i]);
     if (!drawing.sees(at)) continue;
-    const Point sum = polygon.normals[i] + polygon.normals[i > 0 ? i - 1 : polygon.count - 1];
-    const Point outward = unit(View::direction(sum));
-    drawing.words.push_back({.text = fmt::format("{}", i),
-                             .anchor = at,
-                             .towards = outward,
-                             .font = kSmallFont,
-                             .css = css("vertex", side),
-                             .reach = 12});
+    const Point& before = polygon.normals[i > 0 ? i - 1 : polygon.count - 1];
+    const Point outward = View::direction(unit(polygon.normals[i] + before));
+    Label label{fmt::format("{}", i), at, outward, 1, {10.5}, css("vertex", side)};
+    if (write(drawing, label, false)) continue;
+    label.towards = {outward.x() < 0 ? -1 : 1, 0};
+    label.gap = 9;
+    write(drawing, label, false);
   }
-}
-
-/// The longest of 1, 2 and 5 times a power of ten that is not too wide.
-double round_length(double scale) {
-  constexpr double widest = 120;
-  double unit = 1;
-  while (unit * scale > widest) unit /= 10;
-  while (unit * 10 * scale <= widest) unit *= 10;
-  for (const double factor : {5.0, 2.0}) {
-    if (unit * factor * scale <= widest) return unit * factor;
-  }
-  return unit;
-}
-
-void draw_scale_bar(Drawing& drawing) {
-  const double unit = round_length(drawing.view.scale);
-  const std::string text = brief(unit);
-  const Box& frame = drawing.view.frame;
-  const Point left(frame.x + 14, frame.bottom() - 14);
-  const Point right = left + Point(unit * drawing.view.scale, 0);
-  const double words = text_width(text, kSmallFont);
-  const Box box{left.x() - 6, left.y() - 10, right.x() - left.x() + words + 20, 20};
-  drawing.svg.box(box, "label", 3);
-  drawing.svg.line({left, right}, "scale");
-  for (const Point& end : {left, right}) {
-    drawing.svg.line({end - Point(0, 4), end + Point(0, 4)}, "scale");
-  }
-  drawing.svg.text(right + Point(8, 4), text, kSmallFont, "quiet");
-  drawing.labels.block(box);
-}
-
-/// "660x closer", to two digits.
-std::string caption_of(const View& whole, const View& closer) {
-  const double times = closer.scale / whole.scale;
-  double digits = 1;
-  while (times / digits >= 100) digits *= 10;
-  return fmt::format("{:g}x closer", std::round(times / digits) * digits);
-}
-
-void draw_caption(Drawing& drawing, std::string_view caption) {
-  const Box& frame = drawing.view.frame;
-  const Box box{frame.x + 6, frame.y + 6, text_width(caption, kSmallFont) + 12, 19};
-  drawing.svg.box(box, "caption", 3);
-  drawing.svg.text({box.x + 6, box.bottom() - 5.5}, caption, kSmallFont, "quiet");
-  drawing.labels.block(box);
-}
-
-/// Which of the views before view `i` it is marked in: the last that shows its center.
-std::size_t host_of(const std::vector<View>& views, std::size_t i) {
-  std::size_t host = i - 1;
-  while (host > 0 && !views[host].frame.contains(views[host].place(views[i].center))) --host;
-  return host;
-}
-
-/// Where the closer view lies, and lines to it.
-void mark_view(Drawing& drawing, const View& closer) {
-  constexpr double least = 9;
-  const double shrunk = drawing.view.scale / closer.scale;
-  const Point center = drawing.view.place(closer.center);
-  const double width = std::max(least, closer.frame.width * shrunk);
-  const double height = std::max(least, closer.frame.height * shrunk);
-  const Box box{center.x() - width / 2, center.y() - height / 2, width, height};
-  const Box& frame = closer.frame;
-  const bool is_beside = frame.x > drawing.view.frame.right();
-  const Point first(frame.x, frame.y);
-  const Point second = is_beside ? Point(frame.x, frame.bottom()) : Point(frame.right(), frame.y);
-  for (const Point& corner : {first, second}) {
-    const Segment line{nearest(box, corner), corner};
-    drawing.svg.line(line, "zoom-line");
-    drawing.labels.avoid(line);
-  }
-  drawing.svg.box(box, "zoomed", 2);
-  if (width <= 2 * least) drawing.labels.block(box);
 }
 
 }  // namespace
 
-void draw_names(Drawing& drawing) {
-  for (const Side side : kSides) draw_letter(drawing, side);
-  for (const Side side : kSides) number_vertices(drawing, side);
+void draw_mark(Svg& svg, const Point& at, bool by_subject) {
+  if (by_subject) return svg.circle(at, kMarkRadius, "mark-subject");
+  svg.box(Box{at.x(), at.y()}.grown(kMarkSquare / 2), "mark-oracle");
 }
 
-void draw_view(Svg& svg, const Scene& scene, const std::vector<View>& views, std::size_t index,
-               const MarkNames& names) {
-  const View& view = views[index];
+void draw_view(Svg& svg, const Scene& scene, const View& view,
+               const std::array<std::string, 2>& names) {
   svg.box(view.frame, "frame", 4);
-  Drawing drawing{svg, scene, view, index == 0, names, {}, LabelLayer(view.frame.grown(-4)), {}};
-  for (const Side side : kSides) {
-    drawing.shapes[static_cast<std::size_t>(side)] =
-        rounded(scene.polygon(side), scene.radius(side), view.shown(), 0.2 / view.scale);
+  Drawing drawing{svg, scene, view, names, {}, {view.footer()}};
+  for (std::size_t i = 0; i < kSides.size(); ++i) {
+    drawing.shapes[i] = scene.shape(kSides[i], view.shown(), 0.2 / view.scale);
   }
   draw_shapes(drawing);
-  for (std::size_t i = index + 1; i < views.size(); ++i) {
-    if (host_of(views, i) == index) mark_view(drawing, views[i]);
-  }
   draw_contacts(drawing);
-  draw_scale_bar(drawing);
-  if (index > 0) draw_caption(drawing, caption_of(views.front(), view));
-  draw_names(drawing);
-  for (const Label& word : drawing.words) drawing.labels.place(word);
-  drawing.labels.draw(svg);
+  for (const Side side : kSides) draw_letter(drawing, side);
+  for (const Side side : kSides) number_vertices(drawing, side);
 }
 
 }  // namespace manifuzz

@@ -1,70 +1,118 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include <fmt/format.h>
+#include "report/picture/region.hpp"
 
-#include "report/picture/labels.hpp"
-#include "report/picture/view.hpp"
+struct _cairo;
+struct _cairo_surface;
 
 namespace manifuzz {
 
-/// Whose marks a picture holds.
-struct MarkNames {
-  std::string subject;
-  std::string oracle;
+struct Font {
+  double size = 12;  ///< in pixels
+  bool bold = false;
 };
 
-inline constexpr Font kSmallFont{10.5};
-inline constexpr std::array<Side, 2> kSides{Side::a, Side::b};
+/// At most this wide, in pixels.
+double text_width(std::string_view text, const Font& font);
 
-/// Classes of the style sheet: the kind of thing, and whose it is.
-inline std::string css(std::string_view kind, Side side) {
-  return fmt::format("{} {}", kind, side == Side::a ? "a" : "b");
-}
+/// The text in lines of at most this width, broken at blanks; a word that is longer is cut.
+std::vector<std::string> wrapped(std::string_view text, const Font& font, double width);
 
-/// One view of a scene while it is drawn: lines and areas at once, words when all else is known.
-struct Drawing {
-  Svg& svg;
-  const Scene& scene;
-  const View& view;
-  bool is_whole = true;  ///< shows all of the scene
-  const MarkNames& names;
-  std::array<Region, 2> shapes;  ///< A's and B's with their skins, in the scene
-  LabelLayer labels;
-  std::vector<Label> words;  ///< to be placed, the most important first
+/// A plain SVG 1.1 document in the making, in pixels, y down, on a sheet of the class `paper`.
+/// `css` names classes of the style sheet.
+class Svg {
+ public:
+  /// `title` is for readers who cannot see it.
+  Svg(std::string_view title, std::string_view style);
 
-  const Region& shape(Side side) const { return shapes[static_cast<std::size_t>(side)]; }
-  bool sees(const Point& on_canvas) const { return view.frame.contains(on_canvas); }
+  void polygon(const Region& region, std::string_view css);
+  void line(const Segment& segment, std::string_view css);
+  void circle(const Point& center, double radius, std::string_view css);
+  void box(const Box& box, std::string_view css, double corner_radius = 0);
+  /// `at`: the left end of the base line.
+  void text(const Point& at, std::string_view text, const Font& font, std::string_view css);
 
-  /// Draws the part of a canvas segment that is seen; labels avoid it.
-  std::optional<Segment> stroke(const Segment& on_canvas, std::string_view style) {
-    const auto seen = inside(on_canvas, view.frame);
-    if (!seen) return std::nullopt;
-    svg.line(*seen, style);
-    labels.avoid(*seen);
-    return seen;
-  }
+  /// The document, at this size.
+  std::string finish(double width, double height);
+
+ private:
+  using Numbers = std::initializer_list<std::pair<const char*, double>>;
+  pugi::xml_node add(const char* element, std::string_view css, Numbers numbers);
+
+  pugi::xml_document document_;
+  pugi::xml_node root_;
+  pugi::xml_node paper_;
 };
 
-/// Polygons, their overlap, reference and incident with the side planes.
-void draw_shapes(Drawing& drawing);
+/// 0xRRGGBB.
+using Colour = std::uint32_t;
 
-/// Depth bars, normals and contact points, with their labels.
-void draw_contacts(Drawing& drawing);
+/// A picture in pixels, y down, white at first. Texts are as wide as `text_width` says, at most.
+class Canvas {
+ public:
+  Canvas(int width, int height);
 
-/// The letters A and B, and the numbers of the vertices where there is room.
-void draw_names(Drawing& drawing);
+  /// All pixels of the box, whose figures are whole.
+  void fill(const Box& box, Colour colour);
+  /// A line of one pixel around the box, whose figures are whole.
+  void frame(const Box& box, Colour colour);
+  void ring(const Point& center, double radius, double line_width, Colour colour);
+  /// `at`: the left end of the base line. What is not printable ASCII is drawn escaped.
+  void text(const Point& at, std::string_view text, const Font& font, Colour colour);
 
-/// A contact point's mark: the subject's a disc, the oracle's a square around it.
-void draw_mark(Svg& svg, const Point& at, bool by_subject);
+  /// The topmost rows as a PNG file.
+  std::string png(int height) const;
 
-/// Everything of the scene that view `index` shows; the first is the whole, and closer ones are
-/// marked where they lie.
-void draw_view(Svg& svg, const Scene& scene, const std::vector<View>& views, std::size_t index,
-               const MarkNames& names);
+ private:
+  _cairo* coloured(Colour colour);
+  void stroke(double line_width);
+
+  std::shared_ptr<_cairo_surface> surface_;
+  std::shared_ptr<_cairo> context_;
+};
+
+/// A picture of characters, each of them two by four dots as Braille has them; marks stand over the
+/// dots. Coordinates are dots, y down; what lies outside is not drawn.
+class DotCanvas {
+ public:
+  DotCanvas(int columns, int rows);
+
+  int width() const { return 2 * columns_; }
+  int height() const { return 4 * rows_; }
+
+  void dot(int x, int y);
+  /// Both ends are inside. `every`: 1 for a solid line, 2 for each second dot of it.
+  void line(const Point& from, const Point& to, int every);
+  /// One character over the dot's cell.
+  void mark(const Point& at, char mark);
+  /// The mark over the dot's cell, or 0; nothing stands outside.
+  char mark_at(const Point& at);
+
+  /// The rows as lines of UTF-8. Empty cells are empty Braille, which is as wide as the others
+  /// wherever they are not as wide as a blank; none at the end of a line, and no empty rows at the
+  /// top and the bottom.
+  std::string text() const;
+
+ private:
+  struct Cell {
+    unsigned dots = 0;
+    char mark = 0;
+  };
+  /// The cell of a dot, or nullptr.
+  Cell* cell(int x, int y);
+
+  int columns_;
+  int rows_;
+  std::vector<Cell> cells_;
+};
 
 }  // namespace manifuzz

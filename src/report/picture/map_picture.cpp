@@ -1,5 +1,3 @@
-#include "report/picture/map_picture.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,8 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "report/picture/canvas.hpp"
-#include "report/picture/map_words.hpp"
+#include "campaign/in_child.hpp"
+#include "campaign/neighbourhood_run.hpp"
+#include "report/picture/drawing.hpp"
+#include "report/picture/pictures.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -37,34 +37,9 @@ constexpr Colour kOther = 0x7a6a5a;
 constexpr std::array<Colour, 7> kStatementColours{0x0072b2, 0xf0e442, 0x009e73, 0xcc79a7,
                                                   0x56b4e9, 0xe69f00, 0xd55e00};
 
-Colour colour_of(Verdict verdict) {
-  constexpr std::array<Colour, kVerdictNames.size()> colours{kPale,    0x56b4e9, 0xe69f00, 0xd55e00,
-                                                             0xf0e442, 0xcc79a7, 0x0072b2, 0x009e73,
-                                                             kBlack,   0x5b2a86, kOther};
-  return colours[static_cast<std::size_t>(verdict)];
-}
-
-std::string verdict_in_words(Verdict verdict, const std::string& subject,
-                             const std::string& oracle) {
-  switch (verdict) {
-    case Verdict::agree:
-      return "agree: both are right, and say the same";
-    case Verdict::tie:
-      return "tie: they differ, and both are right";
-    case Verdict::known:
-      return fmt::format("known: {} is wrong, as the ledger says", oracle);
-    case Verdict::subject_wrong:
-      return fmt::format("subject_wrong: {} is wrong", subject);
-    case Verdict::oracle_wrong:
-      return fmt::format("oracle_wrong: {} is wrong", oracle);
-    case Verdict::both_wrong:
-      return "both_wrong: both are wrong";
-    case Verdict::ill_posed:
-      return "ill_posed: rounding hides the answer";
-    default:
-      return std::string(to_string(verdict));
-  }
-}
+constexpr std::array<Colour, kVerdictNames.size()> kVerdictColours{
+    kPale,    0x56b4e9, 0xe69f00, 0xd55e00, 0xf0e442, 0xcc79a7,
+    0x0072b2, 0x009e73, kBlack,   0x5b2a86, kOther};
 
 /// The roles whose statements are drawn, in the order of their panels.
 constexpr std::array kRoles{&Cell::subject, &Cell::oracle, &Cell::truth};
@@ -148,17 +123,121 @@ class MapPicture {
     y_ += 3;
   }
 
-  void write_title();
-  void draw_panels();
-  void draw_panel(int panel, std::string_view title);
-  void write_statements(double x, double right);
-  void write_verdicts(double x, double right);
+  /// The cells without a polygon.
   void draw_hatched(const Box& box) {
     for (double y = 0; y < box.height; y += 4) {
       canvas_.fill({box.x, box.y + y, box.width, 1}, kHatch);
     }
   }
-  Colour colour_of_cell(int panel, const Cell& cell) const;
+
+  void write_title() {
+    const double right = width_ - kEdge;
+    const std::string name = std::filesystem::path(judged_.given.path).filename().string();
+    y_ = 38;
+    write(name.empty() || name == "-" ? "a case" : name, kEdge, right, kTitleFont, kInk);
+    write(verdict_sentence(judged_), kEdge, right, kTextFont, kInk);
+    write(severity_in_words(judged_, map_), kEdge, right, kTextFont, kInk);
+    write(fmt::format("The map: {}. Right is +x, up is +y; the ring marks the case itself.",
+                      grid_in_words(map_.grid)),
+          kEdge, right, kTextFont, kQuiet);
+    y_ += 14;
+  }
+
+  Colour colour_of_cell(int panel, const Cell& cell) const {
+    if (panel == kPanels - 1) {
+      return kVerdictColours[static_cast<std::size_t>(cell.bucket.verdict)];
+    }
+    const ContactSummary& what = cell.*kRoles[static_cast<std::size_t>(panel)];
+    return std::ranges::find(said_, what, &Said::what)->colour;
+  }
+
+  void draw_panel(int panel, std::string_view title) {
+    const Box box{left_of(panel), y_ + 10, panel_, panel_};
+    canvas_.text({box.x, y_}, title, kPanelFont, kInk);
+    canvas_.frame(box, kQuiet);
+    draw_hatched(box);
+    for (int i = 0; i < map_.grid.cell_count(); ++i) {
+      const Cell& cell = map_.cells[static_cast<std::size_t>(i)];
+      if (cell.state == Cell::State::invalid) continue;
+      const bool judged = cell.state == Cell::State::judged;
+      const double column = map_.grid.x_of(i) + map_.grid.reach;
+      const double row = map_.grid.reach - map_.grid.y_of(i);
+      canvas_.fill({box.x + column * pixels_, box.y + row * pixels_, pixels_, pixels_},
+                   judged ? colour_of_cell(panel, cell) : kPaper);
+    }
+    canvas_.ring(box.center(), 7, 4, kPaper);
+    canvas_.ring(box.center(), 7, 1.8, kInk);
+    const std::string from = fmt::format("-{}", map_.grid.reach * map_.grid.step);
+    const std::string to = fmt::format("+{} ulps", map_.grid.reach * map_.grid.step);
+    const double below = box.bottom() + 16;
+    canvas_.text({box.x, below}, from, kSmallFont, kQuiet);
+    canvas_.text({box.center().x() - text_width("0", kSmallFont) / 2, below}, "0", kSmallFont,
+                 kQuiet);
+    canvas_.text({box.right() - text_width(to, kSmallFont), below}, to, kSmallFont, kQuiet);
+  }
+
+  void draw_panels() {
+    const auto named = [](std::string_view role, const DeclaredAnswer& asked) {
+      return fmt::format("{}: {}", role, asked.declaration.name);
+    };
+    draw_panel(0, named("subject", judged_.subject));
+    draw_panel(1, named("oracle", judged_.oracle));
+    draw_panel(2, "truth: the exact clip");
+    draw_panel(3, "difference: the verdict");
+    y_ += panel_ + 58;
+  }
+
+  void write_statements(double x, double right) {
+    const std::array<std::string_view, kRoles.size()> names{
+        judged_.subject.declaration.name, judged_.oracle.declaration.name, "truth"};
+    const auto entry = [&](std::string_view words, const std::array<int, kRoles.size()>& cells) {
+      std::string text(words);
+      std::string_view separator = "   (cells: ";
+      for (std::size_t role = 0; role < kRoles.size(); ++role) {
+        text += fmt::format("{}{} {}", separator, names[role], cells[role]);
+        separator = ", ";
+      }
+      return text + ")";
+    };
+    write("What is said; points by their features, A's/B's: f a face, v a vertex", x, right,
+          kPanelFont, kInk);
+    y_ += 4;
+    std::array<int, kRoles.size()> others{};
+    int kinds = 0;
+    for (const Said& said : said_) {
+      if (said.colour != kOther) {
+        write_entry(entry(statement_in_words(said.what), said.cells), x, right, said.colour);
+        continue;
+      }
+      ++kinds;
+      for (std::size_t role = 0; role < kRoles.size(); ++role) others[role] += said.cells[role];
+    }
+    if (kinds > 0) {
+      write_entry(entry(fmt::format("something else, of {}", counted(kinds, "kind")), others), x,
+                  right, kOther);
+    }
+    if (any(Cell::State::invalid)) {
+      draw_hatched({x, y_ - 11, 18, 13});
+      canvas_.frame({x, y_ - 11, 18, 13}, kQuiet);
+      write("the moved vertex makes no convex polygon", x + 27, right, kTextFont, kInk);
+    }
+    if (any(Cell::State::not_asked)) write_entry("not asked", x, right, kPaper);
+  }
+
+  void write_verdicts(double x, double right) {
+    write("Verdicts, and in how many cells", x, right, kPanelFont, kInk);
+    y_ += 4;
+    for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
+      const auto verdict = static_cast<Verdict>(i);
+      const auto cells = std::ranges::count_if(map_.cells, [&](const Cell& cell) {
+        return cell.state == Cell::State::judged && cell.bucket.verdict == verdict;
+      });
+      if (cells == 0) continue;
+      const std::string words = verdict_in_words(verdict, judged_.subject.declaration.name,
+                                                 judged_.oracle.declaration.name);
+      write_entry(fmt::format("{} ({})", words, cells), x, right, kVerdictColours[i]);
+    }
+  }
 
   const JudgedCase& judged_;
   const Neighbourhood& map_;
@@ -171,117 +250,20 @@ class MapPicture {
   double y_ = 0;
 };
 
-void MapPicture::write_title() {
-  const double right = width_ - kEdge;
-  const std::string name = std::filesystem::path(judged_.given.path).filename().string();
-  y_ = 38;
-  write(name.empty() || name == "-" ? "a case" : name, kEdge, right, kTitleFont, kInk);
-  write(verdict_sentence(judged_), kEdge, right, kTextFont, kInk);
-  write(severity_in_words(judged_, map_), kEdge, right, kTextFont, kInk);
-  write(fmt::format("The map: {}. Right is +x, up is +y; the ring marks the case itself.",
-                    grid_in_words(map_.grid)),
-        kEdge, right, kTextFont, kQuiet);
-  y_ += 14;
-}
-
-Colour MapPicture::colour_of_cell(int panel, const Cell& cell) const {
-  if (panel == kPanels - 1) return colour_of(cell.bucket.verdict);
-  const ContactSummary& what = cell.*kRoles[static_cast<std::size_t>(panel)];
-  return std::ranges::find(said_, what, &Said::what)->colour;
-}
-
-void MapPicture::draw_panel(int panel, std::string_view title) {
-  const Box box{left_of(panel), y_ + 10, panel_, panel_};
-  canvas_.text({box.x, y_}, title, kPanelFont, kInk);
-  canvas_.frame(box, kQuiet);
-  draw_hatched(box);
-  for (int i = 0; i < map_.grid.cell_count(); ++i) {
-    const Cell& cell = map_.cells[static_cast<std::size_t>(i)];
-    if (cell.state == Cell::State::invalid) continue;
-    const bool judged = cell.state == Cell::State::judged;
-    const double column = map_.grid.x_of(i) + map_.grid.reach;
-    const double row = map_.grid.reach - map_.grid.y_of(i);
-    canvas_.fill({box.x + column * pixels_, box.y + row * pixels_, pixels_, pixels_},
-                 judged ? colour_of_cell(panel, cell) : kPaper);
-  }
-  canvas_.ring(box.center(), 7, 4, kPaper);
-  canvas_.ring(box.center(), 7, 1.8, kInk);
-  const std::string from = fmt::format("-{}", map_.grid.reach * map_.grid.step);
-  const std::string to = fmt::format("+{} ulps", map_.grid.reach * map_.grid.step);
-  const double below = box.bottom() + 16;
-  canvas_.text({box.x, below}, from, kSmallFont, kQuiet);
-  canvas_.text({box.center().x() - text_width("0", kSmallFont) / 2, below}, "0", kSmallFont,
-               kQuiet);
-  canvas_.text({box.right() - text_width(to, kSmallFont), below}, to, kSmallFont, kQuiet);
-}
-
-void MapPicture::draw_panels() {
-  const auto named = [](std::string_view role, const DeclaredAnswer& asked) {
-    return fmt::format("{}: {}", role, asked.declaration.name);
-  };
-  draw_panel(0, named("subject", judged_.subject));
-  draw_panel(1, named("oracle", judged_.oracle));
-  draw_panel(2, "truth: the exact clip");
-  draw_panel(3, "difference: the verdict");
-  y_ += panel_ + 58;
-}
-
-void MapPicture::write_statements(double x, double right) {
-  const std::array<std::string_view, kRoles.size()> names{judged_.subject.declaration.name,
-                                                          judged_.oracle.declaration.name, "truth"};
-  const auto entry = [&](std::string_view words, const std::array<int, kRoles.size()>& cells) {
-    std::string text(words);
-    std::string_view separator = "   (cells: ";
-    for (std::size_t role = 0; role < kRoles.size(); ++role) {
-      text += fmt::format("{}{} {}", separator, names[role], cells[role]);
-      separator = ", ";
-    }
-    return text + ")";
-  };
-  write("What is said; points by their features, A's/B's: f a face, v a vertex", x, right,
-        kPanelFont, kInk);
-  y_ += 4;
-  std::array<int, kRoles.size()> others{};
-  int kinds = 0;
-  for (const Said& said : said_) {
-    if (said.colour != kOther) {
-      write_entry(entry(statement_in_words(said.what), said.cells), x, right, said.colour);
-      continue;
-    }
-    ++kinds;
-    for (std::size_t role = 0; role < kRoles.size(); ++role) others[role] += said.cells[role];
-  }
-  if (kinds > 0) {
-    write_entry(entry(fmt::format("something else, of {}", counted(kinds, "kind")), others), x,
-                right, kOther);
-  }
-  if (any(Cell::State::invalid)) {
-    draw_hatched({x, y_ - 11, 18, 13});
-    canvas_.frame({x, y_ - 11, 18, 13}, kQuiet);
-    write("the moved vertex makes no convex polygon", x + 27, right, kTextFont, kInk);
-  }
-  if (any(Cell::State::not_asked)) write_entry("not asked", x, right, kPaper);
-}
-
-void MapPicture::write_verdicts(double x, double right) {
-  write("Verdicts, and in how many cells", x, right, kPanelFont, kInk);
-  y_ += 4;
-  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
-    const auto verdict = static_cast<Verdict>(i);
-    const auto cells = std::ranges::count_if(map_.cells, [&](const Cell& cell) {
-      return cell.state == Cell::State::judged && cell.bucket.verdict == verdict;
-    });
-    if (cells == 0) continue;
-    const std::string words = verdict_in_words(verdict, judged_.subject.declaration.name,
-                                               judged_.oracle.declaration.name);
-    write_entry(fmt::format("{} ({})", words, cells), x, right, colour_of(verdict));
-  }
-}
-
 }  // namespace
 
 std::string map_png(const JudgedCase& judged, const Neighbourhood& neighbourhood) {
   return MapPicture(judged, neighbourhood).draw();
+}
+
+CaseMap case_map(const JudgedCase& judged, const Collider& subject, const Collider& oracle,
+                 int step_ulps, Interruption& interruption) {
+  const PairCase& pair = judged.given.pair;
+  const Grid grid = grid_around(exact::Truth(pair), step_ulps);
+  const Neighbourhood map =
+      ask_neighbourhood(pair, subject, oracle, grid, grid.cell_count(), interruption);
+  if (interruption.is_stopped()) throw Interrupted();
+  return {map_png(judged, map), {grid_in_words(grid), severity_in_words(judged, map)}};
 }
 
 }  // namespace manifuzz

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace manifuzz {
 namespace {
@@ -26,42 +27,23 @@ struct Arc {
   double tolerance = 0;
 
   Point at(const Point& direction) const { return center + radius * direction; }
-  /// Whether the chord will do in place of the arc between these directions.
-  bool is_fine(const Point& from, const Point& to) const {
-    const double chord = length(to - from) * radius;
-    const double sag = chord * chord / (8 * radius);
-    return sag <= tolerance || !inside({at(from), at(to)}, where.grown(sag));
-  }
 };
 
-/// The points from `from` to just before `to`.
+/// The points from `from` to just before `to`. A chord is fine where it is near the arc, or where
+/// nobody looks.
 void append_arc(Region& region, const Arc& arc, const Point& from, const Point& to,
                 int bisections) {
-  const bool is_coarse = bisections > kBisectionsMax - kBisectionsMin;
-  if (bisections == 0 || (!is_coarse && arc.is_fine(from, to))) {
+  const double chord = length(to - from) * arc.radius;
+  const double sag = chord * chord / (8 * arc.radius);
+  const bool is_fine =
+      sag <= arc.tolerance || !inside({arc.at(from), arc.at(to)}, arc.where.grown(sag));
+  if (bisections == 0 || (is_fine && bisections <= kBisectionsMax - kBisectionsMin)) {
     region.push_back(arc.at(from));
     return;
   }
   const Point middle = halfway(from, to);
   append_arc(region, arc, from, middle, bisections - 1);
   append_arc(region, arc, middle, to, bisections - 1);
-}
-
-/// What lies where `height`, linear in its point, is not negative.
-template <class Height>
-Region cut(const Region& region, const Height& height) {
-  Region kept;
-  for (std::size_t i = 0; i < region.size(); ++i) {
-    const Point& p = region[i];
-    const Point& q = region[(i + 1) % region.size()];
-    const double of_p = height(p);
-    const double of_q = height(q);
-    if (of_p >= 0) kept.push_back(p);
-    if ((of_p > 0 && of_q < 0) || (of_p < 0 && of_q > 0)) {
-      kept.push_back(p + (q - p) * (of_p / (of_p - of_q)));
-    }
-  }
-  return kept;
 }
 
 }  // namespace
@@ -73,6 +55,12 @@ double length(const Point& v) {
 Point unit(const Point& v) {
   const double long_as = length(v);
   return long_as > 0 ? Point(v / long_as) : Point(0, 0);
+}
+
+Point middle_of(const Region& region) {
+  Point sum(0, 0);
+  for (const Point& corner : region) sum += corner;
+  return sum / static_cast<double>(region.size());
 }
 
 Box box_around(const std::vector<Point>& points) {
@@ -87,10 +75,6 @@ Box box_around(const std::vector<Point>& points) {
 
 Point nearest(const Box& box, const Point& p) {
   return {std::clamp(p.x(), box.x, box.right()), std::clamp(p.y(), box.y, box.bottom())};
-}
-
-double distance(const Box& box, const Point& p) {
-  return length(p - nearest(box, p));
 }
 
 Region rounded(const exact::RoughPolygon& polygon, double radius, const Box& where,
@@ -110,24 +94,32 @@ Region rounded(const exact::RoughPolygon& polygon, double radius, const Box& whe
 }
 
 Region intersection(const Region& region, const Region& with) {
-  Region kept = region;
+  Region left = region;
   for (std::size_t i = 0; i < with.size(); ++i) {
-    const Point& from = with[i];
-    const Point along = with[(i + 1) % with.size()] - from;
-    kept = cut(kept, [&](const Point& p) { return cross<double>(along, p - from); });
+    const Point along = with[(i + 1) % with.size()] - with[i];
+    const auto depth = [&](const Point& p) { return cross<double>(along, p - with[i]); };
+    const Region whole = std::exchange(left, {});
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+      const Point& p = whole[k];
+      const Point& q = whole[(k + 1) % whole.size()];
+      const double of_p = depth(p);
+      const double of_q = depth(q);
+      if (of_p >= 0) left.push_back(p);
+      if ((of_p > 0 && of_q < 0) || (of_p < 0 && of_q > 0)) {
+        left.push_back(p + (q - p) * (of_p / (of_p - of_q)));
+      }
+    }
   }
-  return kept;
+  return left;
 }
 
 Region intersection(const Region& region, const Box& box) {
-  Region kept = cut(region, [&](const Point& p) { return p.x() - box.x; });
-  kept = cut(kept, [&](const Point& p) { return box.right() - p.x(); });
-  kept = cut(kept, [&](const Point& p) { return p.y() - box.y; });
-  kept = cut(kept, [&](const Point& p) { return box.bottom() - p.y(); });
+  Region kept = intersection(region, Region{{box.x, box.y},
+                                            {box.right(), box.y},
+                                            {box.right(), box.bottom()},
+                                            {box.x, box.bottom()}});
   // What is cut off far outside rounds by more than the box is wide.
-  for (Point& p : kept) {
-    p = {std::clamp(p.x(), box.x, box.right()), std::clamp(p.y(), box.y, box.bottom())};
-  }
+  for (Point& p : kept) p = nearest(box, p);
   return kept;
 }
 

@@ -39,6 +39,9 @@ struct Box {
   Box grown(double by) const { return {x - by, y - by, width + 2 * by, height + 2 * by}; }
 };
 
+/// The mean of the corners, of which there is one at least.
+Point middle_of(const Region& region);
+
 /// The smallest box around points, of which there is one at least.
 Box box_around(const std::vector<Point>& points);
 
@@ -46,8 +49,6 @@ double length(const Point& v);
 /// `v` at length 1, or zero where it has none.
 Point unit(const Point& v);
 
-/// A point's distance from a box, 0 inside.
-double distance(const Box& box, const Point& p);
 /// The point of the box nearest to `p`.
 Point nearest(const Box& box, const Point& p);
 

@@ -2,14 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "report/candidate.hpp"
+#include "report/words.hpp"
 
 namespace manifuzz {
 namespace {
 
-PlacedFace placed_face(const Scene& scene, Side side, int face) {
-  const exact::RoughPolygon& polygon = scene.polygon(side);
+constexpr double kHeightMin = 280;
+constexpr double kGap = 14;          // between frames
+constexpr double kWholeShare = 0.6;  // of the width, where there are closer views
+constexpr double kMargin = 56;       // around the scene, for labels
+
+/// Something that a picture must show, and how large it must come out.
+struct Interest {
+  Point focus{0, 0};
+  double length = 0;
+  double pixels_min = 0;    // to be seen
+  double share_wanted = 0;  // of a closer view's smaller side
+  bool is_depth = false;
+};
+
+PlacedFace placed_face(const exact::RoughPair& polygons, Side side, int face) {
+  const exact::RoughPolygon& polygon = polygons[side];
   return {side, face, {polygon.vertices[face], polygon.vertices[polygon.next(face)]}};
 }
 
@@ -25,30 +40,33 @@ DepthBar bar_at(const Scene& scene, const Point& position, double depth, Side re
   return {skin, skin + depth * outward, depth};
 }
 
+/// The vertex of a polygon that lies farthest against a direction.
+Point farthest_against(const exact::RoughPolygon& polygon, const Point& direction) {
+  return *std::min_element(
+      polygon.vertices.data(), polygon.vertices.data() + polygon.count,
+      [&](const Point& p, const Point& q) { return direction.dot(p) < direction.dot(q); });
+}
+
 /// The true deepest point: of the clip, or the vertex that lies farthest behind the reference face.
 DepthBar deepest_bar(const Scene& scene, const PairCase& pair, const exact::Clip* candidate) {
+  const Side side = scene.reference.side;
   if (candidate != nullptr) {
     const auto& points = candidate->points;
     const bool second = candidate->count > 1 && points[1].depth() > points[0].depth();
     const exact::ClipPoint& point = points[second ? 1 : 0];
-    return bar_at(scene, seen_from_a(pair, point.position()), point.depth(), scene.reference.side,
-                  scene.outward);
+    return bar_at(scene, seen_from_a(pair, point.position()), point.depth(), side, scene.outward);
   }
-  const exact::RoughPolygon& polygon = scene.polygon(other(scene.reference.side));
-  const auto* const deepest = std::min_element(
-      polygon.vertices.data(), polygon.vertices.data() + polygon.count,
-      [&](const Point& p, const Point& q) { return scene.outward.dot(p) < scene.outward.dot(q); });
-  const double separation = scene.outward.dot(*deepest - scene.reference.segment.first);
-  return bar_at(scene, *deepest, total_radius(pair) - separation, scene.reference.side,
-                scene.outward);
+  const Point deepest = farthest_against(scene.polygons[other(side)], scene.outward);
+  const double separation = scene.outward.dot(deepest - scene.reference.segment.first);
+  return bar_at(scene, deepest, total_radius(pair) - separation, side, scene.outward);
 }
 
 void add_points(Scene& scene, const PairCase& pair, const DeclaredAnswer& asked, bool is_subject) {
   for (int i = 0; i < asked.count(); ++i) {
     const Manifold<double>& manifold = *asked.manifold();
     const ContactPoint<double>& point = manifold.points[i];
+    if (!point.position.allFinite()) continue;
     const Point normal = world_normal(pair, manifold.normal);
-    if (!point.position.allFinite() || !std::isfinite(point.depth) || !normal.allFinite()) continue;
     const Point position = seen_from_a(pair, point.position);
     const Point direction = unit(normal);
     const Point outward = manifold.reference == Side::a ? direction : Point(-direction);
@@ -57,31 +75,150 @@ void add_points(Scene& scene, const PairCase& pair, const DeclaredAnswer& asked,
   }
 }
 
+/// Around a polygon and its skin.
+Box box_of(const Scene& scene, Side side) {
+  const auto* const vertices = scene.polygons[side].vertices.data();
+  return box_around({vertices, vertices + scene.polygons[side].count}).grown(scene.radius(side));
+}
+
+/// The width of a polygon where it is thinnest, and the corner there.
+Interest thickness(const exact::RoughPolygon& polygon) {
+  Interest thinnest{{0, 0}, std::numeric_limits<double>::infinity(), 4, 0.25};
+  for (int face = 0; face < polygon.count; ++face) {
+    const Point& normal = polygon.normals[face];
+    const Point farthest = farthest_against(polygon, normal);
+    const double width = normal.dot(polygon.vertices[face] - farthest);
+    if (width >= thinnest.length) continue;
+    thinnest.length = width;
+    thinnest.focus = farthest + width / 2 * normal;
+  }
+  return thinnest;
+}
+
+/// The largest first.
+std::vector<Interest> interests(const Scene& scene) {
+  std::vector<Interest> all;
+  const auto add = [&](const Segment& segment, double length, double pixels, double share) {
+    all.push_back({(segment.first + segment.second) / 2, length, pixels, share});
+  };
+  const auto add_face = [&](const Segment& face) {
+    add(face, length(face.second - face.first), 20, 0.4);
+  };
+  for (const Side side : kSides) {
+    const Box box = box_of(scene, side);
+    all.push_back({box.center(), length({box.width, box.height}), 30, 0.6});
+    if (scene.radius(side) <= 0) all.push_back(thickness(scene.polygons[side]));
+  }
+  add_face(scene.reference.segment);
+  if (scene.incident) add_face(scene.incident->segment);
+  if (scene.deepest.depth != 0) {
+    // A closer look than a quarter of the bound would show rounding alone.
+    const double depth = std::max(std::abs(scene.deepest.depth), scene.rounding / 4);
+    add({scene.deepest.from, scene.deepest.to}, depth, 14, 0.25);
+    all.back().is_depth = true;
+  }
+  // What rounding makes no longer than nothing cannot be looked at more closely.
+  std::erase_if(all, [](const Interest& interest) { return !(interest.length > 0); });
+  std::ranges::stable_sort(all, std::ranges::greater(), &Interest::length);
+  return all;
+}
+
+/// What is in none of the views.
+std::vector<Interest> unseen(const std::vector<Interest>& all, const std::vector<View>& views) {
+  std::vector<Interest> left;
+  for (const Interest& interest : all) {
+    const bool seen = std::ranges::any_of(views, [&](const View& view) {
+      return interest.length * view.scale >= interest.pixels_min &&
+             view.frame.contains(view.place(interest.focus));
+    });
+    if (!seen) left.push_back(interest);
+  }
+  return left;
+}
+
+View view_of(const Box& scene, const Box& frame) {
+  return {frame, scene.center(),
+          std::min((frame.width - 2 * kMargin) / scene.width,
+                   (frame.height - 2 * kMargin) / scene.height)};
+}
+
+View close_view(const Interest& interest, const Box& frame) {
+  const double side = std::min(frame.width, frame.height);
+  return {frame, interest.focus, interest.share_wanted * side / interest.length};
+}
+
 }  // namespace
 
-Scene make_scene(const JudgedCase& judged) {
-  const PairCase& pair = judged.given.pair;
-  const auto world = exact::place_roughly(pair);
-  const Admissible right = admissible(pair, judged.subject.declaration);
-  const exact::Clip* const candidate = candidate_to_show(right, judged.subject);
+Box Scene::whole(double reach) const {
+  std::vector<Point> places;
+  for (const Side side : kSides) {
+    const Box box = box_of(*this, side);
+    places.insert(places.end(), {Point(box.x, box.y), Point(box.right(), box.bottom())});
+  }
+  const Box shapes = box_around(places);
+  const Box about = shapes.grown(reach * std::max(shapes.width, shapes.height));
+  const auto add = [&](const Point& p) {
+    if (about.contains(p)) places.push_back(p);
+  };
+  for (const Point& point : right) add(point);
+  for (const DrawnPoint& point : points) add(point.position);
+  return box_around(places);
+}
 
+Scene make_scene(const PairCase& pair, std::span<const DeclaredAnswer> answers) {
+  const Admissible admitted = admissible(pair, answers[0].declaration);
+  const exact::Clip* const candidate = candidate_to_show(admitted, answers[0]);
   Scene scene;
-  scene.polygons = {world.a, world.b};
+  scene.polygons = exact::place_roughly(pair);
   scene.radii = {pair.a.polygon.radius, pair.b.polygon.radius};
-  scene.rounding = right.bounds.separation;
-
-  const auto [side, face] = candidate ? candidate->reference : right.truth->greatest();
-  scene.reference = placed_face(scene, side, face);
-  if (candidate) scene.incident = placed_face(scene, other(side), candidate->incident);
-  scene.outward = scene.polygon(side).normals[face];
-  scene.normal = side == Side::a ? scene.outward : Point(-scene.outward);
-  const Point widening = total_radius(pair) * counter_clockwise_quarter<double>(scene.outward);
-  scene.slab = {scene.reference.segment.first - widening,
-                scene.reference.segment.second + widening};
+  const exact::Truth& truth = *admitted.truth;
+  scene.depth = std::abs(leading(truth.fine_separation(truth.greatest())) - total_radius(pair));
+  scene.rounding = admitted.bounds.separation;
+  const auto [side, face] = candidate ? candidate->reference : truth.greatest();
+  scene.reference = placed_face(scene.polygons, side, face);
+  scene.outward = scene.polygons[side].normals[face];
   scene.deepest = deepest_bar(scene, pair, candidate);
-  add_points(scene, pair, judged.subject, true);
-  add_points(scene, pair, judged.oracle, false);
+  if (candidate) {
+    scene.incident = placed_face(scene.polygons, other(side), candidate->incident);
+    const Manifold<double> manifold = true_manifold(*candidate);
+    for (int i = 0; i < manifold.count; ++i) {
+      scene.right.push_back(seen_from_a(pair, manifold.points[i].position));
+    }
+  }
+  for (std::size_t i = 0; i < answers.size(); ++i) add_points(scene, pair, answers[i], i == 0);
   return scene;
+}
+
+Region View::place(const Region& region) const {
+  Region placed;
+  for (const Point& point : region) placed.push_back(place(point));
+  return placed;
+}
+
+std::vector<View> choose_views(const Scene& scene, double x, double y, double width) {
+  const Box shown = scene.whole(1);
+  const std::vector<Interest> all = interests(scene);
+  const double wanted = (width - 2 * kMargin) * shown.height / shown.width + 2 * kMargin;
+  std::vector<View> views{view_of(shown, {x, y, width, std::clamp(wanted, kHeightMin, 440.0)})};
+  // One closer view if that shows all, else two.
+  for (const std::size_t closer : {1U, 2U}) {
+    if (unseen(all, views).empty()) return views;
+    const double height = closer == 1 ? 440 : 470;
+    const double left = kWholeShare * (width - kGap);
+    const double half = closer == 1 ? height : (height - kGap) / 2;
+    views = {view_of(shown, {x, y, left, height})};
+    for (double top = y; views.size() <= closer; top += half + kGap) {
+      const std::vector<Interest> hidden = unseen(all, views);
+      if (hidden.empty()) break;
+      auto next = hidden.begin();
+      if (views.size() == 2) {
+        next = std::ranges::find(hidden, true, &Interest::is_depth);
+        if (next == hidden.end()) --next;
+      }
+      views.push_back(close_view(*next, {x + left + kGap, top, width - left - kGap, half}));
+    }
+  }
+  return views;
 }
 
 }  // namespace manifuzz

@@ -1,13 +1,12 @@
-#include "report/picture/text_picture.hpp"
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "report/candidate.hpp"
-#include "report/picture/dot_canvas.hpp"
+#include "report/picture/pictures.hpp"
+#include "report/picture/scene.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -31,23 +30,6 @@ constexpr char kRight = '+';
 constexpr std::array<char, 2> kAnswerMarks{'S', 'O'};
 constexpr char kSeveral = '*';
 
-struct Marked {
-  Point position{0, 0};
-  char mark = kRight;
-};
-
-/// What a picture shows, in world directions and lengths, seen from A's position.
-struct Sight {
-  std::array<exact::RoughPolygon, 2> polygons;
-  std::array<double, 2> radii{};
-  std::vector<Marked> points;  ///< finite ones
-  double depth = 0;            ///< of the overlap, or the gap
-
-  Region region(std::size_t i, const Box& where, double tolerance) const {
-    return rounded(polygons[i], radii[i], where, tolerance);
-  }
-};
-
 /// A part of the world on a canvas; `scale` in dots a length.
 struct Frame {
   Box box;
@@ -61,56 +43,18 @@ struct Frame {
   Point back(int x, int y) const { return {box.x + x / scale, box.bottom() - y / scale}; }
 };
 
-void add_points(Sight& sight, const PairCase& pair, const Manifold<double>& manifold, int count,
-                char mark) {
-  for (int i = 0; i < count; ++i) {
-    const Point& local = manifold.points[i].position;
-    if (!local.allFinite()) continue;
-    sight.points.push_back({rotate<double>(pair.a.pose.rotation.cast<double>(), local), mark});
+/// Contact points with their marks, the right ones first, which lie above those that come later.
+std::vector<std::pair<Point, char>> marks_of(const Scene& scene) {
+  std::vector<std::pair<Point, char>> marks;
+  for (const Point& right : scene.right) marks.emplace_back(right, kRight);
+  for (const DrawnPoint& point : scene.points) {
+    marks.emplace_back(point.position, kAnswerMarks[point.by_subject ? 0 : 1]);
   }
-}
-
-Sight sight_of(const PairCase& pair, std::span<const DeclaredAnswer> answers) {
-  const auto placed = exact::place_roughly(pair);
-  Sight sight{{placed.a, placed.b}, {pair.a.polygon.radius, pair.b.polygon.radius}, {}};
-  const exact::Truth truth(pair);
-  sight.depth = std::abs(leading(truth.fine_separation(truth.greatest())) - total_radius(pair));
-  const Admissible right = admissible(pair, answers[0].declaration);
-  if (const exact::Clip* const clip = candidate_to_show(right, answers[0])) {
-    const Manifold<double> manifold = true_manifold(*clip);
-    add_points(sight, pair, manifold, manifold.count, kRight);
-  }
-  for (std::size_t i = 0; i < answers.size() && i < kAnswerMarks.size(); ++i) {
-    const Manifold<double>* const manifold = answers[i].manifold();
-    if (manifold) add_points(sight, pair, *manifold, answers[i].count(), kAnswerMarks[i]);
-  }
-  return sight;
-}
-
-Box around_polygons(const Sight& sight) {
-  std::vector<Point> corners;
-  for (std::size_t i = 0; i < 2; ++i) {
-    for (int v = 0; v < sight.polygons[i].count; ++v) {
-      const Point& corner = sight.polygons[i].vertices[static_cast<std::size_t>(v)];
-      const Point skin(sight.radii[i], sight.radii[i]);
-      corners.insert(corners.end(), {corner - skin, corner + skin});
-    }
-  }
-  return box_around(corners);
+  return marks;
 }
 
 double longer_side(const Box& box) {
   return std::max(box.width, box.height);
-}
-
-/// The polygons, and the points that are not absurdly far off.
-Box whole(const Sight& sight) {
-  const Box box = around_polygons(sight);
-  std::vector<Point> places{{box.x, box.y}, {box.right(), box.bottom()}};
-  for (const Marked& point : sight.points) {
-    if (box.grown(longer_side(box) / 2).contains(point.position)) places.push_back(point.position);
-  }
-  return box_around(places);
 }
 
 /// A finite box, which is not a point, at the largest scale that the canvas has room for.
@@ -122,30 +66,29 @@ Frame framed(const Box& box, int rows) {
   return {box, scale, cells(box.width, 2), cells(box.height, 4)};
 }
 
-/// The box around what is of interest: the overlap, and the points.
-std::optional<Box> interest(const Sight& sight, const Region& overlap, const Box& where) {
-  std::vector<Point> places = overlap;
-  for (const Marked& point : sight.points) {
-    if (where.contains(point.position)) places.push_back(point.position);
+/// What a closer view has to show: the overlap and the points where they are small, with some air
+/// around; else an end of the contact where the overlap, or the gap, is too thin. None where all is
+/// seen.
+std::optional<Box> closer(const Scene& scene, const Frame& all) {
+  const auto marks = marks_of(scene);
+  const double tolerance = 0.25 / all.scale;
+  std::vector<Point> places = intersection(scene.shape(Side::a, all.box, tolerance),
+                                           scene.shape(Side::b, all.box, tolerance));
+  for (const auto& [point, mark] : marks) {
+    if (all.box.contains(point)) places.push_back(point);
   }
-  return places.empty() ? std::nullopt : std::optional(box_around(places));
-}
-
-/// What a closer view has to show: all that is of interest where it is small, with some air around;
-/// else an end of the contact where the overlap, or the gap, is too thin. None where all is seen.
-std::optional<Box> closer(const Sight& sight, const Frame& all, const Region& overlap) {
-  const auto of_interest = interest(sight, overlap, all.box);
-  if (!of_interest) return std::nullopt;
+  if (places.empty()) return std::nullopt;
+  const Box of_interest = box_around(places);
   const double whole_side = longer_side(all.box);
-  const double side = longer_side(*of_interest);
+  const double side = longer_side(of_interest);
   if (side * all.scale < kSmall) {
-    return of_interest->grown(side > kPrecision * whole_side ? 0.5 * side
-                                                             : 0.5 * kPlaceShare * whole_side);
+    return of_interest.grown(0.5 *
+                             (side > kPrecision * whole_side ? side : kPlaceShare * whole_side));
   }
-  const bool is_thin = sight.depth * all.scale < kThin && sight.depth > kPrecision * whole_side;
-  if (!is_thin || sight.points.empty()) return std::nullopt;
-  const Point& end = sight.points.front().position;
-  return Box{end.x(), end.y(), 0, 0}.grown(4 * sight.depth);
+  const bool is_thin = scene.depth * all.scale < kThin && scene.depth > kPrecision * whole_side;
+  if (!is_thin || marks.empty()) return std::nullopt;
+  const Point& end = marks.front().first;
+  return Box{end.x(), end.y()}.grown(4 * scene.depth);
 }
 
 void draw_outline(DotCanvas& canvas, const Frame& frame, const Region& region, int every) {
@@ -164,30 +107,24 @@ void fill(DotCanvas& canvas, const Frame& frame, const Region& region) {
   }
 }
 
-Point middle_of(const exact::RoughPolygon& polygon) {
-  Point sum(0, 0);
-  for (int i = 0; i < polygon.count; ++i) sum += polygon.vertices[static_cast<std::size_t>(i)];
-  return sum / polygon.count;
-}
-
-std::string drawn(const Sight& sight, const Frame& frame) {
+std::string drawn(const Scene& scene, const Frame& frame) {
   DotCanvas canvas(frame.columns, frame.rows);
   const double tolerance = 0.25 / frame.scale;
-  const Region a = sight.region(0, frame.box, tolerance);
-  const Region b = sight.region(1, frame.box, tolerance);
+  const Region a = scene.shape(Side::a, frame.box, tolerance);
+  const Region b = scene.shape(Side::b, frame.box, tolerance);
   fill(canvas, frame, intersection(intersection(a, frame.box), b));
   draw_outline(canvas, frame, a, 1);
   draw_outline(canvas, frame, b, 2);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Point middle = middle_of(sight.polygons[i]);
-    if (frame.box.contains(middle)) canvas.mark(frame.place(middle), i == 0 ? 'A' : 'B');
+  for (const Side side : kSides) {
+    const Point middle = middle_of(rounded(scene.polygons[side], 0, frame.box, tolerance));
+    if (frame.box.contains(middle)) canvas.mark(frame.place(middle), side == Side::a ? 'A' : 'B');
   }
-  for (const Marked& point : sight.points) {
-    if (!frame.box.contains(point.position)) continue;
-    const Point at = frame.place(point.position);
+  for (const auto& [point, mark] : marks_of(scene)) {
+    if (!frame.box.contains(point)) continue;
+    const Point at = frame.place(point);
     const char there = canvas.mark_at(at);
-    const bool is_first = there == 0 || there == 'A' || there == 'B' || there == point.mark;
-    canvas.mark(at, is_first ? point.mark : kSeveral);
+    const bool is_first = there == 0 || there == 'A' || there == 'B' || there == mark;
+    canvas.mark(at, is_first ? mark : kSeveral);
   }
   return canvas.text();
 }
@@ -207,17 +144,14 @@ std::string legend(const PairCase& pair, std::span<const DeclaredAnswer> answers
 }  // namespace
 
 std::string text_picture(const PairCase& pair, std::span<const DeclaredAnswer> answers) {
-  const Sight sight = sight_of(pair, answers);
-  const Frame all = framed(whole(sight), kRowsOfAll);
-  std::string text = drawn(sight, all);
-  const double tolerance = 0.25 / all.scale;
-  const Region overlap =
-      intersection(sight.region(0, all.box, tolerance), sight.region(1, all.box, tolerance));
-  if (const auto part = closer(sight, all, overlap)) {
+  const Scene scene = make_scene(pair, answers);
+  const Frame all = framed(scene.whole(0.5), kRowsOfAll);
+  std::string text = drawn(scene, all);
+  if (const auto part = closer(scene, all)) {
     const Frame near = framed(*part, kRowsOfCloser);
     const double times = near.scale / all.scale;
     if (times >= kCloser) {
-      text += fmt::format("\n{} times closer:\n{}", brief(times), drawn(sight, near));
+      text += fmt::format("\n{} times closer:\n{}", brief(times), drawn(scene, near));
     }
   }
   return text + '\n' + legend(pair, answers, all);

@@ -8,7 +8,7 @@
 
 #include "measure/bench/own_subjects.hpp"
 #include "oracle/exact/truth.hpp"
-#include "report/plot/gnuplot.hpp"
+#include "report/gnuplot.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,12 +1,10 @@
-#include "report/picture/case_picture.hpp"
-
 #include <limits>
 #include <sstream>
 
 #include <catch2/catch.hpp>
 
-#include "report/candidate.hpp"
-#include "report/picture/svg.hpp"
+#include "report/picture/drawing.hpp"
+#include "report/picture/pictures.hpp"
 #include "report/words.hpp"
 #include "support/named_tests.hpp"
 #include "unit/report/sample.hpp"
@@ -128,6 +126,22 @@ TEST_CASE("points at one spot share a label, in which each collider stands once"
   const auto elements = read_svg(case_svg(judged_case(pair)));
   const std::string whole = select(elements, "text", "depth-word").at(0).text;
   CHECK(whole == "depth 0.25 (clip, box2d)");
+}
+
+TEST_CASE("polygons have their letters, and vertices their numbers") {
+  const auto elements = read_svg(case_svg(judged_case(box_on_box(0.25F))));
+  for (const std::string side : {"a", "b"}) {
+    CHECK(select(elements, "text", "letter " + side).size() == 1);
+    CHECK(select(elements, "text", "vertex " + side).size() == 4);
+  }
+}
+
+TEST_CASE("labels of points near each other are stacked") {
+  PairCase pair = box_on_box(0.25F);
+  pair.b.polygon = box_polygon(0.05F, 0.5F);
+  const auto elements = read_svg(case_svg(judged_case(pair)));
+  CHECK(select(elements, "text", "depth-word").size() >= 2);
+  check_layout(elements);
 }
 
 TEST_CASE("the overlap is drawn where it is") {

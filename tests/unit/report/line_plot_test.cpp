@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/user_error.hpp"
-#include "report/plot/gnuplot.hpp"
+#include "report/gnuplot.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace manifuzz;

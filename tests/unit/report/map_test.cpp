@@ -8,8 +8,8 @@
 #include "campaign/in_child.hpp"
 #include "campaign/neighbourhood_run.hpp"
 #include "corpus/corpus.hpp"
-#include "report/picture/map_picture.hpp"
-#include "report/picture/map_words.hpp"
+#include "report/picture/pictures.hpp"
+#include "report/words.hpp"
 #include "support/source_tree.hpp"
 #include "unit/report/sample.hpp"
 

@@ -21,7 +21,7 @@ struct Element {
 };
 
 /// Every element. Throws std::runtime_error where the document is not well-formed: tags that do not
-/// balance, attributes without quotes or twice, raw `<` or `&`, anything beside the one root.
+/// balance, attributes without quotes or twice, a raw `<`, anything behind the one root.
 std::vector<Element> read_svg(std::string_view document);
 
 /// The elements of that name with that class.

@@ -1,10 +1,9 @@
-#include "report/picture/text_picture.hpp"
-
 #include <algorithm>
 
 #include <catch2/catch.hpp>
 
-#include "report/picture/dot_canvas.hpp"
+#include "report/picture/drawing.hpp"
+#include "report/picture/pictures.hpp"
 #include "support/run_program.hpp"
 #include "unit/report/sample.hpp"
 

@@ -1,11 +1,8 @@
-#include "report/plot/gnuplot.hpp"
+#include "report/gnuplot.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <unistd.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,40 +21,24 @@ std::string terminal_of(const std::string& path) {
       fmt::format("{}: the name of an SVG or PNG file is expected", printable(path, 200)));
 }
 
-bool run_gnuplot(const std::string& script) {
-  std::FILE* const gnuplot = popen("gnuplot", "w");
-  if (gnuplot == nullptr) return false;
-  std::fwrite(script.data(), 1, script.size(), gnuplot);
-  return pclose(gnuplot) == 0;
-}
-
-/// An empty file under a name of its own, removed at the end.
-class DrawnFile {
- public:
-  DrawnFile() : path_((std::filesystem::temp_directory_path() / "manifuzz-plot-XXXXXX").string()) {
-    const int file = mkstemp(path_.data());
-    if (file < 0) throw UserError(fmt::format("{}: cannot be written", path_));
-    close(file);
+/// What gnuplot draws by this script; nothing where it cannot.
+std::string drawn_by_gnuplot(const std::string& script) {
+  const std::string command = "gnuplot <<'END_OF_SCRIPT'\n" + script + "END_OF_SCRIPT\n";
+  std::FILE* const gnuplot = popen(command.c_str(), "r");
+  if (gnuplot == nullptr) return {};
+  std::string picture;
+  std::array<char, 4096> part{};
+  while (const std::size_t size = std::fread(part.data(), 1, part.size(), gnuplot)) {
+    picture.append(part.data(), size);
   }
-  ~DrawnFile() { unlink(path_.c_str()); }
-  DrawnFile(const DrawnFile&) = delete;
-  DrawnFile& operator=(const DrawnFile&) = delete;
-
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
+  return pclose(gnuplot) == 0 ? picture : "";
+}
 
 /// Runs commands that draw one picture, which becomes the file.
 void draw(const std::string& path, const std::string& commands) {
-  const std::string terminal = terminal_of(path);
-  // The name stands in gnuplot's script, so it is never the user's.
-  const DrawnFile drawn;
-  const bool is_drawn = run_gnuplot(
-      fmt::format("set terminal {}\nset output '{}'\n", terminal, drawn.path()) + commands);
-  const std::string picture = InputFile(drawn.path()).read_all();
-  if (!is_drawn || picture.empty()) {
+  const std::string picture =
+      drawn_by_gnuplot(fmt::format("set terminal {}\n{}", terminal_of(path), commands));
+  if (picture.empty()) {
     throw UserError(fmt::format("{}: gnuplot could not draw it; is it installed?", path));
   }
   write_file(path, picture);

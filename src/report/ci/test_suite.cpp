@@ -1,0 +1,97 @@
+#include "report/ci/test_suite.hpp"
+
+#include <algorithm>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace manifuzz {
+namespace {
+
+/// Text of which XML can be made: bytes that are not UTF-8, as file names may have, become U+FFFD,
+/// control characters but `kept` blanks.
+std::string fit_for_xml(std::string_view text, char kept = ' ') {
+  constexpr auto replace = nlohmann::json::error_handler_t::replace;
+  std::string fit = nlohmann::json::parse(nlohmann::json(text).dump(-1, ' ', false, replace));
+  const auto is_unfit = [kept](char c) {
+    return static_cast<unsigned char>(c) < 0x20 && c != kept;
+  };
+  std::ranges::replace_if(fit, is_unfit, ' ');
+  return fit;
+}
+
+void set(pugi::xml_node& node, const char* attribute, std::string_view text) {
+  node.append_attribute(attribute) = fit_for_xml(text).c_str();
+}
+
+/// The counts of a suite, or of all of them; an error stands for a test that could not be.
+void set_counts(pugi::xml_node& node, std::span<const TestSuite> suites) {
+  std::size_t tests = 0;
+  std::size_t failures = 0;
+  std::size_t errors = 0;
+  double seconds = 0;
+  for (const TestSuite& suite : suites) {
+    tests += suite.tests.size() + suite.errors.size();
+    failures += suite.failures();
+    errors += suite.errors.size();
+    seconds += suite.seconds();
+  }
+  node.append_attribute("tests") = tests;
+  node.append_attribute("failures") = failures;
+  node.append_attribute("errors") = errors;
+  set(node, "time", fmt::format("{:.3f}", seconds));
+}
+
+pugi::xml_node add_test(pugi::xml_node& node, const TestSuite& suite, std::string_view name,
+                        double seconds) {
+  pugi::xml_node test = node.append_child("testcase");
+  set(test, "classname", suite.name);
+  set(test, "name", name);
+  set(test, "time", fmt::format("{:.6f}", seconds));
+  return test;
+}
+
+/// With its last line's end.
+std::string lines(const std::string& text) {
+  return text.empty() || text.ends_with('\n') ? text : text + '\n';
+}
+
+void add_failure(pugi::xml_node test, const TestFailure& failure) {
+  pugi::xml_node node = test.append_child("failure");
+  set(node, "message", in_words(failure));
+  std::string body = lines(failure.command);
+  if (!body.empty() && !failure.picture.empty()) body += '\n';
+  body += lines(failure.picture);
+  if (!body.empty()) node.text() = fit_for_xml('\n' + body, '\n').c_str();
+}
+
+void add_suite(pugi::xml_node& all, const TestSuite& suite) {
+  pugi::xml_node node = all.append_child("testsuite");
+  set(node, "name", suite.name);
+  set_counts(node, {&suite, 1});
+  for (const std::string& error : suite.errors) {
+    pugi::xml_node test = add_test(node, suite, error.substr(0, error.find(": ")), 0);
+    pugi::xml_node why = test.append_child("error");
+    set(why, "message", error);
+  }
+  for (const TestResult& result : suite.tests) {
+    const pugi::xml_node test = add_test(node, suite, result.name, result.seconds);
+    if (result.failure) add_failure(test, *result.failure);
+  }
+}
+
+}  // namespace
+
+std::string junit_xml(std::span<const TestSuite> suites) {
+  pugi::xml_document document;
+  pugi::xml_node all = document.append_child("testsuites");
+  set_counts(all, suites);
+  for (const TestSuite& suite : suites) add_suite(all, suite);
+  std::ostringstream text;
+  document.save(text, "");
+  return text.str();
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/judged_case.hpp"
+#include "judging/neighbourhood.hpp"
+
+namespace manifuzz {
+
+// The pictures of a case.
+
+/// The case as an SVG document: verdict, polygons, overlap, reference and incident, every
+/// collider's points with their depths, closer views of what is too small to be seen, a legend.
+std::string case_svg(const JudgedCase& judged);
+
+/// The neighbourhood as a PNG file: what the subject says, what the oracle says, what is true and
+/// the verdict, side by side, with the severity and a legend in words.
+std::string map_png(const JudgedCase& judged, const Neighbourhood& neighbourhood);
+
+/// A case's neighbourhood, drawn.
+struct CaseMap {
+  std::string png;                 ///< the file's bytes
+  std::vector<std::string> words;  ///< what it is a map of, and its severity
+};
+
+/// Asks both about every neighbour, which lie `step_ulps` apart. Throws Interrupted.
+CaseMap case_map(const JudgedCase& judged, const Collider& subject, const Collider& oracle,
+                 int step_ulps, Interruption& interruption);
+
+/// The case as a picture of characters, for terminals, logs and code blocks: outlines, overlap,
+/// right contact points and those of the answers (the subject, then the oracle if there is one), a
+/// closer view where these are too near each other, a legend. At most 76 characters wide but for
+/// the legend, and 46 lines with it; UTF-8.
+std::string text_picture(const PairCase& pair, std::span<const DeclaredAnswer> answers);
+
+/// Of a case between two colliders.
+std::string text_picture(const JudgedCase& judged);
+
+}  // namespace manifuzz

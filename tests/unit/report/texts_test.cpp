@@ -1,0 +1,154 @@
+#include <catch2/catch.hpp>
+
+#include "base/user_error.hpp"
+#include "report/case_text.hpp"
+#include "report/upstream.hpp"
+#include "report/words.hpp"
+#include "unit/report/sample.hpp"
+
+using namespace manifuzz;
+using namespace manifuzz::test;
+using Catch::Contains;
+
+TEST_CASE("numbers in labels are short") {
+  CHECK(brief(0.31) == "0.31");
+  CHECK(brief(-0.0) == "0");
+  CHECK(brief(1.0 / 3) == "0.3333");
+  CHECK(brief(20000) == "20000");
+  CHECK(brief(-123456) == "-123456");
+  CHECK(brief(1e7) == "1e+07");
+  CHECK(brief(1e-9) == "1e-09");
+}
+
+TEST_CASE("agreement says what they agree on") {
+  CHECK(verdict_sentence(judged_case(box_on_box(0.25F))) ==
+        "agree within rounding: clip and box2d report 2 points, depths 0.25 and 0.25");
+  CHECK(verdict_sentence(judged_case(box_on_box(-0.5F))) ==
+        "agree: clip and box2d report no contact, gap 0.5");
+}
+
+TEST_CASE("what lies between the polygons") {
+  CHECK(truth_in_words(box_on_box(0.25F)) == "overlap 0.25");
+  CHECK(truth_in_words(box_on_box(-0.5F)) == "gap 0.5");
+  CHECK(truth_in_words(box_on_box(-0.25F, 0.5F)) == "depth 0.25");
+  CHECK(truth_in_words(box_on_box(0)) == "overlap 0");
+}
+
+TEST_CASE("each verdict has its sentence") {
+  JudgedCase judged = judged_case(box_on_box(0.25F));
+  judged.judgement.magnitude = 0.5;
+  const auto sentence = [&](Verdict verdict, Kind kind, Fault fault) {
+    judged.judgement.bucket.verdict = verdict;
+    judged.judgement.bucket.kind = kind;
+    judged.judgement.bucket.fault = fault;
+    return verdict_sentence(judged);
+  };
+  CHECK(sentence(Verdict::known, Kind::missed_contact, Fault::oracle) ==
+        "oracle wrong (known): box2d reports no contact, true overlap 0.25");
+  CHECK(sentence(Verdict::subject_wrong, Kind::depth, Fault::subject) ==
+        "subject wrong: a depth of clip is off by 0.7071");
+  CHECK(sentence(Verdict::oracle_wrong, Kind::normal, Fault::oracle) ==
+        "oracle wrong: the normal of box2d is off by 0.5");
+  CHECK(sentence(Verdict::both_wrong, Kind::position, Fault::both) ==
+        "both wrong: a point of clip is off by 0.7071, and box2d is wrong too");
+  CHECK(sentence(Verdict::subject_wrong, Kind::count, Fault::subject) ==
+        "subject wrong: clip leaves out a point of depth 0.7071");
+  CHECK(sentence(Verdict::crashed, Kind::none, Fault::oracle) ==
+        "crashed: box2d died on this case");
+  CHECK(sentence(Verdict::timed_out, Kind::none, Fault::subject) ==
+        "timed out: clip gave no answer in time");
+  CHECK(sentence(Verdict::malformed, Kind::none, Fault::oracle) ==
+        "malformed: box2d answered nonsense");
+  for (std::size_t verdict = 0; verdict < kVerdictNames.size(); ++verdict) {
+    for (std::size_t kind = 0; kind < kKindNames.size(); ++kind) {
+      const std::string text =
+          sentence(static_cast<Verdict>(verdict), static_cast<Kind>(kind), Fault::subject);
+      CAPTURE(kVerdictNames[verdict], kKindNames[kind]);
+      CHECK(text.size() > 20);
+      CHECK(text.find("  ") == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("what a collider answered") {
+  DeclaredAnswer asked = judged_case(box_on_box(0.25F)).subject;
+  CHECK(answer_in_words(asked) == "2 points, depths 0.25 and 0.25");
+  asked.answer = Unsupported{"too many vertices"};
+  CHECK(answer_in_words(asked) == "unsupported: too many vertices");
+  asked.answer = Lost{Lost::How::crashed, "crashed"};
+  CHECK(answer_in_words(asked) == "crashed");
+}
+
+TEST_CASE("an unsupported case says why") {
+  JudgedCase judged = judged_case(box_on_box(0.25F));
+  judged.oracle.answer = Unsupported{"rounded polygons"};
+  judged.judgement.bucket = {.verdict = Verdict::unsupported};
+  CHECK(verdict_sentence(judged) == "unsupported: box2d cannot take this case: rounded polygons");
+}
+
+TEST_CASE("the text holds polygons, truth, bounds, candidate, answers and verdict") {
+  JudgedCase judged = judged_case(box_on_box(0.25F));
+  judged.given.found = Found{.seed = 7, .regime = "boxes", .index = 12, .versions = {}};
+  judged.given.note = "Two boxes.";
+  const std::string text = case_text(judged);
+  CHECK_THAT(text, Contains("agree within rounding: clip and box2d"));
+  CHECK_THAT(text, Contains("none/agree/none/none/a"));
+  CHECK_THAT(text, Contains("seed 7, regime boxes, index 12"));
+  CHECK_THAT(text, Contains("Two boxes."));
+  CHECK_THAT(text, Contains("vertex 3           (-0.5, 0.5)"));
+  CHECK_THAT(text, Contains("world (-0.5, -0.75)"));
+  CHECK_THAT(text, Contains("separation S_A     -0.25                    A face 0"));
+  CHECK_THAT(text, Contains("separation S_B     -0.25                    B face 2"));
+  CHECK_THAT(text, Contains("touching, near     yes, no"));
+  CHECK_THAT(text, Contains("reference          A face 0, world (-1, -1) to (1, -1)"));
+  CHECK_THAT(text, Contains("incident           B face 2, world (0.5, -0.75) to (-0.5, -0.75)"));
+  CHECK_THAT(text, Contains("depth 0.25, features A f0, B v3"));
+  CHECK_THAT(text, Contains("oracle: box2d 2.4.1, 2 points"));
+}
+
+TEST_CASE("numbers of the text read back bit for bit") {
+  PairCase pair = box_on_box(0.25F);
+  pair.a.pose.position = {0.1F, 1e-7F};
+  pair.b.polygon.radius = 0.3F;
+  const std::string text = case_text(judged_case(pair));
+  CHECK_THAT(text, Contains("position           (0.1, 1e-07)"));
+  CHECK_THAT(text, Contains("world (-0.8999999985098839, -0.9999998999999988)"));
+  CHECK_THAT(text, Contains("total radius       0.30000001192092896"));
+}
+
+TEST_CASE("polygons apart have no right manifold but none") {
+  const std::string text = case_text(judged_case(box_on_box(-0.5F)));
+  CHECK_THAT(text, Contains("one of 0 for clip"));
+  CHECK_THAT(text, Contains("subject: clip 0.1.0, no contact"));
+}
+
+TEST_CASE("a ledger entry is shown with its source") {
+  JudgedCase judged = judged_case(box_on_box(0.25F));
+  judged.judgement.explanation = &ledger().front();
+  const std::string text = case_text(judged);
+  CHECK_THAT(text, Contains(std::string(ledger().front().id)));
+  CHECK_THAT(text, Contains(std::string(ledger().front().source)));
+}
+
+TEST_CASE("a snippet's placeholders become the case's numbers") {
+  PairCase pair = test::box_on_box(0.25F);
+  pair.b.pose.position = {0.5F, -2};
+  CHECK(filled_in("f(@b.position[]@, @b.position{}@, @a.count@)", pair) ==
+        "f([0.5, -2], {0.5, -2}, 4)");
+  CHECK(filled_in("@a.rotation[]@ @b.radius@ @c.radius@", pair) == "[1, 0] 0 @c.radius@");
+  CHECK(filled_in("@a.vertices{}@", pair).starts_with("{{"));
+}
+
+TEST_CASE("a report says what was got, what is right, and how to see it") {
+  JudgedCase judged = test::judged_case(test::box_on_box(0.25F), "clip", "box2d");
+  CHECK_THROWS_AS(upstream_report(judged, "--subject clip"), UserError);
+  judged.oracle.answer = Manifold<double>{};
+  judged.judgement = judge(judged.given.pair, {judged.subject.declaration, judged.subject.answer},
+                           {judged.oracle.declaration, judged.oracle.answer});
+  const std::string report = upstream_report(judged, "--subject clip");
+  CHECK(report.starts_with("# box2d 2.4.1: oracle wrong"));
+  CHECK(report.find("## Got\n\n```\nno contact") != std::string::npos);
+  CHECK(report.find("depth 0.25") != std::string::npos);
+  CHECK(report.find("b2CollidePolygons(&manifold") != std::string::npos);
+  CHECK(report.find('@') == std::string::npos);
+}
