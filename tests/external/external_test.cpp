@@ -164,8 +164,9 @@ TEST_CASE("a program that answers twice, or not at all, is not called wrong for 
 }
 
 TEST_CASE("a program that answers out of order has no answers") {
-  const JobsResult result =
-      run(plan_of(collider_of_command(MANIFUZZ_TEST_PROGRAM " out-of-order", kSecondsMax / 10)));
+  const Collider late =
+      collider_of_command(MANIFUZZ_TEST_PROGRAM " out-of-order", kSecondsMax / 10, kSecondsMax);
+  const JobsResult result = run(plan_of(late));
   CHECK(result.given_up == Fault::subject);
   CHECK(result.tally->count(Verdict::malformed) >= 20);
   CHECK(result.tally->count(Verdict::subject_wrong) == 0);

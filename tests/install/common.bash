@@ -5,8 +5,8 @@ source=$(realpath "$(dirname "${BASH_SOURCE[0]}")/../..")
 folder=$(mktemp --directory)
 trap 'rm -rf "$folder"' EXIT
 
-# Objects are the same wherever the temporary folder lies.
-export CCACHE_BASEDIR=$folder CCACHE_NOHASHDIR=1
+# Objects are the same wherever the temporary folder lies; those with precompiled headers are kept too.
+export CCACHE_BASEDIR=$folder CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
 ccache=()
 if command -v ccache >/dev/null; then ccache=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
 
