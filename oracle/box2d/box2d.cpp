@@ -1,15 +1,156 @@
 #include "oracle/box2d/box2d.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
+#include <box2d/b2_body.h>
+#include <box2d/b2_broad_phase.h>
 #include <box2d/b2_collision.h>
 #include <box2d/b2_common.h>
-
-#include "oracle/box2d/shape.hpp"
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_world.h>
 
 namespace manifuzz {
+namespace {
+
+struct Placed {
+  b2PolygonShape shape;
+  b2Transform transform;
+  b2AABB box;
+  int proxy = b2BroadPhase::e_nullProxy;
+  bool moved = false;
+  std::vector<std::uint32_t> partners;  ///< in pairs
+};
+
+struct Pair {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  b2Manifold manifold;
+};
+
+b2AABB box_of(const Placed& body) {
+  b2AABB box;
+  body.shape.ComputeAABB(&box, body.transform, 0);
+  return box;
+}
+
+void* as_data(std::uintptr_t body) {
+  return reinterpret_cast<void*>(body);
+}
+
+}  // namespace
+
+struct Box2dPairs::State {
+  std::vector<Placed> bodies;
+  std::vector<std::uint32_t> moved;  ///< bodies, since the last step
+  std::vector<Pair> pairs;
+  b2BroadPhase broad_phase;
+
+  /// Called by the broad phase for pairs whose fattened boxes overlap, those known already too.
+  void AddPair(void* data_a, void* data_b) {
+    const auto a = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(data_a));
+    const auto b = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(data_b));
+    const bool fewer_of_a = bodies[a].partners.size() < bodies[b].partners.size();
+    const auto& known = bodies[fewer_of_a ? a : b].partners;
+    if (std::ranges::find(known, fewer_of_a ? b : a) != known.end()) return;
+    bodies[a].partners.push_back(b);
+    bodies[b].partners.push_back(a);
+    pairs.push_back({std::min(a, b), std::max(a, b), {}});
+  }
+
+  void move(const BodyMove& move) {
+    Placed& body = bodies[move.body];
+    body.transform = box2d::to_box2d(move.pose);
+    if (!std::exchange(body.moved, true)) moved.push_back(move.body);
+    const b2AABB before = body.box;
+    body.box = box_of(body);
+    b2AABB swept;
+    swept.Combine(before, body.box);
+    broad_phase.MoveProxy(body.proxy, swept, body.box.GetCenter() - before.GetCenter());
+  }
+
+  bool is_apart(const Pair& pair) {
+    if (broad_phase.TestOverlap(bodies[pair.a].proxy, bodies[pair.b].proxy)) return false;
+    std::erase(bodies[pair.a].partners, pair.b);
+    std::erase(bodies[pair.b].partners, pair.a);
+    return true;
+  }
+};
+
+Box2dPairs::Box2dPairs(std::span<const Body> bodies) : state_(std::make_unique<State>()) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    Placed& placed = state_->bodies.emplace_back();
+    placed.shape = box2d::to_box2d(bodies[i].polygon);
+    placed.transform = box2d::to_box2d(bodies[i].pose);
+    placed.box = box_of(placed);
+    placed.proxy = state_->broad_phase.CreateProxy(placed.box, as_data(i));
+    placed.moved = true;
+    state_->moved.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+Box2dPairs::~Box2dPairs() = default;
+
+void Box2dPairs::step(std::span<const BodyMove> moves, bool skip_unmoved) {
+  State& state = *state_;
+  for (const BodyMove& move : moves) state.move(move);
+  state.broad_phase.UpdatePairs(&state);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < state.pairs.size(); ++i) {
+    Pair& pair = state.pairs[i];
+    Placed& a = state.bodies[pair.a];
+    Placed& b = state.bodies[pair.b];
+    const bool is_active = a.moved || b.moved;
+    if ((is_active || !skip_unmoved) && state.is_apart(pair)) continue;
+    if (is_active || !skip_unmoved) {
+      b2CollidePolygons(&pair.manifold, &a.shape, a.transform, &b.shape, b.transform);
+    }
+    if (kept != i) state.pairs[kept] = pair;
+    ++kept;
+  }
+  state.pairs.resize(kept);
+  for (const std::uint32_t body : state.moved) state.bodies[body].moved = false;
+  state.moved.clear();
+}
+
+namespace {
+
+b2Body* add(b2World& world, const WorldBody& from) {
+  b2BodyDef definition;
+  definition.type = from.is_fixed ? b2_staticBody : b2_dynamicBody;
+  definition.position = box2d::to_box2d(from.body.pose.position);
+  definition.angle = std::atan2(from.body.pose.rotation.y(), from.body.pose.rotation.x());
+  b2Body* const body = world.CreateBody(&definition);
+  const b2PolygonShape shape = box2d::to_box2d(from.body.polygon);
+  b2FixtureDef fixture;
+  fixture.shape = &shape;
+  fixture.density = 1;
+  fixture.friction = 0.5F;
+  body->CreateFixture(&fixture);
+  return body;
+}
+
+}  // namespace
+
+std::vector<std::vector<Pose<float>>> box2d_trajectory(std::span<const WorldBody> bodies,
+                                                       int steps) {
+  b2World world({0, -10});
+  std::vector<b2Body*> added;
+  for (const WorldBody& body : bodies) added.push_back(add(world, body));
+  std::vector<std::vector<Pose<float>>> trajectory;
+  for (int i = 0; i < steps; ++i) {
+    world.Step(1.0F / 60, 8, 3);
+    std::vector<Pose<float>>& poses = trajectory.emplace_back();
+    for (const b2Body* const body : added) {
+      const b2Transform& at = body->GetTransform();
+      poses.push_back({{at.p.x, at.p.y}, {at.q.c, at.q.s}});
+    }
+  }
+  return trajectory;
+}
 
 using box2d::to_box2d;
 

@@ -1,8 +1,84 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <box2d/b2_math.h>
+#include <box2d/b2_polygon_shape.h>
+
 #include "collider/collider.hpp"
+#include "geometry/convex_polygon.hpp"
+#include "geometry/pair_case.hpp"
+
+namespace manifuzz::box2d {
+
+// The stored floats as Box2D's own types, converted without rounding.
+
+inline b2Vec2 to_box2d(const Vector2<float>& v) {
+  return {v.x(), v.y()};
+}
+
+inline b2Transform to_box2d(const Pose<float>& pose) {
+  b2Transform transform;
+  transform.p = to_box2d(pose.position);
+  transform.q.c = pose.rotation.x();
+  transform.q.s = pose.rotation.y();
+  return transform;
+}
+
+/// Filled as it stands: `b2PolygonShape::Set` would weld, reorder and assert.
+inline b2PolygonShape to_box2d(const ConvexPolygon<float>& polygon) {
+  b2PolygonShape shape;
+  for (int i = 0; i < polygon.count; ++i) {
+    shape.m_vertices[i] = to_box2d(polygon.vertices[i]);
+    shape.m_normals[i] = to_box2d(polygon.normals[i]);
+  }
+  shape.m_count = polygon.count;
+  shape.m_radius = polygon.radius;
+  return shape;
+}
+
+}  // namespace manifuzz::box2d
 
 namespace manifuzz {
+
+/// A body's new place.
+struct BodyMove {
+  std::uint32_t body = 0;  ///< its index
+  Pose<float> pose;
+};
+
+/// The manifolds of a scene as Box2D's contact manager gets them (b2_contact_manager.cpp), without
+/// its solver: `b2BroadPhase` with its fattened boxes, and `b2CollidePolygons` on every pair that
+/// it reports.
+class Box2dPairs {
+ public:
+  explicit Box2dPairs(std::span<const Body> bodies);
+  ~Box2dPairs();
+  Box2dPairs(const Box2dPairs&) = delete;
+  Box2dPairs& operator=(const Box2dPairs&) = delete;
+
+  /// Collides all pairs, or those alone of which a body moved, as sleep allows.
+  void step(std::span<const BodyMove> moves, bool skip_unmoved);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// A body of a world to be simulated.
+struct WorldBody {
+  Body body;
+  bool is_fixed = false;
+};
+
+/// The poses of all bodies after each step of `b2World::Step` (b2_world.cpp): 1/60 s, 8 and 3
+/// iterations, gravity 10 downwards, density 1, friction 0.5, sleep allowed. Lengths are metres;
+/// polygons are taken as they stand, skins and all.
+std::vector<std::vector<Pose<float>>> box2d_trajectory(std::span<const WorldBody> bodies,
+                                                       int steps);
 
 /// Box2D's `b2CollidePolygons` (b2_collide_polygon.cpp), on shapes filled from the stored floats:
 /// `b2PolygonShape::Set` would weld, reorder and assert. Its answer is converted without rounding

@@ -1,8 +1,8 @@
+#include "oracle/exact/clip.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "oracle/exact/figures.hpp"
 
 namespace manifuzz::exact {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "oracle/exact/clip.hpp"
 #include "oracle/exact/placed.hpp"
-#include "oracle/exact/rough.hpp"
 
 namespace manifuzz::exact {
 

@@ -1,5 +1,3 @@
-#include "oracle/external/command.hpp"
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -8,9 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/json.hpp"
-#include "base/user_error.hpp"
+#include "base/text.hpp"
 #include "oracle/external/external_collider.hpp"
-#include "oracle/external/program_process.hpp"
 
 namespace manifuzz {
 namespace {

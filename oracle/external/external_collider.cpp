@@ -9,9 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/names.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 
 namespace manifuzz {
 namespace {

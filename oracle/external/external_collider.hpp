@@ -1,12 +1,123 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "collider/collider.hpp"
+#include "exchange/json.hpp"
+#include "oracle/external/manifuzz_collider.h"
+#include "process/child.hpp"
 
 namespace manifuzz {
+
+/// A shared library after manifuzz_collider.h, loaded into this process for good.
+class Library {
+ public:
+  /// Throws UserError that says what is wrong with it.
+  explicit Library(const std::string& path);
+
+  const manifuzz_declaration& declaration() const { return *declaration_; }
+  /// What `manifuzz_collide` returns; the manifold comes zeroed.
+  int collide(const PairCase& pair, manifuzz_manifold& manifold) const;
+
+ private:
+  const manifuzz_declaration* declaration_ = nullptr;
+  decltype(&manifuzz_collide) collide_ = nullptr;
+};
+
+/// The declaration as a `Declaration`. Throws UserError that names the field that is wrong.
+Declaration declaration_of(const manifuzz_declaration& declared);
+
+/// What `manifuzz_collide` returned for a case (0, or 1 where it declines) and the manifold that it
+/// filled in, as an answer: in A's frame, its normal from A to B; `Lost` where it is no manifold.
+Answer answer_of(int status, const manifuzz_manifold& manifold,
+                 const manifuzz_declaration& declared, const PairCase& pair);
+
+/// A shared library after manifuzz_collider.h as a collider in this process: the fastest, but where
+/// it crashes, so does this process. Throws UserError where the library cannot be loaded.
+Collider collider_in_process(const std::string& path);
+
+/// A shared library after manifuzz_collider.h as a collider in a process of its own: one that
+/// crashes, hangs longer than `seconds_max` over a case or scribbles over its memory loses that
+/// case. Throws UserError where the library cannot be loaded.
+Collider collider_in_own_process(const std::string& path, double seconds_max);
+
+/// A program's first answer, before which it may have to be compiled, may take so long.
+inline constexpr double kStartSecondsMax = 10;
+
+/// A program that answers case lines with manifold lines (corpus/README.md states both), as a
+/// collider. One that dies, hangs longer than `seconds_max` over a case (the first one:
+/// `start_seconds_max`), or answers what is no manifold, loses that case. Throws UserError where it
+/// cannot be started or declares nonsense.
+Collider collider_of_command(const std::string& command, double seconds_max,
+                             double start_seconds_max = kStartSecondsMax);
+
+/// How long a program may take.
+struct TimeLimits {
+  double start_seconds = 0;  ///< for the first answer of a process
+  double case_seconds = 0;   ///< for each one after
+};
+
+/// How a batch of cases ended.
+enum class BatchEnd {
+  answered,     ///< every case has its answer
+  stopped,      ///< we did not want to go on
+  exited,       ///< its output ended
+  timed_out,    ///< no answer in time
+  not_json,     ///< a line that is not JSON: what follows may answer another case
+  extra_lines,  ///< more lines than cases
+};
+
+struct BatchResult {
+  std::size_t answered = 0;  ///< of the cases, in order
+  BatchEnd end = BatchEnd::answered;
+  std::string why;
+};
+
+/// A program that reads pair cases, a line each, on its standard input, and writes a manifold line
+/// for each to its standard output, in order. Before its first answer it may write its declaration.
+/// An answer that is JSON but no manifold is `Lost`, and its case's alone.
+class ProgramProcess {
+ public:
+  ProgramProcess(std::string command, const TimeLimits& time_limits)
+      : limits(time_limits), command_(std::move(command)) {}
+
+  TimeLimits limits;
+  Conventions conventions;  ///< of its answers, as it declares them
+
+  /// Asks all at once, and reads while it writes; starts the program where it does not run. `go_on`
+  /// is asked several times a second.
+  BatchResult ask(std::span<const PairCase> pairs, std::span<Answer> answers,
+                  const std::function<bool()>& go_on);
+
+  /// Whether it writes more than it was asked for, within that time.
+  bool writes_more(double seconds);
+
+  /// Ends the program. Says how it had ended, if it had by itself.
+  std::string stop();
+
+  /// The declaration of the last start, a line of JSON, or empty.
+  const std::string& declaration() const { return declaration_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void start();
+  void write_some(std::string_view& text);
+  bool read_some();
+  bool is_next_line(std::string& line);
+  void take_lines(std::span<const PairCase> pairs, std::span<Answer> answers, BatchResult& result);
+
+  std::string command_;
+  Child child_;
+  std::string unread_;
+  std::string declaration_;
+  bool has_answered_ = false;  ///< since it was started
+};
 
 /// Whether a collider that declares this has to be asked at all.
 std::optional<Unsupported> beyond_limits(const Declaration& declaration, const PairCase& pair);

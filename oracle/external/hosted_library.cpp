@@ -1,5 +1,3 @@
-#include "oracle/external/hosted_library.hpp"
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -12,11 +10,9 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "oracle/external/external_collider.hpp"
-#include "oracle/external/library.hpp"
 #include "process/child.hpp"
-#include "process/shared_memory.hpp"
+#include "process/pool.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,13 +1,10 @@
-#include "oracle/external/library.hpp"
-
 #include <dlfcn.h>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "base/user_error.hpp"
-#include "exchange/reported_manifold.hpp"
+#include "exchange/json.hpp"
 #include "oracle/external/external_collider.hpp"
 
 namespace manifuzz {

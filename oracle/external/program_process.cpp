@@ -1,5 +1,3 @@
-#include "oracle/external/program_process.hpp"
-
 #include <array>
 #include <cerrno>
 #include <poll.h>
@@ -10,8 +8,8 @@
 #include "base/file.hpp"
 #include "base/json.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "exchange/json.hpp"
+#include "oracle/external/external_collider.hpp"
 
 namespace manifuzz {
 namespace {

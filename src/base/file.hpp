@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <sys/types.h>
+#include <utility>
 #include <vector>
 
 namespace manifuzz {
@@ -101,5 +103,59 @@ class NewFolder {
   bool was_there_ = false;
   bool is_kept_ = false;
 };
+
+/// Writes to the standard error as far as it goes: one that is closed or full stops nothing.
+void write_error(std::string_view text);
+
+/// Thrown where nobody reads the output any more: the command ends, quietly.
+struct OutputClosed {};
+
+/// The standard output, buffered. Throws UserError where it cannot be written (a full disk), and
+/// OutputClosed where its reader is gone. What is not flushed is lost.
+class Output {
+ public:
+  void write(std::string_view text);
+  void flush();
+
+ private:
+  std::string buffer_;
+};
+
+/// Writes all of it to the standard output, as `Output` does.
+void write_output(std::string_view text);
+
+/// The same, but a reader that is gone stops nothing: what a command says is in its status too.
+void write_to_reader(std::string_view text);
+
+/// Writes to the file of that name, or to the standard output for "-".
+void write_data(const std::string& file, std::string_view text);
+
+/// The file or folder that a path means, the same for every spelling of it and every link to it.
+struct Place {
+  std::filesystem::path path;  ///< absolute, links followed, even those to nothing
+  std::optional<std::pair<dev_t, ino_t>> file{};  ///< none: it is not there yet
+
+  explicit Place(const std::filesystem::path& given);
+
+  bool is_same(const Place& other) const;
+  /// Whether this is the folder itself, or anything below it.
+  bool is_within(const Place& folder) const;
+};
+
+/// Why no file could be written there by `write_file`, or nothing: what is missing is made and
+/// taken away again.
+std::string why_not_writable(const std::filesystem::path& file);
+
+/// Why no file could be written below this folder, or nothing; the folder is made and taken away
+/// again where it is missing.
+std::string why_no_folder(const std::filesystem::path& folder);
+
+/// The path from the working folder, since no absolute path goes into what is kept; as it is where
+/// that cannot be told.
+std::filesystem::path kept_path(const std::filesystem::path& path);
+
+/// This program as it can be called again, relative to the working folder, so that a kept output
+/// holds no absolute path; for a shell.
+std::string this_program();
 
 }  // namespace manifuzz

@@ -11,9 +11,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "base/names.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,5 +1,3 @@
-#include "base/place.hpp"
-
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>

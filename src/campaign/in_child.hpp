@@ -2,7 +2,10 @@
 
 #include <stdexcept>
 
+#include "collider/collider.hpp"
+#include "corpus/shrink.hpp"
 #include "judging/judge.hpp"
+#include "process/interruption.hpp"
 #include "process/pool.hpp"
 
 namespace manifuzz {
@@ -30,5 +33,22 @@ Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Co
 /// What the collider answers in a child process, asked once and completed; Lost where it dies or
 /// hangs. Throws Interrupted.
 Answer ask_in_child(const Collider& collider, const PairCase& pair, Interruption& interruption);
+
+/// A shrunk case keeps at least this share of the magnitude.
+inline constexpr double kMagnitudeShareKept = 0.5;
+
+/// The smallest case like this one: same bucket, same ledger entry, enough of the magnitude. Runs
+/// in a child process, so that a collider may die; ends early, with the smallest so far, at the
+/// first signal from now on. Throws Interrupted where it had not begun.
+Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
+                      Interruption& interruption);
+
+/// Asks both colliders for the cells of the grid, in child processes: a cell on which one of them
+/// dies is judged as crashed. Begins with the case itself and goes on evenly spread, so that the
+/// cells asked are a fair sample where it ends early: after `cells_max` cells, after as many
+/// crashes as take no longer than that, after the first hang, or when interrupted.
+Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
+                                const Collider& oracle, const Grid& grid, int cells_max,
+                                Interruption& interruption);
 
 }  // namespace manifuzz

@@ -1,5 +1,3 @@
-#include "campaign/jobs.hpp"
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -8,9 +6,10 @@
 
 #include "base/random.hpp"
 #include "campaign/in_child.hpp"
-#include "judging/completed.hpp"
+#include "campaign/run.hpp"
+#include "judging/manifold_error.hpp"
 #include "oracle/external/external_collider.hpp"
-#include "process/shared_memory.hpp"
+#include "process/pool.hpp"
 
 namespace manifuzz {
 namespace {

@@ -11,11 +11,8 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
-#include "campaign/budgets.hpp"
-#include "campaign/findings.hpp"
 #include "campaign/save.hpp"
-#include "corpus/simplicity.hpp"
+#include "corpus/shrink.hpp"
 #include "generating/regime.hpp"
 
 namespace manifuzz {

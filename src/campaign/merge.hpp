@@ -5,10 +5,47 @@
 #include <string>
 #include <vector>
 
-#include "campaign/result_files.hpp"
+#include <nlohmann/json.hpp>
+
+#include "campaign/plan.hpp"
+#include "campaign/result.hpp"
 #include "process/interruption.hpp"
 
 namespace manifuzz {
+
+/// Budgets hold for the regimes as they are, as far as the colliders take them: a plan with radii
+/// of its own is not held to them.
+bool holds_budgets(const Plan& plan);
+
+/// Whether an entry fired more often in so many cases of a regime than its budget and five standard
+/// deviations of chance allow. The regime `corpus`, which depends on what the corpus holds, has
+/// none.
+bool is_over_budget(const LedgerEntry& entry, std::string_view regime, std::uint64_t hits,
+                    std::uint64_t cases);
+
+/// Every entry of the plan's oracle.
+std::vector<LedgerResult> ledger_counts(const Tally& tally, const Plan& plan);
+
+/// How a run's buckets compare with an earlier run's, by their names.
+struct BucketComparison {
+  std::vector<std::string> appeared;  ///< in this run alone
+  std::vector<std::string> gone;      ///< in the earlier one alone
+  std::vector<std::string> still;     ///< in both, and no worse
+  std::vector<std::string> worse;     ///< in both, its magnitude grown by more than a tenth
+};
+
+/// What `fuzz --json` wrote. Throws UserError that names the file.
+CampaignResult read_baseline(const std::string& path);
+
+/// One line that names the terms (subject, oracle, seed, first, cases, regimes) in which two runs
+/// differ, so that the comparison is not fair; empty where there are none.
+std::string differences_in_words(const CampaignResult& earlier, const CampaignResult& now);
+
+BucketComparison compared(const CampaignResult& earlier, const CampaignResult& now);
+
+/// For people: what differs in the terms, and the buckets that are new, worse or gone.
+std::string comparison_text(const CampaignResult& earlier, const CampaignResult& now);
+nlohmann::ordered_json comparison_json(const BucketComparison& comparison);
 
 /// What several corpora know of one finding.
 struct MergedFinding {

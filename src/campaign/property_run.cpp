@@ -1,5 +1,3 @@
-#include "campaign/property_run.hpp"
-
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -10,14 +8,13 @@
 #include <rapidcheck.h>
 
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "campaign/in_child.hpp"
-#include "campaign/shrink_finding.hpp"
+#include "campaign/replay.hpp"
 #include "corpus/corpus.hpp"
-#include "corpus/simpler_cases.hpp"
+#include "corpus/shrink.hpp"
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
-#include "process/shared_memory.hpp"
+#include "process/pool.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,13 +1,44 @@
 #pragma once
 
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "campaign/run.hpp"
+#include "collider/collider.hpp"
 #include "corpus/corpus.hpp"
 #include "judging/judge.hpp"
+#include "judging/properties.hpp"
 #include "process/interruption.hpp"
 
 namespace manifuzz {
+
+/// How to run a property: by RapidCheck, on the project's generator and shrink tree.
+struct PropertyPlan {
+  std::uint64_t seed = 0;
+  int cases = 1000;
+  std::span<const PairCase> corpus;      ///< what the regime `corpus` may mutate
+  std::string rc_params;                 ///< of a failure to repeat, as `reproduce` below has it
+  Interruption* interruption = nullptr;  ///< once there is hurry, it leaves the rest out
+};
+
+struct PropertyResult {
+  bool passed = false;
+  int cases = 0;                    ///< that were asked about, before anything was shrunk
+  std::string report;               ///< what RapidCheck says: the distribution, or the failure
+  std::optional<PairCase> failing;  ///< the smallest found, or the one that the collider died of
+  std::string why;
+  std::string reproduce;  ///< a value of RC_PARAMS that repeats the failure; empty: the seed does
+};
+
+/// Runs in a child process: a collider that dies or hangs fails the property. Throws UserError
+/// where `rc_params` cannot be read.
+PropertyResult run_property(const Property& property, const Collider& collider,
+                            const PropertyPlan& plan);
 
 struct Replayed {
   bool passed = false;
@@ -43,5 +74,64 @@ struct ReplayRun {
 /// Every case again, as far as there is time; the run refers to the cases.
 ReplayRun replay_cases(const std::vector<CorpusCase>& cases, const Collider& subject,
                        const Collider& oracle, Interruption& interruption);
+
+/// A property that was run over a collider.
+struct CheckedProperty {
+  const Property* property = nullptr;
+  PropertyResult result;
+  double seconds = 0;
+  std::string saved{};        ///< the file its failing case was written to, or empty
+  std::string why_unsaved{};  ///< why it could not be
+
+  bool holds() const { return result.passed; }
+  /// Whether there was no time for a single case.
+  bool is_left_out() const { return result.passed && result.cases == 0; }
+};
+
+/// Every one of these properties, until somebody asks to stop or, each with its share of what time
+/// is left, until the deadline; failing cases go to the folder `save_to`, unless it is empty.
+/// `on_checked` runs after each.
+std::vector<CheckedProperty> check_properties(
+    const std::vector<const Property*>& chosen, const Collider& subject, const PropertyPlan& plan,
+    const Deadline& deadline, const std::string& save_to,
+    const std::function<void(const CheckedProperty&)>& on_checked);
+
+/// A corpus again, every property and a campaign, within so many seconds, however slow the
+/// colliders.
+struct SmokePlan {
+  Collider subject;
+  Collider oracle;
+  Corpus corpus;
+  std::uint64_t seed = 0;
+  std::string save_to{};  ///< a corpus folder; empty: nowhere
+  Origin origin{};
+  Clock::time_point start{};
+  double seconds = 0;
+
+  /// When this share of the time is over.
+  Deadline at(double share) const;
+  /// When the last picture must be drawn.
+  Deadline end() const { return at(1); }
+};
+
+/// What was done of it: where somebody asks to stop, no part is begun after that.
+struct SmokeRun {
+  ReplayRun replayed;
+  std::vector<CheckedProperty> checked{};
+  std::optional<Campaign> campaign{};
+
+  bool is_well() const;
+};
+
+/// Whoever is told of each part once it is done.
+struct SmokeListener {
+  std::function<void(const ReplayRun&)> on_replayed;
+  std::function<void(const CheckedProperty&)> on_checked;
+  std::function<void(const Campaign&)> on_campaign;
+  std::function<void(const Plan&, const Progress&)> on_progress;
+};
+
+/// `all` is stopped by a signal in any part. The run refers to the plan's corpus.
+SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interruption& all);
 
 }  // namespace manifuzz

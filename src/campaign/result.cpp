@@ -1,6 +1,12 @@
 #include "campaign/result.hpp"
 
 #include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "base/file.hpp"
+#include "base/text.hpp"
 
 namespace manifuzz {
 namespace {
@@ -87,6 +93,103 @@ bool has_failed(const CampaignResult& result) {
                              [](const BucketResult& found) { return decides_status(found); }) ||
          std::ranges::any_of(result.ledger,
                              [](const LedgerResult& entry) { return !entry.over_budget.empty(); });
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The largest result that is read.
+constexpr std::size_t kLongestResult = std::size_t{1} << 28;
+
+/// A key that the results of one command alone have, among those behind it in the list.
+struct KindKey {
+  std::string_view kind;
+  std::string_view key;
+};
+constexpr std::array kKindKeys{KindKey{"fuzz", "buckets"}, KindKey{"replay", "failures"},
+                               KindKey{"stress", "sweeps"}, KindKey{"scene", "exponents"},
+                               KindKey{"bench", "rows"}};
+
+/// What wrote it, or nullptr.
+const KindKey* kind_of(const JsonView& root) {
+  if (!root.is_object() || !root.find("machine")) return nullptr;
+  const auto known = std::ranges::find_if(
+      kKindKeys, [&](const KindKey& kind) { return root.find(kind.key).has_value(); });
+  return known == kKindKeys.end() ? nullptr : &*known;
+}
+
+/// The text of a file, parsed, nowhere deeper than 32 levels.
+struct Document {
+  std::string text;
+  JsonTree tree;
+};
+
+ResultFile result_of(const std::string& path, const Document& document, const KindKey& kind) {
+  const JsonView root(document.tree);
+  ResultFile result{path, kind.kind, {}};
+  if (kind.kind == "fuzz") {
+    result.campaign = read_campaign_result(root);
+    result.json = json_of(*result.campaign);
+  } else {
+    for (const JsonView& row : root.at(kind.key).elements()) row.keys();
+    result.json = nlohmann::ordered_json::parse(document.text);
+  }
+  return result;
+}
+
+/// Calls `use` with the file's document; what is wrong with either names the file.
+template <class Use>
+auto with_document(const std::string& path, const Use& use) {
+  InputFile file(path);
+  Document document{file.read_all(kLongestResult), {}};
+  try {
+    if (is_blank(document.text)) throw UserError("is empty; a case or a result is expected");
+    document.tree = parse_json(document.text);
+    return use(document);
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("{}: {}", file.name(), error.what()));
+  }
+}
+
+void read_json_file(const std::string& path, RunFiles& files) {
+  with_document(path, [&](const Document& document) {
+    const JsonView root(document.tree);
+    if (const KindKey* const kind = kind_of(root)) {
+      files.results.push_back(result_of(path, document, *kind));
+    } else {
+      CorpusCase known = read_case(root, path == "-" ? FormatKey::optional : FormatKey::required);
+      known.path = path;
+      files.corpus.cases.push_back(std::move(known));
+    }
+  });
+}
+
+}  // namespace
+
+ResultFile read_result(const std::string& path) {
+  return with_document(path, [&](const Document& document) {
+    const KindKey* const kind = kind_of(JsonView(document.tree));
+    if (kind == nullptr) throw UserError("is no result; what --json writes is expected");
+    return result_of(path, document, *kind);
+  });
+}
+
+RunFiles read_run_files(std::span<const fs::path> paths) {
+  RunFiles files;
+  files.corpus.files = find_case_files(paths, files.corpus.errors);
+  for (const auto& path : files.corpus.files) {
+    if (path != "-" && path.extension() != ".json") {
+      add_case_file(path, files.corpus);
+      continue;
+    }
+    try {
+      read_json_file(path.string(), files);
+    } catch (const UserError& error) {
+      files.corpus.errors.emplace_back(error.what());
+    }
+  }
+  return files;
 }
 
 }  // namespace manifuzz

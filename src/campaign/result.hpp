@@ -3,14 +3,19 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
+#include "corpus/corpus.hpp"
 #include "judging/bucket.hpp"
 #include "judging/judge.hpp"
 
@@ -115,5 +120,34 @@ bool decides_status(const BucketResult& found);
 /// Whether the status must tell of it: such a bucket, an entry of the ledger over its budget, or a
 /// vacuous run.
 bool has_failed(const CampaignResult& result);
+
+/// What `fuzz --json` writes.
+nlohmann::ordered_json json_of(const CampaignResult& result);
+
+/// What was written so: every part that is read has its type, and no case is counted twice; sums
+/// are taken from the rows. Unknown keys are let be, for they may be a later version's. Throws
+/// UserError that begins with a path.
+CampaignResult read_campaign_result(const JsonView& root);
+
+/// What a measuring command wrote with --json.
+struct ResultFile {
+  std::string path;
+  std::string_view kind;  ///< the command: fuzz, replay, bench, stress or scene
+  nlohmann::ordered_json json;
+  std::optional<CampaignResult> campaign{};  ///< the same, of fuzz
+};
+
+/// The result in a file. Throws UserError that begins with the file's name.
+ResultFile read_result(const std::string& path);
+
+/// What runs left behind: cases and results, told apart by what is in them.
+struct RunFiles {
+  Corpus corpus;  ///< its errors name what is neither, its files are all that were read
+  std::vector<ResultFile> results;
+};
+
+/// Everything in these files and folders, sorted by path; "-" is the standard input. What is broken
+/// gives an error line, the rest is read all the same.
+RunFiles read_run_files(std::span<const std::filesystem::path> paths);
 
 }  // namespace manifuzz

@@ -1,9 +1,9 @@
-#include "campaign/result_json.hpp"
-
 #include <algorithm>
 #include <string>
 
 #include <fmt/format.h>
+
+#include "campaign/result.hpp"
 
 namespace manifuzz {
 namespace {

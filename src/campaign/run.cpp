@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/budgets.hpp"
+#include "campaign/merge.hpp"
 
 namespace manifuzz {
 namespace {

@@ -3,20 +3,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 
-#include "base/names.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
+#include "cli/options.hpp"
 #include "oracle/box2d/box2d.hpp"
-#include "oracle/external/command.hpp"
-#include "oracle/external/hosted_library.hpp"
-#include "own_colliders/clip.hpp"
-#include "own_colliders/kernel.hpp"
+#include "oracle/external/external_collider.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
-
 namespace {
 
 /// Over a case.
@@ -88,6 +85,121 @@ Collider find_collider(std::string_view name) {
   std::vector<std::string_view> names = names_of(colliders());
   names.emplace_back("./LIBRARY.so");
   throw UserError(no_such("collider", name, names));
+}
+
+namespace {
+
+constexpr double kTimeLimit = 1;
+constexpr double kTimeLimitMax = 3600;
+
+bool is_library(const std::string& name) {
+  return name.find('/') != std::string::npos || name.ends_with(".so");
+}
+
+double time_limit_of(const ExternalOptions& external) {
+  const double seconds = external.time_limit.value_or(kTimeLimit);
+  if (seconds > 0 && seconds <= kTimeLimitMax) return seconds;
+  throw UserError(fmt::format("--time-limit: {} s is no limit; more than 0, up to {} is expected",
+                              seconds, kTimeLimitMax));
+}
+
+Collider find_any(const ColliderChoice& choice, const ExternalOptions& external) {
+  const double seconds = time_limit_of(external);
+  if (external.in_process && external.time_limit) {
+    throw UserError(
+        "--time-limit: holds for colliders in processes of their own; leave out --in-process");
+  }
+  if (!choice.command.empty() && external.in_process) {
+    throw UserError(
+        fmt::format("--in-process: a program cannot run in this process; give a shared "
+                    "library to --{}",
+                    choice.role));
+  }
+  if (!choice.command.empty()) {
+    return collider_of_command(choice.command, seconds, external.start_seconds);
+  }
+  if (!is_library(choice.name)) return find_collider(choice.name);
+  return external.in_process ? collider_in_process(choice.name)
+                             : collider_in_own_process(choice.name, seconds);
+}
+
+Collider with_tie_bias(const Collider& collider, double tie_bias) {
+  if (!collider.with_tie_bias) {
+    throw UserError(fmt::format("--tie-bias: that of {} is fixed at {:g}",
+                                collider.declaration.name, collider.declaration.tie_bias));
+  }
+  if (tie_bias > static_cast<double>(std::numeric_limits<float>::max())) {
+    throw UserError(fmt::format("--tie-bias: {:g} is beyond float; take 0 to {:g}", tie_bias,
+                                std::numeric_limits<float>::max()));
+  }
+  return collider.with_tie_bias(tie_bias);
+}
+
+std::string option_again(const ColliderChoice& choice) {
+  if (choice.command.empty()) {
+    const std::filesystem::path library(choice.name);
+    std::string name =
+        library.is_absolute() ? std::filesystem::proximate(library).string() : choice.name;
+    if (is_library(choice.name) && !is_library(name)) name = "./" + name;
+    return fmt::format("--{} {}", choice.role, quoted_for_shell(name));
+  }
+  return fmt::format("--{}-command {}", choice.role, quoted_for_shell(choice.command));
+}
+
+}  // namespace
+
+bool is_findable(const std::string& name) {
+  return is_library(name) || find_entry(name) != nullptr;
+}
+
+void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& description) {
+  CLI::Option* const name = app.add_option("--" + choice.role, choice.name, description)
+                                ->type_name("C|LIBRARY.so")
+                                ->check(not_blank)
+                                ->capture_default_str();
+  app.add_option("--" + choice.role + "-command", choice.command,
+                 "the same as a program: case lines in, manifold lines out")
+      ->type_name("COMMAND")
+      ->check(not_blank)
+      ->excludes(name);
+}
+
+void add_external_options(CLI::App& app, ExternalOptions& external) {
+  app.add_flag("--in-process", external.in_process,
+               "call a shared library from this process: faster, but where it dies, so does a job");
+  add_length(app, "--time-limit", external.time_limit,
+             "seconds that a library or a program may take over a case; 1 if not given");
+}
+
+void add_subject_and_oracle(CLI::App& app, SubjectAndOracle& colliders) {
+  add_collider(app, colliders.subject, "the collider under test");
+  add_collider(app, colliders.oracle, "the collider it is held against");
+  add_external_options(app, colliders.external);
+}
+
+Collider find_collider(const ColliderChoice& choice, const ExternalOptions& external,
+                       std::optional<double> tie_bias) {
+  try {
+    const Collider collider = find_any(choice, external);
+    return tie_bias ? with_tie_bias(collider, *tie_bias) : collider;
+  } catch (const UserError& error) {
+    const std::string_view what = error.what();
+    if (what.starts_with("--")) throw;
+    const std::string_view suffix = choice.command.empty() ? "" : "-command";
+    throw UserError(fmt::format("--{}{}: {}", choice.role, suffix, what));
+  }
+}
+
+std::string options_again(const SubjectAndOracle& colliders) {
+  return option_again(colliders.subject) + ' ' +
+         options_again(colliders.oracle, colliders.external);
+}
+
+std::string options_again(const ColliderChoice& choice, const ExternalOptions& external) {
+  std::string text = option_again(choice);
+  if (external.in_process) text += " --in-process";
+  if (external.time_limit) text += fmt::format(" --time-limit {}", *external.time_limit);
+  return text;
 }
 
 }  // namespace manifuzz

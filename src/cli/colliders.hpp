@@ -5,7 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
+#include "base/file.hpp"
 #include "collider/collider.hpp"
+#include "oracle/external/external_collider.hpp"
 
 namespace manifuzz {
 
@@ -26,5 +30,47 @@ std::optional<Collider> find_installed(const std::string& name);
 
 /// The collider of that name. Throws UserError that lists the names.
 Collider find_collider(std::string_view name);
+
+/// How a collider is named on the command line.
+struct ColliderChoice {
+  std::string role;     ///< the option's name without its dashes: subject, oracle, collider
+  std::string name;     ///< one of `list colliders`, or a shared library; empty: none was named
+  std::string command;  ///< or a program
+
+  bool is_given() const { return !name.empty() || !command.empty(); }
+};
+
+/// How libraries and programs are asked.
+struct ExternalOptions {
+  bool in_process = false;
+  std::optional<double> time_limit;
+  double start_seconds = kStartSecondsMax;  ///< what a program may take to say anything at all
+};
+
+/// The collider under test and the one it is held against.
+struct SubjectAndOracle {
+  ColliderChoice subject{"subject", "clip", ""};
+  ColliderChoice oracle{"oracle", "box2d", ""};
+  ExternalOptions external;
+};
+
+/// Adds --ROLE and --ROLE-command; `choice.name` is the one that is taken where none is given.
+void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& description);
+/// Adds --in-process and --time-limit.
+void add_external_options(CLI::App& app, ExternalOptions& external);
+/// Adds all of these.
+void add_subject_and_oracle(CLI::App& app, SubjectAndOracle& colliders);
+
+/// The collider of that choice, with the tie bias where one is given. Throws UserError that says
+/// what there is instead, or what is wrong with a library or a program.
+Collider find_collider(const ColliderChoice& choice, const ExternalOptions& external,
+                       std::optional<double> tie_bias = {});
+
+/// Whether that names a collider in `list colliders` or a shared library.
+bool is_findable(const std::string& name);
+
+/// The options that choose the same colliders, or one collider, again, for a shell.
+std::string options_again(const SubjectAndOracle& colliders);
+std::string options_again(const ColliderChoice& choice, const ExternalOptions& external);
 
 }  // namespace manifuzz

@@ -7,12 +7,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/user_error.hpp"
+#include "base/text.hpp"
 #include "cli/colliders.hpp"
-#include "cli/commands.hpp"
-#include "cli/usage.hpp"
+#include "cli/options.hpp"
 #include "process/child.hpp"
-#include "process/exit_guard.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {

@@ -1,14 +1,29 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 namespace manifuzz {
+
+/// What is wrong with a command line that could not be parsed, and what would be right: one line
+/// that names the nearest command or option.
+std::string complaint_about_usage(const CLI::App& app, const CLI::ParseError& error);
+
+/// What every command takes, before its name or behind it: --quiet, --no-color.
+void add_common_options(CLI::App& app);
+/// Makes them hold, wherever they were given, and even where the rest could not be parsed.
+void obey_common_options(const CLI::App& app);
+
+/// Below a command's help: its example, indented, a command line each.
+std::string help_on_example(std::string_view example);
 
 /// An option that takes a whole number from `least` to `most`. CLI11's own reading takes -1 for
 /// 2^64 - 1 and 010 for 8.
@@ -40,5 +55,39 @@ std::uint64_t seed_or_draw(const std::optional<std::uint64_t>& seed);
 /// Throws UserError where the last of `cases` cases, dealt to the regimes by turns from index
 /// `first` on, has an index beyond 64 bits.
 void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regimes);
+
+/// How a case is named on the command line.
+struct CaseArgument {
+  std::string name;  ///< a file, "-" for stdin, or what is looked up in the corpus
+  std::string corpus = "corpus";
+};
+
+/// Adds the argument, and --corpus.
+void add_case_argument(CLI::App& app, CaseArgument& argument);
+
+/// The file that is meant; what was taken from the corpus is said on stderr. Throws UserError.
+std::string case_file(const CaseArgument& argument);
+
+}  // namespace manifuzz
+
+namespace CLI {
+class App;
+}
+
+namespace manifuzz {
+
+/// What a command does once its options are read: returns 0 (all well), 1 (it found something) or
+/// throws UserError (status 2).
+using Run = std::function<int()>;
+
+struct Command {
+  std::string_view name;
+  std::string_view summary;  ///< one sentence, for the list of commands and for its own help
+  std::string_view example;  ///< command lines that work when pasted, below its help
+  Run (*define)(CLI::App& app);
+};
+
+/// Every command, in the order of the help. Each lives in a file of its own.
+std::span<const Command> commands();
 
 }  // namespace manifuzz

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -10,7 +12,9 @@
 #include <vector>
 
 #include "base/file.hpp"
+#include "base/text.hpp"
 #include "exchange/json.hpp"
+#include "geometry/pair_case.hpp"
 
 namespace manifuzz {
 
@@ -106,5 +110,83 @@ std::string shrunk_beside(std::string_view path);
 
 /// Writes that case there.
 void write_worst_case(const std::filesystem::path& file, const CorpusCase& worst);
+
+/// Appends the line (without its end) that answers a case; throws UserError where there is none.
+/// `index` counts the lines that are not blank, bad ones too, from 0.
+using AnswerCase = std::function<void(const PairCase& pair, std::size_t index, std::string& line)>;
+
+/// Reads cases from a file (*.json: one; else one a line, blank lines skipped; "-": stdin) and
+/// writes a line for each to the standard output, in order and constant memory. A bad line gives
+/// {"error":
+/// "...", "line": N} in its place. Whoever feeds a pipe gets every answer before the next read.
+/// Throws UserError at the end where a line was bad, or where there was no case.
+void answer_each(const std::string& file, const AnswerCase& answer);
+
+/// An option, and the file or folder that it names to be written; an empty path: none.
+struct OutputPath {
+  enum class Kind {
+    data,    ///< a file, or "-" for the standard output
+    file,    ///< a file
+    folder,  ///< a folder for files that are no cases
+    corpus,  ///< a folder for cases
+  };
+  std::string_view option;  ///< "--json"
+  std::string path;
+  Kind kind = Kind::data;
+  std::vector<std::string_view> endings{};  ///< one of which a file's name must have, if any
+  std::string replaces{};                   ///< an input whose place it may take
+};
+
+/// What the names of pictures end in.
+inline const std::vector<std::string_view> kPictureEndings{".svg", ".png"};
+
+/// Everything that a command reads and writes.
+struct CommandFiles {
+  std::vector<OutputPath> outputs;
+  std::vector<std::filesystem::path> inputs{};  ///< files, and folders whose cases are read
+};
+
+/// What must not or cannot be written.
+struct BadOutput : UserError {
+  BadOutput(const std::string& what, std::vector<std::string_view> which)
+      : UserError(what), options(std::move(which)) {}
+
+  bool concerns(std::string_view option) const;
+
+  std::vector<std::string_view> options;  ///< those that it is about
+};
+
+/// The check that every command makes before it runs; whether an output takes the standard output,
+/// which then has nothing else. Paths are compared by the file that they mean, not by their
+/// spelling. Throws BadOutput where two outputs go to one place; where one is a file that is read,
+/// or would be taken for a case of a folder that is read or written; and where one cannot be made:
+/// what is missing of it is made and taken away again.
+bool check_outputs(const CommandFiles& files);
+
+/// Whether this output would pass beside these, but for whether it can be made.
+bool is_apart(const OutputPath& output, const CommandFiles& files);
+
+/// What is known: a corpus folder, sorted by path, and a line for each broken file; empty where
+/// there is no such folder. Throws UserError where none is named.
+Corpus read_known(const std::filesystem::path& folder);
+
+/// A corpus folder, sorted by path; empty where there is no such folder. Throws UserError on the
+/// first broken file, for what is drawn from a corpus depends on all of it.
+Corpus read_corpus_folder(const std::filesystem::path& folder);
+
+/// The pairs that a campaign with this seed may mutate: all but those that the seed itself or a
+/// property found, so that saving a finding changes no case and its command repeats it.
+std::vector<PairCase> pairs_of(const Corpus& corpus, std::uint64_t seed);
+
+/// A case's file, and what there is to say of the choice.
+struct FoundCase {
+  std::string file;
+  std::string remark{};  ///< "taken: ..." where the name was not the file's
+};
+
+/// The file that is meant: the name itself where it is "-" or exists. Else it is looked up in the
+/// corpus, as a bucket (with slashes or dashes), whose smallest case it is then, or as the
+/// beginning of a file's name. Throws UserError where that gives no case, or several.
+FoundCase find_case(const std::string& name, const std::filesystem::path& corpus);
 
 }  // namespace manifuzz

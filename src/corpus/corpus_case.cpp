@@ -4,7 +4,6 @@
 
 #include "base/json.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "corpus/corpus.hpp"
 
 namespace manifuzz {

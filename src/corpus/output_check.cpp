@@ -1,12 +1,10 @@
-#include "corpus/output_check.hpp"
-
 #include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/place.hpp"
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "corpus/corpus.hpp"
 

@@ -1,14 +1,108 @@
 #include "corpus/shrink.hpp"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <set>
 #include <vector>
 
 #include <rapidcheck.h>
 
-#include "corpus/simpler_cases.hpp"
-#include "generating/edits.hpp"
+#include "generating/drafts.hpp"
 
 namespace manifuzz {
+namespace {
+
+/// A float in scientific notation, as d.dddde+XX.
+class Scientific {
+ public:
+  /// The shortest that reads back.
+  explicit Scientific(float value) {
+    end_ = std::to_chars(text_.data(), text_.data() + text_.size(), value,
+                         std::chars_format::scientific)
+               .ptr;
+  }
+  Scientific(float value, int digits) {
+    end_ = std::to_chars(text_.data(), text_.data() + text_.size(), value,
+                         std::chars_format::scientific, digits - 1)
+               .ptr;
+  }
+
+  int digits() const {
+    return static_cast<int>(
+        std::count_if(text_.data(), exponent_mark(), [](char c) { return c >= '0' && c <= '9'; }));
+  }
+  int exponent() const {
+    int exponent = 0;
+    const char* sign = exponent_mark() + 1;  // from_chars takes no plus
+    std::from_chars(*sign == '+' ? sign + 1 : sign, end_, exponent);
+    return exponent;
+  }
+  float value() const {
+    double value = 0;
+    std::from_chars(text_.data(), end_, value);
+    return static_cast<float>(value);
+  }
+
+ private:
+  const char* exponent_mark() const {
+    return std::find(text_.data(), static_cast<const char*>(end_), 'e');
+  }
+
+  std::array<char, 32> text_{};
+  char* end_ = nullptr;
+};
+
+bool is_identity(const Vector2<float>& rotation) {
+  return rotation.x() == 1 && rotation.y() == 0;
+}
+
+}  // namespace
+
+int significant_digits(float value) {
+  return value == 0 ? 0 : Scientific(value).digits();
+}
+
+float rounded_to_digits(float value, int digits) {
+  return Scientific(value, digits).value();
+}
+
+float nearer_to_zero(float value) {
+  const Scientific written(value);
+  float unit = 1;
+  for (int e = written.exponent() - written.digits() + 1; e != 0; e += e < 0 ? 1 : -1) {
+    unit = e < 0 ? unit / 10 : unit * 10;
+  }
+  return rounded_to_digits(value - std::copysign(unit, value), written.digits());
+}
+
+Complexity complexity(const PairCase& pair) {
+  Complexity result;
+  PairCase copy = pair;
+  for (const float* number : free_numbers(copy)) {
+    result.digits += significant_digits(*number);
+    const double magnitude = std::abs(static_cast<double>(*number));
+    if (magnitude > 0) result.size += std::max(magnitude, 1 / magnitude);
+    result.numbers.emplace_back(std::abs(*number), std::signbit(*number));
+  }
+  for (const Side side : {Side::a, Side::b}) {
+    const Body& body = pair[side];
+    result.vertices += body.polygon.count;
+    if (!body.pose.position.isZero(0)) ++result.placements;
+    if (body.polygon.radius != 0) ++result.placements;
+    if (is_identity(body.pose.rotation)) continue;
+    ++result.placements;
+    result.digits +=
+        significant_digits(body.pose.rotation.x()) + significant_digits(body.pose.rotation.y());
+    if (body.pose.rotation.x() < 0) result.size += 1;
+    for (const float number : {body.pose.rotation.x(), body.pose.rotation.y()}) {
+      result.numbers.emplace_back(std::abs(number), std::signbit(number));
+    }
+  }
+  return result;
+}
+
 namespace {
 
 /// All that tells two cases apart.

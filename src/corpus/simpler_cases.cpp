@@ -1,12 +1,10 @@
-#include "corpus/simpler_cases.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include "corpus/simplicity.hpp"
-#include "generating/edits.hpp"
+#include "corpus/shrink.hpp"
+#include "generating/drafts.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,9 +1,168 @@
 #pragma once
 
-#include "generating/placing.hpp"
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "base/random.hpp"
 #include "generating/regime.hpp"
+#include "geometry/convex_polygon.hpp"
+#include "geometry/pair_case.hpp"
 
 namespace manifuzz {
+
+/// A convex polygon on the drawing board: counter-clockwise, in doubles, not yet rounded to floats.
+/// Face i runs from vertex i to vertex i + 1.
+struct Outline {
+  std::array<Vector2<double>, kMaxVertices> vertices;
+  int count = 0;
+
+  int next(int i) const { return i + 1 < count ? i + 1 : 0; }
+  int previous(int i) const { return i > 0 ? i - 1 : count - 1; }
+  Vector2<double> face(int i) const { return vertices[next(i)] - vertices[i]; }
+};
+
+inline double length(const Vector2<double>& v) {
+  return std::sqrt(v.dot(v));
+}
+
+/// `v` made of unit length.
+inline Vector2<double> unit(const Vector2<double>& v) {
+  return v / length(v);
+}
+
+/// A rational point of the unit circle, (1 - t^2, 2t) / (1 + t^2) in a random quadrant: a
+/// direction, or a rotation as (cos, sin). All the way round, not quite evenly.
+Vector2<double> random_direction(Random& random);
+
+/// Triangles to octagons, equally often up to `most`.
+int random_count(Random& random, int most = kMaxVertices);
+
+/// Corners on a circle of radius 1, at random angles.
+Outline inscribed(Random& random, int count);
+
+/// A triangle or quadrilateral with its corners cut until there are `count`: edges of all lengths.
+Outline carved(Random& random, int count);
+
+/// Inscribed or carved, flattened somewhat and turned; about 2 across.
+Outline random_outline(Random& random, int count);
+Outline random_outline(Random& random);
+
+Outline box(double half_width, double half_height);
+
+/// Corners on the unit circle, the first at (0, 1): mirror-symmetric to the y axis, exactly.
+Outline regular_outline(int count);
+
+/// The mean of the vertices: inside.
+Vector2<double> middle(const Outline& outline);
+
+/// The longer side of the bounding box: between the diameter over sqrt 2 and the diameter.
+double span(const Outline& outline);
+
+Outline stretched(const Outline& outline, double x, double y);
+Outline turned(const Outline& outline, const Vector2<double>& rotation);
+Outline moved(const Outline& outline, const Vector2<double>& by);
+
+/// Turned so that the face lies on y = 0, facing +y, with the origin at `share` of its length.
+Outline face_up(const Outline& outline, int face, double share);
+
+/// Turned so that the corner lies at the origin and +y within its two normals, `lean` of the way
+/// from the normal of the face before (0) to the normal of the face after (1).
+Outline corner_up(const Outline& outline, int corner, double lean);
+
+/// Turned by half a turn, exactly: what was up is down.
+Outline upside_down(const Outline& outline);
+
+/// The corner replaced by a face (numbered as the corner was), from the share `before` of the face
+/// before it to the share `after` of the face after it. Needs room for one more vertex.
+Outline chamfered(const Outline& outline, int corner, double before, double after);
+
+/// The same by lengths along both faces, each cut to less than half of its face.
+Outline cut_corner(const Outline& outline, int corner, double before, double after);
+
+/// The vertex inserted into the face, between its ends. Needs room for one more.
+Outline with_vertex(const Outline& outline, int face, const Vector2<double>& vertex);
+
+/// One polygon of a drawing: its outline, and where the outline's own frame stands in the drawing.
+struct Sketch {
+  Outline outline;
+  Pose<double> pose;
+};
+
+/// Two polygons drawn in one frame, and how they are to meet: B is moved by `start`, and from there
+/// along `direction` until the separation is the total radius plus `gap`.
+struct Draft {
+  Sketch a;
+  Sketch b;
+  Vector2<double> start{0, 0};
+  Vector2<double> direction{0, 1};
+  std::optional<double> gap;  ///< a length; none: B stays where it starts
+  float radius_a = 0;
+  float radius_b = 0;
+  Pose<double> world;  ///< where the drawing stands in the world
+  /// B's vertices, in place of its position, take up what rounding the position leaves.
+  bool exact_gap = false;
+};
+
+/// The same meeting with A and B exchanged.
+Draft swapped(const Draft& draft);
+
+/// The faces of both polygons as half planes of B's place: with B's origin at p from A's, both
+/// turned as in the world, face k separates by normals[k] . p - offsets[k]. A's faces come first.
+struct Faces {
+  static constexpr std::size_t kMost = 2UL * kMaxVertices;
+  std::array<Vector2<double>, kMost> normals;
+  std::array<double, kMost> offsets;
+  int count = 0;
+  int count_a = 0;
+
+  Side side(int face) const { return face < count_a ? Side::a : Side::b; }
+  double separation(int face, const Vector2<double>& p) const {
+    return normals[face].dot(p) - offsets[face];
+  }
+};
+
+/// Of the stored floats, in double. The positions do not matter.
+Faces faces_of(const PairCase& pair);
+
+/// The greatest separation with B at p from A.
+double separation(const Faces& faces, const Vector2<double>& p);
+
+/// The last place on the way from `start` along `direction` with separation `target`; `start`
+/// itself where there is none.
+Vector2<double> slide(const Faces& faces, const Vector2<double>& start,
+                      const Vector2<double>& direction, double target);
+
+/// B's origin from A's, of the stored floats.
+Vector2<double> apart(const PairCase& pair);
+
+/// Sets B's position to p from A's, rounded.
+void put_apart(PairCase& pair, const Vector2<double>& p);
+
+/// Moves B by `residual` (world) through its vertices; false where floats leave no valid polygon.
+bool shift_vertices(Body& body, const Vector2<double>& residual);
+
+/// Puts both origins next to the world's, where floats are dense, and B at `place`, from A's
+/// origin, to a small share of an ulp: its vertices take up nearly all of the way. False where
+/// floats leave no valid polygon.
+bool place_exactly(PairCase& pair, const std::function<Vector2<double>(const Faces&)>& place);
+
+/// The outline rounded to floats, or none where that leaves no valid polygon.
+std::optional<ConvexPolygon<float>> rounded(const Outline& outline, float radius);
+
+/// Gives the rotation cos^2 + sin^2 = 1 + `defect`.
+void put_off_unit(Sketch& sketch, double defect);
+
+/// The drawing as a pair case, B placed by the rounded polygons; none where rounding spoils a
+/// polygon or a rotation.
+std::optional<PairCase> settle(const Draft& draft);
+
+/// A rotation by an angle of tangent 2 t / (1 - t^2).
+inline Vector2<double> turn_by(double t) {
+  return Vector2<double>(1 - t * t, 2 * t) / (1 + t * t);
+}
 
 // How two outlines meet. In all but `free_pair` the drawing has A below and B above, the contact
 // near the origin and its normal along +y. The outlines keep the size they come with.
@@ -59,5 +218,27 @@ void stand(Random& random, Draft& draft);
 /// dense and the construction is exact; or gives each polygon a frame of its own and stands it
 /// anywhere.
 void frame(Random& random, Draft& draft, double exact = 0.5);
+
+/// The numbers of a case that may be changed one at a time: all vertices, positions and radii.
+std::vector<float*> free_numbers(PairCase& pair);
+
+/// The case with its normals computed afresh, or none where its vertices, poses or radii are not
+/// valid.
+std::optional<PairCase> revalidated(PairCase pair);
+
+/// A face of A and one of B that can separate alike.
+struct Tie {
+  int face_a = 0;  ///< numbered as in `Faces`
+  int face_b = 0;
+  double separation = 0;  ///< of B's face there
+};
+
+/// Walks with B round A, at the separation that the pair has, until the face that separates changes
+/// owner: clockwise where `sense` is 1, the other way where it is -1. None where there is no such
+/// place.
+std::optional<Tie> find_tie(const PairCase& pair, double sense);
+
+/// B's place, from A, where B's face of the tie leads A's by `lead`.
+Vector2<double> place_at(const Faces& faces, const Tie& tie, double lead);
 
 }  // namespace manifuzz

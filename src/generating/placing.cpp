@@ -1,8 +1,8 @@
-#include "generating/placing.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <utility>
+
+#include "generating/drafts.hpp"
 
 namespace manifuzz {
 namespace {

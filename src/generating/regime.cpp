@@ -1,8 +1,11 @@
 #include "generating/regime.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
-#include "generating/regime_list.hpp"
+#include "base/random.hpp"
+#include "generating/drafts.hpp"
 
 namespace manifuzz {
 namespace {
@@ -61,3 +64,108 @@ PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,
 }
 
 }  // namespace manifuzz
+
+namespace manifuzz::draw {
+
+// Regimes that move the cases of others.
+
+namespace {
+
+/// What `ulp` draws from. A list of its own, so that a new regime changes no case of `ulp`.
+constexpr std::string_view kMovable[] = {
+    "generic",       "boxes",           "regular",       "grid",        "sliver",
+    "near_parallel", "tied_faces",      "micro_edge",    "corner_face", "touching",
+    "deep",          "near_collinear",  "corner_corner", "tie_bias",    "scaled",
+    "off_unit",      "far_from_origin",
+};
+
+/// One coordinate of a vertex, mostly, or of the pose.
+float& random_number(Random& random, PairCase& pair) {
+  Body& body = random.chance(0.5) ? pair.a : pair.b;
+  const int axis = random.integer(0, 1);
+  const double kind = random.unit();
+  if (kind < 0.15) return body.pose.rotation[axis];
+  if (kind < 0.3) return body.pose.position[axis];
+  return body.polygon.vertices[random.integer(0, body.polygon.count - 1)][axis];
+}
+
+int few_ulps(Random& random) {
+  const int steps = random.integer(1, random.chance(0.7) ? 2 : 8);
+  return random.chance(0.5) ? steps : -steps;
+}
+
+void step_some(Random& random, PairCase& pair) {
+  const int numbers = random.integer(1, 4);
+  for (int i = 0; i < numbers; ++i) {
+    float& number = random_number(random, pair);
+    number = stepped(number, few_ulps(random));
+  }
+}
+
+void change_some(Random& random, PairCase& pair) {
+  float& number = random_number(random, pair);
+  const double share = random.magnitude(-24, -7);
+  number = static_cast<float>(number * (random.chance(0.5) ? 1 + share : 1 - share));
+}
+
+void turn_by_quarter(PairCase& pair) {
+  for (Body* body : {&pair.a, &pair.b}) {
+    body->pose.position = counter_clockwise_quarter(body->pose.position);
+    body->pose.rotation = counter_clockwise_quarter(body->pose.rotation);
+  }
+}
+
+void scale_by_power(PairCase& pair, int power) {
+  const float factor = std::ldexp(1.0f, power);
+  for (Body* body : {&pair.a, &pair.b}) {
+    for (int i = 0; i < body->polygon.count; ++i) body->polygon.vertices[i] *= factor;
+    body->polygon.radius *= factor;
+    body->pose.position *= factor;
+  }
+}
+
+void change_radii(Random& random, PairCase& pair) {
+  const float radius =
+      random.chance(0.3) ? 0 : static_cast<float>(size(pair) * random.magnitude(-12, -5));
+  pair.a.polygon.radius = pair.b.polygon.radius = radius;
+}
+
+void mutate(Random& random, PairCase& pair) {
+  switch (random.integer(0, 6)) {
+    case 0:
+    case 1:
+      return step_some(random, pair);
+    case 2:
+      return change_some(random, pair);
+    case 3:
+      return std::swap(pair.a, pair.b);
+    case 4:
+      return turn_by_quarter(pair);
+    case 5:
+      return scale_by_power(pair, random.integer(-8, 8));
+    default:
+      return change_radii(random, pair);
+  }
+}
+
+}  // namespace
+
+std::optional<PairCase> ulp(Random& random, const GenerationContext& context) {
+  const int choice = random.integer(0, static_cast<int>(std::size(kMovable)) - 1);
+  const PairCase pair = generate(random.bits(), *find_regime(kMovable[choice]), 0, context);
+  PairCase moved = pair;
+  step_some(random, moved);
+  return revalidated(moved).value_or(pair);
+}
+
+std::optional<PairCase> corpus(Random& random, const GenerationContext& context) {
+  if (context.corpus.empty()) return generic(random, context);
+  const auto last = static_cast<int>(context.corpus.size()) - 1;
+  const PairCase& pair = context.corpus[random.integer(0, last)];
+  PairCase mutated = pair;
+  const int times = random.integer(1, 3);
+  for (int i = 0; i < times; ++i) mutate(random, mutated);
+  return revalidated(mutated).value_or(pair);
+}
+
+}  // namespace manifuzz::draw

@@ -37,3 +37,37 @@ PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,
                   const GenerationContext& context = {});
 
 }  // namespace manifuzz
+
+namespace manifuzz::draw {
+
+/// The one list of regimes: a name, and a line for `list regimes`. Each is a function of that name
+/// below, defined in a file of its theme (regimes_*.cpp). A case depends on the name, not on the
+/// place.
+#define MANIFUZZ_REGIMES(REGIME)                                                                 \
+  REGIME(generic, "random polygons of any count, as a broad phase would pass them on")           \
+  REGIME(boxes, "rectangles, often with parallel sides")                                         \
+  REGIME(regular, "regular polygons, often aligned")                                             \
+  REGIME(grid, "small integers, half-integer places, right angles: exact ties")                  \
+  REGIME(sliver, "ten to a hundred thousand times as long as thick, plunging and lying flat")    \
+  REGIME(near_parallel, "facing faces at 1e-1 to 1e-9 from parallel, or exactly parallel")       \
+  REGIME(tied_faces, "two faces, or two incident edges, that float can hardly tell apart")       \
+  REGIME(micro_edge, "corners chamfered by 1e-7 to 1e-2 of the size, at the contact")            \
+  REGIME(near_collinear, "a vertex on a face, out by as little as floats allow, at the contact") \
+  REGIME(corner_corner, "a corner just off, or barely in, a corner")                             \
+  REGIME(corner_face, "a corner in, or just off, the inside of a face")                          \
+  REGIME(touching, "separation within a few ulps of the total radius")                           \
+  REGIME(deep, "one inside the other, often concentric, of like or very different sizes")        \
+  REGIME(tie_bias, "the best faces of A and B lead by about 0 or by about 0.0005, Box2D's bias") \
+  REGIME(separated, "apart: mostly well, some just beyond near")                                 \
+  REGIME(far_from_origin, "both bodies 1e0 to 1e7 from the origin")                              \
+  REGIME(scaled, "sizes of 1e-6 to 1e6")                                                         \
+  REGIME(off_unit, "rotations with |c^2 + s^2 - 1| up to just below 1e-5")                       \
+  REGIME(ulp, "a case of another regime, a few of its numbers moved by a few ulps")              \
+  REGIME(corpus, "a case of the corpus, mutated; generic while the corpus is empty")
+
+#define MANIFUZZ_DECLARE(name, description) \
+  std::optional<PairCase> name(Random& random, const GenerationContext& context);
+MANIFUZZ_REGIMES(MANIFUZZ_DECLARE)
+#undef MANIFUZZ_DECLARE
+
+}  // namespace manifuzz::draw

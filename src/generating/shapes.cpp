@@ -1,6 +1,6 @@
-#include "generating/shapes.hpp"
-
 #include <algorithm>
+
+#include "generating/drafts.hpp"
 
 namespace manifuzz {
 namespace {

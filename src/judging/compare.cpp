@@ -1,11 +1,187 @@
 #include "judging/compare.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
-#include "judging/completed.hpp"
+#include "judging/manifold_error.hpp"
 
 namespace manifuzz {
+namespace {
+
+bool misses_overlap(const Deviation& d) {
+  return d.got.count == 0 && d.right.must_touch;
+}
+
+template <class Predicate>
+bool any_candidate(const Deviation& d, const Predicate& predicate) {
+  return std::ranges::any_of(d.right.candidates,
+                             [&](const exact::Clip* clip) { return predicate(*clip); });
+}
+
+bool may_be_empty_from(const Deviation& d, Side side) {
+  return any_candidate(d, [&](const exact::Clip& clip) {
+    return clip.reference.side == side && may_be_empty(d.right, clip);
+  });
+}
+
+/// Calls with each clip that some face within bound of its side's greatest separation may make,
+/// whether the polygons touch or not.
+template <class Predicate>
+bool any_clip_of_greatest(const Deviation& d, const Predicate& predicate) {
+  const exact::Truth& truth = *d.right.truth;
+  for (const Side side : {Side::a, Side::b}) {
+    for (int i = 0; i < d.right.pair()[side].polygon.count; ++i) {
+      const exact::FaceOf face{side, i};
+      if (truth.compare_with_greatest(face, -d.right.bounds.separation) < 0) continue;
+      for (const int edge : truth.incident_edges(face, d.right.bounds.incident_dot)) {
+        if (predicate(truth.clip(face, edge))) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The vertices in the world, from A's position.
+std::vector<Vector2<double>> placed(const PairCase& pair, Side side) {
+  std::vector<Vector2<double>> vertices;
+  for (int i = 0; i < pair[side].polygon.count; ++i) {
+    const exact::Point<double> at = exact::vertex<double>(pair, side, i);
+    vertices.emplace_back(at.x, at.y);
+  }
+  return vertices;
+}
+
+/// B's vertices minus A's: the corners, and more, of what GJK walks on.
+std::vector<Vector2<double>> differences(const PairCase& pair) {
+  std::vector<Vector2<double>> all;
+  for (const auto& b : placed(pair, Side::b)) {
+    for (const auto& a : placed(pair, Side::a)) all.push_back(b - a);
+  }
+  return all;
+}
+
+/// The reference face as float colliders have it, in its polygon's own frame.
+Vector2<float> float_face(const exact::Clip& clip) {
+  const auto& [side, face] = clip.reference;
+  const ConvexPolygon<float>& polygon = (*clip.pair)[side].polygon;
+  return polygon.vertices[polygon.next(face)] - polygon.vertices[face];
+}
+
+double length_of(const PairCase& pair, exact::FaceOf face) {
+  return std::sqrt(exact::square<double>(pair, face));
+}
+
+}  // namespace
+
+bool no_contact_under_bias(const Deviation& d) {
+  return misses_overlap(d) && d.right.truth->compare_lead_of_b(0) > 0 &&
+         may_be_empty_from(d, Side::a);
+}
+
+bool no_contact_on_tied_features(const Deviation& d) {
+  return misses_overlap(d) && (may_be_empty_from(d, Side::a) || may_be_empty_from(d, Side::b));
+}
+
+bool tiny_reference_face(const Deviation& d) {
+  if (d.kind != Kind::normal && d.kind != Kind::missed_contact) return false;
+  const double unresolved =
+      std::max(d.right.bounds.separation, 2.0 * std::numeric_limits<float>::epsilon());
+  return any_candidate(d, [&](const exact::Clip& clip) {
+    return static_cast<double>(float_face(clip).norm()) <= unresolved;
+  });
+}
+
+bool huge_reference_face(const Deviation& d) {
+  if (d.kind != Kind::normal && d.kind != Kind::missed_contact) return false;
+  return any_candidate(d, [](const exact::Clip& clip) {
+    const Vector2<float> face = float_face(clip);
+    return !std::isfinite(face.dot(face));
+  });
+}
+
+bool crossing_underflows(const Deviation& d) {
+  return misses_overlap(d) && any_candidate(d, [&](const exact::Clip& clip) {
+           return std::ranges::any_of(points_of(clip), [&](const exact::ClipPoint& point) {
+             return compare_margin(clip, point.end, std::numeric_limits<float>::min()) <= 0;
+           });
+         });
+}
+
+bool edge_extended_to_slab(const Deviation& d) {
+  const bool fits = d.kind == Kind::position || d.kind == Kind::depth || d.kind == Kind::count ||
+                    d.kind == Kind::phantom_contact;
+  return fits && any_clip_of_greatest(d, [&](const exact::Clip& clip) {
+           return compare_gap(clip, -d.right.bounds.separation) > 0;
+         });
+}
+
+bool incident_edge_unclipped(const Deviation& d) {
+  constexpr double too_short = 1e-10;  // manifold_c.js: eps
+  const bool fits = d.kind == Kind::position || d.kind == Kind::depth || d.kind == Kind::count;
+  return fits && any_candidate(d, [](const exact::Clip& clip) {
+           return clip.edge_length * clip.cosine <= too_short;
+         });
+}
+
+bool normal_of_rounded_vertices(const Deviation& d) {
+  constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+  if (d.kind != Kind::normal) return false;
+  const PairCase& pair = d.right.pair();
+  double reach = d.right.truth->extent();
+  for (const Side side : {Side::a, Side::b}) {
+    reach = std::max(reach, pair[side].pose.position.cast<double>().norm());
+  }
+  return any_candidate(d, [&](const exact::Clip& clip) {
+    // Two vertices, each rounded by a rotation (2.42 u) and a sum (u), over the face's length.
+    const double bound = d.right.bounds.normal + 7 * u * reach / length_of(pair, clip.reference);
+    return is_near_normal(clip, d.got.normal, bound);
+  });
+}
+
+bool corner_on_corner(const Deviation& d) {
+  const bool fits = d.kind == Kind::normal || d.kind == Kind::missed_contact;
+  return fits &&
+         std::ranges::any_of(differences(d.right.pair()), [&](const Vector2<double>& apart) {
+           return apart.norm() <= d.right.bounds.separation;
+         });
+}
+
+bool collinear_and_apart(const Deviation& d) {
+  if (d.kind != Kind::phantom_contact) return false;
+  const auto all = differences(d.right.pair());
+  const double bound = 4 * d.right.bounds.separation;  // which the differences are rounded within
+  return std::ranges::any_of(all, [&](const Vector2<double>& from) {
+    return std::ranges::any_of(all, [&](const Vector2<double>& to) {
+      const Vector2<double> along = to - from;
+      const double length = along.norm();
+      return length > bound && from.dot(along) >= 0 &&
+             std::abs(from.x() * along.y() - from.y() * along.x()) <= bound * length;
+    });
+  });
+}
+
+bool neighbours_nearly_parallel(const Deviation& d) {
+  if (d.kind != Kind::count && d.kind != Kind::position && d.kind != Kind::missed_contact) {
+    return false;
+  }
+  const PairCase& pair = d.right.pair();
+  for (const Side side : {Side::a, Side::b}) {
+    const ConvexPolygon<float>& polygon = pair[side].polygon;
+    for (int i = 0; i < polygon.count; ++i) {
+      const exact::FaceOf face{side, i};
+      const exact::FaceOf next{side, polygon.next(i)};
+      const double lengths = length_of(pair, face) * length_of(pair, next);
+      const double dot =
+          exact::dot(exact::direction<double>(pair, face), exact::direction<double>(pair, next));
+      if (dot >= (1 - d.right.bounds.incident_dot) * lengths) return true;
+    }
+  }
+  return false;
+}
+
 namespace {
 
 double distance(const Vector2<double>& p, const Vector2<double>& q) {

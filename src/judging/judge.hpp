@@ -1,8 +1,15 @@
 #pragma once
 
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "collider/collider.hpp"
+#include "judging/bucket.hpp"
 #include "judging/compare.hpp"
 #include "judging/ledger.hpp"
 #include "judging/manifold_error.hpp"
+#include "oracle/exact/truth.hpp"
 
 namespace manifuzz {
 
@@ -32,5 +39,85 @@ Judgement judge(const PairCase& pair, const ColliderAnswer& subject, const Colli
 
 /// The full verdict on what these two answer now.
 Judgement judge(const PairCase& pair, const Collider& subject, const Collider& oracle);
+
+struct VertexOf {
+  Side side = Side::a;
+  int index = 0;
+
+  friend bool operator==(const VertexOf&, const VertexOf&) = default;
+};
+
+/// The vertex that decides the separation: the incident edge's end that lies deepest behind the
+/// face of the greatest separation.
+VertexOf deciding_vertex(const exact::Truth& truth);
+
+/// A square grid of neighbours: one vertex moved by up to `reach` steps in x and in y, in its
+/// polygon's own frame. Rows run along x; the case itself is the cell in the middle.
+struct Grid {
+  VertexOf vertex;
+  double ulp = 0;  ///< a length: between the floats at the polygon's reach
+  int step = 1;    ///< in ulps
+  int reach = 64;  ///< in steps, each way
+
+  int side() const { return 2 * reach + 1; }
+  int cell_count() const { return side() * side(); }
+  int x_of(int cell) const { return cell % side() - reach; }  ///< in steps
+  int y_of(int cell) const { return cell / side() - reach; }
+};
+
+/// The grid around the deciding vertex. A vertex near its origin could be moved by far less than
+/// an ulp of its polygon's reach; nothing that rounds would notice.
+Grid grid_around(const exact::Truth& truth, int step = 1);
+
+/// The pair with its vertex moved to that cell, or none where its polygon is no polygon any more.
+std::optional<PairCase> neighbour(const PairCase& pair, const Grid& grid, int cell);
+
+/// A contact without its figures, so that neighbours can have the same one.
+struct ContactSummary {
+  enum class Kind : unsigned char { nothing, apart, no_clip, contact };
+  Kind kind = Kind::nothing;
+  int count = 0;
+  Side reference = Side::a;
+  std::array<FeaturePair, 2> features{};  ///< of the points
+
+  friend bool operator==(const ContactSummary&, const ContactSummary&) = default;
+};
+
+/// `nothing` where the collider has no manifold to give, or no such number of points.
+ContactSummary summary_of(const Answer& answer);
+
+/// The clip of the first best incident edge by the first face of the greatest separation, decided
+/// exactly: one right manifold of perhaps several. `no_clip` where they touch and it keeps no
+/// point.
+ContactSummary summary_of(const exact::Truth& truth);
+
+struct Cell {
+  enum class State : unsigned char { not_asked, invalid, judged };
+  State state = State::not_asked;
+  Bucket bucket;
+  ContactSummary subject;
+  ContactSummary oracle;
+  ContactSummary truth;
+};
+
+/// A case's neighbours as two colliders see them; `cells` in the order of the grid.
+struct Neighbourhood {
+  Grid grid;
+  std::vector<Cell> cells;
+};
+
+/// How much of a neighbourhood fails as the case in its middle does.
+struct Severity {
+  int failing = 0;
+  int valid = 0;  ///< cells that were judged
+
+  double share() const { return valid > 0 ? static_cast<double>(failing) / valid : 0; }
+};
+
+/// Whether this is the finding's failure again: the same collider is wrong, or both are where both
+/// were; where nobody is at fault, the same verdict, and beside an agreement any fault.
+bool fails_alike(const Bucket& bucket, const Bucket& finding);
+
+Severity severity(const Neighbourhood& neighbourhood, const Bucket& finding);
 
 }  // namespace manifuzz

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "judging/deviations.hpp"
+#include "judging/compare.hpp"
 
 namespace manifuzz {
 namespace {

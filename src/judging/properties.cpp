@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include "judging/ledger.hpp"
-#include "judging/properties_shared.hpp"
-#include "judging/property_list.hpp"
 
 namespace manifuzz {
 namespace {
@@ -47,6 +47,209 @@ Outcome check(const Property& property, const Collider& collider, const PairCase
     outcome.kind = Outcome::Kind::known;
   }
   return outcome;
+}
+
+std::optional<Admissible> decided(const PairCase& pair, const Declaration& declaration) {
+  Admissible right = admissible(pair, declaration);
+  if (is_ill_posed(pair, right.bounds) || right.candidates.size() != 1) return std::nullopt;
+  const exact::Clip& only = *right.candidates.front();
+  const double undecided = declaration.tie_bias + right.bounds.separation;
+  const bool leads = right.truth->compare_lead_of_b(undecided) > 0 ||
+                     right.truth->compare_lead_of_b(-undecided) < 0;
+  if (!leads || right.may_be_apart || only.count < 2 || may_miss(right, only)) return std::nullopt;
+  for (const exact::ClipPoint& point : only.points) {
+    if (!features_decided(right, only, point) || is_at_zero_depth(right, only, point)) {
+      return std::nullopt;
+    }
+  }
+  return right;
+}
+
+ManifoldError tolerance(const Admissible& right) {
+  ManifoldError within{.normal = 2 * right.bounds.normal};
+  const exact::Clip& clip = *right.candidates.front();
+  for (const exact::ClipPoint& point : points_of(clip)) {
+    widen(within, {.position = 2 * position_bound(right, clip, point),
+                   .depth = 2 * depth_bound(right, clip, point)});
+  }
+  return within;
+}
+
+Outcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
+                      const Manifold<double>& got, const ManifoldError& within, Features features) {
+  const double unit = size(pair);
+  if (expected.count != got.count) return fails("another number of points", 1);
+  if (expected.count == 0) return holds();
+  if (expected.reference != got.reference) return fails("another reference polygon", 1);
+  const double turn = (expected.normal - got.normal).norm();
+  if (!(turn <= within.normal)) return fails("another normal", turn);
+  for (int i = 0; i < expected.count; ++i) {
+    const auto& p = expected.points[i];
+    const auto& q = got.points[i];
+    const double off = (p.position - q.position).norm();
+    if (!(off <= within.position)) return fails("another position", off / unit);
+    const double deeper = std::abs(p.depth - q.depth);
+    if (!(deeper <= within.depth)) return fails("another depth", deeper / unit);
+    if (features == Features::compared && p.features != q.features) {
+      return fails("other features", 0);
+    }
+  }
+  return holds();
+}
+
+namespace {
+
+/// A point of B's frame in A's, the positions subtracted first.
+Vector2<double> from_b_to_a(const PairCase& pair, const Vector2<double>& local_of_b) {
+  using exact::DoubleDouble;
+  const auto apart = exact::widen<DoubleDouble>(pair.b.pose.position) -
+                     exact::widen<DoubleDouble>(pair.a.pose.position);
+  const exact::Point<DoubleDouble> local{local_of_b.x(), local_of_b.y()};
+  const auto from_a = exact::turned_back(pair.a, exact::turned(pair.b, local) + apart);
+  const DoubleDouble scale = exact::scale<DoubleDouble>(pair.a);
+  return {exact::leading(from_a.x / scale), exact::leading(from_a.y / scale)};
+}
+
+/// A unit direction of B's frame in A's.
+Vector2<double> turned_from_b_to_a(const PairCase& pair, const Vector2<double>& direction) {
+  const Vector2<double> world = rotate<double>(pair.b.pose.rotation.cast<double>(), direction);
+  const Vector2<double> local = rotate_back<double>(pair.a.pose.rotation.cast<double>(), world);
+  return local / local.norm();
+}
+
+/// A manifold of the swapped pair as one of the pair itself.
+Manifold<double> swapped_back(const PairCase& pair, Manifold<double> manifold) {
+  manifold.reference = other(manifold.reference);
+  manifold.normal = -turned_from_b_to_a(pair, manifold.normal);
+  for (int i = 0; i < manifold.count; ++i) {
+    auto& point = manifold.points[i];
+    point.position = from_b_to_a(pair, point.position);
+    std::swap(point.features.a, point.features.b);
+  }
+  return manifold;
+}
+
+ConvexPolygon<float> renumbered(const ConvexPolygon<float>& polygon) {
+  ConvexPolygon<float> shifted = polygon;
+  for (int i = 0; i < polygon.count; ++i) {
+    shifted.vertices[i] = polygon.vertices[polygon.next(i)];
+    shifted.normals[i] = polygon.normals[polygon.next(i)];
+  }
+  return shifted;
+}
+
+/// Asks for both, and compares what `back` makes of the second with the first.
+template <class Back>
+Outcome compare_moved(AskedCollider& ask, const PairCase& pair, const PairCase& moved,
+                      Features features, Back back) {
+  const auto right = decided(pair, ask.declaration());
+  const auto right_moved = decided(moved, ask.declaration());
+  if (!right || !right_moved) return not_applicable();
+  const auto here = ask.manifold(pair);
+  const auto there = ask.manifold(moved);
+  if (!here || !there) return not_applicable();
+  const ManifoldError p = tolerance(*right);
+  const ManifoldError q = tolerance(*right_moved);
+  const ManifoldError within{(p.normal + q.normal) / 2, (p.position + q.position) / 2,
+                             (p.depth + q.depth) / 2};
+  return same_manifold(pair, *here, back(*there), within, features);
+}
+
+Vector2<float> quarter_turned(const Vector2<float>& v) {
+  return counter_clockwise_quarter(v);
+}
+
+/// `by` added to both coordinates, if every bit of the sum fits a float.
+std::optional<Vector2<float>> translated(const Vector2<float>& v, float by) {
+  const Vector2<float> sum = v + Vector2<float>(by, by);
+  for (int i = 0; i < 2; ++i) {
+    const double back = static_cast<double>(sum[i]) - static_cast<double>(by);
+    if (back != static_cast<double>(v[i]) || !std::isfinite(sum[i])) return std::nullopt;
+  }
+  return sum;
+}
+
+Body scaled(const Body& body, float factor) {
+  Body result = body;
+  for (int i = 0; i < body.polygon.count; ++i) result.polygon.vertices[i] *= factor;
+  result.polygon.radius *= factor;
+  result.pose.position *= factor;
+  return result;
+}
+
+/// Far enough from the ends of the range that no product of two numbers leaves it when scaled.
+bool is_in_mid_range(const Body& body) {
+  const auto in_range = [](float x) {
+    const float magnitude = std::abs(x);
+    return magnitude == 0 || (magnitude > 0x1p-24F && magnitude < 0x1p24F);
+  };
+  const auto both = [&](const Vector2<float>& v) { return in_range(v.x()) && in_range(v.y()); };
+  const auto corners = body.polygon.corners();
+  return std::all_of(corners.begin(), corners.end(), both) && both(body.pose.position) &&
+         both(body.pose.rotation) && in_range(body.polygon.radius);
+}
+
+}  // namespace
+
+Outcome swapping_mirrors(AskedCollider& ask, const PairCase& pair) {
+  return compare_moved(ask, pair, {pair.b, pair.a}, Features::compared,
+                       [&](const Manifold<double>& m) { return swapped_back(pair, m); });
+}
+
+Outcome renumbering_changes_features_only(AskedCollider& ask, const PairCase& pair) {
+  PairCase other_numbers = pair;
+  other_numbers.a.polygon = renumbered(pair.a.polygon);
+  other_numbers.b.polygon = renumbered(pair.b.polygon);
+  return compare_moved(ask, pair, other_numbers, Features::ignored,
+                       [](const Manifold<double>& m) { return m; });
+}
+
+Outcome quarter_turns_move(AskedCollider& ask, const PairCase& pair) {
+  PairCase turned = pair;
+  for (const Side side : {Side::a, Side::b}) {
+    turned[side].pose = {quarter_turned(pair[side].pose.position),
+                         quarter_turned(pair[side].pose.rotation)};
+  }
+  return compare_moved(ask, pair, turned, Features::compared,
+                       [](const Manifold<double>& m) { return m; });
+}
+
+Outcome translations_move(AskedCollider& ask, const PairCase& pair) {
+  PairCase moved = pair;
+  for (const float by : {4096.0F, 64.0F, 1.0F, 0.015625F}) {
+    const auto a = translated(pair.a.pose.position, by);
+    const auto b = translated(pair.b.pose.position, by);
+    if (!a || !b) continue;
+    moved.a.pose.position = *a;
+    moved.b.pose.position = *b;
+    return compare_moved(ask, pair, moved, Features::compared,
+                         [](const Manifold<double>& m) { return m; });
+  }
+  return not_applicable();
+}
+
+Outcome powers_of_two_scale(AskedCollider& ask, const PairCase& pair) {
+  const double bias = ask.declaration().tie_bias;
+  if (!is_in_mid_range(pair.a) || !is_in_mid_range(pair.b)) return not_applicable();
+  if (bias != 0 && !ask.collider().with_tie_bias) return not_applicable();
+  const auto here = ask.manifold(pair);
+  if (!here) return not_applicable();
+  for (const float factor : {0x1p-12F, 0x1p9F}) {
+    const double scale = static_cast<double>(factor);
+    const Collider collider =
+        bias == 0 ? ask.collider() : ask.collider().with_tie_bias(bias * scale);
+    const Answer there = manifuzz::ask(collider, {scaled(pair.a, factor), scaled(pair.b, factor)});
+    Manifold<double> expected = *here;
+    for (int i = 0; i < expected.count; ++i) {
+      expected.points[i].position *= scale;
+      expected.points[i].depth *= scale;
+    }
+    if (!std::holds_alternative<Manifold<double>>(there)) return not_applicable();
+    if (std::get<Manifold<double>>(there) != expected) {
+      return fails("another manifold when scaled", 1);
+    }
+  }
+  return holds();
 }
 
 }  // namespace manifuzz

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "collider/collider.hpp"
+#include "judging/admissible.hpp"
+#include "judging/manifold_error.hpp"
 
 namespace manifuzz {
 
@@ -38,5 +42,91 @@ const Property* find_property(std::string_view name);
 
 /// The property on one case of one collider, through the ledger.
 Outcome check(const Property& property, const Collider& collider, const PairCase& pair);
+
+// What properties are written with: asking a collider, outcomes, and holding two manifolds against
+// each other.
+
+/// What a property asks of a collider, remembered so that the ledger can be asked in turn.
+class AskedCollider {
+ public:
+  explicit AskedCollider(const Collider& collider) : collider_(collider) {}
+
+  const Collider& collider() const { return collider_; }
+  const Declaration& declaration() const { return collider_.declaration; }
+  const std::vector<PairCase>& asked() const { return asked_; }
+
+  /// Its manifold, or none where it does not take the case.
+  std::optional<Manifold<double>> manifold(const PairCase& pair) {
+    asked_.push_back(pair);
+    const Answer answer = ask(collider_, pair);
+    const auto* const found = std::get_if<Manifold<double>>(&answer);
+    const auto* const lost = std::get_if<Lost>(&answer);
+    if (lost && !lost_) lost_ = *lost;
+    return found ? std::optional(*found) : std::nullopt;
+  }
+
+  /// The first time that it died, hung, or answered nonsense.
+  const std::optional<Lost>& lost() const { return lost_; }
+
+ private:
+  const Collider& collider_;
+  std::optional<Lost> lost_;
+  std::vector<PairCase> asked_;
+};
+
+inline Outcome holds() {
+  return {};
+}
+inline Outcome not_applicable() {
+  return {.kind = Outcome::Kind::not_applicable, .why = {}};
+}
+inline Outcome fails(std::string why, double magnitude) {
+  return {.kind = Outcome::Kind::fails, .why = std::move(why), .magnitude = magnitude};
+}
+
+/// What is right for this collider, if nothing that decides it is within bound: one reference face
+/// by a clear lead, one incident edge, both ends clearly kept, clipped or dropped.
+std::optional<Admissible> decided(const PairCase& pair, const Declaration& declaration);
+
+/// By how much two right manifolds of one case may differ: the sum of both bounds.
+ManifoldError tolerance(const Admissible& right);
+
+enum class Features { compared, ignored };
+
+/// Holds where both manifolds, given in one frame, are the same within the tolerance.
+Outcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
+                      const Manifold<double>& got, const ManifoldError& within, Features features);
+
+/// The one list of properties: a function, defined in a file of its theme (properties_*.cpp), a
+/// name, and a sentence that is true of every right collider.
+#define MANIFUZZ_PROPERTIES(PROPERTY)                                                           \
+  PROPERTY(swapping_mirrors, "swapping-mirrors",                                                \
+           "swapping A and B mirrors the manifold, outside ties")                               \
+  PROPERTY(renumbering_changes_features_only, "renumbering",                                    \
+           "renumbering the vertices changes features only, outside ties")                      \
+  PROPERTY(quarter_turns_move, "quarter-turns",                                                 \
+           "a quarter turn of the world moves the manifold along, outside ties")                \
+  PROPERTY(translations_move, "translations",                                                   \
+           "a translation that floats can represent moves the manifold along, outside ties")    \
+  PROPERTY(powers_of_two_scale, "powers-of-two",                                                \
+           "scaling by a power of two scales the manifold, bit for bit")                        \
+  PROPERTY(given_normal_agrees, "given-normal",                                                 \
+           "the given-normal entry agrees with collide, outside ties")                          \
+  PROPERTY(points_lie_where_they_say, "points-in-place",                                        \
+           "points lie on the incident edge, in the slab, behind the reference face, in order") \
+  PROPERTY(depth_is_the_overlap, "depth-is-overlap",                                            \
+           "at bias 0 and S <= 0 the largest depth is the total radius minus S")                \
+  PROPERTY(depth_moves_apart, "depth-moves-apart",                                              \
+           "moving B by the depth along the normal leaves them touching at zero, and on by t "  \
+           "separates them by t")                                                               \
+  PROPERTY(float_and_double_agree, "float-and-double", "float and double agree within bound")   \
+  PROPERTY(overlap_is_never_empty, "never-empty", "overlapping is never empty")                 \
+  PROPERTY(manifold_is_admissible, "admissible",                                                \
+           "every manifold is one of the right ones, within bound")
+
+#define MANIFUZZ_DECLARE(function, name, sentence) \
+  Outcome function(AskedCollider& ask, const PairCase& pair);
+MANIFUZZ_PROPERTIES(MANIFUZZ_DECLARE)
+#undef MANIFUZZ_DECLARE
 
 }  // namespace manifuzz

@@ -4,8 +4,7 @@
 #include <fmt/format.h>
 
 #include "judging/judge.hpp"
-#include "judging/properties_shared.hpp"
-#include "judging/property_list.hpp"
+#include "judging/properties.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernel/packed.hpp"
-#include "kernel/shape_rows.hpp"
+#include "kernel/shapes.hpp"
 
 namespace manifuzz::kernel {
 

@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "kernel/lanes-inl.hpp"
-#include "kernel/shape_rows.hpp"
+#include "kernel/shapes.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::kernel::HWY_NAMESPACE {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/manifold.hpp"
-#include "kernel/shape_rows.hpp"
+#include "kernel/shapes.hpp"
 
 // One pair at a time, a face a lane. Equal to `clipping::collide`, bit for bit, on every
 // instruction set. Asking for less costs less: `touches` and `separation` end where they know.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "judging/completed.hpp"
 #include "judging/judge.hpp"
+#include "judging/manifold_error.hpp"
 #include "measure/spread.hpp"
 
 namespace manifuzz {

@@ -1,7 +1,6 @@
-#include "own_colliders/clip.hpp"
-
 #include "clipping/collide.hpp"
 #include "clipping/placed_pair.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
 namespace {

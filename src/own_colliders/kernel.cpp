@@ -1,11 +1,9 @@
-#include "own_colliders/kernel.hpp"
-
 #include <array>
 
 #include "clipping/placed_pair.hpp"
 #include "kernel/batch.hpp"
 #include "kernel/pair.hpp"
-#include "own_colliders/clip.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
 namespace {

@@ -66,4 +66,8 @@ void stop_children_on_signals();
 /// Waits until something is to be read, at most so long; whether it is.
 bool wait_readable(int descriptor, double seconds);
 
+/// Runs it. Where anything calls exit meanwhile, the process ends at once with the status that
+/// `on_exit` gives.
+int guarding_exit(const std::function<int()>& run, const std::function<int()>& on_exit);
+
 }  // namespace manifuzz

@@ -1,13 +1,26 @@
 #include "process/pool.hpp"
 
 #include <algorithm>
+#include <new>
 #include <optional>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <vector>
 
 #include "process/child.hpp"
 
 namespace manifuzz {
+
+SharedMemory::SharedMemory(std::size_t bytes)
+    : data_(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)),
+      bytes_(bytes) {
+  if (data_ == MAP_FAILED) throw std::bad_alloc();
+}
+
+SharedMemory::~SharedMemory() {
+  munmap(data_, bytes_);
+}
+
 namespace {
 
 constexpr double kPollSeconds = 0.1;

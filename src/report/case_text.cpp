@@ -1,5 +1,3 @@
-#include "report/case_text.hpp"
-
 #include <cmath>
 #include <iterator>
 
@@ -7,9 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "exchange/json.hpp"
-#include "judging/completed.hpp"
+#include "judging/manifold_error.hpp"
 #include "report/outputs.hpp"
 #include "report/words.hpp"
 

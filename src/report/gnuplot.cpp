@@ -1,5 +1,3 @@
-#include "report/gnuplot.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -9,7 +7,7 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
+#include "report/measurements.hpp"
 
 namespace manifuzz {
 namespace {

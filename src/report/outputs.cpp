@@ -8,9 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/streams.hpp"
+#include "base/file.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "corpus/corpus.hpp"
 
 namespace manifuzz {

@@ -9,8 +9,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "base/place.hpp"
-#include "base/streams.hpp"
+#include "base/file.hpp"
 
 namespace manifuzz {
 

@@ -6,10 +6,9 @@
 #include <fmt/ranges.h>
 
 #include "base/text.hpp"
-#include "campaign/baseline.hpp"
+#include "campaign/merge.hpp"
 #include "generating/sweep.hpp"
-#include "generating/walk.hpp"
-#include "measure/scene/trajectory.hpp"
+#include "measure/scene/scene_run.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/merge.hpp"
-#include "campaign/property_check.hpp"
 #include "campaign/replay.hpp"
 #include "campaign/run.hpp"
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "measure/provenance.hpp"
-#include "report/case_text.hpp"
 #include "report/measurements.hpp"
+#include "report/words.hpp"
 
 namespace manifuzz {
 namespace {

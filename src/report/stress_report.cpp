@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "report/measurements.hpp"
 
 namespace manifuzz {

@@ -1,10 +1,7 @@
-#include "report/upstream.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "exchange/json.hpp"
 #include "report/words.hpp"
 

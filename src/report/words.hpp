@@ -3,8 +3,10 @@
 #include <string>
 #include <string_view>
 
-#include "campaign/judged_case.hpp"
-#include "judging/neighbourhood.hpp"
+#include <nlohmann/json_fwd.hpp>
+
+#include "campaign/plan.hpp"
+#include "judging/judge.hpp"
 
 namespace manifuzz {
 
@@ -49,5 +51,30 @@ std::string escape_markdown(std::string_view text);
 
 /// A block of code that `text` cannot end, whatever it holds.
 std::string code_block(std::string_view text, std::string_view language);
+
+/// The case for a terminal: verdict, polygons, truth, bounds, candidate and answers. Numbers read
+/// back bit for bit.
+std::string case_text(const JudgedCase& judged);
+
+/// Appends what `collide` prints of a case as one line of JSON, without its end: the collider's
+/// manifold. Throws UserError where there is no answer, or numbers that JSON cannot write.
+void append_collision(std::string& line, const Collider& collider, const PairCase& pair);
+
+/// Appends what `judge` prints: what is right, by how much one may be off, verdict and bucket.
+/// Lengths are in the world.
+void append_judgement(std::string& line, const Admissible& right, const Judgement& judgement);
+
+/// A case as its line has it.
+nlohmann::ordered_json case_json(const PairCase& pair);
+
+/// The case as a report to the authors of the collider at fault, in Markdown: version, input, what
+/// it answered, what is right, and a program that shows it. `options` choose the two colliders
+/// again, for one that gives no program of its own. Throws UserError where nobody is at fault.
+std::string upstream_report(const JudgedCase& judged, const std::string& options);
+
+/// A snippet's template with the pair's numbers in it: @a.vertices[]@ becomes [[x,y],...],
+/// @a.vertices{}@ {{x,y},...}; normals, position and rotation (cos, sin) alike; @a.radius@,
+/// @a.count@; b as a.
+std::string filled_in(std::string snippet, const PairCase& pair);
 
 }  // namespace manifuzz

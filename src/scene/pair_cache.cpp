@@ -2,7 +2,33 @@
 
 #include <utility>
 
+#include "kernel/pair.hpp"
+#include "scene/body.hpp"
+
 namespace manifuzz::scene {
+namespace {
+
+/// What both separations may be off by, and both relative poses, as a share of the extent.
+constexpr float kErrors = 2 * kSeparationError + 16 * kRoundoff;
+
+}  // namespace
+
+Certificate prove_separated(const ShapeTable& shapes, const kernel::Placement<float>& a,
+                            const kernel::Placement<float>& b) {
+  const kernel::PairSeparation found =
+      kernel::separation(shapes.rows(a.shape), shapes.rows(b.shape), relative_pose(a.pose, b.pose));
+  const bool is_a = found.face.side == Side::a;
+  Certificate proof;
+  proof.near = found.face.side;
+  proof.far_in_near = is_a ? relative_pose(a.pose, b.pose) : relative_pose(b.pose, a.pose);
+  const ShapeFacts& facts_a = shapes.facts(a.shape);
+  const ShapeFacts& facts_b = shapes.facts(b.shape);
+  const float extent = facts_a.reach + facts_b.reach + length_at_most(proof.far_in_near.position);
+  const float total_radius = facts_a.radius + facts_b.radius;
+  proof.margin = found.separation - total_radius - kErrors * (extent + total_radius) - kUnderflow;
+  return proof;
+}
+
 namespace {
 
 constexpr std::size_t kSlotsMin = 16;
@@ -137,6 +163,33 @@ std::size_t PairCache::bytes_by_body() const {
 std::size_t PairCache::bytes_by_pair() const {
   return pairs_.capacity() * sizeof(Pair) + links_.capacity() * sizeof(Links) +
          slots_.capacity() * sizeof(std::uint32_t);
+}
+
+namespace {
+
+/// A point of A's frame in the frame of B.
+Vector2<float> in_b(const Pose<float>& b_in_a, const Vector2<float>& point) {
+  return rotate_back<float>(b_in_a.rotation, point - b_in_a.position);
+}
+
+}  // namespace
+
+Manifold<float> recycled(const Manifold<float>& manifold, const Pose<float>& from,
+                         const Pose<float>& to) {
+  Manifold<float> carried = manifold;
+  const Vector2<float> normal_in_b = rotate_back(from.rotation, manifold.normal);
+  if (manifold.reference == Side::b) carried.normal = rotate(to.rotation, normal_in_b);
+  for (int i = 0; i < manifold.count; ++i) {
+    ContactPoint<float>& point = carried.points[i];
+    const Vector2<float> at = point.position;
+    if (manifold.reference == Side::a) {
+      point.position = transform(to, in_b(from, at));
+      point.depth -= manifold.normal.dot(point.position - at);
+    } else {
+      point.depth += normal_in_b.dot(in_b(to, at) - in_b(from, at));
+    }
+  }
+  return carried;
 }
 
 }  // namespace manifuzz::scene

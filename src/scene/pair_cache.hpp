@@ -1,12 +1,84 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "geometry/manifold.hpp"
 #include "kernel/packed.hpp"
-#include "scene/certificates.hpp"
+#include "scene/body.hpp"
 
 namespace manifuzz::scene {
+
+// What a pair was last proven to be, and how far its bodies may move for that to stay proven
+// (derived in certificates.md).
+
+/// A face of one body, the near one, separates the other, far one; or, of a pair that touches, how
+/// long its manifold is recycled.
+struct Certificate {
+  Pose<float> far_in_near;  ///< the far body's pose in the near one's frame, at that moment
+  /// The far polygon's vertices may move by less than this, seen from the near one, and the kernel
+  /// still finds it separated, or the manifold is still recycled; <= 0: nothing is proven. Length.
+  float margin = -1;
+  Side near = Side::a;  ///< whose face it is
+};
+
+/// The proof that A and B are separated at these poses in the world, by the face that the kernel
+/// finds; proves nothing where they are nearer than rounding can tell.
+Certificate prove_separated(const ShapeTable& shapes, const kernel::Placement<float>& a,
+                            const kernel::Placement<float>& b);
+
+/// Whether the bodies have moved by less than the margin. The shapes are those of the proof.
+inline bool still_holds(const Certificate& certificate, const ShapeTable& shapes,
+                        const kernel::Placement<float>& a, const kernel::Placement<float>& b) {
+  const bool is_a = certificate.near == Side::a;
+  const kernel::Placement<float>& near = is_a ? a : b;
+  const kernel::Placement<float>& far = is_a ? b : a;
+  const float moved = displacement(certificate.far_in_near, relative_pose(near.pose, far.pose),
+                                   shapes.facts(far.shape).reach);
+  return moved < certificate.margin;
+}
+
+/// Two bodies that touch. A is the one of lower index.
+struct Contact {
+  BodyHandle a;              ///< the manifold is in its frame
+  BodyHandle b;              ///< the normal points to it
+  Manifold<float> manifold;  ///< of 1 or 2 points, in A's frame
+};
+
+/// Two bodies that touch no longer; one of them may be gone.
+struct EndedContact {
+  BodyHandle a;  ///< the one of lower index
+  BodyHandle b;  ///< the other
+};
+
+/// What was done with the candidate pairs of a step: counts that add up to `candidates`.
+struct PairCounts {
+  std::size_t at_rest = 0;     ///< neither body moved: not looked at
+  std::size_t separated = 0;   ///< a separating face was proven to separate still
+  std::size_t recycled = 0;    ///< touching ones, carried along: 0 in strict mode
+  std::size_t collided = 0;    ///< by the kernel
+  std::size_t candidates = 0;  ///< pairs whose fattened boxes overlap
+};
+
+/// What the parts of a step did; all are counts.
+struct StepCounts {
+  PairCounts pairs;               ///< what was done with the candidates
+  std::size_t moved = 0;          ///< bodies that moved, were added or got another shape
+  std::size_t left_boxes = 0;     ///< of them, those that left their fattened box
+  std::size_t pairs_added = 0;    ///< candidates that were none before
+  std::size_t pairs_dropped = 0;  ///< candidates that are none any more
+  std::size_t proofs = 0;         ///< certificates made
+};
+
+/// Valid until the scene is next changed.
+struct StepResult {
+  std::span<const Contact> contacts;     ///< all that touch, in no particular order
+  std::span<const std::uint32_t> began;  ///< indices of contacts that did not touch before
+  std::span<const EndedContact> ended;   ///< since the last step, removed bodies' too
+  std::size_t stayed = 0;                ///< all contacts but those that began
+  StepCounts counts;                     ///< what was done, and what was skipped
+};
 
 /// A candidate pair and what is known of it.
 struct Pair {
@@ -96,5 +168,12 @@ void PairCache::each_of(std::uint32_t body, const Visit& visit) const {
   for (End end = first_[body]; end != kNone; end = links_[end].next)
     visit(end / 2, partner_of(end));
 }
+
+/// A manifold of B at the pose `from` in A's frame, for B at `to`, with nothing computed anew: its
+/// points stay where they are on the incident edge, its normal stays the reference face's, and the
+/// depths are those of the points as they moved. What the motion clips, uncovers or separates is
+/// not seen, so depths may fall below 0.
+Manifold<float> recycled(const Manifold<float>& manifold, const Pose<float>& from,
+                         const Pose<float>& to);
 
 }  // namespace manifuzz::scene

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "geometry/same_bits.hpp"
+#include "geometry/manifold.hpp"
 
 namespace manifuzz::scene {
 

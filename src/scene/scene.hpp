@@ -3,7 +3,6 @@
 #include <variant>
 
 #include "scene/broad_phase.hpp"
-#include "scene/contacts.hpp"
 #include "scene/pair_cache.hpp"
 
 // The manifolds of a whole scene, step after step. Of the bodies that moved, in this order:

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "kernel/batch.hpp"
-#include "scene/recycled.hpp"
+#include "scene/pair_cache.hpp"
 #include "scene/scene.hpp"
 
 namespace manifuzz::scene {

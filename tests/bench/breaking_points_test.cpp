@@ -3,7 +3,6 @@
 
 #include "cli/colliders.hpp"
 #include "generating/sweep.hpp"
-#include "generating/walk.hpp"
 #include "support/run_program.hpp"
 #include "support/source_tree.hpp"
 #include "support/temporary_folder.hpp"

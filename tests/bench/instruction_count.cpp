@@ -10,8 +10,7 @@
 #include <string>
 
 #include "kernel/target.hpp"
-#include "measure/bench/own_subjects.hpp"
-#include "measure/bench/workload.hpp"
+#include "measure/bench/bench.hpp"
 
 extern "C" [[gnu::noinline]] void manifuzz_counted(const std::function<void()>& pass) {
   pass();

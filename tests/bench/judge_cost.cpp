@@ -13,7 +13,7 @@
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
 #include "oracle/box2d/box2d.hpp"
-#include "own_colliders/clip.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 using namespace manifuzz;
 

@@ -1,4 +1,4 @@
-#include "campaign/shrink_finding.hpp"
+#include "campaign/in_child.hpp"
 #include "canary/blame.hpp"
 #include "canary/planted.hpp"
 #include "canary/search.hpp"

@@ -4,7 +4,7 @@
 #include "canary/search.hpp"
 #include "corpus/shrink.hpp"
 #include "oracle/box2d/box2d.hpp"
-#include "own_colliders/clip.hpp"
+#include "own_colliders/own_colliders.hpp"
 #include "support/twin.hpp"
 
 // Bugs planted into the judge: on answers of colliders right and wrong, it must differ from its

@@ -9,7 +9,7 @@
 #include "corpus/shrink.hpp"
 #include "generating/regime.hpp"
 #include "oracle/box2d/box2d.hpp"
-#include "own_colliders/clip.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 // Bugs planted into the kernels: a manifold must differ from the clean code's, or a hint must
 // change an answer. What the judge says of such a manifold is reported first.

@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "campaign/findings.hpp"
-#include "campaign/jobs.hpp"
+#include "campaign/run.hpp"
+#include "campaign/save.hpp"
 #include "cli/colliders.hpp"
 
 // Bugs planted into a right collider. A campaign must find each, and blame the right one.

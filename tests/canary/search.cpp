@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "canary/edits.hpp"
-#include "corpus/simplicity.hpp"
-#include "generating/edits.hpp"
+#include "corpus/shrink.hpp"
+#include "generating/drafts.hpp"
 #include "generating/regime.hpp"
 #include "support/named_tests.hpp"
 #include "support/source_tree.hpp"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "canary/search.hpp"
-#include "corpus/simplicity.hpp"
+#include "corpus/shrink.hpp"
 #include "exchange/json.hpp"
 
 // What the shrinker and the buckets make of each planted bug, over many seeds: how many forms it

@@ -3,7 +3,7 @@
 
 #include "external/behaviour.hpp"
 #include "oracle/external/manifuzz_collider.h"
-#include "own_colliders/clip.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 // clip64 behind the C header, as a midpoint collider with normals from B to A where it is told so.
 // MANIFUZZ_TEST_BEHAVIOUR says what else it does.

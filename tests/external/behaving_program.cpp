@@ -5,7 +5,7 @@
 #include "corpus/corpus.hpp"
 #include "exchange/json.hpp"
 #include "external/behaviour.hpp"
-#include "own_colliders/clip.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 // clip64 as a program that answers lines. Its argument says what else it does.
 

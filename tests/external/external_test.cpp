@@ -6,16 +6,14 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/user_error.hpp"
-#include "campaign/jobs.hpp"
+#include "base/text.hpp"
+#include "campaign/run.hpp"
 #include "external/behaviour.hpp"
 #include "generating/regime.hpp"
-#include "oracle/external/command.hpp"
-#include "oracle/external/hosted_library.hpp"
-#include "oracle/external/library.hpp"
-#include "own_colliders/clip.hpp"
+#include "oracle/external/external_collider.hpp"
+#include "own_colliders/own_colliders.hpp"
 #include "process/child.hpp"
-#include "process/shared_memory.hpp"
+#include "process/pool.hpp"
 
 // Colliders in a process of their own: whatever they do, the campaign ends, counts it and leaves
 // nobody behind.

@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/user_error.hpp"
-#include "campaign/property_run.hpp"
+#include "base/text.hpp"
+#include "campaign/replay.hpp"
 #include "support/installed_collider.hpp"
 #include "support/named_tests.hpp"
 

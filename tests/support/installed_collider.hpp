@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "base/user_error.hpp"
+#include "base/text.hpp"
 #include "cli/colliders.hpp"
 #include "support/skip.hpp"
 #include "support/source_tree.hpp"

@@ -7,12 +7,10 @@
 #include <fmt/format.h>
 
 #include "base/file.hpp"
-#include "base/names.hpp"
+#include "base/text.hpp"
 #include "cli/colliders.hpp"
-#include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "corpus/output_check.hpp"
-#include "measure/bench/own_subjects.hpp"
+#include "corpus/corpus.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "oracle/chipmunk/chipmunk_pass.hpp"
 #include "report/measurements.hpp"

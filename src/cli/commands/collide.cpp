@@ -4,12 +4,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/user_error.hpp"
-#include "cli/collider_choice.hpp"
-#include "cli/commands.hpp"
+#include "base/text.hpp"
+#include "cli/colliders.hpp"
 #include "cli/options.hpp"
-#include "corpus/case_stream.hpp"
-#include "report/case_text.hpp"
+#include "corpus/corpus.hpp"
+#include "report/words.hpp"
 
 namespace manifuzz {
 namespace {

@@ -9,17 +9,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/names.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
-#include "campaign/baseline.hpp"
-#include "campaign/result_json.hpp"
+#include "campaign/merge.hpp"
+#include "campaign/result.hpp"
 #include "campaign/run.hpp"
-#include "cli/collider_choice.hpp"
 #include "cli/colliders.hpp"
-#include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "corpus/known_cases.hpp"
+#include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"
 #include "report/ci/ci_output.hpp"
 #include "report/page/page.hpp"

@@ -4,11 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/names.hpp"
-#include "base/streams.hpp"
-#include "cli/commands.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
 #include "cli/options.hpp"
-#include "corpus/known_cases.hpp"
+#include "corpus/corpus.hpp"
 #include "exchange/json.hpp"
 #include "generating/regime.hpp"
 

@@ -6,13 +6,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/user_error.hpp"
-#include "cli/collider_choice.hpp"
-#include "cli/commands.hpp"
-#include "corpus/case_stream.hpp"
-#include "exchange/answer_file.hpp"
-#include "judging/completed.hpp"
-#include "report/case_text.hpp"
+#include "base/text.hpp"
+#include "cli/colliders.hpp"
+#include "cli/options.hpp"
+#include "corpus/corpus.hpp"
+#include "exchange/json.hpp"
+#include "judging/manifold_error.hpp"
+#include "report/words.hpp"
 
 namespace manifuzz {
 namespace {

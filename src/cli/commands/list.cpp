@@ -5,11 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/names.hpp"
-#include "base/streams.hpp"
-#include "base/user_error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
 #include "cli/colliders.hpp"
-#include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "report/run_tables.hpp"
 
 namespace manifuzz {

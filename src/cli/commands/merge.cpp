@@ -10,11 +10,9 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
-#include "campaign/result_json.hpp"
-#include "cli/commands.hpp"
+#include "campaign/result.hpp"
 #include "cli/options.hpp"
-#include "corpus/output_check.hpp"
+#include "corpus/corpus.hpp"
 #include "report/outputs.hpp"
 #include "report/run_tables.hpp"
 

@@ -8,13 +8,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/names.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
-#include "cli/collider_choice.hpp"
-#include "cli/commands.hpp"
+#include "cli/colliders.hpp"
 #include "cli/options.hpp"
-#include "corpus/known_cases.hpp"
+#include "corpus/corpus.hpp"
 #include "report/ci/ci_output.hpp"
 #include "report/outputs.hpp"
 #include "report/run_tables.hpp"

@@ -8,9 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/user_error.hpp"
-#include "cli/collider_choice.hpp"
-#include "cli/commands.hpp"
+#include "base/text.hpp"
+#include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"

@@ -8,13 +8,10 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
-#include "campaign/result_files.hpp"
-#include "cli/collider_choice.hpp"
+#include "campaign/result.hpp"
 #include "cli/colliders.hpp"
-#include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "corpus/output_check.hpp"
+#include "corpus/corpus.hpp"
 #include "report/outputs.hpp"
 #include "report/page/page.hpp"
 

@@ -6,11 +6,9 @@
 #include <fmt/format.h>
 
 #include "base/file.hpp"
-#include "base/names.hpp"
-#include "base/user_error.hpp"
-#include "cli/commands.hpp"
+#include "base/text.hpp"
 #include "cli/options.hpp"
-#include "corpus/output_check.hpp"
+#include "corpus/corpus.hpp"
 #include "report/measurements.hpp"
 #include "report/outputs.hpp"
 

@@ -8,18 +8,13 @@
 #include <fmt/ranges.h>
 
 #include "base/file.hpp"
-#include "base/streams.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
-#include "campaign/judged_case.hpp"
-#include "cli/case_argument.hpp"
-#include "cli/collider_choice.hpp"
-#include "cli/commands.hpp"
+#include "campaign/plan.hpp"
+#include "cli/colliders.hpp"
 #include "cli/options.hpp"
-#include "corpus/output_check.hpp"
-#include "report/case_text.hpp"
+#include "corpus/corpus.hpp"
 #include "report/picture/pictures.hpp"
-#include "report/upstream.hpp"
+#include "report/words.hpp"
 
 namespace manifuzz {
 namespace {

@@ -5,15 +5,12 @@
 #include <fmt/format.h>
 
 #include "base/file.hpp"
-#include "base/streams.hpp"
-#include "base/user_error.hpp"
+#include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/save.hpp"
-#include "campaign/shrink_finding.hpp"
-#include "cli/case_argument.hpp"
-#include "cli/collider_choice.hpp"
-#include "cli/commands.hpp"
-#include "corpus/output_check.hpp"
+#include "cli/colliders.hpp"
+#include "cli/options.hpp"
+#include "corpus/corpus.hpp"
 
 namespace manifuzz {
 namespace {

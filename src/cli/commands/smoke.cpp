@@ -1,5 +1,3 @@
-#include "campaign/smoke.hpp"
-
 #include <array>
 #include <memory>
 #include <optional>
@@ -10,11 +8,10 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "base/user_error.hpp"
-#include "cli/collider_choice.hpp"
-#include "cli/commands.hpp"
+#include "campaign/replay.hpp"
+#include "cli/colliders.hpp"
 #include "cli/options.hpp"
-#include "corpus/known_cases.hpp"
+#include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"
 #include "report/ci/ci_output.hpp"
 #include "report/run_tables.hpp"

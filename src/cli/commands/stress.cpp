@@ -9,17 +9,10 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "campaign/in_child.hpp"
-#include "cli/collider_choice.hpp"
 #include "cli/colliders.hpp"
-#include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "corpus/output_check.hpp"
-#include "measure/stress/breaking_points.hpp"
-#include "measure/stress/flush_to_zero.hpp"
-#include "measure/stress/plan.hpp"
-#include "measure/stress/save_worst.hpp"
+#include "corpus/corpus.hpp"
 #include "report/measurements.hpp"
 #include "report/outputs.hpp"
 

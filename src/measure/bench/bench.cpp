@@ -1,6 +1,199 @@
 #include "measure/bench/bench.hpp"
 
+#include <algorithm>
+#include <array>
+#include <benchmark/benchmark.h>
+#include <cassert>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "kernel/target.hpp"
+#include "measure/spread.hpp"
+#include "oracle/exact/truth.hpp"
+
 namespace manifuzz {
+namespace {
+
+/// Cases drawn for each that is wanted, before the regime is given up.
+constexpr std::size_t kDrawsMax = 400;
+
+/// Pairs a workload: what each takes in all fits the first cache, the second, or neither.
+constexpr std::size_t kPairsInL1 = 64;
+constexpr std::size_t kPairsInL2 = 1024;
+constexpr std::size_t kPairsInMemory = 65'536;
+
+bool fits(const PairCase& pair, const std::optional<int>& vertices) {
+  return !vertices || (pair.a.polygon.count == *vertices && pair.b.polygon.count == *vertices);
+}
+
+}  // namespace
+
+WorkloadSpec usual_workload() {
+  return {find_regime("generic"), {}, 0.5, kPairsInL2};
+}
+
+std::vector<WorkloadSpec> all_workloads(std::span<const Regime* const> regimes) {
+  const WorkloadSpec usual = usual_workload();
+  std::vector<WorkloadSpec> specs{usual};
+  const auto add = [&](auto WorkloadSpec::*figure, const auto& value) {
+    specs.push_back(usual);
+    specs.back().*figure = value;
+  };
+  for (const int vertices : {3, 4, 6, 8}) add(&WorkloadSpec::vertices, vertices);
+  for (const double touching : {0.0, 0.1, 1.0}) add(&WorkloadSpec::touching, touching);
+  for (const std::size_t pairs : {kPairsInL1, kPairsInMemory}) add(&WorkloadSpec::pairs, pairs);
+  for (const Regime* const regime : regimes) {
+    if (regime != usual.regime) add(&WorkloadSpec::regime, regime);
+  }
+  return specs;
+}
+
+std::optional<Workload> draw_workload(const WorkloadSpec& spec, std::uint64_t seed) {
+  GenerationContext context;
+  context.radius = 0.0F;
+  Workload workload{spec, {}};
+  const double pairs = static_cast<double>(spec.pairs);
+  std::size_t touching_left = static_cast<std::size_t>(std::llround(pairs * spec.touching));
+  std::size_t apart_left = spec.pairs - touching_left;
+  for (std::uint64_t i = 0; touching_left + apart_left > 0; ++i) {
+    if (i >= kDrawsMax * spec.pairs) return std::nullopt;
+    PairCase pair = generate(seed, *spec.regime, i, context);
+    if (!fits(pair, spec.vertices)) continue;
+    std::size_t& left = exact::Truth(pair).separation() <= 0 ? touching_left : apart_left;
+    if (left == 0) continue;
+    --left;
+    workload.pairs.push_back(std::move(pair));
+  }
+  return workload;
+}
+
+namespace {
+
+/// Keeps the time of every repetition and prints nothing.
+class Collecting : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      seconds_[run.run_name.function_name].push_back(run.cpu_accumulated_time /
+                                                     static_cast<double>(run.iterations));
+    }
+  }
+  const std::vector<double>& seconds(const std::string& name) const { return seconds_.at(name); }
+
+ private:
+  std::map<std::string, std::vector<double>> seconds_;
+};
+
+void initialize(const TimingOptions& options) {
+  // Each flag that the environment could set otherwise.
+  std::array<std::string, 8> words{
+      "manifuzz",
+      "--benchmark_enable_random_interleaving=true",
+      "--benchmark_filter=.",
+      "--benchmark_report_aggregates_only=false",
+      "--benchmark_list_tests=false",
+      "--benchmark_out=",
+      fmt::format("--benchmark_repetitions={}", options.repetitions),
+      fmt::format("--benchmark_min_time={}", options.repetition_seconds)};
+  std::array<char*, 8> arguments{};
+  std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+}
+
+}  // namespace
+
+std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
+                                  const Workload& workload, const TimingOptions& options) {
+  initialize(options);
+  const auto name_of = [](std::size_t i) { return fmt::format("subject {}", i); };
+  std::size_t base = subjects.size();
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    if (subjects[i].name == kRatioBase) base = i;
+    const auto pass = subjects[i].prepare(workload.pairs);
+    const std::string target = subjects[i].target;
+    benchmark::RegisterBenchmark(name_of(i).c_str(), [pass, target](benchmark::State& state) {
+      if (!target.empty()) kernel::use_target(target);
+      for ([[maybe_unused]] const auto once : state) pass();
+    });
+  }
+  assert(base < subjects.size());
+  Collecting collected;
+  benchmark::RunSpecifiedBenchmarks(&collected);
+  benchmark::ClearRegisteredBenchmarks();
+  kernel::use_target(kernel::targets().front());
+
+  std::vector<Timing> timings;
+  const std::vector<double>& of_base = collected.seconds(name_of(base));
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    const std::vector<double>& seconds = collected.seconds(name_of(i));
+    std::vector<double> ratios(std::min(seconds.size(), of_base.size()));
+    for (std::size_t k = 0; k < ratios.size(); ++k) ratios[k] = of_base[k] / seconds[k];
+    timings.push_back(
+        {1e9 * median(seconds) / static_cast<double>(workload.pairs.size()), median(ratios)});
+  }
+  return timings;
+}
+
+namespace {
+
+struct Measurement {
+  Collider collider;
+  ErrorCollector counts{ErrorCollector::Errors::counted};
+  ErrorList of_extent{};
+};
+
+void measure(Measurement& subject, std::uint64_t index, Referee& referee) {
+  const Declaration& declaration = subject.collider.declaration;
+  const PairCase& pair = referee.truth().pair();
+  const Answer answer = referee.completed(declaration, subject.collider.collide(pair));
+  const Measured measured = referee.measure(declaration, answer);
+  subject.counts.add(index, measured);
+  if (!measured.has_errors) return;
+  constexpr double unit = 0x1p-24;
+  const double length = unit * referee.truth().extent();
+  const ManifoldError& error = measured.error;
+  subject.of_extent.add(index,
+                        {error.normal / unit, error.position / length, error.depth / length});
+}
+
+BenchErrors errors_of(const Measurement& subject, std::span<const PairCase> pairs) {
+  const ErrorStatistics counts = subject.counts.statistics();
+  BenchErrors errors{.of_extent = subject.of_extent.spreads(),
+                     .worst = {},
+                     .missed = counts.missed,
+                     .phantom = counts.phantom,
+                     .cases = counts.cases - counts.unsupported - counts.lost};
+  const ErrorSpreads& spreads = errors.of_extent;
+  if (counts.contacts == 0) return errors;
+  for (const Spread* spread : {&spreads.depth, &spreads.position, &spreads.normal}) {
+    errors.worst.emplace(spread->worst, pairs[spread->worst]);
+  }
+  return errors;
+}
+
+}  // namespace
+
+std::map<std::string, BenchErrors> measure_errors(const std::vector<BenchSubject>& subjects,
+                                                  std::span<const PairCase> pairs) {
+  std::map<std::string, Measurement> measurements;
+  for (const BenchSubject& subject : subjects) {
+    if (subject.collider && !measurements.contains(subject.name)) {
+      measurements.emplace(subject.name, Measurement{subject.collider()});
+    }
+  }
+  for (std::uint64_t i = 0; i < pairs.size(); ++i) {
+    Referee referee(pairs[i]);
+    for (auto& [name, subject] : measurements) measure(subject, i, referee);
+  }
+  std::map<std::string, BenchErrors> errors;
+  for (const auto& [name, subject] : measurements) errors[name] = errors_of(subject, pairs);
+  return errors;
+}
 
 BenchOptions quick_bench() {
   return {.judged = 5'000, .timing = {.repetitions = 7, .repetition_seconds = 0.01}};

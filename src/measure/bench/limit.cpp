@@ -8,7 +8,7 @@
 
 #include "clipping/collide.hpp"
 #include "kernel/packed.hpp"
-#include "measure/bench/limit.hpp"
+#include "measure/bench/bench.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::HWY_NAMESPACE {

@@ -1,5 +1,3 @@
-#include "measure/bench/own_subjects.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <memory>
@@ -9,9 +7,8 @@
 #include "kernel/batch.hpp"
 #include "kernel/pair.hpp"
 #include "kernel/target.hpp"
-#include "measure/bench/limit.hpp"
-#include "own_colliders/clip.hpp"
-#include "own_colliders/kernel.hpp"
+#include "measure/bench/bench.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,11 +1,9 @@
-#include "measure/scene/scene_afresh.hpp"
-
 #include <algorithm>
 #include <map>
 
-#include "geometry/same_bits.hpp"
+#include "geometry/manifold.hpp"
 #include "kernel/batch.hpp"
-#include "measure/scene/scene_player.hpp"
+#include "measure/scene/scene_run.hpp"
 
 namespace manifuzz {
 namespace {

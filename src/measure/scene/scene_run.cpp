@@ -6,10 +6,74 @@
 #include <cmath>
 #include <memory>
 
-#include "measure/scene/scene_player.hpp"
+#include <fmt/format.h>
+
+#include "corpus/corpus.hpp"
 #include "measure/spread.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
+namespace {
+
+/// Judging one takes about a hundred times as long as colliding it.
+constexpr std::size_t kJudged = 2000;
+
+/// Measures one in so many contacts, whatever the step.
+class Sampler {
+ public:
+  Sampler(const Trajectory& trajectory, std::size_t contacts)
+      : declaration_(make_batch(0).declaration),
+        every_(1 + contacts * trajectory.steps.size() / kJudged),
+        bodies_(trajectory.bodies()) {}
+
+  void add(std::span<const BodyMove> moves, std::span<const scene::Contact> contacts) {
+    move_bodies(moves, bodies_);
+    for (const scene::Contact& contact : contacts) {
+      if (seen_++ % every_ != 0) continue;
+      Referee referee({bodies_[contact.a.index], bodies_[contact.b.index]});
+      const Answer answer = manifold_cast<double>(contact.manifold);
+      errors_.add(seen_, referee.measure(declaration_, referee.completed(declaration_, answer)));
+    }
+  }
+
+  ErrorStatistics statistics() const { return errors_.statistics(); }
+
+ private:
+  Declaration declaration_;
+  std::size_t every_;
+  std::size_t seen_ = 0;
+  std::vector<Body> bodies_;
+  ErrorCollector errors_;
+};
+
+/// How many pairs were collided, and how good the contacts are.
+std::pair<std::size_t, ErrorStatistics> recycled_at(const Trajectory& trajectory, float motion) {
+  ScenePlayer player(trajectory, {.recycled_motion = motion});
+  Sampler sampler(trajectory, player.result().contacts.size());
+  std::size_t collided = 0;
+  for (const auto& moves : trajectory.steps) {
+    const scene::StepResult& result = player.step(moves);
+    sampler.add(moves, result.contacts);
+    collided += result.counts.pairs.collided;
+  }
+  return {collided, sampler.statistics()};
+}
+
+}  // namespace
+
+std::vector<RecyclingRun> run_recycling(const Trajectory& trajectory) {
+  std::vector<RecyclingRun> runs;
+  std::size_t strict = 0;
+  for (const float motion : kRecyclingMotions) {
+    const auto [collided, errors] = recycled_at(trajectory, motion);
+    if (motion == 0) strict = collided;
+    const double kept =
+        strict == 0 ? 1 : static_cast<double>(collided) / static_cast<double>(strict);
+    runs.push_back({motion, 1 - kept, errors});
+  }
+  return runs;
+}
+
 namespace {
 
 template <class Work>
@@ -126,6 +190,40 @@ std::optional<double> fitted_exponent(const std::vector<std::pair<double, double
   }
   if (!(below > 0)) return std::nullopt;
   return above / below;
+}
+
+SceneResult run_scenes(const ScenePlan& plan,
+                       const std::function<void(std::string_view doing, std::string_view scene,
+                                                std::size_t bodies)>& on_scene) {
+  SceneResult result;
+  for (const SceneSpec* const spec : plan.scenes) {
+    for (const std::size_t bodies : plan.sizes) {
+      on_scene("timing", spec->name, bodies);
+      const Trajectory trajectory = spec->make(bodies, plan.steps);
+      result.runs.push_back(run_scene(spec->name, trajectory, plan.settings));
+    }
+  }
+  if (!plan.has_curves) return result;
+  for (const SceneSpec* const spec : plan.scenes) {
+    const std::size_t bodies = plan.sizes.front();
+    on_scene("recycling", spec->name, bodies);
+    const Trajectory trajectory = spec->make(bodies, plan.steps);
+    result.curves.push_back(
+        {std::string(spec->name), trajectory.start.size(), run_recycling(trajectory)});
+  }
+  return result;
+}
+
+void save_mismatches(const std::filesystem::path& corpus, const std::vector<SceneRun>& runs) {
+  for (const SceneRun& run : runs) {
+    for (const PairCase& pair : run.afresh.findings) {
+      CorpusCase finding;
+      finding.pair = pair;
+      finding.note = fmt::format("In the scene {} of {} bodies it was not as it is afresh.",
+                                 run.scene, run.bodies);
+      write_corpus_case(corpus, finding);
+    }
+  }
 }
 
 }  // namespace manifuzz

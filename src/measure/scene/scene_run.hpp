@@ -1,13 +1,151 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "measure/scene/scene_afresh.hpp"
+#include "kernel/packed.hpp"
+#include "measure/spread.hpp"
+#include "oracle/box2d/box2d.hpp"
 #include "scene/scene.hpp"
 
 namespace manifuzz {
+
+/// A scene's bodies and what moves in each of its steps.
+struct Trajectory {
+  std::vector<ConvexPolygon<float>> shapes;
+  std::vector<kernel::Placement<float>> start;
+  std::vector<std::vector<BodyMove>> steps;
+
+  /// As they start.
+  std::vector<Body> bodies() const {
+    std::vector<Body> all;
+    for (const auto& [shape, pose] : start) all.push_back({shapes[shape], pose});
+    return all;
+  }
+};
+
+/// Puts bodies where they are now.
+inline void move_bodies(std::span<const BodyMove> moves, std::vector<Body>& bodies) {
+  for (const BodyMove& move : moves) bodies[move.body].pose = move.pose;
+}
+
+/// A named family of scenes, of any number of bodies.
+struct SceneSpec {
+  std::string_view name;
+  std::string_view sentence;
+  Trajectory (*make)(std::size_t bodies, int steps);
+};
+
+/// All scenes, in the order of reports.
+std::span<const SceneSpec> scene_specs();
+
+/// A scene with a trajectory's bodies, which have the same indices there.
+class ScenePlayer {
+ public:
+  ScenePlayer(const Trajectory& trajectory, const scene::Settings& settings) : scene_(settings) {
+    for (const auto& shape : trajectory.shapes) scene_.add_shape(shape);
+    for (const auto& [shape, pose] : trajectory.start) {
+      handles_.push_back(std::get<scene::BodyHandle>(scene_.add(shape, pose)));
+    }
+    step({});
+  }
+
+  /// Valid until the next one, as is what the others give.
+  const scene::StepResult& step(std::span<const BodyMove> moves) {
+    prepare(moves);
+    return step_prepared();
+  }
+
+  void prepare(std::span<const BodyMove> moves) {
+    moves_.clear();
+    for (const BodyMove& move : moves) moves_.push_back({handles_[move.body], move.pose});
+  }
+  const scene::StepResult& step_prepared() {
+    const auto stepped = scene_.step(moves_);
+    result_ = std::get<scene::StepResult>(stepped);
+    return result_;
+  }
+
+  const scene::StepResult& result() const { return result_; }
+  const scene::Scene& scene() const { return scene_; }
+
+ private:
+  scene::Scene scene_;
+  std::vector<scene::BodyHandle> handles_;
+  std::vector<scene::Move> moves_;
+  scene::StepResult result_;
+};
+
+// Scenes whose motion is written down, not simulated. The same on every machine.
+
+/// Polygons of 3 to 8 vertices, about one across, with Box2D's skin.
+std::vector<ConvexPolygon<float>> mixed_shapes();
+
+/// Far from each other, each on its way and turning.
+Trajectory make_sparse_drift(std::size_t bodies, int steps);
+
+/// Boxes in a grid, each turning on the spot, corner against corner.
+Trajectory make_spinning_grid(std::size_t bodies, int steps);
+
+/// One body on its way through a field that rests.
+Trajectory make_one_mover(std::size_t bodies, int steps);
+
+/// Needles, all moving, in a crowd.
+Trajectory make_slivers(std::size_t bodies, int steps);
+
+/// A field in which all touch and nothing moves.
+Trajectory make_still(std::size_t bodies, int steps);
+
+// Scenes recorded from Box2D's own world; larger ones are recordings side by side.
+
+/// Polygons that fall onto each other between walls.
+Trajectory make_pile(std::size_t bodies, int steps);
+
+/// A pile that has come to rest; in each step a tenth of it, in turn, is nudged or falls back.
+Trajectory make_resting_pile(std::size_t bodies, int steps);
+
+/// Boxes in pyramids that settle.
+Trajectory make_pyramid(std::size_t bodies, int steps);
+
+/// Polygons that fall far from each other, and lie where they fell.
+Trajectory make_rain(std::size_t bodies, int steps);
+
+/// What recycling up to a motion skips in a scene, and how good the contacts are then.
+struct RecyclingRun {
+  float motion = 0;        ///< scene::Settings::recycled_motion; 0 is strict
+  double skipped = 0;      ///< the share of strict mode's collisions that it spares
+  ErrorStatistics errors;  ///< of a sample of the contacts, spread over all steps
+};
+
+/// The same of one scene, a run a motion.
+struct RecyclingCurve {
+  std::string scene;
+  std::size_t bodies = 0;
+  std::vector<RecyclingRun> runs;
+};
+
+/// The motions of a curve: lengths, in scenes of bodies about 1 wide. Strict mode comes first.
+inline constexpr std::array<float, 8> kRecyclingMotions{0,     0.0003F, 0.001F, 0.003F,
+                                                        0.01F, 0.03F,   0.1F,   0.3F};
+
+/// A run a motion.
+std::vector<RecyclingRun> run_recycling(const Trajectory& trajectory);
+
+/// What a strict scene's contacts were held against: every pair of bodies, collided afresh.
+struct AfreshCheck {
+  std::size_t steps = 0;           ///< those that were held against it, spread over the trajectory
+  std::size_t mismatches = 0;      ///< contacts that differ by a bit, are missing or too many
+  std::vector<PairCase> findings;  ///< the first of them
+};
+
+/// As many steps as 60 million pairs allow: all for 1,000 bodies and 100 steps, one for 10,000,
+/// none for more.
+AfreshCheck check_afresh(const Trajectory& trajectory, const scene::Settings& settings);
 
 /// A trajectory gone through by a scene and by both baselines, step by step in turn: Box2D's broad
 /// phase and its `b2CollidePolygons` on every pair (all), or on those of which a body moved
@@ -42,5 +180,28 @@ Frame last_frame(const Trajectory& trajectory, const scene::Settings& settings);
 
 /// The exponent k of y ~ x^k that fits points best, in logarithms; none for fewer than two x.
 std::optional<double> fitted_exponent(const std::vector<std::pair<double, double>>& points);
+
+/// Each of these scenes at each number of bodies.
+struct ScenePlan {
+  std::vector<const SceneSpec*> scenes;
+  std::vector<std::size_t> sizes;  ///< numbers of bodies, rising
+  int steps = 30;
+  scene::Settings settings;
+  bool has_curves = false;  ///< recycling at every motion as well, at the least number of bodies
+};
+
+struct SceneResult {
+  std::vector<SceneRun> runs;  ///< those of one scene follow each other
+  std::vector<RecyclingCurve> curves;
+};
+
+/// `on_scene` is told what comes next: "timing" or "recycling", of which scene, how many bodies.
+SceneResult run_scenes(const ScenePlan& plan,
+                       const std::function<void(std::string_view doing, std::string_view scene,
+                                                std::size_t bodies)>& on_scene);
+
+/// Writes the pairs that were not as they are afresh to a corpus, whose cases the tests put into
+/// scenes. Throws UserError.
+void save_mismatches(const std::filesystem::path& corpus, const std::vector<SceneRun>& runs);
 
 }  // namespace manifuzz

@@ -1,5 +1,3 @@
-#include "measure/stress/breaking_points.hpp"
-
 #include <algorithm>
 #include <filesystem>
 
@@ -7,7 +5,7 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
+#include "measure/stress/stress.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,5 +1,3 @@
-#include "measure/stress/save_worst.hpp"
-
 #include <algorithm>
 #include <optional>
 
@@ -7,9 +5,9 @@
 
 #include "campaign/in_child.hpp"
 #include "campaign/save.hpp"
-#include "campaign/shrink_finding.hpp"
+#include "measure/stress/stress.hpp"
 #include "oracle/box2d/box2d.hpp"
-#include "own_colliders/clip.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
 namespace {

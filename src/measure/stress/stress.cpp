@@ -6,11 +6,60 @@
 #include <span>
 #include <stdexcept>
 
-#include "measure/stress/unit_run.hpp"
+#include <fmt/format.h>
+
+#include "base/text.hpp"
 #include "process/pool.hpp"
-#include "process/shared_memory.hpp"
 
 namespace manifuzz {
+
+void choose_sweeps(const std::vector<std::string>& names, std::string_view option,
+                   StressPlan& plan) {
+  struct Choice {
+    std::string_view name;
+    const Sweep* sweep;
+    const Walk* walk;
+  };
+  std::vector<Choice> all;
+  for (const Sweep& sweep : sweeps()) all.push_back({sweep.name, &sweep, nullptr});
+  for (const Walk& walk : walks()) all.push_back({walk.name, nullptr, &walk});
+  for (const Choice* const one : chosen_by_name(all, names, "sweep", option)) {
+    if (one->sweep != nullptr) plan.sweeps.push_back(one->sweep);
+    if (one->walk != nullptr) plan.walks.push_back(one->walk);
+  }
+}
+
+std::vector<StressSubject> with_variants(const std::vector<StressSubject>& chosen) {
+  std::vector<StressSubject> subjects{ideal_subject()};
+  const auto add = [&subjects](StressSubject subject) {
+    if (std::ranges::find(subjects, subject.name, &StressSubject::name) != subjects.end()) {
+      throw UserError(
+          fmt::format("--collider: there is more than one '{}'", printable(subject.name)));
+    }
+    subjects.push_back(std::move(subject));
+  };
+  for (const StressSubject& subject : chosen) {
+    add(subject);
+    if (!subject.collider.with_tie_bias) continue;
+    add({subject.name + " with a bias", subject.collider.with_tie_bias(kWalkBias), true,
+         subject.is_ours});
+  }
+  if (subjects.size() > kSubjectsMax) throw UserError("--collider: that is too many at once");
+  return subjects;
+}
+
+bool is_broken(const ErrorStatistics& step) {
+  if (step.wrong() > 0 && step.wrong() * kWrongEvery >= step.well_posed()) return true;
+  const ErrorSpreads& errors = step.of_size;
+  return std::max({errors.depth.p999, errors.position.p999, errors.normal.p999}) > kGrossShare;
+}
+
+std::optional<std::size_t> breaking_step(std::span<const StepStatistics> steps) {
+  const auto broken = std::ranges::find_if(steps, is_broken);
+  if (broken == steps.end()) return std::nullopt;
+  return static_cast<std::size_t>(broken - steps.begin());
+}
+
 namespace {
 
 constexpr double kSilentSecondsMax = 30;  ///< over a case, and over adding up a unit

@@ -4,11 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "campaign/in_child.hpp"
-#include "campaign/judged_case.hpp"
-#include "report/ci/github.hpp"
-#include "report/ci/test_suite.hpp"
+#include "campaign/plan.hpp"
 #include "report/picture/pictures.hpp"
 #include "report/run_tables.hpp"
 

@@ -1,5 +1,3 @@
-#include "report/ci/github.hpp"
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
@@ -11,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/text.hpp"
-#include "base/user_error.hpp"
+#include "report/ci/ci_output.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

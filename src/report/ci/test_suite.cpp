@@ -1,11 +1,11 @@
-#include "report/ci/test_suite.hpp"
-
 #include <algorithm>
 #include <pugixml.hpp>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "report/ci/ci_output.hpp"
 
 namespace manifuzz {
 namespace {

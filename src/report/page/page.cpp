@@ -10,9 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "campaign/in_child.hpp"
-#include "report/page/page_case.hpp"
 
 namespace manifuzz {
 

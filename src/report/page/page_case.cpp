@@ -1,5 +1,3 @@
-#include "report/page/page_case.hpp"
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -9,8 +7,9 @@
 #include <fmt/format.h>
 
 #include "exchange/json.hpp"
-#include "oracle/exact/rough.hpp"
-#include "report/picture/region.hpp"
+#include "oracle/exact/placed.hpp"
+#include "report/page/page.hpp"
+#include "report/picture/drawing.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

@@ -3,18 +3,79 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "report/picture/region.hpp"
+#include "geometry/vector.hpp"
+#include "oracle/exact/placed.hpp"
+
+namespace manifuzz {
+
+// Plain geometry of pictures, in double and in any units: good enough to look at.
+
+using Point = Vector2<double>;
+using Segment = std::pair<Point, Point>;
+
+/// A convex region by its corners in order; fewer than three: nothing.
+using Region = std::vector<Point>;
+
+/// A rectangle with its sides along the axes.
+struct Box {
+  double x = 0;  ///< of the corner with the least coordinates
+  double y = 0;
+  double width = 0;
+  double height = 0;
+
+  double right() const { return x + width; }
+  double bottom() const { return y + height; }
+  Point center() const { return {x + width / 2, y + height / 2}; }
+  bool contains(const Point& p) const {
+    return p.x() >= x && p.x() <= right() && p.y() >= y && p.y() <= bottom();
+  }
+  bool contains(const Box& box) const {
+    return box.x >= x && box.right() <= right() && box.y >= y && box.bottom() <= bottom();
+  }
+  bool overlaps(const Box& box) const {
+    return x < box.right() && box.x < right() && y < box.bottom() && box.y < bottom();
+  }
+  Box grown(double by) const { return {x - by, y - by, width + 2 * by, height + 2 * by}; }
+};
+
+/// The mean of the corners, of which there is one at least.
+Point middle_of(const Region& region);
+
+/// The smallest box around points, of which there is one at least.
+Box box_around(const std::vector<Point>& points);
+
+double length(const Point& v);
+/// `v` at length 1, or zero where it has none.
+Point unit(const Point& v);
+
+/// The point of the box nearest to `p`.
+Point nearest(const Box& box, const Point& p);
+
+/// A polygon and its skin: the arcs at the corners as short edges, which inside the box come within
+/// `tolerance` of the arc.
+Region rounded(const exact::RoughPolygon& polygon, double radius, const Box& where,
+               double tolerance);
+
+/// What both convex regions cover; both counter-clockwise (y up).
+Region intersection(const Region& region, const Region& with);
+Region intersection(const Region& region, const Box& box);
+
+/// How far inside a counter-clockwise convex region a point is; negative: how far outside, at
+/// least.
+double depth_in(const Region& region, const Point& p);
+
+/// The part of a segment inside the box.
+std::optional<Segment> inside(const Segment& segment, const Box& box);
 
 struct _cairo;
 struct _cairo_surface;
-
-namespace manifuzz {
 
 struct Font {
   double size = 12;  ///< in pixels

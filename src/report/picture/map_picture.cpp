@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "campaign/in_child.hpp"
-#include "campaign/neighbourhood_run.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/picture/pictures.hpp"
 #include "report/words.hpp"

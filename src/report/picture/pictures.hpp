@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "campaign/judged_case.hpp"
-#include "judging/neighbourhood.hpp"
+#include "campaign/plan.hpp"
+#include "judging/judge.hpp"
 
 namespace manifuzz {
 

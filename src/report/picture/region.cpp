@@ -1,9 +1,9 @@
-#include "report/picture/region.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "report/picture/drawing.hpp"
 
 namespace manifuzz {
 namespace {

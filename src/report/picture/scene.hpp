@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/judged_case.hpp"
+#include "campaign/plan.hpp"
 #include "report/picture/drawing.hpp"
 
 namespace manifuzz {

@@ -1,9 +1,9 @@
-#include "base/names.hpp"
-
 #include <array>
 #include <vector>
 
 #include <catch2/catch.hpp>
+
+#include "base/text.hpp"
 
 using namespace manifuzz;
 

@@ -1,9 +1,8 @@
-#include "campaign/baseline.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "base/user_error.hpp"
-#include "campaign/result_json.hpp"
+#include "base/text.hpp"
+#include "campaign/merge.hpp"
+#include "campaign/result.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace manifuzz;

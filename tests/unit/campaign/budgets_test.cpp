@@ -1,9 +1,8 @@
-#include "campaign/budgets.hpp"
-
 #include <algorithm>
 
 #include <catch2/catch.hpp>
 
+#include "campaign/merge.hpp"
 #include "generating/regime.hpp"
 
 using namespace manifuzz;

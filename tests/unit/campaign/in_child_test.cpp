@@ -5,11 +5,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "campaign/property_run.hpp"
 #include "campaign/replay.hpp"
 #include "generating/regime.hpp"
-#include "own_colliders/clip.hpp"
-#include "process/shared_memory.hpp"
+#include "own_colliders/own_colliders.hpp"
+#include "process/pool.hpp"
 
 using namespace manifuzz;
 

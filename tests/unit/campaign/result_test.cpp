@@ -1,10 +1,11 @@
+#include "campaign/result.hpp"
+
 #include <limits>
 #include <set>
 
 #include <catch2/catch.hpp>
 
-#include "base/user_error.hpp"
-#include "campaign/result_json.hpp"
+#include "base/text.hpp"
 
 using namespace manifuzz;
 using Json = nlohmann::ordered_json;

@@ -6,9 +6,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "measure/bench/own_subjects.hpp"
 #include "oracle/exact/truth.hpp"
-#include "report/gnuplot.hpp"
+#include "report/measurements.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "support/bad_cases.hpp"
 #include "support/named_tests.hpp"
 #include "support/run_program.hpp"

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "corpus/corpus.hpp"
-#include "corpus/simplicity.hpp"
+#include "corpus/shrink.hpp"
 #include "unit/cli/merge_runs.hpp"
 
 using namespace manifuzz;

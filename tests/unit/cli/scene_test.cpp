@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "measure/scene/scene_recycling.hpp"
 #include "measure/scene/scene_run.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"

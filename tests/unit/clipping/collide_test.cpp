@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "own_colliders/clip.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 using namespace manifuzz;
 using Catch::Matchers::WithinAbs;

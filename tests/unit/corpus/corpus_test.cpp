@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/user_error.hpp"
+#include "base/text.hpp"
 #include "support/bad_cases.hpp"
 #include "support/permissions.hpp"
 #include "support/run_program.hpp"

@@ -2,9 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "corpus/simpler_cases.hpp"
-#include "corpus/simplicity.hpp"
-#include "generating/edits.hpp"
+#include "generating/drafts.hpp"
 #include "generating/regime.hpp"
 #include "oracle/exact/truth.hpp"
 

@@ -8,7 +8,7 @@
 #include "exchange/json.hpp"
 #include "generating/regime.hpp"
 #include "oracle/box2d/box2d.hpp"
-#include "own_colliders/clip.hpp"
+#include "own_colliders/own_colliders.hpp"
 #include "support/named_tests.hpp"
 
 // The judge against its twin, in every regime: on what colliders answer, and on answers moved by

@@ -9,7 +9,6 @@
 
 #include "base/random.hpp"
 #include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "corpus/corpus.hpp"
 #include "support/bad_cases.hpp"
 #include "support/run_program.hpp"

@@ -1,8 +1,8 @@
-#include "exchange/reported_manifold.hpp"
-
 #include <cmath>
 
 #include <catch2/catch.hpp>
+
+#include "exchange/json.hpp"
 
 using namespace manifuzz;
 

@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/ulps.hpp"
+#include "base/random.hpp"
 #include "generating/regime.hpp"
 #include "unit/generating/case_hash.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generating/edits.hpp"
+#include "generating/drafts.hpp"
 #include "generating/sweep.hpp"
 #include "oracle/exact/truth.hpp"
 #include "unit/generating/case_hash.hpp"

@@ -1,11 +1,11 @@
-#include "geometry/orientation.hpp"
-
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <random>
 
 #include <catch2/catch.hpp>
+
+#include "geometry/convex_polygon.hpp"
 
 using namespace manifuzz;
 

@@ -8,7 +8,6 @@
 #include <catch2/catch.hpp>
 
 #include "geometry/convex_polygon.hpp"
-#include "geometry/orientation.hpp"
 
 using namespace manifuzz;
 

@@ -4,7 +4,7 @@
 
 #include "judging/judge.hpp"
 #include "oracle/box2d/box2d.hpp"
-#include "own_colliders/clip.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 using namespace manifuzz;
 using Catch::Matchers::WithinAbs;

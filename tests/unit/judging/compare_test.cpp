@@ -6,7 +6,7 @@
 
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
-#include "own_colliders/clip.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,11 +1,10 @@
-#include "judging/neighbourhood.hpp"
-
 #include <array>
 #include <limits>
 
 #include <catch2/catch.hpp>
 
 #include "generating/regime.hpp"
+#include "judging/judge.hpp"
 
 using namespace manifuzz;
 

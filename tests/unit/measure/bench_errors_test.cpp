@@ -1,9 +1,8 @@
-#include "measure/bench/bench_errors.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "generating/regime.hpp"
-#include "own_colliders/clip.hpp"
+#include "measure/bench/bench.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
 namespace {

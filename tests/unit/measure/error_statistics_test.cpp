@@ -1,8 +1,7 @@
-#include "measure/error_statistics.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "measure/stress/step_statistics.hpp"
+#include "measure/spread.hpp"
+#include "measure/stress/stress.hpp"
 
 namespace manifuzz {
 namespace {

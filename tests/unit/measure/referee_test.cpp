@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "oracle/box2d/box2d.hpp"
-#include "own_colliders/clip.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
 namespace {

@@ -4,9 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "measure/stress/unit_run.hpp"
-#include "own_colliders/clip.hpp"
-#include "own_colliders/kernel.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
 namespace {

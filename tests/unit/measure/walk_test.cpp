@@ -1,10 +1,9 @@
-#include "generating/walk.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "generating/edits.hpp"
-#include "measure/stress/walk_changes.hpp"
-#include "own_colliders/clip.hpp"
+#include "generating/drafts.hpp"
+#include "generating/sweep.hpp"
+#include "measure/stress/stress.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
 namespace {

@@ -9,8 +9,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "process/shared_memory.hpp"
-
 using namespace manifuzz;
 
 namespace {

@@ -1,7 +1,7 @@
+#include "report/ci/ci_output.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "report/ci/github.hpp"
-#include "report/ci/test_suite.hpp"
 #include "report/words.hpp"
 #include "unit/report/svg_reader.hpp"
 

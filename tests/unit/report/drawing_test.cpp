@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "report/picture/region.hpp"
 #include "unit/report/sample.hpp"
 #include "unit/report/svg_reader.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/user_error.hpp"
-#include "report/gnuplot.hpp"
+#include "base/text.hpp"
+#include "report/measurements.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace manifuzz;

@@ -6,7 +6,6 @@
 #include <catch2/catch.hpp>
 
 #include "campaign/in_child.hpp"
-#include "campaign/neighbourhood_run.hpp"
 #include "corpus/corpus.hpp"
 #include "report/picture/pictures.hpp"
 #include "report/words.hpp"

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "campaign/judged_case.hpp"
+#include "campaign/plan.hpp"
 #include "cli/colliders.hpp"
 #include "generating/regime.hpp"
 

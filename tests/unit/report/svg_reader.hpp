@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/picture/region.hpp"
+#include "report/picture/drawing.hpp"
 
 namespace manifuzz::test {
 

@@ -1,8 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "base/user_error.hpp"
-#include "report/case_text.hpp"
-#include "report/upstream.hpp"
+#include "base/text.hpp"
 #include "report/words.hpp"
 #include "unit/report/sample.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "generating/placing.hpp"
-#include "geometry/same_bits.hpp"
+#include "generating/drafts.hpp"
+#include "geometry/manifold.hpp"
 #include "kernel/batch.hpp"
 
 namespace manifuzz::test {

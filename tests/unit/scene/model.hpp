@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "generating/placing.hpp"
+#include "generating/drafts.hpp"
 #include "unit/scene/any_scene.hpp"
 
 // Scenes held against colliding every pair afresh.

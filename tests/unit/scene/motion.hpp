@@ -1,8 +1,7 @@
 #pragma once
 
-#include "base/ulps.hpp"
-#include "generating/placing.hpp"
-#include "generating/shapes.hpp"
+#include "base/random.hpp"
+#include "generating/drafts.hpp"
 #include "geometry/pose.hpp"
 
 // How bodies of a model move: each a function of a seed.
