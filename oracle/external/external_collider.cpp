@@ -26,7 +26,7 @@ bool is_plain(std::string_view text) {
   return std::ranges::all_of(text, [](unsigned char c) { return c >= ' ' && c < 0x7f; });
 }
 
-/// Every @a.NAME@ and @b.NAME@ must be one that report/upstream.hpp fills in.
+/// Every @a.NAME@ and @b.NAME@ must be one that report/upstream.cpp fills in.
 void check_snippet(std::string_view snippet, std::string_view prefix) {
   for (std::size_t at = snippet.find('@'); at != std::string_view::npos;) {
     const std::size_t end = snippet.find('@', at + 1);

@@ -25,7 +25,7 @@ struct Declaration {
   double tie_bias = 0;  ///< a world length: B's face is the reference where it leads by more
   int max_vertices = kMaxVertices;  ///< of a polygon; with more it is not asked
   bool takes_radius = true;         ///< false: rounded polygons are not asked
-  std::string snippet{};  ///< of a program that shows one case; report/upstream.hpp fills it in
+  std::string snippet{};  ///< of a program that shows one case; report/upstream.cpp fills it in
 };
 
 /// A collider cannot take this input, and says why. Not an error.

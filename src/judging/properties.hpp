@@ -34,7 +34,7 @@ struct Property {
   Outcome (*holds)(AskedCollider& ask, const PairCase& pair);
 };
 
-/// Every property: property_list.hpp has them.
+/// Every property, as listed below.
 std::span<const Property> properties();
 
 /// The property of that name, or nullptr.

@@ -11,7 +11,7 @@
 
 #include "kernel/batch.hpp"
 #include "kernel/collide-inl.hpp"
-#include "kernel/transpose-inl.hpp"
+#include "kernel/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::kernel::HWY_NAMESPACE {

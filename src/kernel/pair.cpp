@@ -7,7 +7,7 @@
 #include <hwy/highway.h>
 
 #include "kernel/deepest_contact.hpp"
-#include "kernel/ends-inl.hpp"
+#include "kernel/pair-inl.hpp"
 #include "kernel/pair.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -24,11 +24,11 @@ template class Shapes<double>;
 ShapeRows rows_of(const ConvexPolygon<float>& polygon) {
   ShapeRows rows;
   for (int i = 0; i < kMaxVertices; ++i) {
-    const int corner = i < polygon.count ? i : 0;
-    rows.x[i] = polygon.vertices[corner].x();
-    rows.y[i] = polygon.vertices[corner].y();
-    rows.normal_x[i] = polygon.normals[corner].x();
-    rows.normal_y[i] = polygon.normals[corner].y();
+    const int at = i < polygon.count ? i : 0;
+    rows.x[i] = polygon.vertices[at].x();
+    rows.y[i] = polygon.vertices[at].y();
+    rows.normal_x[i] = polygon.normals[at].x();
+    rows.normal_y[i] = polygon.normals[at].y();
   }
   rows.count = polygon.count;
   rows.radius = polygon.radius;

@@ -33,7 +33,7 @@ std::string drawn_by_gnuplot(const std::string& script) {
 }
 
 /// Runs commands that draw one picture, which becomes the file.
-void draw(const std::string& path, const std::string& commands) {
+void run_gnuplot(const std::string& path, const std::string& commands) {
   const std::string picture =
       drawn_by_gnuplot(fmt::format("set terminal {}\n{}", terminal_of(path), commands));
   if (picture.empty()) {
@@ -106,13 +106,14 @@ std::vector<PlotPoint> front(std::vector<PlotPoint> points) {
 }
 
 void write_plot(const std::string& path, const PointPlot& plot) {
-  draw(path, title_and_labels(plot) +
-                 "set logscale xy\nset grid\nset key off\n"
-                 "set offsets graph 0.1, graph 0.2, graph 0.1, 0\n" +
-                 block("all", rows_of(plot.points)) + block("front", rows_of(front(plot.points))) +
-                 "plot $front using 1:2 with lines linewidth 2 linecolor '#8fb3d9', "
-                 "$all using 1:2 with points pointtype 7 linecolor '#1f4e79', "
-                 "$all using 1:2:3 with labels rotate by 30 offset 0.6,0.4 left noenhanced\n");
+  run_gnuplot(path,
+              title_and_labels(plot) +
+                  "set logscale xy\nset grid\nset key off\n"
+                  "set offsets graph 0.1, graph 0.2, graph 0.1, 0\n" +
+                  block("all", rows_of(plot.points)) + block("front", rows_of(front(plot.points))) +
+                  "plot $front using 1:2 with lines linewidth 2 linecolor '#8fb3d9', "
+                  "$all using 1:2 with points pointtype 7 linecolor '#1f4e79', "
+                  "$all using 1:2:3 with labels rotate by 30 offset 0.6,0.4 left noenhanced\n");
 }
 
 std::vector<PlotLine> merged(std::vector<PlotLine> lines) {
@@ -156,7 +157,7 @@ void write_plot(const std::string& path, const LinePlot& plot) {
         "NaN with points pointtype 2 pointsize 2 linewidth 3 linecolor '#333333' "
         "title \"breaks here\"");
   }
-  draw(path, fmt::format("{}plot {}\n", text, fmt::join(drawings, ", ")));
+  run_gnuplot(path, fmt::format("{}plot {}\n", text, fmt::join(drawings, ", ")));
 }
 
 void write_plot(const std::string& path, const BarPlot& plot) {
@@ -170,11 +171,12 @@ void write_plot(const std::string& path, const BarPlot& plot) {
     parts.push_back(fmt::format("$bars using {}{} title \"{}\" linecolor '{}'", i + 2,
                                 i == 0 ? ":xtic(1)" : "", name, colour));
   }
-  draw(path, fmt::format("set title \"{}\"\nset ylabel \"{}\"\n", plot.title, plot.y_label) +
-                 "set yrange [0:100]\nset style data histograms\nset style histogram rowstacked\n"
-                 "set style fill solid 0.9\nset boxwidth 0.7\nset xtics rotate by -30 noenhanced\n"
-                 "set key outside right\nset grid y\n" +
-                 block("bars", rows) + fmt::format("plot {}\n", fmt::join(parts, ", ")));
+  run_gnuplot(path,
+              fmt::format("set title \"{}\"\nset ylabel \"{}\"\n", plot.title, plot.y_label) +
+                  "set yrange [0:100]\nset style data histograms\nset style histogram rowstacked\n"
+                  "set style fill solid 0.9\nset boxwidth 0.7\nset xtics rotate by -30 noenhanced\n"
+                  "set key outside right\nset grid y\n" +
+                  block("bars", rows) + fmt::format("plot {}\n", fmt::join(parts, ", ")));
 }
 
 }  // namespace manifuzz

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/body.hpp"
+#include "scene/shape_table.hpp"
 
 namespace manifuzz::scene {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "kernel/pair.hpp"
-#include "scene/body.hpp"
+#include "scene/shape_table.hpp"
 
 namespace manifuzz::scene {
 namespace {

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "geometry/manifold.hpp"
 #include "kernel/packed.hpp"
-#include "scene/body.hpp"
+#include "scene/shape_table.hpp"
 
 namespace manifuzz::scene {
 
@@ -38,47 +37,6 @@ inline bool still_holds(const Certificate& certificate, const ShapeTable& shapes
                                    shapes.facts(far.shape).reach);
   return moved < certificate.margin;
 }
-
-/// Two bodies that touch. A is the one of lower index.
-struct Contact {
-  BodyHandle a;              ///< the manifold is in its frame
-  BodyHandle b;              ///< the normal points to it
-  Manifold<float> manifold;  ///< of 1 or 2 points, in A's frame
-};
-
-/// Two bodies that touch no longer; one of them may be gone.
-struct EndedContact {
-  BodyHandle a;  ///< the one of lower index
-  BodyHandle b;  ///< the other
-};
-
-/// What was done with the candidate pairs of a step: counts that add up to `candidates`.
-struct PairCounts {
-  std::size_t at_rest = 0;     ///< neither body moved: not looked at
-  std::size_t separated = 0;   ///< a separating face was proven to separate still
-  std::size_t recycled = 0;    ///< touching ones, carried along: 0 in strict mode
-  std::size_t collided = 0;    ///< by the kernel
-  std::size_t candidates = 0;  ///< pairs whose fattened boxes overlap
-};
-
-/// What the parts of a step did; all are counts.
-struct StepCounts {
-  PairCounts pairs;               ///< what was done with the candidates
-  std::size_t moved = 0;          ///< bodies that moved, were added or got another shape
-  std::size_t left_boxes = 0;     ///< of them, those that left their fattened box
-  std::size_t pairs_added = 0;    ///< candidates that were none before
-  std::size_t pairs_dropped = 0;  ///< candidates that are none any more
-  std::size_t proofs = 0;         ///< certificates made
-};
-
-/// Valid until the scene is next changed.
-struct StepResult {
-  std::span<const Contact> contacts;     ///< all that touch, in no particular order
-  std::span<const std::uint32_t> began;  ///< indices of contacts that did not touch before
-  std::span<const EndedContact> ended;   ///< since the last step, removed bodies' too
-  std::size_t stayed = 0;                ///< all contacts but those that began
-  StepCounts counts;                     ///< what was done, and what was skipped
-};
 
 /// A candidate pair and what is known of it.
 struct Pair {

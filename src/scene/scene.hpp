@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "scene/body.hpp"
 #include "scene/broad_phase.hpp"
 #include "scene/pair_cache.hpp"
 

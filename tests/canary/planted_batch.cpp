@@ -7,7 +7,6 @@
 #include "kernel/batch.cpp"
 #include "kernel/deepest_contact.cpp"
 #include "kernel/packed.cpp"
-#include "kernel/shape_rows.cpp"
 #include "kernel/shapes.cpp"
 
 namespace manifuzz {

@@ -3,7 +3,7 @@
 #include "canary/planted.hpp"
 #include "kernel/deepest_contact.cpp"
 #include "kernel/pair.cpp"
-#include "kernel/shape_rows.cpp"
+#include "kernel/shapes.cpp"
 
 namespace manifuzz {
 namespace {

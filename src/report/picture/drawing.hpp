@@ -13,6 +13,9 @@
 #include "geometry/vector.hpp"
 #include "oracle/exact/placed.hpp"
 
+struct _cairo;
+struct _cairo_surface;
+
 namespace manifuzz {
 
 // Plain geometry of pictures, in double and in any units: good enough to look at.
@@ -73,9 +76,6 @@ double depth_in(const Region& region, const Point& p);
 
 /// The part of a segment inside the box.
 std::optional<Segment> inside(const Segment& segment, const Box& box);
-
-struct _cairo;
-struct _cairo_surface;
 
 struct Font {
   double size = 12;  ///< in pixels

@@ -1,12 +1,8 @@
 // Copied for each bug planted into the scene, and compiled under the bug's namespace.
 #include "canary/scene/scene_bugs.hpp"
 #include "scene/body.cpp"
-#include "scene/box.cpp"
 #include "scene/broad_phase.cpp"
-#include "scene/certificates.cpp"
-#include "scene/grid.cpp"
 #include "scene/pair_cache.cpp"
-#include "scene/recycled.cpp"
 #include "scene/scene.cpp"
 #include "scene/shape_table.cpp"
 #include "scene/step.cpp"

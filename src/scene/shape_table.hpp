@@ -1,0 +1,117 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+#include <vector>
+
+#include "geometry/pose.hpp"
+#include "kernel/shapes.hpp"
+#include "scene/body.hpp"
+
+namespace manifuzz::scene {
+
+// The constants of certificates.md, which derives them.
+
+/// The roundoff of a float.
+inline constexpr float kRoundoff = std::numeric_limits<float>::epsilon() / 2;
+
+/// How far a face's separation as the kernel rounds it may be from the same of the exact poses, as
+/// a share of the extent: 15 u, and the defect of two rotations.
+inline constexpr float kSeparationError = 15 * kRoundoff + 2.1e-5F;
+
+/// More than all that is lost to underflow.
+inline constexpr float kUnderflow = 64 * std::numeric_limits<float>::min();
+
+/// At least |v|, at most 8% more; without a square, which could underflow.
+inline float length_at_most(const Vector2<float>& v) {
+  const float x = std::abs(v.x());
+  const float y = std::abs(v.y());
+  return std::max(x, y) + 0.41422F * std::min(x, y);
+}
+
+/// More than the roundings of a displacement, and than what the extent grows by meanwhile.
+inline constexpr float kRoundUp = 1.001F;
+
+/// Less than the roundings of a difference of two floats add.
+inline constexpr float kRoundDown = 0.999F;
+
+/// At least how far any vertex of a polygon of this reach (a length) has moved from one pose to
+/// another, both in one frame; a length.
+inline float displacement(const Pose<float>& from, const Pose<float>& to, float reach) {
+  return kRoundUp * (length_at_most(to.position - from.position) +
+                     reach * length_at_most(to.rotation - from.rotation));
+}
+
+/// What the broad phase and the certificates ask of a shape. Lengths, rounded up.
+struct ShapeFacts {
+  float reach = 0;   ///< the largest |vertex|
+  float radius = 0;  ///< as given, not rounded
+  /// How far a box must reach beyond the polygon in it, so that bodies whose boxes do not overlap
+  /// have no contact by the kernel's rounded arithmetic (certificates.md, "Boxes").
+  float padding = 0;
+};
+
+/// The polygons of a scene, laid out for both kernels.
+class ShapeTable {
+ public:
+  /// `tie_bias` is the kernels', a length >= 0: it takes part in what a shape's padding must cover.
+  explicit ShapeTable(float tie_bias) : tie_bias_(tie_bias) {}
+
+  /// The new shape's index. The polygon must be free of `PolygonDefect`s.
+  std::variant<std::uint32_t, Defect> add(const ConvexPolygon<float>& polygon);
+
+  /// How many shapes there are: their indices are below it.
+  std::size_t size() const { return facts_.size(); }
+  /// A shape's facts; its rows for one pair at a time; all shapes for many pairs at once.
+  const ShapeFacts& facts(std::uint32_t shape) const { return facts_[shape]; }
+  const kernel::ShapeRows& rows(std::uint32_t shape) const { return rows_[shape]; }
+  const kernel::Shapes<float>& for_pairs() const { return for_pairs_; }
+
+ private:
+  float tie_bias_;
+  std::vector<ShapeFacts> facts_;
+  std::vector<kernel::ShapeRows> rows_;
+  kernel::Shapes<float> for_pairs_;
+};
+
+/// Parallel to the axes of the world, with its edge; world lengths.
+struct Box {
+  float x_min = 0;
+  float y_min = 0;
+  float x_max = 0;
+  float y_max = 0;
+};
+
+/// Whether two boxes have a point in common; without branches, which no processor could foretell
+/// here.
+inline bool overlap(const Box& p, const Box& q) {
+  const int in_x = static_cast<int>(p.x_min <= q.x_max) & static_cast<int>(q.x_min <= p.x_max);
+  const int in_y = static_cast<int>(p.y_min <= q.y_max) & static_cast<int>(q.y_min <= p.y_max);
+  return (in_x & in_y) != 0;
+}
+
+/// Whether no point of the inner box is outside the outer one.
+inline bool contains(const Box& outer, const Box& inner) {
+  return outer.x_min <= inner.x_min && outer.y_min <= inner.y_min && outer.x_max >= inner.x_max &&
+         outer.y_max >= inner.y_max;
+}
+
+/// How far the inner box may grow all round without leaving the outer one, rounded down.
+inline float slack(const Box& outer, const Box& inner) {
+  const float x = std::min(inner.x_min - outer.x_min, outer.x_max - inner.x_max);
+  const float y = std::min(inner.y_min - outer.y_min, outer.y_max - inner.y_max);
+  return kRoundDown * std::min(x, y);
+}
+
+/// The box, larger by a length on each of its sides.
+inline Box grown(const Box& box, float by) {
+  return {box.x_min - by, box.y_min - by, box.x_max + by, box.y_max + by};
+}
+
+/// The box of a shape at a pose in the world, larger on each side by `padding` (a length) and by
+/// what rounding its position takes.
+Box padded_box(const kernel::ShapeRows& shape, const Pose<float>& pose, float padding);
+
+}  // namespace manifuzz::scene
