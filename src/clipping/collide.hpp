@@ -40,7 +40,7 @@ Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPo
   const ContactFeatures features =
       take_b ? ContactFeatures{Side::b, of_b.face, incident_edge(a, b.normals[of_b.face])}
              : ContactFeatures{Side::a, of_a.face, incident_edge(b, a.normals[of_a.face])};
-  const Manifold<Scalar> manifold = clip_features(a, b, features);
+  Manifold<Scalar> manifold = clip_features(a, b, features);
   if (tie_bias > 0 && manifold.count > 0) return manifold;
   const Scalar greatest = std::max(of_a.separation, of_b.separation);
   return misses_deepest(a, b, manifold, chosen.separation, greatest) ? deepest_contact(a, b)

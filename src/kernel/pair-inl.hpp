@@ -271,7 +271,7 @@ HWY_INLINE float keep_behind_face(const PairFeatures& f, const ClippedEdge& edge
   const EndLanes first = hn::ConcatLowerLower(d, rest, position);
   hn::StoreU(hn::ConcatUpperUpper(d, rest, position), d, memory + 4);  // the second end leads
   hn::StoreU(first, d, memory + 8);
-  hn::StoreU(first, d, memory + 4 + 4 * keeps_second);  // unless it is not kept
+  hn::StoreU(first, d, memory + 4 + std::ptrdiff_t{4} * keeps_second);  // unless it is not kept
 
   const EndLanes none = hn::Set(d, -std::numeric_limits<float>::infinity());
   const EndLanes kept_depth = hn::IfThenElse(is_kept, depth, none);
