@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "campaign/merge.hpp"
 #include "campaign/result.hpp"
 
 namespace manifuzz {

@@ -1,5 +1,3 @@
-#include "campaign/merge.hpp"
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -11,6 +9,7 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "campaign/result.hpp"
 #include "campaign/save.hpp"
 #include "corpus/shrink.hpp"
 #include "generating/regime.hpp"

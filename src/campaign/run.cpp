@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/merge.hpp"
+#include "campaign/result.hpp"
 
 namespace manifuzz {
 namespace {

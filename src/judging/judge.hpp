@@ -7,7 +7,6 @@
 #include "collider/collider.hpp"
 #include "judging/bucket.hpp"
 #include "judging/compare.hpp"
-#include "judging/ledger.hpp"
 #include "judging/manifold_error.hpp"
 #include "oracle/exact/truth.hpp"
 

@@ -1,5 +1,3 @@
-#include "judging/ledger.hpp"
-
 #include <algorithm>
 #include <array>
 

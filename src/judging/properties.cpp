@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "judging/ledger.hpp"
+#include "judging/compare.hpp"
 
 namespace manifuzz {
 namespace {

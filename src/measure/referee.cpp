@@ -5,7 +5,6 @@
 
 #include "judging/judge.hpp"
 #include "judging/manifold_error.hpp"
-#include "measure/spread.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,11 +1,11 @@
-#include "measure/spread.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "measure/referee.hpp"
 
 namespace manifuzz {
 namespace {

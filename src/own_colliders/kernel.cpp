@@ -1,6 +1,5 @@
 #include <array>
 
-#include "clipping/placed_pair.hpp"
 #include "kernel/batch.hpp"
 #include "kernel/pair.hpp"
 #include "own_colliders/own_colliders.hpp"
@@ -10,7 +9,7 @@ namespace {
 
 template <class Scalar>
 Answer collide_as_batch(const PairCase& pair, Scalar tie_bias) {
-  const auto placed = clipping::placed_pair<Scalar>(pair);
+  const auto placed = placed_pair<Scalar>(pair);
   kernel::Shapes<Scalar> shapes;
   const std::array<kernel::Placement<Scalar>, 2> bodies{
       {{shapes.add(placed.a), placed.pose_a}, {shapes.add(placed.b), placed.pose_b}}};

@@ -1,12 +1,10 @@
-#include "report/run_tables.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/text.hpp"
-#include "campaign/merge.hpp"
+#include "campaign/result.hpp"
 #include "generating/sweep.hpp"
 #include "measure/scene/scene_run.hpp"
 #include "report/outputs.hpp"

@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "clipping/placed_pair.hpp"
 #include "collider/collider.hpp"
 #include "judging/bucket.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz::canary {
 
@@ -35,7 +35,7 @@ using AskPair = std::vector<PairAnswers> (*)(std::span<const PairCase> pairs, fl
 
 /// Named here: copies of the clean code have a namespace `clipping` of their own.
 template <class Scalar>
-using Placed = clipping::PlacedPair<Scalar>;
+using Placed = PlacedPair<Scalar>;
 
 /// A kernel for many pairs, with a bug in it: the manifolds of all of them by one call.
 template <class Scalar>

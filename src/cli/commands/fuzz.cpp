@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "campaign/merge.hpp"
 #include "campaign/result.hpp"
 #include "campaign/run.hpp"
 #include "cli/colliders.hpp"
@@ -18,8 +17,8 @@
 #include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"
 #include "report/ci/ci_output.hpp"
+#include "report/outputs.hpp"
 #include "report/page/page.hpp"
-#include "report/run_tables.hpp"
 
 namespace manifuzz {
 namespace {

@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
-#include "report/run_tables.hpp"
+#include "report/outputs.hpp"
 
 namespace manifuzz {
 namespace {

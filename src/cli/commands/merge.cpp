@@ -1,5 +1,3 @@
-#include "campaign/merge.hpp"
-
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -14,7 +12,6 @@
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "report/outputs.hpp"
-#include "report/run_tables.hpp"
 
 namespace manifuzz {
 namespace {

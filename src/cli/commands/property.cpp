@@ -14,7 +14,6 @@
 #include "corpus/corpus.hpp"
 #include "report/ci/ci_output.hpp"
 #include "report/outputs.hpp"
-#include "report/run_tables.hpp"
 
 namespace manifuzz {
 namespace {

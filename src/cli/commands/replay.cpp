@@ -15,7 +15,6 @@
 #include "measure/provenance.hpp"
 #include "report/ci/ci_output.hpp"
 #include "report/outputs.hpp"
-#include "report/run_tables.hpp"
 
 namespace manifuzz {
 namespace {

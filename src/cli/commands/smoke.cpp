@@ -14,7 +14,7 @@
 #include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"
 #include "report/ci/ci_output.hpp"
-#include "report/run_tables.hpp"
+#include "report/outputs.hpp"
 
 namespace manifuzz {
 namespace {

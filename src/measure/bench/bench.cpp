@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "kernel/target.hpp"
-#include "measure/spread.hpp"
+#include "measure/referee.hpp"
 #include "oracle/exact/truth.hpp"
 
 namespace manifuzz {

@@ -9,7 +9,7 @@
 
 #include "collider/collider.hpp"
 #include "generating/regime.hpp"
-#include "measure/spread.hpp"
+#include "measure/referee.hpp"
 
 namespace manifuzz {
 

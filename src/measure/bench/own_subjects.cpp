@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "clipping/collide.hpp"
-#include "clipping/placed_pair.hpp"
 #include "kernel/batch.hpp"
 #include "kernel/pair.hpp"
 #include "kernel/target.hpp"
@@ -17,9 +16,9 @@ using Pass = std::function<void()>;
 
 /// Pairs as someone who collides one at a time holds them.
 template <class Scalar>
-std::vector<clipping::PlacedPair<Scalar>> placed_pairs(std::span<const PairCase> pairs) {
-  std::vector<clipping::PlacedPair<Scalar>> placed;
-  for (const PairCase& pair : pairs) placed.push_back(clipping::placed_pair<Scalar>(pair));
+std::vector<PlacedPair<Scalar>> placed_pairs(std::span<const PairCase> pairs) {
+  std::vector<PlacedPair<Scalar>> placed;
+  for (const PairCase& pair : pairs) placed.push_back(placed_pair<Scalar>(pair));
   return placed;
 }
 

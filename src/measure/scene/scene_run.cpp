@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "corpus/corpus.hpp"
-#include "measure/spread.hpp"
+#include "measure/referee.hpp"
 #include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {

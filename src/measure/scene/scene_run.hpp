@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kernel/packed.hpp"
-#include "measure/spread.hpp"
+#include "measure/referee.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "scene/scene.hpp"
 

@@ -17,7 +17,6 @@
 #include "collider/collider.hpp"
 #include "generating/sweep.hpp"
 #include "measure/referee.hpp"
-#include "measure/spread.hpp"
 #include "process/interruption.hpp"
 
 namespace manifuzz {

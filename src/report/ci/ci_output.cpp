@@ -6,8 +6,8 @@
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/plan.hpp"
+#include "report/outputs.hpp"
 #include "report/picture/pictures.hpp"
-#include "report/run_tables.hpp"
 
 namespace manifuzz {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "report/picture/scene.hpp"
+#include "report/picture/drawing.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

@@ -1,9 +1,8 @@
-#include "report/picture/scene.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "report/picture/drawing.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "report/picture/drawing.hpp"
 #include "report/picture/pictures.hpp"
-#include "report/picture/scene.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

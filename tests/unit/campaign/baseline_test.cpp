@@ -1,7 +1,6 @@
 #include <catch2/catch.hpp>
 
 #include "base/text.hpp"
-#include "campaign/merge.hpp"
 #include "campaign/result.hpp"
 #include "support/temporary_folder.hpp"
 

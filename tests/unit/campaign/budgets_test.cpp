@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "campaign/merge.hpp"
+#include "campaign/result.hpp"
 #include "generating/regime.hpp"
 
 using namespace manifuzz;

@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include "clipping/collide.hpp"
-#include "clipping/placed_pair.hpp"
 #include "generating/regime.hpp"
+#include "own_colliders/own_colliders.hpp"
 #include "unit/kernel/every_target.hpp"
 
 // The kernels against the clean code, bit for bit, on every instruction set that this machine has.
@@ -46,7 +46,7 @@ template <class Scalar>
 Scene<Scalar> scene_of(const Regime& regime) {
   Scene<Scalar> scene;
   for (std::uint32_t i = 0; i < kPairs; ++i) {
-    const auto placed = clipping::placed_pair<Scalar>(generate(5, regime, i));
+    const auto placed = placed_pair<Scalar>(generate(5, regime, i));
     scene.add(placed.a, placed.pose_a);
     scene.add(placed.b, placed.pose_b);
     scene.pairs.push_back({2 * i, 2 * i + 1});

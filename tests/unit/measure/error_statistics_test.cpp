@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "measure/spread.hpp"
+#include "measure/referee.hpp"
 #include "measure/stress/stress.hpp"
 
 namespace manifuzz {
