@@ -16,10 +16,10 @@
 #include "geometry/vector.hpp"
 #include "oracle/exact/placed.hpp"
 
-namespace manifuzz {
-
 struct _cairo;
 struct _cairo_surface;
+
+namespace manifuzz {
 
 // Plain geometry of pictures, in double and in any units: good enough to look at.
 
