@@ -9,7 +9,7 @@ namespace {
 
 template <class Scalar>
 Answer collide_as_batch(const PairCase& pair, Scalar tie_bias) {
-  const auto placed = placed_pair<Scalar>(pair);
+  const auto placed = clipping::placed_pair<Scalar>(pair);
   kernel::Shapes<Scalar> shapes;
   const std::array<kernel::Placement<Scalar>, 2> bodies{
       {{shapes.add(placed.a), placed.pose_a}, {shapes.add(placed.b), placed.pose_b}}};

@@ -8,6 +8,8 @@
 
 namespace manifuzz {
 
+namespace clipping {
+
 /// A pair as the algorithm takes it: polygons of one length unit, poses of unit rotation.
 template <class Scalar>
 struct PlacedPair {
@@ -49,6 +51,8 @@ PlacedPair<Scalar> placed_pair(const PairCase& pair) {
     return placed_pair_scaled(pair);
   }
 }
+
+}  // namespace clipping
 
 /// The article in float: transposes for inverses, so the rotation's defect is part of its error.
 Collider make_clip(double tie_bias = 0);

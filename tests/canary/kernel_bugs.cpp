@@ -201,7 +201,7 @@ template <class Scalar>
 const std::vector<Placed<Scalar>>& placed_companions() {
   static const std::vector<Placed<Scalar>> all = [] {
     std::vector<Placed<Scalar>> placed;
-    for (const PairCase& pair : companions()) placed.push_back(placed_pair<Scalar>(pair));
+    for (const PairCase& pair : companions()) placed.push_back(clipping::placed_pair<Scalar>(pair));
     return placed;
   }();
   return all;
@@ -219,7 +219,7 @@ std::optional<Broken> broken_by_batch(typename PlantedBatch<Scalar>::Collide col
                                       const std::string& kernel, const Collider& clean,
                                       std::uint64_t number, const PairCase& pair) {
   const Scalar bias = tie_bias(number);
-  const auto placed = placed_pair<Scalar>(pair);
+  const auto placed = clipping::placed_pair<Scalar>(pair);
   const auto right =
       clipping::collide(placed.a, placed.b, relative_pose(placed.pose_a, placed.pose_b), bias);
   const auto all = crowd(placed_companions<Scalar>(), placed, crowd_size(number));

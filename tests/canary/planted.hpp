@@ -35,7 +35,7 @@ using AskPair = std::vector<PairAnswers> (*)(std::span<const PairCase> pairs, fl
 
 /// Named here: copies of the clean code have a namespace `clipping` of their own.
 template <class Scalar>
-using Placed = PlacedPair<Scalar>;
+using Placed = clipping::PlacedPair<Scalar>;
 
 /// A kernel for many pairs, with a bug in it: the manifolds of all of them by one call.
 template <class Scalar>

@@ -16,9 +16,9 @@ using Pass = std::function<void()>;
 
 /// Pairs as someone who collides one at a time holds them.
 template <class Scalar>
-std::vector<PlacedPair<Scalar>> placed_pairs(std::span<const PairCase> pairs) {
-  std::vector<PlacedPair<Scalar>> placed;
-  for (const PairCase& pair : pairs) placed.push_back(placed_pair<Scalar>(pair));
+std::vector<clipping::PlacedPair<Scalar>> placed_pairs(std::span<const PairCase> pairs) {
+  std::vector<clipping::PlacedPair<Scalar>> placed;
+  for (const PairCase& pair : pairs) placed.push_back(clipping::placed_pair<Scalar>(pair));
   return placed;
 }
 

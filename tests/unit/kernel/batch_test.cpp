@@ -46,7 +46,7 @@ template <class Scalar>
 Scene<Scalar> scene_of(const Regime& regime) {
   Scene<Scalar> scene;
   for (std::uint32_t i = 0; i < kPairs; ++i) {
-    const auto placed = placed_pair<Scalar>(generate(5, regime, i));
+    const auto placed = clipping::placed_pair<Scalar>(generate(5, regime, i));
     scene.add(placed.a, placed.pose_a);
     scene.add(placed.b, placed.pose_b);
     scene.pairs.push_back({2 * i, 2 * i + 1});
