@@ -98,8 +98,8 @@ struct Plan {
   Collider oracle;
   std::vector<const Regime*> regimes;  ///< not empty, at most kRegimesMax
   GenerationContext context;
-  bool is_narrowed =
-      false;  ///< the context's radius is what the colliders take, not what was asked
+  /// The context's radius is what the colliders take, not what was asked.
+  bool is_narrowed = false;
   std::uint64_t seed = 0;
   std::uint64_t first = 0;             ///< index in each regime of its first case
   std::optional<std::uint64_t> cases;  ///< of all regimes together; none: until time is up

@@ -68,14 +68,6 @@ void add_case_argument(CLI::App& app, CaseArgument& argument);
 /// The file that is meant; what was taken from the corpus is said on stderr. Throws UserError.
 std::string case_file(const CaseArgument& argument);
 
-}  // namespace manifuzz
-
-namespace CLI {
-class App;
-}
-
-namespace manifuzz {
-
 /// What a command does once its options are read: returns 0 (all well), 1 (it found something) or
 /// throws UserError (status 2).
 using Run = std::function<int()>;

@@ -81,9 +81,8 @@ std::vector<std::filesystem::path> find_case_files(std::span<const std::filesyst
 /// Adds the cases of one file (*.json: one case; *.jsonl: one a line), or an error line.
 void add_case_file(const std::filesystem::path& path, Corpus& corpus);
 
-/// Every case in these files and folders (all such files in
-/// them and below), sorted by path. What is broken gives an error line, the rest is read all the
-/// same.
+/// Every case in these files and folders (all such files in them and below), sorted by path. What
+/// is broken gives an error line, the rest is read all the same.
 Corpus read_corpus(std::span<const std::filesystem::path> paths);
 
 /// The name of a case's file: its bucket (or the property, or "case") with dashes for slashes, and
@@ -117,9 +116,8 @@ using AnswerCase = std::function<void(const PairCase& pair, std::size_t index, s
 
 /// Reads cases from a file (*.json: one; else one a line, blank lines skipped; "-": stdin) and
 /// writes a line for each to the standard output, in order and constant memory. A bad line gives
-/// {"error":
-/// "...", "line": N} in its place. Whoever feeds a pipe gets every answer before the next read.
-/// Throws UserError at the end where a line was bad, or where there was no case.
+/// {"error": "...", "line": N} in its place. Whoever feeds a pipe gets every answer before the next
+/// read. Throws UserError at the end where a line was bad, or where there was no case.
 void answer_each(const std::string& file, const AnswerCase& answer);
 
 /// An option, and the file or folder that it names to be written; an empty path: none.

@@ -11,6 +11,11 @@
 
 namespace manifuzz {
 
+class JsonView;
+
+/// The value of the key "format" in a pair case.
+inline constexpr std::string_view kCaseFormat = "manifuzz/case/1";
+
 /// How a file, a program or a library gives its manifolds where the contract of `Manifold` is
 /// another; the defaults are a program's.
 struct Conventions {
@@ -41,11 +46,6 @@ struct ReportedManifold {
 /// tells which way the incident edge lies.
 PartialManifold in_frame_of_a(const ReportedManifold& reported, const Conventions& conventions,
                               const PairCase& pair);
-
-class JsonView;
-
-/// The value of the key "format" in a pair case.
-inline constexpr std::string_view kCaseFormat = "manifuzz/case/1";
 
 /// A collider's answer and its name, as a manifold line has them.
 struct NamedAnswer {

@@ -74,7 +74,7 @@ namespace manifuzz::turn {
 
 /// The one list of sweeps: a name, what its knob is and its unit, the knob's values, and a line for
 /// `list sweeps`. Each is a function of that name below, defined in a file of its theme
-/// (sweeps_*.cpp). A case depends on the name, not on the place.
+/// (sweeps.cpp). A case depends on the name, not on the place.
 #define MANIFUZZ_SWEEPS(SWEEP)                                                                    \
   SWEEP(distance, "distance from the origin", "world lengths, of polygons 0.5 to 3 across",       \
         rising({1, 2, 5}, 0, 8), "both bodies far from the world's origin")                       \

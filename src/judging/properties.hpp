@@ -97,7 +97,7 @@ enum class Features { compared, ignored };
 Outcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
                       const Manifold<double>& got, const ManifoldError& within, Features features);
 
-/// The one list of properties: a function, defined in a file of its theme (properties_*.cpp), a
+/// The one list of properties: a function, defined in properties.cpp or properties_manifold.cpp, a
 /// name, and a sentence that is true of every right collider.
 #define MANIFUZZ_PROPERTIES(PROPERTY)                                                           \
   PROPERTY(swapping_mirrors, "swapping-mirrors",                                                \

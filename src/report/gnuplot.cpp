@@ -1,6 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,25 +21,42 @@ std::string terminal_of(const std::string& path) {
       fmt::format("{}: the name of an SVG or PNG file is expected", printable(path, 200)));
 }
 
-/// What gnuplot draws by this script; nothing where it cannot.
-std::string drawn_by_gnuplot(const std::string& script) {
-  const std::string command = "gnuplot <<'END_OF_SCRIPT'\n" + script + "END_OF_SCRIPT\n";
-  std::FILE* const gnuplot = popen(command.c_str(), "r");
-  if (gnuplot == nullptr) return {};
-  std::string picture;
-  std::array<char, 4096> part{};
-  while (const std::size_t size = std::fread(part.data(), 1, part.size(), gnuplot)) {
-    picture.append(part.data(), size);
-  }
-  return pclose(gnuplot) == 0 ? picture : "";
+/// No settings of the user's own.
+bool run_gnuplot(const std::string& script) {
+  std::FILE* const gnuplot = popen("gnuplot -d", "w");
+  if (gnuplot == nullptr) return false;
+  std::fwrite(script.data(), 1, script.size(), gnuplot);
+  return pclose(gnuplot) == 0;
 }
 
+/// An empty file under a name of its own, removed at the end.
+class DrawnFile {
+ public:
+  DrawnFile() : path_((std::filesystem::temp_directory_path() / "manifuzz-plot-XXXXXX").string()) {
+    const int file = mkstemp(path_.data());
+    if (file < 0) throw UserError(fmt::format("{}: cannot be written", path_));
+    close(file);
+  }
+  ~DrawnFile() { unlink(path_.c_str()); }
+  DrawnFile(const DrawnFile&) = delete;
+  DrawnFile& operator=(const DrawnFile&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
 /// Runs commands that draw one picture, which becomes the file.
-void run_gnuplot(const std::string& path, const std::string& commands) {
-  const std::string picture =
-      drawn_by_gnuplot(fmt::format("set terminal {}\n{}", terminal_of(path), commands));
-  if (picture.empty()) {
-    throw UserError(fmt::format("{}: gnuplot could not draw it; is it installed?", path));
+void draw_plot(const std::string& path, const std::string& commands) {
+  // The name stands in gnuplot's script, so it is never the user's.
+  const DrawnFile drawn;
+  const bool is_drawn = run_gnuplot(fmt::format("set terminal {}\nset output '{}'\n{}",
+                                                terminal_of(path), drawn.path(), commands));
+  const std::string picture = InputFile(drawn.path()).read_all();
+  if (!is_drawn || picture.empty()) {
+    throw UserError(
+        fmt::format("{}: gnuplot could not draw it; is it installed?", printable(path, 200)));
   }
   write_file(path, picture);
 }
@@ -106,14 +125,14 @@ std::vector<PlotPoint> front(std::vector<PlotPoint> points) {
 }
 
 void write_plot(const std::string& path, const PointPlot& plot) {
-  run_gnuplot(path,
-              title_and_labels(plot) +
-                  "set logscale xy\nset grid\nset key off\n"
-                  "set offsets graph 0.1, graph 0.2, graph 0.1, 0\n" +
-                  block("all", rows_of(plot.points)) + block("front", rows_of(front(plot.points))) +
-                  "plot $front using 1:2 with lines linewidth 2 linecolor '#8fb3d9', "
-                  "$all using 1:2 with points pointtype 7 linecolor '#1f4e79', "
-                  "$all using 1:2:3 with labels rotate by 30 offset 0.6,0.4 left noenhanced\n");
+  draw_plot(path, title_and_labels(plot) +
+                      "set logscale xy\nset grid\nset key off\n"
+                      "set offsets graph 0.1, graph 0.2, graph 0.1, 0\n" +
+                      block("all", rows_of(plot.points)) +
+                      block("front", rows_of(front(plot.points))) +
+                      "plot $front using 1:2 with lines linewidth 2 linecolor '#8fb3d9', "
+                      "$all using 1:2 with points pointtype 7 linecolor '#1f4e79', "
+                      "$all using 1:2:3 with labels rotate by 30 offset 0.6,0.4 left noenhanced\n");
 }
 
 std::vector<PlotLine> merged(std::vector<PlotLine> lines) {
@@ -157,7 +176,7 @@ void write_plot(const std::string& path, const LinePlot& plot) {
         "NaN with points pointtype 2 pointsize 2 linewidth 3 linecolor '#333333' "
         "title \"breaks here\"");
   }
-  run_gnuplot(path, fmt::format("{}plot {}\n", text, fmt::join(drawings, ", ")));
+  draw_plot(path, fmt::format("{}plot {}\n", text, fmt::join(drawings, ", ")));
 }
 
 void write_plot(const std::string& path, const BarPlot& plot) {
@@ -171,12 +190,12 @@ void write_plot(const std::string& path, const BarPlot& plot) {
     parts.push_back(fmt::format("$bars using {}{} title \"{}\" linecolor '{}'", i + 2,
                                 i == 0 ? ":xtic(1)" : "", name, colour));
   }
-  run_gnuplot(path,
-              fmt::format("set title \"{}\"\nset ylabel \"{}\"\n", plot.title, plot.y_label) +
-                  "set yrange [0:100]\nset style data histograms\nset style histogram rowstacked\n"
-                  "set style fill solid 0.9\nset boxwidth 0.7\nset xtics rotate by -30 noenhanced\n"
-                  "set key outside right\nset grid y\n" +
-                  block("bars", rows) + fmt::format("plot {}\n", fmt::join(parts, ", ")));
+  draw_plot(path,
+            fmt::format("set title \"{}\"\nset ylabel \"{}\"\n", plot.title, plot.y_label) +
+                "set yrange [0:100]\nset style data histograms\nset style histogram rowstacked\n"
+                "set style fill solid 0.9\nset boxwidth 0.7\nset xtics rotate by -30 noenhanced\n"
+                "set key outside right\nset grid y\n" +
+                block("bars", rows) + fmt::format("plot {}\n", fmt::join(parts, ", ")));
 }
 
 }  // namespace manifuzz

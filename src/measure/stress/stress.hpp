@@ -249,8 +249,7 @@ struct UnitState {
 };
 
 /// Runs a unit from its first case on, and tells `on_cases` of every block that is done; `tallies`
-/// are the subjects'. False
-/// where `go_on` said no before its end.
+/// are the subjects'. False where `go_on` said no before its end.
 bool run_unit(const StressPlan& plan, const Unit& unit, UnitState& state,
               const std::function<bool()>& go_on,
               const std::function<void(std::uint64_t)>& on_cases,

@@ -92,8 +92,8 @@ std::vector<TestSuite> smoke_suites(const SmokeRun& run, const SmokePlan& plan,
 struct CiOutput {
   std::string junit;      ///< a file, "-" for stdout, or empty
   std::string summary{};  ///< the step summary's file, or empty
-  bool stdout_is_data =
-      false;  ///< annotations then go to the standard error, which is read as well
+  /// Annotations then go to the standard error, which is read as well.
+  bool stdout_is_data = false;
 };
 
 /// `check_outputs` of the command's files and these, and whether stdout is taken. A summary that
