@@ -37,8 +37,9 @@ b2AABB box_of(const Placed& body) {
   return box;
 }
 
+/// What Box2D gives back with a proxy is a pointer, here a number.
 void* as_data(std::uintptr_t body) {
-  return reinterpret_cast<void*>(body);
+  return reinterpret_cast<void*>(body);  // NOLINT(performance-no-int-to-ptr)
 }
 
 }  // namespace

@@ -89,7 +89,8 @@ bool is_unresponsive(std::span<const Answer> answers, std::size_t done) {
       [](const Answer& answer) { return std::holds_alternative<Lost>(answer); });
 }
 
-Collider isolated(const Declaration& declaration, double seconds_max, AnswerBatch answer_batch) {
+Collider isolated(const Declaration& declaration, double seconds_max,
+                  const AnswerBatch& answer_batch) {
   Collider collider;
   collider.declaration = declaration;
   collider.seconds_max = seconds_max;

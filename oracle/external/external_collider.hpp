@@ -145,6 +145,7 @@ using AnswerBatch = decltype(Collider::collide_many);
 
 /// The collider of a process of its own, which takes up to so long over a case: it is not asked
 /// what is beyond its limits.
-Collider isolated(const Declaration& declaration, double seconds_max, AnswerBatch answer_batch);
+Collider isolated(const Declaration& declaration, double seconds_max,
+                  const AnswerBatch& answer_batch);
 
 }  // namespace manifuzz

@@ -95,7 +95,8 @@ void name_files(CampaignResult& run, const std::map<std::string, std::string>& f
 
 std::string in_words(const Settings& settings) {
   std::vector<std::string> versions;
-  for (const auto& [name, version] : settings.versions) versions.push_back(name + ' ' + version);
+  for (const auto& [name, version] : settings.versions)
+    versions.push_back(fmt::format("{} {}", name, version));
   std::string text = fmt::format("{} against {} ({}), tie bias {}, judging 1 in {}",
                                  settings.subject, settings.oracle, fmt::join(versions, ", "),
                                  settings.tie_bias, settings.judge_every);
@@ -238,6 +239,7 @@ std::vector<MergedFinding> merged_findings(const std::vector<CorpusCase>& cases)
   std::map<std::string, Members> groups;
   for (const CorpusCase& known : cases) groups[key_of(known)].push_back(&known);
   std::vector<MergedFinding> all;
+  all.reserve(groups.size());
   for (const auto& [key, members] : groups) all.push_back(merged_finding(members));
   return all;
 }
