@@ -106,7 +106,7 @@ Trajectory make_still(std::size_t bodies, int steps);
 /// Polygons that fall onto each other between walls.
 Trajectory make_pile(std::size_t bodies, int steps);
 
-/// A pile that has come to rest; in each step a tenth of it, in turn, is nudged or falls back.
+/// A pile at rest; in each step a tenth of it, in turn, is nudged or falls back.
 Trajectory make_resting_pile(std::size_t bodies, int steps);
 
 /// Boxes in pyramids that settle.

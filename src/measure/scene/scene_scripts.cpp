@@ -144,7 +144,7 @@ Trajectory make_still(std::size_t bodies, int steps) {
 
 namespace {
 
-/// What is simulated at once; more would take long to come to rest.
+/// What is simulated at once; more would take long until they rest.
 constexpr std::size_t kRecordedMax = 500;
 
 /// A world whose bodies are polygons of a list.
