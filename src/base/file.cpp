@@ -24,10 +24,6 @@ constexpr std::size_t kChunk = 1 << 16;
   throw UserError(fmt::format("{}: cannot {}: {}", name, doing, std::strerror(error)));
 }
 
-std::string name_of(const fs::path& path) {
-  return printable(path.string(), 200);
-}
-
 void write_all(int descriptor, std::string_view text, const std::string& name) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -81,9 +77,9 @@ class TemporaryFile {
 /// Devices and pipes cannot be replaced, and must not be.
 void write_device(const fs::path& path, std::string_view text) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(name_of(path), "open it", errno);
+  if (descriptor < 0) fail(printable_path(path), "open it", errno);
   try {
-    write_all(descriptor, text, name_of(path));
+    write_all(descriptor, text, printable_path(path));
   } catch (...) {
     ::close(descriptor);
     throw;
@@ -92,6 +88,10 @@ void write_device(const fs::path& path, std::string_view text) {
 }
 
 }  // namespace
+
+std::string printable_path(const fs::path& path) {
+  return printable(path.string(), 200);
+}
 
 InputFile::InputFile(const std::string& path)
     : name_(path == "-" ? "stdin" : printable(path, 200)), descriptor_(STDIN_FILENO) {
@@ -177,20 +177,21 @@ void write_file(const fs::path& path, std::string_view text) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) {
-    throw UserError(fmt::format("{}: is a folder; a file is expected", name_of(path)));
+    throw UserError(fmt::format("{}: is a folder; a file is expected", printable_path(path)));
   }
   if (fs::exists(status) && !fs::is_regular_file(status)) return write_device(path, text);
   // A link stays, and what it points to is replaced.
   const bool is_dangling = !fs::exists(status) && fs::is_symlink(fs::symlink_status(path, error));
-  if (is_dangling) throw UserError(fmt::format("{}: is a link to nothing", name_of(path)));
+  if (is_dangling) throw UserError(fmt::format("{}: is a link to nothing", printable_path(path)));
   const fs::path target = fs::exists(status) ? fs::canonical(path) : path;
   if (target.has_parent_path()) {
     std::error_code not_created;
     fs::create_directories(target.parent_path(), not_created);
-    if (not_created) fail(name_of(target.parent_path()), "create the folder", not_created.value());
+    if (not_created)
+      fail(printable_path(target.parent_path()), "create the folder", not_created.value());
   }
-  TemporaryFile temporary(target, name_of(path));
-  write_all(temporary.descriptor(), text, name_of(path));
+  TemporaryFile temporary(target, printable_path(path));
+  write_all(temporary.descriptor(), text, printable_path(path));
   temporary.rename_to_target();
 }
 

@@ -130,6 +130,9 @@ void write_to_reader(std::string_view text);
 /// Writes to the file of that name, or to the standard output for "-".
 void write_data(const std::string& file, std::string_view text);
 
+/// A path as an error line names it.
+std::string printable_path(const std::filesystem::path& path);
+
 /// The file or folder that a path means, the same for every spelling of it and every link to it.
 struct Place {
   std::filesystem::path path;  ///< absolute, links followed, even those to nothing

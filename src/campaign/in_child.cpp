@@ -166,7 +166,7 @@ constexpr int kCellsACrash = 32;
 constexpr double kGoldenSection = 0.6180339887498949;
 
 /// Where a child is, where its parent can see it even if it dies.
-struct Place {
+struct ChildState {
   std::atomic<int> turn{0};  ///< counts the cells
   int losses_left = 0;       ///< so many crashes there is still time for
   std::atomic<Fault> at_work{Fault::none};
@@ -192,8 +192,8 @@ class Order {
   int stride_;
 };
 
-void judge_cell(const PairCase& pair, const Collider& subject, const Collider& oracle, Place& place,
-                Cell& cell) {
+void judge_cell(const PairCase& pair, const Collider& subject, const Collider& oracle,
+                ChildState& place, Cell& cell) {
   const auto truth = std::make_shared<const exact::Truth>(pair);
   cell.truth = summary_of(*truth);
   place.at_work = Fault::subject;
@@ -216,7 +216,7 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
   static_assert(std::is_trivially_copyable_v<Cell>);
   const int count = grid.cell_count();
   const Order order(count);
-  const Shared<Place> place;
+  const Shared<ChildState> place;
   const Shared<Cell> cells(count);
 
   const int turns = std::min(count, cells_max);

@@ -24,10 +24,6 @@ bool holds_cases(const fs::path& path) {
   return path.extension() == ".json" || path.extension() == ".jsonl";
 }
 
-std::string name_of(const fs::path& path) {
-  return printable(path.string(), 200);
-}
-
 /// Adds the files of cases in `folder` and below; a folder that cannot be read is an error line.
 void add_folder(const fs::path& folder, std::vector<fs::path>& files,
                 std::vector<std::string>& errors) {
@@ -43,7 +39,7 @@ void add_folder(const fs::path& folder, std::vector<fs::path>& files,
   }
   if (error) {
     errors.push_back(
-        fmt::format("{}: cannot read the folder: {}", name_of(folder), error.message()));
+        fmt::format("{}: cannot read the folder: {}", printable_path(folder), error.message()));
   }
 }
 
@@ -91,7 +87,7 @@ bool is_same_finding(const CorpusCase& known, const CorpusCase& other) {
 }
 
 /// Where a case belongs in a folder, and whether that file holds it already.
-struct Place {
+struct CasePlace {
   fs::path file;
   bool holds_it = false;
 };
@@ -104,7 +100,7 @@ bool holds(const fs::path& file, const CorpusCase& corpus_case) {
   }
 }
 
-Place find_place(const fs::path& folder, const CorpusCase& corpus_case) {
+CasePlace find_place(const fs::path& folder, const CorpusCase& corpus_case) {
   const fs::path usual = folder / corpus_file_name(corpus_case);
   fs::path file = usual;
   std::error_code unknown;
@@ -125,8 +121,8 @@ std::vector<fs::path> find_case_files(std::span<const fs::path> paths,
     if (fs::is_directory(path, error)) {
       add_folder(path, files, errors);
     } else if (fs::exists(path, error) && !holds_cases(path)) {
-      errors.push_back(
-          fmt::format("{}: not a file of cases; *.json or *.jsonl is expected", name_of(path)));
+      errors.push_back(fmt::format("{}: not a file of cases; *.json or *.jsonl is expected",
+                                   printable_path(path)));
     } else {
       files.push_back(path);
     }

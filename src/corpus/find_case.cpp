@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "corpus/corpus.hpp"
 #include "corpus/shrink.hpp"
@@ -78,7 +79,7 @@ Cases matching(const std::vector<CorpusCase>& corpus, const Matches& matches) {
   names.erase(std::unique(names.begin(), names.end()), names.end());
   const std::vector<std::string_view> views(names.begin(), names.end());
   throw UserError(fmt::format("{}: there is no such file, and no such bucket or file in {}{}",
-                              printable(name, 200), printable(folder.string(), 200),
+                              printable(name, 200), printable_path(folder),
                               did_you_mean(name, views)));
 }
 
@@ -92,8 +93,7 @@ Cases matching(const std::vector<CorpusCase>& corpus, const Matches& matches) {
   const std::string more =
       found.size() > listed ? fmt::format(" and {} more", found.size() - listed) : "";
   throw UserError(fmt::format("{}: {} files in {} begin with that: {}{}", printable(name, 200),
-                              found.size(), printable(folder.string(), 200), fmt::join(names, ", "),
-                              more));
+                              found.size(), printable_path(folder), fmt::join(names, ", "), more));
 }
 
 }  // namespace

@@ -13,10 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string name_of(const fs::path& path) {
-  return printable(path.string(), 200);
-}
-
 bool is_folder(const OutputPath& output) {
   return output.kind == OutputPath::Kind::folder || output.kind == OutputPath::Kind::corpus;
 }
@@ -45,7 +41,7 @@ void expect_apart(const OutputPath& output, const std::vector<OutputPath>& other
   for (const OutputPath& other : others) {
     if (other.path.empty() || !exclude_each_other(output, other)) continue;
     throw BadOutput(fmt::format("{}: {} writes to {} already; name another file", output.option,
-                                other.option, name_of(other.path)),
+                                other.option, printable_path(other.path)),
                     {output.option, other.option});
   }
 }
@@ -56,7 +52,7 @@ void expect_outside(const OutputPath& output, const fs::path& folder) {
   if (is_folder(output) || !looks_like_case) return;
   if (!Place(output.path).is_within(Place(folder))) return;
   throw BadOutput(fmt::format("{}: {} would be taken for a case of {}; name another", output.option,
-                              name_of(output.path), name_of(folder)),
+                              printable_path(output.path), printable_path(folder)),
                   {output.option});
 }
 
@@ -67,9 +63,10 @@ void expect_not_read(const OutputPath& output, const std::vector<fs::path>& inpu
     for (const fs::path& input : inputs) {
       const Place read(input);
       if (place.is_same(read) || !place.is_within(read)) continue;
-      throw BadOutput(fmt::format("{}: {} lies in {}, whose cases are read; name another",
-                                  output.option, name_of(output.path), name_of(input)),
-                      {output.option});
+      throw BadOutput(
+          fmt::format("{}: {} lies in {}, whose cases are read; name another", output.option,
+                      printable_path(output.path), printable_path(input)),
+          {output.option});
     }
   }
   if (is_folder(output) || !place.file) return;
@@ -83,7 +80,7 @@ void expect_not_read(const OutputPath& output, const std::vector<fs::path>& inpu
       files, [&](const fs::path& file) { return file != "-" && place.is_same(Place(file)); });
   if (!is_read) return;
   throw BadOutput(fmt::format("{}: {} is one of the files that are read; name another",
-                              output.option, name_of(output.path)),
+                              output.option, printable_path(output.path)),
                   {output.option});
 }
 
@@ -103,7 +100,7 @@ void check_places(const OutputPath& output, const std::vector<OutputPath>& other
 }
 
 [[noreturn]] void fail(const OutputPath& output, std::string_view why) {
-  throw BadOutput(fmt::format("{}: {}: {}", output.option, name_of(output.path), why),
+  throw BadOutput(fmt::format("{}: {}: {}", output.option, printable_path(output.path), why),
                   {output.option});
 }
 

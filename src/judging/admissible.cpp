@@ -104,11 +104,6 @@ void add_references(double tie_bias, Admissible& result) {
   if (truth.compare_lead_of_b(tie_bias - bound) > 0) add_faces(Side::b);
 }
 
-double distance(const Vector2<double>& p, const Vector2<double>& q) {
-  const Vector2<double> apart = p - q;
-  return std::sqrt(apart.dot(apart));
-}
-
 bool nearly_clipped(const Bounds& bounds, const Clip& clip, const ClipPoint& point) {
   return point.crossing || clip.count < 2 ||
          compare_margin(clip, point.end, bounds.separation) <= 0;

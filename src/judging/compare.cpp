@@ -184,11 +184,6 @@ bool neighbours_nearly_parallel(const Deviation& d) {
 
 namespace {
 
-double distance(const Vector2<double>& p, const Vector2<double>& q) {
-  const Vector2<double> apart = p - q;
-  return std::sqrt(apart.dot(apart));
-}
-
 /// Point by point, in order.
 bool points_agree(const Manifold<double>& s, const Manifold<double>& o, double apart,
                   double deeper) {

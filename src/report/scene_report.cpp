@@ -23,14 +23,14 @@ double ratio(std::size_t part, std::size_t all) {
   return static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, all));
 }
 
-double percent(std::size_t part, std::size_t all) {
+double share_of(std::size_t part, std::size_t all) {
   return 100 * ratio(part, all);
 }
 
 /// Where candidate pairs went, in percent: at rest, proven separated, recycled, collided.
 std::array<double, 4> shares_of(const scene::PairCounts& pairs) {
-  return {percent(pairs.at_rest, pairs.candidates), percent(pairs.separated, pairs.candidates),
-          percent(pairs.recycled, pairs.candidates), percent(pairs.collided, pairs.candidates)};
+  return {share_of(pairs.at_rest, pairs.candidates), share_of(pairs.separated, pairs.candidates),
+          share_of(pairs.recycled, pairs.candidates), share_of(pairs.collided, pairs.candidates)};
 }
 
 /// Bodies and ns a step, by scene, in the order of the runs.
@@ -102,7 +102,7 @@ std::string curves_table(const std::vector<RecyclingCurve>& curves) {
                           curve.scene, curve.bodies, run.motion, 100 * run.skipped,
                           run.errors.of_size.depth.median, run.errors.of_size.depth.p999,
                           run.errors.of_size.position.p999,
-                          percent(run.errors.wrong(), run.errors.cases));
+                          share_of(run.errors.wrong(), run.errors.cases));
     }
   }
   return text;

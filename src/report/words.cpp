@@ -78,7 +78,7 @@ std::string unsupported_in_words(const JudgedCase& judged) {
   return "a collider cannot take this case";
 }
 
-std::string features_name(const FeaturePair& features) {
+std::string features_key(const FeaturePair& features) {
   return feature_name(features.a) + "/" + feature_name(features.b);
 }
 
@@ -186,8 +186,8 @@ std::string statement_in_words(const ContactSummary& statement) {
       break;
   }
   std::string words = fmt::format("{} clips, {}: {}", clipping, counted(statement.count, "point"),
-                                  features_name(statement.features[0]));
-  if (statement.count > 1) words += " and " + features_name(statement.features[1]);
+                                  features_key(statement.features[0]));
+  if (statement.count > 1) words += " and " + features_key(statement.features[1]);
   return words;
 }
 

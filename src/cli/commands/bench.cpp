@@ -19,7 +19,7 @@
 namespace manifuzz {
 namespace {
 
-struct Options {
+struct BenchArguments {
   std::optional<std::uint64_t> seed;
   std::vector<std::string> regimes;
   std::vector<std::string> colliders;
@@ -44,7 +44,7 @@ std::vector<BenchSubject> chosen_subjects(const std::vector<std::string>& names)
   return all;
 }
 
-int bench(const Options& options) {
+int bench(const BenchArguments& options) {
   CommandFiles files{{{"--json", options.json}, {"--csv", options.csv, OutputPath::Kind::file}}};
   for (const std::string& picture : options.pictures) {
     files.outputs.push_back({"--picture", picture, OutputPath::Kind::file, kPictureEndings});
@@ -79,8 +79,8 @@ int bench(const Options& options) {
   return outputs.are_written() ? 0 : 2;
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_bench(CLI::App& app) {
+  const auto options = std::make_shared<BenchArguments>();
   add_whole_number(app, "--seed", options->seed, "what the cases depend on; 1 if not given");
   app.add_option("--collider", options->colliders,
                  "one to time besides box2d, again for more; all if not given")
@@ -106,6 +106,6 @@ Run define(CLI::App& app) {
 
 extern const Command kBench;
 const Command kBench{"bench", "Run time against error, for every collider in one run.",
-                     "manifuzz bench --quick --picture bench.svg", define};
+                     "manifuzz bench --quick --picture bench.svg", define_bench};
 
 }  // namespace manifuzz

@@ -13,14 +13,14 @@
 namespace manifuzz {
 namespace {
 
-struct Options {
+struct CollideArguments {
   ColliderChoice collider{"collider", "", ""};
   ExternalOptions external;
   std::optional<double> tie_bias;
   std::string file = "-";
 };
 
-int collide_cases(const Options& options) {
+int collide_cases(const CollideArguments& options) {
   if (!options.collider.is_given()) {
     throw UserError("--collider is required; `manifuzz list colliders` names them");
   }
@@ -31,8 +31,8 @@ int collide_cases(const Options& options) {
   return 0;
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_collide(CLI::App& app) {
+  const auto options = std::make_shared<CollideArguments>();
   add_collider(app, options->collider, "which one; `manifuzz list colliders` names them");
   add_external_options(app, options->external);
   add_length(app, "--tie-bias", options->tie_bias,
@@ -49,6 +49,6 @@ const Command kCollide{
     "collide", "Cases in, manifolds out, a JSON object a line.",
     "manifuzz collide --collider clip corpus/seeds/regime-boxes.json\n"
     "manifuzz generate --regime boxes --cases 100 | manifuzz collide --collider box2d",
-    define};
+    define_collide};
 
 }  // namespace manifuzz

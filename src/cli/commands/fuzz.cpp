@@ -26,7 +26,7 @@ namespace {
 constexpr double kDefaultSeconds = 10;
 constexpr std::uint64_t kJobsMax = 256;
 
-struct Options {
+struct FuzzArguments {
   SubjectAndOracle colliders;
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> cases;
@@ -54,7 +54,7 @@ float radius_of(double radius) {
 }
 
 /// All of the plan that options decide; what is wrong with them comes before a seed is drawn.
-Plan plan_of(const Options& options) {
+Plan plan_of(const FuzzArguments& options) {
   Plan plan;
   const SubjectAndOracle& asked = options.colliders;
   plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
@@ -80,7 +80,7 @@ Plan plan_of(const Options& options) {
 
 /// The beginning of a command that repeats a case: whatever it depends on besides regime, seed and
 /// index.
-std::string repeating_command(const Options& options) {
+std::string repeating_command(const FuzzArguments& options) {
   std::string command = fmt::format("{} fuzz {}", this_program(), options_again(options.colliders));
   if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
   if (options.radius) command += fmt::format(" --radius {}", *options.radius);
@@ -91,7 +91,7 @@ std::string repeating_command(const Options& options) {
 
 /// The page of this campaign and its corpus.
 std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_json& summary,
-                             const Options& options) {
+                             const FuzzArguments& options) {
   const bool is_kept = !options.json.empty() && options.json != "-";
   const std::string run = is_kept ? kept_path(options.json).string() : "this run";
   const RunFiles files{read_corpus_folder(options.corpus),
@@ -107,7 +107,7 @@ std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_j
 
 /// Everything that was asked for; one output that fails loses no other.
 Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>& baseline,
-                  const Options& options) {
+                  const FuzzArguments& options) {
   nlohmann::ordered_json summary = json_of(campaign.result);
   if (baseline) summary["baseline"] = comparison_json(compared(*baseline, campaign.result));
   Outputs outputs;
@@ -128,7 +128,7 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
   return outputs;
 }
 
-CommandFiles files_of(const Options& options) {
+CommandFiles files_of(const FuzzArguments& options) {
   CommandFiles files{{{"--corpus", options.no_save ? "" : options.corpus, OutputPath::Kind::corpus},
                       {.option = "--json", .path = options.json, .replaces = options.baseline},
                       {"--report", options.report}},
@@ -137,7 +137,7 @@ CommandFiles files_of(const Options& options) {
   return files;
 }
 
-Campaign run_with_progress(const Plan& plan, const Corpus& corpus, const Options& options) {
+Campaign run_with_progress(const Plan& plan, const Corpus& corpus, const FuzzArguments& options) {
   const std::array declarations{plan.subject.declaration, plan.oracle.declaration};
   const ProgressLine line;
   return run_campaign(plan, KnownBuckets(corpus.cases), {options.no_save ? "" : options.corpus},
@@ -145,7 +145,7 @@ Campaign run_with_progress(const Plan& plan, const Corpus& corpus, const Options
                       [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
 }
 
-int fuzz(Options& options) {
+int fuzz(FuzzArguments& options) {
   // No absolute path goes into what is kept.
   if (!options.corpus.empty()) options.corpus = kept_path(options.corpus).string();
   check_outputs(files_of(options), options.ci);
@@ -161,8 +161,8 @@ int fuzz(Options& options) {
   return has_failed(campaign.result) ? 1 : 0;
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_fuzz(CLI::App& app) {
+  const auto options = std::make_shared<FuzzArguments>();
   add_subject_and_oracle(app, options->colliders);
   add_seed(app, options->seed);
   CLI::Option* const cases =
@@ -201,6 +201,6 @@ const Command kFuzz{
     "fuzz", "A campaign: random cases to two colliders; what differs is judged, shrunk, saved.",
     "manifuzz fuzz --regime sliver --seed 1 --cases 100000\n"
     "manifuzz fuzz --until-new --regime sliver --seed 1 --cases 20000",
-    define};
+    define_fuzz};
 
 }  // namespace manifuzz

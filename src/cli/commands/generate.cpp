@@ -14,7 +14,7 @@
 namespace manifuzz {
 namespace {
 
-struct Options {
+struct GenerateArguments {
   std::optional<std::uint64_t> seed;
   std::vector<std::string> regimes;
   std::optional<std::uint64_t> first;
@@ -22,7 +22,7 @@ struct Options {
   std::string corpus = "corpus";
 };
 
-int generate_cases(const Options& options) {
+int generate_cases(const GenerateArguments& options) {
   const std::vector<const Regime*> chosen =
       chosen_by_name(regimes(), options.regimes, "regime", "--regime");
   const std::uint64_t first = options.first.value_or(0);
@@ -43,8 +43,8 @@ int generate_cases(const Options& options) {
   return 0;
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_generate(CLI::App& app) {
+  const auto options = std::make_shared<GenerateArguments>();
   add_seed(app, options->seed);
   add_regimes(app, options->regimes);
   add_whole_number(app, "--first", options->first,
@@ -59,6 +59,6 @@ Run define(CLI::App& app) {
 extern const Command kGenerate;
 const Command kGenerate{"generate", "Cases of the named regimes, one JSON object a line.",
                         "manifuzz generate --seed 1 --regime sliver --cases 1000 > slivers.jsonl",
-                        define};
+                        define_generate};
 
 }  // namespace manifuzz

@@ -17,13 +17,13 @@
 namespace manifuzz {
 namespace {
 
-struct Options {
+struct JudgeArguments {
   SubjectAndOracle colliders;
   std::string manifolds;
   std::string file = "-";
 };
 
-int judge_cases(const Options& options) {
+int judge_cases(const JudgeArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
   const Collider subject = find_collider(asked.subject, asked.external);
   const Collider oracle = find_collider(asked.oracle, asked.external);
@@ -47,8 +47,8 @@ int judge_cases(const Options& options) {
   return unexplained ? 1 : 0;
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_judge(CLI::App& app) {
+  const auto options = std::make_shared<JudgeArguments>();
   add_subject_and_oracle(app, options->colliders);
   app.add_option("--manifolds", options->manifolds,
                  "the subject's answers, a line a case, in place of the subject's own")
@@ -66,6 +66,6 @@ const Command kJudge{"judge", "Cases in, what is right and who is, a JSON object
                      "manifuzz generate --seed 1 --regime boxes --cases 10 > cases.jsonl\n"
                      "manifuzz collide --collider box2d cases.jsonl > answers.jsonl\n"
                      "manifuzz judge --subject box2d --manifolds answers.jsonl cases.jsonl",
-                     define};
+                     define_judge};
 
 }  // namespace manifuzz

@@ -49,7 +49,7 @@ int list(const std::string& what) {
   return 0;
 }
 
-Run define(CLI::App& app) {
+Run define_list(CLI::App& app) {
   const auto what = std::make_shared<std::string>();
   app.add_option("WHAT", *what, "colliders, regimes, ledger, sweeps or scenes")->required();
   return [what] { return list(*what); };
@@ -61,6 +61,6 @@ extern const Command kList;
 const Command kList{"list", "What there is, a line each.",
                     "manifuzz list colliders\nmanifuzz list regimes\nmanifuzz list ledger\n"
                     "manifuzz list sweeps\nmanifuzz list scenes",
-                    define};
+                    define_list};
 
 }  // namespace manifuzz

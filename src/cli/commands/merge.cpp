@@ -16,13 +16,13 @@
 namespace manifuzz {
 namespace {
 
-struct Options {
+struct MergeArguments {
   std::vector<std::string> paths;
   std::string output = "merged";
   std::string json;
 };
 
-void expect_something(const Options& options, const MergedRuns& runs) {
+void expect_something(const MergeArguments& options, const MergedRuns& runs) {
   if (runs.findings.empty() && !runs.result) {
     throw UserError("merge: there is nothing to merge; name folders of cases and --json files");
   }
@@ -32,7 +32,7 @@ void expect_something(const Options& options, const MergedRuns& runs) {
 }
 
 /// All of it or nothing.
-void write_merged(const Options& options, MergedRuns& runs) {
+void write_merged(const MergeArguments& options, MergedRuns& runs) {
   Interruption interruption(kUntilSignal);
   NewFolder folder(kept_path(options.output),
                    fmt::format("--output: {}", printable(options.output, 200)));
@@ -42,7 +42,7 @@ void write_merged(const Options& options, MergedRuns& runs) {
   folder.keep();
 }
 
-int merge(const Options& options) {
+int merge(const MergeArguments& options) {
   const std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   check_outputs(
       {{{"--output", options.output, OutputPath::Kind::corpus}, {"--json", options.json}}, paths});
@@ -59,8 +59,8 @@ int merge(const Options& options) {
       "merge: {} of the files could not be read or added; the rest is merged", runs.errors.size()));
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_merge(CLI::App& app) {
+  const auto options = std::make_shared<MergeArguments>();
   app.add_option("paths", options->paths, "folders of cases, and what fuzz --json wrote")
       ->type_name("DIR")
       ->required()
@@ -84,6 +84,6 @@ const Command kMerge{"merge",
                      "manifuzz fuzz --seed 1 --first 10000 --cases 200000 --corpus run1 --json "
                      "run1.json\n"
                      "manifuzz merge run0 run1 run0.json run1.json --output all --json all.json",
-                     define};
+                     define_merge};
 
 }  // namespace manifuzz

@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint64_t kDefaultCases = 10'000;
 constexpr std::uint64_t kCasesMax = 100'000'000;  // RapidCheck takes 24 bytes for each at once
 
-struct Options {
+struct PropertyArguments {
   std::vector<std::string> names;
   ColliderChoice subject{"subject", "clip", ""};
   ExternalOptions external;
@@ -33,14 +33,14 @@ struct Options {
 };
 
 /// What repeats a property beside RC_PARAMS; no absolute path goes into what is kept.
-std::string options_again(const Options& options, std::uint64_t seed) {
+std::string options_again(const PropertyArguments& options, std::uint64_t seed) {
   std::string text =
       fmt::format("{} --seed {}", options_again(options.subject, options.external), seed);
   const auto corpus = kept_path(options.corpus).string();
   return corpus == "corpus" ? text : text + " --corpus " + quoted_for_shell(corpus);
 }
 
-PropertyPlan plan_of(const Options& options) {
+PropertyPlan plan_of(const PropertyArguments& options) {
   PropertyPlan plan;
   plan.cases = static_cast<int>(options.cases.value_or(kDefaultCases));
   plan.seed = seed_or_draw(options.seed);
@@ -48,7 +48,7 @@ PropertyPlan plan_of(const Options& options) {
   return plan;
 }
 
-int run(Options& options) {
+int run(PropertyArguments& options) {
   const std::string save_to = options.no_save ? "" : options.corpus;
   check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, {options.corpus}}, options.ci);
   const std::vector<const Property*> chosen =
@@ -77,8 +77,8 @@ int run(Options& options) {
   return std::ranges::all_of(checked, &CheckedProperty::holds) ? 0 : 1;
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_property(CLI::App& app) {
+  const auto options = std::make_shared<PropertyArguments>();
   app.add_option("names", options->names, "which; all if not given")->type_name("NAME");
   add_collider(app, options->subject, "the collider under test");
   add_external_options(app, options->external);
@@ -96,6 +96,6 @@ Run define(CLI::App& app) {
 extern const Command kProperty;
 const Command kProperty{"property", "The properties, which need no oracle, over any collider.",
                         "manifuzz property swapping-mirrors --subject clip --cases 100000 --seed 1",
-                        define};
+                        define_property};
 
 }  // namespace manifuzz

@@ -19,7 +19,7 @@
 namespace manifuzz {
 namespace {
 
-struct Options {
+struct ReplayArguments {
   std::vector<std::string> paths;
   SubjectAndOracle colliders;
   std::string json;
@@ -34,7 +34,7 @@ std::string json_of(const ReplayRun& run, std::size_t unread, const Collider& su
   return json_text(json);
 }
 
-int replay(Options& options) {
+int replay(ReplayArguments& options) {
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   if (paths.empty()) paths.emplace_back("corpus");
   check_outputs({{{"--json", options.json}}, paths}, options.ci);
@@ -71,8 +71,8 @@ int replay(Options& options) {
   return run.failed() == 0 ? 0 : 1;
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_replay(CLI::App& app) {
+  const auto options = std::make_shared<ReplayArguments>();
   app.add_option("paths", options->paths, "files and folders of cases; corpus if not given")
       ->type_name("PATH")
       ->check(not_blank);
@@ -86,6 +86,6 @@ Run define(CLI::App& app) {
 
 extern const Command kReplay;
 const Command kReplay{"replay", "Every corpus case again: the subject must be right.",
-                      "manifuzz replay corpus --subject clip --oracle box2d", define};
+                      "manifuzz replay corpus --subject clip --oracle box2d", define_replay};
 
 }  // namespace manifuzz

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint64_t kMapsMax = 1000;
 
-struct Options {
+struct ReportArguments {
   std::vector<std::string> paths;
   SubjectAndOracle colliders{{"subject", "", ""}, {"oracle", "", ""}, {}};
   std::string output = "report.html";
@@ -32,7 +32,7 @@ std::optional<Collider> chosen(const ColliderChoice& choice, const ExternalOptio
 }
 
 std::string repeating_command(const std::vector<std::filesystem::path>& paths,
-                              const Options& options) {
+                              const ReportArguments& options) {
   std::string command = this_program() + " report";
   for (const auto& path : paths) command += ' ' + quoted_for_shell(path.string());
   if (options.maps) command += fmt::format(" --maps {}", *options.maps);
@@ -40,7 +40,7 @@ std::string repeating_command(const std::vector<std::filesystem::path>& paths,
   return command + " --output " + quoted_for_shell(output.string());
 }
 
-int report(const Options& options) {
+int report(const ReportArguments& options) {
   std::vector<std::filesystem::path> paths;
   for (const std::string& path : options.paths) paths.push_back(kept_path(path));
   if (paths.empty()) paths.emplace_back("corpus");
@@ -65,8 +65,8 @@ int report(const Options& options) {
                               files.corpus.errors.size()));
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_report(CLI::App& app) {
+  const auto options = std::make_shared<ReportArguments>();
   app.add_option("paths", options->paths,
                  "folders and files of cases, and what --json wrote; corpus if not given")
       ->type_name("PATH")
@@ -90,6 +90,6 @@ extern const Command kReport;
 const Command kReport{"report", "A page of what was found and measured: one HTML file.",
                       "manifuzz fuzz --seed 1 --cases 100000 --json run.json\n"
                       "manifuzz report corpus run.json --output report.html",
-                      define};
+                      define_report};
 
 }  // namespace manifuzz

@@ -23,7 +23,7 @@ constexpr std::size_t kPosesMax = 100'000'000;
 constexpr double kMotion = 0.01;  ///< a hundredth of a body
 constexpr double kMotionMax = 10;
 
-struct Options {
+struct SceneArguments {
   std::vector<std::string> scenes;
   std::vector<std::size_t> bodies{100, 1'000, 10'000};
   std::optional<std::uint64_t> steps;
@@ -38,7 +38,7 @@ struct Options {
   std::string save;
 };
 
-ScenePlan plan_of(const Options& options) {
+ScenePlan plan_of(const SceneArguments& options) {
   const std::set<std::size_t> sizes(options.bodies.begin(), options.bodies.end());
   ScenePlan plan{.scenes = chosen_by_name(scene_specs(), options.scenes, "scene", "--scene"),
                  .sizes = {sizes.begin(), sizes.end()},
@@ -52,7 +52,7 @@ ScenePlan plan_of(const Options& options) {
 }
 
 /// What can be said before anything is run.
-void expect_possible(const Options& options, const ScenePlan& plan) {
+void expect_possible(const SceneArguments& options, const ScenePlan& plan) {
   using enum OutputPath::Kind;
   check_outputs({{{"--json", options.json},
                   {"--save", options.save, corpus},
@@ -76,7 +76,7 @@ void expect_possible(const Options& options, const ScenePlan& plan) {
   }
 }
 
-int scene_command(const Options& options) {
+int scene_command(const SceneArguments& options) {
   const ScenePlan plan = plan_of(options);
   expect_possible(options, plan);
   const SceneResult result = [&] {
@@ -104,8 +104,8 @@ int scene_command(const Options& options) {
   return mismatches.empty() ? 0 : 1;
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_scene(CLI::App& app) {
+  const auto options = std::make_shared<SceneArguments>();
   const auto add = [&app](const char* name, auto& to, const char* type, const char* what) {
     return app.add_option(name, to, what)->type_name(type);
   };
@@ -141,6 +141,6 @@ Run define(CLI::App& app) {
 
 extern const Command kScene;
 const Command kScene{"scene", "Whole scenes step after step, against Box2D's contact manager.",
-                     "manifuzz scene --scene resting_pile --bodies 1000 --steps 20", define};
+                     "manifuzz scene --scene resting_pile --bodies 1000 --steps 20", define_scene};
 
 }  // namespace manifuzz

@@ -22,7 +22,7 @@ namespace {
 /// Farther than this the map would be wider than any polygon.
 constexpr std::uint64_t kMapStepMax = 100'000;
 
-struct Options {
+struct ShowArguments {
   CaseArgument given;
   SubjectAndOracle colliders{{"subject", "", ""}, {"oracle", "", ""}, {}};
   std::string svg;
@@ -44,7 +44,7 @@ ColliderChoice chosen(const std::string& file, ColliderChoice asked, const std::
                   file, printable(asked.name), asked.role, asked.role));
 }
 
-int show(const Options& options) {
+int show(const ShowArguments& options) {
   if (options.map_step && !options.map) {
     throw UserError("--map-step: there is no map without --map FILE.png");
   }
@@ -77,8 +77,8 @@ int show(const Options& options) {
   return 0;
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_show(CLI::App& app) {
+  const auto options = std::make_shared<ShowArguments>();
   add_case_argument(app, options->given);
   add_collider(app, options->colliders.subject,
                "the collider under test; if not given, the one the case names, or clip");
@@ -108,6 +108,6 @@ const Command kShow{
     "manifuzz generate --seed 1 --regime boxes --cases 1 | manifuzz show - --svg case.svg "
     "--map case.png\n"
     "manifuzz show oracle/known/missed_contact/none/b",
-    define};
+    define_show};
 
 }  // namespace manifuzz

@@ -15,13 +15,13 @@
 namespace manifuzz {
 namespace {
 
-struct Options {
+struct ShrinkArguments {
   CaseArgument given;
   SubjectAndOracle colliders;
   std::string output = "-";
 };
 
-int shrink_file(const Options& options) {
+int shrink_file(const ShrinkArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
   const Collider subject = find_collider(asked.subject, asked.external);
   const Collider oracle = find_collider(asked.oracle, asked.external);
@@ -44,8 +44,8 @@ int shrink_file(const Options& options) {
   return 0;
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_shrink(CLI::App& app) {
+  const auto options = std::make_shared<ShrinkArguments>();
   add_case_argument(app, options->given);
   add_subject_and_oracle(app, options->colliders);
   app.add_option("--output", options->output, "where the smallest case goes, - for stdout")
@@ -61,6 +61,6 @@ const Command kShrink{
     "shrink", "The smallest case with the same verdict, bucket and half the magnitude.",
     "manifuzz generate --seed 2 --regime tie_bias --cases 1 | manifuzz shrink - --output "
     "smallest.json",
-    define};
+    define_shrink};
 
 }  // namespace manifuzz

@@ -20,9 +20,9 @@ namespace manifuzz {
 namespace {
 
 /// Whoever is asked, it is over in 20 s: what is left of them is for a last answer.
-constexpr double kSecondsMax = 18;
+constexpr double kSmokeSecondsMax = 18;
 
-struct Options {
+struct SmokeArguments {
   SubjectAndOracle colliders;
   std::optional<std::uint64_t> seed;
   std::optional<double> seconds;
@@ -31,17 +31,17 @@ struct Options {
   CiOutput ci;
 };
 
-std::string corpus_again(const Options& options) {
+std::string corpus_again(const SmokeArguments& options) {
   return options.corpus == "corpus" ? "" : " --corpus " + quoted_for_shell(options.corpus);
 }
 
-SmokePlan plan_of(const Options& options) {
+SmokePlan plan_of(const SmokeArguments& options) {
   SmokePlan plan;
   plan.start = Clock::now();
-  plan.seconds = options.seconds.value_or(kSecondsMax);
-  if (plan.seconds <= 0 || plan.seconds > kSecondsMax) {
+  plan.seconds = options.seconds.value_or(kSmokeSecondsMax);
+  if (plan.seconds <= 0 || plan.seconds > kSmokeSecondsMax) {
     throw UserError(fmt::format("--seconds: {} s are not on; more than 0, up to {} is expected",
-                                plan.seconds, kSecondsMax));
+                                plan.seconds, kSmokeSecondsMax));
   }
   plan.save_to = options.no_save ? "" : options.corpus;
   plan.corpus = read_known(options.corpus);
@@ -69,7 +69,7 @@ std::string campaign_text(const Campaign& campaign) {
   return text;
 }
 
-SmokeListener printer(const Options& options, const ProgressLine& line, Outputs& outputs) {
+SmokeListener printer(const SmokeArguments& options, const ProgressLine& line, Outputs& outputs) {
   const auto print = [&](const std::string& text) {
     outputs.write(!options.ci.stdout_is_data, [&] { write_to_reader(text); });
   };
@@ -91,7 +91,7 @@ SmokeListener printer(const Options& options, const ProgressLine& line, Outputs&
           }};
 }
 
-int smoke(Options& options) {
+int smoke(SmokeArguments& options) {
   // No absolute path goes into what is kept.
   if (!options.corpus.empty()) options.corpus = kept_path(options.corpus).string();
   const std::string save_to = options.no_save ? "" : options.corpus;
@@ -115,8 +115,8 @@ int smoke(Options& options) {
   return run.is_well() ? 0 : 1;
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_smoke(CLI::App& app) {
+  const auto options = std::make_shared<SmokeArguments>();
   add_collider(app, options->colliders.subject, "the collider under test");
   add_collider(app, options->colliders.oracle, "the collider it is held against");
   add_seed(app, options->seed);
@@ -135,6 +135,7 @@ extern const Command kSmoke;
 const Command kSmoke{
     "smoke",
     "Corpus, properties and a campaign in at most 20 s, however slow the collider: for CI.",
-    "manifuzz smoke --subject clip --oracle box2d --seed 1 --no-save --junit smoke.xml", define};
+    "manifuzz smoke --subject clip --oracle box2d --seed 1 --no-save --junit smoke.xml",
+    define_smoke};
 
 }  // namespace manifuzz

@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t kQuickCases = 600;
 constexpr std::uint64_t kQuickFrames = 10'000;
 
-struct Options {
+struct StressArguments {
   std::vector<std::string> sweeps;
   std::vector<std::string> colliders;
   ColliderChoice program{"collider", "", ""};
@@ -42,7 +42,7 @@ struct Options {
 };
 
 /// The colliders that are named, or every one that is there.
-std::vector<StressSubject> chosen_subjects(const Options& options) {
+std::vector<StressSubject> chosen_subjects(const StressArguments& options) {
   std::vector<StressSubject> chosen;
   const auto add = [&chosen](const Collider& collider) {
     const ColliderEntry* const entry = find_entry(collider.declaration.name);
@@ -65,7 +65,7 @@ std::vector<StressSubject> chosen_subjects(const Options& options) {
   return chosen;
 }
 
-StressPlan plan_of(const Options& options) {
+StressPlan plan_of(const StressArguments& options) {
   StressPlan plan;
   choose_sweeps(options.sweeps, "--sweep", plan);
   plan.subjects = with_variants(chosen_subjects(options));
@@ -95,8 +95,8 @@ void save(const StressPlan& plan, const StressResult& result, const std::string&
         plan, result, kept_path(folder), interruption,
         [&](const std::string& name) { line.show("saving " + name); },
         [](const std::filesystem::path& file) {
-          write_error(fmt::format("kept: {} is worse than what this run met\n",
-                                  printable(file.string(), 200)));
+          write_error(
+              fmt::format("kept: {} is worse than what this run met\n", printable_path(file)));
         });
   } catch (const Interrupted&) {
     throw UserError("--save: interrupted, not all was saved");
@@ -104,7 +104,7 @@ void save(const StressPlan& plan, const StressResult& result, const std::string&
 }
 
 /// What a run found is written, even after it was interrupted; another signal ends the writing.
-void write_files(const StressPlan& plan, const StressResult& result, const Options& options,
+void write_files(const StressPlan& plan, const StressResult& result, const StressArguments& options,
                  const std::string& json, const nlohmann::ordered_json& stored,
                  Interruption& interruption, Outputs& outputs) {
   outputs.write(!options.json.empty() && options.json != "-",
@@ -126,7 +126,7 @@ void write_files(const StressPlan& plan, const StressResult& result, const Optio
   }
 }
 
-int stress(const Options& options) {
+int stress(const StressArguments& options) {
   using enum OutputPath::Kind;
   CommandFiles files{
       {{"--json", options.json},
@@ -162,7 +162,7 @@ int stress(const Options& options) {
   return comparison.worse.empty() && comparison.not_compared.empty() ? 0 : 1;
 }
 
-void add_run(CLI::App& app, Options& options) {
+void add_run(CLI::App& app, StressArguments& options) {
   app.add_option("--sweep", options.sweeps, "a sweep or a walk, again for more; all if not given")
       ->type_name("S")
       ->allow_extra_args(false);
@@ -186,7 +186,7 @@ void add_run(CLI::App& app, Options& options) {
                "colliders in this process compute without subnormal numbers, as engines may");
 }
 
-void add_outputs(CLI::App& app, Options& options) {
+void add_outputs(CLI::App& app, StressArguments& options) {
   app.add_option("--json", options.json, "every step as JSON, to a file or - for stdout")
       ->type_name("FILE");
   app.add_option("--csv", options.csv, "every step with commas")->type_name("FILE");
@@ -203,8 +203,8 @@ void add_outputs(CLI::App& app, Options& options) {
       "stores the breaking points, for --baseline, over those in it");
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+Run define_stress(CLI::App& app) {
+  const auto options = std::make_shared<StressArguments>();
   add_run(app, *options);
   add_outputs(app, *options);
   return [options] { return stress(*options); };
@@ -214,6 +214,6 @@ Run define(CLI::App& app) {
 
 extern const Command kStress;
 const Command kStress{"stress", "Numerical stability: a knob turned until each collider breaks.",
-                      "manifuzz stress --quick --sweep distance", define};
+                      "manifuzz stress --quick --sweep distance", define_stress};
 
 }  // namespace manifuzz

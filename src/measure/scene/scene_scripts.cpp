@@ -38,7 +38,7 @@ struct Course {
 };
 
 /// Where a body is, without the roundings of the steps before.
-struct Place {
+struct FinePose {
   Vector2<double> position;
   Vector2<double> rotation;
 
@@ -50,9 +50,9 @@ struct Place {
 };
 
 /// Bodies in a square grid, each turned anyhow and shifted by up to `jitter`.
-std::vector<Place> field(std::size_t bodies, double spacing, double jitter, Random& random) {
+std::vector<FinePose> field(std::size_t bodies, double spacing, double jitter, Random& random) {
   const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(bodies))));
-  std::vector<Place> places;
+  std::vector<FinePose> places;
   for (std::size_t i = 0; i < bodies; ++i) {
     const double x = spacing * static_cast<double>(i % side) + random.uniform(-jitter, jitter);
     const double y = spacing * static_cast<double>(i / side) + random.uniform(-jitter, jitter);
@@ -62,7 +62,7 @@ std::vector<Place> field(std::size_t bodies, double spacing, double jitter, Rand
 }
 
 /// All bodies on their courses; shapes in turn.
-Trajectory moving(std::vector<ConvexPolygon<float>> shapes, std::vector<Place> places,
+Trajectory moving(std::vector<ConvexPolygon<float>> shapes, std::vector<FinePose> places,
                   const std::vector<Course>& courses, int steps) {
   Trajectory trajectory{std::move(shapes), {}, {}};
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -108,20 +108,20 @@ std::vector<ConvexPolygon<float>> mixed_shapes() {
 
 Trajectory make_sparse_drift(std::size_t bodies, int steps) {
   Random random(1, "sparse drift", 0);
-  std::vector<Place> places = field(bodies, 4, 1.5, random);
+  std::vector<FinePose> places = field(bodies, 4, 1.5, random);
   return moving(mixed_shapes(), std::move(places), courses_of(bodies, 0.02, 0.01, random), steps);
 }
 
 Trajectory make_spinning_grid(std::size_t bodies, int steps) {
   Random random(1, "spinning grid", 0);
-  std::vector<Place> places = field(bodies, 1.2, 0, random);
+  std::vector<FinePose> places = field(bodies, 1.2, 0, random);
   return moving({*rounded(box(0.5, 0.5), kSkin)}, std::move(places),
                 courses_of(bodies, 0, 0.02, random), steps);
 }
 
 Trajectory make_one_mover(std::size_t bodies, int steps) {
   Random random(1, "one mover", 0);
-  std::vector<Place> places = field(bodies, 1.1, 0.1, random);
+  std::vector<FinePose> places = field(bodies, 1.1, 0.1, random);
   return moving(mixed_shapes(), std::move(places), {{{0.05, 0.03}, turn_by(0.01)}}, steps);
 }
 
@@ -132,7 +132,7 @@ Trajectory make_slivers(std::size_t bodies, int steps) {
     shapes.push_back(*rounded(stretched(regular_outline(3), width, 1), 0));
     shapes.push_back(*rounded(stretched(regular_outline(6), 1, width), 0));
   }
-  std::vector<Place> places = field(bodies, 0.7, 0.2, random);
+  std::vector<FinePose> places = field(bodies, 0.7, 0.2, random);
   return moving(std::move(shapes), std::move(places), courses_of(bodies, 0.005, 0.002, random),
                 steps);
 }

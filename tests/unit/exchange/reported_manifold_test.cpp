@@ -9,7 +9,7 @@ using namespace manifuzz;
 namespace {
 
 /// A stands turned, away from the origin, and not quite unit.
-PairCase turned_pair() {
+PairCase roughly_turned_pair() {
   PairCase pair;
   pair.a.pose = {{3, -2}, {0.600003F, 0.800003F}};
   return pair;
@@ -18,7 +18,7 @@ PairCase turned_pair() {
 const Vector2<double> kNormal{0.6, -0.8};
 
 /// Two points in the contract's order for A as the reference.
-Manifold<double> sample_manifold() {
+Manifold<double> manifold_in_order() {
   Manifold<double> manifold;
   manifold.count = 2;
   manifold.normal = kNormal;
@@ -29,7 +29,7 @@ Manifold<double> sample_manifold() {
 
 /// The sample with all that there is, in the world.
 ReportedManifold reported_in_world(const PairCase& pair) {
-  const Manifold<double> sample = sample_manifold();
+  const Manifold<double> sample = manifold_in_order();
   ReportedManifold reported{
       .count = 2, .normal = world_normal(pair, sample.normal), .reference = Side::a};
   for (int i = 0; i < 2; ++i) {
@@ -41,7 +41,7 @@ ReportedManifold reported_in_world(const PairCase& pair) {
 }
 
 bool is_near_sample(const Manifold<double>& manifold) {
-  const Manifold<double> sample = sample_manifold();
+  const Manifold<double> sample = manifold_in_order();
   double off = (manifold.normal - sample.normal).norm();
   for (int i = 0; i < 2; ++i) {
     off = std::max(off, (manifold.points[i].position - sample.points[i].position).norm());
@@ -54,7 +54,7 @@ bool is_near_sample(const Manifold<double>& manifold) {
 }  // namespace
 
 TEST_CASE("A manifold of the world is brought into A's frame") {
-  const PairCase pair = turned_pair();
+  const PairCase pair = roughly_turned_pair();
   const PartialManifold partial = in_frame_of_a(reported_in_world(pair), {}, pair);
   CHECK(is_near_sample(partial.manifold));
   CHECK(partial.names_reference);
@@ -63,7 +63,7 @@ TEST_CASE("A manifold of the world is brought into A's frame") {
 }
 
 TEST_CASE("A local position counts more than one of the world") {
-  const PairCase pair = turned_pair();
+  const PairCase pair = roughly_turned_pair();
   ReportedManifold reported = reported_in_world(pair);
   reported.points[0].local = {7, 8};
   CHECK(in_frame_of_a(reported, {.is_ordered = true}, pair).manifold.points[0].position ==
@@ -71,7 +71,7 @@ TEST_CASE("A local position counts more than one of the world") {
 }
 
 TEST_CASE("What is declared of a normal is undone, and points are put in order by it") {
-  const PairCase pair = turned_pair();
+  const PairCase pair = roughly_turned_pair();
   ReportedManifold reported = reported_in_world(pair);
   reported.normal = -reported.normal;
   CHECK(is_near_sample(in_frame_of_a(reported, {.normal_from_b = true}, pair).manifold));
@@ -84,15 +84,15 @@ TEST_CASE("What is declared of a normal is undone, and points are put in order b
 }
 
 TEST_CASE("Points that are declared in order stay in theirs") {
-  const PairCase pair = turned_pair();
+  const PairCase pair = roughly_turned_pair();
   ReportedManifold reported = reported_in_world(pair);
   std::swap(reported.points[0], reported.points[1]);
   const auto manifold = in_frame_of_a(reported, {.is_ordered = true}, pair).manifold;
-  CHECK(manifold.points[0].depth == sample_manifold().points[1].depth);
+  CHECK(manifold.points[0].depth == manifold_in_order().points[1].depth);
 }
 
 TEST_CASE("What is not given stays open") {
-  const PairCase pair = turned_pair();
+  const PairCase pair = roughly_turned_pair();
   ReportedManifold reported = reported_in_world(pair);
   reported.reference.reset();
   reported.points[1].features.reset();
