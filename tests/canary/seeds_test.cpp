@@ -83,7 +83,7 @@ std::map<std::string, int> looks_of(const Forms& forms) {
   return counts;
 }
 
-std::string heading() {
+std::string forms_heading() {
   return fmt::format("{:<30} {:>6} {:>9} {:>7} {:>6} {:>13} {:>11} {:>16} {:>12}\n", "planted bug",
                      "caught", "simplest", "buckets", "forms", "vertices, max", "digits, max",
                      "evaluations, max", "ms, max");
@@ -137,7 +137,7 @@ TEST_CASE("the forms of each planted bug over many seeds", "[.seeds]") {
   const std::uint64_t seeds =
       wanted_seeds == nullptr ? 100 : std::strtoull(wanted_seeds, nullptr, 10);
   std::map<std::string, Forms> bugs_in_collider;
-  std::cout << heading();
+  std::cout << forms_heading();
   for (const PlantedBug& bug : planted_bugs()) {
     const bool wanted = wanted_bug == nullptr ? !bug.in_kernel : bug.name == wanted_bug;
     if (is_unedited(bug) || !wanted) continue;

@@ -9,7 +9,7 @@
 #include "support/temporary_folder.hpp"
 
 using namespace manifuzz::test;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 namespace {
 

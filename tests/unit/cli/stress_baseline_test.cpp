@@ -12,7 +12,7 @@
 #include "unit/cli/stress_runs.hpp"
 
 using namespace manifuzz::test;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 namespace {

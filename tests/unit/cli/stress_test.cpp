@@ -12,7 +12,7 @@
 #include "unit/cli/stress_runs.hpp"
 
 using namespace manifuzz::test;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 TEST_CASE("stress writes a table, JSON, CSV and pictures of what it measured") {

@@ -8,7 +8,7 @@
 
 using namespace manifuzz::test;
 using Catch::Contains;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 namespace {
 

@@ -3,19 +3,13 @@
 #include <catch2/catch.hpp>
 
 #include "own_colliders/own_colliders.hpp"
+#include "unit/clipping/squares.hpp"
 
 using namespace manifuzz;
+using namespace manifuzz::test;
 using Catch::Matchers::WithinAbs;
 
 namespace {
-
-ConvexPolygon<float> polygon(std::vector<Vector2<float>> vertices, float radius = 0) {
-  return make_polygon<float>(vertices, radius);
-}
-
-ConvexPolygon<float> square(float radius = 0) {
-  return polygon({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, radius);
-}
 
 Manifold<float> collide_at(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b, float x,
                            float y, float bias = 0) {

@@ -1,19 +1,13 @@
 #include <catch2/catch.hpp>
 
 #include "clipping/collide.hpp"
+#include "unit/clipping/squares.hpp"
 
 using namespace manifuzz;
 using namespace manifuzz::clipping;
+using namespace manifuzz::test;
 
 namespace {
-
-ConvexPolygon<float> polygon(std::vector<Vector2<float>> vertices) {
-  return make_polygon<float>(vertices);
-}
-
-ConvexPolygon<float> square() {
-  return polygon({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
-}
 
 ConvexPolygon<float> moved(ConvexPolygon<float> p, float x, float y) {
   return transform<float>({{x, y}, {1, 0}}, p);

@@ -18,7 +18,7 @@ ConvexPolygon<float> square(float half, float radius = 0) {
   return make_polygon<float>(corners, radius);
 }
 
-Pose<float> at(float x, float y) {
+Pose<float> upright(float x, float y) {
   return {{x, y}, {1, 0}};
 }
 
@@ -31,7 +31,7 @@ struct Row {
   explicit Row(int count) {
     for (int i = 0; i < count; ++i) {
       bodies.push_back(
-          std::get<BodyHandle>(scene.add(shape, at(0.99F * static_cast<float>(i), 0))));
+          std::get<BodyHandle>(scene.add(shape, upright(0.99F * static_cast<float>(i), 0))));
     }
   }
 
@@ -56,7 +56,7 @@ TEST_CASE("contacts begin, stay and end") {
   CHECK(second.stayed == 2);
   CHECK(second.counts.pairs.at_rest == second.counts.pairs.candidates);
 
-  const scene::Move away{row.bodies[2], at(9, 0)};
+  const scene::Move away{row.bodies[2], upright(9, 0)};
   const StepResult third = row.step({{away}});
   REQUIRE(third.ended.size() == 1);
   CHECK(third.ended[0].a == row.bodies[1]);
@@ -71,7 +71,7 @@ TEST_CASE("a body's contacts end with it, and its place is used again") {
   Row row(3);
   row.step();
   CHECK(row.scene.remove(row.bodies[1]) == std::nullopt);
-  const BodyHandle again = std::get<BodyHandle>(row.scene.add(row.shape, at(0.99F, 0)));
+  const BodyHandle again = std::get<BodyHandle>(row.scene.add(row.shape, upright(0.99F, 0)));
   CHECK(again.index == row.bodies[1].index);
   CHECK(again != row.bodies[1]);
   const StepResult result = row.step();
@@ -87,7 +87,7 @@ TEST_CASE("a scene at rest looks at nothing, a mover at its own pairs") {
   row.step();
   const scene::Move there{row.bodies[500], row.scene.pose(row.bodies[500])};
   CHECK(row.step({{there}}).counts.moved == 0);
-  const scene::Move nudge{row.bodies[500], at(0.99F * 500, 0.01F)};
+  const scene::Move nudge{row.bodies[500], upright(0.99F * 500, 0.01F)};
   const StepResult result = row.step({{nudge}});
   CHECK(result.counts.moved == 1);
   CHECK(result.counts.left_boxes == 0);
@@ -98,14 +98,14 @@ TEST_CASE("a scene at rest looks at nothing, a mover at its own pairs") {
 TEST_CASE("a pair proven separated is skipped until it has moved by its margin") {
   Row row(0);
   const auto add = [&](float x) {
-    return std::get<BodyHandle>(row.scene.add(row.shape, at(x, 0)));
+    return std::get<BodyHandle>(row.scene.add(row.shape, upright(x, 0)));
   };
   add(0);
   const BodyHandle b = add(1.1F);
   CHECK(row.step().counts.proofs == 1);
-  CHECK(row.step({{{b, at(1.05F, 0)}}}).counts.pairs.separated == 1);
-  CHECK(row.step({{{b, at(1.01F, 0)}}}).counts.pairs.separated == 1);
-  const StepResult touching = row.step({{{b, at(1, 0)}}});
+  CHECK(row.step({{{b, upright(1.05F, 0)}}}).counts.pairs.separated == 1);
+  CHECK(row.step({{{b, upright(1.01F, 0)}}}).counts.pairs.separated == 1);
+  const StepResult touching = row.step({{{b, upright(1, 0)}}});
   CHECK(touching.counts.pairs.collided == 1);
   CHECK(touching.contacts.size() == 1);
 }
@@ -115,10 +115,10 @@ TEST_CASE("without certificates every pair that moved is collided, to the same c
   scene::Scene without({.certificates = false});
   const auto contacts_after = [](scene::Scene& scene, float x) {
     const auto shape = std::get<std::uint32_t>(scene.add_shape(square(0.5F)));
-    scene.add(shape, at(0, 0));
-    const auto b = std::get<BodyHandle>(scene.add(shape, at(1.1F, 0)));
+    scene.add(shape, upright(0, 0));
+    const auto b = std::get<BodyHandle>(scene.add(shape, upright(1.1F, 0)));
     scene.step({});
-    return std::get<StepResult>(scene.step({{{b, at(x, 0)}}}));
+    return std::get<StepResult>(scene.step({{{b, upright(x, 0)}}}));
   };
   CHECK(contacts_after(with, 1.05F).counts.pairs.separated == 1);
   const StepResult apart = contacts_after(without, 1.05F);
@@ -143,7 +143,7 @@ TEST_CASE("bodies of every size find each other") {
   for (int k = -20; k <= 20; k += 4) {
     const float half = std::ldexp(1.0F, k);
     const auto shape = std::get<std::uint32_t>(scene.add_shape(square(half)));
-    bodies.push_back(std::get<BodyHandle>(scene.add(shape, at(half / 2, half / 3))));
+    bodies.push_back(std::get<BodyHandle>(scene.add(shape, upright(half / 2, half / 3))));
   }
   const auto result = std::get<StepResult>(scene.step({}));
   CHECK(result.contacts.size() == bodies.size() * (bodies.size() - 1) / 2);
@@ -151,9 +151,9 @@ TEST_CASE("bodies of every size find each other") {
 
 TEST_CASE("far out, where a float is wider than a body, bodies find each other") {
   Row row(0);
-  row.scene.add(row.shape, at(1e12F, -1e15F));
-  row.scene.add(row.shape, at(1e12F, -1e15F));
-  row.scene.add(row.shape, at(-1e12F, 1e15F));
+  row.scene.add(row.shape, upright(1e12F, -1e15F));
+  row.scene.add(row.shape, upright(1e12F, -1e15F));
+  row.scene.add(row.shape, upright(-1e12F, 1e15F));
   CHECK(row.step().contacts.size() == 1);
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("memory stays within 300 bytes a body and 200 a pair") {
   row.step();
   std::vector<scene::Move> moves;
   for (std::size_t i = 0; i < row.bodies.size(); ++i) {
-    moves.push_back({row.bodies[i], at(0.99F * static_cast<float>(i), 0.001F)});
+    moves.push_back({row.bodies[i], upright(0.99F * static_cast<float>(i), 0.001F)});
   }
   row.step(moves);
   CHECK(row.scene.memory().bodies <= 300 * row.scene.body_count());
@@ -182,16 +182,16 @@ TEST_CASE("a refused move leaves the scene as it was, the moves before it too") 
   Row row(3);
   row.step();
   const auto refused = [&](const Pose<float>& pose) {
-    const std::vector<scene::Move> moves{{row.bodies[0], at(50, 50)}, {row.bodies[2], pose}};
+    const std::vector<scene::Move> moves{{row.bodies[0], upright(50, 50)}, {row.bodies[2], pose}};
     const auto result = std::get<scene::RefusedMove>(row.scene.step(moves));
     CHECK(result.index == 1);
-    CHECK(row.scene.pose(row.bodies[0]) == at(0, 0));
+    CHECK(row.scene.pose(row.bodies[0]) == upright(0, 0));
     CHECK(contacts_left(row) == 2);
     return result.defect;
   };
-  CHECK(refused(at(kInfinity, 0)) == Defect::position_not_finite);
-  CHECK(refused(at(0, std::nanf(""))) == Defect::position_not_finite);
-  CHECK(refused(at(2e15F, 0)) == Defect::position_too_far);
+  CHECK(refused(upright(kInfinity, 0)) == Defect::position_not_finite);
+  CHECK(refused(upright(0, std::nanf(""))) == Defect::position_not_finite);
+  CHECK(refused(upright(2e15F, 0)) == Defect::position_too_far);
   CHECK(refused({{0, 0}, {1, 0.01F}}) == Defect::rotation_not_unit);
   CHECK(refused({{0, 0}, {std::nanf(""), 0}}) == Defect::rotation_not_unit);
 }
@@ -200,7 +200,7 @@ TEST_CASE("what ended waits for a step that is not refused") {
   Row row(2);
   row.step();
   row.scene.remove(row.bodies[0]);
-  const std::vector<scene::Move> stale{{row.bodies[0], at(0, 0)}};
+  const std::vector<scene::Move> stale{{row.bodies[0], upright(0, 0)}};
   CHECK(std::get<scene::RefusedMove>(row.scene.step(stale)).defect == Defect::unknown_body);
   CHECK(row.step().ended.size() == 1);
 }
@@ -214,8 +214,8 @@ TEST_CASE("unknown bodies and shapes are refused") {
   CHECK(row.scene.remove({}) == Defect::unknown_body);
   CHECK(row.scene.set_shape(row.bodies[0], row.shape) == Defect::unknown_body);
   CHECK(row.scene.set_shape(row.bodies[1], row.shape + 1) == Defect::unknown_shape);
-  CHECK(std::get<Defect>(row.scene.add(row.shape + 1, at(0, 0))) == Defect::unknown_shape);
-  CHECK(std::get<Defect>(row.scene.add(row.shape, at(kInfinity, 0))) ==
+  CHECK(std::get<Defect>(row.scene.add(row.shape + 1, upright(0, 0))) == Defect::unknown_shape);
+  CHECK(std::get<Defect>(row.scene.add(row.shape, upright(kInfinity, 0))) ==
         Defect::position_not_finite);
   CHECK(row.scene.body_count() == 1);
 }
