@@ -55,10 +55,10 @@ TEST_CASE("merging that cannot be done leaves nothing behind") {
   run(folder, "p", 0, 500);
   fs::create_directory(folder.path() / "empty");
   for (const char* const output : {"new/and/deeper", "empty"}) {
-    const std::string json = folder.write("file", "x") + "/below/a/file.json";
+    const std::string summary = folder.write("file", "x") + "/below/a/file.json";
     const Outcome outcome =
         run_manifuzz({"merge", (folder.path() / "p").string(), (folder.path() / "p.json").string(),
-                      "--output", (folder.path() / output).string(), "--json", json});
+                      "--output", (folder.path() / output).string(), "--json", summary});
     CHECK(outcome.status == 2);
   }
   CHECK_FALSE(fs::exists(folder.path() / "new"));
