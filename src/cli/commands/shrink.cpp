@@ -1,4 +1,3 @@
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -44,23 +43,20 @@ int shrink_file(const Options& options) {
   return 0;
 }
 
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
-  add_case_argument(app, options->given);
-  add_subject_and_oracle(app, options->colliders);
-  app.add_option("--output", options->output, "where the smallest case goes, - for stdout")
+void add_options(CLI::App& app, Options& options) {
+  add_case_argument(app, options.given);
+  add_subject_and_oracle(app, options.colliders);
+  app.add_option("--output", options.output, "where the smallest case goes, - for stdout")
       ->type_name("FILE")
       ->capture_default_str();
-  return [options] { return shrink_file(*options); };
 }
 
 }  // namespace
 
-extern const Command kShrink;
 const Command kShrink{
     "shrink", "The smallest case with the same verdict, bucket and half the magnitude.",
     "manifuzz generate --seed 2 --regime tie_bias --cases 1 | manifuzz shrink - --output "
     "smallest.json",
-    define};
+    define<Options, add_options, shrink_file>};
 
 }  // namespace manifuzz
