@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/text.hpp"
 #include "campaign/result.hpp"
@@ -51,20 +52,14 @@ constexpr std::array kParts{
     Part{"new", &BucketComparison::appeared}, Part{"worse", &BucketComparison::worse},
     Part{"still", &BucketComparison::still}, Part{"gone", &BucketComparison::gone}};
 
-std::string in_words(const std::optional<std::uint64_t>& seed) {
-  return seed ? std::to_string(*seed) : "several";
-}
-
-/// Something in which runs must not differ if they are to be compared.
-struct Term {
-  std::string_view name;
-  std::string value;
-};
-
-std::array<Term, 5> terms_of(const CampaignResult& result) {
-  return {Term{"subject", result.settings.subject}, Term{"oracle", result.settings.oracle},
-          Term{"seed", in_words(result.seed())}, Term{"first", std::to_string(result.first())},
-          Term{"cases", std::to_string(result.cases())}};
+/// That in which runs must not differ if they are to be compared, by its name.
+std::vector<std::pair<std::string_view, std::string>> terms_of(const CampaignResult& result) {
+  const auto seed = result.seed();
+  return {{"subject", result.settings.subject},
+          {"oracle", result.settings.oracle},
+          {"seed", seed ? std::to_string(*seed) : "several"},
+          {"first", std::to_string(result.first())},
+          {"cases", std::to_string(result.cases())}};
 }
 
 }  // namespace
@@ -81,22 +76,20 @@ CampaignResult read_baseline(const std::string& path) {
 }
 
 std::string differences_in_words(const CampaignResult& earlier, const CampaignResult& now) {
-  std::string text;
-  const auto add = [&](std::string_view difference) {
-    text += text.empty() ? "" : ", ";
-    text += difference;
-  };
+  std::vector<std::string> differences;
   const auto before = terms_of(earlier);
   const auto after = terms_of(now);
   for (std::size_t i = 0; i < after.size(); ++i) {
-    if (before[i].value == after[i].value) continue;
-    add(fmt::format("{} ({}, now {})", after[i].name, before[i].value, after[i].value));
+    const auto& [name, value] = after[i];
+    if (before[i] == after[i]) continue;
+    differences.push_back(fmt::format("{} ({}, now {})", name, before[i].second, value));
   }
   const bool same_regimes = std::ranges::equal(earlier.regimes, now.regimes, {},
                                                &RegimeResult::name, &RegimeResult::name);
-  if (!same_regimes) add("regimes");
-  if (text.empty()) return text;
-  return fmt::format("the baseline differs in {}: what is new or gone may be due to that\n", text);
+  if (!same_regimes) differences.emplace_back("regimes");
+  if (differences.empty()) return "";
+  return fmt::format("the baseline differs in {}: what is new or gone may be due to that\n",
+                     fmt::join(differences, ", "));
 }
 
 BucketComparison compared(const CampaignResult& earlier, const CampaignResult& now) {

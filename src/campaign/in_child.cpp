@@ -30,15 +30,12 @@ struct AnswerSlot {
 
   void put(const Answer& answer) {
     kind = answer.index();
-    if (const auto* const whole = std::get_if<Manifold<double>>(&answer)) {
-      manifold.manifold = *whole;
-    } else if (const auto* const partial = std::get_if<PartialManifold>(&answer)) {
-      manifold = *partial;
-    } else if (const auto* const lost = std::get_if<Lost>(&answer)) {
+    if (const auto* const whole = std::get_if<Manifold<double>>(&answer)) manifold = {*whole};
+    if (const auto* const partial = std::get_if<PartialManifold>(&answer)) manifold = *partial;
+    if (const auto* const declined = std::get_if<Unsupported>(&answer)) why.set(declined->why);
+    if (const auto* const lost = std::get_if<Lost>(&answer)) {
       how = lost->how;
       why.set(lost->why);
-    } else {
-      why.set(std::get<Unsupported>(answer).why);
     }
   }
 
@@ -110,10 +107,6 @@ Answer ask_in_child(const Collider& collider, const PairCase& pair, Interruption
 
 namespace {
 
-bool is_lost(Verdict verdict) {
-  return verdict == Verdict::crashed || verdict == Verdict::timed_out;
-}
-
 bool alike(const Judgement& judgement, const Judgement& root) {
   return judgement.bucket == root.bucket && judgement.explanation == root.explanation &&
          judgement.magnitude >= kMagnitudeShareKept * root.magnitude;
@@ -127,32 +120,28 @@ struct ShrinkSlot {
   std::atomic<bool> complete{false};
 };
 
-void shrink_into(ShrinkSlot& slot, const PairCase& pair, const Judgement& root,
-                 const std::function<Judgement(const PairCase&)>& judge_it) {
-  const auto like_root = [&](const PairCase& candidate) {
-    ++slot.evaluations;
-    if (!alike(judge_it(candidate), root)) return false;
-    slot.best[static_cast<std::size_t>(slot.accepted + 1) % 2] = candidate;
-    ++slot.accepted;
-    return true;
-  };
-  slot.complete = shrink(pair, like_root).complete;
-}
-
 }  // namespace
 
 Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
                       Interruption& interruption) {
   const Judgement root = judge_in_child(pair, subject, oracle, interruption);
+  const bool is_lost =
+      root.bucket.verdict == Verdict::crashed || root.bucket.verdict == Verdict::timed_out;
   Interruption shrinking(interruption.until_signal());
-  const auto judge_it = [&](const PairCase& candidate) {
-    return is_lost(root.bucket.verdict) ? judge_in_child(candidate, subject, oracle, shrinking)
-                                        : judge(candidate, subject, oracle);
-  };
   const Shared<ShrinkSlot> slot;
   slot->best[0] = pair;
-  run_in_child([&] { shrink_into(*slot, pair, root, judge_it); }, case_seconds_max(subject, oracle),
-               shrinking, [&] { return static_cast<std::uint64_t>(slot->evaluations); });
+  const auto like_root = [&](const PairCase& candidate) {
+    ++slot->evaluations;
+    const Judgement judgement = is_lost ? judge_in_child(candidate, subject, oracle, shrinking)
+                                        : judge(candidate, subject, oracle);
+    if (!alike(judgement, root)) return false;
+    slot->best[static_cast<std::size_t>(slot->accepted + 1) % 2] = candidate;
+    ++slot->accepted;
+    return true;
+  };
+  run_in_child([&] { slot->complete = shrink(pair, like_root).complete; },
+               case_seconds_max(subject, oracle), shrinking,
+               [&] { return static_cast<std::uint64_t>(slot->evaluations); });
   return {slot->best[static_cast<std::size_t>(slot->accepted) % 2], slot->evaluations,
           slot->complete};
 }
@@ -178,19 +167,11 @@ struct ChildState {
 };
 
 /// The cell whose turn it is: the middle one first, each of them once.
-class Order {
- public:
-  explicit Order(int cells) : cells_(cells), stride_(static_cast<int>(cells * kGoldenSection)) {
-    while (std::gcd(stride_, cells_) != 1) ++stride_;
-  }
-  int cell(int turn) const {
-    return static_cast<int>((cells_ / 2 + std::int64_t{turn} * stride_) % cells_);
-  }
-
- private:
-  int cells_;
-  int stride_;
-};
+int cell_in_turn(int turn, int cells) {
+  auto stride = static_cast<int>(cells * kGoldenSection);
+  while (std::gcd(stride, cells) != 1) ++stride;
+  return static_cast<int>((cells / 2 + std::int64_t{turn} * stride) % cells);
+}
 
 void judge_cell(const PairCase& pair, const Collider& subject, const Collider& oracle,
                 ChildState& place, Cell& cell) {
@@ -215,7 +196,6 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
                                 Interruption& interruption) {
   static_assert(std::is_trivially_copyable_v<Cell>);
   const int count = grid.cell_count();
-  const Order order(count);
   const Shared<ChildState> place;
   const Shared<Cell> cells(count);
 
@@ -223,8 +203,9 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
   place->losses_left = cells_max / kCellsACrash;
   const auto ask_the_rest = [&](int) {
     for (; place->turn < turns && place->losses_left > 0; ++place->turn) {
-      Cell& cell = cells[order.cell(place->turn)];
-      const auto moved = neighbour(pair, grid, order.cell(place->turn));
+      const int at = cell_in_turn(place->turn, count);
+      Cell& cell = cells[at];
+      const auto moved = neighbour(pair, grid, at);
       cell.state = Cell::State::invalid;
       if (!moved) continue;
       judge_cell(*moved, subject, oracle, *place, cell);
@@ -232,7 +213,7 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
     }
   };
   const auto lose_cell = [&](int, Ending ending) {
-    Cell& cell = cells[order.cell(place->turn)];
+    Cell& cell = cells[cell_in_turn(place->turn, count)];
     cell.bucket = bucket_of_lost(ending, place->at_work);
     cell.state = Cell::State::judged;
     place->lose(cell.bucket.verdict);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <optional>
 #include <vector>
 
 #include "base/random.hpp"
@@ -157,7 +156,7 @@ void run_job(const Plan& plan, RunState& run, JobState& job) {
 }
 
 /// The case that a job died or hung at is a finding of its own.
-void lose_case(const Plan& plan, JobState& job, Verdict verdict) {
+void lose_case(const Plan& plan, JobState& job, Ending ending) {
   const CaseNumber number = job.next;
   const Step step = job.step;
   const Fault fault = step == Step::asking_subject  ? Fault::subject
@@ -165,7 +164,7 @@ void lose_case(const Plan& plan, JobState& job, Verdict verdict) {
                                                     : Fault::none;
   const Standing where =
       step == Step::generating ? Standing{} : standing(exact::Truth(plan.pair(number)));
-  job.tally.add(plan.regime_of(number), number, where, {.bucket = bucket_of_lost(verdict, fault)});
+  job.tally.add(plan.regime_of(number), number, where, {.bucket = bucket_of_lost(ending, fault)});
   job.next.fetch_add(1);
 }
 
@@ -201,9 +200,7 @@ JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& in
                   .seconds_max = case_seconds_max(plan.subject, plan.oracle),
                   .on_lost =
                       [&](int job, Ending ending) {
-                        lose_case(
-                            plan, jobs[job],
-                            ending == Ending::crashed ? Verdict::crashed : Verdict::timed_out);
+                        lose_case(plan, jobs[job], ending);
                         return run->cases.is_open();
                       },
                   .hurry = &run->cases.is_closed,

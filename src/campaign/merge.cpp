@@ -28,32 +28,18 @@ std::string key_of(const CorpusCase& known) {
 }
 
 /// The order in which witnesses are preferred, the first the best.
-auto badness(const CorpusCase& witness) {
-  const double magnitude = witness.expect ? witness.expect->magnitude.value_or(-1) : -1;
-  const Found found = witness.found.value_or(Found{});
+auto badness(const CorpusCase* witness) {
+  const double magnitude = witness->expect ? witness->expect->magnitude.value_or(-1) : -1;
+  const Found found = witness->found.value_or(Found{});
   const auto place = std::ranges::find(regimes(), found.regime, &Regime::name);
-  return std::tuple(-magnitude, found.index, place - regimes().begin(), found.seed, witness.path);
+  return std::tuple(-magnitude, found.index, place - regimes().begin(), found.seed, witness->path);
 }
 
-auto size_of(const CorpusCase& known) {
-  return std::pair(complexity(known.pair), badness(known));
+auto size_of(const CorpusCase* known) {
+  return std::pair(complexity(known->pair), badness(known));
 }
 
 using Members = std::vector<const CorpusCase*>;
-
-/// The least by an order that is not cheap to tell.
-template <class Order>
-const CorpusCase& least(const Members& members, const Order& order) {
-  const CorpusCase* best = members.front();
-  auto rank = order(*best);
-  for (const CorpusCase* known : std::span(members).subspan(1)) {
-    auto other = order(*known);
-    if (!(other < rank)) continue;
-    best = known;
-    rank = std::move(other);
-  }
-  return *best;
-}
 
 MergedFinding merged_finding(const Members& members) {
   std::set<std::string> shrunk;  // files beside which lies what they were shrunk from
@@ -64,8 +50,8 @@ MergedFinding merged_finding(const Members& members) {
   for (const CorpusCase* known : members) {
     if (!shrunk.contains(known->path)) as_seen.push_back(known);
   }
-  MergedFinding kept{least(members, size_of), {}};
-  const CorpusCase& worst = least(as_seen, badness);
+  MergedFinding kept{*std::ranges::min(members, {}, size_of), {}};
+  const CorpusCase& worst = *std::ranges::min(as_seen, {}, badness);
   if (worst.pair != kept.smallest.pair) kept.worst = worst;
   return kept;
 }
@@ -106,21 +92,18 @@ std::string in_words(const Settings& settings) {
 
 /// The settings that most results share; of equally many those of the most cases, then the first.
 const Settings* usual_settings(std::span<const ResultFile> results) {
-  const Settings* usual = nullptr;
-  std::pair<std::size_t, Count> most;
-  for (const ResultFile& candidate : results) {
-    if (!candidate.campaign) continue;
-    std::pair<std::size_t, Count> weight;
+  const auto weight = [results](const ResultFile& candidate) {
+    std::pair<std::size_t, Count> sum;
     for (const ResultFile& other : results) {
-      if (!other.campaign || other.campaign->settings != candidate.campaign->settings) continue;
-      ++weight.first;
-      weight.second += other.campaign->cases();
+      if (!candidate.campaign || !other.campaign) continue;
+      if (other.campaign->settings != candidate.campaign->settings) continue;
+      ++sum.first;
+      sum.second += other.campaign->cases();
     }
-    if (usual != nullptr && weight <= most) continue;
-    usual = &candidate.campaign->settings;
-    most = weight;
-  }
-  return usual;
+    return sum;
+  };
+  const auto usual = std::ranges::max_element(results, {}, weight);
+  return usual == results.end() || !usual->campaign ? nullptr : &usual->campaign->settings;
 }
 
 void expect_addable(const CampaignResult& sum, const CampaignResult& run) {
@@ -153,11 +136,7 @@ void add_regimes(CampaignResult& sum, const CampaignResult& run) {
       std::ranges::equal(sum.regimes, run.regimes, {}, &RegimeResult::name, &RegimeResult::name);
   const bool is_ordered = sum.regimes.empty() || is_alike;
   for (const RegimeResult& other : run.regimes) {
-    RegimeResult& regime = row_of(sum.regimes, &RegimeResult::name, other.name);
-    regime.cases += other.cases;
-    regime.touching += other.touching;
-    regime.near += other.near;
-    regime.unexplained += other.unexplained;
+    row_of(sum.regimes, &RegimeResult::name, other.name).add(other);
   }
   if (is_ordered) return;
   std::ranges::stable_sort(sum.regimes, {}, [](const RegimeResult& regime) {

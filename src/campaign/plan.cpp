@@ -1,7 +1,6 @@
 #include "campaign/plan.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "campaign/in_child.hpp"
 
@@ -19,20 +18,6 @@ JudgedCase judged_case(const CorpusCase& given, const Collider& subject, const C
           judge_in_child(given.pair, subject, oracle, interruption)};
 }
 
-namespace {
-
-std::uint64_t sum(const Tally& tally, std::uint64_t RegimeTally::*field) {
-  return std::accumulate(
-      tally.regimes.begin(), tally.regimes.end(), std::uint64_t{0},
-      [field](std::uint64_t total, const RegimeTally& regime) { return total + regime.*field; });
-}
-
-}  // namespace
-
-void BucketTally::add(CaseNumber number, double finding_magnitude) {
-  add(BucketTally{1, number, number, finding_magnitude});
-}
-
 void BucketTally::add(const BucketTally& tally) {
   if (tally.count == 0) return;
   if (count == 0) {
@@ -45,6 +30,14 @@ void BucketTally::add(const BucketTally& tally) {
     magnitude = tally.magnitude;
     worst = tally.worst;
   }
+}
+
+void RegimeTally::add(const RegimeTally& tally) {
+  cases += tally.cases;
+  touching += tally.touching;
+  near += tally.near;
+  unexplained += tally.unexplained;
+  failures += tally.failures;
 }
 
 void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
@@ -62,7 +55,9 @@ void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
   if (is_unexplained(bucket.verdict)) ++of_regime.unexplained;
   if (is_failure(bucket)) ++of_regime.failures;
   ++verdicts[static_cast<std::size_t>(bucket.verdict)];
-  if (bucket.verdict != Verdict::agree) buckets[index_of(bucket)].add(number, judgement.magnitude);
+  if (bucket.verdict != Verdict::agree) {
+    buckets[index_of(bucket)].add({1, number, number, judgement.magnitude});
+  }
   if (judgement.explanation != nullptr) ++explained[index_of(*judgement.explanation)][regime];
 }
 
@@ -70,30 +65,11 @@ void Tally::add(const Tally& tally) {
   widen(of_subject, tally.of_subject);
   widen(of_oracle, tally.of_oracle);
   for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] += tally.verdicts[i];
-  for (std::size_t i = 0; i < regimes.size(); ++i) {
-    regimes[i].cases += tally.regimes[i].cases;
-    regimes[i].touching += tally.regimes[i].touching;
-    regimes[i].near += tally.regimes[i].near;
-    regimes[i].unexplained += tally.regimes[i].unexplained;
-    regimes[i].failures += tally.regimes[i].failures;
-  }
+  for (std::size_t i = 0; i < regimes.size(); ++i) regimes[i].add(tally.regimes[i]);
   for (std::size_t i = 0; i < buckets.size(); ++i) buckets[i].add(tally.buckets[i]);
   for (std::size_t i = 0; i < explained.size(); ++i) {
     for (std::size_t r = 0; r < kRegimesMax; ++r) explained[i][r] += tally.explained[i][r];
   }
-}
-
-std::uint64_t Tally::cases() const {
-  return sum(*this, &RegimeTally::cases);
-}
-std::uint64_t Tally::touching() const {
-  return sum(*this, &RegimeTally::touching);
-}
-std::uint64_t Tally::near() const {
-  return sum(*this, &RegimeTally::near);
-}
-std::uint64_t Tally::unexplained() const {
-  return sum(*this, &RegimeTally::unexplained);
 }
 
 }  // namespace manifuzz

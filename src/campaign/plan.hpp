@@ -55,17 +55,26 @@ struct BucketTally {
   CaseNumber worst = 0;  ///< of the greatest magnitude, the least of equals
   double magnitude = 0;
 
-  void add(CaseNumber number, double finding_magnitude);
   void add(const BucketTally& tally);
 };
 
+/// Counts of a regime's cases.
 struct RegimeTally {
   std::uint64_t cases = 0;
   std::uint64_t touching = 0;  ///< by the truth
   std::uint64_t near = 0;      ///< not touching, but near
   std::uint64_t unexplained = 0;
   std::uint64_t failures = 0;  ///< against the subject
+
+  void add(const RegimeTally& tally);
 };
+
+/// One of these counts, over several regimes.
+std::uint64_t sum_of(const auto& regimes, std::uint64_t RegimeTally::*count) {
+  std::uint64_t sum = 0;
+  for (const RegimeTally& regime : regimes) sum += regime.*count;
+  return sum;
+}
 
 /// Counts of a run, or of one job of it: plain data that lies in shared memory and that no order of
 /// adding changes.
@@ -83,10 +92,9 @@ struct Tally {
            const Judgement& judgement);
   void add(const Tally& tally);
 
-  std::uint64_t cases() const;
-  std::uint64_t touching() const;
-  std::uint64_t near() const;
-  std::uint64_t unexplained() const;
+  std::uint64_t cases() const { return sum_of(regimes, &RegimeTally::cases); }
+  std::uint64_t touching() const { return sum_of(regimes, &RegimeTally::touching); }
+  std::uint64_t unexplained() const { return sum_of(regimes, &RegimeTally::unexplained); }
   std::uint64_t count(Verdict verdict) const { return verdicts[static_cast<std::size_t>(verdict)]; }
 };
 

@@ -1,3 +1,4 @@
+#include <array>
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -51,11 +52,6 @@ rc::Seq<Drawn> simpler(const Drawn& drawn, const CheckCase& check_case, const Ou
                       });
 }
 
-/// What the cases are narrowed to: nothing, or no radius for one that takes none.
-std::optional<float> radius_for(const Collider& collider) {
-  return collider.declaration.takes_radius ? std::nullopt : std::optional(0.0F);
-}
-
 /// Draws one seed and a regime, and lets the project's generator make the case of them.
 rc::Gen<Drawn> any_case(const CheckCase& check_case, const GenerationContext& context) {
   return [check_case, context](const rc::Random& random, int) {
@@ -72,18 +68,8 @@ rc::Gen<Drawn> any_case(const CheckCase& check_case, const GenerationContext& co
   };
 }
 
-std::string_view name_of(Outcome::Kind kind) {
-  switch (kind) {
-    case Outcome::Kind::holds:
-      return "holds";
-    case Outcome::Kind::not_applicable:
-      return "not applicable";
-    case Outcome::Kind::known:
-      return "known deviation";
-    default:
-      return "fails";
-  }
-}
+constexpr std::array<std::string_view, 4> kOutcomeNames{"holds", "not applicable",
+                                                        "known deviation", "fails"};
 
 class Silence : public rc::detail::TestListener {
  public:
@@ -158,11 +144,13 @@ void run_rapidcheck(const Property& property, const Collider& subject, const Pro
     ++slot.checks;
     return check(property, collider, pair);
   };
+  GenerationContext context{plan.corpus, {}};
+  if (!collider.declaration.takes_radius) context.radius = 0.0F;
   const auto testable = [&] {
     if (is_over()) RC_DISCARD("time is up");
-    const Drawn drawn = *any_case(check_case, {plan.corpus, radius_for(collider)}).as("case");
+    const Drawn drawn = *any_case(check_case, context).as("case");
     const Outcome outcome = check_case(drawn.pair);
-    RC_TAG(drawn.regime, std::string(name_of(outcome.kind)));
+    RC_TAG(drawn.regime, std::string(name_of(outcome.kind, kOutcomeNames)));
     const Standing where = standing(exact::Truth(drawn.pair));
     RC_CLASSIFY(where.touching, std::string("touching"));
     if (!slot.has_failing && !is_over()) ++slot.cases;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <thread>
 #include <tuple>
 
@@ -18,10 +17,6 @@ namespace manifuzz {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_against_subject(const Bucket& bucket) {
-  return is_failure(bucket) && bucket.fault != Fault::oracle;
-}
 
 bool was_against_subject(const Expectation& expect) {
   return expect.bucket.starts_with("subject/") || expect.bucket.starts_with("both/");
@@ -53,18 +48,6 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
   return {slot->kind != Outcome::Kind::fails, sentence, slot->why.str()};
 }
 
-/// Nothing where there was no time for it.
-std::optional<Replayed> replay_in_time(const CorpusCase& recorded, const Collider& subject,
-                                       const Collider& oracle, Interruption& interruption) {
-  if (interruption.is_stopped()) return std::nullopt;
-  try {
-    const Replayed replayed = replay_case(recorded, subject, oracle, interruption);
-    return interruption.is_stopped() ? std::nullopt : std::optional(replayed);
-  } catch (const Interrupted&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const Collider& oracle,
@@ -73,7 +56,7 @@ Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const 
   const Judgement judgement = judge_in_child(recorded.pair, subject, oracle, interruption);
   const std::string got = to_string(judgement.bucket);
   const std::string verdict(to_string(judgement.bucket.verdict));
-  if (is_against_subject(judgement.bucket)) {
+  if (is_failure(judgement.bucket) && judgement.bucket.fault != Fault::oracle) {
     return {false, fmt::format("{} to be right", subject.declaration.name), got};
   }
   for (const LedgerEntry& entry : ledger()) {
@@ -106,11 +89,16 @@ ReplayRun replay_cases(const std::vector<CorpusCase>& cases, const Collider& sub
                        const Collider& oracle, Interruption& interruption) {
   ReplayRun run{subject.declaration.name, oracle.declaration.name, {}};
   const auto start = Clock::now();
-  for (const CorpusCase& recorded : cases) {
-    const auto case_start = Clock::now();
-    const auto replayed = replay_in_time(recorded, subject, oracle, interruption);
-    if (!replayed) break;
-    run.cases.push_back({&recorded, *replayed, seconds_since(case_start)});
+  try {
+    for (const CorpusCase& recorded : cases) {
+      const auto case_start = Clock::now();
+      if (interruption.is_stopped()) break;
+      const Replayed replayed = replay_case(recorded, subject, oracle, interruption);
+      if (interruption.is_stopped()) break;
+      run.cases.push_back({&recorded, replayed, seconds_since(case_start)});
+    }
+  } catch (const Interrupted&) {
+    // This one is left out too.
   }
   run.left_out = cases.size() - run.cases.size();
   run.seconds = seconds_since(start);
@@ -179,10 +167,7 @@ constexpr int kPropertyCases = 200;
 
 std::vector<CheckedProperty> check_all(const SmokePlan& plan, const std::vector<PairCase>& pairs,
                                        const SmokeListener& listener) {
-  PropertyPlan each;
-  each.seed = plan.seed;
-  each.cases = kPropertyCases;
-  each.corpus = pairs;
+  const PropertyPlan each{plan.seed, kPropertyCases, pairs, {}};
   return check_properties(chosen_by_name(properties(), {}, "property", "property"), plan.subject,
                           each, plan.at(kPropertyShare), plan.save_to, listener.on_checked);
 }
@@ -226,8 +211,8 @@ SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interru
   if (all.is_stopped()) return run;
   const Plan campaign = campaign_plan(plan, pairs);
   run.campaign = run_campaign(
-      campaign, KnownBuckets(plan.corpus.cases), {plan.save_to, plan.at(kSavingShare)}, plan.origin,
-      [&](const Progress& progress) { listener.on_progress(campaign, progress); });
+      campaign, known_buckets(plan.corpus.cases), {plan.save_to, plan.at(kSavingShare)},
+      plan.origin, [&](const Progress& progress) { listener.on_progress(campaign, progress); });
   listener.on_campaign(*run.campaign);
   return run;
 }

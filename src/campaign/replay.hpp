@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -11,7 +10,6 @@
 #include "campaign/run.hpp"
 #include "collider/collider.hpp"
 #include "corpus/corpus.hpp"
-#include "judging/judge.hpp"
 #include "judging/properties.hpp"
 #include "process/interruption.hpp"
 

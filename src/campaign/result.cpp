@@ -9,27 +9,6 @@
 #include "base/text.hpp"
 
 namespace manifuzz {
-namespace {
-
-std::uint64_t sum_of(const std::vector<RegimeResult>& regimes, std::uint64_t RegimeResult::*count) {
-  std::uint64_t sum = 0;
-  for (const RegimeResult& regime : regimes) sum += regime.*count;
-  return sum;
-}
-
-}  // namespace
-
-std::uint64_t CampaignResult::cases() const {
-  return sum_of(regimes, &RegimeResult::cases);
-}
-
-std::uint64_t CampaignResult::touching() const {
-  return sum_of(regimes, &RegimeResult::touching);
-}
-
-std::uint64_t CampaignResult::near() const {
-  return sum_of(regimes, &RegimeResult::near);
-}
 
 std::uint64_t CampaignResult::unexplained() const {
   std::uint64_t sum = 0;
@@ -119,44 +98,37 @@ const KindKey* kind_of(const JsonView& root) {
   return known == kKindKeys.end() ? nullptr : &*known;
 }
 
-/// The text of a file, parsed, nowhere deeper than 32 levels.
-struct Document {
-  std::string text;
-  JsonTree tree;
-};
-
-ResultFile result_of(const std::string& path, const Document& document, const KindKey& kind) {
-  const JsonView root(document.tree);
+ResultFile result_of(const std::string& path, const JsonTree& tree, const KindKey& kind) {
+  const JsonView root(tree);
   ResultFile result{path, kind.kind, {}};
   if (kind.kind == "fuzz") {
     result.campaign = read_campaign_result(root);
     result.json = json_of(*result.campaign);
   } else {
     for (const JsonView& row : root.at(kind.key).elements()) row.keys();
-    result.json = nlohmann::ordered_json::parse(document.text);
+    result.json = *tree.root;
   }
   return result;
 }
 
-/// Calls `use` with the file's document; what is wrong with either names the file.
+/// Calls `use` with the file's JSON; what is wrong with either names the file.
 template <class Use>
-auto with_document(const std::string& path, const Use& use) {
+auto with_json_of(const std::string& path, const Use& use) {
   InputFile file(path);
-  Document document{file.read_all(kLongestResult), {}};
+  const std::string text = file.read_all(kLongestResult);
   try {
-    if (is_blank(document.text)) throw UserError("is empty; a case or a result is expected");
-    document.tree = parse_json(document.text);
-    return use(document);
+    if (is_blank(text)) throw UserError("is empty; a case or a result is expected");
+    return use(parse_json(text));
   } catch (const UserError& error) {
     throw UserError(fmt::format("{}: {}", file.name(), error.what()));
   }
 }
 
 void read_json_file(const std::string& path, RunFiles& files) {
-  with_document(path, [&](const Document& document) {
-    const JsonView root(document.tree);
+  with_json_of(path, [&](const JsonTree& tree) {
+    const JsonView root(tree);
     if (const KindKey* const kind = kind_of(root)) {
-      files.results.push_back(result_of(path, document, *kind));
+      files.results.push_back(result_of(path, tree, *kind));
     } else {
       CorpusCase known = read_case(root, path == "-" ? FormatKey::optional : FormatKey::required);
       known.path = path;
@@ -168,10 +140,10 @@ void read_json_file(const std::string& path, RunFiles& files) {
 }  // namespace
 
 ResultFile read_result(const std::string& path) {
-  return with_document(path, [&](const Document& document) {
-    const KindKey* const kind = kind_of(JsonView(document.tree));
+  return with_json_of(path, [&](const JsonTree& tree) {
+    const KindKey* const kind = kind_of(JsonView(tree));
     if (kind == nullptr) throw UserError("is no result; what --json writes is expected");
-    return result_of(path, document, *kind);
+    return result_of(path, tree, *kind);
   });
 }
 

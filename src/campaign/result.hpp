@@ -26,13 +26,9 @@ namespace manifuzz {
 /// Counts are so small that sums of them are exact, in this program and in any that reads JSON.
 inline constexpr std::uint64_t kCountMax = std::uint64_t{1} << 53;
 
-/// Counts of a regime's cases.
-struct RegimeResult {
+/// A regime's counts, of which `failures` are not in JSON.
+struct RegimeResult : RegimeTally {
   std::string name;
-  std::uint64_t cases = 0;
-  std::uint64_t touching = 0;
-  std::uint64_t near = 0;
-  std::uint64_t unexplained = 0;
 };
 
 /// How often an entry of the ledger fired.
@@ -99,9 +95,9 @@ struct CampaignResult {
   std::vector<LedgerResult> ledger;
   std::vector<BucketResult> buckets;
 
-  std::uint64_t cases() const;
-  std::uint64_t touching() const;
-  std::uint64_t near() const;
+  std::uint64_t cases() const { return sum_of(regimes, &RegimeTally::cases); }
+  std::uint64_t touching() const { return sum_of(regimes, &RegimeTally::touching); }
+  std::uint64_t near() const { return sum_of(regimes, &RegimeTally::near); }
   std::uint64_t unexplained() const;
   double seconds() const;                     ///< of all parts
   std::optional<std::uint64_t> seed() const;  ///< none: several

@@ -100,8 +100,9 @@ ManifoldError read_error(const JsonView& object) {
 }
 
 RegimeResult read_regime(const JsonView& row) {
-  return {std::string(row.at("name").string()), count_in(row, "cases"), count_in(row, "touching"),
-          count_in(row, "near"), count_in(row, "unexplained")};
+  return {{count_in(row, "cases"), count_in(row, "touching"), count_in(row, "near"),
+           count_in(row, "unexplained")},
+          std::string(row.at("name").string())};
 }
 
 LedgerResult read_entry(const JsonView& row) {

@@ -14,20 +14,6 @@ namespace {
 constexpr CaseNumber kFirstRound = 1024;
 constexpr CaseNumber kLongestRound = 1 << 18;
 
-/// Adds a round that came behind the others.
-void append(JobsResult round, JobsResult& all) {
-  round.tally->add(*all.tally);
-  round.seconds += all.seconds;
-  all = std::move(round);
-}
-
-/// The plan with the time that is left of it.
-Plan rest_of(const Plan& plan, double seconds_gone) {
-  Plan rest = plan;
-  if (plan.seconds) rest.seconds = *plan.seconds - seconds_gone;
-  return rest;
-}
-
 /// Every case of the plan, or, where it ends at what is new, rounds of them, up to the end of the
 /// first round that fills a bucket which is not among the known. Rounds depend on the plan's cases
 /// alone, so that any number of jobs finds the same.
@@ -36,17 +22,21 @@ JobsResult run_plan(const Plan& plan, const KnownBuckets& known, Interruption& i
   const CaseNumber end = plan.cases_max();
   if (!plan.until_new) return run_jobs(plan, {0, end}, interruption, on_progress);
   JobsResult all{.tally = std::make_unique<Tally>()};
+  Plan rest = plan;  // with the time that is left
   CaseNumber length = kFirstRound;
   for (CaseNumber begin = 0; begin < end; begin += length) {
     if (begin > 0) length = std::min(2 * length, kLongestRound);
     length = std::min(length, end - begin);
-    append(run_jobs(rest_of(plan, all.seconds), {begin, begin + length}, interruption,
-                    [&](const Progress& round) {
-                      const auto so_far = std::make_unique<Tally>(round.tally);
-                      so_far->add(*all.tally);
-                      on_progress({*so_far, all.seconds + round.seconds});
-                    }),
-           all);
+    if (plan.seconds) rest.seconds = *plan.seconds - all.seconds;
+    JobsResult round =
+        run_jobs(rest, {begin, begin + length}, interruption, [&](const Progress& so_far) {
+          const auto tally = std::make_unique<Tally>(so_far.tally);
+          tally->add(*all.tally);
+          on_progress({*tally, all.seconds + so_far.seconds});
+        });
+    round.tally->add(*all.tally);
+    round.seconds += all.seconds;
+    all = std::move(round);
     const bool is_time_up = plan.seconds && all.seconds >= *plan.seconds;
     const bool is_over = all.interrupted || all.given_up != Fault::none || is_time_up;
     if (is_over || has_new(findings(*all.tally, plan, known))) break;
@@ -70,10 +60,6 @@ void add_provenance(CampaignResult& result, const nlohmann::ordered_json& proven
   for (const auto& [name, version] : provenance.at("versions").items()) {
     result.settings.versions.emplace_back(name, version);
   }
-}
-
-RegimeResult regime_result(const Regime& regime, const RegimeTally& tally) {
-  return {std::string(regime.name), tally.cases, tally.touching, tally.near, tally.unexplained};
 }
 
 BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::string& command) {
@@ -107,7 +93,7 @@ CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
   result.budgets_hold = holds_budgets(plan);
   CasesRun part{plan.seed, plan.first, {}, campaign.run.seconds};
   for (std::size_t i = 0; i < plan.regimes.size(); ++i) {
-    result.regimes.push_back(regime_result(*plan.regimes[i], tally.regimes[i]));
+    result.regimes.push_back({tally.regimes[i], std::string(plan.regimes[i]->name)});
     part.cases[result.regimes.back().name] = tally.regimes[i].cases;
   }
   result.parts = {part};

@@ -28,18 +28,12 @@ std::string finding_key(const Expectation& expect) {
   return key_of(expect.bucket, expect.subject, expect.oracle);
 }
 
-KnownBuckets::KnownBuckets(std::span<const CorpusCase> corpus) {
+KnownBuckets known_buckets(std::span<const CorpusCase> corpus) {
+  KnownBuckets files;
   for (const CorpusCase& known : corpus) {
-    if (!known.expect) continue;
-    files_.emplace(finding_key(*known.expect), known.path);
+    if (known.expect) files.emplace(finding_key(*known.expect), known.path);
   }
-}
-
-std::string KnownBuckets::file_of(const Bucket& bucket, const Collider& subject,
-                                  const Collider& oracle) const {
-  const auto found =
-      files_.find(key_of(to_string(bucket), subject.declaration.name, oracle.declaration.name));
-  return found == files_.end() ? std::string() : found->second;
+  return files;
 }
 
 std::vector<Finding> findings(const Tally& tally, const Plan& plan, const KnownBuckets& known) {
@@ -47,7 +41,9 @@ std::vector<Finding> findings(const Tally& tally, const Plan& plan, const KnownB
   for (std::size_t i = 0; i < kBucketCount; ++i) {
     if (tally.buckets[i].count == 0) continue;
     Finding finding{bucket_at(i), tally.buckets[i], false, {}};
-    finding.file = known.file_of(finding.bucket, plan.subject, plan.oracle);
+    const auto shown = known.find(key_of(to_string(finding.bucket), plan.subject.declaration.name,
+                                         plan.oracle.declaration.name));
+    if (shown != known.end()) finding.file = shown->second;
     finding.is_new = finding.file.empty();
     found.push_back(finding);
   }
@@ -69,11 +65,6 @@ std::string note_of(const PairCase& pair, const Judgement& judgement, const Coll
   return fmt::format("{} against {}: {} ({}), the greatest separation being {:.3g}.",
                      subject.declaration.name, oracle.declaration.name, to_string(bucket.verdict),
                      name_of(bucket.kind, kKindNames), exact::Truth(pair).separation());
-}
-
-std::optional<double> recorded_magnitude(const Judgement& judgement) {
-  if (judgement.bucket.verdict == Verdict::agree) return std::nullopt;
-  return judgement.magnitude;
 }
 
 /// The map of the neighbours, unless it is stopped before all of them are asked.
@@ -186,16 +177,16 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
                          const Collider& oracle, Interruption& interruption) {
   CorpusCase recorded;
   recorded.pair = pair;
-  recorded.expect = Expectation{
+  Expectation& expect = recorded.expect.emplace(Expectation{
       .subject = subject.declaration.name,
       .oracle = oracle.declaration.name,
       .verdict = std::string(to_string(judgement.bucket.verdict)),
       .bucket = to_string(judgement.bucket),
       .manifolds = {},
-      .severity = recorded_severity(pair, judgement.bucket, subject, oracle, interruption),
-      .magnitude = recorded_magnitude(judgement)};
+      .severity = recorded_severity(pair, judgement.bucket, subject, oracle, interruption)});
+  if (judgement.bucket.verdict != Verdict::agree) expect.magnitude = judgement.magnitude;
   for (const Manifold<double>& right : right_manifolds(admissible(pair, subject.declaration))) {
-    recorded.expect->manifolds.push_back({std::string(kJudgeName), right});
+    expect.manifolds.push_back({std::string(kJudgeName), right});
   }
   std::string ends;
   for (const Collider* collider : {&subject, &oracle}) {
@@ -203,7 +194,7 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
     if (const auto* const lost = std::get_if<Lost>(&answer)) {
       ends += fmt::format(" {}: {}.", collider->declaration.name, lost->why);
     } else {
-      recorded.expect->manifolds.push_back({collider->declaration.name, answer});
+      expect.manifolds.push_back({collider->declaration.name, answer});
     }
   }
   recorded.note = note_of(pair, judgement, subject, oracle) + ends;

@@ -24,16 +24,9 @@ struct Finding {
 /// What a finding is one of: its bucket and who is at fault. Ties count whoever the colliders were.
 std::string finding_key(const Expectation& expect);
 
-/// Which buckets a corpus shows already, by their keys.
-class KnownBuckets {
- public:
-  explicit KnownBuckets(std::span<const CorpusCase> corpus);
-  /// The file that shows this bucket, or empty.
-  std::string file_of(const Bucket& bucket, const Collider& subject, const Collider& oracle) const;
-
- private:
-  std::map<std::string, std::string> files_;
-};
+/// Which buckets a corpus shows already: a file for each, by their keys.
+using KnownBuckets = std::map<std::string, std::string>;
+KnownBuckets known_buckets(std::span<const CorpusCase> corpus);
 
 /// Every bucket of the tally but agree, in the order of the bucket's index.
 std::vector<Finding> findings(const Tally& tally, const Plan& plan, const KnownBuckets& known);

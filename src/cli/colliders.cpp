@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
@@ -41,14 +40,6 @@ Collider of_node(std::string_view name) {
                    fmt::format("{} of npm, under node", name));
 }
 
-Collider make_planck() {
-  return of_node("planck");
-}
-
-Collider make_phaser_box2d() {
-  return of_node("phaser-box2d");
-}
-
 }  // namespace
 
 const std::vector<ColliderEntry>& colliders() {
@@ -60,8 +51,8 @@ const std::vector<ColliderEntry>& colliders() {
       {"batch64", [] { return make_batch64(); }, true},
       {"box2d", [] { return make_box2d(); }},
       {"chipmunk", make_chipmunk},
-      {"planck", make_planck},
-      {"phaser-box2d", make_phaser_box2d},
+      {"planck", [] { return of_node("planck"); }},
+      {"phaser-box2d", [] { return of_node("phaser-box2d"); }},
   };
   return all;
 }
@@ -153,14 +144,11 @@ bool is_findable(const std::string& name) {
 }
 
 void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& description) {
-  CLI::Option* const name = app.add_option("--" + choice.role, choice.name, description)
-                                ->type_name("C|LIBRARY.so")
-                                ->check(not_blank)
-                                ->capture_default_str();
-  app.add_option("--" + choice.role + "-command", choice.command,
-                 "the same as a program: case lines in, manifold lines out")
-      ->type_name("COMMAND")
-      ->check(not_blank)
+  CLI::Option* const name =
+      add_text(app, "--" + choice.role, choice.name, "C|LIBRARY.so", description)
+          ->capture_default_str();
+  add_text(app, "--" + choice.role + "-command", choice.command, "COMMAND",
+           "the same as a program: case lines in, manifold lines out")
       ->excludes(name);
 }
 

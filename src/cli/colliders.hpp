@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/file.hpp"
 #include "collider/collider.hpp"
 #include "oracle/external/external_collider.hpp"
 

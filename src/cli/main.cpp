@@ -5,9 +5,7 @@
 #include <string_view>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
-#include "base/text.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "process/child.hpp"

@@ -160,6 +160,10 @@ void add_corpus(CLI::App& app, std::string& folder, const std::string& descripti
   app.add_option("--corpus", folder, description)->type_name("DIR")->capture_default_str();
 }
 
+std::string corpus_again(const std::string& folder) {
+  return folder == "corpus" ? "" : " --corpus " + quoted_for_shell(folder);
+}
+
 void add_no_save(CLI::App& app, bool& no_save) {
   app.add_flag("--no-save", no_save, "shrink and save nothing");
 }
@@ -186,14 +190,11 @@ void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regime
 }
 
 void add_case_argument(CLI::App& app, CaseArgument& argument) {
-  app.add_option("file", argument.name,
-                 "a case, - for stdin; or a bucket or the beginning of a file's name in the corpus")
-      ->type_name("FILE")
-      ->required()
-      ->check(not_blank);
-  app.add_option("--corpus", argument.corpus, "the folder where a bucket or a beginning is found")
-      ->type_name("DIR")
-      ->check(not_blank)
+  add_text(app, "file", argument.name, "FILE",
+           "a case, - for stdin; or a bucket or the beginning of a file's name in the corpus")
+      ->required();
+  add_text(app, "--corpus", argument.corpus, "DIR",
+           "the folder where a bucket or a beginning is found")
       ->capture_default_str();
 }
 
@@ -202,22 +203,6 @@ std::string case_file(const CaseArgument& argument) {
   if (!found.remark.empty()) write_remark(found.remark);
   return found.file;
 }
-
-extern const Command kBench;
-extern const Command kCollide;
-extern const Command kFuzz;
-extern const Command kGenerate;
-extern const Command kJudge;
-extern const Command kList;
-extern const Command kMerge;
-extern const Command kProperty;
-extern const Command kReplay;
-extern const Command kReport;
-extern const Command kScene;
-extern const Command kShow;
-extern const Command kShrink;
-extern const Command kSmoke;
-extern const Command kStress;
 
 std::span<const Command> commands() {
   static const Command all[] = {kFuzz,   kReplay,   kProperty, kSmoke, kCollide,

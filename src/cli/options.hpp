@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,10 +40,19 @@ CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<do
 /// A check that an option's text is not blank: what is wrong, or nothing.
 std::string not_blank(const std::string& text);
 
+/// An option that takes a text, or several, none of them blank; `type` stands for it in the help.
+template <class To>
+CLI::Option* add_text(CLI::App& app, const std::string& name, To& to, const std::string& type,
+                      const std::string& description) {
+  return app.add_option(name, to, description)->type_name(type)->check(not_blank);
+}
+
 /// Options that several commands have: --seed, --first, --regime, --corpus, --no-save, --json.
 void add_seed(CLI::App& app, std::optional<std::uint64_t>& seed);
 void add_regimes(CLI::App& app, std::vector<std::string>& names);
 void add_corpus(CLI::App& app, std::string& folder, const std::string& description);
+/// Such a folder again, for a shell; nothing for the usual one.
+std::string corpus_again(const std::string& folder);
 void add_no_save(CLI::App& app, bool& no_save);
 /// Adds --junit.
 void add_junit(CLI::App& app, std::string& file);
@@ -79,7 +89,39 @@ struct Command {
   Run (*define)(CLI::App& app);
 };
 
-/// Every command, in the order of the help. Each lives in a file of its own.
+/// Such a `define`: `add` adds options, which `run` gets as they were read. One with `ci` among
+/// its options tells CI what it throws.
+template <class Options, auto add, auto run>
+Run define(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  add(app, *options);
+  return [options, name = app.get_name()] {
+    if constexpr (requires { options->ci; }) {
+      return run_for_ci(name, options->ci, [&] { return run(*options); });
+    } else {
+      return run(*options);
+    }
+  };
+}
+
+// Each in a file of its own.
+extern const Command kBench;
+extern const Command kCollide;
+extern const Command kFuzz;
+extern const Command kGenerate;
+extern const Command kJudge;
+extern const Command kList;
+extern const Command kMerge;
+extern const Command kProperty;
+extern const Command kReplay;
+extern const Command kReport;
+extern const Command kScene;
+extern const Command kShow;
+extern const Command kShrink;
+extern const Command kSmoke;
+extern const Command kStress;
+
+/// Every command, in the order of the help.
 std::span<const Command> commands();
 
 }  // namespace manifuzz

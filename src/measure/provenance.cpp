@@ -29,7 +29,7 @@ std::string_view compiler() {
 
 }  // namespace
 
-nlohmann::ordered_json provenance(std::uint64_t seed, std::span<const Declaration> colliders) {
+nlohmann::ordered_json provenance(std::uint64_t seed, const std::vector<Declaration>& colliders) {
   nlohmann::ordered_json json;
   json["machine"] = {{"processor", processor()},
                      {"cores", std::thread::hardware_concurrency()},

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +12,6 @@ namespace manifuzz {
 /// What every measurement begins with: machine (processor, cores, the instruction set that the
 /// kernels run on; no host name), compiler, seed, and the versions of manifuzz and of the colliders
 /// that ran.
-nlohmann::ordered_json provenance(std::uint64_t seed, std::span<const Declaration> colliders);
+nlohmann::ordered_json provenance(std::uint64_t seed, const std::vector<Declaration>& colliders);
 
 }  // namespace manifuzz

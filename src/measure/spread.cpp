@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -76,33 +77,18 @@ Json spreads_json(const ErrorSpreads& spreads,
 
 namespace {
 
-std::uint64_t* count_of(ErrorStatistics& counts, Assessment assessment) {
-  switch (assessment) {
-    case Assessment::unsupported:
-      return &counts.unsupported;
-    case Assessment::ill_posed:
-      return &counts.ill_posed;
-    case Assessment::missed:
-      return &counts.missed;
-    case Assessment::phantom:
-      return &counts.phantom;
-    case Assessment::wrong_count:
-      return &counts.wrong_count;
-    case Assessment::gross:
-      return &counts.gross;
-    case Assessment::lost:
-      return &counts.lost;
-    case Assessment::right:
-      break;
-  }
-  return nullptr;
-}
+/// The count of each assessment, in their order; what is right is not counted.
+constexpr std::array<std::uint64_t ErrorStatistics::*, 8> kCounts{
+    &ErrorStatistics::unsupported, &ErrorStatistics::ill_posed, nullptr,
+    &ErrorStatistics::missed,      &ErrorStatistics::phantom,   &ErrorStatistics::gross,
+    &ErrorStatistics::wrong_count, &ErrorStatistics::lost};
 
 }  // namespace
 
 void ErrorCollector::add(std::uint64_t index, const Measured& measured) {
   ++counts_.cases;
-  if (std::uint64_t* const count = count_of(counts_, measured.assessment)) ++*count;
+  const auto count = kCounts[static_cast<std::size_t>(measured.assessment)];
+  if (count != nullptr) ++(counts_.*count);
   const bool is_first = is_wrong(measured.assessment) && counts_.wrong() == 1;
   if (is_first || (is_wrong(measured.assessment) && measured.wrongness > counts_.wrongness)) {
     counts_.wrongness = measured.wrongness;

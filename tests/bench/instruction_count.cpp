@@ -39,7 +39,7 @@ int count(const std::string& name, const std::string& input) {
     std::fprintf(stderr, "there is nothing to count for %s, %s\n", name.c_str(), input.c_str());
     return 2;
   }
-  const auto pass = subject->prepare(workload->pairs);
+  const auto pass = subject->prepare(*workload);
   kernel::use_target(used);
   pass();  // whatever only the first pass does
   manifuzz_counted(pass);

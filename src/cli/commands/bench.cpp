@@ -1,6 +1,5 @@
 #include "measure/bench/bench.hpp"
 
-#include <memory>
 #include <set>
 
 #include <CLI/CLI.hpp>
@@ -79,33 +78,31 @@ int bench(const BenchArguments& options) {
   return outputs.are_written() ? 0 : 2;
 }
 
-Run define_bench(CLI::App& app) {
-  const auto options = std::make_shared<BenchArguments>();
-  add_whole_number(app, "--seed", options->seed, "what the cases depend on; 1 if not given");
-  app.add_option("--collider", options->colliders,
+void add_bench_arguments(CLI::App& app, BenchArguments& options) {
+  add_whole_number(app, "--seed", options.seed, "what the cases depend on; 1 if not given");
+  app.add_option("--collider", options.colliders,
                  "one to time besides box2d, again for more; all if not given")
       ->type_name("C")
       ->allow_extra_args(false);
   CLI::Option* const regime =
-      app.add_option("--regime", options->regimes,
+      app.add_option("--regime", options.regimes,
                      "a regime besides generic, again for more; all if not given")
           ->type_name("R")
           ->allow_extra_args(false);
-  app.add_flag("--quick", options->quick, "the usual workload alone, in less than 30 s")
+  app.add_flag("--quick", options.quick, "the usual workload alone, in less than 30 s")
       ->excludes(regime);
-  add_json(app, options->json, "the rows as JSON");
-  app.add_option("--csv", options->csv, "the rows with commas")->type_name("FILE");
-  app.add_option("--picture", options->pictures,
+  add_json(app, options.json, "the rows as JSON");
+  app.add_option("--csv", options.csv, "the rows with commas")->type_name("FILE");
+  app.add_option("--picture", options.pictures,
                  "run time against error, FILE.svg or FILE.png, again for another")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  return [options] { return bench(*options); };
 }
 
 }  // namespace
 
-extern const Command kBench;
 const Command kBench{"bench", "Run time against error, for every collider in one run.",
-                     "manifuzz bench --quick --picture bench.svg", define_bench};
+                     "manifuzz bench --quick --picture bench.svg",
+                     define<BenchArguments, add_bench_arguments, bench>};
 
 }  // namespace manifuzz

@@ -1,4 +1,3 @@
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -31,24 +30,20 @@ int collide_cases(const CollideArguments& options) {
   return 0;
 }
 
-Run define_collide(CLI::App& app) {
-  const auto options = std::make_shared<CollideArguments>();
-  add_collider(app, options->collider, "which one; `manifuzz list colliders` names them");
-  add_external_options(app, options->external);
-  add_length(app, "--tie-bias", options->tie_bias,
+void add_collide_arguments(CLI::App& app, CollideArguments& options) {
+  add_collider(app, options.collider, "which one; `manifuzz list colliders` names them");
+  add_external_options(app, options.external);
+  add_length(app, "--tie-bias", options.tie_bias,
              "by how much B's face must lead to be the reference");
-  app.add_option("FILE", options->file,
-                 "*.json: one case; else a case a line; - or nothing: stdin");
-  return [options] { return collide_cases(*options); };
+  app.add_option("FILE", options.file, "*.json: one case; else a case a line; - or nothing: stdin");
 }
 
 }  // namespace
 
-extern const Command kCollide;
 const Command kCollide{
     "collide", "Cases in, manifolds out, a JSON object a line.",
     "manifuzz collide --collider clip corpus/seeds/regime-boxes.json\n"
     "manifuzz generate --regime boxes --cases 100 | manifuzz collide --collider box2d",
-    define_collide};
+    define<CollideArguments, add_collide_arguments, collide_cases>};
 
 }  // namespace manifuzz

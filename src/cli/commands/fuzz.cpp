@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -85,8 +83,7 @@ std::string repeating_command(const FuzzArguments& options) {
   if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
   if (options.radius) command += fmt::format(" --radius {}", *options.radius);
   if (options.judge_every) command += fmt::format(" --judge-every {}", *options.judge_every);
-  if (options.corpus != "corpus") command += " --corpus " + quoted_for_shell(options.corpus);
-  return command;
+  return command + corpus_again(options.corpus);
 }
 
 /// The page of this campaign and its corpus.
@@ -138,10 +135,11 @@ CommandFiles files_of(const FuzzArguments& options) {
 }
 
 Campaign run_with_progress(const Plan& plan, const Corpus& corpus, const FuzzArguments& options) {
-  const std::array declarations{plan.subject.declaration, plan.oracle.declaration};
+  const Origin origin{repeating_command(options),
+                      provenance(plan.seed, {plan.subject.declaration, plan.oracle.declaration})};
   const ProgressLine line;
-  return run_campaign(plan, KnownBuckets(corpus.cases), {options.no_save ? "" : options.corpus},
-                      {repeating_command(options), provenance(plan.seed, declarations)},
+  return run_campaign(plan, known_buckets(corpus.cases), {options.no_save ? "" : options.corpus},
+                      origin,
                       [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
 }
 
@@ -161,46 +159,40 @@ int fuzz(FuzzArguments& options) {
   return has_failed(campaign.result) ? 1 : 0;
 }
 
-Run define_fuzz(CLI::App& app) {
-  const auto options = std::make_shared<FuzzArguments>();
-  add_subject_and_oracle(app, options->colliders);
-  add_seed(app, options->seed);
+void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
+  add_subject_and_oracle(app, options.colliders);
+  add_seed(app, options.seed);
   CLI::Option* const cases =
-      add_whole_number(app, "--cases", options->cases, "how many cases, all regimes together", 1);
-  add_length(app, "--seconds", options->seconds, "how long, all regimes together; 10 if not given")
+      add_whole_number(app, "--cases", options.cases, "how many cases, all regimes together", 1);
+  add_length(app, "--seconds", options.seconds, "how long, all regimes together; 10 if not given")
       ->excludes(cases);
-  app.add_flag("--until-new", options->until_new,
+  app.add_flag("--until-new", options.until_new,
                "until something is found that the corpus does not show; without --cases or "
                "--seconds there is no other end");
-  add_whole_number(app, "--first", options->first, "the first index in each regime");
-  add_whole_number(app, "--jobs", options->jobs, "how many processes; one a core if not given", 1,
+  add_whole_number(app, "--first", options.first, "the first index in each regime");
+  add_whole_number(app, "--jobs", options.jobs, "how many processes; one a core if not given", 1,
                    kJobsMax);
-  add_whole_number(app, "--judge-every", options->judge_every,
+  add_whole_number(app, "--judge-every", options.judge_every,
                    "of the cases that agree, one in so many is judged too; 256 if not given", 1);
-  add_regimes(app, options->regimes);
-  add_length(app, "--tie-bias", options->tie_bias, "the subject's tie bias");
-  add_length(app, "--radius", options->radius, "of each polygon; the regime's own if not given");
-  add_corpus(app, options->corpus, "the folder of known cases, where new ones are saved");
-  add_no_save(app, options->no_save);
-  app.add_option("--baseline", options->baseline,
-                 "the --json of an earlier run: says which buckets are new, worse, gone")
-      ->type_name("FILE")
-      ->check(not_blank);
-  add_json(app, options->json, "the summary as JSON");
-  app.add_option("--report", options->report, "a page of this run and its corpus, - for stdout")
-      ->type_name("FILE.html")
-      ->check(not_blank);
-  add_junit(app, options->ci.junit);
-  return [options] { return run_for_ci("fuzz", options->ci, [&] { return fuzz(*options); }); };
+  add_regimes(app, options.regimes);
+  add_length(app, "--tie-bias", options.tie_bias, "the subject's tie bias");
+  add_length(app, "--radius", options.radius, "of each polygon; the regime's own if not given");
+  add_corpus(app, options.corpus, "the folder of known cases, where new ones are saved");
+  add_no_save(app, options.no_save);
+  add_text(app, "--baseline", options.baseline, "FILE",
+           "the --json of an earlier run: says which buckets are new, worse, gone");
+  add_json(app, options.json, "the summary as JSON");
+  add_text(app, "--report", options.report, "FILE.html",
+           "a page of this run and its corpus, - for stdout");
+  add_junit(app, options.ci.junit);
 }
 
 }  // namespace
 
-extern const Command kFuzz;
 const Command kFuzz{
     "fuzz", "A campaign: random cases to two colliders; what differs is judged, shrunk, saved.",
     "manifuzz fuzz --regime sliver --seed 1 --cases 100000\n"
     "manifuzz fuzz --until-new --regime sliver --seed 1 --cases 20000",
-    define_fuzz};
+    define<FuzzArguments, add_fuzz_arguments, fuzz>};
 
 }  // namespace manifuzz

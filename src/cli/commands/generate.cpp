@@ -1,4 +1,3 @@
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,22 +42,18 @@ int generate_cases(const GenerateArguments& options) {
   return 0;
 }
 
-Run define_generate(CLI::App& app) {
-  const auto options = std::make_shared<GenerateArguments>();
-  add_seed(app, options->seed);
-  add_regimes(app, options->regimes);
-  add_whole_number(app, "--first", options->first,
-                   "the first index in each regime; 0 if not given");
-  add_whole_number(app, "--cases", options->cases, "how many cases; 10 if not given", 1);
-  add_corpus(app, options->corpus, "the folder that the regimes may mutate cases of");
-  return [options] { return generate_cases(*options); };
+void add_generate_arguments(CLI::App& app, GenerateArguments& options) {
+  add_seed(app, options.seed);
+  add_regimes(app, options.regimes);
+  add_whole_number(app, "--first", options.first, "the first index in each regime; 0 if not given");
+  add_whole_number(app, "--cases", options.cases, "how many cases; 10 if not given", 1);
+  add_corpus(app, options.corpus, "the folder that the regimes may mutate cases of");
 }
 
 }  // namespace
 
-extern const Command kGenerate;
 const Command kGenerate{"generate", "Cases of the named regimes, one JSON object a line.",
                         "manifuzz generate --seed 1 --regime sliver --cases 1000 > slivers.jsonl",
-                        define_generate};
+                        define<GenerateArguments, add_generate_arguments, generate_cases>};
 
 }  // namespace manifuzz

@@ -47,25 +47,21 @@ int judge_cases(const JudgeArguments& options) {
   return unexplained ? 1 : 0;
 }
 
-Run define_judge(CLI::App& app) {
-  const auto options = std::make_shared<JudgeArguments>();
-  add_subject_and_oracle(app, options->colliders);
-  app.add_option("--manifolds", options->manifolds,
+void add_judge_arguments(CLI::App& app, JudgeArguments& options) {
+  add_subject_and_oracle(app, options.colliders);
+  app.add_option("--manifolds", options.manifolds,
                  "the subject's answers, a line a case, in place of the subject's own")
       ->type_name("FILE");
-  app.add_option("FILE", options->file,
-                 "*.json: one case; else a case a line; - or nothing: stdin");
-  return [options] { return judge_cases(*options); };
+  app.add_option("FILE", options.file, "*.json: one case; else a case a line; - or nothing: stdin");
 }
 
 }  // namespace
 
-extern const Command kJudge;
 const Command kJudge{"judge", "Cases in, what is right and who is, a JSON object a line.",
                      "manifuzz generate --seed 1 --regime sliver --cases 10 | manifuzz judge\n"
                      "manifuzz generate --seed 1 --regime boxes --cases 10 > cases.jsonl\n"
                      "manifuzz collide --collider box2d cases.jsonl > answers.jsonl\n"
                      "manifuzz judge --subject box2d --manifolds answers.jsonl cases.jsonl",
-                     define_judge};
+                     define<JudgeArguments, add_judge_arguments, judge_cases>};
 
 }  // namespace manifuzz

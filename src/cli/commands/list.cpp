@@ -1,6 +1,4 @@
-#include <memory>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -17,18 +15,17 @@ namespace {
 std::string list_colliders() {
   std::string lines;
   for (const auto& entry : colliders()) {
-    Declaration says;
     try {
-      says = entry.make().declaration;
+      const Declaration says = entry.make().declaration;
+      lines += fmt::format(
+          "{:<13} {} ({}, {}, rounds in the {} frame, tie bias {:g}, up to {} vertices)\n",
+          says.name, says.description, says.version,
+          says.scalar == ScalarType::float32 ? "float" : "double",
+          says.frame == RoundingFrame::local ? "pair's" : "world's", says.tie_bias,
+          says.max_vertices);
     } catch (const UserError& error) {
       lines += fmt::format("{:<13} not there: {}\n", entry.name, error.what());
-      continue;
     }
-    lines += fmt::format(
-        "{:<13} {} ({}, {}, rounds in the {} frame, tie bias {:g}, up to {} vertices)\n", says.name,
-        says.description, says.version, says.scalar == ScalarType::float32 ? "float" : "double",
-        says.frame == RoundingFrame::local ? "pair's" : "world's", says.tie_bias,
-        says.max_vertices);
   }
   return lines;
 }
@@ -49,18 +46,15 @@ int list(const std::string& what) {
   return 0;
 }
 
-Run define_list(CLI::App& app) {
-  const auto what = std::make_shared<std::string>();
-  app.add_option("WHAT", *what, "colliders, regimes, ledger, sweeps or scenes")->required();
-  return [what] { return list(*what); };
+void add_list_arguments(CLI::App& app, std::string& what) {
+  app.add_option("WHAT", what, "colliders, regimes, ledger, sweeps or scenes")->required();
 }
 
 }  // namespace
 
-extern const Command kList;
 const Command kList{"list", "What there is, a line each.",
                     "manifuzz list colliders\nmanifuzz list regimes\nmanifuzz list ledger\n"
                     "manifuzz list sweeps\nmanifuzz list scenes",
-                    define_list};
+                    define<std::string, add_list_arguments, list>};
 
 }  // namespace manifuzz

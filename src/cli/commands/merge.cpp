@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -59,31 +58,22 @@ int merge(const MergeArguments& options) {
       "merge: {} of the files could not be read or added; the rest is merged", runs.errors.size()));
 }
 
-Run define_merge(CLI::App& app) {
-  const auto options = std::make_shared<MergeArguments>();
-  app.add_option("paths", options->paths, "folders of cases, and what fuzz --json wrote")
-      ->type_name("DIR")
-      ->required()
-      ->check(not_blank);
-  app.add_option("--output", options->output, "a new or empty folder for what is kept")
-      ->type_name("DIR")
-      ->check(not_blank)
+void add_merge_arguments(CLI::App& app, MergeArguments& options) {
+  add_text(app, "paths", options.paths, "DIR", "folders of cases, and what fuzz --json wrote")
+      ->required();
+  add_text(app, "--output", options.output, "DIR", "a new or empty folder for what is kept")
       ->capture_default_str();
-  app.add_option("--json", options->json,
-                 "the results as one, as fuzz --json has them, to a file or - for stdout")
-      ->type_name("FILE");
-  return [options] { return merge(*options); };
+  add_json(app, options.json, "the results as one, as fuzz --json has them");
 }
 
 }  // namespace
 
-extern const Command kMerge;
 const Command kMerge{"merge",
                      "Several runs as one: of each bucket the smallest and the worst case.",
                      "manifuzz fuzz --seed 1 --cases 200000 --corpus run0 --json run0.json\n"
                      "manifuzz fuzz --seed 1 --first 10000 --cases 200000 --corpus run1 --json "
                      "run1.json\n"
                      "manifuzz merge run0 run1 run0.json run1.json --output all --json all.json",
-                     define_merge};
+                     define<MergeArguments, add_merge_arguments, merge>};
 
 }  // namespace manifuzz

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,10 +32,8 @@ struct PropertyArguments {
 
 /// What repeats a property beside RC_PARAMS; no absolute path goes into what is kept.
 std::string options_again(const PropertyArguments& options, std::uint64_t seed) {
-  std::string text =
-      fmt::format("{} --seed {}", options_again(options.subject, options.external), seed);
-  const auto corpus = kept_path(options.corpus).string();
-  return corpus == "corpus" ? text : text + " --corpus " + quoted_for_shell(corpus);
+  return fmt::format("{} --seed {}{}", options_again(options.subject, options.external), seed,
+                     corpus_again(kept_path(options.corpus).string()));
 }
 
 PropertyPlan plan_of(const PropertyArguments& options) {
@@ -48,7 +44,7 @@ PropertyPlan plan_of(const PropertyArguments& options) {
   return plan;
 }
 
-int run(PropertyArguments& options) {
+int hold_properties(PropertyArguments& options) {
   const std::string save_to = options.no_save ? "" : options.corpus;
   check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, {options.corpus}}, options.ci);
   const std::vector<const Property*> chosen =
@@ -77,25 +73,22 @@ int run(PropertyArguments& options) {
   return std::ranges::all_of(checked, &CheckedProperty::holds) ? 0 : 1;
 }
 
-Run define_property(CLI::App& app) {
-  const auto options = std::make_shared<PropertyArguments>();
-  app.add_option("names", options->names, "which; all if not given")->type_name("NAME");
-  add_collider(app, options->subject, "the collider under test");
-  add_external_options(app, options->external);
-  add_whole_number(app, "--cases", options->cases, "how many for each; 10000 if not given", 1,
+void add_property_arguments(CLI::App& app, PropertyArguments& options) {
+  app.add_option("names", options.names, "which; all if not given")->type_name("NAME");
+  add_collider(app, options.subject, "the collider under test");
+  add_external_options(app, options.external);
+  add_whole_number(app, "--cases", options.cases, "how many for each; 10000 if not given", 1,
                    kCasesMax);
-  add_seed(app, options->seed);
-  add_corpus(app, options->corpus, "the folder of known cases, where failures are saved");
-  app.add_flag("--no-save", options->no_save, "save nothing");
-  add_junit(app, options->ci.junit);
-  return [options] { return run_for_ci("property", options->ci, [&] { return run(*options); }); };
+  add_seed(app, options.seed);
+  add_corpus(app, options.corpus, "the folder of known cases, where failures are saved");
+  app.add_flag("--no-save", options.no_save, "save nothing");
+  add_junit(app, options.ci.junit);
 }
 
 }  // namespace
 
-extern const Command kProperty;
 const Command kProperty{"property", "The properties, which need no oracle, over any collider.",
                         "manifuzz property swapping-mirrors --subject clip --cases 100000 --seed 1",
-                        define_property};
+                        define<PropertyArguments, add_property_arguments, hold_properties>};
 
 }  // namespace manifuzz

@@ -1,12 +1,9 @@
-#include <array>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
 #include "cli/colliders.hpp"
@@ -25,14 +22,6 @@ struct ReplayArguments {
   std::string json;
   CiOutput ci;
 };
-
-std::string json_of(const ReplayRun& run, std::size_t unread, const Collider& subject,
-                    const Collider& oracle) {
-  const std::array declarations{subject.declaration, oracle.declaration};
-  nlohmann::ordered_json json = provenance(0, declarations);
-  append_replay_json(json, run, unread);
-  return json_text(json);
-}
 
 int replay(ReplayArguments& options) {
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
@@ -55,8 +44,11 @@ int replay(ReplayArguments& options) {
   outputs.write(!options.ci.stdout_is_data, [&] {
     write_to_reader(replay_failures(run) + (is_quiet() ? "" : replay_counts(run) + '\n'));
   });
-  outputs.write(!options.json.empty(),
-                [&] { write_data(options.json, json_of(run, unread, subject, oracle)); });
+  outputs.write(!options.json.empty(), [&] {
+    auto json = provenance(0, {subject.declaration, oracle.declaration});
+    append_replay_json(json, run, unread);
+    write_data(options.json, json_text(json));
+  });
   if (is_wanted(options.ci)) {
     TestSuite suite =
         replay_suite(run, subject, oracle, {this_program(), options_again(asked)}, interruption);
@@ -71,21 +63,17 @@ int replay(ReplayArguments& options) {
   return run.failed() == 0 ? 0 : 1;
 }
 
-Run define_replay(CLI::App& app) {
-  const auto options = std::make_shared<ReplayArguments>();
-  app.add_option("paths", options->paths, "files and folders of cases; corpus if not given")
-      ->type_name("PATH")
-      ->check(not_blank);
-  add_subject_and_oracle(app, options->colliders);
-  add_junit(app, options->ci.junit);
-  add_json(app, options->json, "the summary as JSON");
-  return [options] { return run_for_ci("replay", options->ci, [&] { return replay(*options); }); };
+void add_replay_arguments(CLI::App& app, ReplayArguments& options) {
+  add_text(app, "paths", options.paths, "PATH", "files and folders of cases; corpus if not given");
+  add_subject_and_oracle(app, options.colliders);
+  add_junit(app, options.ci.junit);
+  add_json(app, options.json, "the summary as JSON");
 }
 
 }  // namespace
 
-extern const Command kReplay;
 const Command kReplay{"replay", "Every corpus case again: the subject must be right.",
-                      "manifuzz replay corpus --subject clip --oracle box2d", define_replay};
+                      "manifuzz replay corpus --subject clip --oracle box2d",
+                      define<ReplayArguments, add_replay_arguments, replay>};
 
 }  // namespace manifuzz

@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -65,31 +64,24 @@ int report(const ReportArguments& options) {
                               files.corpus.errors.size()));
 }
 
-Run define_report(CLI::App& app) {
-  const auto options = std::make_shared<ReportArguments>();
-  app.add_option("paths", options->paths,
-                 "folders and files of cases, and what --json wrote; corpus if not given")
-      ->type_name("PATH")
-      ->check(not_blank);
-  app.add_option("--output", options->output, "the page, - for stdout")
-      ->type_name("FILE.html")
-      ->check(not_blank)
+void add_report_arguments(CLI::App& app, ReportArguments& options) {
+  add_text(app, "paths", options.paths, "PATH",
+           "folders and files of cases, and what --json wrote; corpus if not given");
+  add_text(app, "--output", options.output, "FILE.html", "the page, - for stdout")
       ->capture_default_str();
-  add_whole_number(app, "--maps", options->maps,
+  add_whole_number(app, "--maps", options.maps,
                    "of how many buckets the neighbourhood is drawn; 12 if not given", 0, kMapsMax);
-  add_collider(app, options->colliders.subject,
+  add_collider(app, options.colliders.subject,
                "whom cases that name nobody are put to; clip if not given");
-  add_collider(app, options->colliders.oracle, "the one it is held against; box2d if not given");
-  add_external_options(app, options->colliders.external);
-  return [options] { return report(*options); };
+  add_collider(app, options.colliders.oracle, "the one it is held against; box2d if not given");
+  add_external_options(app, options.colliders.external);
 }
 
 }  // namespace
 
-extern const Command kReport;
 const Command kReport{"report", "A page of what was found and measured: one HTML file.",
                       "manifuzz fuzz --seed 1 --cases 100000 --json run.json\n"
                       "manifuzz report corpus run.json --output report.html",
-                      define_report};
+                      define<ReportArguments, add_report_arguments, report>};
 
 }  // namespace manifuzz

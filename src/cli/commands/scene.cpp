@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <memory>
 #include <set>
 
 #include <CLI/CLI.hpp>
@@ -104,43 +102,41 @@ int scene_command(const SceneArguments& options) {
   return mismatches.empty() ? 0 : 1;
 }
 
-Run define_scene(CLI::App& app) {
-  const auto options = std::make_shared<SceneArguments>();
+void add_scene_arguments(CLI::App& app, SceneArguments& options) {
   const auto add = [&app](const char* name, auto& to, const char* type, const char* what) {
     return app.add_option(name, to, what)->type_name(type);
   };
-  add("--scene", options->scenes, "S", "one to go through, again for more; all if not given")
+  add("--scene", options.scenes, "S", "one to go through, again for more; all if not given")
       ->allow_extra_args(false);
-  add("--bodies", options->bodies, "N",
+  add("--bodies", options.bodies, "N",
       "how many, 10 to 1000000, again for more; 100, 1000 and 10000 if not given")
       ->check(CLI::Range(std::size_t{10}, kBodiesMax))
       ->allow_extra_args(false);
-  add_whole_number(app, "--steps", options->steps, "how many; 30 if not given", 1)
+  add_whole_number(app, "--steps", options.steps, "how many; 30 if not given", 1)
       ->check(CLI::Range(1, 100'000));
-  add("--mode", options->mode, "M",
+  add("--mode", options.mode, "M",
       "strict: contacts as colliding all pairs afresh gives them, bit for bit (checked, up to "
       "10000 bodies); recycle: "
       "touching pairs keep theirs, carried along; strict if not given")
       ->check(CLI::IsMember({"strict", "recycle"}));
-  add_length(app, "--recycled-motion", options->motion,
+  add_length(app, "--recycled-motion", options.motion,
              "how far a body may move before its contacts are not recycled; 0.01 if not given");
-  app.add_flag("--without-certificates", options->without_certificates,
+  app.add_flag("--without-certificates", options.without_certificates,
                "collide every pair that moved, whatever was proven");
-  add("--json", options->json, "FILE", "the rows as JSON, to a file or - for stdout");
-  add("--save", options->save, "DIR", "a corpus for pairs that are not as they are afresh");
-  add("--scaling", options->scaling, "FILE", "time against bodies, FILE.svg or FILE.png");
-  add("--skipped", options->skipped, "FILE", "where pairs went, by scene, FILE.svg or FILE.png");
-  add("--recycling", options->recycling, "FILE",
+  add_json(app, options.json, "the rows as JSON");
+  add("--save", options.save, "DIR", "a corpus for pairs that are not as they are afresh");
+  add("--scaling", options.scaling, "FILE", "time against bodies, FILE.svg or FILE.png");
+  add("--skipped", options.skipped, "FILE", "where pairs went, by scene, FILE.svg or FILE.png");
+  add("--recycling", options.recycling, "FILE",
       "what recycling costs at eight motions: pairs skipped against error, judged; "
       "FILE.svg or FILE.png");
-  add("--frame", options->frame, "FILE", "the first scene's last step with its contacts, as SVG");
-  return [options] { return scene_command(*options); };
+  add("--frame", options.frame, "FILE", "the first scene's last step with its contacts, as SVG");
 }
 
 }  // namespace
 
-extern const Command kScene;
 const Command kScene{"scene", "Whole scenes step after step, against Box2D's contact manager.",
-                     "manifuzz scene --scene resting_pile --bodies 1000 --steps 20", define_scene};
+                     "manifuzz scene --scene resting_pile --bodies 1000 --steps 20",
+                     define<SceneArguments, add_scene_arguments, scene_command>};
 
 }  // namespace manifuzz

@@ -1,5 +1,4 @@
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -77,37 +76,34 @@ int show(const ShowArguments& options) {
   return 0;
 }
 
-Run define_show(CLI::App& app) {
-  const auto options = std::make_shared<ShowArguments>();
-  add_case_argument(app, options->given);
-  add_collider(app, options->colliders.subject,
+void add_show_arguments(CLI::App& app, ShowArguments& options) {
+  add_case_argument(app, options.given);
+  add_collider(app, options.colliders.subject,
                "the collider under test; if not given, the one the case names, or clip");
-  add_collider(app, options->colliders.oracle,
+  add_collider(app, options.colliders.oracle,
                "the collider it is held against; if not given, the one the case names, or box2d");
-  add_external_options(app, options->colliders.external);
-  app.add_option("--svg", options->svg, "a picture too; - for the picture alone, on stdout")
+  add_external_options(app, options.colliders.external);
+  app.add_option("--svg", options.svg, "a picture too; - for the picture alone, on stdout")
       ->type_name("FILE");
-  app.add_flag("--upstream", options->upstream,
+  app.add_flag("--upstream", options.upstream,
                "a report for the authors of the collider at fault, with a program that shows it");
-  app.add_flag("--text-picture", options->text_picture,
+  app.add_flag("--text-picture", options.text_picture,
                "a picture of characters too, below the text");
   app.add_option(
-         "--map", options->map,
+         "--map", options.map,
          "the case's neighbours as a PNG: one vertex moved by ulps, what each says, who fails")
       ->type_name("FILE.png");
-  add_whole_number(app, "--map-step", options->map_step,
+  add_whole_number(app, "--map-step", options.map_step,
                    "how many ulps apart neighbours are; 1 if not given", 1, kMapStepMax);
-  return [options] { return show(*options); };
 }
 
 }  // namespace
 
-extern const Command kShow;
 const Command kShow{
     "show", "A case as text and as a picture: polygons, contact points, verdict.",
     "manifuzz generate --seed 1 --regime boxes --cases 1 | manifuzz show - --svg case.svg "
     "--map case.png\n"
     "manifuzz show oracle/known/missed_contact/none/b",
-    define_show};
+    define<ShowArguments, add_show_arguments, show>};
 
 }  // namespace manifuzz

@@ -1,4 +1,3 @@
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -44,23 +43,20 @@ int shrink_file(const ShrinkArguments& options) {
   return 0;
 }
 
-Run define_shrink(CLI::App& app) {
-  const auto options = std::make_shared<ShrinkArguments>();
-  add_case_argument(app, options->given);
-  add_subject_and_oracle(app, options->colliders);
-  app.add_option("--output", options->output, "where the smallest case goes, - for stdout")
+void add_shrink_arguments(CLI::App& app, ShrinkArguments& options) {
+  add_case_argument(app, options.given);
+  add_subject_and_oracle(app, options.colliders);
+  app.add_option("--output", options.output, "where the smallest case goes, - for stdout")
       ->type_name("FILE")
       ->capture_default_str();
-  return [options] { return shrink_file(*options); };
 }
 
 }  // namespace
 
-extern const Command kShrink;
 const Command kShrink{
     "shrink", "The smallest case with the same verdict, bucket and half the magnitude.",
     "manifuzz generate --seed 2 --regime tie_bias --cases 1 | manifuzz shrink - --output "
     "smallest.json",
-    define_shrink};
+    define<ShrinkArguments, add_shrink_arguments, shrink_file>};
 
 }  // namespace manifuzz

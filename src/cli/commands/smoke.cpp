@@ -1,8 +1,5 @@
-#include <array>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -31,10 +28,6 @@ struct SmokeArguments {
   CiOutput ci;
 };
 
-std::string corpus_again(const SmokeArguments& options) {
-  return options.corpus == "corpus" ? "" : " --corpus " + quoted_for_shell(options.corpus);
-}
-
 SmokePlan plan_of(const SmokeArguments& options) {
   SmokePlan plan;
   plan.start = Clock::now();
@@ -54,10 +47,9 @@ SmokePlan plan_of(const SmokeArguments& options) {
   plan.subject = find_collider(subject, external);
   plan.oracle = find_collider(oracle, external);
   plan.seed = seed_or_draw(options.seed);
-  const std::array declarations{plan.subject.declaration, plan.oracle.declaration};
   plan.origin = {fmt::format("{} fuzz {}{}", this_program(), options_again(options.colliders),
-                             corpus_again(options)),
-                 provenance(plan.seed, declarations)};
+                             corpus_again(options.corpus)),
+                 provenance(plan.seed, {plan.subject.declaration, plan.oracle.declaration})};
   return plan;
 }
 
@@ -105,7 +97,7 @@ int smoke(SmokeArguments& options) {
   if (is_wanted(options.ci)) {
     const std::string subject_again =
         fmt::format("{} --seed {}{}", options_again(options.colliders.subject, {}), plan.seed,
-                    corpus_again(options));
+                    corpus_again(options.corpus));
     write_ci(options.ci,
              smoke_suites(run, plan, {this_program(), options_again(options.colliders)},
                           {this_program(), subject_again}),
@@ -115,27 +107,24 @@ int smoke(SmokeArguments& options) {
   return run.is_well() ? 0 : 1;
 }
 
-Run define_smoke(CLI::App& app) {
-  const auto options = std::make_shared<SmokeArguments>();
-  add_collider(app, options->colliders.subject, "the collider under test");
-  add_collider(app, options->colliders.oracle, "the collider it is held against");
-  add_seed(app, options->seed);
-  add_length(app, "--seconds", options->seconds,
+void add_smoke_arguments(CLI::App& app, SmokeArguments& options) {
+  add_collider(app, options.colliders.subject, "the collider under test");
+  add_collider(app, options.colliders.oracle, "the collider it is held against");
+  add_seed(app, options.seed);
+  add_length(app, "--seconds", options.seconds,
              "how long altogether; 18 if not given, and at most");
-  add_corpus(app, options->corpus,
+  add_corpus(app, options.corpus,
              "the folder of known cases, which is replayed, and where new ones are saved");
-  add_no_save(app, options->no_save);
-  add_junit(app, options->ci.junit);
-  return [options] { return run_for_ci("smoke", options->ci, [&] { return smoke(*options); }); };
+  add_no_save(app, options.no_save);
+  add_junit(app, options.ci.junit);
 }
 
 }  // namespace
 
-extern const Command kSmoke;
 const Command kSmoke{
     "smoke",
     "Corpus, properties and a campaign in at most 20 s, however slow the collider: for CI.",
     "manifuzz smoke --subject clip --oracle box2d --seed 1 --no-save --junit smoke.xml",
-    define_smoke};
+    define<SmokeArguments, add_smoke_arguments, smoke>};
 
 }  // namespace manifuzz

@@ -1,7 +1,6 @@
 #include "measure/stress/stress.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <thread>
 
 #include <CLI/CLI.hpp>
@@ -170,10 +169,8 @@ void add_run(CLI::App& app, StressArguments& options) {
                  "a collider, again for more; all that are there if not given")
       ->type_name("C|LIBRARY.so")
       ->allow_extra_args(false);
-  app.add_option("--collider-command", options.program.command,
-                 "one more, as a program: case lines in, manifold lines out")
-      ->type_name("COMMAND")
-      ->check(not_blank);
+  add_text(app, "--collider-command", options.program.command, "COMMAND",
+           "one more, as a program: case lines in, manifold lines out");
   add_external_options(app, options.outside);
   add_whole_number(app, "--cases", options.cases, "a step; 100000 if not given", 1);
   add_whole_number(app, "--frames", options.frames, "a walk; 1000000 if not given", 1);
@@ -187,33 +184,27 @@ void add_run(CLI::App& app, StressArguments& options) {
 }
 
 void add_outputs(CLI::App& app, StressArguments& options) {
-  app.add_option("--json", options.json, "every step as JSON, to a file or - for stdout")
-      ->type_name("FILE");
+  add_json(app, options.json, "every step as JSON");
   app.add_option("--csv", options.csv, "every step with commas")->type_name("FILE");
-  const auto add = [&app](const char* name, std::string& to, const char* type, const char* what) {
-    app.add_option(name, to, what)->type_name(type)->check(not_blank);
-  };
-  add("--pictures", options.pictures, "DIR",
-      "error against each sweep's knob, DIR/SWEEP.svg and DIR/SWEEP.png");
-  add("--save", options.save, "DIR",
-      "a corpus for the worst: wrong cases shrunk, and clip's worst of every sweep");
-  add("--baseline", options.baseline, "FILE",
-      "breaking points that were stored: none may have moved down");
-  add("--store", options.store, "FILE",
-      "stores the breaking points, for --baseline, over those in it");
+  add_text(app, "--pictures", options.pictures, "DIR",
+           "error against each sweep's knob, DIR/SWEEP.svg and DIR/SWEEP.png");
+  add_text(app, "--save", options.save, "DIR",
+           "a corpus for the worst: wrong cases shrunk, and clip's worst of every sweep");
+  add_text(app, "--baseline", options.baseline, "FILE",
+           "breaking points that were stored: none may have moved down");
+  add_text(app, "--store", options.store, "FILE",
+           "stores the breaking points, for --baseline, over those in it");
 }
 
-Run define_stress(CLI::App& app) {
-  const auto options = std::make_shared<StressArguments>();
-  add_run(app, *options);
-  add_outputs(app, *options);
-  return [options] { return stress(*options); };
+void add_stress_arguments(CLI::App& app, StressArguments& options) {
+  add_run(app, options);
+  add_outputs(app, options);
 }
 
 }  // namespace
 
-extern const Command kStress;
 const Command kStress{"stress", "Numerical stability: a knob turned until each collider breaks.",
-                      "manifuzz stress --quick --sweep distance", define_stress};
+                      "manifuzz stress --quick --sweep distance",
+                      define<StressArguments, add_stress_arguments, stress>};
 
 }  // namespace manifuzz

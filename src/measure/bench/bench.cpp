@@ -50,12 +50,12 @@ std::vector<WorkloadSpec> all_workloads(std::span<const Regime* const> regimes) 
   return specs;
 }
 
-std::optional<Workload> draw_workload(const WorkloadSpec& spec, std::uint64_t seed) {
+std::optional<std::vector<PairCase>> draw_workload(const WorkloadSpec& spec, std::uint64_t seed) {
   GenerationContext context;
   context.radius = 0.0F;
-  Workload workload{spec, {}};
-  const double pairs = static_cast<double>(spec.pairs);
-  std::size_t touching_left = static_cast<std::size_t>(std::llround(pairs * spec.touching));
+  std::vector<PairCase> pairs;
+  const double touching = static_cast<double>(spec.pairs) * spec.touching;
+  std::size_t touching_left = static_cast<std::size_t>(std::llround(touching));
   std::size_t apart_left = spec.pairs - touching_left;
   for (std::uint64_t i = 0; touching_left + apart_left > 0; ++i) {
     if (i >= kDrawsMax * spec.pairs) return std::nullopt;
@@ -64,9 +64,9 @@ std::optional<Workload> draw_workload(const WorkloadSpec& spec, std::uint64_t se
     std::size_t& left = exact::Truth(pair).separation() <= 0 ? touching_left : apart_left;
     if (left == 0) continue;
     --left;
-    workload.pairs.push_back(std::move(pair));
+    pairs.push_back(std::move(pair));
   }
-  return workload;
+  return pairs;
 }
 
 namespace {
@@ -105,16 +105,16 @@ void initialize(const TimingOptions& options) {
   benchmark::Initialize(&count, arguments.data());
 }
 
-}  // namespace
-
+/// Times the subjects over one workload, on Google Benchmark, their repetitions in random order;
+/// the kernels then use the widest instruction set again.
 std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
-                                  const Workload& workload, const TimingOptions& options) {
+                                  std::span<const PairCase> pairs, const TimingOptions& options) {
   initialize(options);
   const auto name_of = [](std::size_t i) { return fmt::format("subject {}", i); };
   std::size_t base = subjects.size();
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     if (subjects[i].name == kRatioBase) base = i;
-    const auto pass = subjects[i].prepare(workload.pairs);
+    const auto pass = subjects[i].prepare(pairs);
     const std::string target = subjects[i].target;
     benchmark::RegisterBenchmark(name_of(i).c_str(), [pass, target](benchmark::State& state) {
       if (!target.empty()) kernel::use_target(target);
@@ -133,13 +133,10 @@ std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
     const std::vector<double>& seconds = collected.seconds(name_of(i));
     std::vector<double> ratios(std::min(seconds.size(), of_base.size()));
     for (std::size_t k = 0; k < ratios.size(); ++k) ratios[k] = of_base[k] / seconds[k];
-    timings.push_back(
-        {1e9 * median(seconds) / static_cast<double>(workload.pairs.size()), median(ratios)});
+    timings.push_back({1e9 * median(seconds) / static_cast<double>(pairs.size()), median(ratios)});
   }
   return timings;
 }
-
-namespace {
 
 struct Measurement {
   Collider collider;
@@ -206,13 +203,13 @@ std::vector<BenchRow> run_bench(const std::vector<BenchSubject>& subjects,
   std::vector<BenchRow> rows;
   for (std::size_t w = 0; w < workloads.size(); ++w) {
     on_workload(w);
-    const std::optional<Workload> timed = draw_workload(workloads[w], options.seed);
+    const auto timed = draw_workload(workloads[w], options.seed);
     WorkloadSpec judged_spec = workloads[w];
     judged_spec.pairs = options.judged;
-    const std::optional<Workload> judged = draw_workload(judged_spec, options.seed);
+    const auto judged = draw_workload(judged_spec, options.seed);
     if (!timed || !judged) continue;
     const std::vector<Timing> timings = time_subjects(subjects, *timed, options.timing);
-    const auto errors = measure_errors(subjects, judged->pairs);
+    const auto errors = measure_errors(subjects, *judged);
     for (std::size_t i = 0; i < subjects.size(); ++i) {
       BenchRow row{&subjects[i], w, workloads[w], timings[i], {}};
       if (subjects[i].collider) row.errors = errors.at(subjects[i].name);

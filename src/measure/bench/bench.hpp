@@ -21,11 +21,6 @@ struct WorkloadSpec {
   std::size_t pairs = 1024;     ///< as many as are gone through before the first comes again
 };
 
-struct Workload {
-  WorkloadSpec spec;
-  std::vector<PairCase> pairs;
-};
-
 /// The regime `generic`, mixed counts, half touching, in the second cache.
 WorkloadSpec usual_workload();
 
@@ -35,7 +30,7 @@ std::vector<WorkloadSpec> all_workloads(std::span<const Regime* const> regimes);
 
 /// The regime's first cases that fit, polygons without radius, touching and separated ones mixed.
 /// None where the regime has hardly any that fit.
-std::optional<Workload> draw_workload(const WorkloadSpec& spec, std::uint64_t seed);
+std::optional<std::vector<PairCase>> draw_workload(const WorkloadSpec& spec, std::uint64_t seed);
 
 /// Something that is timed: one way to ask one collider.
 struct BenchSubject {
@@ -62,11 +57,6 @@ struct Timing {
   double ns_per_pair = 0;         ///< the median of the repetitions
   double speedup_over_box2d = 0;  ///< the median of their ratios, each to Box2D's of its number
 };
-
-/// Times the subjects over one workload, on Google Benchmark, their repetitions in random order;
-/// the kernels then use the widest instruction set again.
-std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
-                                  const Workload& workload, const TimingOptions& options);
 
 /// What this repository offers, the kernels once for every instruction set of this machine; and
 /// the one-point answer of the separating axis alone, which is the cheapest that is right in depth.

@@ -127,8 +127,10 @@ struct RowsPair {
 };
 
 /// A query of the kernel for one pair, with the hint that the same query left before, or none.
-template <class Out, class Ask>
+template <class Ask>
 Pass query_pass(std::span<const PairCase> pairs, bool hinted, const Ask& ask) {
+  using kernel::ShapeRows;
+  using Out = std::invoke_result_t<Ask, ShapeRows, ShapeRows, Pose<float>, kernel::FaceHint*>;
   std::vector<RowsPair> rows;
   for (const auto& pair : placed_pairs<float>(pairs)) {
     rows.push_back({kernel::rows_of(pair.a), kernel::rows_of(pair.b), pair.pose_a, pair.pose_b});
@@ -145,30 +147,24 @@ Pass query_pass(std::span<const PairCase> pairs, bool hinted, const Ask& ask) {
 }
 
 void add_pair_queries(std::vector<BenchSubject>& all, const std::string& target) {
-  const auto manifold = [](const auto& a, const auto& b, const auto& b_in_a, auto* hint) {
-    return kernel::collide(a, b, b_in_a, 0, hint);
-  };
-  const auto touches = [](const auto& a, const auto& b, const auto& b_in_a, auto* hint) {
-    return static_cast<char>(kernel::touches(a, b, b_in_a, hint));
-  };
-  const auto separation = [](const auto& a, const auto& b, const auto& b_in_a, auto* hint) {
-    return kernel::separation(a, b, b_in_a, hint);
-  };
   for (const bool hinted : {false, true}) {
     const std::string name = hinted ? "pair+hint" : "pair";
-    const auto add = [&]<class Out>(const char* query, const auto& ask, std::type_identity<Out>) {
-      all.push_back(
-          {.name = name,
-           .query = query,
-           .target = target,
-           .prepare =
-               [=](std::span<const PairCase> pairs) { return query_pass<Out>(pairs, hinted, ask); },
-           .collider = {}});
+    const auto add = [&](const char* query, const auto& ask) {
+      const auto pass = [=](std::span<const PairCase> pairs) {
+        return query_pass(pairs, hinted, ask);
+      };
+      all.push_back({.name = name, .query = query, .target = target, .prepare = pass});
     };
-    add("manifold", manifold, std::type_identity<Manifold<float>>());
+    add("manifold", [](const auto& a, const auto& b, const auto& b_in_a, auto* hint) {
+      return kernel::collide(a, b, b_in_a, 0, hint);
+    });
     all.back().collider = [] { return make_pair(0); };
-    add("separation", separation, std::type_identity<kernel::PairSeparation>());
-    add("touches", touches, std::type_identity<char>());
+    add("separation", [](const auto& a, const auto& b, const auto& b_in_a, auto* hint) {
+      return kernel::separation(a, b, b_in_a, hint);
+    });
+    add("touches", [](const auto& a, const auto& b, const auto& b_in_a, auto* hint) {
+      return static_cast<char>(kernel::touches(a, b, b_in_a, hint));
+    });
   }
 }
 
@@ -176,10 +172,9 @@ template <class Scalar>
 void add_batch_inputs(std::vector<BenchSubject>& all, const std::string& name,
                       const std::string& target, Collider (*make)(double)) {
   const auto add = [&](const char* input, Pass (*pass)(std::span<const PairCase>)) {
+    const auto collider = [make] { return make(0); };
     all.push_back(
-        {.name = name, .input = input, .target = target, .prepare = pass, .collider = [make] {
-           return make(0);
-         }});
+        {.name = name, .input = input, .target = target, .prepare = pass, .collider = collider});
   };
   add("packed", packed_pass<Scalar>);
   add("indices", indices_pass<Scalar>);

@@ -1,10 +1,8 @@
 #include "measure/scene/scene_run.hpp"
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <memory>
 
 #include <fmt/format.h>
 
@@ -18,45 +16,25 @@ namespace {
 /// Judging one takes about a hundred times as long as colliding it.
 constexpr std::size_t kJudged = 2000;
 
-/// Measures one in so many contacts, whatever the step.
-class Sampler {
- public:
-  Sampler(const Trajectory& trajectory, std::size_t contacts)
-      : declaration_(make_batch(0).declaration),
-        every_(1 + contacts * trajectory.steps.size() / kJudged),
-        bodies_(trajectory.bodies()) {}
-
-  void add(std::span<const BodyMove> moves, std::span<const scene::Contact> contacts) {
-    move_bodies(moves, bodies_);
-    for (const scene::Contact& contact : contacts) {
-      if (seen_++ % every_ != 0) continue;
-      Referee referee({bodies_[contact.a.index], bodies_[contact.b.index]});
+/// How many pairs were collided, and how good the contacts are: one in so many, whatever the step.
+std::pair<std::size_t, ErrorStatistics> recycled_at(const Trajectory& trajectory, float motion) {
+  const Declaration declaration = make_batch(0).declaration;
+  ScenePlayer player(trajectory, {.recycled_motion = motion});
+  const std::size_t contacts = player.result().contacts.size();
+  const std::size_t every = 1 + contacts * trajectory.steps.size() / kJudged;
+  std::size_t seen = 0;
+  std::size_t collided = 0;
+  ErrorCollector errors;
+  for (const auto& moves : trajectory.steps) {
+    collided += player.step(moves).counts.pairs.collided;
+    for (const scene::Contact& contact : player.result().contacts) {
+      if (seen++ % every != 0) continue;
+      Referee referee({player.body(contact.a.index), player.body(contact.b.index)});
       const Answer answer = manifold_cast<double>(contact.manifold);
-      errors_.add(seen_, referee.measure(declaration_, referee.completed(declaration_, answer)));
+      errors.add(seen, referee.measure(declaration, referee.completed(declaration, answer)));
     }
   }
-
-  ErrorStatistics statistics() const { return errors_.statistics(); }
-
- private:
-  Declaration declaration_;
-  std::size_t every_;
-  std::size_t seen_ = 0;
-  std::vector<Body> bodies_;
-  ErrorCollector errors_;
-};
-
-/// How many pairs were collided, and how good the contacts are.
-std::pair<std::size_t, ErrorStatistics> recycled_at(const Trajectory& trajectory, float motion) {
-  ScenePlayer player(trajectory, {.recycled_motion = motion});
-  Sampler sampler(trajectory, player.result().contacts.size());
-  std::size_t collided = 0;
-  for (const auto& moves : trajectory.steps) {
-    const scene::StepResult& result = player.step(moves);
-    sampler.add(moves, result.contacts);
-    collided += result.counts.pairs.collided;
-  }
-  return {collided, sampler.statistics()};
+  return {collided, errors.statistics()};
 }
 
 }  // namespace
@@ -84,39 +62,20 @@ double ns_of(const Work& work) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
-/// The scene and both baselines, which go through a trajectory together.
-class Race {
- public:
-  Race(const Trajectory& trajectory, const scene::Settings& settings)
-      : ours_(trajectory, settings) {
-    const std::vector<Body> bodies = trajectory.bodies();
-    all_ = std::make_unique<Box2dPairs>(bodies);
-    moved_ = std::make_unique<Box2dPairs>(bodies);
-    all_->step({}, false);
-    moved_->step({}, true);
+/// The times of a step: of the scene, of all pairs and of the moved ones; who begins changes by
+/// step.
+std::array<double, 3> times_of(std::span<const BodyMove> moves, std::size_t step, ScenePlayer& ours,
+                               Box2dPairs& all, Box2dPairs& moved) {
+  ours.prepare(moves);
+  std::array<double, 3> ns{};
+  for (std::size_t i = 0; i < ns.size(); ++i) {
+    const std::size_t turn = (step + i) % ns.size();
+    if (turn == 0) ns[0] = ns_of([&] { ours.step_prepared(); });
+    if (turn == 1) ns[1] = ns_of([&] { all.step(moves, false); });
+    if (turn == 2) ns[2] = ns_of([&] { moved.step(moves, true); });
   }
-
-  /// The times of the scene, of all pairs and of the moved ones; who begins changes by step.
-  std::array<double, 3> step(std::span<const BodyMove> moves, std::size_t number) {
-    ours_.prepare(moves);
-    std::array<double, 3> ns{};
-    for (std::size_t i = 0; i < ns.size(); ++i) {
-      const std::size_t turn = (number + i) % ns.size();
-      if (turn == 0) ns[0] = ns_of([&] { ours_.step_prepared(); });
-      if (turn == 1) ns[1] = ns_of([&] { all_->step(moves, false); });
-      if (turn == 2) ns[2] = ns_of([&] { moved_->step(moves, true); });
-    }
-    return ns;
-  }
-
-  const scene::Scene& scene() const { return ours_.scene(); }
-  const scene::StepResult& result() const { return ours_.result(); }
-
- private:
-  ScenePlayer ours_;
-  std::unique_ptr<Box2dPairs> all_;
-  std::unique_ptr<Box2dPairs> moved_;
-};
+  return ns;
+}
 
 void add_to(scene::StepCounts& sum, const scene::StepCounts& counts) {
   sum.pairs.at_rest += counts.pairs.at_rest;
@@ -140,36 +99,36 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
   run.recycled_motion = settings.recycled_motion;
   // Apart from what is timed: it would empty the caches.
   if (settings.recycled_motion == 0) run.afresh = check_afresh(trajectory, settings);
-  Race race(trajectory, settings);
+  ScenePlayer ours(trajectory, settings);
+  Box2dPairs all(trajectory.bodies());
+  Box2dPairs moved(trajectory.bodies());
+  all.step({}, false);
+  moved.step({}, true);
   std::vector<double> ns;
   std::vector<double> over_all;
   std::vector<double> over_moved;
   for (std::size_t step = 0; step < run.steps; ++step) {
-    const auto& moves = trajectory.steps[step];
-    const auto [ours, all, moved] = race.step(moves, step);
-    ns.push_back(ours);
-    over_all.push_back(all / ours);
-    over_moved.push_back(moved / ours);
-    add_to(run.counts, race.result().counts);
+    const auto times = times_of(trajectory.steps[step], step, ours, all, moved);
+    ns.push_back(times[0]);
+    over_all.push_back(times[1] / times[0]);
+    over_moved.push_back(times[2] / times[0]);
+    add_to(run.counts, ours.result().counts);
   }
   run.ns_per_step = median(ns);
   run.speedup_over_all = median(over_all);
   run.speedup_over_moved = median(over_moved);
-  run.contacts = race.result().contacts.size();
-  run.pairs = race.scene().pair_count();
-  run.memory = race.scene().memory();
+  run.contacts = ours.result().contacts.size();
+  run.pairs = ours.scene().pair_count();
+  run.memory = ours.scene().memory();
   return run;
 }
 
 Frame last_frame(const Trajectory& trajectory, const scene::Settings& settings) {
-  Frame frame{trajectory.bodies(), {}};
   ScenePlayer player(trajectory, settings);
-  for (const auto& moves : trajectory.steps) {
-    move_bodies(moves, frame.bodies);
-    player.step(moves);
-  }
+  for (const auto& moves : trajectory.steps) player.step(moves);
   const auto contacts = player.result().contacts;
-  frame.contacts.assign(contacts.begin(), contacts.end());
+  Frame frame{{}, {contacts.begin(), contacts.end()}};
+  for (std::size_t i = 0; i < trajectory.start.size(); ++i) frame.bodies.push_back(player.body(i));
   return frame;
 }
 

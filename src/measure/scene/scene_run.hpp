@@ -29,11 +29,6 @@ struct Trajectory {
   }
 };
 
-/// Puts bodies where they are now.
-inline void move_bodies(std::span<const BodyMove> moves, std::vector<Body>& bodies) {
-  for (const BodyMove& move : moves) bodies[move.body].pose = move.pose;
-}
-
 /// A named family of scenes, of any number of bodies.
 struct SceneSpec {
   std::string_view name;
@@ -44,10 +39,12 @@ struct SceneSpec {
 /// All scenes, in the order of reports.
 std::span<const SceneSpec> scene_specs();
 
-/// A scene with a trajectory's bodies, which have the same indices there.
+/// A scene with a trajectory's bodies, which have the same indices there. The trajectory must
+/// outlive it.
 class ScenePlayer {
  public:
-  ScenePlayer(const Trajectory& trajectory, const scene::Settings& settings) : scene_(settings) {
+  ScenePlayer(const Trajectory& trajectory, const scene::Settings& settings)
+      : trajectory_(trajectory), scene_(settings) {
     for (const auto& shape : trajectory.shapes) scene_.add_shape(shape);
     for (const auto& [shape, pose] : trajectory.start) {
       handles_.push_back(std::get<scene::BodyHandle>(scene_.add(shape, pose)));
@@ -73,47 +70,18 @@ class ScenePlayer {
 
   const scene::StepResult& result() const { return result_; }
   const scene::Scene& scene() const { return scene_; }
+  /// Where it is now.
+  Body body(std::size_t index) const {
+    return {trajectory_.shapes[trajectory_.start[index].shape], scene_.pose(handles_[index])};
+  }
 
  private:
+  const Trajectory& trajectory_;
   scene::Scene scene_;
   std::vector<scene::BodyHandle> handles_;
   std::vector<scene::Move> moves_;
   scene::StepResult result_;
 };
-
-// Scenes whose motion is written down, not simulated. The same on every machine.
-
-/// Polygons of 3 to 8 vertices, about one across, with Box2D's skin.
-std::vector<ConvexPolygon<float>> mixed_shapes();
-
-/// Far from each other, each on its way and turning.
-Trajectory make_sparse_drift(std::size_t bodies, int steps);
-
-/// Boxes in a grid, each turning on the spot, corner against corner.
-Trajectory make_spinning_grid(std::size_t bodies, int steps);
-
-/// One body on its way through a field that rests.
-Trajectory make_one_mover(std::size_t bodies, int steps);
-
-/// Needles, all moving, in a crowd.
-Trajectory make_slivers(std::size_t bodies, int steps);
-
-/// A field in which all touch and nothing moves.
-Trajectory make_still(std::size_t bodies, int steps);
-
-// Scenes recorded from Box2D's own world; larger ones are recordings side by side.
-
-/// Polygons that fall onto each other between walls.
-Trajectory make_pile(std::size_t bodies, int steps);
-
-/// A pile at rest; in each step a tenth of it, in turn, is nudged or falls back.
-Trajectory make_resting_pile(std::size_t bodies, int steps);
-
-/// Boxes in pyramids that settle.
-Trajectory make_pyramid(std::size_t bodies, int steps);
-
-/// Polygons that fall far from each other, and lie where they fell.
-Trajectory make_rain(std::size_t bodies, int steps);
 
 /// What recycling up to a motion skips in a scene, and how good the contacts are then.
 struct RecyclingRun {

@@ -9,26 +9,6 @@
 namespace manifuzz {
 namespace {
 
-constexpr SceneSpec kSpecs[] = {
-    {"pile", "polygons that fall onto each other between walls, recorded", make_pile},
-    {"resting_pile", "a pile at rest, a tenth of it nudged in each step", make_resting_pile},
-    {"pyramid", "boxes in pyramids that settle, recorded", make_pyramid},
-    {"rain", "polygons that fall far from each other, recorded", make_rain},
-    {"sparse_drift", "polygons far from each other, all on their way", make_sparse_drift},
-    {"spinning_grid", "boxes in a grid, each turning on the spot", make_spinning_grid},
-    {"one_mover", "one polygon on its way through a field that rests", make_one_mover},
-    {"slivers", "a crowd of needles, all moving", make_slivers},
-    {"still", "a field in which all touch and nothing moves", make_still},
-};
-
-}  // namespace
-
-std::span<const SceneSpec> scene_specs() {
-  return kSpecs;
-}
-
-namespace {
-
 constexpr float kSkin = 0.01F;
 
 /// How a body goes on from step to step.
@@ -89,8 +69,7 @@ std::vector<Course> courses_of(std::size_t bodies, double length, double t, Rand
   return courses;
 }
 
-}  // namespace
-
+/// Polygons of 3 to 8 vertices, about one across, with Box2D's skin.
 std::vector<ConvexPolygon<float>> mixed_shapes() {
   std::vector<ConvexPolygon<float>> shapes;
   for (std::uint64_t i = 0; shapes.size() < 48; ++i) {
@@ -106,12 +85,16 @@ std::vector<ConvexPolygon<float>> mixed_shapes() {
   return shapes;
 }
 
+// Scenes whose motion is written down, not simulated. The same on every machine.
+
+/// Far from each other, each on its way and turning.
 Trajectory make_sparse_drift(std::size_t bodies, int steps) {
   Random random(1, "sparse drift", 0);
   std::vector<FinePose> places = field(bodies, 4, 1.5, random);
   return moving(mixed_shapes(), std::move(places), courses_of(bodies, 0.02, 0.01, random), steps);
 }
 
+/// Boxes in a grid, each turning on the spot, corner against corner.
 Trajectory make_spinning_grid(std::size_t bodies, int steps) {
   Random random(1, "spinning grid", 0);
   std::vector<FinePose> places = field(bodies, 1.2, 0, random);
@@ -119,12 +102,14 @@ Trajectory make_spinning_grid(std::size_t bodies, int steps) {
                 courses_of(bodies, 0, 0.02, random), steps);
 }
 
+/// One body on its way through a field that rests.
 Trajectory make_one_mover(std::size_t bodies, int steps) {
   Random random(1, "one mover", 0);
   std::vector<FinePose> places = field(bodies, 1.1, 0.1, random);
   return moving(mixed_shapes(), std::move(places), {{{0.05, 0.03}, turn_by(0.01)}}, steps);
 }
 
+/// Needles, all moving, in a crowd.
 Trajectory make_slivers(std::size_t bodies, int steps) {
   Random random(1, "slivers", 0);
   std::vector<ConvexPolygon<float>> shapes;
@@ -137,12 +122,13 @@ Trajectory make_slivers(std::size_t bodies, int steps) {
                 steps);
 }
 
+/// A field in which all touch and nothing moves.
 Trajectory make_still(std::size_t bodies, int steps) {
   Random random(1, "still", 0);
   return moving(mixed_shapes(), field(bodies, 0.8, 0.05, random), {}, steps);
 }
 
-namespace {
+// Scenes recorded from Box2D's own world; larger ones are recordings side by side.
 
 /// What is simulated at once; more would take long until they rest.
 constexpr std::size_t kRecordedMax = 500;
@@ -212,12 +198,12 @@ Stage pile_stage(std::size_t bodies) {
   return stage;
 }
 
-}  // namespace
-
+/// Polygons that fall onto each other between walls.
 Trajectory make_pile(std::size_t bodies, int steps) {
   return recorded(pile_stage(bodies), bodies, 90, steps);
 }
 
+/// A pile at rest; in each step a tenth of it, in turn, is nudged or falls back.
 Trajectory make_resting_pile(std::size_t bodies, int steps) {
   Trajectory trajectory = recorded(pile_stage(bodies), bodies, 600, 1);
   trajectory.steps.clear();
@@ -235,6 +221,7 @@ Trajectory make_resting_pile(std::size_t bodies, int steps) {
   return trajectory;
 }
 
+/// Boxes in pyramids that settle.
 Trajectory make_pyramid(std::size_t bodies, int steps) {
   constexpr std::uint32_t kBase = 28;
   Stage stage;
@@ -250,6 +237,7 @@ Trajectory make_pyramid(std::size_t bodies, int steps) {
   return recorded(stage, bodies, 20, steps);
 }
 
+/// Polygons that fall far from each other, and lie where they fell.
 Trajectory make_rain(std::size_t bodies, int steps) {
   Stage stage;
   stage.shapes = mixed_shapes();
@@ -263,6 +251,24 @@ Trajectory make_rain(std::size_t bodies, int steps) {
     stage.add(i % mixed, x, 1.0 + 0.3 * i);
   }
   return recorded(stage, bodies, 120, steps);
+}
+
+constexpr SceneSpec kSpecs[] = {
+    {"pile", "polygons that fall onto each other between walls, recorded", make_pile},
+    {"resting_pile", "a pile at rest, a tenth of it nudged in each step", make_resting_pile},
+    {"pyramid", "boxes in pyramids that settle, recorded", make_pyramid},
+    {"rain", "polygons that fall far from each other, recorded", make_rain},
+    {"sparse_drift", "polygons far from each other, all on their way", make_sparse_drift},
+    {"spinning_grid", "boxes in a grid, each turning on the spot", make_spinning_grid},
+    {"one_mover", "one polygon on its way through a field that rests", make_one_mover},
+    {"slivers", "a crowd of needles, all moving", make_slivers},
+    {"still", "a field in which all touch and nothing moves", make_still},
+};
+
+}  // namespace
+
+std::span<const SceneSpec> scene_specs() {
+  return kSpecs;
 }
 
 }  // namespace manifuzz

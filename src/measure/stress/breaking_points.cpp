@@ -21,15 +21,6 @@ std::uint64_t faults_of(const StepStatistics& tally) {
          walk.features.with_margin;
 }
 
-/// The first step that breaks, or the number of steps.
-std::size_t place_of_break(const Sweep& sweep, const std::vector<StepStatistics>& steps) {
-  return breaking_step(steps).value_or(sweep.values.size());
-}
-
-Json json_of(const Sweep& sweep, std::size_t place) {
-  return place < sweep.values.size() ? Json(sweep.values[place]) : Json();
-}
-
 std::string in_words(const Sweep& sweep, std::size_t place) {
   return place < sweep.values.size() ? fmt::format("at {:g}", sweep.values[place]) : "never";
 }
@@ -88,9 +79,9 @@ std::size_t stored_step(const Sweep& sweep, const Json& cell, const auto& refuse
 }
 
 /// What a row, one of a sweep or a walk, stores of the plan's subjects.
-void read_row(const StressPlan& plan, const Json& rows, const StoredPoint& of,
-              std::string_view where, std::vector<StoredPoint>& points) {
-  const std::string name(of.sweep != nullptr ? of.sweep->name : of.walk->name);
+void read_row(const StressPlan& plan, const Json& rows, const Unit& of, std::string_view where,
+              std::vector<StoredPoint>& points) {
+  const std::string name(of.name());
   const Json row = rows.value(name, Json::object());
   for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
     const auto cell = row.find(plan.subjects[i].name);
@@ -99,10 +90,9 @@ void read_row(const StressPlan& plan, const Json& rows, const StoredPoint& of,
       refuse(where, fmt::format("{}, {}: {} is expected, not {}", name, printable(cell.key()),
                                 expected, printable(cell->dump())));
     };
-    StoredPoint point = of;
-    point.subject = i;
+    StoredPoint point{of, i};
     if (of.sweep != nullptr) {
-      point.step = stored_step(*of.sweep, *cell, refuse_cell);
+      point.unit.step = stored_step(*of.sweep, *cell, refuse_cell);
     } else {
       if (!cell->is_number_unsigned()) refuse_cell("a number of faults");
       point.faults = cell->get<std::uint64_t>();
@@ -134,25 +124,27 @@ Comparison compare(const StressPlan& plan, const StressResult& result,
   Comparison comparison;
   for (const StoredPoint& before : stored) {
     const std::string& who = plan.subjects[before.subject].name;
-    if (before.sweep != nullptr) {
-      const Sweep& sweep = *before.sweep;
+    const std::string_view name = before.unit.name();
+    if (before.unit.sweep != nullptr) {
+      const Sweep& sweep = *before.unit.sweep;
+      const std::size_t step = before.unit.step;
       const auto steps = result.steps(sweep, before.subject);
-      const std::size_t now = place_of_break(sweep, steps);
-      if (now < before.step) {
-        comparison.worse.push_back(fmt::format("{}: {} breaks {}, stored: {}", sweep.name, who,
-                                               in_words(sweep, now), in_words(sweep, before.step)));
-      } else if (steps.size() < before.step) {
-        comparison.not_compared.push_back(fmt::format("{}: {}: {} of {} steps", sweep.name, who,
-                                                      steps.size(), sweep.values.size()));
+      const std::size_t now = breaking_step(steps).value_or(sweep.values.size());
+      if (now < step) {
+        comparison.worse.push_back(fmt::format("{}: {} breaks {}, stored: {}", name, who,
+                                               in_words(sweep, now), in_words(sweep, step)));
+      } else if (steps.size() < step) {
+        comparison.not_compared.push_back(
+            fmt::format("{}: {}: {} of {} steps", name, who, steps.size(), sweep.values.size()));
       }
       continue;
     }
-    const StepStatistics* const tally = result.walk(*before.walk, before.subject);
+    const StepStatistics* const tally = result.walk(*before.unit.walk, before.subject);
     if (tally == nullptr) {
-      comparison.not_compared.push_back(fmt::format("{}: {}", before.walk->name, who));
+      comparison.not_compared.push_back(fmt::format("{}: {}", name, who));
     } else if (faults_of(*tally) > before.faults) {
-      comparison.worse.push_back(fmt::format("{}: {} has {} faults, stored: {}", before.walk->name,
-                                             who, faults_of(*tally), before.faults));
+      comparison.worse.push_back(fmt::format("{}: {} has {} faults, stored: {}", name, who,
+                                             faults_of(*tally), before.faults));
     }
   }
   return comparison;
@@ -182,8 +174,8 @@ Json breaking_points_json(const StressPlan& plan, const StressResult& result, Js
     if (name == kIdealName) continue;
     for (const Sweep* const sweep : plan.sweeps) {
       if (plan.subjects[i].walks_only) break;
-      const std::size_t place = place_of_break(*sweep, result.steps(*sweep, i));
-      json["sweeps"][std::string(sweep->name)][name] = json_of(*sweep, place);
+      const auto step = breaking_step(result.steps(*sweep, i));
+      json["sweeps"][std::string(sweep->name)][name] = step ? Json(sweep->values[*step]) : Json();
     }
     for (const Walk* const walk : plan.walks) {
       const StepStatistics* const tally = result.walk(*walk, i);

@@ -19,20 +19,17 @@ constexpr std::string_view kKeptAnyhow = "clip";
 struct Witness {
   Unit unit;
   std::uint64_t index = 0;
-  double badness = -1;
+  double badness = -1;  ///< negative: there is none
 
   void take(const Unit& of, std::uint64_t at, double how_bad) {
     if (how_bad > badness) *this = {of, at, how_bad};
   }
 };
 
-/// The worst of a sweep or a walk: where the subject is wrong, and where its error is largest.
-struct Worst {
-  std::optional<Witness> wrong;
-  std::optional<Witness> error;
-};
-
-Worst worst_of(const StressResult& result, const Unit& family, std::size_t subject) {
+/// The worst of a sweep or a walk: where the subject is wrong, else where its error is largest, if
+/// that is kept.
+Witness worst_of(const StressResult& result, const Unit& family, std::size_t subject,
+                 bool is_kept_anyhow) {
   Witness wrong;
   Witness error;
   for (std::size_t i = 0; i < result.units.size(); ++i) {
@@ -46,14 +43,7 @@ Worst worst_of(const StressResult& result, const Unit& family, std::size_t subje
       error.take(unit, spread.worst, spread.max);
     }
   }
-  const auto found = [](const Witness& witness) {
-    return witness.badness < 0 ? std::nullopt : std::optional(witness);
-  };
-  return {found(wrong), found(error)};
-}
-
-std::string name_of(const Unit& unit) {
-  return std::string(unit.walk != nullptr ? unit.walk->name : unit.sweep->name);
+  return wrong.badness < 0 && is_kept_anyhow ? error : wrong;
 }
 
 std::string where(const Witness& witness, std::uint64_t seed) {
@@ -131,10 +121,9 @@ void save_worst(const StressPlan& plan, const StressResult& result,
     for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
       const StressSubject& subject = plan.subjects[i];
       if (subject.name == kIdealName || subject.walks_only) continue;
-      const Worst worst = worst_of(result, family, i);
-      if (!worst.wrong && !(subject.name == kKeptAnyhow && worst.error)) continue;
-      const Witness& witness = worst.wrong ? *worst.wrong : *worst.error;
-      const std::string name = fmt::format("stress-{}-{}.json", name_of(family), subject.name);
+      const Witness witness = worst_of(result, family, i, subject.name == kKeptAnyhow);
+      if (witness.badness < 0) continue;
+      const std::string name = fmt::format("stress-{}-{}.json", family.name(), subject.name);
       on_file(name);
       const auto kept = save_witness(plan, subject, witness, corpus, name, interruption);
       if (kept) on_kept(*kept);

@@ -117,6 +117,8 @@ struct Unit {
   const Sweep* sweep = nullptr;
   std::size_t step = 0;
   const Walk* walk = nullptr;
+
+  std::string_view name() const { return walk != nullptr ? walk->name : sweep->name; }
 };
 
 std::vector<Unit> units_of(const StressPlan& plan);
@@ -160,10 +162,8 @@ std::vector<StressSubject> with_variants(const std::vector<StressSubject>& chose
 
 /// What is stored of a sweep or a walk and one subject.
 struct StoredPoint {
-  const Sweep* sweep = nullptr;
-  const Walk* walk = nullptr;
+  Unit unit;  ///< the step that breaks, the number of steps: none does; or the walk
   std::size_t subject = 0;
-  std::size_t step = 0;      ///< of the sweep, that breaks; the number of its steps: none does
   std::uint64_t faults = 0;  ///< of the walk
 };
 

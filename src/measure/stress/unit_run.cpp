@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#if defined(__SSE2__)
 #include <xmmintrin.h>
+#endif
 
 #include "measure/stress/stress.hpp"
 
@@ -28,11 +30,9 @@ double longest_move(const Manifold<double>& from, const Manifold<double>& to) {
 }
 
 bool has_same_features(const Manifold<double>& m, const Manifold<double>& n) {
-  if (m.count != n.count) return false;
-  for (int i = 0; i < m.count; ++i) {
-    if (m.points[i].features != n.points[i].features) return false;
-  }
-  return true;
+  return std::equal(m.points.begin(), m.points.begin() + m.count, n.points.begin(),
+                    n.points.begin() + n.count,
+                    [](const auto& p, const auto& q) { return p.features == q.features; });
 }
 
 }  // namespace
@@ -98,9 +98,6 @@ void WalkChangeCounter::add(std::uint64_t frame, Referee& referee, const Declara
 }
 
 #if defined(__SSE2__)
-#endif
-
-#if defined(__SSE2__)
 
 namespace {
 
@@ -138,25 +135,6 @@ FlushToZero::~FlushToZero() = default;
 namespace {
 
 constexpr std::uint64_t kBlock = 256;
-
-/// The cases of a unit, in their order.
-class CaseSource {
- public:
-  CaseSource(const StressPlan& plan, const Unit& unit) : plan_(plan), unit_(unit) {
-    if (unit.walk != nullptr) walker_.emplace(plan.seed, *unit.walk);
-  }
-
-  PairCase next() {
-    if (walker_) return walker_->next();
-    return draw_case(plan_.seed, *unit_.sweep, unit_.sweep->values[unit_.step], index_++);
-  }
-
- private:
-  const StressPlan& plan_;
-  const Unit& unit_;
-  std::optional<Walker> walker_;
-  std::uint64_t index_ = 0;
-};
 
 /// One subject in a unit.
 struct SubjectRun {
@@ -243,12 +221,15 @@ bool run_unit(const StressPlan& plan, const Unit& unit, UnitState& state,
     runs.push_back(
         {.subject = &plan.subjects[i], .number = i, .collector = ErrorCollector(errors)});
   }
-  CaseSource source(plan, unit);
+  std::optional<Walker> walker;  // a frame by itself takes all before it
+  if (unit.walk != nullptr) walker.emplace(plan.seed, *unit.walk);
   const std::uint64_t total = cases_of(plan, unit);
   std::vector<PairCase> pairs;
   for (std::uint64_t begin = 0; begin < total; begin += kBlock) {
     pairs.clear();
-    while (pairs.size() < std::min(kBlock, total - begin)) pairs.push_back(source.next());
+    for (std::uint64_t i = begin; i < std::min(begin + kBlock, total); ++i) {
+      pairs.push_back(walker ? walker->next() : case_of(plan, unit, i));
+    }
     for (SubjectRun& run : runs) ask_for_block(run, pairs, state, go_on);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (!go_on()) return false;

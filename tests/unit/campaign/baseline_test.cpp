@@ -15,7 +15,7 @@ CampaignResult run_with(const std::vector<std::pair<std::string, double>>& magni
   CampaignResult run;
   run.parts = {{.seed = 1, .cases = {{"boxes", 10}}}};
   run.settings.oracle = "box2d";
-  run.regimes = {{"boxes", 10, 1, 0, 0}};
+  run.regimes = {{{10, 1, 0, 0}, "boxes"}};
   for (const auto& [bucket, magnitude] : magnitudes) {
     run.buckets.push_back({.bucket = bucket, .verdict = "tie", .magnitude = magnitude});
   }

@@ -31,7 +31,7 @@ CampaignResult sample() {
   result.of_oracle = {0.25, std::numeric_limits<double>::infinity()};
   result.stopped_early = true;
   result.budgets_hold = true;
-  result.regimes = {{"boxes", 60, 30, 20, 1}, {"grid", 40, 10, 5, 0}};
+  result.regimes = {{{60, 30, 20, 1}, "boxes"}, {{40, 10, 5, 0}, "grid"}};
   result.ledger = {{"entry", 4, {{"boxes", 3}, {"grid", 1}}, {"grid"}}};
   const double beyond = std::numeric_limits<double>::infinity();
   const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
@@ -147,7 +147,7 @@ TEST_CASE(
     "a result has failed by a wrong subject, a new fault of the oracle, a budget, or nothing") {
   CampaignResult result;
   CHECK(has_failed(result));  // no case proves nothing
-  result.regimes = {{"boxes", 10, 1, 0, 0}};
+  result.regimes = {{{10, 1, 0, 0}, "boxes"}};
   CHECK_FALSE(has_failed(result));
   result.buckets = {{.bucket = kOracleWrong}};
   CHECK_FALSE(has_failed(result));
@@ -161,7 +161,7 @@ TEST_CASE(
   result.ledger = {{"entry", 1, {}, {"boxes"}}};
   CHECK(has_failed(result));
   result.ledger.clear();
-  result.regimes = {{"boxes", kVacuousCases, 0, 0, 0}};
+  result.regimes = {{{kVacuousCases, 0, 0, 0}, "boxes"}};
   CHECK(has_failed(result));
   result.regimes[0].touching = 1;
   CHECK_FALSE(has_failed(result));

@@ -40,7 +40,7 @@ TEST_CASE("bench measures every subject and writes what it found") {
 TEST_CASE("bench's errors are those of the same manifolds") {
   const auto workload = draw_workload({find_regime("sliver"), {}, 0.5, 400}, 1);
   REQUIRE(workload);
-  const auto errors = measure_errors(own_subjects(), workload->pairs);
+  const auto errors = measure_errors(own_subjects(), *workload);
   const BenchErrors& of_clip = errors.at("clip");
   const BenchErrors& of_batch = errors.at("batch");
   CHECK(of_clip.cases == 400);
@@ -52,7 +52,7 @@ TEST_CASE("a workload has the share of touching pairs and the counts that were a
   const auto workload = draw_workload({find_regime("generic"), 5, 0.25, 40}, 1);
   REQUIRE(workload);
   int touching = 0;
-  for (const PairCase& pair : workload->pairs) {
+  for (const PairCase& pair : *workload) {
     CHECK(pair.a.polygon.count == 5);
     CHECK(pair.b.polygon.count == 5);
     touching += exact::Truth(pair).separation() <= 0;
