@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <memory>
 
 #include <fmt/format.h>
@@ -26,11 +25,6 @@ bool is_second(const JsonView& object, std::string_view key, std::string_view fi
   return true;
 }
 
-std::string text_in(const JsonView& object, std::string_view key, std::string_view otherwise) {
-  const auto value = object.find(key);
-  return std::string(value ? value->string() : otherwise);
-}
-
 int vertices_max_in(const JsonView& object) {
   const auto value = object.find("vertices_max");
   if (!value) return kMaxVertices;
@@ -38,37 +32,23 @@ int vertices_max_in(const JsonView& object) {
   return static_cast<int>(std::min<std::uint64_t>(value->whole_number(), kMaxVertices));
 }
 
-bool takes_radius_in(const JsonView& object) {
-  const auto value = object.find("takes_radius");
-  return !value || value->boolean();
-}
-
-struct Declared {
-  Declaration declaration;
-  Conventions conventions;
-};
-
 /// What is left out is taken to be the least that a collider can promise: float, in the world.
-Declared read_declaration(const JsonView& object, const std::string& usual_name) {
+Declaration read_declaration(const JsonView& object, const std::string& usual_name) {
   object.expect_keys({"name", "version", "scalar", "frame", "tie_bias", "vertices_max",
                       "takes_radius", "points", "normal", "snippet"});
   const auto tie_bias = object.find("tie_bias");
-  Declared declared{
-      {.name = text_in(object, "name", usual_name),
-       .version = text_in(object, "version", "unknown"),
-       .description = "a program",
-       .scalar = is_second(object, "scalar", "float32", "float64") ? ScalarType::float64
-                                                                   : ScalarType::float32,
-       .frame = is_second(object, "frame", "world", "local") ? RoundingFrame::local
-                                                             : RoundingFrame::world,
-       .tie_bias = tie_bias ? tie_bias->number() : 0,
-       .max_vertices = vertices_max_in(object),
-       .takes_radius = takes_radius_in(object),
-       .snippet = text_in(object, "snippet", "")},
-      {.has_midpoints = is_second(object, "points", "clip", "midpoint"),
-       .normal_from_b = is_second(object, "normal", "a_to_b", "b_to_a")}};
-  check_declaration(declared.declaration, "$.declaration.");
-  return declared;
+  const auto takes_radius = object.find("takes_radius");
+  return {.name = object.string_or("name", usual_name),
+          .version = object.string_or("version", "unknown"),
+          .description = "a program",
+          .scalar = is_second(object, "scalar", "float32", "float64") ? ScalarType::float64
+                                                                      : ScalarType::float32,
+          .frame = is_second(object, "frame", "world", "local") ? RoundingFrame::local
+                                                                : RoundingFrame::world,
+          .tie_bias = tie_bias ? tie_bias->number() : 0,
+          .max_vertices = vertices_max_in(object),
+          .takes_radius = !takes_radius || takes_radius->boolean(),
+          .snippet = object.string_or("snippet", "")};
 }
 
 /// "planck" of "node scripts/planck.mjs --fast".
@@ -95,19 +75,18 @@ PairCase overlapping_boxes() {
 
 class CommandCollider {
  public:
-  CommandCollider(const std::string& command, const TimeLimits& limits)
-      : command_(command), program_(command, limits) {}
+  CommandCollider(const std::string& command, double start_seconds, double case_seconds)
+      : command_(command), program_(command, start_seconds, case_seconds) {}
 
   /// Asks one case, before whose answer it may declare itself. One that dies over it or answers
   /// nothing is left to the campaign.
   Declaration ask_declaration() {
     const PairCase pair = overlapping_boxes();
     Answer answer;
-    const auto start = std::chrono::steady_clock::now();
-    const BatchResult result = program_.ask({&pair, 1}, {&answer, 1}, always);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    const double to_start = result.end == BatchEnd::answered ? 3 * took.count() : 0;
-    program_.limits.start_seconds = program_.limits.case_seconds + to_start;
+    const auto start = Clock::now();
+    const BatchResult result = program_.ask({&pair, 1}, {&answer, 1}, [] { return true; });
+    const double to_start = result.end == BatchEnd::answered ? 3 * seconds_since(start) : 0;
+    program_.start_seconds = program_.case_seconds + to_start;
     const std::string declaration = program_.declaration();
     const std::string death = program_.stop();
     const bool cannot_run = death.ends_with("status 127") || death.ends_with("status 126");
@@ -116,16 +95,19 @@ class CommandCollider {
     }
     const JsonTree tree = parse_json(declaration.empty() ? "{\"declaration\": {}}" : declaration);
     try {
-      const Declared read = read_declaration(JsonView(tree).at("declaration"), name_in(command_));
-      program_.conventions = read.conventions;
-      return read.declaration;
+      const JsonView object = JsonView(tree).at("declaration");
+      const Declaration read = read_declaration(object, name_in(command_));
+      program_.conventions = {.has_midpoints = is_second(object, "points", "clip", "midpoint"),
+                              .normal_from_b = is_second(object, "normal", "a_to_b", "b_to_a")};
+      check_declaration(read, "$.declaration.");
+      return read;
     } catch (const UserError& error) {
       throw UserError(fmt::format("'{}' declares: {}", command_, error.what()));
     }
   }
 
   /// The longest that a case may take, where the program has to be started for it.
-  double seconds_max() const { return program_.limits.start_seconds; }
+  double seconds_max() const { return program_.start_seconds; }
 
   /// Answers at least one, unless told to stop. A program that dies does so over the first case it
   /// has not answered, since it flushes each line; where lines and cases may have lost step, all
@@ -148,8 +130,6 @@ class CommandCollider {
   }
 
  private:
-  static bool always() { return true; }
-
   Lost lost_by(const BatchResult& result) {
     const std::string death = program_.stop();
     if (result.end == BatchEnd::exited) {
@@ -185,8 +165,7 @@ class CommandCollider {
 
 Collider collider_of_command(const std::string& command, double seconds_max,
                              double start_seconds_max) {
-  const auto program = std::make_shared<CommandCollider>(
-      command, TimeLimits{.start_seconds = start_seconds_max, .case_seconds = seconds_max});
+  const auto program = std::make_shared<CommandCollider>(command, start_seconds_max, seconds_max);
   const Declaration declaration = program->ask_declaration();
   return isolated(declaration, program->seconds_max(),
                   [program](auto pairs, auto answers, const auto& go_on) {

@@ -32,10 +32,8 @@ void check_snippet(std::string_view snippet, std::string_view prefix) {
     const std::size_t end = snippet.find('@', at + 1);
     if (end == std::string_view::npos) return;
     const std::string_view word = snippet.substr(at + 1, end - at - 1);
-    if (!word.starts_with("a.") && !word.starts_with("b.")) {
-      at = end;
-      continue;
-    }
+    at = end;
+    if (!word.starts_with("a.") && !word.starts_with("b.")) continue;
     const std::string_view key = word.substr(2, word.find_first_of("[{(") - 2);
     if (std::ranges::find(kSnippetKeys, key) == kSnippetKeys.end()) {
       throw UserError(fmt::format("{}snippet: there is no '@{}@'{}; there are {}", prefix,

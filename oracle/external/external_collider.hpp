@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +10,7 @@
 #include "exchange/json.hpp"
 #include "oracle/external/manifuzz_collider.h"
 #include "process/child.hpp"
+#include "process/interruption.hpp"
 
 namespace manifuzz {
 
@@ -56,12 +56,6 @@ inline constexpr double kStartSecondsMax = 10;
 Collider collider_of_command(const std::string& command, double seconds_max,
                              double start_seconds_max = kStartSecondsMax);
 
-/// How long a program may take.
-struct TimeLimits {
-  double start_seconds = 0;  ///< for the first answer of a process
-  double case_seconds = 0;   ///< for each one after
-};
-
 /// How a batch of cases ended.
 enum class BatchEnd {
   answered,     ///< every case has its answer
@@ -83,10 +77,13 @@ struct BatchResult {
 /// An answer that is JSON but no manifold is `Lost`, and its case's alone.
 class ProgramProcess {
  public:
-  ProgramProcess(std::string command, const TimeLimits& time_limits)
-      : limits(time_limits), command_(std::move(command)) {}
+  ProgramProcess(std::string command, double start_seconds_max, double case_seconds_max)
+      : start_seconds(start_seconds_max),
+        case_seconds(case_seconds_max),
+        command_(std::move(command)) {}
 
-  TimeLimits limits;
+  double start_seconds;     ///< that the first answer of a process may take
+  double case_seconds;      ///< that each one after may take
   Conventions conventions;  ///< of its answers, as it declares them
 
   /// Asks all at once, and reads while it writes; starts the program where it does not run. `go_on`
@@ -104,12 +101,9 @@ class ProgramProcess {
   const std::string& declaration() const { return declaration_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void start();
   void write_some(std::string_view& text);
   bool read_some();
-  bool is_next_line(std::string& line);
   void take_lines(std::span<const PairCase> pairs, std::span<Answer> answers, BatchResult& result);
 
   std::string command_;

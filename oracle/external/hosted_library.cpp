@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <fcntl.h>
 #include <memory>
 #include <optional>
@@ -16,8 +15,6 @@
 
 namespace manifuzz {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double kLoadSecondsMax = 20;
 constexpr double kPollSeconds = 0.05;
@@ -76,8 +73,12 @@ class HostedLibrary {
     if (!death.empty()) throw UserError(fmt::format("{}: {} while it was loaded", path_, death));
     const SharedState& shared = **shared_;
     if (!shared.error.str().empty()) throw UserError(shared.error.str());
+    manifuzz_declaration declared = shared.declared;
+    declared.name = shared.name.c_str();
+    declared.version = shared.version.c_str();
+    declared.snippet = shared.snippet.c_str();
     try {
-      return declaration_of(declared());
+      return declaration_of(declared);
     } catch (const UserError& error) {
       throw UserError(fmt::format("{}: {}", path_, error.what()));
     }
@@ -103,7 +104,7 @@ class HostedLibrary {
     const int answered = std::clamp(shared.answered.load(), 0, shared.asked.load());
     auto done = std::min(static_cast<std::size_t>(answered), pairs.size());
     for (std::size_t i = 0; i < done; ++i) {
-      answers[i] = answer_of(shared.statuses[i], shared.manifolds[i], declared(), pairs[i]);
+      answers[i] = answer_of(shared.statuses[i], shared.manifolds[i], shared.declared, pairs[i]);
     }
     if (lost && done < pairs.size()) answers[done++] = *lost;
     return done;
@@ -126,15 +127,6 @@ class HostedLibrary {
     return read(child_.from(), &byte, 1) == 1;
   }
 
-  manifuzz_declaration declared() const {
-    const SharedState& shared = **shared_;
-    manifuzz_declaration declared = shared.declared;
-    declared.name = shared.name.c_str();
-    declared.version = shared.version.c_str();
-    declared.snippet = shared.snippet.c_str();
-    return declared;
-  }
-
   /// Until all is answered or nothing more will come; what became of the case at work, if it was
   /// lost.
   std::optional<Lost> wait_for_answers(const std::function<bool()>& go_on) {
@@ -147,8 +139,7 @@ class HostedLibrary {
         seen_at = Clock::now();
       }
       const bool stopped = !go_on();
-      const double seconds = std::chrono::duration<double>(Clock::now() - seen_at).count();
-      if (!stopped && seconds <= seconds_max_) continue;
+      if (!stopped && seconds_since(seen_at) <= seconds_max_) continue;
       child_.stop();
       if (stopped) return std::nullopt;
       return Lost{Lost::How::timed_out, fmt::format("no answer in {} s", seconds_max_)};

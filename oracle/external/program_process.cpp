@@ -16,19 +16,6 @@ namespace {
 
 constexpr int kPollMilliseconds = 50;
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// An answer that is JSON but no manifold loses its case alone.
-Answer answer_in(const JsonView& object, const PairCase& pair, const Conventions& conventions) {
-  try {
-    return read_reported_answer(object, pair, conventions);
-  } catch (const UserError& error) {
-    return Lost{Lost::How::malformed, error.what()};
-  }
-}
-
 /// A command of words alone: it can take the shell's place, so that it dies with us as the shell
 /// would. One that sets variables first, or is several, is left to the shell.
 bool is_simple(const std::string& command) {
@@ -61,7 +48,7 @@ BatchResult ProgramProcess::ask(std::span<const PairCase> pairs, std::span<Answe
     take_lines(pairs, answers, result);
     if (result.answered > before) answered_at = Clock::now();
     if (result.answered == pairs.size() || result.end != BatchEnd::answered) break;
-    const double most = has_answered_ ? limits.case_seconds : limits.start_seconds;
+    const double most = has_answered_ ? case_seconds : start_seconds;
     if (!open) {
       result.end = BatchEnd::exited;
     } else if (!go_on()) {
@@ -114,40 +101,36 @@ bool ProgramProcess::read_some() {
   return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
-bool ProgramProcess::is_next_line(std::string& line) {
-  const std::size_t end = unread_.find('\n');
-  if (end == std::string::npos) return false;
-  line.assign(unread_, 0, end);
-  unread_.erase(0, end + 1);
-  return true;
-}
-
 void ProgramProcess::take_lines(std::span<const PairCase> pairs, std::span<Answer> answers,
                                 BatchResult& result) {
-  std::string line;
-  while (result.answered < pairs.size() && is_next_line(line)) {
+  while (result.answered < pairs.size()) {
+    const std::size_t end = unread_.find('\n');
+    if (end == std::string::npos) break;
+    const std::string line = unread_.substr(0, end);
+    unread_.erase(0, end + 1);
     if (is_blank(line)) continue;
+    bool is_answer = line.starts_with('{');  // perhaps one that cannot be read
+    Answer& answer = answers[result.answered];
     try {
       if (line.size() > kLongestCase) throw UserError("longer than 1 MiB");
       const JsonTree tree = parse_json(line);
+      is_answer = true;
       const JsonView view(tree);
       if (!has_answered_ && declaration_.empty() && view.is_object() && view.find("declaration")) {
         declaration_ = line;
         continue;
       }
-      answers[result.answered] = answer_in(view, pairs[result.answered], conventions);
-      ++result.answered;
-      has_answered_ = true;
+      answer = read_reported_answer(view, pairs[result.answered], conventions);
     } catch (const UserError& error) {
-      if (line.starts_with('{')) {  // an answer still, if none that can be read
-        answers[result.answered++] = Lost{Lost::How::malformed, error.what()};
-        has_answered_ = true;
-        continue;
+      if (!is_answer) {
+        result.end = BatchEnd::not_json;
+        result.why = fmt::format("'{}': {}", printable(line), error.what());
+        return;
       }
-      result.end = BatchEnd::not_json;
-      result.why = fmt::format("'{}': {}", printable(line), error.what());
-      return;
+      answer = Lost{Lost::How::malformed, error.what()};
     }
+    ++result.answered;
+    has_answered_ = true;
   }
   if (unread_.size() > kLongestCase) {
     result.end = BatchEnd::not_json;

@@ -24,13 +24,14 @@ constexpr std::size_t kChunk = 1 << 16;
   throw UserError(fmt::format("{}: cannot {}: {}", name, doing, std::strerror(error)));
 }
 
-void write_all(int descriptor, std::string_view text, const std::string& name) {
+/// Returns 0, or the number of the error.
+int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail(name, "write it", errno);
-    text.remove_prefix(static_cast<std::size_t>(written));
+    if (written < 0 && errno != EINTR) return errno;
+    if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
   }
+  return 0;
 }
 
 /// A new file beside `target`, removed again unless it was renamed to it.
@@ -78,13 +79,9 @@ class TemporaryFile {
 void write_device(const fs::path& path, std::string_view text) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) fail(printable_path(path), "open it", errno);
-  try {
-    write_all(descriptor, text, printable_path(path));
-  } catch (...) {
-    ::close(descriptor);
-    throw;
-  }
+  const int error = write_all(descriptor, text);
   ::close(descriptor);
+  if (error != 0) fail(printable_path(path), "write it", error);
 }
 
 }  // namespace
@@ -94,7 +91,7 @@ std::string printable_path(const fs::path& path) {
 }
 
 InputFile::InputFile(const std::string& path)
-    : name_(path == "-" ? "stdin" : printable(path, 200)), descriptor_(STDIN_FILENO) {
+    : name_(path == "-" ? "stdin" : printable_path(path)), descriptor_(STDIN_FILENO) {
   if (path == "-") return;
   descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0) fail(name_, "open it", errno);
@@ -149,6 +146,12 @@ bool LineReader::fill() {
 }
 
 std::optional<Line> LineReader::next() {
+  auto line = next_of_all();
+  while (line && !line->too_long && is_blank(line->text)) line = next_of_all();
+  return line;
+}
+
+std::optional<Line> LineReader::next_of_all() {
   Line line{{}, ++number_, false};
   std::size_t searched = 0;
   do {
@@ -174,14 +177,14 @@ std::optional<Line> LineReader::next() {
 }
 
 void write_file(const fs::path& path, std::string_view text) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
+  std::error_code unknown;
+  const fs::file_status status = fs::status(path, unknown);
   if (fs::is_directory(status)) {
     throw UserError(fmt::format("{}: is a folder; a file is expected", printable_path(path)));
   }
   if (fs::exists(status) && !fs::is_regular_file(status)) return write_device(path, text);
   // A link stays, and what it points to is replaced.
-  const bool is_dangling = !fs::exists(status) && fs::is_symlink(fs::symlink_status(path, error));
+  const bool is_dangling = !fs::exists(status) && fs::is_symlink(fs::symlink_status(path, unknown));
   if (is_dangling) throw UserError(fmt::format("{}: is a link to nothing", printable_path(path)));
   const fs::path target = fs::exists(status) ? fs::canonical(path) : path;
   if (target.has_parent_path()) {
@@ -191,7 +194,8 @@ void write_file(const fs::path& path, std::string_view text) {
       fail(printable_path(target.parent_path()), "create the folder", not_created.value());
   }
   TemporaryFile temporary(target, printable_path(path));
-  write_all(temporary.descriptor(), text, printable_path(path));
+  const int error = write_all(temporary.descriptor(), text);
+  if (error != 0) fail(printable_path(path), "write it", error);
   temporary.rename_to_target();
 }
 
@@ -246,15 +250,9 @@ void Output::write(std::string_view text) {
 }
 
 void Output::flush() {
-  std::string_view rest = buffer_;
-  while (!rest.empty()) {
-    const ssize_t written = ::write(STDOUT_FILENO, rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0 && errno == EPIPE) throw OutputClosed();
-    if (written < 0)
-      throw UserError(std::string("stdout: cannot write it: ") + std::strerror(errno));
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
+  const int error = write_all(STDOUT_FILENO, buffer_);
+  if (error == EPIPE) throw OutputClosed();
+  if (error != 0) fail("stdout", "write it", error);
   buffer_.clear();
 }
 

@@ -16,6 +16,9 @@ namespace manifuzz {
 /// memory: a case takes about a kilobyte.
 inline constexpr std::size_t kLongestCase = 1 << 20;
 
+/// A path as errors name it: printable, and not too long.
+std::string printable_path(const std::filesystem::path& path);
+
 /// A file open for reading, or the standard input where the path is "-". Throws UserError that
 /// names the path.
 class InputFile {
@@ -46,12 +49,9 @@ struct Line {
   std::string_view text;   ///< without its end; valid until the next line is read
   std::size_t number = 0;  ///< counted from 1
   bool too_long = false;   ///< longer than kLongestCase; `text` is then empty
-
-  /// Whether it holds white space alone, and is skipped.
-  bool is_blank() const { return !too_long && manifuzz::is_blank(text); }
 };
 
-/// The lines of a file, one at a time in constant memory.
+/// The lines of a file that are not blank, one at a time in constant memory.
 class LineReader {
  public:
   /// `before_read` runs before each read, which may block: the place to flush answers.
@@ -64,6 +64,8 @@ class LineReader {
   std::string_view waiting() const { return {buffer_.data() + begin_, end_ - begin_}; }
   /// Reads on behind it; false at the end of the file.
   bool fill();
+  /// The next line, a blank one too.
+  std::optional<Line> next_of_all();
 
   InputFile& file_;
   std::function<void()> before_read_;
@@ -129,9 +131,6 @@ void write_to_reader(std::string_view text);
 
 /// Writes to the file of that name, or to the standard output for "-".
 void write_data(const std::string& file, std::string_view text);
-
-/// A path as an error line names it.
-std::string printable_path(const std::filesystem::path& path);
 
 /// The file or folder that a path means, the same for every spelling of it and every link to it.
 struct Place {

@@ -18,12 +18,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view type_of(const Json& value) {
-  if (value.is_null()) return "null";
-  if (value.is_boolean()) return "a boolean";
-  if (value.is_number()) return "a number";
-  if (value.is_string()) return "a string";
-  return value.is_array() ? "an array" : "an object";
+std::string type_of(const Json& value) {
+  const std::string article = value.is_structured() ? "an " : "a ";
+  return (value.is_null() ? "" : article) + value.type_name();
 }
 
 /// How a path goes on to a member of that name.
@@ -284,6 +281,11 @@ std::uint64_t JsonView::whole_number() const {
 std::string_view JsonView::string() const {
   expect(value_->is_string(), "a string");
   return value_->get_ref<const std::string&>();
+}
+
+std::string JsonView::string_or(std::string_view key, std::string_view otherwise) const {
+  const auto member = find(key);
+  return std::string(member ? member->string() : otherwise);
 }
 
 void JsonView::fail(std::string_view what) const {

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -54,6 +55,8 @@ class JsonView {
   float number_as_float() const;
   std::uint64_t whole_number() const;
   std::string_view string() const;
+  /// The string of that name, where this object has it.
+  std::string string_or(std::string_view key, std::string_view otherwise) const;
 
   [[noreturn]] void fail(std::string_view what) const;
 

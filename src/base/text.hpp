@@ -59,6 +59,14 @@ std::vector<std::string_view> names_of(const List& list) {
   return names;
 }
 
+/// The first element of `list` with that name, or nullptr.
+template <class List>
+auto find_by_name(const List& list, std::string_view name) {
+  const auto found =
+      std::ranges::find_if(list, [&](const auto& element) { return element.name == name; });
+  return found == std::end(list) ? nullptr : &*found;
+}
+
 /// The first elements of `list` with these names, each once, in the order in which they are named;
 /// all of the list for no name. Throws UserError where there is none: `option`, `no_such(kind)`.
 template <class List>
@@ -69,11 +77,8 @@ auto chosen_by_name(const List& list, std::span<const std::string> names, std::s
     if (std::ranges::find(chosen, &element) == chosen.end()) chosen.push_back(&element);
   };
   for (const std::string& name : names) {
-    const auto found =
-        std::ranges::find_if(list, [&](const auto& element) { return element.name == name; });
-    if (found == std::end(list)) {
-      throw UserError(std::string(option) + ": " + no_such(kind, name, names_of(list)));
-    }
+    const auto* const found = find_by_name(list, name);
+    if (!found) throw UserError(std::string(option) + ": " + no_such(kind, name, names_of(list)));
     choose(*found);
   }
   if (names.empty()) std::ranges::for_each(list, choose);

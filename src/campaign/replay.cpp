@@ -30,7 +30,7 @@ struct OutcomeSlot {
 
 Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
                          Interruption& interruption) {
-  const Property* const property = find_property(recorded.property);
+  const Property* const property = find_by_name(properties(), recorded.property);
   if (property == nullptr) {
     return {false, fmt::format("a property named {}", recorded.property), "there is none"};
   }
@@ -62,7 +62,7 @@ Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const 
   for (const LedgerEntry& entry : ledger()) {
     const bool is_witness =
         oracle.declaration.name == entry.collider &&
-        fs::path(recorded.path).filename() == fs::path(entry.witness).filename();
+        fs::path(recorded.path).filename() == fs::path(witness_of(entry)).filename();
     if (is_witness && judgement.explanation != &entry) {
       return {false, fmt::format("a witness of {}", entry.id), got};
     }

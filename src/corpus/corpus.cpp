@@ -50,7 +50,6 @@ void read_lines_file(const std::string& path, Corpus& corpus) {
   std::size_t bad = 0;
   std::string first_error;
   while (const auto line = lines.next()) {
-    if (line->is_blank()) continue;
     try {
       corpus.cases.push_back(parse_line(*line));
       corpus.cases.back().path = fmt::format("{}:{}", path, line->number);
@@ -86,29 +85,12 @@ bool is_same_finding(const CorpusCase& known, const CorpusCase& other) {
          expect.oracle == of_other.oracle;
 }
 
-/// Where a case belongs in a folder, and whether that file holds it already.
-struct CasePlace {
-  fs::path file;
-  bool holds_it = false;
-};
-
 bool holds(const fs::path& file, const CorpusCase& corpus_case) {
   try {
     return is_same_finding(read_case_file(file.string()), corpus_case);
   } catch (const UserError&) {
     return false;
   }
-}
-
-CasePlace find_place(const fs::path& folder, const CorpusCase& corpus_case) {
-  const fs::path usual = folder / corpus_file_name(corpus_case);
-  fs::path file = usual;
-  std::error_code unknown;
-  for (int turn = 2; fs::is_regular_file(file, unknown); ++turn) {
-    if (holds(file, corpus_case)) return {file, true};
-    file = folder / fmt::format("{}-{}{}", usual.stem().string(), turn, kEnding);
-  }
-  return {file};
 }
 
 }  // namespace
@@ -159,11 +141,19 @@ std::string corpus_file_name(const CorpusCase& corpus_case) {
 }
 
 fs::path corpus_file(const fs::path& folder, const CorpusCase& corpus_case) {
-  return find_place(folder, corpus_case).file;
+  const fs::path usual = folder / corpus_file_name(corpus_case);
+  fs::path file = usual;
+  std::error_code unknown;
+  for (int turn = 2; fs::is_regular_file(file, unknown) && !holds(file, corpus_case); ++turn) {
+    file = folder / fmt::format("{}-{}{}", usual.stem().string(), turn, kEnding);
+  }
+  return file;
 }
 
 fs::path write_corpus_case(const fs::path& folder, const CorpusCase& corpus_case) {
-  const auto [file, holds_it] = find_place(folder, corpus_case);
+  const fs::path file = corpus_file(folder, corpus_case);
+  std::error_code unknown;
+  const bool holds_it = fs::is_regular_file(file, unknown);
   if (!holds_it) write_file(file, format_case(corpus_case));
   return file;
 }
@@ -186,70 +176,42 @@ void write_worst_case(const fs::path& file, const CorpusCase& worst) {
   write_file(worst_beside(file), format_case(worst));
 }
 
-namespace {
-
-/// Writes answers, and errors in the place of those that are missing.
-class AnswerWriter {
- public:
-  explicit AnswerWriter(const AnswerCase& answer) : answer_(answer) {}
-
-  /// The answer to the case that `read` gives.
-  template <class Read>
-  void write(std::size_t line_number, Read read) {
-    line_.clear();
-    ++lines_;
-    try {
-      answer_(read(), lines_ - 1, line_);
-    } catch (const UserError& error) {
-      if (bad_++ == 0) {
-        first_bad_line_ = line_number;
-        first_error_ = error.what();
-      }
-      line_ = "{\"error\": ";
-      append_string(line_, error.what());
-      fmt::format_to(std::back_inserter(line_), ", \"line\": {}}}", line_number);
-    }
-    out_.write(line_ += '\n');
-  }
-
-  void flush() { out_.flush(); }
-
-  /// To be called once, at the end; `numbered` where the line helps to find the error.
-  void finish(const std::string& file_name, bool numbered) {
-    flush();
-    if (lines_ == 0) throw UserError(file_name + ": is empty; one case a line is expected");
-    if (bad_ == 0) return;
-    const std::string line = numbered ? fmt::format(":{}", first_bad_line_) : "";
-    const std::string count = numbered ? fmt::format(" ({} bad of {})", bad_, lines_) : "";
-    throw UserError(fmt::format("{}{}: {}{}", file_name, line, first_error_, count));
-  }
-
- private:
-  const AnswerCase& answer_;
-  Output out_;
-  std::string line_;
-  std::size_t lines_ = 0;
-  std::size_t bad_ = 0;
-  std::size_t first_bad_line_ = 0;
-  std::string first_error_;
-};
-
-}  // namespace
-
 void answer_each(const std::string& path, const AnswerCase& answer) {
   InputFile file(path);
-  AnswerWriter answers(answer);
+  Output out;
   const bool is_one_case = path.ends_with(".json");
+  std::string line;
+  std::size_t cases = 0;
+  std::size_t bad = 0;
+  std::string first_error;
+  const auto write_answer = [&](std::size_t number, const auto& read) {
+    line.clear();
+    ++cases;
+    try {
+      answer(read().pair, cases - 1, line);
+    } catch (const UserError& error) {
+      const std::string place = is_one_case ? "" : fmt::format(":{}", number);
+      if (bad++ == 0) first_error = fmt::format("{}{}: {}", file.name(), place, error.what());
+      line = "{\"error\": ";
+      append_string(line, error.what());
+      fmt::format_to(std::back_inserter(line), ", \"line\": {}}}", number);
+    }
+    out.write(line += '\n');
+  };
   if (is_one_case) {
     const std::string text = file.read_all();
-    answers.write(1, [&] { return parse_case(text, FormatKey::required).pair; });
+    write_answer(1, [&] { return parse_case(text, FormatKey::required); });
   } else {
-    LineReader lines(file, [&] { answers.flush(); });
-    while (const auto line = lines.next()) {
-      if (!line->is_blank()) answers.write(line->number, [&] { return parse_line(*line).pair; });
+    LineReader lines(file, [&] { out.flush(); });
+    while (const auto read = lines.next()) {
+      write_answer(read->number, [&] { return parse_line(*read); });
     }
   }
-  answers.finish(file.name(), !is_one_case);
+  out.flush();
+  if (cases == 0) throw UserError(file.name() + ": is empty; one case a line is expected");
+  if (bad == 0) return;
+  throw UserError(is_one_case ? first_error
+                              : fmt::format("{} ({} bad of {})", first_error, bad, cases));
 }
 
 }  // namespace manifuzz

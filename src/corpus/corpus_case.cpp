@@ -19,12 +19,6 @@ void check_format(const JsonView& root, FormatKey format_key) {
   }
 }
 
-/// The string of that name, or empty.
-std::string read_string(const JsonView& object, std::string_view key) {
-  const auto member = object.find(key);
-  return std::string(member ? member->string() : "");
-}
-
 Found read_found(const JsonView& object) {
   object.expect_keys({"seed", "regime", "index", "versions"});
   Found found;
@@ -48,10 +42,10 @@ double read_share(const JsonView& value) {
 Expectation read_expectation(const JsonView& object, const PairCase& pair) {
   object.expect_keys(
       {"subject", "oracle", "verdict", "bucket", "severity", "magnitude", "manifolds"});
-  Expectation expect{read_string(object, "subject"),
-                     read_string(object, "oracle"),
-                     read_string(object, "verdict"),
-                     read_string(object, "bucket"),
+  Expectation expect{object.string_or("subject", ""),
+                     object.string_or("oracle", ""),
+                     object.string_or("verdict", ""),
+                     object.string_or("bucket", ""),
                      {}};
   if (const auto severity = object.find("severity")) expect.severity = read_share(*severity);
   if (const auto magnitude = object.find("magnitude")) expect.magnitude = magnitude->magnitude();
@@ -132,8 +126,8 @@ CorpusCase read_case(const JsonView& root, FormatKey format_key) {
   if (const auto expect = root.find("expect")) {
     corpus_case.expect = read_expectation(*expect, corpus_case.pair);
   }
-  corpus_case.property = read_string(root, "property");
-  corpus_case.note = read_string(root, "note");
+  corpus_case.property = root.string_or("property", "");
+  corpus_case.note = root.string_or("note", "");
   return corpus_case;
 }
 

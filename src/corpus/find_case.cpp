@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/file.hpp"
 #include "base/text.hpp"
 #include "corpus/corpus.hpp"
 #include "corpus/shrink.hpp"
@@ -69,30 +69,25 @@ Cases matching(const std::vector<CorpusCase>& corpus, const Matches& matches) {
 
 [[noreturn]] void complain_of_none(const std::string& name, const fs::path& folder,
                                    const std::vector<CorpusCase>& corpus) {
-  std::vector<std::string> names;
+  std::set<std::string> names;
   for (const CorpusCase& known : corpus) {
-    names.push_back(bucket_of(known));
-    names.push_back(dashed(bucket_of(known)));
-    names.push_back(file_name(known));
+    names.insert({bucket_of(known), dashed(bucket_of(known)), file_name(known)});
   }
-  std::ranges::sort(names);
-  names.erase(std::unique(names.begin(), names.end()), names.end());
   const std::vector<std::string_view> views(names.begin(), names.end());
   throw UserError(fmt::format("{}: there is no such file, and no such bucket or file in {}{}",
-                              printable(name, 200), printable_path(folder),
+                              printable_path(name), printable_path(folder),
                               did_you_mean(name, views)));
 }
 
 [[noreturn]] void complain_of_several(const std::string& name, const fs::path& folder,
                                       const Cases& found) {
   std::vector<std::string> names;
-  for (const CorpusCase* const known : found) names.push_back(printable(file_name(*known), 200));
+  for (const CorpusCase* const known : found) names.push_back(printable_path(file_name(*known)));
   std::ranges::sort(names);
-  const std::size_t listed = std::min(names.size(), kListedMax);
-  names.resize(listed);
-  const std::string more =
-      found.size() > listed ? fmt::format(" and {} more", found.size() - listed) : "";
-  throw UserError(fmt::format("{}: {} files in {} begin with that: {}{}", printable(name, 200),
+  names.resize(std::min(names.size(), kListedMax));
+  const std::size_t left = found.size() - names.size();
+  const std::string more = left > 0 ? fmt::format(" and {} more", left) : "";
+  throw UserError(fmt::format("{}: {} files in {} begin with that: {}{}", printable_path(name),
                               found.size(), printable_path(folder), fmt::join(names, ", "), more));
 }
 
@@ -110,14 +105,14 @@ FoundCase find_case(const std::string& name, const fs::path& folder) {
         alike, {}, [](const CorpusCase* known) { return complexity(known->pair); });
     const std::string of =
         alike.size() > 1 ? fmt::format(", the smallest of {} with that bucket", alike.size()) : "";
-    return {smallest.path, fmt::format("taken: {}{}", printable(smallest.path, 200), of)};
+    return {smallest.path, fmt::format("taken: {}{}", printable_path(smallest.path), of)};
   }
   const Cases begun = matching(
       corpus, [&](const CorpusCase& known) { return file_name(known).starts_with(wanted); });
   if (begun.empty()) complain_of_none(name, folder, corpus);
   if (begun.size() > 1) complain_of_several(name, folder, begun);
   const std::string& path = begun.front()->path;
-  return {path, fmt::format("taken: {}", printable(path, 200))};
+  return {path, fmt::format("taken: {}", printable_path(path))};
 }
 
 }  // namespace manifuzz

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +11,10 @@ namespace manifuzz {
 namespace {
 
 namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const OutputPath& output, std::string_view what) {
+  throw BadOutput(fmt::format("{}: {}", output.option, what), {output.option});
+}
 
 bool is_folder(const OutputPath& output) {
   return output.kind == OutputPath::Kind::folder || output.kind == OutputPath::Kind::corpus;
@@ -51,9 +54,8 @@ void expect_outside(const OutputPath& output, const fs::path& folder) {
   const bool looks_like_case = output.path.ends_with(".json") || output.path.ends_with(".jsonl");
   if (is_folder(output) || !looks_like_case) return;
   if (!Place(output.path).is_within(Place(folder))) return;
-  throw BadOutput(fmt::format("{}: {} would be taken for a case of {}; name another", output.option,
-                              printable_path(output.path), printable_path(folder)),
-                  {output.option});
+  fail(output, fmt::format("{} would be taken for a case of {}; name another",
+                           printable_path(output.path), printable_path(folder)));
 }
 
 /// A file that is read, one of a folder too; and a folder for cases in one whose cases are read.
@@ -63,25 +65,19 @@ void expect_not_read(const OutputPath& output, const std::vector<fs::path>& inpu
     for (const fs::path& input : inputs) {
       const Place read(input);
       if (place.is_same(read) || !place.is_within(read)) continue;
-      throw BadOutput(
-          fmt::format("{}: {} lies in {}, whose cases are read; name another", output.option,
-                      printable_path(output.path), printable_path(input)),
-          {output.option});
+      fail(output, fmt::format("{} lies in {}, whose cases are read; name another",
+                               printable_path(output.path), printable_path(input)));
     }
   }
   if (is_folder(output) || !place.file) return;
   std::vector<std::string> unread;
   std::vector<fs::path> files = find_case_files(inputs, unread);
   files.insert(files.end(), inputs.begin(), inputs.end());  // whatever their names end in
-  const std::optional<Place> replaced =
-      output.replaces.empty() ? std::nullopt : std::optional(Place(output.replaces));
-  if (replaced && place.is_same(*replaced)) return;
+  if (!output.replaces.empty() && place.is_same(Place(output.replaces))) return;
   const bool is_read = std::ranges::any_of(
       files, [&](const fs::path& file) { return file != "-" && place.is_same(Place(file)); });
   if (!is_read) return;
-  throw BadOutput(fmt::format("{}: {} is one of the files that are read; name another",
-                              output.option, printable_path(output.path)),
-                  {output.option});
+  fail(output, printable_path(output.path) + " is one of the files that are read; name another");
 }
 
 void check_places(const OutputPath& output, const std::vector<OutputPath>& others,
@@ -99,26 +95,22 @@ void check_places(const OutputPath& output, const std::vector<OutputPath>& other
   expect_not_read(output, inputs);
 }
 
-[[noreturn]] void fail(const OutputPath& output, std::string_view why) {
-  throw BadOutput(fmt::format("{}: {}: {}", output.option, printable_path(output.path), why),
-                  {output.option});
-}
-
 void expect_ending(const OutputPath& output) {
   const auto has = [&](std::string_view ending) { return output.path.ends_with(ending); };
   if (output.endings.empty() || std::ranges::any_of(output.endings, has)) return;
-  fail(output,
-       fmt::format("a name that ends in {} is expected", fmt::join(output.endings, " or ")));
+  fail(output, fmt::format("{}: a name that ends in {} is expected", printable_path(output.path),
+                           fmt::join(output.endings, " or ")));
 }
 
 /// What is missing of it is made and taken away again.
 void expect_possible(const OutputPath& output) {
   if (output.path == "-") {
-    fail(output, fmt::format("a {} is expected; - is none", is_folder(output) ? "folder" : "file"));
+    fail(output,
+         fmt::format("-: a {} is expected; - is none", is_folder(output) ? "folder" : "file"));
   }
   const std::string why =
       is_folder(output) ? why_no_folder(output.path) : why_not_writable(output.path);
-  if (!why.empty()) fail(output, why);
+  if (!why.empty()) fail(output, fmt::format("{}: {}", printable_path(output.path), why));
 }
 
 }  // namespace

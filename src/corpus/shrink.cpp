@@ -18,16 +18,12 @@ namespace {
 class Scientific {
  public:
   /// The shortest that reads back.
-  explicit Scientific(float value) {
-    end_ = std::to_chars(text_.data(), text_.data() + text_.size(), value,
-                         std::chars_format::scientific)
-               .ptr;
-  }
-  Scientific(float value, int digits) {
-    end_ = std::to_chars(text_.data(), text_.data() + text_.size(), value,
-                         std::chars_format::scientific, digits - 1)
-               .ptr;
-  }
+  explicit Scientific(float value)
+      : end_(std::to_chars(text_.begin(), text_.end(), value, std::chars_format::scientific).ptr) {}
+  Scientific(float value, int digits)
+      : end_(std::to_chars(text_.begin(), text_.end(), value, std::chars_format::scientific,
+                           digits - 1)
+                 .ptr) {}
 
   int digits() const {
     return static_cast<int>(
@@ -51,12 +47,8 @@ class Scientific {
   }
 
   std::array<char, 32> text_{};
-  char* end_ = nullptr;
+  char* end_;
 };
-
-bool is_identity(const Vector2<float>& rotation) {
-  return rotation.x() == 1 && rotation.y() == 0;
-}
 
 }  // namespace
 
@@ -91,12 +83,11 @@ Complexity complexity(const PairCase& pair) {
     result.vertices += body.polygon.count;
     if (!body.pose.position.isZero(0)) ++result.placements;
     if (body.polygon.radius != 0) ++result.placements;
-    if (is_identity(body.pose.rotation)) continue;
+    if (body.pose.rotation == Vector2<float>(1, 0)) continue;
     ++result.placements;
-    result.digits +=
-        significant_digits(body.pose.rotation.x()) + significant_digits(body.pose.rotation.y());
     if (body.pose.rotation.x() < 0) result.size += 1;
-    for (const float number : {body.pose.rotation.x(), body.pose.rotation.y()}) {
+    for (const float number : body.pose.rotation) {
+      result.digits += significant_digits(number);
       result.numbers.emplace_back(std::abs(number), std::signbit(number));
     }
   }
@@ -109,9 +100,8 @@ namespace {
 std::vector<float> numbers_of(PairCase pair) {
   std::vector<float> numbers{static_cast<float>(pair.a.polygon.count)};
   for (const float* number : free_numbers(pair)) numbers.push_back(*number);
-  for (const Side side : {Side::a, Side::b}) {
-    numbers.push_back(pair[side].pose.rotation.x());
-    numbers.push_back(pair[side].pose.rotation.y());
+  for (const Body* body : {&pair.a, &pair.b}) {
+    numbers.insert(numbers.end(), body->pose.rotation.begin(), body->pose.rotation.end());
   }
   return numbers;
 }

@@ -41,25 +41,16 @@ Pose<double> widened(const Pose<float>& pose) {
   return {pose.position.cast<double>(), pose.rotation.cast<double>()};
 }
 
-/// The body where it stands, its rotation or its whole pose worked into the vertices.
-Body without_rotation(Body body) {
+/// The body stays where it is: its rotation, and its position but for `kept`, are worked into the
+/// vertices.
+void work_pose_into_vertices(Body& body, const Vector2<float>& kept) {
+  Pose<double> worked = widened(body.pose);
+  worked.position -= kept.cast<double>();
   for (int i = 0; i < body.polygon.count; ++i) {
-    const Vector2<double> turned =
-        rotate<double>(body.pose.rotation.cast<double>(), body.polygon.vertices[i].cast<double>());
-    body.polygon.vertices[i] = turned.cast<float>();
+    Vector2<float>& vertex = body.polygon.vertices[i];
+    vertex = transform<double>(worked, vertex.cast<double>()).cast<float>();
   }
-  body.pose.rotation = {1, 0};
-  return body;
-}
-
-Body without_position(Body body) {
-  for (int i = 0; i < body.polygon.count; ++i) {
-    const Vector2<double> moved =
-        transform<double>(widened(body.pose), body.polygon.vertices[i].cast<double>());
-    body.polygon.vertices[i] = moved.cast<float>();
-  }
-  body.pose = {};
-  return body;
+  body.pose = {kept, {1, 0}};
 }
 
 PairCase seen_from_a(PairCase pair) {
@@ -75,29 +66,14 @@ constexpr std::array<std::array<float, 2>, 6> kPlainRotations{
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0.8F, 0.6F}, {0.6F, 0.8F}}};
 
 Cases with_plainer_poses(const PairCase& pair) {
-  const auto change = [pair](Side side, auto make) {
-    PairCase changed = pair;
-    changed[side] = make(changed[side]);
-    return changed;
-  };
   std::vector<PairCase> plainer{seen_from_a(pair)};
   for (const Side side : {Side::a, Side::b}) {
-    plainer.push_back(change(side, without_position));
-    plainer.push_back(change(side, without_rotation));
-    plainer.push_back(change(side, [](Body body) {
-      body.pose.position = {0, 0};
-      return body;
-    }));
-    plainer.push_back(change(side, [](Body body) {
-      body.polygon.radius = 0;
-      return body;
-    }));
-    for (const auto& rotation : kPlainRotations) {
-      plainer.push_back(change(side, [&](Body body) {
-        body.pose.rotation = {rotation[0], rotation[1]};
-        return body;
-      }));
-    }
+    const auto add = [&]() -> Body& { return plainer.emplace_back(pair)[side]; };
+    work_pose_into_vertices(add(), {0, 0});
+    work_pose_into_vertices(add(), pair[side].pose.position);
+    add().pose.position = {0, 0};
+    add().polygon.radius = 0;
+    for (const auto& rotation : kPlainRotations) add().pose.rotation = {rotation[0], rotation[1]};
   }
   return rc::seq::fromContainer(std::move(plainer));
 }
@@ -138,12 +114,6 @@ PairCase turned_by_quarter(PairCase pair) {
   return pair;
 }
 
-PairCase renumbered(PairCase pair, Side side) {
-  auto& vertices = pair[side].polygon.vertices;
-  std::rotate(vertices.begin(), vertices.begin() + 1, vertices.begin() + pair[side].polygon.count);
-  return pair;
-}
-
 /// The same case in other words: swapped, mirrored, turned, its vertices counted from elsewhere.
 /// Which of them still fail alike is for the predicate to say.
 Cases symmetric_images(const PairCase& pair) {
@@ -159,7 +129,7 @@ Cases symmetric_images(const PairCase& pair) {
   for (const Side side : {Side::a, Side::b}) {
     PairCase image = pair;
     for (int i = 1; i < pair[side].polygon.count; ++i) {
-      image = renumbered(image, side);
+      renumber(image[side].polygon);
       images.push_back(image);
     }
   }

@@ -40,20 +40,14 @@ Answer AnswerFile::at(std::size_t index, const PairCase& pair) {
 }
 
 void AnswerFile::expect_end() {
-  const auto line = next_filled();
+  const auto line = lines_.next();
   if (!line) return;
   throw UserError(fmt::format("{}:{}: an answer more than there are cases; one a case is expected",
                               file_.name(), line->number));
 }
 
-std::optional<Line> AnswerFile::next_filled() {
-  auto line = lines_.next();
-  while (line && line->is_blank()) line = lines_.next();
-  return line;
-}
-
 Line AnswerFile::next_line() {
-  const auto line = next_filled();
+  const auto line = lines_.next();
   ++read_;
   if (line) return *line;
   throw UserError(file_.name() + ": ends before the cases do; an answer a case is expected");

@@ -67,8 +67,10 @@ struct LineBreaks {
   std::string_view in_body;
 };
 
-void append_separator(std::string& out, std::string_view line_break) {
+/// Appends a comma and the key of the next member.
+void append_key(std::string& out, std::string_view line_break, std::string_view key) {
   out.append(",").append(line_break.empty() ? " " : line_break);
+  out.append("\"").append(key).append("\": ");
 }
 
 void append_body(std::string& out, const Body& body, const LineBreaks& breaks) {
@@ -78,14 +80,11 @@ void append_body(std::string& out, const Body& body, const LineBreaks& breaks) {
     append_vector(out, body.polygon.vertices[i]);
   }
   out += ']';
-  append_separator(out, breaks.in_body);
-  out += "\"radius\": ";
+  append_key(out, breaks.in_body, "radius");
   append_number(out, body.polygon.radius);
-  append_separator(out, breaks.in_body);
-  out += "\"position\": ";
+  append_key(out, breaks.in_body, "position");
   append_vector(out, body.pose.position);
-  append_separator(out, breaks.in_body);
-  out += "\"rotation\": ";
+  append_key(out, breaks.in_body, "rotation");
   append_vector(out, body.pose.rotation);
   out.append(breaks.in_case) += '}';
 }
@@ -94,11 +93,9 @@ void append_body(std::string& out, const Body& body, const LineBreaks& breaks) {
 void append_case(std::string& out, const PairCase& pair, const LineBreaks& breaks) {
   out.append("{").append(breaks.in_case) += "\"format\": \"";
   out.append(kCaseFormat) += '"';
-  append_separator(out, breaks.in_case);
-  out += "\"a\": ";
+  append_key(out, breaks.in_case, "a");
   append_body(out, pair.a, breaks);
-  append_separator(out, breaks.in_case);
-  out += "\"b\": ";
+  append_key(out, breaks.in_case, "b");
   append_body(out, pair.b, breaks);
 }
 

@@ -107,7 +107,6 @@ class AnswerFile {
   void expect_end();
 
  private:
-  std::optional<Line> next_filled();
   Line next_line();
 
   InputFile file_;

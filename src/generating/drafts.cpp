@@ -18,17 +18,9 @@ void reframe(Sketch& sketch, const Pose<double>& inner) {
 
 /// A point around the middle, up to a few spans away.
 Vector2<double> random_origin(Random& random, const Outline& outline) {
-  Vector2<double> origin = middle(outline);
-  if (random.chance(0.5)) return origin;
+  if (random.chance(0.5)) return middle(outline);
   const double far = random.uniform(0, random.chance(0.8) ? 0.6 : 3) * span(outline);
-  origin += far * random_direction(random);
-  return origin;
-}
-
-Vector2<double> quarter_turn(Random& random) {
-  constexpr double turns[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  const auto& turn = turns[random.integer(0, 3)];
-  return {turn[0], turn[1]};
+  return middle(outline) + far * random_direction(random);
 }
 
 int random_place(Random& random, const Outline& outline) {
@@ -84,16 +76,11 @@ Draft corner_to_corner(Random& random, const Outline& a, const Outline& b) {
 }
 
 Draft any_meeting(Random& random, const Outline& a, const Outline& b) {
-  switch (random.integer(0, 3)) {
-    case 0:
-      return free_pair(random, a, b);
-    case 1:
-      return maybe_swapped(random, face_to_face(random, a, b, random.uniform(-0.1, 0.1)));
-    case 2:
-      return maybe_swapped(random, corner_to_face(random, a, b));
-    default:
-      return maybe_swapped(random, corner_to_corner(random, a, b));
-  }
+  const int kind = random.integer(0, 3);
+  if (kind == 0) return free_pair(random, a, b);
+  return maybe_swapped(random, kind == 1   ? face_to_face(random, a, b, random.uniform(-0.1, 0.1))
+                               : kind == 2 ? corner_to_face(random, a, b)
+                                           : corner_to_corner(random, a, b));
 }
 
 Draft any_meeting(Random& random) {
@@ -150,6 +137,11 @@ double draw_gap(Random& random, double beyond) {
 void aim(Random& random, const GenerationContext& context, Draft& draft, double unit) {
   draw_radii(random, context, draft, unit);
   draft.gap = draw_gap(random) * span(draft);
+}
+
+Vector2<double> quarter_turn(Random& random) {
+  const Vector2<double> turns[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  return turns[random.integer(0, 3)];
 }
 
 Pose<double> random_world(Random& random, double size) {
@@ -221,6 +213,27 @@ std::optional<PairCase> revalidated(PairCase pair) {
     body.polygon = make_polygon(body.polygon.corners(), body.polygon.radius);
   }
   return pair;
+}
+
+void turn_by_quarter(PairCase& pair) {
+  for (Body* body : {&pair.a, &pair.b}) {
+    body->pose.position = counter_clockwise_quarter(body->pose.position);
+    body->pose.rotation = counter_clockwise_quarter(body->pose.rotation);
+  }
+}
+
+void scale_lengths(PairCase& pair, float factor) {
+  for (Body* body : {&pair.a, &pair.b}) {
+    for (int i = 0; i < body->polygon.count; ++i) body->polygon.vertices[i] *= factor;
+    body->polygon.radius *= factor;
+    body->pose.position *= factor;
+  }
+}
+
+void renumber(ConvexPolygon<float>& polygon) {
+  for (auto* values : {&polygon.vertices, &polygon.normals}) {
+    std::rotate(values->begin(), values->begin() + 1, values->begin() + polygon.count);
+  }
 }
 
 std::optional<Tie> find_tie(const PairCase& pair, double sense) {

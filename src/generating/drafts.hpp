@@ -40,13 +40,8 @@ Vector2<double> random_direction(Random& random);
 /// Triangles to octagons, equally often up to `most`.
 int random_count(Random& random, int most = kMaxVertices);
 
-/// Corners on a circle of radius 1, at random angles.
-Outline inscribed(Random& random, int count);
-
-/// A triangle or quadrilateral with its corners cut until there are `count`: edges of all lengths.
-Outline carved(Random& random, int count);
-
-/// Inscribed or carved, flattened somewhat and turned; about 2 across.
+/// Corners on a circle, or cut off a triangle or quadrilateral; flattened somewhat and turned;
+/// about 2 across.
 Outline random_outline(Random& random, int count);
 Outline random_outline(Random& random);
 
@@ -208,6 +203,9 @@ double draw_gap(Random& random, double beyond = 0);
 /// Radii and gap, by the draft's size.
 void aim(Random& random, const GenerationContext& context, Draft& draft, double unit = 1);
 
+/// A multiple of a quarter turn.
+Vector2<double> quarter_turn(Random& random);
+
 /// Any rotation, and a position of up to ten sizes, often the origin.
 Pose<double> random_world(Random& random, double size);
 
@@ -225,6 +223,17 @@ std::vector<float*> free_numbers(PairCase& pair);
 /// The case with its normals computed afresh, or none where its vertices, poses or radii are not
 /// valid.
 std::optional<PairCase> revalidated(PairCase pair);
+
+// The same case in other words; normals do not follow vertices.
+
+/// A quarter turn of the world.
+void turn_by_quarter(PairCase& pair);
+
+/// All lengths multiplied.
+void scale_lengths(PairCase& pair, float factor);
+
+/// Vertices and faces are counted from the second one on.
+void renumber(ConvexPolygon<float>& polygon);
 
 /// A face of A and one of B that can separate alike.
 struct Tie {

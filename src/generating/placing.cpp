@@ -7,15 +7,18 @@
 namespace manifuzz {
 namespace {
 
-/// The polygon's vertices turned as in the world, about its own origin.
-Outline standing(const Body& body) {
+Outline outline_of(const Body& body) {
   Outline outline;
   outline.count = body.polygon.count;
-  const Vector2<double> rotation = body.pose.rotation.cast<double>();
   for (int i = 0; i < outline.count; ++i) {
-    outline.vertices[i] = rotate<double>(rotation, body.polygon.vertices[i].cast<double>());
+    outline.vertices[i] = body.polygon.vertices[i].cast<double>();
   }
   return outline;
+}
+
+/// The polygon's vertices turned as in the world, about its own origin.
+Outline standing(const Body& body) {
+  return turned(outline_of(body), body.pose.rotation.cast<double>());
 }
 
 /// Appends the faces of one polygon; `sign` is -1 for B's, whose outward is towards A. All faces at
@@ -110,12 +113,7 @@ void put_apart(PairCase& pair, const Vector2<double>& p) {
 
 bool shift_vertices(Body& body, const Vector2<double>& residual) {
   const Vector2<double> shift = rotate_inverse<double>(body.pose.rotation.cast<double>(), residual);
-  Outline outline;
-  outline.count = body.polygon.count;
-  for (int i = 0; i < outline.count; ++i) {
-    outline.vertices[i] = body.polygon.vertices[i].cast<double>() + shift;
-  }
-  const auto polygon = rounded(outline, body.polygon.radius);
+  const auto polygon = rounded(moved(outline_of(body), shift), body.polygon.radius);
   if (polygon) body.polygon = *polygon;
   return polygon.has_value();
 }

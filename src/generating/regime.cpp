@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/random.hpp"
+#include "base/text.hpp"
 #include "generating/drafts.hpp"
 
 namespace manifuzz {
@@ -29,10 +30,9 @@ PairCase plain_pair() {
 /// With large radii bodies are put so far away that float ends.
 bool is_finite(const PairCase& pair) {
   const auto body_is_finite = [](const Body& body) {
-    const auto& vertices = body.polygon.vertices;
     return body.pose.position.allFinite() &&
-           std::all_of(vertices.begin(), vertices.begin() + body.polygon.count,
-                       [](const Vector2<float>& vertex) { return vertex.allFinite(); });
+           std::ranges::all_of(body.polygon.corners(),
+                               [](const auto& vertex) { return vertex.allFinite(); });
   };
   return body_is_finite(pair.a) && body_is_finite(pair.b);
 }
@@ -44,9 +44,7 @@ std::span<const Regime> regimes() {
 }
 
 const Regime* find_regime(std::string_view name) {
-  const auto* const found = std::find_if(std::begin(kRegimes), std::end(kRegimes),
-                                         [&](const Regime& regime) { return regime.name == name; });
-  return found == std::end(kRegimes) ? nullptr : found;
+  return find_by_name(kRegimes, name);
 }
 
 PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,
@@ -108,22 +106,6 @@ void change_some(Random& random, PairCase& pair) {
   number = static_cast<float>(number * (random.chance(0.5) ? 1 + share : 1 - share));
 }
 
-void turn_by_quarter(PairCase& pair) {
-  for (Body* body : {&pair.a, &pair.b}) {
-    body->pose.position = counter_clockwise_quarter(body->pose.position);
-    body->pose.rotation = counter_clockwise_quarter(body->pose.rotation);
-  }
-}
-
-void scale_by_power(PairCase& pair, int power) {
-  const float factor = std::ldexp(1.0f, power);
-  for (Body* body : {&pair.a, &pair.b}) {
-    for (int i = 0; i < body->polygon.count; ++i) body->polygon.vertices[i] *= factor;
-    body->polygon.radius *= factor;
-    body->pose.position *= factor;
-  }
-}
-
 void change_radii(Random& random, PairCase& pair) {
   const float radius =
       random.chance(0.3) ? 0 : static_cast<float>(size(pair) * random.magnitude(-12, -5));
@@ -142,7 +124,7 @@ void mutate(Random& random, PairCase& pair) {
     case 4:
       return turn_by_quarter(pair);
     case 5:
-      return scale_by_power(pair, random.integer(-8, 8));
+      return scale_lengths(pair, std::ldexp(1.0f, random.integer(-8, 8)));
     default:
       return change_radii(random, pair);
   }

@@ -11,9 +11,10 @@ namespace manifuzz::draw {
 
 namespace {
 
-std::optional<PairCase> met(Random& random, const GenerationContext& context, Draft draft) {
+std::optional<PairCase> met(Random& random, const GenerationContext& context, Draft draft,
+                            double exact = 0.5) {
   aim(random, context, draft);
-  frame(random, draft);
+  frame(random, draft, exact);
   return settle(maybe_swapped(random, draft));
 }
 
@@ -209,9 +210,7 @@ std::optional<PairCase> micro_edge(Random& random, const GenerationContext& cont
   draft.a.outline = micro_corner(random);
   draft.b.outline = upside_down(partner(random, random.chance(0.3)));
   if (random.chance(0.3)) draft.start.x() = span(draft) * often_none(random, -23, -6);
-  aim(random, context, draft);
-  frame(random, draft, 0.7);
-  return settle(maybe_swapped(random, draft));
+  return met(random, context, draft, 0.7);
 }
 
 std::optional<PairCase> near_collinear(Random& random, const GenerationContext& context) {

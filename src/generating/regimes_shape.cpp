@@ -162,13 +162,12 @@ std::optional<PairCase> grid(Random& random, const GenerationContext& context) {
   if (draft.a.outline.count < kMinVertices || draft.b.outline.count < kMinVertices) {
     return std::nullopt;
   }
-  const Vector2<double> quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  draft.b.pose.rotation = quarters[random.integer(0, 3)];
+  draft.b.pose.rotation = quarter_turn(random);
   const Outline b = turned(draft.b.outline, draft.b.pose.rotation);
   draft.start = grid_contact(random, draft.a.outline, b);
   draft.start += grid_step(random);
   draft.radius_a = draft.radius_b = context.radius.value_or(random.chance(0.7) ? 0.0f : 0.25f);
-  draft.world.rotation = quarters[random.integer(0, 3)];
+  draft.world.rotation = quarter_turn(random);
   const double x = 0.5 * random.integer(-20, 20);
   const double y = 0.5 * random.integer(-20, 20);
   draft.world.position = {x, y};

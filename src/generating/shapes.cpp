@@ -18,34 +18,16 @@ Vector2<double> circle_point(double turn) {
   const int quadrant = static_cast<int>(turn);
   const double t = turn - quadrant;
   const double scale = 1 / (1 + t * t);
-  const double c = (1 - t * t) * scale;
-  const double s = 2 * t * scale;
-  switch (quadrant) {
-    case 0:
-      return {c, s};
-    case 1:
-      return {-s, c};
-    case 2:
-      return {-c, -s};
-    default:
-      return {s, -c};
-  }
+  Vector2<double> point((1 - t * t) * scale, 2 * t * scale);
+  for (int i = 0; i < quadrant; ++i) point = counter_clockwise_quarter(point);
+  return point;
 }
 
 Vector2<double> face_normal(const Outline& outline, int face) {
   return clockwise_quarter(unit(outline.face(face)));
 }
 
-}  // namespace
-
-Vector2<double> random_direction(Random& random) {
-  return circle_point(4 * random.unit());
-}
-
-int random_count(Random& random, int most) {
-  return random.integer(kMinVertices, most);
-}
-
+/// Corners on a circle of radius 1, at random angles.
 Outline inscribed(Random& random, int count) {
   std::array<double, kMaxVertices> gaps{};
   double total = 0;
@@ -61,6 +43,7 @@ Outline inscribed(Random& random, int count) {
   return outline;
 }
 
+/// A triangle or quadrilateral with its corners cut until there are `count`: edges of all lengths.
 Outline carved(Random& random, int count) {
   Outline outline = inscribed(random, std::min(count, random.integer(3, 4)));
   while (outline.count < count) {
@@ -70,6 +53,16 @@ Outline carved(Random& random, int count) {
     outline = chamfered(outline, corner, before, after);
   }
   return outline;
+}
+
+}  // namespace
+
+Vector2<double> random_direction(Random& random) {
+  return circle_point(4 * random.unit());
+}
+
+int random_count(Random& random, int most) {
+  return random.integer(kMinVertices, most);
 }
 
 Outline random_outline(Random& random, int count) {
@@ -83,13 +76,11 @@ Outline random_outline(Random& random) {
 }
 
 Outline box(double half_width, double half_height) {
-  Outline outline;
-  outline.count = 4;
-  outline.vertices[0] = {-half_width, -half_height};
-  outline.vertices[1] = {half_width, -half_height};
-  outline.vertices[2] = {half_width, half_height};
-  outline.vertices[3] = {-half_width, half_height};
-  return outline;
+  return {.vertices = {{{-half_width, -half_height},
+                        {half_width, -half_height},
+                        {half_width, half_height},
+                        {-half_width, half_height}}},
+          .count = 4};
 }
 
 Outline regular_outline(int count) {

@@ -16,14 +16,8 @@ const std::vector<double> kOffUnitValues{1e-7, 1.2e-7, 1.5e-7, 2e-7,   2.5e-7, 3
                                          6e-7, 8e-7,   1e-6,   1.2e-6, 2e-6,   2.5e-6, 3e-6,  4e-6,
                                          5e-6, 6e-6,   7e-6,   8e-6,   9e-6,   9.5e-6, 9.8e-6};
 
-double power_of_ten(int exponent) {
-  double power = 1;
-  for (int i = 0; i < exponent; ++i) power *= 10;
-  return power;  // exact up to 10^22
-}
-
 double decimal(int mantissa, int exponent) {
-  return exponent >= 0 ? mantissa * power_of_ten(exponent) : mantissa / power_of_ten(-exponent);
+  return std::stod(fmt::format("{}e{}", mantissa, exponent));
 }
 
 }  // namespace
@@ -38,11 +32,6 @@ std::span<const Sweep> sweeps() {
   return all;
 }
 
-const Sweep* find_sweep(std::string_view name) {
-  const auto found = std::ranges::find(sweeps(), name, &Sweep::name);
-  return found == sweeps().end() ? nullptr : &*found;
-}
-
 PairCase draw_case(std::uint64_t seed, const Sweep& sweep, double value, std::uint64_t index) {
   constexpr int attempts = 1000;
   Random random(mix(seed) ^ std::bit_cast<std::uint64_t>(value), sweep.name, index);
@@ -52,19 +41,13 @@ PairCase draw_case(std::uint64_t seed, const Sweep& sweep, double value, std::ui
   throw std::logic_error(fmt::format("sweep {} draws nothing at {}", sweep.name, value));
 }
 
-std::vector<double> rising(std::initializer_list<int> mantissas, int from, int to) {
+std::vector<double> decades(std::initializer_list<int> mantissas, int from, int to) {
+  const bool rises = from < to;
   std::vector<double> values;
-  for (int exponent = from; exponent < to; ++exponent) {
-    for (const int mantissa : mantissas) values.push_back(decimal(mantissa, exponent));
-  }
-  values.push_back(decimal(1, to));
-  return values;
-}
-
-std::vector<double> falling(std::initializer_list<int> tenths, int from, int to) {
-  std::vector<double> values;
-  for (int exponent = from; exponent > to; --exponent) {
-    for (const int tenth : tenths) values.push_back(decimal(tenth, exponent - 1));
+  for (int exponent = from; exponent != to; exponent += rises ? 1 : -1) {
+    for (const int mantissa : mantissas) {
+      values.push_back(decimal(mantissa, rises ? exponent : exponent - 1));
+    }
   }
   values.push_back(decimal(1, to));
   return values;
@@ -83,10 +66,6 @@ Outline benign_outline(Random& random, int most) {
   const double scale = random.magnitude(-1, 0);
   const double flat = random.uniform(0.7, 1.4);
   return turned(stretched(regular, scale, scale * flat), random_direction(random));
-}
-
-Outline benign_partner(Random& random) {
-  return face_or_corner_up(random, benign_outline(random), 0.05);
 }
 
 void give_own_axes(Random& random, Sketch& sketch) {
@@ -110,11 +89,6 @@ void stand_near(Random& random, Draft& draft) {
   // A float, so that A stands where the drawing has it.
   draft.world.position = Vector2<double>(x, y).cast<float>().cast<double>();
   draft.exact_gap = true;
-}
-
-double gap_error(const PairCase& pair, double gap) {
-  const double found = separation(faces_of(pair), apart(pair)) - total_radius(pair);
-  return std::abs(found - gap) / std::abs(gap);
 }
 
 namespace {
@@ -163,11 +137,6 @@ Body body_of(const Outline& outline, const Pose<double>& pose) {
 
 std::span<const Walk> walks() {
   return kWalks;
-}
-
-const Walk* find_walk(std::string_view name) {
-  const auto* const found = std::ranges::find(kWalks, name, &Walk::name);
-  return found == kWalks.end() ? nullptr : found;
 }
 
 Walker::Walker(std::uint64_t seed, const Walk& walk)

@@ -27,19 +27,13 @@ struct Sweep {
 /// Every sweep, in the order of `list sweeps`.
 std::span<const Sweep> sweeps();
 
-/// The sweep of that name, or nullptr.
-const Sweep* find_sweep(std::string_view name);
-
 /// Case `index` of a sweep with its knob at `value`: a function of (seed, the sweep's name, value,
 /// index) alone.
 PairCase draw_case(std::uint64_t seed, const Sweep& sweep, double value, std::uint64_t index);
 
-/// The mantissas times 10^from, then times the next power, up to 10^to: each the double nearest to
-/// the decimal.
-std::vector<double> rising(std::initializer_list<int> mantissas, int from, int to);
-
-/// The tenths times 10^from, then times the next power below, down to 10^to.
-std::vector<double> falling(std::initializer_list<int> tenths, int from, int to);
+/// From 10^from to 10^to, a power of ten after the other: the mantissas times the power where the
+/// powers rise, so many tenths of it where they fall. Each is the double nearest to the decimal.
+std::vector<double> decades(std::initializer_list<int> mantissas, int from, int to);
 
 /// 2^from, ..., 2, 1, 0.
 std::vector<double> powers_of_two_to_zero(int from);
@@ -49,24 +43,15 @@ std::vector<double> powers_of_two_to_zero(int from);
 /// A regular polygon, stretched a little and turned, between 0.5 and 3 across.
 Outline benign_outline(Random& random, int most = kMaxVertices);
 
-/// The same with a face on y = 0, facing +y, or with a corner up at the origin.
-Outline benign_partner(Random& random);
-
 /// Gives the outline axes of its own; nothing moves.
 void give_own_axes(Random& random, Sketch& sketch);
 
 /// Touching or nearly so, as deep as a quarter of `unit`; one in four rounded.
 void meet(Random& random, Draft& draft, double unit);
-inline void meet(Random& random, Draft& draft) {
-  meet(random, draft, span(draft));
-}
 
 /// Turns the drawing in the world and stands it up to two of its sizes from the origin. B's
 /// vertices take up what rounding its position leaves.
 void stand_near(Random& random, Draft& draft);
-
-/// By how much the gap of a settled pair is off, as a share of the gap asked for.
-double gap_error(const PairCase& pair, double gap);
 
 }  // namespace manifuzz
 
@@ -75,31 +60,31 @@ namespace manifuzz::turn {
 /// The one list of sweeps: a name, what its knob is and its unit, the knob's values, and a line for
 /// `list sweeps`. Each is a function of that name below, defined in a file of its theme
 /// (sweeps.cpp). A case depends on the name, not on the place.
-#define MANIFUZZ_SWEEPS(SWEEP)                                                                    \
-  SWEEP(distance, "distance from the origin", "world lengths, of polygons 0.5 to 3 across",       \
-        rising({1, 2, 5}, 0, 8), "both bodies far from the world's origin")                       \
-  SWEEP(angle, "angle between facing faces", "its tangent", falling({10, 5, 2}, 0, -9),           \
-        "two facing faces, ever nearer to parallel")                                              \
-  SWEEP(aspect, "aspect ratio", "length over thickness", rising({1, 2, 5}, 0, 8),                 \
-        "one polygon or both ever thinner")                                                       \
-  SWEEP(small, "size, downwards", "world lengths", falling({10, 3}, 0, -18),                      \
-        "everything ever smaller")                                                                \
-  SWEEP(large, "size, upwards", "world lengths", rising({1, 3}, 0, 18), "everything ever larger") \
-  SWEEP(ratio, "size ratio", "larger over smaller", rising({1, 2, 3, 5}, 0, 6),                   \
-        "one polygon ever smaller than the other")                                                \
-  SWEEP(depth, "depth", "share of the size", falling({10, 5, 2}, 0, -9),                          \
-        "an overlap from the whole size to almost none")                                          \
-  SWEEP(collinear, "turn at a vertex", "its tangent", falling({10, 5, 2}, -1, -9),                \
-        "a vertex on a face at the contact, ever less out of line")                               \
-  SWEEP(chamfer, "chamfer", "share of its polygon's size", falling({10, 5, 3, 2}, -1, -7),        \
-        "a corner at the contact cut ever smaller")                                               \
-  SWEEP(off_unit, "rotation off unit", "|cos^2 + sin^2 - 1|", kOffUnitValues,                     \
-        "rotations that are ever less unit")                                                      \
-  SWEEP(tie, "lead of a face", "ulps from a tie", powers_of_two_to_zero(20),                      \
-        "two faces, or two incident edges, ever nearer to a tie")                                 \
-  SWEEP(touch, "gap", "ulps from touching", powers_of_two_to_zero(20),                            \
-        "a gap, or an overlap, ever nearer to none")                                              \
-  SWEEP(corner, "end of an edge", "ulps from the side plane", powers_of_two_to_zero(20),          \
+#define MANIFUZZ_SWEEPS(SWEEP)                                                                     \
+  SWEEP(distance, "distance from the origin", "world lengths, of polygons 0.5 to 3 across",        \
+        decades({1, 2, 5}, 0, 8), "both bodies far from the world's origin")                       \
+  SWEEP(angle, "angle between facing faces", "its tangent", decades({10, 5, 2}, 0, -9),            \
+        "two facing faces, ever nearer to parallel")                                               \
+  SWEEP(aspect, "aspect ratio", "length over thickness", decades({1, 2, 5}, 0, 8),                 \
+        "one polygon or both ever thinner")                                                        \
+  SWEEP(small, "size, downwards", "world lengths", decades({10, 3}, 0, -18),                       \
+        "everything ever smaller")                                                                 \
+  SWEEP(large, "size, upwards", "world lengths", decades({1, 3}, 0, 18), "everything ever larger") \
+  SWEEP(ratio, "size ratio", "larger over smaller", decades({1, 2, 3, 5}, 0, 6),                   \
+        "one polygon ever smaller than the other")                                                 \
+  SWEEP(depth, "depth", "share of the size", decades({10, 5, 2}, 0, -9),                           \
+        "an overlap from the whole size to almost none")                                           \
+  SWEEP(collinear, "turn at a vertex", "its tangent", decades({10, 5, 2}, -1, -9),                 \
+        "a vertex on a face at the contact, ever less out of line")                                \
+  SWEEP(chamfer, "chamfer", "share of its polygon's size", decades({10, 5, 3, 2}, -1, -7),         \
+        "a corner at the contact cut ever smaller")                                                \
+  SWEEP(off_unit, "rotation off unit", "|cos^2 + sin^2 - 1|", kOffUnitValues,                      \
+        "rotations that are ever less unit")                                                       \
+  SWEEP(tie, "lead of a face", "ulps from a tie", powers_of_two_to_zero(20),                       \
+        "two faces, or two incident edges, ever nearer to a tie")                                  \
+  SWEEP(touch, "gap", "ulps from touching", powers_of_two_to_zero(20),                             \
+        "a gap, or an overlap, ever nearer to none")                                               \
+  SWEEP(corner, "end of an edge", "ulps from the side plane", powers_of_two_to_zero(20),           \
         "an end of the incident edge ever nearer to where it is clipped")
 
 #define MANIFUZZ_DECLARE(name, knob, unit, values, description) \
@@ -130,7 +115,6 @@ struct Walk {
 };
 
 std::span<const Walk> walks();
-const Walk* find_walk(std::string_view name);
 
 /// The frames of a walk, which depend on (seed, the walk's name) alone.
 class Walker {

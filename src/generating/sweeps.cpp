@@ -38,9 +38,16 @@ Draft benign_pair(Random& random, double scale_a, double scale_b) {
   return met(random, a, b);
 }
 
+/// Touching or nearly so, anywhere near the origin, A and B exchanged half the time.
+std::optional<PairCase> settled(Random& random, Draft draft, double unit) {
+  meet(random, draft, unit);
+  stand_near(random, draft);
+  return settle(maybe_swapped(random, draft));
+}
+
 std::optional<PairCase> sized(Random& random, double scale) {
   Draft draft = benign_pair(random, scale, scale);
-  meet(random, draft);
+  meet(random, draft, span(draft));
   stand_near(random, draft);
   return settle(draft);
 }
@@ -49,7 +56,7 @@ std::optional<PairCase> sized(Random& random, double scale) {
 
 std::optional<PairCase> distance(Random& random, double value) {
   Draft draft = benign_pair(random, 1, 1);
-  meet(random, draft);
+  meet(random, draft, span(draft));
   stand_near(random, draft);
   draft.world.position = value * random_direction(random);
   return settle(draft);
@@ -67,10 +74,8 @@ std::optional<PairCase> ratio(Random& random, double value) {
   const Outline large = benign_outline(random);
   const Outline regular = benign_outline(random);
   const double scale = diameter(large) / (value * diameter(regular));
-  Draft draft = met(random, large, stretched(regular, scale, scale));
-  meet(random, draft);
-  stand_near(random, draft);
-  return settle(maybe_swapped(random, draft));
+  const Draft draft = met(random, large, stretched(regular, scale, scale));
+  return settled(random, draft, span(draft));
 }
 
 std::optional<PairCase> depth(Random& random, double value) {
@@ -80,13 +85,14 @@ std::optional<PairCase> depth(Random& random, double value) {
   stand_near(random, draft);
   draft = maybe_swapped(random, draft);
   const auto pair = settle(draft);
-  if (!pair || gap_error(*pair, *draft.gap) > 0.01) return std::nullopt;
-  return pair;
+  if (!pair) return std::nullopt;
+  const double off = separation(faces_of(*pair), apart(*pair)) - total_radius(*pair) - *draft.gap;
+  return std::abs(off) / std::abs(*draft.gap) > 0.01 ? std::nullopt : pair;
 }
 
 std::optional<PairCase> off_unit(Random& random, double value) {
   Draft draft = benign_pair(random, 1, 1);
-  meet(random, draft);
+  meet(random, draft, span(draft));
   stand_near(random, draft);
   for (Sketch* sketch : {&draft.a, &draft.b}) put_off_unit(*sketch, random.either_sign(value));
   return settle(draft);
@@ -101,11 +107,9 @@ namespace {
 std::optional<PairCase> met_from_above(Random& random, const Outline& delicate) {
   Draft draft;
   draft.a.outline = delicate;
-  draft.b.outline = upside_down(benign_partner(random));
+  draft.b.outline = upside_down(face_or_corner_up(random, benign_outline(random), 0.05));
   give_own_axes(random, draft.b);
-  meet(random, draft);
-  stand_near(random, draft);
-  return settle(maybe_swapped(random, draft));
+  return settled(random, draft, span(draft));
 }
 
 }  // namespace
@@ -113,10 +117,8 @@ std::optional<PairCase> met_from_above(Random& random, const Outline& delicate) 
 std::optional<PairCase> angle(Random& random, double value) {
   const Outline a = benign_outline(random);
   const Outline b = benign_outline(random);
-  Draft draft = face_to_face(random, a, b, random.either_sign(value));
-  meet(random, draft);
-  stand_near(random, draft);
-  return settle(maybe_swapped(random, draft));
+  const Draft draft = face_to_face(random, a, b, random.either_sign(value));
+  return settled(random, draft, span(draft));
 }
 
 std::optional<PairCase> aspect(Random& random, double value) {
@@ -128,9 +130,7 @@ std::optional<PairCase> aspect(Random& random, double value) {
   const Outline b = sliver();
   Draft draft = free_pair(random, a, b);
   if (random.chance(0.3)) draft.direction = draft.b.pose.rotation;
-  meet(random, draft, random.chance(0.5) ? 1 : 1 / value);
-  stand_near(random, draft);
-  return settle(maybe_swapped(random, draft));
+  return settled(random, draft, random.chance(0.5) ? 1 : 1 / value);
 }
 
 std::optional<PairCase> collinear(Random& random, double value) {
@@ -221,11 +221,7 @@ std::optional<PairCase> tie(Random& random, double value) {
 }
 
 std::optional<PairCase> touch(Random& random, double value) {
-  const Outline a = benign_outline(random);
-  const Outline b = benign_outline(random);
-  Draft draft = any_meeting(random, a, b);
-  give_own_axes(random, draft.a);
-  give_own_axes(random, draft.b);
+  Draft draft = benign_pair(random, 1, 1);
   if (random.chance(0.25)) draft.radius_a = draft.radius_b = 0.01F;
   draft.gap = random.either_sign(value * kUlp);
   stand_near(random, draft);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace manifuzz {
@@ -26,11 +27,6 @@ double smallest(ScalarType scalar) {
 
 /// Beyond it a float collider's sums and differences overflow.
 constexpr double kFloatReachMax = static_cast<double>(std::numeric_limits<float>::max()) / 4;
-
-double length(const Vector2<float>& v) {
-  const Vector2<double> wide = v.cast<double>();
-  return std::sqrt(wide.dot(wide));
-}
 
 double defect(const Body& body) {
   const Vector2<double> rotation = body.pose.rotation.cast<double>();
@@ -59,7 +55,8 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
   const double rotation_defect = narrow ? defect(pair.a) + defect(pair.b) : 0;
   const double of_rotation = rotation_defect * reach + underflow;
   if (in_world) {
-    reach += std::max(length(pair.a.pose.position), length(pair.b.pose.position));
+    reach += std::max(pair.a.pose.position.cast<double>().norm(),
+                      pair.b.pose.position.cast<double>().norm());
   }
   if (narrow && reach > kFloatReachMax) {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -69,10 +66,6 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
           .incident_dot = of.incident_dot * u + rotation_defect,
           .normal = of_normal * u + rotation_defect,
           .position = of.position * u * reach + of_rotation};
-}
-
-bool is_ill_posed(const PairCase& pair, const Bounds& bounds) {
-  return is_ill_posed(size(pair), bounds);
 }
 
 namespace {
@@ -92,13 +85,8 @@ void add_references(double tie_bias, Admissible& result) {
   const double bound = result.bounds.separation;
   const auto add_faces = [&](Side side) {
     if (has_candidates_on(result, side)) return;
-    for (int i = 0; i < truth.pair()[side].polygon.count; ++i) {
-      const FaceOf face{side, i};
-      if (truth.compare_with_greatest(face, -bound) < 0) continue;
-      for (const int incident : truth.incident_edges(face, result.bounds.incident_dot)) {
-        result.candidates.push_back(&truth.clip(face, incident));
-      }
-    }
+    std::ranges::copy(clips_within(truth, side, result.bounds),
+                      std::back_inserter(result.candidates));
   };
   if (truth.compare_lead_of_b(tie_bias + bound) <= 0) add_faces(Side::a);
   if (truth.compare_lead_of_b(tie_bias - bound) > 0) add_faces(Side::b);
@@ -133,7 +121,7 @@ bool closer(const Mismatch& m, const Mismatch& n) {
 Mismatch point_mismatch(const Admissible& right, const Clip& clip, const ClipPoint& point,
                         const ContactPoint<double>& reported) {
   if (!is_near_position(clip, point, reported.position, position_bound(right, clip, point))) {
-    return {Kind::position, distance(reported.position, point.position())};
+    return {Kind::position, (reported.position - point.position()).norm()};
   }
   if (!is_near_depth(clip, point, reported.depth, depth_bound(right, clip, point))) {
     return {Kind::depth, std::abs(reported.depth - point.depth())};
@@ -156,6 +144,19 @@ Mismatch point_mismatch(const Admissible& right, const Clip& clip,
 }
 
 }  // namespace
+
+std::vector<const Clip*> clips_within(const exact::Truth& truth, Side side, const Bounds& bounds) {
+  const double bound = bounds.separation;
+  std::vector<const Clip*> clips;
+  for (int i = 0; i < truth.pair()[side].polygon.count; ++i) {
+    const FaceOf face{side, i};
+    if (truth.compare_with_greatest(face, -bound) < 0) continue;
+    for (const int incident : truth.incident_edges(face, bounds.incident_dot)) {
+      clips.push_back(&truth.clip(face, incident));
+    }
+  }
+  return clips;
+}
 
 double Admissible::from_contact() const {
   return std::abs(truth->separation() - total_radius(pair()));
@@ -235,7 +236,7 @@ Mismatch mismatch(const Manifold<double>& manifold, const Clip& clip, const Admi
   if (manifold.count > 0) {
     if (manifold.reference != clip.reference.side ||
         !is_near_normal(clip, manifold.normal, right.bounds.normal)) {
-      return {Kind::normal, distance(manifold.normal, clip.normal)};
+      return {Kind::normal, (manifold.normal - clip.normal).norm()};
     }
     if (compare_gap(clip, right.bounds.separation) > 0) {
       return {Kind::position, clip.gap()};

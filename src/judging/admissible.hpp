@@ -42,10 +42,14 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
 /// Float cannot say: the separation bound exceeds this share of the smaller polygon's diameter.
 inline constexpr double kIllPosedShare = 0.05;
 
-bool is_ill_posed(const PairCase& pair, const Bounds& bounds);
 inline bool is_ill_posed(double size, const Bounds& bounds) {
   return bounds.separation > kIllPosedShare * size;
 }
+
+/// Each clip that a face within bound of its side's greatest separation may make, whether the
+/// polygons touch or not.
+std::vector<const exact::Clip*> clips_within(const exact::Truth& truth, Side side,
+                                             const Bounds& bounds);
 
 /// Every manifold that is right for a collider: the clips it may make, and the bounds within which
 /// it may make them. Whatever is compared with a bound is compared exactly.

@@ -1,5 +1,6 @@
 #include "judging/bucket.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -53,17 +54,10 @@ std::optional<Bucket> find_bucket(std::string_view name) {
 }
 
 bool is_unexplained(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::subject_wrong:
-    case Verdict::oracle_wrong:
-    case Verdict::both_wrong:
-    case Verdict::crashed:
-    case Verdict::timed_out:
-    case Verdict::malformed:
-      return true;
-    default:
-      return false;
-  }
+  constexpr std::array unexplained{Verdict::subject_wrong, Verdict::oracle_wrong,
+                                   Verdict::both_wrong,    Verdict::crashed,
+                                   Verdict::timed_out,     Verdict::malformed};
+  return std::ranges::find(unexplained, verdict) != unexplained.end();
 }
 
 bool is_failure(const Bucket& bucket) {

@@ -27,23 +27,6 @@ bool may_be_empty_from(const Deviation& d, Side side) {
   });
 }
 
-/// Calls with each clip that some face within bound of its side's greatest separation may make,
-/// whether the polygons touch or not.
-template <class Predicate>
-bool any_clip_of_greatest(const Deviation& d, const Predicate& predicate) {
-  const exact::Truth& truth = *d.right.truth;
-  for (const Side side : {Side::a, Side::b}) {
-    for (int i = 0; i < d.right.pair()[side].polygon.count; ++i) {
-      const exact::FaceOf face{side, i};
-      if (truth.compare_with_greatest(face, -d.right.bounds.separation) < 0) continue;
-      for (const int edge : truth.incident_edges(face, d.right.bounds.incident_dot)) {
-        if (predicate(truth.clip(face, edge))) return true;
-      }
-    }
-  }
-  return false;
-}
-
 /// The vertices in the world, from A's position.
 std::vector<Vector2<double>> placed(const PairCase& pair, Side side) {
   std::vector<Vector2<double>> vertices;
@@ -113,9 +96,12 @@ bool crossing_underflows(const Deviation& d) {
 bool edge_extended_to_slab(const Deviation& d) {
   const bool fits = d.kind == Kind::position || d.kind == Kind::depth || d.kind == Kind::count ||
                     d.kind == Kind::phantom_contact;
-  return fits && any_clip_of_greatest(d, [&](const exact::Clip& clip) {
-           return compare_gap(clip, -d.right.bounds.separation) > 0;
-         });
+  const Bounds& bounds = d.right.bounds;
+  const auto misses = [&](const exact::Clip* clip) {
+    return compare_gap(*clip, -bounds.separation) > 0;
+  };
+  return fits && (std::ranges::any_of(clips_within(*d.right.truth, Side::a, bounds), misses) ||
+                  std::ranges::any_of(clips_within(*d.right.truth, Side::b, bounds), misses));
 }
 
 bool incident_edge_unclipped(const Deviation& d) {
@@ -190,7 +176,7 @@ bool points_agree(const Manifold<double>& s, const Manifold<double>& o, double a
   for (int i = 0; i < s.count; ++i) {
     const ContactPoint<double>& p = s.points[i];
     const ContactPoint<double>& q = o.points[i];
-    if (!(distance(p.position, q.position) <= apart) || !(std::abs(p.depth - q.depth) <= deeper) ||
+    if (!((p.position - q.position).norm() <= apart) || !(std::abs(p.depth - q.depth) <= deeper) ||
         p.features != q.features) {
       return false;
     }
@@ -211,7 +197,7 @@ bool plainly_agree(const exact::Truth& truth, const Declaration& of_subject,
   if (s.count < 0 || s.count > 2 || s.reference != o.reference || truth.compare_contact(0) > 0) {
     return false;
   }
-  return distance(s.normal, o.normal) <= for_subject.normal + for_oracle.normal &&
+  return (s.normal - o.normal).norm() <= for_subject.normal + for_oracle.normal &&
          points_agree(s, o, for_subject.position + for_oracle.position,
                       for_subject.separation + for_oracle.separation);
 }
@@ -263,15 +249,12 @@ Mismatch difference(const Manifold<double>& subject, const Manifold<double>& ora
   double magnitude = 0;
   for (int i = 0; i < subject.count; ++i) {
     const auto& point = subject.points[i];
-    const auto* nearest = &oracle.points[0];
-    for (int j = 1; j < oracle.count; ++j) {
-      if (distance(point.position, oracle.points[j].position) <
-          distance(point.position, nearest->position)) {
-        nearest = &oracle.points[j];
-      }
-    }
-    magnitude = std::max({magnitude, distance(point.position, nearest->position),
-                          std::abs(point.depth - nearest->depth)});
+    const auto distance = [&](const auto& other) {
+      return (point.position - other.position).norm();
+    };
+    const bool second = oracle.count > 1 && distance(oracle.points[1]) < distance(oracle.points[0]);
+    const auto& nearest = oracle.points[second ? 1 : 0];
+    magnitude = std::max({magnitude, distance(nearest), std::abs(point.depth - nearest.depth)});
   }
   if (subject.reference != oracle.reference || subject.normal != oracle.normal) {
     return {Kind::normal, magnitude};

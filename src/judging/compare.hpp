@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "judging/admissible.hpp"
@@ -26,7 +27,6 @@ struct LedgerEntry {
   std::string_view collider;          ///< whose deviation it is
   std::string_view description;       ///< one line for `list ledger`
   std::string_view source;            ///< file and function, or issue, where it comes from
-  std::string_view witness;           ///< path in the corpus of a case that shows it
   std::span<const Budget> budgets{};  ///< of the regimes in which it fires
   bool (*explains)(const Deviation& deviation);
 };
@@ -38,6 +38,9 @@ inline constexpr std::size_t kLedgerMax = 16;
 
 /// The entry's place in the ledger.
 std::size_t index_of(const LedgerEntry& entry);
+
+/// The path in the corpus of a case that shows it.
+std::string witness_of(const LedgerEntry& entry);
 
 /// The entry's budget in a regime, in hits a million cases: 0 where it names none.
 double budget_per_million(const LedgerEntry& entry, std::string_view regime);

@@ -73,14 +73,8 @@ Manifold<double> manifold_of(const Answer& answer, const Admissible& right) {
 }
 
 Verdict verdict_of(Lost::How how) {
-  switch (how) {
-    case Lost::How::crashed:
-      return Verdict::crashed;
-    case Lost::How::timed_out:
-      return Verdict::timed_out;
-    default:
-      return Verdict::malformed;
-  }
+  constexpr std::array verdicts{Verdict::crashed, Verdict::timed_out, Verdict::malformed};
+  return verdicts[static_cast<std::size_t>(how)];
 }
 
 /// An answer that is no manifold to judge, as the finding that it is by itself: lost, or nonsense.
@@ -135,16 +129,9 @@ Fault fault_of(const Judged& subject, const Judged& oracle) {
 }
 
 Verdict verdict_of(Fault fault) {
-  switch (fault) {
-    case Fault::subject:
-      return Verdict::subject_wrong;
-    case Fault::oracle:
-      return Verdict::oracle_wrong;
-    case Fault::both:
-      return Verdict::both_wrong;
-    default:
-      return Verdict::tie;
-  }
+  constexpr std::array verdicts{Verdict::tie, Verdict::subject_wrong, Verdict::oracle_wrong,
+                                Verdict::both_wrong};
+  return verdicts[static_cast<std::size_t>(fault)];
 }
 
 /// The error of a wrong manifold.
@@ -261,14 +248,8 @@ ContactSummary summary_of(const exact::Truth& truth) {
 }
 
 bool fails_alike(const Bucket& bucket, const Bucket& finding) {
-  switch (finding.fault) {
-    case Fault::subject:
-    case Fault::oracle:
-      return bucket.fault == finding.fault || bucket.fault == Fault::both;
-    case Fault::both:
-      return bucket.fault == Fault::both;
-    case Fault::none:
-      break;
+  if (finding.fault != Fault::none) {
+    return bucket.fault == finding.fault || bucket.fault == Fault::both;
   }
   if (finding.verdict == Verdict::agree) return bucket.fault != Fault::none;
   return bucket.verdict == finding.verdict;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "judging/compare.hpp"
 
 namespace manifuzz {
@@ -88,7 +90,6 @@ constexpr std::array kLedger{
                     "Box2D 2.4.1, include/box2d/b2_math.h, b2Vec2::Normalize: "
                     "`if (length < b2_epsilon) return 0.0f`; src/collision/b2_collide_polygon.cpp, "
                     "b2CollidePolygons: side offsets of world vertices",
-                .witness = "defects/box2d/witness-box2d-tiny-reference-face.json",
                 .budgets = kOfTinyFaces,
                 .explains = tiny_reference_face},
     LedgerEntry{.id = "box2d-huge-reference-face",
@@ -98,8 +99,6 @@ constexpr std::array kLedger{
                     "float, so its direction is divided by infinity",
                 .source = "Box2D 2.4.1, include/box2d/b2_math.h, b2Vec2::Length and Normalize: "
                           "`b2Sqrt(x * x + y * y)`",
-                .witness = "defects/box2d/witness-box2d-huge-reference-face.json",
-                .budgets = {},
                 .explains = huge_reference_face},
     LedgerEntry{.id = "box2d-no-contact-under-bias",
                 .collider = "box2d",
@@ -108,7 +107,6 @@ constexpr std::array kLedger{
                     "side planes the incident edge misses",
                 .source = "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2CollidePolygons: "
                           "k_tol = 0.1f * b2_linearSlop, then `if (np < 2) return`",
-                .witness = "defects/box2d/witness-box2d-no-contact-under-bias.json",
                 .budgets = kOfBias,
                 .explains = no_contact_under_bias},
     LedgerEntry{.id = "box2d-no-contact-on-tied-features",
@@ -119,7 +117,6 @@ constexpr std::array kLedger{
                 .source =
                     "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2FindMaxSeparation and "
                     "b2FindIncidentEdge: first of equals",
-                .witness = "defects/box2d/witness-box2d-no-contact-on-tied-features.json",
                 .budgets = kOfTies,
                 .explains = no_contact_on_tied_features},
     LedgerEntry{.id = "box2d-crossing-underflows",
@@ -129,8 +126,6 @@ constexpr std::array kLedger{
                     "but touches a side plane, the product of distances underflows",
                 .source = "Box2D 2.4.1, src/collision/b2_collision.cpp, b2ClipSegmentToLine: "
                           "`if (distance0 * distance1 < 0.0f)`",
-                .witness = "defects/box2d/witness-box2d-crossing-underflows.json",
-                .budgets = {},
                 .explains = crossing_underflows},
     LedgerEntry{.id = "planck-no-contact-under-bias",
                 .collider = "planck",
@@ -139,7 +134,6 @@ constexpr std::array kLedger{
                     "side planes the incident edge misses",
                 .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
                           "k_tol = 0.1 * Settings.linearSlop, then `if (np1 < 2) return`",
-                .witness = "defects/planck/witness-planck-no-contact-under-bias.json",
                 .budgets = kOfPlanckNoContactUnderBias,
                 .explains = no_contact_under_bias},
     LedgerEntry{.id = "planck-no-contact-on-tied-features",
@@ -149,7 +143,6 @@ constexpr std::array kLedger{
                     "one is kept, and its slab misses the deepest vertex",
                 .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, findMaxSeparation "
                           "and findIncidentEdge: first of equals",
-                .witness = "defects/planck/witness-planck-no-contact-on-tied-features.json",
                 .budgets = kOfPlanckNoContactOnTiedFeatures,
                 .explains = no_contact_on_tied_features},
     LedgerEntry{.id = "planck-normal-of-scaled-vertices",
@@ -159,7 +152,6 @@ constexpr std::array kLedger{
                                "unit length, since planck takes a transpose for the inverse",
                 .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
                           "localNormal of v12 - v11; scripts/colliders/protocol.mjs, readBody",
-                .witness = "defects/planck/witness-planck-normal-of-scaled-vertices.json",
                 .budgets = kOfPlanckNormalOfScaledVertices,
                 .explains = normal_of_rounded_vertices},
     LedgerEntry{.id = "phaser-box2d-edge-extended-to-slab",
@@ -169,7 +161,6 @@ constexpr std::array kLedger{
                     "misses the reference face's slab is prolonged to it",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2ClipPolygons: b2Lerp(v22, v21, "
                           "(lower1 - lower2) / (upper2 - lower2)) with a fraction outside [0, 1]",
-                .witness = "defects/phaser-box2d/witness-phaser-box2d-edge-extended-to-slab.json",
                 .budgets = kOfPhaserEdgeExtendedToSlab,
                 .explains = edge_extended_to_slab},
     LedgerEntry{
@@ -179,7 +170,6 @@ constexpr std::array kLedger{
                        "wrong one is kept, and its slab misses the deepest vertex",
         .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: `dot < minDot`, first "
                   "of equals",
-        .witness = "defects/phaser-box2d/witness-phaser-box2d-no-contact-on-tied-features.json",
         .budgets = kOfPhaserNoContactOnTiedFeatures,
         .explains = no_contact_on_tied_features},
     LedgerEntry{.id = "phaser-box2d-tiny-edge-unclipped",
@@ -188,8 +178,6 @@ constexpr std::array kLedger{
                                "along the reference face is not clipped",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2ClipPolygons: "
                           "`upper2 - lower2 > eps`; src/include/math_functions_h.js: eps = 1.0e-10",
-                .witness = "defects/phaser-box2d/witness-phaser-box2d-tiny-edge-unclipped.json",
-                .budgets = {},
                 .explains = incident_edge_unclipped},
     LedgerEntry{
         .id = "chipmunk-normal-of-world-vertices",
@@ -197,7 +185,6 @@ constexpr std::array kLedger{
         .description = "a normal off by the roundoff of world coordinates over the face's length",
         .source = "Chipmunk 7.0.3, src/cpCollision.c, ClosestPointsNew: "
                   "`n = cpvnormalize(cpvrperp(delta))`, delta of world points",
-        .witness = "defects/chipmunk/witness-chipmunk-normal-of-world-vertices.json",
         .budgets = kOfChipmunkNormalOfWorldVertices,
         .explains = normal_of_rounded_vertices},
     LedgerEntry{.id = "chipmunk-corner-on-corner",
@@ -206,7 +193,6 @@ constexpr std::array kLedger{
                                "corner of B",
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, GJKRecurse: the direction to the "
                           "nearest point is (0, 0), so no nearer one is found",
-                .witness = "defects/chipmunk/witness-chipmunk-corner-on-corner.json",
                 .budgets = kOfChipmunkCornerOnCorner,
                 .explains = corner_on_corner},
     LedgerEntry{.id = "chipmunk-collinear-apart",
@@ -215,7 +201,6 @@ constexpr std::array kLedger{
                                "chord of their difference",
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, ClosestPointsNew: `if(d <= 0.0f` "
                           "comes before the distance to the nearer vertex",
-                .witness = "defects/chipmunk/witness-chipmunk-collinear-apart.json",
                 .budgets = kOfChipmunkCollinearApart,
                 .explains = collinear_and_apart},
     LedgerEntry{.id = "chipmunk-wrong-support-edge",
@@ -224,7 +209,6 @@ constexpr std::array kLedger{
                                "face is clipped, their directions being nearer than a dot can tell",
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, SupportEdgeForPoly: "
                           "`cpvdot(n, planes[i1].n) > cpvdot(n, planes[i2].n)`",
-                .witness = "defects/chipmunk/witness-chipmunk-wrong-support-edge.json",
                 .budgets = kOfChipmunkWrongSupportEdge,
                 .explains = neighbours_nearly_parallel},
 };
@@ -239,6 +223,10 @@ std::span<const LedgerEntry> ledger() {
 
 std::size_t index_of(const LedgerEntry& entry) {
   return static_cast<std::size_t>(&entry - kLedger.data());
+}
+
+std::string witness_of(const LedgerEntry& entry) {
+  return fmt::format("defects/{}/witness-{}.json", entry.collider, entry.id);
 }
 
 double budget_per_million(const LedgerEntry& entry, std::string_view regime) {

@@ -42,13 +42,6 @@ ClipFigures::ClipFigures(const exact::Clip& of)
   for (int k = 0; k < of.count; ++k) points[k] = exact::locate<Number>(of, of.points[k].end);
 }
 
-const ClipFigures& ClipFiguresCache::of(const exact::Clip& clip) {
-  const auto known =
-      std::ranges::find(known_, &clip, [](const auto& figures) { return figures->clip; });
-  if (known != known_.end()) return **known;
-  return *known_.emplace_back(std::make_unique<const ClipFigures>(clip));
-}
-
 ErrorAgainstClip error_against(const Manifold<double>& manifold, const ClipFigures& truth,
                                const Bounds& bounds) {
   const exact::Clip& clip = *truth.clip;
@@ -90,12 +83,6 @@ std::optional<ErrorAgainstClip> nearest_error(const Manifold<double>& manifold,
     if (!nearest || distance(measured) < distance(*nearest)) nearest = measured;
   }
   return nearest;
-}
-
-std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
-                                               const Admissible& right) {
-  ClipFiguresCache figures;
-  return error_if_right(manifold, right, figures);
 }
 
 std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <array>
-#include <memory>
+#include <map>
 #include <optional>
-#include <vector>
 
 #include "judging/admissible.hpp"
 #include "oracle/exact/arithmetic.hpp"
@@ -47,10 +46,12 @@ struct ClipFigures {
 /// Those of one case's clips, each worked out once.
 class ClipFiguresCache {
  public:
-  const ClipFigures& of(const exact::Clip& clip);
+  const ClipFigures& of(const exact::Clip& clip) {
+    return known_.try_emplace(&clip, clip).first->second;
+  }
 
  private:
-  std::vector<std::unique_ptr<const ClipFigures>> known_;
+  std::map<const exact::Clip*, const ClipFigures> known_;
 };
 
 /// Of a manifold with points against one clip that has some.
@@ -61,8 +62,6 @@ ErrorAgainstClip error_against(const Manifold<double>& manifold, const ClipFigur
 /// takes the least share.
 std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
                                                const Admissible& right, ClipFiguresCache& figures);
-std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
-                                               const Admissible& right);
 
 /// Of any manifold with points, right or wrong, against the clip nearest to it; none where nothing
 /// may touch.

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
+#include "generating/drafts.hpp"
 #include "judging/compare.hpp"
 
 namespace manifuzz {
@@ -30,14 +32,8 @@ std::span<const Property> properties() {
   return kProperties;
 }
 
-const Property* find_property(std::string_view name) {
-  const auto found = std::find_if(kProperties.begin(), kProperties.end(),
-                                  [name](const Property& p) { return p.name == name; });
-  return found == kProperties.end() ? nullptr : &*found;
-}
-
 Outcome check(const Property& property, const Collider& collider, const PairCase& pair) {
-  if (is_ill_posed(pair, bounds(pair, collider.declaration))) return not_applicable();
+  if (is_ill_posed(size(pair), bounds(pair, collider.declaration))) return not_applicable();
   AskedCollider ask(collider);
   Outcome outcome = property.holds(ask, pair);
   if (ask.lost()) return fails("no answer: " + ask.lost()->why, 1);
@@ -51,7 +47,8 @@ Outcome check(const Property& property, const Collider& collider, const PairCase
 
 std::optional<Admissible> decided(const PairCase& pair, const Declaration& declaration) {
   Admissible right = admissible(pair, declaration);
-  if (is_ill_posed(pair, right.bounds) || right.candidates.size() != 1) return std::nullopt;
+  if (is_ill_posed(right.truth->size(), right.bounds)) return std::nullopt;
+  if (right.candidates.size() != 1) return std::nullopt;
   const exact::Clip& only = *right.candidates.front();
   const double undecided = declaration.tie_bias + right.bounds.separation;
   const bool leads = right.truth->compare_lead_of_b(undecided) > 0 ||
@@ -129,15 +126,6 @@ Manifold<double> swapped_back(const PairCase& pair, Manifold<double> manifold) {
   return manifold;
 }
 
-ConvexPolygon<float> renumbered(const ConvexPolygon<float>& polygon) {
-  ConvexPolygon<float> shifted = polygon;
-  for (int i = 0; i < polygon.count; ++i) {
-    shifted.vertices[i] = polygon.vertices[polygon.next(i)];
-    shifted.normals[i] = polygon.normals[polygon.next(i)];
-  }
-  return shifted;
-}
-
 /// Asks for both, and compares what `back` makes of the second with the first.
 template <class Back>
 Outcome compare_moved(AskedCollider& ask, const PairCase& pair, const PairCase& moved,
@@ -155,10 +143,6 @@ Outcome compare_moved(AskedCollider& ask, const PairCase& pair, const PairCase& 
   return same_manifold(pair, *here, back(*there), within, features);
 }
 
-Vector2<float> quarter_turned(const Vector2<float>& v) {
-  return counter_clockwise_quarter(v);
-}
-
 /// `by` added to both coordinates, if every bit of the sum fits a float.
 std::optional<Vector2<float>> translated(const Vector2<float>& v, float by) {
   const Vector2<float> sum = v + Vector2<float>(by, by);
@@ -167,14 +151,6 @@ std::optional<Vector2<float>> translated(const Vector2<float>& v, float by) {
     if (back != static_cast<double>(v[i]) || !std::isfinite(sum[i])) return std::nullopt;
   }
   return sum;
-}
-
-Body scaled(const Body& body, float factor) {
-  Body result = body;
-  for (int i = 0; i < body.polygon.count; ++i) result.polygon.vertices[i] *= factor;
-  result.polygon.radius *= factor;
-  result.pose.position *= factor;
-  return result;
 }
 
 /// Far enough from the ends of the range that no product of two numbers leaves it when scaled.
@@ -198,20 +174,15 @@ Outcome swapping_mirrors(AskedCollider& ask, const PairCase& pair) {
 
 Outcome renumbering_changes_features_only(AskedCollider& ask, const PairCase& pair) {
   PairCase other_numbers = pair;
-  other_numbers.a.polygon = renumbered(pair.a.polygon);
-  other_numbers.b.polygon = renumbered(pair.b.polygon);
-  return compare_moved(ask, pair, other_numbers, Features::ignored,
-                       [](const Manifold<double>& m) { return m; });
+  renumber(other_numbers.a.polygon);
+  renumber(other_numbers.b.polygon);
+  return compare_moved(ask, pair, other_numbers, Features::ignored, std::identity());
 }
 
 Outcome quarter_turns_move(AskedCollider& ask, const PairCase& pair) {
   PairCase turned = pair;
-  for (const Side side : {Side::a, Side::b}) {
-    turned[side].pose = {quarter_turned(pair[side].pose.position),
-                         quarter_turned(pair[side].pose.rotation)};
-  }
-  return compare_moved(ask, pair, turned, Features::compared,
-                       [](const Manifold<double>& m) { return m; });
+  turn_by_quarter(turned);
+  return compare_moved(ask, pair, turned, Features::compared, std::identity());
 }
 
 Outcome translations_move(AskedCollider& ask, const PairCase& pair) {
@@ -222,8 +193,7 @@ Outcome translations_move(AskedCollider& ask, const PairCase& pair) {
     if (!a || !b) continue;
     moved.a.pose.position = *a;
     moved.b.pose.position = *b;
-    return compare_moved(ask, pair, moved, Features::compared,
-                         [](const Manifold<double>& m) { return m; });
+    return compare_moved(ask, pair, moved, Features::compared, std::identity());
   }
   return not_applicable();
 }
@@ -238,16 +208,17 @@ Outcome powers_of_two_scale(AskedCollider& ask, const PairCase& pair) {
     const double scale = static_cast<double>(factor);
     const Collider collider =
         bias == 0 ? ask.collider() : ask.collider().with_tie_bias(bias * scale);
-    const Answer there = manifuzz::ask(collider, {scaled(pair.a, factor), scaled(pair.b, factor)});
+    PairCase scaled = pair;
+    scale_lengths(scaled, factor);
+    const Answer there = manifuzz::ask(collider, scaled);
     Manifold<double> expected = *here;
     for (int i = 0; i < expected.count; ++i) {
       expected.points[i].position *= scale;
       expected.points[i].depth *= scale;
     }
-    if (!std::holds_alternative<Manifold<double>>(there)) return not_applicable();
-    if (std::get<Manifold<double>>(there) != expected) {
-      return fails("another manifold when scaled", 1);
-    }
+    const auto* const got = std::get_if<Manifold<double>>(&there);
+    if (got == nullptr) return not_applicable();
+    if (*got != expected) return fails("another manifold when scaled", 1);
   }
   return holds();
 }

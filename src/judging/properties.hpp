@@ -37,9 +37,6 @@ struct Property {
 /// Every property, as listed below.
 std::span<const Property> properties();
 
-/// The property of that name, or nullptr.
-const Property* find_property(std::string_view name);
-
 /// The property on one case of one collider, through the ledger.
 Outcome check(const Property& property, const Collider& collider, const PairCase& pair);
 

@@ -15,50 +15,42 @@ Answer answer(const PairCase& pair, const Collide& collide) {
 }
 
 template <class Scalar>
-void implement(Collider& collider) {
-  const auto bias = static_cast<Scalar>(collider.declaration.tie_bias);
-  collider.collide = [bias](const PairCase& pair) {
-    return answer<Scalar>(pair, [bias](const auto& placed, const Pose<Scalar>& b_in_a) {
-      return clipping::collide(placed.a, placed.b, b_in_a, bias);
-    });
-  };
+Answer collide(const PairCase& pair, Scalar tie_bias) {
+  return answer<Scalar>(pair, [tie_bias](const auto& placed, const Pose<Scalar>& b_in_a) {
+    return clipping::collide(placed.a, placed.b, b_in_a, tie_bias);
+  });
+}
+
+template <class Scalar>
+Collider implemented(const Declaration& declaration, Collider (*with_tie_bias)(double tie_bias)) {
+  Collider collider = own_collider<Scalar>(declaration, collide<Scalar>, with_tie_bias);
   collider.from_normal = [](const PairCase& pair, const Vector2<double>& normal) {
     return answer<Scalar>(pair, [&](const auto& placed, const Pose<Scalar>& b_in_a) {
       return clipping::manifold_from_normal<Scalar>(placed.a, placed.b, b_in_a,
                                                     normal.cast<Scalar>());
     });
   };
-  collider.in_double = [bias] { return make_clip64(static_cast<double>(bias)); };
+  return collider;
 }
 
 }  // namespace
 
 Collider make_clip(double tie_bias) {
-  Collider collider;
-  collider.declaration = {
-      .name = "clip",
-      .version = MANIFUZZ_VERSION,
-      .description =
-          "the article's clipping in float, incident edge by least dot, no empty overlap",
-      .scalar = ScalarType::float32,
-      .frame = RoundingFrame::local,
-      .tie_bias = static_cast<float>(tie_bias)};
-  collider.with_tie_bias = make_clip;
-  implement<float>(collider);
-  return collider;
+  return implemented<float>(
+      {.name = "clip",
+       .version = MANIFUZZ_VERSION,
+       .description =
+           "the article's clipping in float, incident edge by least dot, no empty overlap",
+       .tie_bias = tie_bias},
+      make_clip);
 }
 
 Collider make_clip64(double tie_bias) {
-  Collider collider;
-  collider.declaration = {.name = "clip64",
-                          .version = MANIFUZZ_VERSION,
-                          .description = "the same in double, on the same float input",
-                          .scalar = ScalarType::float64,
-                          .frame = RoundingFrame::local,
-                          .tie_bias = tie_bias};
-  collider.with_tie_bias = make_clip64;
-  implement<double>(collider);
-  return collider;
+  return implemented<double>({.name = "clip64",
+                              .version = MANIFUZZ_VERSION,
+                              .description = "the same in double, on the same float input",
+                              .tie_bias = tie_bias},
+                             make_clip64);
 }
 
 }  // namespace manifuzz

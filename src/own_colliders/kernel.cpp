@@ -20,20 +20,6 @@ Answer collide_as_batch(const PairCase& pair, Scalar tie_bias) {
   return manifold_cast<double>(manifolds[0]);
 }
 
-/// With `collide_one(pair, bias)` for its answers.
-template <class Scalar, class CollideOne>
-Collider implemented(Declaration declaration, CollideOne collide_one) {
-  Collider collider;
-  declaration.version = MANIFUZZ_VERSION;
-  declaration.frame = RoundingFrame::local;
-  const auto bias = static_cast<Scalar>(declaration.tie_bias);
-  declaration.tie_bias = static_cast<double>(bias);
-  collider.declaration = declaration;
-  collider.collide = [collide_one, bias](const PairCase& pair) { return collide_one(pair, bias); };
-  collider.in_double = [bias] { return make_clip64(static_cast<double>(bias)); };
-  return collider;
-}
-
 Answer collide_as_pair(const PairCase& pair, float tie_bias) {
   const Pose<float> b_in_a = relative_pose(pair.a.pose, pair.b.pose);
   return manifold_cast<double>(kernel::collide(kernel::rows_of(pair.a.polygon),
@@ -43,37 +29,28 @@ Answer collide_as_pair(const PairCase& pair, float tie_bias) {
 }  // namespace
 
 Collider make_pair(double tie_bias) {
-  Collider collider = implemented<float>({.name = "pair",
-                                          .version = {},
-                                          .description = "clip, one pair at a time, a face a lane",
-                                          .scalar = ScalarType::float32,
-                                          .tie_bias = tie_bias},
-                                         collide_as_pair);
-  collider.with_tie_bias = make_pair;
-  return collider;
+  return own_collider<float>({.name = "pair",
+                              .version = MANIFUZZ_VERSION,
+                              .description = "clip, one pair at a time, a face a lane",
+                              .tie_bias = tie_bias},
+                             collide_as_pair, make_pair);
 }
 
 Collider make_batch(double tie_bias) {
-  Collider collider = implemented<float>(
+  return own_collider<float>(
       {.name = "batch",
-       .version = {},
+       .version = MANIFUZZ_VERSION,
        .description = "clip, many pairs at once, one a lane of the widest vectors",
-       .scalar = ScalarType::float32,
        .tie_bias = tie_bias},
-      collide_as_batch<float>);
-  collider.with_tie_bias = make_batch;
-  return collider;
+      collide_as_batch<float>, make_batch);
 }
 
 Collider make_batch64(double tie_bias) {
-  Collider collider = implemented<double>({.name = "batch64",
-                                           .version = {},
-                                           .description = "clip64, many pairs at once, one a lane",
-                                           .scalar = ScalarType::float64,
-                                           .tie_bias = tie_bias},
-                                          collide_as_batch<double>);
-  collider.with_tie_bias = make_batch64;
-  return collider;
+  return own_collider<double>({.name = "batch64",
+                               .version = MANIFUZZ_VERSION,
+                               .description = "clip64, many pairs at once, one a lane",
+                               .tie_bias = tie_bias},
+                              collide_as_batch<double>, make_batch64);
 }
 
 }  // namespace manifuzz

@@ -20,11 +20,6 @@ struct PlacedPair {
   Scalar local_per_world = 1;  ///< A's local length of one world length
 };
 
-/// The pair as it stands: its rotations are taken to be unit.
-inline PlacedPair<float> placed_pair_as_given(const PairCase& pair) {
-  return {pair.a.polygon, pair.b.polygon, pair.a.pose, pair.b.pose, 1};
-}
-
 /// A stored rotation (cos, sin) of length k turns by its direction and scales by k: the polygon is
 /// scaled, and the rest is rigid.
 inline PlacedPair<double> placed_pair_scaled(const PairCase& pair) {
@@ -42,11 +37,12 @@ inline PlacedPair<double> placed_pair_scaled(const PairCase& pair) {
   return placed;
 }
 
-/// The pair for a collider of this scalar, float or double.
+/// The pair for a collider of this scalar, float or double: in float as it stands, its rotations
+/// are taken to be unit.
 template <class Scalar>
 PlacedPair<Scalar> placed_pair(const PairCase& pair) {
   if constexpr (std::is_same_v<Scalar, float>) {
-    return placed_pair_as_given(pair);
+    return {pair.a.polygon, pair.b.polygon, pair.a.pose, pair.b.pose, 1};
   } else {
     return placed_pair_scaled(pair);
   }
@@ -68,5 +64,21 @@ Collider make_batch(double tie_bias = 0);
 
 /// The same in double: `clip64`'s.
 Collider make_batch64(double tie_bias = 0);
+
+/// What all of these have in common: `collide_one(pair, bias)` gives the answers, in the scalar.
+template <class Scalar, class CollideOne>
+Collider own_collider(const Declaration& declaration, CollideOne collide_one,
+                      Collider (*with_tie_bias)(double tie_bias)) {
+  const auto bias = static_cast<Scalar>(declaration.tie_bias);
+  Collider collider;
+  collider.declaration = declaration;
+  collider.declaration.scalar =
+      std::is_same_v<Scalar, float> ? ScalarType::float32 : ScalarType::float64;
+  collider.declaration.tie_bias = static_cast<double>(bias);
+  collider.collide = [collide_one, bias](const PairCase& pair) { return collide_one(pair, bias); };
+  collider.with_tie_bias = with_tie_bias;
+  collider.in_double = [bias] { return make_clip64(static_cast<double>(bias)); };
+  return collider;
+}
 
 }  // namespace manifuzz

@@ -220,16 +220,12 @@ void end_at_once() {
 }  // namespace
 
 int guarding_exit(const std::function<int()>& run, const std::function<int()>& on_exit) {
+  struct Guard {
+    ~Guard() { end_with = nullptr; }
+  } guard;
   std::atexit(end_at_once);
   end_with = on_exit;
-  try {
-    const int status = run();
-    end_with = nullptr;
-    return status;
-  } catch (...) {
-    end_with = nullptr;
-    throw;
-  }
+  return run();
 }
 
 }  // namespace manifuzz

@@ -11,14 +11,11 @@
 
 namespace manifuzz {
 
-SharedMemory::SharedMemory(std::size_t bytes)
-    : data_(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)),
-      bytes_(bytes) {
-  if (data_ == MAP_FAILED) throw std::bad_alloc();
-}
-
-SharedMemory::~SharedMemory() {
-  munmap(data_, bytes_);
+SharedMemory shared_memory(std::size_t bytes) {
+  void* const data =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (data == MAP_FAILED) throw std::bad_alloc();
+  return {data, [bytes](void* mapped) { munmap(mapped, bytes); }};
 }
 
 namespace {

@@ -14,27 +14,18 @@
 
 namespace manifuzz {
 
-/// Zeroed memory that children share with their parent. Throws std::bad_alloc.
-class SharedMemory {
- public:
-  explicit SharedMemory(std::size_t bytes);
-  ~SharedMemory();
-  SharedMemory(const SharedMemory&) = delete;
-  SharedMemory& operator=(const SharedMemory&) = delete;
+/// Zeroed memory that children share with their parent.
+using SharedMemory = std::unique_ptr<void, std::function<void(void*)>>;
 
-  void* data() const { return data_; }
-
- private:
-  void* data_;
-  std::size_t bytes_;
-};
+/// So many bytes of it. Throws std::bad_alloc.
+SharedMemory shared_memory(std::size_t bytes);
 
 /// A value in shared memory, or several. T must hold no pointers and need no destructor.
 template <class T>
 class Shared {
  public:
   explicit Shared(std::size_t count = 1)
-      : memory_(count * sizeof(T)), values_(static_cast<T*>(memory_.data()), count) {
+      : memory_(shared_memory(count * sizeof(T))), values_(static_cast<T*>(memory_.get()), count) {
     std::uninitialized_value_construct(values_.begin(), values_.end());
   }
   T& operator*() const { return values_[0]; }

@@ -244,7 +244,7 @@ std::string list_ledger() {
   std::string lines;
   for (const LedgerEntry& entry : ledger()) {
     lines += fmt::format("{:<34} {} [{}; witness corpus/{}]\n", entry.id, entry.description,
-                         entry.source, entry.witness);
+                         entry.source, witness_of(entry));
   }
   return lines;
 }

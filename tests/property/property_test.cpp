@@ -69,7 +69,7 @@ Collider wrong_depths() {
 }  // namespace
 
 TEST_CASE("a failing property is shrunk, says why, and repeats from its string") {
-  const Property* const property = find_property("depth-is-overlap");
+  const Property* const property = find_by_name(properties(), "depth-is-overlap");
   REQUIRE(property != nullptr);
   const Collider broken = wrong_depths();
   const PropertyResult result = run_property(*property, broken, {7, 2000, {}, {}});
@@ -103,14 +103,14 @@ TEST_CASE("a collider that does not clip is not where it says") {
     manifold.points[1].features = {face, {Feature::Kind::vertex, 2}};
     return Answer(manifold);
   };
-  const Property* const property = find_property("points-in-place");
+  const Property* const property = find_by_name(properties(), "points-in-place");
   REQUIRE(property != nullptr);
   CHECK(check(*property, find_collider("clip"), pair).kind == Outcome::Kind::holds);
   CHECK(check(*property, unclipped, pair).why == "a point outside the slab");
 }
 
 TEST_CASE("the same seed gives the same report") {
-  const Property* const property = find_property("never-empty");
+  const Property* const property = find_by_name(properties(), "never-empty");
   REQUIRE(property != nullptr);
   const Collider clip = find_collider("clip");
   const std::string once = run_property(*property, clip, {3, 500, {}, {}}).report;

@@ -14,7 +14,7 @@ namespace {
 void check_alive(const LedgerEntry& entry) {
   const auto oracle = test::installed_collider(entry.collider);
   if (!oracle) return;
-  const auto path = test::source_dir() / "corpus" / entry.witness;
+  const auto path = test::source_dir() / "corpus" / witness_of(entry);
   const CorpusCase witness = read_case_file(path.string());
   const std::string subject = witness.expect ? witness.expect->subject : "clip";
   const Judgement judgement = judge(witness.pair, find_collider(subject), *oracle);

@@ -52,8 +52,8 @@ TwinJudgement twin_judge(const PairCase& pair, const ColliderAnswer& subject,
     bucket.verdict = Verdict::unsupported;
     return result;
   }
-  if (is_ill_posed(pair, bounds(pair, subject.declaration)) ||
-      is_ill_posed(pair, bounds(pair, oracle.declaration))) {
+  if (is_ill_posed(size(pair), bounds(pair, subject.declaration)) ||
+      is_ill_posed(size(pair), bounds(pair, oracle.declaration))) {
     bucket.verdict = Verdict::ill_posed;
     return result;
   }

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/text.hpp"
 #include "campaign/replay.hpp"
 #include "generating/regime.hpp"
 #include "own_colliders/own_colliders.hpp"
@@ -84,7 +85,7 @@ TEST_CASE("a collider that dies fails the property, the case at work being the f
     if (pair.b.polygon.count == 5) _exit(kDeath);
     return clip.collide(pair);
   };
-  const Property& property = *find_property("never-empty");
+  const Property& property = *find_by_name(properties(), "never-empty");
   const PropertyResult result = run_property(property, collider, {3, 500, {}, {}});
   CHECK_FALSE(result.passed);
   CHECK(result.why == "crashed");
@@ -98,7 +99,8 @@ TEST_CASE("a collider that dies fails the property, the case at work being the f
 TEST_CASE("a property that there is no time for ends at once, whatever was asked of it") {
   Interruption interruption({.hurried_at = Clock::now()});
   const PropertyPlan plan{3, 100'000'000, {}, {}, &interruption};
-  const PropertyResult result = run_property(*find_property("never-empty"), make_clip(), plan);
+  const PropertyResult result =
+      run_property(*find_by_name(properties(), "never-empty"), make_clip(), plan);
   CHECK(result.passed);
   CHECK(result.cases < plan.cases);
   CHECK(result.report.find("then it was stopped") != std::string::npos);

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/text.hpp"
 #include "generating/drafts.hpp"
 #include "generating/sweep.hpp"
 #include "oracle/exact/truth.hpp"
@@ -239,7 +240,7 @@ TEST_CASE("sweeps have 20 steps or more, each once, from benign to absurd") {
   for (const Sweep& sweep : sweeps()) {
     CAPTURE(sweep.name);
     CHECK(names.insert(sweep.name).second);
-    CHECK(find_sweep(sweep.name) == &sweep);
+    CHECK(find_by_name(sweeps(), sweep.name) == &sweep);
     CHECK(sweep.values.size() >= 20);
     const bool falls = sweep.values.front() > sweep.values.back();
     for (std::size_t i = 1; i < sweep.values.size(); ++i) {
@@ -249,20 +250,20 @@ TEST_CASE("sweeps have 20 steps or more, each once, from benign to absurd") {
     CHECK_FALSE(sweep.description.empty());
     CHECK_FALSE(sweep.unit.empty());
   }
-  CHECK(find_sweep("none") == nullptr);
+  CHECK(find_by_name(sweeps(), "none") == nullptr);
 }
 
 TEST_CASE("knobs are the doubles nearest to their decimals") {
-  CHECK(rising({1, 2, 5}, 0, 2) == std::vector<double>{1, 2, 5, 10, 20, 50, 100});
-  CHECK(falling({10, 5, 2}, 0, -2) == std::vector<double>{1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01});
-  CHECK(find_sweep("small")->values.back() == 1e-18);
-  CHECK(find_sweep("large")->values.back() == 1e18);
-  CHECK(find_sweep("depth")->values.back() == 1e-9);
+  CHECK(decades({1, 2, 5}, 0, 2) == std::vector<double>{1, 2, 5, 10, 20, 50, 100});
+  CHECK(decades({10, 5, 2}, 0, -2) == std::vector<double>{1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01});
+  CHECK(find_by_name(sweeps(), "small")->values.back() == 1e-18);
+  CHECK(find_by_name(sweeps(), "large")->values.back() == 1e18);
+  CHECK(find_by_name(sweeps(), "depth")->values.back() == 1e-9);
   CHECK(powers_of_two_to_zero(2) == std::vector<double>{4, 2, 1, 0});
 }
 
 TEST_CASE("a case depends on the seed, the sweep's name, its knob and its index") {
-  const Sweep& sweep = *find_sweep("distance");
+  const Sweep& sweep = *find_by_name(sweeps(), "distance");
   const PairCase pair = draw_case(1, sweep, 100, 7);
   CHECK(draw_case(1, sweep, 100, 7) == pair);
   CHECK_FALSE(draw_case(2, sweep, 100, 7) == pair);

@@ -61,6 +61,12 @@ double contact_error(const Manifold<double>& manifold, const exact::Truth& truth
                   exact::leading(separation - exact::DoubleDouble(total_radius(truth.pair()))));
 }
 
+std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
+                                               const Admissible& right) {
+  ClipFiguresCache figures;
+  return manifuzz::error_if_right(manifold, right, figures);
+}
+
 /// A right manifold's.
 Used used_by(const Manifold<double>& manifold, const Admissible& right) {
   Used used;
@@ -78,7 +84,7 @@ Used most_used(const Collider& collider, const Regime& regime, std::uint64_t cas
   for (std::uint64_t i = 0; i < cases; ++i) {
     const PairCase pair = generate(4, regime, i);
     const Admissible right = admissible(pair, collider.declaration);
-    if (is_ill_posed(pair, right.bounds)) continue;
+    if (is_ill_posed(size(pair), right.bounds)) continue;
     const auto manifold = std::get<Manifold<double>>(collider.collide(pair));
     const Kind wrong = mismatch(manifold, right).kind;
     if (wrong == Kind::none) {

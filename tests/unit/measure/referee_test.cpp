@@ -97,7 +97,8 @@ TEST_CASE(
     "case ill posed") {
   const PairCase far = squares(1.75F, 0x1p22F);
   const Declaration box2d = make_box2d().declaration;
-  REQUIRE(is_ill_posed(far, bounds(far, box2d)));  // for the judge, by the collider's own frame
+  REQUIRE(
+      is_ill_posed(size(far), bounds(far, box2d)));  // for the judge, by the collider's own frame
   CHECK(assessed(far, Manifold<double>{}, box2d) == Assessment::missed);
   const Manifold<double> right = right_answer(far);
   CHECK(assessed(far, right, box2d) == Assessment::right);

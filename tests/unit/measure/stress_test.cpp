@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/text.hpp"
 #include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
@@ -17,8 +18,8 @@ StressSubject subject(const Collider& collider) {
 
 StressPlan small_plan() {
   StressPlan plan;
-  plan.sweeps = {find_sweep("distance"), find_sweep("collinear")};
-  plan.walks = {find_walk("sliding")};
+  plan.sweeps = {find_by_name(sweeps(), "distance"), find_by_name(sweeps(), "collinear")};
+  plan.walks = {find_by_name(walks(), "sliding")};
   plan.subjects = {ideal_subject(), subject(make_clip()), subject(make_batch()),
                    subject(make_clip64())};
   plan.subjects.push_back({"clip with a bias", make_clip(kWalkBias), true});
@@ -45,7 +46,7 @@ StressSubject spoilt(const std::string& name, const std::function<void(const Pai
 
 /// Whether the case is the one of a step that a planted collider dies of.
 bool is_fatal(const PairCase& pair, std::uint64_t index) {
-  const Sweep& sweep = *find_sweep("touch");
+  const Sweep& sweep = *find_by_name(sweeps(), "touch");
   return pair == draw_case(1, sweep, sweep.values[1], index);
 }
 
@@ -82,7 +83,7 @@ TEST_CASE("every unit is measured, and colliders that answer alike have the same
 
 TEST_CASE("a collider that dies loses the case, and nobody else does") {
   StressPlan plan;
-  plan.sweeps = {find_sweep("touch")};
+  plan.sweeps = {find_by_name(sweeps(), "touch")};
   plan.cases = 300;
   plan.subjects = {subject(make_clip()), spoilt("dies", [](const PairCase& pair) {
                      if (is_fatal(pair, 7) || is_fatal(pair, 260)) _exit(kDeath);
@@ -102,7 +103,7 @@ TEST_CASE("a collider that dies loses the case, and nobody else does") {
 
 TEST_CASE("one that does nothing but die has lost the rest of the step, soon") {
   StressPlan plan;
-  plan.sweeps = {find_sweep("off_unit")};
+  plan.sweeps = {find_by_name(sweeps(), "off_unit")};
   plan.cases = 400;
   plan.jobs = 2;
   plan.subjects = {spoilt("dies", [](const PairCase&) { _exit(kDeath); }), subject(make_clip())};
@@ -127,7 +128,7 @@ TEST_CASE("one that dies again and again is given up, in whatever order its deat
 
 TEST_CASE("nonsense is counted") {
   StressPlan plan;
-  plan.sweeps = {find_sweep("tie")};
+  plan.sweeps = {find_by_name(sweeps(), "tie")};
   plan.cases = 50;
   StressSubject fool = subject(make_clip());
   fool.collider.collide = [](const PairCase&) {

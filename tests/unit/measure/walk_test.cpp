@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "base/text.hpp"
 #include "generating/drafts.hpp"
 #include "generating/sweep.hpp"
 #include "measure/stress/stress.hpp"
@@ -13,7 +14,7 @@ using Planted = std::function<void(std::uint64_t frame, Manifold<double>& manifo
 /// The changes of `clip` with a bias, spoilt as planted, through so many frames.
 WalkChanges changes_of(std::string_view walk, std::uint64_t frames, const Planted& planted = {}) {
   const Collider clip = make_clip(0.0005);
-  Walker walker(1, *find_walk(walk));
+  Walker walker(1, *find_by_name(walks(), walk));
   WalkChangeCounter counter;
   for (std::uint64_t frame = 0; frame < frames; ++frame) {
     const PairCase pair = walker.next();
@@ -50,12 +51,12 @@ TEST_CASE("every frame of a walk is a valid pair, near to the one before") {
 }
 
 TEST_CASE("a walk's frames depend on the seed and the walk alone") {
-  const Walk& walk = *find_walk("tumbling");
+  const Walk& walk = *find_by_name(walks(), "tumbling");
   Walker walker(3, walk);
   for (int i = 0; i < 10; ++i) walker.next();
   CHECK(walker.next() == frame_of(3, walk, 10));
   CHECK_FALSE(frame_of(4, walk, 10) == frame_of(3, walk, 10));
-  CHECK(find_walk("none") == nullptr);
+  CHECK(find_by_name(walks(), "none") == nullptr);
 }
 
 TEST_CASE("nothing is held against a steady collider") {
@@ -84,7 +85,7 @@ TEST_CASE("a planted flicker of the reference is seen, each time") {
 
 TEST_CASE("a flicker within the bound is told from one with a margin") {
   const Collider clip = make_clip(0);  // box on box: the faces of both tie
-  Walker walker(1, *find_walk("resting"));
+  Walker walker(1, *find_by_name(walks(), "resting"));
   WalkChangeCounter counter;
   for (std::uint64_t frame = 0; frame < 500; ++frame) {
     const PairCase pair = walker.next();
