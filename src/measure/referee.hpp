@@ -143,9 +143,6 @@ class ErrorList {
   std::vector<float> normal_;
 };
 
-/// ",MEDIAN,P999,MAX".
-std::string spread_csv(const Spread& spread);
-
 /// {"median", "p999", "max"}.
 nlohmann::ordered_json spread_json(const Spread& spread);
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "measure/referee.hpp"
@@ -52,11 +51,6 @@ void ErrorList::add(std::uint64_t index, const ManifoldError& error) {
 
 ErrorSpreads ErrorList::spreads() const {
   return {spread_of(depth_, cases_), spread_of(position_, cases_), spread_of(normal_, cases_)};
-}
-
-std::string spread_csv(const Spread& spread) {
-  return fmt::format(",{},{},{}", static_cast<float>(spread.median),
-                     static_cast<float>(spread.p999), static_cast<float>(spread.max));
 }
 
 Json spread_json(const Spread& spread) {

@@ -11,23 +11,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string vertices_of(const WorkloadSpec& spec) {
-  return spec.vertices ? std::to_string(*spec.vertices) : "mixed";
-}
-
 Json row_json(const BenchRow& row) {
   Json json{{"collider", row.subject->name},
             {"query", row.subject->query},
             {"input", row.subject->input},
-            {"target", row.subject->target}};
-  json["vertices"] = vertices_of(row.spec);
-  if (row.spec.vertices) json["vertices"] = *row.spec.vertices;
-  json["touching"] = row.spec.touching;
-  json["regime"] = row.spec.regime->name;
-  json["pairs"] = row.spec.pairs;
-  json["ns_per_pair"] = row.timing.ns_per_pair;
-  json["pairs_per_second"] = 1e9 / row.timing.ns_per_pair;
-  json["speedup_over_box2d"] = row.timing.speedup_over_box2d;
+            {"target", row.subject->target},
+            {"vertices", row.spec.vertices ? Json(*row.spec.vertices) : Json("mixed")},
+            {"touching", row.spec.touching},
+            {"regime", row.spec.regime->name},
+            {"pairs", row.spec.pairs},
+            {"ns_per_pair", row.timing.ns_per_pair},
+            {"pairs_per_second", 1e9 / row.timing.ns_per_pair},
+            {"speedup_over_box2d", row.timing.speedup_over_box2d}};
   if (!row.errors) return json;
   const BenchErrors& errors = *row.errors;
   json["error"] = spreads_json(errors.of_extent, [&](Json& spread_json, const Spread& spread) {
@@ -38,6 +33,14 @@ Json row_json(const BenchRow& row) {
   json["phantom"] = errors.phantom;
   json["cases"] = errors.cases;
   return json;
+}
+
+std::string rows_of(const std::vector<PlotPoint>& points) {
+  std::string rows;
+  for (const PlotPoint& point : points) {
+    rows += fmt::format("{} {} \"{}\"\n", point.x, point.y, point.name);
+  }
+  return rows;
 }
 
 }  // namespace
@@ -53,40 +56,17 @@ std::string bench_table(const std::vector<BenchRow>& rows) {
       "collider", "query", "input", "target", "regime", "vertices", "touching", "pairs", "ns",
       "x box2d", "depth", "99.9%", "position", "missed");
   for (const BenchRow& row : rows) {
-    text +=
-        fmt::format("{:<9} {:<10} {:<8} {:<10} {:<13} {:>8} {:>8} {:>6} {:>9.1f} {:>8.2f}",
-                    row.subject->name, row.subject->query, row.subject->input, row.subject->target,
-                    row.spec.regime->name, vertices_of(row.spec), row.spec.touching, row.spec.pairs,
-                    row.timing.ns_per_pair, row.timing.speedup_over_box2d);
+    text += fmt::format(
+        "{:<9} {:<10} {:<8} {:<10} {:<13} {:>8} {:>8} {:>6} {:>9.1f} {:>8.2f}", row.subject->name,
+        row.subject->query, row.subject->input, row.subject->target, row.spec.regime->name,
+        row.spec.vertices ? std::to_string(*row.spec.vertices) : "mixed", row.spec.touching,
+        row.spec.pairs, row.timing.ns_per_pair, row.timing.speedup_over_box2d);
     if (row.errors) {
       const ErrorSpreads& errors = row.errors->of_extent;
       text += fmt::format(" {:>10.3g} {:>10.3g} {:>10.3g} {:>7}", errors.depth.median,
                           errors.depth.p999, errors.position.median, row.errors->missed);
     }
     text += '\n';
-  }
-  return text;
-}
-
-std::string bench_csv(const std::vector<BenchRow>& rows) {
-  std::string text =
-      "collider,query,input,target,regime,vertices,touching,pairs,ns_per_pair,speedup_over_box2d,"
-      "depth_median,depth_p999,depth_max,position_median,position_p999,position_max,"
-      "normal_median,normal_p999,normal_max,missed,phantom,cases\n";
-  for (const BenchRow& row : rows) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{}", row.subject->name, row.subject->query,
-                        row.subject->input, row.subject->target, row.spec.regime->name,
-                        vertices_of(row.spec), row.spec.touching, row.spec.pairs,
-                        row.timing.ns_per_pair, row.timing.speedup_over_box2d);
-    if (!row.errors) {
-      text += std::string(12, ',') + '\n';
-      continue;
-    }
-    const ErrorSpreads& errors = row.errors->of_extent;
-    for (const Spread* spread : {&errors.depth, &errors.position, &errors.normal}) {
-      text += spread_csv(*spread);
-    }
-    text += fmt::format(",{},{},{}\n", row.errors->missed, row.errors->phantom, row.errors->cases);
   }
   return text;
 }
@@ -103,25 +83,56 @@ Json bench_json(const std::vector<BenchRow>& rows, const std::vector<BenchSubjec
   return json;
 }
 
-PointPlot bench_plot(const std::vector<BenchRow>& rows) {
-  PointPlot plot{.title = "Run time against error: mixed polygons, half of the pairs touching",
-                 .x_label = "ns a pair",
-                 .y_label = "depth error, 99.9%, in 2^-24 of the extent",
-                 .points = {}};
+std::string bench_csv(const Json& json) {
+  std::vector<Json> rows = json["rows"];
+  for (Json& row : rows) {
+    if (row.contains("error")) row.update(Json(row["error"]));
+  }
+  return csv_text(
+      {"collider",     "query",         "input",       "target",          "regime",
+       "vertices",     "touching",      "pairs",       "ns_per_pair",     "speedup_over_box2d",
+       "depth/median", "depth/p999",    "depth/max",   "position/median", "position/p999",
+       "position/max", "normal/median", "normal/p999", "normal/max",      "missed",
+       "phantom",      "cases"},
+      rows);
+}
+
+std::vector<PlotPoint> front(std::vector<PlotPoint> points) {
+  std::ranges::sort(points, {}, [](const PlotPoint& p) { return std::pair(p.x, p.y); });
+  std::vector<PlotPoint> best;
+  for (PlotPoint& point : points) {
+    if (best.empty() || point.y < best.back().y) best.push_back(std::move(point));
+  }
+  return best;
+}
+
+void write_bench_plot(const std::string& path, const std::vector<BenchRow>& rows) {
   // The kernels' subjects come with the widest instruction set first.
   const auto of_kernel =
       std::ranges::find_if(rows, [](const BenchRow& row) { return !row.subject->target.empty(); });
   const std::string widest = of_kernel == rows.end() ? "" : of_kernel->subject->target;
+  std::vector<PlotPoint> points;
   for (const BenchRow& row : rows) {
     const BenchSubject& subject = *row.subject;
     const bool is_widest = subject.target.empty() || subject.target == widest;
     const bool is_hinted = subject.name.ends_with("+hint");
     if (row.workload > 0 || !row.errors || !is_widest || is_hinted) continue;
     const std::string how = subject.input == "pair" ? "" : ", " + subject.input;
-    plot.points.push_back(
+    points.push_back(
         {subject.name + how, row.timing.ns_per_pair, row.errors->of_extent.depth.p999});
   }
-  return plot;
+  draw_plot(path,
+            fmt::format(
+                "set title \"Run time against error: mixed polygons, half of the pairs touching\" "
+                "noenhanced\nset xlabel \"ns a pair\" noenhanced\n"
+                "set ylabel \"depth error, 99.9%, in 2^-24 of the extent\" noenhanced\n"
+                "set logscale xy\nset grid\nset key off\n"
+                "set offsets graph 0.1, graph 0.2, graph 0.1, 0\n"
+                "$all << END\n{}END\n$front << END\n{}END\n"
+                "plot $front using 1:2 with lines linewidth 2 linecolor '#8fb3d9', "
+                "$all using 1:2 with points pointtype 7 linecolor '#1f4e79', "
+                "$all using 1:2:3 with labels rotate by 30 offset 0.6,0.4 left noenhanced\n",
+                rows_of(points), rows_of(front(points))));
 }
 
 }  // namespace manifuzz

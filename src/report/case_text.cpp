@@ -1,5 +1,4 @@
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -33,11 +32,7 @@ double widest(const Admissible& right, double least,
 
 void append_key(std::string& line, std::string_view key, double value) {
   line += key;
-  if (std::isfinite(value)) {
-    append_number(line, value);
-  } else {
-    line += "null";
-  }
+  append_number(line, value);
 }
 
 void append_admissible(std::string& line, const Admissible& right) {
@@ -63,23 +58,9 @@ std::string digits(const Vector2<Number>& v) {
   return fmt::format("({}, {})", digits(v.x()), digits(v.y()));
 }
 
-class Text {
- public:
-  template <class... Arguments>
-  void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
-    text_ += '\n';
-  }
-  /// A named value, the values of one block below each other.
-  void row(std::string_view name, std::string_view value) { line("  {:<18} {}", name, value); }
-  std::string take() { return std::move(text_); }
-
- private:
-  std::string text_;
-};
-
-std::string features_name(const FeaturePair& features) {
-  return fmt::format("A {}, B {}", feature_name(features.a), feature_name(features.b));
+/// A named value, the values of one block below each other.
+void row(std::string& text, std::string_view name, std::string_view value) {
+  text += fmt::format("  {:<18} {}\n", name, value);
 }
 
 Vector2<double> world_vertex(const Body& body, int i) {
@@ -87,15 +68,15 @@ Vector2<double> world_vertex(const Body& body, int i) {
   return transform<double>(pose, body.polygon.vertices[i].cast<double>());
 }
 
-void write_body(Text& text, const Body& body, char name) {
-  text.line("{}", name);
-  text.row("radius", digits(body.polygon.radius));
-  text.row("position", digits(body.pose.position));
-  text.row("rotation", digits(body.pose.rotation) + "  (cos, sin)");
+void write_body(std::string& text, const Body& body, char name) {
+  text += fmt::format("{}\n", name);
+  row(text, "radius", digits(body.polygon.radius));
+  row(text, "position", digits(body.pose.position));
+  row(text, "rotation", digits(body.pose.rotation) + "  (cos, sin)");
   for (int i = 0; i < body.polygon.count; ++i) {
-    text.row(fmt::format("vertex {}", i),
-             fmt::format("{:<32} world {}", digits(body.polygon.vertices[i]),
-                         digits(world_vertex(body, i))));
+    row(text, fmt::format("vertex {}", i),
+        fmt::format("{:<32} world {}", digits(body.polygon.vertices[i]),
+                    digits(world_vertex(body, i))));
   }
 }
 
@@ -105,39 +86,45 @@ std::string greatest_separation(const exact::Truth& truth, Side side) {
                      face_name(side, face.index));
 }
 
-void write_truth(Text& text, const PairCase& pair) {
+void write_truth(std::string& text, const PairCase& pair) {
   const exact::Truth truth(pair);
   const Standing stands = standing(truth);
-  text.line("truth");
-  text.row("separation S_A", greatest_separation(truth, Side::a));
-  text.row("separation S_B", greatest_separation(truth, Side::b));
-  text.row("separation S", digits(leading(truth.fine_separation(truth.greatest()))));
-  text.row("total radius", digits(total_radius(pair)));
-  text.row("touching, near",
-           fmt::format("{}, {}", stands.touching ? "yes" : "no", stands.near ? "yes" : "no"));
-  text.row("extent", digits(truth.extent()));
-  text.row("size", digits(truth.size()));
+  text += "truth\n";
+  row(text, "separation S_A", greatest_separation(truth, Side::a));
+  row(text, "separation S_B", greatest_separation(truth, Side::b));
+  row(text, "separation S", digits(leading(truth.fine_separation(truth.greatest()))));
+  row(text, "total radius", digits(total_radius(pair)));
+  row(text, "touching, near",
+      fmt::format("{}, {}", stands.touching ? "yes" : "no", stands.near ? "yes" : "no"));
+  row(text, "extent", digits(truth.extent()));
+  row(text, "size", digits(truth.size()));
 }
 
-void write_bounds(Text& text, const JudgedCase& judged) {
+void write_bounds(std::string& text, const JudgedCase& judged) {
   const Bounds of_subject = bounds(judged.given.pair, judged.subject.declaration);
   const Bounds of_oracle = bounds(judged.given.pair, judged.oracle.declaration);
-  const auto row = [&](std::string_view name, double Bounds::*member) {
-    text.row(name, fmt::format("{:<24} {}", digits(of_subject.*member), digits(of_oracle.*member)));
+  const auto add_bound = [&](std::string_view name, double Bounds::*member) {
+    row(text, name,
+        fmt::format("{:<24} {}", digits(of_subject.*member), digits(of_oracle.*member)));
   };
-  text.line("bounds               {:<24} {}", judged.subject.declaration.name,
-            judged.oracle.declaration.name);
-  row("separation, depth", &Bounds::separation);
-  row("incident dot", &Bounds::incident_dot);
-  row("normal", &Bounds::normal);
-  row("position", &Bounds::position);
+  text += fmt::format("bounds               {:<24} {}\n", judged.subject.declaration.name,
+                      judged.oracle.declaration.name);
+  add_bound("separation, depth", &Bounds::separation);
+  add_bound("incident dot", &Bounds::incident_dot);
+  add_bound("normal", &Bounds::normal);
+  add_bound("position", &Bounds::position);
 }
 
-void write_point(Text& text, const PairCase& pair, const Vector2<double>& local, double depth,
-                 const FeaturePair& features) {
-  text.row("point",
-           fmt::format("world {}, local {}", digits(to_world(pair, local)), digits(local)));
-  text.row("", fmt::format("depth {}, features {}", digits(depth), features_name(features)));
+void write_points(std::string& text, const PairCase& pair, const Manifold<double>& manifold,
+                  int count) {
+  for (int i = 0; i < count; ++i) {
+    const auto& [local, depth, features] = manifold.points[i];
+    row(text, "point",
+        fmt::format("world {}, local {}", digits(to_world(pair, local)), digits(local)));
+    row(text, "",
+        fmt::format("depth {}, features A {}, B {}", digits(depth), feature_name(features.a),
+                    feature_name(features.b)));
+  }
 }
 
 std::string edge(const Body& body, int face) {
@@ -145,65 +132,65 @@ std::string edge(const Body& body, int face) {
                      digits(world_vertex(body, body.polygon.next(face))));
 }
 
-void write_candidate(Text& text, const PairCase& pair, const DeclaredAnswer& subject) {
+void write_candidate(std::string& text, const PairCase& pair, const DeclaredAnswer& subject) {
   const Admissible right = admissible(pair, subject.declaration);
-  text.line("right manifold       one of {} for {}", right.candidates.size(),
-            subject.declaration.name);
+  text += fmt::format("right manifold       one of {} for {}\n", right.candidates.size(),
+                      subject.declaration.name);
   const exact::Clip* const candidate = candidate_to_show(right, subject);
-  if (candidate == nullptr) return text.row("", "no contact");
+  if (candidate == nullptr) return row(text, "", "no contact");
   const exact::FaceOf reference = candidate->reference;
   const Side incident = other(reference.side);
-  text.row("reference", fmt::format("{}, world {}", face_name(reference.side, reference.index),
-                                    edge(pair[reference.side], reference.index)));
-  text.row("incident", fmt::format("{}, world {}", face_name(incident, candidate->incident),
-                                   edge(pair[incident], candidate->incident)));
+  row(text, "reference",
+      fmt::format("{}, world {}", face_name(reference.side, reference.index),
+                  edge(pair[reference.side], reference.index)));
+  row(text, "incident",
+      fmt::format("{}, world {}", face_name(incident, candidate->incident),
+                  edge(pair[incident], candidate->incident)));
   const Manifold<double> manifold = true_manifold(*candidate);
-  text.row("normal", fmt::format("world {}, local {}", digits(world_normal(pair, manifold.normal)),
-                                 digits(manifold.normal)));
-  text.row("cos of the angle", digits(candidate->cosine));
-  if (const double gap = candidate->gap(); gap > 0) text.row("misses the slab by", digits(gap));
-  for (int i = 0; i < manifold.count; ++i) {
-    const ContactPoint<double>& point = manifold.points[i];
-    write_point(text, pair, point.position, point.depth, point.features);
-  }
+  row(text, "normal",
+      fmt::format("world {}, local {}", digits(world_normal(pair, manifold.normal)),
+                  digits(manifold.normal)));
+  row(text, "cos of the angle", digits(candidate->cosine));
+  if (const double gap = candidate->gap(); gap > 0) row(text, "misses the slab by", digits(gap));
+  write_points(text, pair, manifold, manifold.count);
 }
 
-void write_answer(Text& text, const PairCase& pair, const DeclaredAnswer& asked,
+void write_answer(std::string& text, const PairCase& pair, const DeclaredAnswer& asked,
                   std::string_view role) {
-  text.line("{}: {} {}, {}", role, asked.declaration.name, asked.declaration.version,
-            answer_in_words(asked));
+  text += fmt::format("{}: {} {}, {}\n", role, asked.declaration.name, asked.declaration.version,
+                      answer_in_words(asked));
   const Manifold<double>* const manifold = asked.manifold();
   if (manifold == nullptr || asked.count() == 0) return;
-  text.row("reference", manifold->reference == Side::a ? "A" : "B");
-  text.row("normal", fmt::format("world {}, local {}", digits(world_normal(pair, manifold->normal)),
-                                 digits(manifold->normal)));
-  for (int i = 0; i < asked.count(); ++i) {
-    const ContactPoint<double>& point = manifold->points[i];
-    write_point(text, pair, point.position, point.depth, point.features);
-  }
+  row(text, "reference", manifold->reference == Side::a ? "A" : "B");
+  row(text, "normal",
+      fmt::format("world {}, local {}", digits(world_normal(pair, manifold->normal)),
+                  digits(manifold->normal)));
+  write_points(text, pair, *manifold, asked.count());
 }
 
-void write_verdict(Text& text, const Judgement& judgement) {
+void write_verdict(std::string& text, const Judgement& judgement) {
   const Verdict verdict = judgement.bucket.verdict;
   const std::string_view name = to_string(verdict);
-  text.row("verdict", is_unexplained(verdict) ? bad(name) : std::string(name));
-  text.row("bucket", to_string(judgement.bucket));
-  text.row("magnitude", digits(judgement.magnitude) + " of the size");
+  row(text, "verdict", is_unexplained(verdict) ? bad(name) : std::string(name));
+  row(text, "bucket", to_string(judgement.bucket));
+  row(text, "magnitude", digits(judgement.magnitude) + " of the size");
   if (judgement.explanation == nullptr) return;
-  text.row("ledger",
-           fmt::format("{}: {}", judgement.explanation->id, judgement.explanation->description));
-  text.row("source", judgement.explanation->source);
+  row(text, "ledger",
+      fmt::format("{}: {}", judgement.explanation->id, judgement.explanation->description));
+  row(text, "source", judgement.explanation->source);
 }
 
-void write_origin(Text& text, const CorpusCase& given) {
+void write_origin(std::string& text, const CorpusCase& given) {
   if (given.found) {
-    text.row("found", fmt::format("seed {}, regime {}, index {}", given.found->seed,
-                                  printable(given.found->regime), given.found->index));
+    row(text, "found",
+        fmt::format("seed {}, regime {}, index {}", given.found->seed,
+                    printable(given.found->regime), given.found->index));
   }
   if (given.expect && given.expect->severity) {
-    text.row("severity", digits(*given.expect->severity) + " of the neighbours, when it was saved");
+    row(text, "severity",
+        digits(*given.expect->severity) + " of the neighbours, when it was saved");
   }
-  if (!given.note.empty()) text.row("note", printable(given.note, 1000));
+  if (!given.note.empty()) row(text, "note", printable(given.note, 1000));
 }
 
 }  // namespace
@@ -250,8 +237,7 @@ void append_judgement(std::string& line, const Admissible& right, const Judgemen
 
 std::string case_text(const JudgedCase& judged) {
   const PairCase& pair = judged.given.pair;
-  Text text;
-  text.line("{}", verdict_sentence(judged));
+  std::string text = verdict_sentence(judged) + '\n';
   write_verdict(text, judged.judgement);
   write_origin(text, judged.given);
   write_body(text, pair.a, 'A');
@@ -261,7 +247,7 @@ std::string case_text(const JudgedCase& judged) {
   write_candidate(text, pair, judged.subject);
   write_answer(text, pair, judged.subject, "subject");
   write_answer(text, pair, judged.oracle, "oracle");
-  return text.take();
+  return text;
 }
 
 }  // namespace manifuzz

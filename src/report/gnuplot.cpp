@@ -21,14 +21,6 @@ std::string terminal_of(const std::string& path) {
       fmt::format("{}: the name of an SVG or PNG file is expected", printable(path, 200)));
 }
 
-/// No settings of the user's own.
-bool run_gnuplot(const std::string& script) {
-  std::FILE* const gnuplot = popen("gnuplot -d", "w");
-  if (gnuplot == nullptr) return false;
-  std::fwrite(script.data(), 1, script.size(), gnuplot);
-  return pclose(gnuplot) == 0;
-}
-
 /// An empty file under a name of its own, removed at the end.
 class DrawnFile {
  public:
@@ -47,37 +39,9 @@ class DrawnFile {
   std::string path_;
 };
 
-/// Runs commands that draw one picture, which becomes the file.
-void draw_plot(const std::string& path, const std::string& commands) {
-  // The name stands in gnuplot's script, so it is never the user's.
-  const DrawnFile drawn;
-  const bool is_drawn = run_gnuplot(fmt::format("set terminal {}\nset output '{}'\n{}",
-                                                terminal_of(path), drawn.path(), commands));
-  const std::string picture = InputFile(drawn.path()).read_all();
-  if (!is_drawn || picture.empty()) {
-    throw UserError(
-        fmt::format("{}: gnuplot could not draw it; is it installed?", printable(path, 200)));
-  }
-  write_file(path, picture);
-}
-
-std::string title_and_labels(const auto& plot) {
-  return fmt::format(
-      "set title \"{}\" noenhanced\nset xlabel \"{}\" noenhanced\nset ylabel \"{}\" noenhanced\n",
-      plot.title, plot.x_label, plot.y_label);
-}
-
 /// Rows of data, which the script calls `$name`.
 std::string block(const std::string& name, const std::string& rows) {
   return fmt::format("${} << END\n{}END\n", name, rows);
-}
-
-std::string rows_of(const std::vector<PlotPoint>& points) {
-  std::string rows;
-  for (const PlotPoint& point : points) {
-    rows += fmt::format("{} {} \"{}\"\n", point.x, point.y, point.name);
-  }
-  return rows;
 }
 
 /// Told apart by those who cannot tell red from green, too (Okabe and Ito's).
@@ -113,26 +77,20 @@ std::string drawn(const PlotLine& line, std::size_t number) {
 
 }  // namespace
 
-std::vector<PlotPoint> front(std::vector<PlotPoint> points) {
-  std::ranges::sort(points, [](const PlotPoint& p, const PlotPoint& q) {
-    return p.x != q.x ? p.x < q.x : p.y < q.y;
-  });
-  std::vector<PlotPoint> best;
-  for (PlotPoint& point : points) {
-    if (best.empty() || point.y < best.back().y) best.push_back(std::move(point));
+void draw_plot(const std::string& path, const std::string& commands) {
+  // The name stands in gnuplot's script, so it is never the user's.
+  const DrawnFile drawn;
+  const std::string script = fmt::format("set terminal {}\nset output '{}'\n{}", terminal_of(path),
+                                         drawn.path(), commands);
+  std::FILE* const gnuplot = popen("gnuplot -d", "w");  // no settings of the user's own
+  if (gnuplot != nullptr) std::fwrite(script.data(), 1, script.size(), gnuplot);
+  const bool is_drawn = gnuplot != nullptr && pclose(gnuplot) == 0;
+  const std::string picture = InputFile(drawn.path()).read_all();
+  if (!is_drawn || picture.empty()) {
+    throw UserError(
+        fmt::format("{}: gnuplot could not draw it; is it installed?", printable(path, 200)));
   }
-  return best;
-}
-
-void write_plot(const std::string& path, const PointPlot& plot) {
-  draw_plot(path, title_and_labels(plot) +
-                      "set logscale xy\nset grid\nset key off\n"
-                      "set offsets graph 0.1, graph 0.2, graph 0.1, 0\n" +
-                      block("all", rows_of(plot.points)) +
-                      block("front", rows_of(front(plot.points))) +
-                      "plot $front using 1:2 with lines linewidth 2 linecolor '#8fb3d9', "
-                      "$all using 1:2 with points pointtype 7 linecolor '#1f4e79', "
-                      "$all using 1:2:3 with labels rotate by 30 offset 0.6,0.4 left noenhanced\n");
+  write_file(path, picture);
 }
 
 std::vector<PlotLine> merged(std::vector<PlotLine> lines) {
@@ -153,12 +111,14 @@ std::vector<PlotLine> merged(std::vector<PlotLine> lines) {
 
 void write_plot(const std::string& path, const LinePlot& plot) {
   const std::vector<PlotLine> lines = merged(plot.lines);
-  std::string text = title_and_labels(plot);
-  text += fmt::format(
+  std::string text = fmt::format(
+      "set title \"{2}\" noenhanced\nset xlabel \"{3}\" noenhanced\n"
+      "set ylabel \"{4}\" noenhanced\n"
       "set logscale {0}\nset format {0} '10^{{%T}}'\nset grid linecolor '#dddddd'\n"
       "set key below Left reverse horizontal noenhanced samplen 2 height 1\n"
       "set xrange [*:*]{1} noextend\nset yrange [*:*]\nset offsets 0, 0, graph 0.05, graph 0.05\n",
-      plot.is_linear_in_x ? "y" : "xy", plot.falls ? " reverse" : "");
+      plot.is_linear_in_x ? "y" : "xy", plot.falls ? " reverse" : "", plot.title, plot.x_label,
+      plot.y_label);
   std::vector<std::string> drawings;
   if (plot.limit) {
     drawings.push_back(fmt::format(
@@ -177,25 +137,6 @@ void write_plot(const std::string& path, const LinePlot& plot) {
         "title \"breaks here\"");
   }
   draw_plot(path, fmt::format("{}plot {}\n", text, fmt::join(drawings, ", ")));
-}
-
-void write_plot(const std::string& path, const BarPlot& plot) {
-  std::string rows;
-  for (const auto& [name, percent] : plot.bars) {
-    rows += fmt::format("\"{}\" {}\n", name, fmt::join(percent, " "));
-  }
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < plot.parts.size(); ++i) {
-    const auto& [name, colour] = plot.parts[i];
-    parts.push_back(fmt::format("$bars using {}{} title \"{}\" linecolor '{}'", i + 2,
-                                i == 0 ? ":xtic(1)" : "", name, colour));
-  }
-  draw_plot(path,
-            fmt::format("set title \"{}\"\nset ylabel \"{}\"\n", plot.title, plot.y_label) +
-                "set yrange [0:100]\nset style data histograms\nset style histogram rowstacked\n"
-                "set style fill solid 0.9\nset boxwidth 0.7\nset xtics rotate by -30 noenhanced\n"
-                "set key outside right\nset grid y\n" +
-                block("bars", rows) + fmt::format("plot {}\n", fmt::join(parts, ", ")));
 }
 
 }  // namespace manifuzz

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -17,25 +18,8 @@ namespace manifuzz {
 // Pictures drawn by gnuplot. Each function throws UserError where the file's name does not end in
 // .svg or .png, where gnuplot is missing, or where the file cannot be written.
 
-/// A named point on two logarithmic axes: coordinates above 0.
-struct PlotPoint {
-  std::string name;
-  double x = 0;
-  double y = 0;
-};
-
-struct PointPlot {
-  std::string title;
-  std::string x_label;
-  std::string y_label;
-  std::vector<PlotPoint> points;
-};
-
-/// The points that no other is left of and below, by x.
-std::vector<PlotPoint> front(std::vector<PlotPoint> points);
-
-/// Draws the points with their names, and their front as a line.
-void write_plot(const std::string& path, const PointPlot& plot);
+/// Runs gnuplot's commands, which draw one picture.
+void draw_plot(const std::string& path, const std::string& commands);
 
 /// One thing against a knob.
 struct PlotLine {
@@ -61,25 +45,6 @@ std::vector<PlotLine> merged(std::vector<PlotLine> lines);
 /// Draws the merged lines, y logarithmic and x too unless it is linear.
 void write_plot(const std::string& path, const LinePlot& plot);
 
-/// Shares of a whole in percent, a bar a name, its parts from below.
-struct BarPlot {
-  struct Part {
-    std::string name;
-    std::string colour;  ///< "#rrggbb"
-  };
-  struct Bar {
-    std::string name;
-    std::vector<double> percent;  ///< of each part
-  };
-  std::string title;
-  std::string y_label;
-  std::vector<Part> parts;
-  std::vector<Bar> bars;
-};
-
-/// Draws the bars, their parts stacked.
-void write_plot(const std::string& path, const BarPlot& plot);
-
 // What `bench`, `stress` and `scene` print, write and draw.
 
 /// "PROCESSOR, COMPILER" and an empty line, of what `bench_json` gave.
@@ -88,16 +53,27 @@ std::string machine_line(const nlohmann::ordered_json& json);
 /// All rows for people.
 std::string bench_table(const std::vector<BenchRow>& rows);
 
-/// All rows with commas, a heading first.
-std::string bench_csv(const std::vector<BenchRow>& rows);
-
 /// Where the rows come from, and "rows": collider, query, input, target, vertices, touching,
 /// regime, pairs, ns_per_pair, speedup_over_box2d, error, missed, phantom, cases.
 nlohmann::ordered_json bench_json(const std::vector<BenchRow>& rows,
                                   const std::vector<BenchSubject>& subjects, std::uint64_t seed);
 
-/// Run time against error over the first workload, a point for each that gives manifolds.
-PointPlot bench_plot(const std::vector<BenchRow>& rows);
+/// The rows of what `bench_json` gave with commas, a heading first.
+std::string bench_csv(const nlohmann::ordered_json& json);
+
+/// A named point on two logarithmic axes: coordinates above 0.
+struct PlotPoint {
+  std::string name;
+  double x = 0;
+  double y = 0;
+};
+
+/// The points that no other is left of and below, by x.
+std::vector<PlotPoint> front(std::vector<PlotPoint> points);
+
+/// Draws run time against error over the first workload, a point for each that gives manifolds,
+/// and their front as a line.
+void write_bench_plot(const std::string& path, const std::vector<BenchRow>& rows);
 
 /// Sweep by collider: breaking points; then the walks. For people.
 std::string stress_table(const StressPlan& plan, const StressResult& result);
@@ -113,18 +89,21 @@ std::string complaints(const Comparison& comparison);
 nlohmann::ordered_json stress_json(const StressPlan& plan, const StressResult& result,
                                    const Comparison& comparison);
 
-/// Every step with commas, then the walks, a heading first; columns that are not for a row are
-/// empty.
-std::string stress_csv(const StressPlan& plan, const StressResult& result);
+/// Figures of rows with commas, a heading first, empty where a row has none. A column is the path
+/// to its figure, "depth/max"; figures below others are floats.
+std::string csv_text(const std::vector<std::string>& columns,
+                     const std::vector<nlohmann::ordered_json>& rows);
 
-/// Error against the knob, a line a collider: the larger of depth's and position's 99.9th
-/// percentile, as a share of the size.
-LinePlot plot_of(const StressPlan& plan, const StressResult& result, const Sweep& sweep);
+/// Every step of what `stress_json` gave with commas, then the walks.
+std::string stress_csv(const nlohmann::ordered_json& json);
 
-/// The files that the plan's sweeps are drawn to in that folder; none where it is empty.
-std::vector<std::string> stress_picture_files(const std::string& folder, const StressPlan& plan);
+/// DIR/SWEEP.svg and DIR/SWEEP.png.
+std::array<std::string, 2> stress_picture_files(const std::filesystem::path& folder,
+                                                const Sweep& sweep);
 
-/// DIR/SWEEP.svg and DIR/SWEEP.png, where anything of the sweep was measured. Throws UserError.
+/// Draws these, where anything of the sweep was measured: error against the
+/// knob, a line a collider, the larger of depth's and position's 99.9th percentile as a share of
+/// the size. Throws UserError.
 void write_stress_pictures(const std::filesystem::path& folder, const StressPlan& plan,
                            const StressResult& result, const Sweep& sweep);
 
@@ -140,8 +119,9 @@ nlohmann::ordered_json scene_json(const SceneResult& result);
 /// The time of a step against the number of bodies, a line a scene with its fitted exponent.
 LinePlot scaling_plot(const std::vector<SceneRun>& runs);
 
-/// Of each scene the run of the most bodies: at rest, proven separated, recycled, collided.
-BarPlot skipped_plot(const std::vector<SceneRun>& runs);
+/// Draws where the pairs went, of each scene the run of the most bodies: at rest, proven separated,
+/// recycled, collided.
+void write_skipped_plot(const std::string& path, const std::vector<SceneRun>& runs);
 
 /// The error that recycling adds against the share of pairs that it skips, a line a scene.
 LinePlot recycling_plot(const std::vector<RecyclingCurve>& curves);

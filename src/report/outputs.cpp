@@ -26,9 +26,11 @@ constexpr std::string_view kPlain = "\x1b[0m";
 bool stdout_is_coloured = false;
 bool stderr_is_coloured = false;
 
-std::string_view in_environment(const char* name) {
-  const char* const value = std::getenv(name);
-  return value == nullptr ? std::string_view() : value;
+/// Whether that stream is a terminal that can colour and erase; one without a name or named `dumb`
+/// cannot.
+bool is_able_terminal(int stream) {
+  const std::string name = environment("TERM");
+  return isatty(stream) == 1 && !name.empty() && name != "dumb";
 }
 
 std::string coloured(bool is_coloured, std::string_view colour, std::string_view word) {
@@ -58,13 +60,13 @@ std::string steps_with(const Corpus& corpus, const std::string& program, const s
 
 }  // namespace
 
-bool is_able_terminal(int stream) {
-  const std::string_view name = in_environment("TERM");
-  return isatty(stream) == 1 && !name.empty() && name != "dumb";
+std::string environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? "" : value;
 }
 
 void allow_colours() {
-  if (!in_environment("NO_COLOR").empty()) return;
+  if (!environment("NO_COLOR").empty()) return;
   stdout_is_coloured = is_able_terminal(STDOUT_FILENO);
   stderr_is_coloured = is_able_terminal(STDERR_FILENO);
 }
@@ -81,12 +83,8 @@ std::string fresh(std::string_view word) {
   return coloured(stdout_is_coloured, kYellow, word);
 }
 
-std::string bad_on_stderr(std::string_view word) {
-  return coloured(stderr_is_coloured, kRed, word);
-}
-
 void write_complaint(std::string_view what) {
-  write_error(fmt::format("{} {}\n", bad_on_stderr("manifuzz:"), what));
+  write_error(fmt::format("{} {}\n", coloured(stderr_is_coloured, kRed, "manifuzz:"), what));
 }
 
 void write_complaints(const std::vector<std::string>& all) {

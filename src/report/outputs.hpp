@@ -18,11 +18,10 @@
 
 namespace manifuzz {
 
-// Colours, and what a person at a terminal is told beside the results.
+/// The value of a variable of the environment; empty where there is none.
+std::string environment(const char* name);
 
-/// Whether that stream (STDOUT_FILENO, STDERR_FILENO) is a terminal that can colour and erase; one
-/// without a name or named `dumb` cannot.
-bool is_able_terminal(int stream);
+// Colours, and what a person at a terminal is told beside the results.
 
 /// From now on words are coloured on each stream that is an able terminal, unless the environment
 /// names NO_COLOR. Before, nowhere: text that is built for a file or a test is plain.
@@ -32,9 +31,6 @@ void allow_colours();
 std::string good(std::string_view word);
 std::string bad(std::string_view word);
 std::string fresh(std::string_view word);
-
-/// The same for what is wrong, on stderr.
-std::string bad_on_stderr(std::string_view word);
 
 /// What is wrong, a line on the standard error: "manifuzz: what".
 void write_complaint(std::string_view what);

@@ -12,6 +12,13 @@
 namespace manifuzz {
 namespace {
 
+/// What `line_of` says of each, one after the other.
+std::string lines_of(const auto& list, const auto& line_of) {
+  std::string lines;
+  for (const auto& one : list) lines += line_of(one);
+  return lines;
+}
+
 std::string percent(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0) return "-";
   return fmt::format("{:.1f}%", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
@@ -21,23 +28,15 @@ double rate(std::uint64_t cases, double seconds) {
   return seconds > 0 ? static_cast<double>(cases) / seconds : 0;
 }
 
-std::string head_line(const Campaign& campaign) {
-  const CampaignResult& result = campaign.result;
-  return fmt::format("{} against {} {}: {} cases in {:.1f} s ({:.0f} a second, {} jobs), seed {}\n",
-                     result.settings.subject, result.settings.oracle,
-                     campaign.plan.oracle.declaration.version, result.cases(), result.seconds(),
-                     rate(result.cases(), result.seconds()), result.jobs, campaign.plan.seed);
-}
-
 std::string regime_rows(const CampaignResult& result) {
-  std::string text = fmt::format("{:<18}{:>14}{:>10}{:>8}{:>13}\n", "regime", "cases", "touching",
-                                 "near", "unexplained");
-  for (const RegimeResult& regime : result.regimes) {
-    text += fmt::format("{:<18}{:>14}{:>10}{:>8}{:>13}\n", regime.name, regime.cases,
-                        percent(regime.touching, regime.cases), percent(regime.near, regime.cases),
-                        regime.unexplained);
-  }
-  return text;
+  static constexpr std::string_view row = "{:<18}{:>14}{:>10}{:>8}{:>13}\n";
+  const std::string heading =
+      fmt::format(row, "regime", "cases", "touching", "near", "unexplained");
+  return heading + lines_of(result.regimes, [](const RegimeResult& regime) {
+           return fmt::format(row, regime.name, regime.cases,
+                              percent(regime.touching, regime.cases),
+                              percent(regime.near, regime.cases), regime.unexplained);
+         });
 }
 
 std::string verdict_rows(const CampaignResult& result) {
@@ -57,13 +56,10 @@ std::string over_budget_in_words(const LedgerResult& entry) {
 }
 
 std::string ledger_rows(const CampaignResult& result) {
-  std::string text;
-  for (const LedgerResult& entry : result.ledger) {
-    text += fmt::format("{:<36}{:>14}{}\n", entry.id, entry.hits,
-                        entry.hits == 0 ? "  never fired" : "");
-    text += over_budget_in_words(entry);
-  }
-  return text;
+  return lines_of(result.ledger, [](const LedgerResult& entry) {
+    return fmt::format("{:<36}{:>14}{}\n{}", entry.id, entry.hits,
+                       entry.hits == 0 ? "  never fired" : "", over_budget_in_words(entry));
+  });
 }
 
 /// What became of the run as a whole, where it is not what was asked for.
@@ -101,10 +97,14 @@ std::string bucket_rows(const BucketResult& found) {
 
 std::string summary_table(const Campaign& campaign, const std::optional<CampaignResult>& baseline) {
   const CampaignResult& result = campaign.result;
-  std::string text = head_line(campaign) + '\n' + regime_rows(result) + '\n' + verdict_rows(result);
+  std::string text = fmt::format(
+      "{} against {} {}: {} cases in {:.1f} s ({:.0f} a second, {} jobs), seed {}\n\n{}\n{}",
+      result.settings.subject, result.settings.oracle, campaign.plan.oracle.declaration.version,
+      result.cases(), result.seconds(), rate(result.cases(), result.seconds()), result.jobs,
+      campaign.plan.seed, regime_rows(result), verdict_rows(result));
   if (!result.ledger.empty()) text += '\n' + ledger_rows(result);
   if (!result.buckets.empty()) text += '\n';
-  for (const BucketResult& found : result.buckets) text += bucket_rows(found);
+  text += lines_of(result.buckets, bucket_rows);
   if (campaign.plan.until_new && !has_new(campaign.findings)) {
     text += "\nnothing new: the corpus shows each of these already\n";
   }
@@ -212,41 +212,33 @@ std::string property_line(const CheckedProperty& checked) {
 }
 
 std::string list_regimes() {
-  std::string lines;
-  for (const Regime& regime : regimes()) {
-    lines += fmt::format("{:<16} {}\n", regime.name, regime.description);
-  }
-  return lines;
+  return lines_of(regimes(), [](const Regime& regime) {
+    return fmt::format("{:<16} {}\n", regime.name, regime.description);
+  });
 }
 
 std::string list_sweeps() {
-  std::string lines;
-  for (const Sweep& sweep : sweeps()) {
-    lines += fmt::format("{:<10} {}: {} ({}), {:g} to {:g} in {} steps\n", sweep.name,
-                         sweep.description, sweep.knob, sweep.unit, sweep.values.front(),
-                         sweep.values.back(), sweep.values.size());
-  }
-  for (const Walk& walk : walks()) {
-    lines += fmt::format("{:<10} {}\n", walk.name, walk.description);
-  }
-  return lines;
+  const std::string lines = lines_of(sweeps(), [](const Sweep& sweep) {
+    return fmt::format("{:<10} {}: {} ({}), {:g} to {:g} in {} steps\n", sweep.name,
+                       sweep.description, sweep.knob, sweep.unit, sweep.values.front(),
+                       sweep.values.back(), sweep.values.size());
+  });
+  return lines + lines_of(walks(), [](const Walk& walk) {
+           return fmt::format("{:<10} {}\n", walk.name, walk.description);
+         });
 }
 
 std::string list_scenes() {
-  std::string lines;
-  for (const SceneSpec& spec : scene_specs()) {
-    lines += fmt::format("{:<14} {}\n", spec.name, spec.sentence);
-  }
-  return lines;
+  return lines_of(scene_specs(), [](const SceneSpec& spec) {
+    return fmt::format("{:<14} {}\n", spec.name, spec.sentence);
+  });
 }
 
 std::string list_ledger() {
-  std::string lines;
-  for (const LedgerEntry& entry : ledger()) {
-    lines += fmt::format("{:<34} {} [{}; witness corpus/{}]\n", entry.id, entry.description,
-                         entry.source, witness_of(entry));
-  }
-  return lines;
+  return lines_of(ledger(), [](const LedgerEntry& entry) {
+    return fmt::format("{:<34} {} [{}; witness corpus/{}]\n", entry.id, entry.description,
+                       entry.source, witness_of(entry));
+  });
 }
 
 }  // namespace manifuzz

@@ -2,6 +2,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "measure/provenance.hpp"
 #include "report/measurements.hpp"
@@ -41,11 +42,6 @@ std::vector<std::pair<std::string, Points>> times_by_scene(const std::vector<Sce
     times.back().second.emplace_back(static_cast<double>(run.bodies), run.ns_per_step);
   }
   return times;
-}
-
-/// The error that counts: a solver takes depths and positions alike.
-double error_of(const ErrorStatistics& errors) {
-  return std::max(errors.of_size.depth.p999, errors.of_size.position.p999);
 }
 
 Json row_json(const SceneRun& run) {
@@ -108,17 +104,16 @@ std::string curves_table(const std::vector<RecyclingCurve>& curves) {
   return text;
 }
 
-/// From the world to pixels, y down, around all bodies.
-struct FrameMapping {
-  static constexpr double longer_side = 1200;
-  static constexpr double margin = 20;
-  Box shown;
-
-  double scale() const { return longer_side / std::max(shown.width, shown.height); }
-  Point operator()(const Point& p) const {
-    return {margin + (p.x() - shown.x) * scale(), margin + (shown.bottom() - p.y()) * scale()};
-  }
-};
+/// All of these, at a scale at which the longer side is so many pixels.
+View view_around(const std::vector<Point>& corners) {
+  constexpr double longer_side = 1200;
+  constexpr double margin = 20;
+  const Box shown = box_around(corners);
+  const double scale = longer_side / std::max(shown.width, shown.height);
+  return {{0, 0, shown.width * scale + 2 * margin, shown.height * scale + 2 * margin},
+          shown.center(),
+          scale};
+}
 
 /// The corners of a body in the world.
 Region region_of(const Body& body) {
@@ -130,13 +125,13 @@ Region region_of(const Body& body) {
   return region;
 }
 
-void draw_contact(Svg& svg, const FrameMapping& mapping, const Pose<float>& a,
+void draw_contact(Svg& svg, const View& view, const Pose<float>& a,
                   const Manifold<float>& manifold) {
   constexpr double normal_length = 9;
   const Point normal = rotate(a.rotation, manifold.normal).cast<double>();
   for (int i = 0; i < manifold.count; ++i) {
-    const Point at = mapping(transform(a, manifold.points[i].position).cast<double>());
-    svg.line({at, at + normal_length * Point(normal.x(), -normal.y())}, "normal");
+    const Point at = view.place(Point(transform(a, manifold.points[i].position).cast<double>()));
+    svg.line({at, at + normal_length * View::direction(normal)}, "normal");
     svg.circle(at, 2.5, "contact");
   }
 }
@@ -162,27 +157,33 @@ LinePlot recycling_plot(const std::vector<RecyclingCurve>& curves) {
   for (const RecyclingCurve& curve : curves) {
     Points points;
     for (const RecyclingRun& run : curve.runs) {
-      points.emplace_back(100 * run.skipped, error_of(run.errors));
+      // A solver takes depths and positions alike.
+      const ErrorSpreads& errors = run.errors.of_size;
+      points.emplace_back(100 * run.skipped, std::max(errors.depth.p999, errors.position.p999));
     }
     plot.lines.push_back({curve.scene, points, {}});
   }
   return plot;
 }
 
-BarPlot skipped_plot(const std::vector<SceneRun>& runs) {
-  BarPlot plot{.title = "Where candidate pairs went",
-               .y_label = "% of candidate pairs",
-               .parts = {{"at rest", "#d0d0d0"},
-                         {"proven separated", "#8fb3d9"},
-                         {"recycled", "#e69f00"},
-                         {"collided", "#1f4e79"}},
-               .bars = {}};
-  for (const SceneRun& run : runs) {
-    if (plot.bars.empty() || plot.bars.back().name != run.scene) plot.bars.emplace_back();
-    const auto shares = shares_of(run.counts.pairs);
-    plot.bars.back() = {run.scene, {shares.begin(), shares.end()}};
+void write_skipped_plot(const std::string& path, const std::vector<SceneRun>& runs) {
+  std::string rows;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const bool is_last = i + 1 == runs.size() || runs[i + 1].scene != runs[i].scene;
+    if (!is_last) continue;
+    rows +=
+        fmt::format("\"{}\" {}\n", runs[i].scene, fmt::join(shares_of(runs[i].counts.pairs), " "));
   }
-  return plot;
+  draw_plot(path,
+            "set title \"Where candidate pairs went\"\nset ylabel \"% of candidate pairs\"\n"
+            "set yrange [0:100]\nset style data histograms\nset style histogram rowstacked\n"
+            "set style fill solid 0.9\nset boxwidth 0.7\nset xtics rotate by -30 noenhanced\n"
+            "set key outside right\nset grid y\n$bars << END\n" +
+                rows +
+                "END\nplot $bars using 2:xtic(1) title \"at rest\" linecolor '#d0d0d0', "
+                "$bars using 3 title \"proven separated\" linecolor '#8fb3d9', "
+                "$bars using 4 title \"recycled\" linecolor '#e69f00', "
+                "$bars using 5 title \"collided\" linecolor '#1f4e79'\n");
 }
 
 std::string scene_table(const SceneResult& result) {
@@ -238,17 +239,13 @@ std::string scene_frame(const ScenePlan& plan) {
     const Region& region = regions.emplace_back(region_of(body));
     corners.insert(corners.end(), region.begin(), region.end());
   }
-  const FrameMapping mapping{box_around(corners)};
+  const View view = view_around(corners);
   Svg svg(fmt::format("{} of {} bodies", spec.name, bodies), kFrameStyle);
-  for (Region& region : regions) {
-    std::ranges::transform(region, region.begin(), mapping);
-    svg.polygon(region, "body");
-  }
+  for (const Region& region : regions) svg.polygon(view.place(region), "body");
   for (const scene::Contact& contact : frame.contacts) {
-    draw_contact(svg, mapping, frame.bodies[contact.a.index].pose, contact.manifold);
+    draw_contact(svg, view, frame.bodies[contact.a.index].pose, contact.manifold);
   }
-  return svg.finish(mapping.shown.width * mapping.scale() + 2 * mapping.margin,
-                    mapping.shown.height * mapping.scale() + 2 * mapping.margin);
+  return svg.finish(view.frame.width, view.frame.height);
 }
 
 }  // namespace manifuzz

@@ -1,6 +1,7 @@
-#include <array>
+#include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "measure/provenance.hpp"
 #include "report/measurements.hpp"
@@ -61,89 +62,57 @@ Json changes_json(const Changes& changes) {
           {"first_with_margin", changes.with_margin > 0 ? Json(changes.first) : Json()}};
 }
 
-/// Calls `use(sweep, subject, steps)` for each sweep of each subject that takes part in sweeps.
-void for_sweeps(const StressPlan& plan, const StressResult& result, const auto& use) {
-  for (const Sweep* const sweep : plan.sweeps) {
-    for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
-      if (!plan.subjects[i].walks_only) use(*sweep, plan.subjects[i], result.steps(*sweep, i));
-    }
-  }
-}
-
-/// Calls `use(walk, subject, tally)` for each walk that a subject took.
-void for_walks(const StressPlan& plan, const StressResult& result, const auto& use) {
-  for (const Walk* const walk : plan.walks) {
-    for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
-      const StepStatistics* const tally = result.walk(*walk, i);
-      if (tally != nullptr) use(*walk, plan.subjects[i], *tally);
-    }
-  }
-}
-
 Json sweeps_json(const StressPlan& plan, const StressResult& result) {
   Json rows = Json::array();
-  for_sweeps(plan, result,
-             [&](const Sweep& sweep, const StressSubject& subject, const auto& steps) {
-               const auto breaking = breaking_step(steps);
-               Json row{{"sweep", sweep.name},
-                        {"collider", subject.name},
-                        {"unit", sweep.unit},
-                        {"breaking_point", breaking ? Json(sweep.values[*breaking]) : Json()},
-                        {"steps", Json::array()},
-                        {"worst", worst_json(plan, sweep, steps)}};
-               for (std::size_t k = 0; k < steps.size(); ++k) {
-                 Json step{{"x", sweep.values[k]}};
-                 step.update(step_json(steps[k]));
-                 row["steps"].push_back(std::move(step));
-               }
-               rows.push_back(std::move(row));
-             });
+  for (const Sweep* const sweep : plan.sweeps) {
+    for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
+      if (plan.subjects[i].walks_only) continue;
+      const auto steps = result.steps(*sweep, i);
+      const auto breaking = breaking_step(steps);
+      Json row{{"sweep", sweep->name},
+               {"collider", plan.subjects[i].name},
+               {"unit", sweep->unit},
+               {"breaking_point", breaking ? Json(sweep->values[*breaking]) : Json()},
+               {"steps", Json::array()},
+               {"worst", worst_json(plan, *sweep, steps)}};
+      for (std::size_t k = 0; k < steps.size(); ++k) {
+        Json step{{"x", sweep->values[k]}};
+        step.update(step_json(steps[k]));
+        row["steps"].push_back(std::move(step));
+      }
+      rows.push_back(std::move(row));
+    }
+  }
   return rows;
 }
 
 Json walks_json(const StressPlan& plan, const StressResult& result) {
   Json rows = Json::array();
-  for_walks(plan, result, [&](const Walk& walk, const auto& subject, const StepStatistics& tally) {
-    Json row{{"walk", walk.name},
-             {"collider", subject.name},
-             {"touching", tally.walk.touching},
-             {"flickers", changes_json(tally.walk.flickers)},
-             {"jumps", changes_json(tally.walk.jumps)},
-             {"features", changes_json(tally.walk.features)}};
-    row.update(counts_json(tally));
-    rows.push_back(std::move(row));
-  });
+  for (const Walk* const walk : plan.walks) {
+    for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
+      const StepStatistics* const tally = result.walk(*walk, i);
+      if (tally == nullptr) continue;
+      Json row{{"walk", walk->name},
+               {"collider", plan.subjects[i].name},
+               {"touching", tally->walk.touching},
+               {"flickers", changes_json(tally->walk.flickers)},
+               {"jumps", changes_json(tally->walk.jumps)},
+               {"features", changes_json(tally->walk.features)}};
+      row.update(counts_json(*tally));
+      rows.push_back(std::move(row));
+    }
+  }
   return rows;
 }
 
-constexpr std::size_t kSpreadColumns = 21;
-constexpr std::size_t kWalkColumns = 7;
-
-std::array<Spread, kSpreadColumns / 3> spreads_of(const StepStatistics& step) {
-  return {step.of_size.depth,     step.of_size.position, step.of_size.normal, step.of_bound.depth,
-          step.of_bound.position, step.of_bound.normal,  step.of_extent};
-}
-
-std::string csv_heading() {
-  std::string text =
-      "sweep,collider,x,cases,unsupported,ill_posed,contacts,missed,phantom,wrong_count,gross,lost";
-  for (const char* const figure : {"depth", "position", "normal", "depth_of_bound",
-                                   "position_of_bound", "normal_of_bound", "roundoffs_of_extent"}) {
-    text += fmt::format(",{0}_median,{0}_p999,{0}_max", figure);
-  }
-  text += ",touching";
-  for (const char* const change : {"flickers", "jumps", "features"}) {
-    text += fmt::format(",{0}_with_margin,{0}_within_bound", change);
-  }
-  return text + '\n';
-}
-
-/// What a step of a sweep and a walk, which has no `x`, have in common.
-std::string csv_start(std::string_view name, const StressSubject& subject, const std::string& x,
-                      const StepStatistics& tally) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", name, subject.name, x, tally.cases,
-                     tally.unsupported, tally.ill_posed, tally.contacts, tally.missed,
-                     tally.phantom, tally.wrong_count, tally.gross, tally.lost);
+std::string csv_cell(const Json& row, const std::string& column) {
+  const Json::json_pointer at('/' + column);
+  if (!row.contains(at)) return "";
+  const Json& value = row[at];
+  if (value.is_string()) return value;
+  if (!value.is_number_float()) return value.dump();
+  const bool is_float = column.find('/') != column.npos;
+  return is_float ? fmt::format("{}", value.get<float>()) : fmt::format("{}", value.get<double>());
 }
 
 }  // namespace
@@ -167,25 +136,46 @@ Json stress_json(const StressPlan& plan, const StressResult& result, const Compa
   return json;
 }
 
-std::string stress_csv(const StressPlan& plan, const StressResult& result) {
-  std::string text = csv_heading();
-  for_sweeps(
-      plan, result, [&](const Sweep& sweep, const StressSubject& subject, const auto& steps) {
-        for (std::size_t k = 0; k < steps.size(); ++k) {
-          text += csv_start(sweep.name, subject, fmt::format("{}", sweep.values[k]), steps[k]);
-          for (const Spread& spread : spreads_of(steps[k])) text += spread_csv(spread);
-          text += std::string(kWalkColumns, ',') + '\n';
-        }
-      });
-  for_walks(plan, result, [&](const Walk& walk, const auto& subject, const StepStatistics& tally) {
-    text += csv_start(walk.name, subject, "", tally);
-    text += std::string(kSpreadColumns, ',') + fmt::format(",{}", tally.walk.touching);
-    for (const Changes& changes : {tally.walk.flickers, tally.walk.jumps, tally.walk.features}) {
-      text += fmt::format(",{},{}", changes.with_margin, changes.within_bound);
-    }
-    text += '\n';
-  });
+std::string csv_text(const std::vector<std::string>& columns, const std::vector<Json>& rows) {
+  std::string text = fmt::format("{}\n", fmt::join(columns, ","));
+  std::ranges::replace(text, '/', '_');
+  for (const Json& row : rows) {
+    std::vector<std::string> cells;
+    for (const std::string& column : columns) cells.push_back(csv_cell(row, column));
+    text += fmt::format("{}\n", fmt::join(cells, ","));
+  }
   return text;
+}
+
+std::string stress_csv(const Json& json) {
+  std::vector<std::string> columns{"sweep",       "collider",    "x",        "cases",
+                                   "unsupported", "ill_posed",   "contacts", "missed",
+                                   "phantom",     "wrong_count", "gross",    "lost"};
+  for (const char* const spread : {"depth", "position", "normal", "depth_of_bound",
+                                   "position_of_bound", "normal_of_bound", "roundoffs_of_extent"}) {
+    for (const char* const figure : {"median", "p999", "max"}) {
+      columns.push_back(fmt::format("{}/{}", spread, figure));
+    }
+  }
+  columns.push_back("touching");
+  for (const char* const change : {"flickers", "jumps", "features"}) {
+    for (const char* const figure : {"with_margin", "within_bound"}) {
+      columns.push_back(fmt::format("{}/{}", change, figure));
+    }
+  }
+  std::vector<Json> rows;
+  for (const Json& sweep : json["sweeps"]) {
+    for (const Json& step : sweep["steps"]) {
+      Json& row = rows.emplace_back(step);
+      row["sweep"] = sweep["sweep"];
+      row["collider"] = sweep["collider"];
+      for (const auto& [error, spread] : step["of_bound"].items()) {
+        row[error + "_of_bound"] = spread;
+      }
+    }
+  }
+  for (const Json& walk : json["walks"]) rows.emplace_back(walk)["sweep"] = walk["walk"];
+  return csv_text(columns, rows);
 }
 
 }  // namespace manifuzz

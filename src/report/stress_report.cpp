@@ -39,47 +39,36 @@ std::string row_of_breaking_points(const StressPlan& plan, const StressResult& r
   return row + fmt::format("  {}\n", sweep.unit);
 }
 
-/// A row under the table that says something of each collider to which it applies; none where it
-/// applies to nobody. `said(steps)` is nothing where it does not.
-template <class Said>
-std::string row_of_remarks(const StressPlan& plan, const StressResult& result, const Sweep& sweep,
-                           std::string_view what, const Said& said) {
-  std::vector<std::string> remarks;
+/// Below the table: from where on none, or nearly none, of a sweep's cases can be decided in a
+/// collider's scalar, and how much of it a collider does not take part in.
+std::string remarks(const StressPlan& plan, const StressResult& result, const Sweep& sweep) {
+  std::vector<std::string> ill_posed;
+  std::vector<std::string> left_out;
   for (const std::size_t i : reported_subjects(plan, false)) {
-    const std::string remark = said(result.steps(sweep, i));
-    if (!remark.empty()) remarks.push_back(plan.subjects[i].name + " " + remark);
-  }
-  if (remarks.empty()) return {};
-  return fmt::format("{}: {}: {}\n", sweep.name, what, fmt::join(remarks, ", "));
-}
-
-/// From where on none, or nearly none, of a sweep's cases can be decided in the collider's scalar.
-std::string ill_posed_row(const StressPlan& plan, const StressResult& result, const Sweep& sweep) {
-  const auto said = [&sweep](const std::vector<StepStatistics>& steps) -> std::string {
-    const auto most = std::ranges::find_if(steps, [](const StepStatistics& step) {
-      return 2 * step.ill_posed > step.cases - step.unsupported;
-    });
-    if (most == steps.end()) return {};
-    return fmt::format("from {:g}", sweep.values[most - steps.begin()]);
-  };
-  return row_of_remarks(plan, result, sweep, "most cases are ill posed", said);
-}
-
-/// How much of a sweep a collider does not take part in.
-std::string unsupported_row(const StressPlan& plan, const StressResult& result,
-                            const Sweep& sweep) {
-  const auto said = [](const std::vector<StepStatistics>& steps) -> std::string {
-    std::uint64_t cases = 0;
-    std::uint64_t unsupported = 0;
-    for (const StepStatistics& step : steps) {
-      cases += step.cases;
-      unsupported += step.unsupported;
+    const auto steps = result.steps(sweep, i);
+    std::optional<double> ill_posed_from;
+    double cases = 0;
+    double unsupported = 0;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      const StepStatistics& step = steps[k];
+      const bool is_ill_posed = 2 * step.ill_posed > step.cases - step.unsupported;
+      if (is_ill_posed && !ill_posed_from) ill_posed_from = sweep.values[k];
+      cases += static_cast<double>(step.cases);
+      unsupported += static_cast<double>(step.unsupported);
     }
-    if (unsupported == 0) return {};
-    return fmt::format("{:.3g}%",
-                       100 * static_cast<double>(unsupported) / static_cast<double>(cases));
-  };
-  return row_of_remarks(plan, result, sweep, "cases unsupported", said);
+    const std::string& name = plan.subjects[i].name;
+    if (ill_posed_from) ill_posed.push_back(fmt::format("{} from {:g}", name, *ill_posed_from));
+    if (unsupported > 0) {
+      left_out.push_back(fmt::format("{} {:.3g}%", name, 100 * unsupported / cases));
+    }
+  }
+  std::string text;
+  for (const auto& [what, which] : {std::pair("most cases are ill posed", ill_posed),
+                                    std::pair("cases unsupported", left_out)}) {
+    if (which.empty()) continue;
+    text += fmt::format("{}: {}: {}\n", sweep.name, what, fmt::join(which, ", "));
+  }
+  return text;
 }
 
 std::string walk_rows(const StressPlan& plan, const StressResult& result, const Walk& walk) {
@@ -99,11 +88,6 @@ std::string walk_rows(const StressPlan& plan, const StressResult& result, const 
   return rows;
 }
 
-/// Logarithmic axes have no 0: the last step of a sweep by ulps is drawn at half an ulp.
-double drawn_at(double value) {
-  return value > 0 ? value : 0.5;
-}
-
 PlotLine line_of(const Sweep& sweep, const StressSubject& subject,
                  const std::vector<StepStatistics>& steps) {
   PlotLine line{.name = subject.name, .points = {}, .breaks_at = {}};
@@ -115,17 +99,28 @@ PlotLine line_of(const Sweep& sweep, const StressSubject& subject,
     if (steps[i].contacts == 0 && !breaks_here) continue;
     if (breaks_here) line.breaks_at = line.points.size();
     const ErrorSpreads& of_size = steps[i].of_size;
-    line.points.emplace_back(drawn_at(sweep.values[i]),
+    // Logarithmic axes have no 0: the last step of a sweep by ulps is drawn at half an ulp.
+    line.points.emplace_back(sweep.values[i] > 0 ? sweep.values[i] : 0.5,
                              std::max(of_size.depth.p999, of_size.position.p999));
   }
   return line;
 }
 
-std::array<std::string, 2> files_of(const std::filesystem::path& folder, const Sweep& sweep) {
-  const auto file = [&](const char* ending) {
-    return (folder / fmt::format("{}.{}", sweep.name, ending)).string();
-  };
-  return {file("svg"), file("png")};
+LinePlot plot_of(const StressPlan& plan, const StressResult& result, const Sweep& sweep) {
+  const bool has_zero = sweep.values.back() == 0;
+  LinePlot plot{.title = fmt::format("{}: {}", sweep.name, sweep.description),
+                .x_label = fmt::format("{} ({}){}", sweep.knob, sweep.unit,
+                                       has_zero ? "; 0 is drawn at 0.5" : ""),
+                .y_label = "error of depth or position, 99.9%, share of the size",
+                .falls = sweep.values.back() < sweep.values.front(),
+                .limit = kGrossShare,
+                .lines = {}};
+  for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
+    if (plan.subjects[i].walks_only) continue;
+    const auto steps = result.steps(sweep, i);
+    if (!steps.empty()) plot.lines.push_back(line_of(sweep, plan.subjects[i], steps));
+  }
+  return plot;
 }
 
 }  // namespace
@@ -141,10 +136,7 @@ std::string stress_table(const StressPlan& plan, const StressResult& result) {
     for (const Sweep* const sweep : plan.sweeps) {
       text += row_of_breaking_points(plan, result, *sweep);
     }
-    for (const Sweep* const sweep : plan.sweeps) {
-      text += ill_posed_row(plan, result, *sweep);
-      text += unsupported_row(plan, result, *sweep);
-    }
+    for (const Sweep* const sweep : plan.sweeps) text += remarks(plan, result, *sweep);
   }
   if (!plan.walks.empty()) {
     text += fmt::format(
@@ -177,37 +169,19 @@ std::string complaints(const Comparison& comparison) {
   return text;
 }
 
-LinePlot plot_of(const StressPlan& plan, const StressResult& result, const Sweep& sweep) {
-  const bool has_zero = sweep.values.back() == 0;
-  LinePlot plot{.title = fmt::format("{}: {}", sweep.name, sweep.description),
-                .x_label = fmt::format("{} ({}){}", sweep.knob, sweep.unit,
-                                       has_zero ? "; 0 is drawn at 0.5" : ""),
-                .y_label = "error of depth or position, 99.9%, share of the size",
-                .falls = sweep.values.back() < sweep.values.front(),
-                .limit = kGrossShare,
-                .lines = {}};
-  for (std::size_t i = 0; i < plan.subjects.size(); ++i) {
-    if (plan.subjects[i].walks_only) continue;
-    const auto steps = result.steps(sweep, i);
-    if (!steps.empty()) plot.lines.push_back(line_of(sweep, plan.subjects[i], steps));
-  }
-  return plot;
-}
-
-std::vector<std::string> stress_picture_files(const std::string& folder, const StressPlan& plan) {
-  std::vector<std::string> files;
-  if (folder.empty()) return files;
-  for (const Sweep* const sweep : plan.sweeps) {
-    for (std::string& file : files_of(folder, *sweep)) files.push_back(std::move(file));
-  }
-  return files;
+std::array<std::string, 2> stress_picture_files(const std::filesystem::path& folder,
+                                                const Sweep& sweep) {
+  const auto file = [&](const char* ending) {
+    return (folder / fmt::format("{}.{}", sweep.name, ending)).string();
+  };
+  return {file("svg"), file("png")};
 }
 
 void write_stress_pictures(const std::filesystem::path& folder, const StressPlan& plan,
                            const StressResult& result, const Sweep& sweep) {
   const LinePlot plot = plot_of(plan, result, sweep);
   if (plot.lines.empty()) return;
-  for (const std::string& file : files_of(folder, sweep)) write_plot(file, plot);
+  for (const std::string& file : stress_picture_files(folder, sweep)) write_plot(file, plot);
 }
 
 }  // namespace manifuzz

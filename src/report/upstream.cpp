@@ -1,3 +1,5 @@
+#include <boost/algorithm/string/replace.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -18,36 +20,26 @@ std::string text_of(const Vector2<float>& v, std::string_view brackets) {
 }
 
 std::string text_of(std::span<const Vector2<float>> list, std::string_view brackets) {
-  std::string text(1, brackets.front());
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (i > 0) text += ", ";
-    text += text_of(list[i], brackets);
-  }
-  return text + brackets.back();
-}
-
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
-    text.replace(at, from.size(), to);
-    at += to.size();
-  }
+  std::vector<std::string> parts;
+  for (const Vector2<float>& v : list) parts.push_back(text_of(v, brackets));
+  return fmt::format("{}{}{}", brackets.front(), fmt::join(parts, ", "), brackets.back());
 }
 
 void fill_in(std::string& text, const std::string& name, const Body& body) {
   const auto count = static_cast<std::size_t>(body.polygon.count);
   for (const std::string_view brackets : {"[]", "{}"}) {
     const auto replace = [&](std::string_view key, const std::string& value) {
-      replace_all(text, fmt::format("@{}.{}{}@", name, key, brackets), value);
+      boost::replace_all(text, fmt::format("@{}.{}{}@", name, key, brackets), value);
     };
-    replace("vertices", text_of(std::span(body.polygon.vertices.data(), count), brackets));
-    replace("normals", text_of(std::span(body.polygon.normals.data(), count), brackets));
+    replace("vertices", text_of(body.polygon.corners(), brackets));
+    replace("normals", text_of(std::span(body.polygon.normals).first(count), brackets));
     replace("position", text_of(body.pose.position, brackets));
     replace("rotation", text_of(body.pose.rotation, brackets));
   }
   std::string radius;
   append_number(radius, body.polygon.radius);
-  replace_all(text, fmt::format("@{}.radius@", name), radius);
-  replace_all(text, fmt::format("@{}.count@", name), std::to_string(body.polygon.count));
+  boost::replace_all(text, fmt::format("@{}.radius@", name), radius);
+  boost::replace_all(text, fmt::format("@{}.count@", name), std::to_string(body.polygon.count));
 }
 
 std::string manifold_in_words(const PairCase& pair, const Manifold<double>& manifold) {
@@ -64,23 +56,18 @@ std::string manifold_in_words(const PairCase& pair, const Manifold<double>& mani
 }
 
 void append_body(std::string& out, char name, const Body& body) {
-  const auto count = static_cast<std::size_t>(body.polygon.count);
   constexpr std::string_view round = "()";
   out += fmt::format("{}: vertices {}, radius {}, position {}, (cos, sin) {}\n", name,
-                     text_of(std::span(body.polygon.vertices.data(), count), round),
-                     body.polygon.radius, text_of(body.pose.position, round),
-                     text_of(body.pose.rotation, round));
+                     text_of(body.polygon.corners(), round), body.polygon.radius,
+                     text_of(body.pose.position, round), text_of(body.pose.rotation, round));
 }
 
 const DeclaredAnswer& answer_at_fault(const JudgedCase& judged) {
-  switch (judged.judgement.bucket.fault) {
-    case Fault::none:
-      throw UserError("--upstream: nobody is at fault in this case; there is nothing to report");
-    case Fault::oracle:
-      return judged.oracle;
-    default:
-      return judged.subject;
+  const Fault fault = judged.judgement.bucket.fault;
+  if (fault == Fault::none) {
+    throw UserError("--upstream: nobody is at fault in this case; there is nothing to report");
   }
+  return fault == Fault::oracle ? judged.oracle : judged.subject;
 }
 
 /// What a fence of code says it holds, where that can be told.

@@ -1,6 +1,7 @@
 #include "report/words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,15 +11,11 @@
 namespace manifuzz {
 namespace {
 
-/// A magnitude is a share of the size; people want to see the length.
-double magnitude_length(const JudgedCase& judged) {
-  return judged.judgement.magnitude * size(judged.given.pair);
-}
-
 /// What is wrong with a collider's answer.
 std::string wrong_in_words(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const std::string& name = asked.declaration.name;
-  const std::string off = brief(magnitude_length(judged));
+  // A magnitude is a share of the size; people want to see the length.
+  const std::string off = brief(judged.judgement.magnitude * size(judged.given.pair));
   switch (judged.judgement.bucket.kind) {
     case Kind::missed_contact:
       return fmt::format("{} reports no contact, true {}", name, truth_in_words(judged.given.pair));
@@ -39,20 +36,26 @@ std::string wrong_in_words(const JudgedCase& judged, const DeclaredAnswer& asked
   }
 }
 
-std::string tie_in_words(TieClass tie_class) {
-  switch (tie_class) {
-    case TieClass::reference:
-      return "two reference faces are nearer than rounding or bias can tell";
-    case TieClass::incident:
-      return "two incident edges are nearer than rounding can tell";
-    case TieClass::contact_boundary:
-      return "a depth is zero within rounding";
-    case TieClass::clip_boundary:
-      return "the incident edge ends at a side plane within rounding";
-    default:
-      return "they differ within their bounds";
-  }
-}
+/// By tie class.
+constexpr std::array<std::string_view, kTieClassNames.size()> kTieWords{
+    "they differ within their bounds",
+    "two reference faces are nearer than rounding or bias can tell",
+    "two incident edges are nearer than rounding can tell", "a depth is zero within rounding",
+    "the incident edge ends at a side plane within rounding"};
+
+/// By verdict; {0} is the subject, {1} the oracle.
+constexpr std::array<std::string_view, kVerdictNames.size()> kVerdictWords{
+    "agree: both are right, and say the same",
+    "tie: they differ, and both are right",
+    "known: {1} is wrong, as the ledger says",
+    "subject_wrong: {0} is wrong",
+    "oracle_wrong: {1} is wrong",
+    "both_wrong: both are wrong",
+    "ill_posed: rounding hides the answer",
+    kVerdictNames[7],
+    kVerdictNames[8],
+    kVerdictNames[9],
+    kVerdictNames[10]};
 
 std::string agreement(const JudgedCase& judged) {
   const std::string names =
@@ -85,15 +88,10 @@ std::string features_key(const FeaturePair& features) {
 /// Who fails, and the verb: "box2d is wrong on".
 std::string failing_in_words(const JudgedCase& judged) {
   const Bucket& finding = judged.judgement.bucket;
-  switch (finding.fault) {
-    case Fault::subject:
-      return judged.subject.declaration.name + " is wrong on";
-    case Fault::oracle:
-      return judged.oracle.declaration.name + " is wrong on";
-    case Fault::both:
-      return "both are wrong on";
-    case Fault::none:
-      break;
+  if (finding.fault == Fault::both) return "both are wrong on";
+  if (finding.fault != Fault::none) {
+    const bool is_subject = finding.fault == Fault::subject;
+    return (is_subject ? judged.subject : judged.oracle).declaration.name + " is wrong on";
   }
   if (finding.verdict == Verdict::agree) return "somebody is wrong on";
   return fmt::format("the verdict is {} on", to_string(finding.verdict));
@@ -132,16 +130,10 @@ std::string answer_in_words(const DeclaredAnswer& asked) {
   if (const auto* const lost = std::get_if<Lost>(&asked.answer)) return lost->why;
   const Manifold<double>* const manifold = asked.manifold();
   if (manifold == nullptr) return "unsupported: " + std::get<Unsupported>(asked.answer).why;
-  const auto& points = manifold->points;
-  switch (asked.count()) {
-    case 0:
-      return "no contact";
-    case 1:
-      return fmt::format("1 point, depth {}", brief(points[0].depth));
-    default:
-      return fmt::format("2 points, depths {} and {}", brief(points[0].depth),
-                         brief(points[1].depth));
-  }
+  const auto& [first, second] = manifold->points;
+  if (asked.count() == 0) return "no contact";
+  if (asked.count() == 1) return fmt::format("1 point, depth {}", brief(first.depth));
+  return fmt::format("2 points, depths {} and {}", brief(first.depth), brief(second.depth));
 }
 
 std::string verdict_sentence(const JudgedCase& judged) {
@@ -149,7 +141,8 @@ std::string verdict_sentence(const JudgedCase& judged) {
     case Verdict::agree:
       return agreement(judged);
     case Verdict::tie:
-      return "tie, both are right: " + tie_in_words(judged.judgement.bucket.tie_class);
+      return fmt::format("tie, both are right: {}",
+                         kTieWords[static_cast<std::size_t>(judged.judgement.bucket.tie_class)]);
     case Verdict::known:
       return "oracle wrong (known): " + wrong_in_words(judged, judged.oracle);
     case Verdict::subject_wrong:
@@ -175,15 +168,11 @@ std::string verdict_sentence(const JudgedCase& judged) {
 
 std::string statement_in_words(const ContactSummary& statement) {
   const char clipping = statement.reference == Side::a ? 'A' : 'B';
-  switch (statement.kind) {
-    case ContactSummary::Kind::nothing:
-      return "no manifold";
-    case ContactSummary::Kind::apart:
-      return "no contact";
-    case ContactSummary::Kind::no_clip:
-      return fmt::format("they touch, but the best face, {}'s, clips all away", clipping);
-    case ContactSummary::Kind::contact:
-      break;
+  using enum ContactSummary::Kind;
+  if (statement.kind == nothing) return "no manifold";
+  if (statement.kind == apart) return "no contact";
+  if (statement.kind == no_clip) {
+    return fmt::format("they touch, but the best face, {}'s, clips all away", clipping);
   }
   std::string words = fmt::format("{} clips, {}: {}", clipping, counted(statement.count, "point"),
                                   features_key(statement.features[0]));
@@ -228,24 +217,8 @@ const exact::Clip* candidate_to_show(const Admissible& right, const DeclaredAnsw
 
 std::string verdict_in_words(Verdict verdict, const std::string& subject,
                              const std::string& oracle) {
-  switch (verdict) {
-    case Verdict::agree:
-      return "agree: both are right, and say the same";
-    case Verdict::tie:
-      return "tie: they differ, and both are right";
-    case Verdict::known:
-      return fmt::format("known: {} is wrong, as the ledger says", oracle);
-    case Verdict::subject_wrong:
-      return fmt::format("subject_wrong: {} is wrong", subject);
-    case Verdict::oracle_wrong:
-      return fmt::format("oracle_wrong: {} is wrong", oracle);
-    case Verdict::both_wrong:
-      return "both_wrong: both are wrong";
-    case Verdict::ill_posed:
-      return "ill_posed: rounding hides the answer";
-    default:
-      return std::string(to_string(verdict));
-  }
+  return fmt::format(fmt::runtime(kVerdictWords[static_cast<std::size_t>(verdict)]), subject,
+                     oracle);
 }
 
 std::string escape_markdown(std::string_view text) {

@@ -69,11 +69,11 @@ int bench(const BenchArguments& options) {
   }
   Outputs outputs;
   outputs.write(true, [&] { write_to_reader(text); });
-  outputs.write(!options.csv.empty(), [&] { write_file(options.csv, bench_csv(rows)); });
+  outputs.write(!options.csv.empty(), [&] { write_file(options.csv, bench_csv(json)); });
   outputs.write(!options.json.empty() && options.json != "-",
                 [&] { write_file(options.json, json_text(json)); });
   for (const std::string& picture : options.pictures) {
-    outputs.write(true, [&] { write_plot(picture, bench_plot(rows)); });
+    outputs.write(true, [&] { write_bench_plot(picture, rows); });
   }
   return outputs.are_written() ? 0 : 2;
 }

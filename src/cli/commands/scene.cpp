@@ -95,7 +95,7 @@ int scene_command(const SceneArguments& options) {
   outputs.write(!options.scaling.empty(),
                 [&] { write_plot(options.scaling, scaling_plot(result.runs)); });
   outputs.write(!options.skipped.empty(),
-                [&] { write_plot(options.skipped, skipped_plot(result.runs)); });
+                [&] { write_skipped_plot(options.skipped, result.runs); });
   outputs.write(!options.recycling.empty(),
                 [&] { write_plot(options.recycling, recycling_plot(result.curves)); });
   if (!outputs.are_written()) return 2;

@@ -104,11 +104,11 @@ void save(const StressPlan& plan, const StressResult& result, const std::string&
 
 /// What a run found is written, even after it was interrupted; another signal ends the writing.
 void write_files(const StressPlan& plan, const StressResult& result, const StressArguments& options,
-                 const std::string& json, const nlohmann::ordered_json& stored,
+                 const nlohmann::ordered_json& json, const nlohmann::ordered_json& stored,
                  Interruption& interruption, Outputs& outputs) {
   outputs.write(!options.json.empty() && options.json != "-",
-                [&] { write_file(options.json, json); });
-  outputs.write(!options.csv.empty(), [&] { write_file(options.csv, stress_csv(plan, result)); });
+                [&] { write_file(options.json, json.dump(1, '\t') + '\n'); });
+  outputs.write(!options.csv.empty(), [&] { write_file(options.csv, stress_csv(json)); });
   outputs.write(!options.store.empty(), [&] {
     if (result.interrupted) throw UserError("--store: interrupted, nothing is stored");
     write_file(options.store, breaking_points_json(plan, result, stored).dump(1, '\t') + '\n');
@@ -136,10 +136,13 @@ int stress(const StressArguments& options) {
   if (!options.baseline.empty()) files.inputs.emplace_back(options.baseline);
   check_outputs(files);
   const StressPlan plan = plan_of(options);
-  for (const std::string& picture : stress_picture_files(options.pictures, plan)) {
-    if (is_apart({"--pictures", picture, file}, files)) continue;
-    throw UserError(fmt::format("--pictures: {} is another output, or is read; name another folder",
-                                printable(picture, 200)));
+  for (const Sweep* const sweep : plan.sweeps) {
+    for (const std::string& picture : stress_picture_files(options.pictures, *sweep)) {
+      if (options.pictures.empty() || is_apart({"--pictures", picture, file}, files)) continue;
+      throw UserError(
+          fmt::format("--pictures: {} is another output, or is read; name another folder",
+                      printable(picture, 200)));
+    }
   }
   std::vector<StoredPoint> baseline;
   if (!options.baseline.empty()) baseline = read_breaking_points(options.baseline, plan);
@@ -149,13 +152,13 @@ int stress(const StressArguments& options) {
   const StressResult result = run(plan, interruption);
   Interruption writing(kUntilSignal);
   const Comparison comparison = compare(plan, result, baseline);
-  const std::string json =
-      options.json.empty() ? "" : stress_json(plan, result, comparison).dump(1, '\t') + '\n';
+  const nlohmann::ordered_json json = stress_json(plan, result, comparison);
   std::string text = complaints(comparison);
   if (options.json == "-") write_error(text);
   if (!leaves_out_tables({options.json, options.csv})) text = stress_table(plan, result) + text;
   Outputs outputs;
-  outputs.write(true, [&] { write_to_reader(options.json == "-" ? json : text); });
+  outputs.write(true,
+                [&] { write_to_reader(options.json == "-" ? json.dump(1, '\t') + '\n' : text); });
   write_files(plan, result, options, json, stored, writing, outputs);
   if (!outputs.are_written()) return 2;
   return comparison.worse.empty() && comparison.not_compared.empty() ? 0 : 1;

@@ -46,30 +46,21 @@ CorpusCase case_of(const Campaign& campaign, const Finding& finding) {
   return first;
 }
 
-TestResult test_of_bucket(const CampaignResult& result, const Finding& finding,
-                          const BucketResult& found) {
-  TestResult test{found.bucket};
-  test.failure = TestFailure{finding.bucket.verdict == Verdict::oracle_wrong
-                                 ? fmt::format("nothing new against {}", result.settings.oracle)
-                                 : fmt::format("{} to be right", result.settings.subject),
-                             fmt::format("{}: {} times, worst {:.2g} of the size", found.bucket,
-                                         found.count, found.magnitude),
-                             found.file, found.command};
-  return test;
-}
-
 TestResult failed_test(const std::string& name, const TestFailure& failure) {
   TestResult test{name};
   test.failure = failure;
   return test;
 }
 
-std::vector<std::vector<std::string>> verdict_rows(const CampaignResult& result) {
-  std::vector<std::vector<std::string>> table{{"verdict", "cases"}};
-  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
-    table.push_back({std::string(kVerdictNames[i]), std::to_string(result.verdicts[i])});
-  }
-  return table;
+TestResult test_of_bucket(const CampaignResult& result, const Finding& finding,
+                          const BucketResult& found) {
+  const std::string expected = finding.bucket.verdict == Verdict::oracle_wrong
+                                   ? fmt::format("nothing new against {}", result.settings.oracle)
+                                   : fmt::format("{} to be right", result.settings.subject);
+  return failed_test(found.bucket, {expected,
+                                    fmt::format("{}: {} times, worst {:.2g} of the size",
+                                                found.bucket, found.count, found.magnitude),
+                                    found.file, found.command});
 }
 
 void add_buckets(TestSuite& suite, const Campaign& campaign, Interruption& interruption) {
@@ -119,7 +110,10 @@ TestSuite fuzz_suite(const Campaign& campaign, Interruption& interruption) {
                               result.seconds(), result.unexplained(), campaign.plan.seed,
                               result.interrupted ? "; interrupted" : ""),
                   {},
-                  verdict_rows(result)};
+                  {{"verdict", "cases"}}};
+  for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
+    suite.table.push_back({std::string(kVerdictNames[i]), std::to_string(result.verdicts[i])});
+  }
   // What is described first: buckets have cases, regimes only counts.
   add_buckets(suite, campaign, interruption);
   for (const LedgerResult& entry : result.ledger) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -15,15 +14,19 @@
 namespace manifuzz {
 namespace {
 
-/// As the runner reads it back: in data % and line ends, in properties : and , too.
-std::string escape_command(std::string_view text, bool is_property) {
+/// All but what `is_plain` says as %XX.
+std::string percent_encoded(std::string_view text, const std::function<bool(char)>& is_plain) {
   std::string out;
   for (const char c : text) {
-    const bool is_special =
-        c == '%' || c == '\r' || c == '\n' || (is_property && (c == ':' || c == ','));
-    out += is_special ? fmt::format("%{:02X}", c) : std::string(1, c);
+    out += is_plain(c) ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   return out;
+}
+
+/// As the runner reads it back: in data % and line ends, in properties : and , too.
+std::string escape_command(std::string_view text, bool is_property) {
+  const std::string_view special = is_property ? "%\r\n:," : "%\r\n";
+  return percent_encoded(text, [&](char c) { return special.find(c) == special.npos; });
 }
 
 using Failures = std::vector<std::pair<const TestSuite*, const TestResult*>>;
@@ -101,11 +104,6 @@ std::string rest_in_words(std::size_t count) {
 
 namespace fs = std::filesystem;
 
-std::string environment(const char* name) {
-  const char* const value = std::getenv(name);
-  return value == nullptr ? "" : value;
-}
-
 /// The file, or its line, from the root of the checked out repository; "" where it lies outside.
 std::string in_repository(const std::string& file) {
   const std::string root = environment("GITHUB_WORKSPACE");
@@ -113,18 +111,6 @@ std::string in_repository(const std::string& file) {
   std::error_code unknown;
   const fs::path path = fs::relative(file, root, unknown);
   return unknown || path.empty() || *path.begin() == ".." ? "" : path.generic_string();
-}
-
-/// A path as a part of an address.
-std::string escape_path(std::string_view path) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~/";
-  std::string out;
-  for (const char c : path) {
-    out += plain.find(c) != plain.npos ? std::string(1, c)
-                                       : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return out;
 }
 
 /// The address of the picture beside a case of the repository, at this commit; "" where there is
@@ -138,7 +124,11 @@ std::string image_of(const std::string& file) {
   const std::string server = environment("GITHUB_SERVER_URL");
   if (path.empty() || commit.empty() || repository.empty() || server.empty()) return "";
   if (!fs::is_regular_file(picture, unknown)) return "";
-  return fmt::format("{}/{}/raw/{}/{}", server, repository, commit, escape_path(path));
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~/";
+  const std::string address =
+      percent_encoded(path, [&](char c) { return plain.find(c) != plain.npos; });
+  return fmt::format("{}/{}/raw/{}/{}", server, repository, commit, address);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <iterator>
 #include <set>
 #include <span>
@@ -54,10 +55,7 @@ Json data_of(const RunFiles& files, const std::vector<PageCase>& cases,
 std::string script_text(const Json& json) {
   // Paths and words from outside need not be UTF-8.
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text) c == '<' ? safe += "\\u003c" : safe += c;
-  return safe;
+  return boost::replace_all_copy(text, "<", "\\u003c");
 }
 
 /// The template with each place filled; what is filled in is not searched for places.
@@ -93,15 +91,6 @@ DeclaredAnswer answer_of(const CorpusCase& given, const std::string& name, const
   return asked;
 }
 
-bool is_alike(const Manifold<double>& m, const Manifold<double>& n) {
-  const auto features = [](const ContactPoint<double>& point) { return point.features; };
-  const auto points = [](const Manifold<double>& of) {
-    return std::span(of.points).first(static_cast<std::size_t>(std::clamp(of.count, 0, 2)));
-  };
-  return m.reference == n.reference &&
-         std::ranges::equal(points(m), points(n), {}, features, features);
-}
-
 /// What is right, the subject's own manifold first where it is one of them.
 std::vector<Manifold<double>> right_of(const PageCase& page_case) {
   std::vector<Manifold<double>> right;
@@ -114,10 +103,9 @@ std::vector<Manifold<double>> right_of(const PageCase& page_case) {
       if (named.collider == kJudgeName && manifold != nullptr) right.push_back(*manifold);
     }
   }
-  if (page_case.judged.subject.manifold() == nullptr) return right;
-  const Manifold<double>& own = *page_case.judged.subject.manifold();
-  std::stable_partition(right.begin(), right.end(),
-                        [&](const auto& other) { return is_alike(other, own); });
+  const ContactSummary own = summary_of(page_case.judged.subject.answer);
+  std::ranges::stable_partition(
+      right, [&](const Manifold<double>& other) { return summary_of(other) == own; });
   return right;
 }
 
@@ -159,14 +147,6 @@ void add_runs(PageCase& page_case, const std::vector<ResultFile>& results) {
   }
 }
 
-/// Those that deserve a map the most first: somebody is wrong and nothing explains it; somebody is
-/// wrong; the others.
-int rank_of(const PageCase& page_case) {
-  const Verdict verdict = page_case.judged.judgement.bucket.verdict;
-  if (is_unexplained(verdict)) return 0;
-  return verdict == Verdict::known ? 1 : 2;
-}
-
 void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size_t maps_max,
               Interruption& interruption) {
   std::set<std::tuple<std::string, std::string, std::string>> seen;
@@ -181,7 +161,11 @@ void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size
             .second;
     if (is_first) wanted.push_back(&page_case);
   }
-  std::ranges::stable_sort(wanted, {}, [](const PageCase* c) { return rank_of(*c); });
+  // Somebody is wrong and nothing explains it; somebody is wrong; the others.
+  std::ranges::stable_sort(wanted, {}, [](const PageCase* page_case) {
+    const Verdict verdict = page_case->judged.judgement.bucket.verdict;
+    return is_unexplained(verdict) ? 0 : verdict == Verdict::known ? 1 : 2;
+  });
   wanted.resize(std::min(wanted.size(), maps_max));
   for (PageCase* page_case : wanted) {
     const JudgedCase& judged = page_case->judged;

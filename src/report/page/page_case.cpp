@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <limits>
 #include <span>
 #include <vector>
@@ -19,21 +21,10 @@ using Json = nlohmann::ordered_json;
 
 /// Bytes as text, after RFC 4648.
 std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const auto byte_at = [&](std::size_t i) {
-    return i < bytes.size() ? static_cast<unsigned>(static_cast<unsigned char>(bytes[i])) : 0U;
-  };
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const unsigned three = byte_at(i) << 16 | byte_at(i + 1) << 8 | byte_at(i + 2);
-    text += digits[three >> 18];
-    text += digits[three >> 12 & 63];
-    text += i + 1 < bytes.size() ? digits[three >> 6 & 63] : '=';
-    text += i + 2 < bytes.size() ? digits[three & 63] : '=';
-  }
-  return text;
+  using namespace boost::archive::iterators;
+  using Digits = base64_from_binary<transform_width<const char*, 6, 8>>;
+  std::string text(Digits(bytes.data()), Digits(bytes.data() + bytes.size()));
+  return text.append((4 - text.size() % 4) % 4, '=');
 }
 
 Json vector_json(const Vector2<double>& v) {
@@ -53,17 +44,11 @@ Region region_of(const exact::RoughPolygon& polygon) {
   return {polygon.vertices.begin(), polygon.vertices.begin() + polygon.count};
 }
 
-Point mean(const Region& points) {
-  Point sum(0, 0);
-  for (const Point& point : points) sum += point / static_cast<double>(points.size());
-  return sum;
-}
-
 /// Where a polygon's letter stands: off its middle, away from what it shares with the other.
 Point letter_place(const Region& own, const Region& other) {
   Region outside = own;
   std::erase_if(outside, [&](const Point& p) { return depth_in(other, p) > 0; });
-  return outside.empty() ? mean(own) : Point((mean(own) + mean(outside)) / 2);
+  return outside.empty() ? middle_of(own) : Point((middle_of(own) + middle_of(outside)) / 2);
 }
 
 /// How thick a convex region is where it is thinnest.
@@ -76,13 +61,6 @@ double thickness(const Region& region) {
     if (along != Point(0, 0)) least = std::min(least, most);
   }
   return least;
-}
-
-/// The overlap of the polygons, or else the thinner of them.
-Json thinnest_json(const Region& a, const Region& b) {
-  const Region overlap = intersection(a, b);
-  const Region& thin = overlap.size() >= 3 ? overlap : thickness(a) < thickness(b) ? a : b;
-  return {{"center", vector_json(mean(thin))}, {"thickness", thickness(thin)}};
 }
 
 Json body_json(const Body& body, const Region& own, const Region& other) {
@@ -180,23 +158,11 @@ Json answer_json(const PairCase& pair, std::string_view role, const DeclaredAnsw
   return answer_json(pair, role, asked.declaration, answer_in_words(asked), manifolds);
 }
 
-Json found_json(const std::optional<Found>& found) {
-  if (!found) return nullptr;
-  return {{"seed", found->seed},
-          {"regime", found->regime},
-          {"index", found->index},
-          {"versions", found->versions}};
-}
-
 /// The verdict as a sentence; without a judgement, what its file says.
 std::string sentence_of(const PageCase& page_case) {
   if (page_case.is_judged) return verdict_sentence(page_case.judged);
   const CorpusCase& given = page_case.judged.given;
   return given.note.empty() ? truth_in_words(given.pair) : given.note;
-}
-
-Json map_json(const std::optional<CaseMap>& map) {
-  return map ? Json("data:image/png;base64," + base64(map->png)) : Json();
 }
 
 }  // namespace
@@ -215,6 +181,16 @@ Json page_case_json(const PageCase& page_case) {
   judge.name = kJudgeName;
   std::string line;
   append_case_line(line, pair);
+  // The overlap of the polygons, or else the thinner of them.
+  const Region overlap = intersection(a, b);
+  const Region& thin = overlap.size() >= 3 ? overlap : thickness(a) < thickness(b) ? a : b;
+  Json found;
+  if (given.found) {
+    found = {{"seed", given.found->seed},
+             {"regime", given.found->regime},
+             {"index", given.found->index},
+             {"versions", given.found->versions}};
+  }
   const bool is_recorded = !expect.bucket.empty() || !page_case.is_judged;
   return {
       {"file", given.path},
@@ -231,7 +207,7 @@ Json page_case_json(const PageCase& page_case) {
       {"severity", value_or_null(expect.severity)},
       {"magnitude", page_case.is_judged ? Json(judged.judgement.magnitude) : Json()},
       {"count", value_or_null(page_case.count)},
-      {"found", found_json(given.found)},
+      {"found", found},
       {"commands", page_case.commands},
       {"case", line},
       {"separation", truth.separation()},
@@ -240,11 +216,11 @@ Json page_case_json(const PageCase& page_case) {
       {"extent", truth.extent()},
       {"origin", vector_json(pair.a.pose.position.cast<double>())},
       {"bodies", {body_json(pair.a, a, b), body_json(pair.b, b, a)}},
-      {"thinnest", thinnest_json(a, b)},
+      {"thinnest", {{"center", vector_json(middle_of(thin))}, {"thickness", thickness(thin)}}},
       {"answers",
        {answer_json(pair, "truth", judge, truth_in_words(pair), page_case.right),
         answer_json(pair, "subject", judged.subject), answer_json(pair, "oracle", judged.oracle)}},
-      {"map", map_json(page_case.map)},
+      {"map", page_case.map ? Json("data:image/png;base64," + base64(page_case.map->png)) : Json()},
       {"map_words", page_case.map ? Json(page_case.map->words) : Json::array()}};
 }
 

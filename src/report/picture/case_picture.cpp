@@ -62,22 +62,6 @@ std::string place(const Point& at) {
   return fmt::format("({:.6g},{:.6g})", at.x(), at.y());
 }
 
-/// The longest of 1, 2 and 5 times a power of ten that is not too wide.
-double round_length(double scale) {
-  constexpr double widest = 120;
-  const double power = std::pow(10, std::floor(std::log10(widest / scale)));
-  for (const double factor : {5.0, 2.0}) {
-    if (power * factor * scale <= widest) return power * factor;
-  }
-  return power;
-}
-
-/// "660x closer", to two digits.
-std::string closer_in_words(double times) {
-  const double digits = std::pow(10, std::max(0.0, std::floor(std::log10(times)) - 1));
-  return fmt::format("{:g}x closer", std::round(times / digits) * digits);
-}
-
 /// Where a closer view lies in its host, and lines to it.
 void mark_view(Svg& svg, const View& host, const View& closer) {
   const double shrunk = host.scale / closer.scale;
@@ -96,9 +80,16 @@ void mark_view(Svg& svg, const View& host, const View& closer) {
 
 /// A view's footer: how long a round length is drawn, and how much closer than the whole that is.
 void draw_scale(Svg& svg, const View& view, double times_closer) {
-  const double unit = round_length(view.scale);
-  const std::string text =
-      times_closer > 1 ? brief(unit) + ", " + closer_in_words(times_closer) : brief(unit);
+  // The longest of 1, 2 and 5 times a power of ten that is not too wide.
+  constexpr double widest = 120;
+  const double power = std::pow(10, std::floor(std::log10(widest / view.scale)));
+  const auto fits = [&](double factor) { return power * factor * view.scale <= widest; };
+  const double unit = power * (fits(5) ? 5 : fits(2) ? 2 : 1);
+  std::string text = brief(unit);
+  if (times_closer > 1) {  // "660x closer", to two digits
+    const double digits = std::pow(10, std::max(0.0, std::floor(std::log10(times_closer)) - 1));
+    text += fmt::format(", {:g}x closer", std::round(times_closer / digits) * digits);
+  }
   const Point left = Point(view.footer().x, view.footer().center().y()) + Point(6, 0);
   const Point right = left + Point(unit * view.scale, 0);
   svg.line({left, right}, "scale");

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "report/picture/drawing.hpp"
 #include "report/words.hpp"
@@ -174,14 +175,8 @@ void draw_normals(Drawing& drawing) {
 /// What is reported at one spot, a figure of all who report it.
 struct Spot {
   Label label;
-  std::vector<std::pair<std::string, std::vector<std::string>>> said{};
+  nlohmann::ordered_map<std::string, std::vector<std::string>> said{};
 };
-
-void say(Spot& spot, const std::string& figure, const std::string& who) {
-  auto same = std::ranges::find(spot.said, figure, [](const auto& entry) { return entry.first; });
-  if (same == spot.said.end()) same = spot.said.insert(same, {figure, {}});
-  if (same->second.empty() || same->second.back() != who) same->second.push_back(who);
-}
 
 /// "depth 0.31 (clip, box2d)": of the points at one spot, equal figures once.
 void label_depths(Drawing& drawing) {
@@ -194,10 +189,13 @@ void label_depths(Drawing& drawing) {
         spots, [&](const Spot& known) { return length(known.label.anchor - at) < kSameSpot; });
     if (spot == spots.end()) {
       const Point away = unit(point.position - (point.bar.from + point.bar.to) / 2);
-      spot = spots.insert(spot, {{"", at, View::direction(away), 10, kDepthFont, style}});
+      spots.push_back({{"", at, View::direction(away), 10, kDepthFont, style}});
+      spot = std::prev(spots.end());
     }
     if (spot->label.css != style) spot->label.css = "depth-word";
-    say(*spot, brief(point.bar.depth), drawing.names[point.by_subject ? 0 : 1]);
+    std::vector<std::string>& by = spot->said[brief(point.bar.depth)];
+    const std::string& who = drawing.names[point.by_subject ? 0 : 1];
+    if (by.empty() || by.back() != who) by.push_back(who);
   }
   for (Spot& spot : spots) {
     std::vector<std::string> parts;

@@ -24,11 +24,6 @@ constexpr std::array<unsigned char, 95> kWidths{
 };
 constexpr double kBoldIsWider = 1.15;
 
-double width_of(char c) {
-  const bool is_printable = c >= ' ' && c <= '~';
-  return is_printable ? kWidths[static_cast<std::size_t>(c - ' ')] / 100.0 : 1.0;
-}
-
 /// A pixel's hundredth is enough. Zero has no sign.
 std::string number(double pixels) {
   std::string text = fmt::format("{:.2f}", pixels);
@@ -44,11 +39,6 @@ int nearest_dot(double x) {
   return static_cast<int>(std::floor(x + 0.5));
 }
 
-/// U+2800 and the dots, in UTF-8.
-std::string braille(unsigned dots) {
-  return {'\xe2', static_cast<char>(0xa0 | (dots >> 6)), static_cast<char>(0x80 | (dots & 0x3f))};
-}
-
 void check(cairo_status_t status) {
   if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
   if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(cairo_status_to_string(status));
@@ -58,7 +48,10 @@ void check(cairo_status_t status) {
 
 double text_width(std::string_view text, const Font& font) {
   double width = 0;
-  for (const char c : text) width += width_of(c);
+  for (const char c : text) {
+    const bool is_printable = c >= ' ' && c <= '~';
+    width += is_printable ? kWidths[static_cast<std::size_t>(c - ' ')] / 100.0 : 1.0;
+  }
   return width * font.size * (font.bold ? kBoldIsWider : 1.0);
 }
 
@@ -191,11 +184,8 @@ void Canvas::text(const Point& at, std::string_view text, const Font& font, Colo
 std::string Canvas::png(int height) const {
   check(cairo_status(context_.get()));
   cairo_surface_t* const all = surface_.get();
-  cairo_surface_flush(all);
   const std::shared_ptr<cairo_surface_t> top(
-      cairo_image_surface_create_for_data(cairo_image_surface_get_data(all), CAIRO_FORMAT_RGB24,
-                                          cairo_image_surface_get_width(all), height,
-                                          cairo_image_surface_get_stride(all)),
+      cairo_surface_create_for_rectangle(all, 0, 0, cairo_image_surface_get_width(all), height),
       cairo_surface_destroy);
   const auto append = [](void* to, const unsigned char* data, unsigned int length) {
     static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(data), length);
@@ -245,7 +235,10 @@ std::string DotCanvas::text() const {
     std::size_t used = text.size();
     for (int column = 0; column < columns_; ++column, ++i) {
       const Cell& cell = cells_[i];
-      text += cell.mark != 0 ? std::string(1, cell.mark) : braille(cell.dots);
+      const char low = static_cast<char>(0x80 | (cell.dots & 0x3f));
+      const char high =
+          static_cast<char>(0xa0 | (cell.dots >> 6));  // U+2800 and the dots, in UTF-8
+      text += cell.mark != 0 ? std::string(1, cell.mark) : std::string{'\xe2', high, low};
       if (cell.mark != 0 || cell.dots != 0) used = text.size();
     }
     text.resize(used);

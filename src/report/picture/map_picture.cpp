@@ -166,37 +166,28 @@ class MapPicture {
     }
     canvas_.ring(box.center(), 7, 4, kPaper);
     canvas_.ring(box.center(), 7, 1.8, kInk);
-    const std::string from = fmt::format("-{}", map_.grid.reach * map_.grid.step);
-    const std::string to = fmt::format("+{} ulps", map_.grid.reach * map_.grid.step);
+    const int ulps = map_.grid.reach * map_.grid.step;
+    const std::string to = fmt::format("+{} ulps", ulps);
     const double below = box.bottom() + 16;
-    canvas_.text({box.x, below}, from, kSmallFont, kQuiet);
+    canvas_.text({box.x, below}, fmt::format("-{}", ulps), kSmallFont, kQuiet);
     canvas_.text({box.center().x() - text_width("0", kSmallFont) / 2, below}, "0", kSmallFont,
                  kQuiet);
     canvas_.text({box.right() - text_width(to, kSmallFont), below}, to, kSmallFont, kQuiet);
   }
 
   void draw_panels() {
-    const auto named = [](std::string_view role, const DeclaredAnswer& asked) {
-      return fmt::format("{}: {}", role, asked.declaration.name);
-    };
-    draw_panel(0, named("subject", judged_.subject));
-    draw_panel(1, named("oracle", judged_.oracle));
+    draw_panel(0, "subject: " + judged_.subject.declaration.name);
+    draw_panel(1, "oracle: " + judged_.oracle.declaration.name);
     draw_panel(2, "truth: the exact clip");
     draw_panel(3, "difference: the verdict");
     y_ += panel_ + 58;
   }
 
   void write_statements(double x, double right) {
-    const std::array<std::string_view, kRoles.size()> names{
-        judged_.subject.declaration.name, judged_.oracle.declaration.name, "truth"};
     const auto entry = [&](std::string_view words, const std::array<int, kRoles.size()>& cells) {
-      std::string text(words);
-      std::string_view separator = "   (cells: ";
-      for (std::size_t role = 0; role < kRoles.size(); ++role) {
-        text += fmt::format("{}{} {}", separator, names[role], cells[role]);
-        separator = ", ";
-      }
-      return text + ")";
+      return fmt::format("{}   (cells: {} {}, {} {}, truth {})", words,
+                         judged_.subject.declaration.name, cells[0],
+                         judged_.oracle.declaration.name, cells[1], cells[2]);
     };
     write("What is said; points by their features, A's/B's: f a face, v a vertex", x, right,
           kPanelFont, kInk);

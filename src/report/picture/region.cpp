@@ -59,8 +59,8 @@ Point unit(const Point& v) {
 
 Point middle_of(const Region& region) {
   Point sum(0, 0);
-  for (const Point& corner : region) sum += corner;
-  return sum / static_cast<double>(region.size());
+  for (const Point& corner : region) sum += corner / static_cast<double>(region.size());
+  return sum;
 }
 
 Box box_around(const std::vector<Point>& points) {

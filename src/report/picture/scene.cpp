@@ -141,11 +141,6 @@ View view_of(const Box& scene, const Box& frame) {
                    (frame.height - 2 * kMargin) / scene.height)};
 }
 
-View close_view(const Interest& interest, const Box& frame) {
-  const double side = std::min(frame.width, frame.height);
-  return {frame, interest.focus, interest.share_wanted * side / interest.length};
-}
-
 }  // namespace
 
 Box Scene::whole(double reach) const {
@@ -214,7 +209,9 @@ std::vector<View> choose_views(const Scene& scene, double x, double y, double wi
         next = std::ranges::find(hidden, true, &Interest::is_depth);
         if (next == hidden.end()) --next;
       }
-      views.push_back(close_view(*next, {x + left + kGap, top, width - left - kGap, half}));
+      const Box frame{x + left + kGap, top, width - left - kGap, half};
+      views.push_back(
+          {frame, next->focus, next->share_wanted * std::min(frame.width, half) / next->length});
     }
   }
   return views;

@@ -53,10 +53,6 @@ std::vector<std::pair<Point, char>> marks_of(const Scene& scene) {
   return marks;
 }
 
-double longer_side(const Box& box) {
-  return std::max(box.width, box.height);
-}
-
 /// A finite box, which is not a point, at the largest scale that the canvas has room for.
 Frame framed(const Box& box, int rows) {
   const double scale = std::min((2.0 * kColumns - 1) / box.width, (4.0 * rows - 1) / box.height);
@@ -79,8 +75,8 @@ std::optional<Box> closer(const Scene& scene, const Frame& all) {
   }
   if (places.empty()) return std::nullopt;
   const Box of_interest = box_around(places);
-  const double whole_side = longer_side(all.box);
-  const double side = longer_side(of_interest);
+  const double whole_side = std::max(all.box.width, all.box.height);
+  const double side = std::max(of_interest.width, of_interest.height);
   if (side * all.scale < kSmall) {
     return of_interest.grown(0.5 *
                              (side > kPrecision * whole_side ? side : kPlaceShare * whole_side));

@@ -1,9 +1,5 @@
 // What stands beside the picture of a case, and what its tooltips say.
 
-function worldOf(one, point) {
-  return place([one.origin[0] + point[0], one.origin[1] + point[1]]);
-}
-
 function featureWords(features) {
   return features.map((feature, i) => `${"AB"[i]} ${feature}`).join(", ");
 }
@@ -24,7 +20,7 @@ function describeTarget(one, key, right) {
   const number = Number(what.slice(1));
   const { vertices, radius } = one.bodies[SIDES.indexOf(what[0])];
   const title = `${what[0].toUpperCase()} ${kind} ${number}`;
-  if (kind === "vertex") return [title, `world ${worldOf(one, vertices[number])}`, ...(radius > 0 ? [`radius ${full(radius)}`] : [])];
+  if (kind === "vertex") return [title, `world ${place(along(one.origin, vertices[number], 1))}`, ...(radius > 0 ? [`radius ${full(radius)}`] : [])];
   const face = facesOf(vertices)[number];
   return [title, `vertex ${number} to vertex ${(number + 1) % vertices.length}`, `length ${brief(distance(...face))}`,
     `outward ${place(outwardOf(face))}`];

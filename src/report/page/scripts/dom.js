@@ -50,8 +50,8 @@ function announce(text) {
 }
 
 // Names and values; a pair without a value is left out.
-function facts(pairs) {
-  return element("dl", { class: "facts" }, pairs.filter(([, value]) => value).map(([name, value]) =>
+function facts(pairs, css = "facts") {
+  return element("dl", { class: css }, pairs.filter(([, value]) => value).map(([name, value]) =>
     element("div", {}, element("dt", {}, name), element("dd", {}, value))));
 }
 

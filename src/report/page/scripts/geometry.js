@@ -115,12 +115,6 @@ function fitBox(box, width, height, margin) {
   return { x, y, width, height, scale: Number.isFinite(scale) && scale > 0 ? scale : 1 };
 }
 
-function zoomAt(camera, [x, y], factor) {
-  const share = (1 - 1 / factor) / camera.scale;
-  return { ...camera, scale: camera.scale * factor,
-    x: camera.x + (x - camera.width / 2) * share, y: camera.y - (y - camera.height / 2) * share };
-}
-
 function panBy(camera, right, down) {
   return { ...camera, x: camera.x - right / camera.scale, y: camera.y + down / camera.scale };
 }
@@ -139,11 +133,4 @@ function seenBox(camera, around = 40) {
 function flatFor(camera) {
   const seen = seenBox(camera);
   return (from, to, sagitta) => sagitta * camera.scale < 0.15 || !meets(boxOf([from, to], sagitta), seen);
-}
-
-// A round length that is about `pixels` wide: 1, 2 or 5 times a power of ten.
-function roundLength(camera, pixels) {
-  const wanted = pixels / camera.scale;
-  const power = 10 ** Math.floor(Math.log10(wanted));
-  return power * ([5, 2, 1].find((step) => step * power <= wanted) ?? 1);
 }

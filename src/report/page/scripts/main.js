@@ -9,12 +9,8 @@ const MARKS = [[() => roleMark("truth"), "the truth: a point that is right"],
   [() => roleMark("oracle"), "a point of the oracle, the collider it is held against"],
   [() => lineMark("reference"), "reference face"], [() => lineMark("incident"), "incident edge"], [() => lineMark("plane"), "side plane"]];
 
-function meanings(pairs) {
-  return element("dl", { class: "keys" }, pairs.map(([name, does]) => element("div", {}, element("dt", {}, name), element("dd", {}, does))));
-}
-
 function keyList(keys) {
-  return meanings(keys.map(([key, does]) => [key.split("  ").map((one) => element("kbd", {}, one)), does]));
+  return facts(keys.map(([key, does]) => [key.split("  ").map((one) => element("kbd", {}, one)), does]), "keys");
 }
 
 function openHelp() {
@@ -22,7 +18,7 @@ function openHelp() {
   dialog.replaceChildren(
     element("header", {}, element("h2", { id: "help-title" }, "Keys and marks"), button("Close", () => dialog.close())),
     element("h3", {}, "On the page"), keyList(PAGE_KEYS), element("h3", {}, "In a case"), keyList(CASE_KEYS),
-    element("h3", {}, "In a picture"), meanings(MARKS.map(([mark, name]) => [mark(), name])));
+    element("h3", {}, "In a picture"), facts(MARKS.map(([mark, name]) => [mark(), name]), "keys"));
   if (!dialog.open) dialog.showModal();
 }
 

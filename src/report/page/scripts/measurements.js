@@ -4,17 +4,14 @@ const BENCH_CHOICES = ["query", "target", "vertices", "touching", "regime"];
 const WALK_EVENTS = [["flickers", "flickers"], ["jumps", "jumps"], ["features", "features changed"]];
 const SKIP_COLORS = 5;
 
-function benchName(row) {
-  return [row.collider, row.input !== "pair" && row.input].filter(Boolean).join(" ");
-}
-
 // Some rows of a choice stand for every choice: theirs is "".
 function benchPoints(rows, chosen) {
   const isChosen = (row) => BENCH_CHOICES.every((key) => {
     const value = String(row[key] ?? "");
     return value === "" || chosen[key] === undefined || value === chosen[key];
   });
-  return rows.filter(isChosen).map((row) => ({ row, name: benchName(row), x: row.ns_per_pair, y: row.error?.[chosen.quantity]?.p999 }))
+  return rows.filter(isChosen).map((row) => ({ row, name: [row.collider, row.input !== "pair" && row.input].filter(Boolean).join(" "),
+    x: row.ns_per_pair, y: row.error?.[chosen.quantity]?.p999 }))
     .filter(({ x, y }) => x > 0 && Number.isFinite(y));
 }
 

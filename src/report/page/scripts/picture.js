@@ -205,7 +205,10 @@ function drawDepthLabels(view) {
 }
 
 function drawScaleBar(view) {
-  const length = roundLength(view.camera, 110);
+  // 1, 2 or 5 times a power of ten, about 110 pixels wide.
+  const wanted = 110 / view.camera.scale;
+  const power = 10 ** Math.floor(Math.log10(wanted));
+  const length = power * ([5, 2, 1].find((step) => step * power <= wanted) ?? 1);
   const [left, bottom] = [14, view.camera.height - 14];
   const right = left + length * view.camera.scale;
   const d = `M${left} ${bottom - 4}V${bottom + 4}M${left} ${bottom}H${pixels(right)}M${pixels(right)} ${bottom - 4}V${bottom + 4}`;

@@ -32,29 +32,18 @@ function lookAt([x, y], span) {
   look({ x, y, width, height, scale: Math.min(width, height) / span });
 }
 
+// What lies at `at` stays there.
 function zoom(factor, at) {
-  const { scale, width, height } = viewing.camera;
-  look(zoomAt(viewing.camera, at ?? [width / 2, height / 2], limitedScale(scale * factor, viewing.whole) / scale));
+  const { x, y, scale, width, height } = viewing.camera;
+  const [right, down] = at ? [at[0] - width / 2, at[1] - height / 2] : [0, 0];
+  const zoomed = limitedScale(scale * factor, viewing.whole);
+  const share = 1 / scale - 1 / zoomed;
+  look({ x: x + right * share, y: y - down * share, width, height, scale: zoomed });
 }
 
 function lookAtAll(places) {
   if (places.length === 0) announce("There is nothing to zoom to");
   else look(cameraOn(places, viewing.one, viewing.camera));
-}
-
-// Every contact point that is shown, with both ends of its depth.
-function fitPoints() {
-  lookAtAll(shownPoints(viewing).flatMap(({ position, bar }) => [position, ...(bar ?? [])]));
-}
-
-function fitOverlap() {
-  lookAtAll(overlapOf(...viewing.one.bodies.map((body) => outlineOf(body, flatFor(viewing.whole)))));
-}
-
-function fitThickness() {
-  const { center, thickness } = viewing.one.thinnest;
-  if (thickness > 0) lookAt(center, 4 * thickness);
-  else lookAtAll([center]);
 }
 
 // A point so closely that its distance to the truth, where there is one, can be seen.
@@ -100,8 +89,12 @@ function viewerKeys() {
   const keys = { j: next, ArrowRight: next, ArrowDown: next, k: previous, ArrowLeft: previous, ArrowUp: previous, "?": openHelp };
   if (!viewing.camera) return keys;
   const pan = (right, down) => () => look(panBy(viewing.camera, right, down));
+  const { bodies, thinnest: { center, thickness } } = viewing.one;
   return { ...keys,
-    "0": () => look(viewing.whole), f: fitPoints, o: fitOverlap, t: fitThickness,
+    "0": () => look(viewing.whole),
+    f: () => lookAtAll(shownPoints(viewing).flatMap(({ position, bar }) => [position, ...(bar ?? [])])),
+    o: () => lookAtAll(overlapOf(...bodies.map((body) => outlineOf(body, flatFor(viewing.whole))))),
+    t: () => (thickness > 0 ? lookAt(center, 4 * thickness) : lookAtAll([center])),
     "+": () => zoom(2), "=": () => zoom(2), "-": () => zoom(1 / 2), "[": () => stepRight(-1), "]": () => stepRight(1),
     ".": () => focusTarget(1), ",": () => focusTarget(-1),
     "Shift ArrowRight": pan(-60, 0), "Shift ArrowLeft": pan(60, 0), "Shift ArrowDown": pan(0, -60), "Shift ArrowUp": pan(0, 60) };
