@@ -60,8 +60,7 @@ class Polygon {
                                           static_cast<double>(body.position.y)));
   }
   ~Polygon() { cpShapeDestroy(shape()); }
-  Polygon(const Polygon&) = delete;
-  Polygon& operator=(const Polygon&) = delete;
+  Polygon& operator=(Polygon&&) = delete;  // nor copied
 
   cpShape* shape() { return &polygon_.shape; }
 

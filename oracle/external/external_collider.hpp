@@ -4,7 +4,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "collider/collider.hpp"
 #include "exchange/json.hpp"

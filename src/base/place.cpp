@@ -40,8 +40,7 @@ class TrialFolder {
   ~TrialFolder() {
     for (; !made_.empty(); made_.pop_back()) ::rmdir(made_.back().c_str());
   }
-  TrialFolder(const TrialFolder&) = delete;
-  TrialFolder& operator=(const TrialFolder&) = delete;
+  TrialFolder& operator=(TrialFolder&&) = delete;  // nor copied
 
   const std::string& why_not() const { return why_not_; }
 

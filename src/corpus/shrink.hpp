@@ -2,7 +2,6 @@
 
 #include <compare>
 #include <functional>
-#include <optional>
 #include <utility>
 #include <vector>
 

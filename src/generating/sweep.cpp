@@ -1,6 +1,5 @@
 #include "generating/sweep.hpp"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "judging/compare.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>

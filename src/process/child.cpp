@@ -35,8 +35,7 @@ struct Pipe {
       if (end >= 0) close(end);
     }
   }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
+  Pipe& operator=(Pipe&&) = delete;  // nor copied
 
   int release(int end) { return std::exchange(ends[static_cast<std::size_t>(end)], -1); }
 };

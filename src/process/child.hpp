@@ -23,8 +23,7 @@ class Descendants {
  public:
   Descendants();
   ~Descendants();
-  Descendants(const Descendants&) = delete;
-  Descendants& operator=(const Descendants&) = delete;
+  Descendants& operator=(Descendants&&) = delete;  // nor copied
 };
 
 /// A child process with a pipe to it and a pipe from it, in a process group of its own. It belongs
@@ -33,8 +32,7 @@ class Child {
  public:
   Child() = default;
   ~Child() { stop(); }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
+  Child& operator=(Child&&) = delete;  // nor copied
 
   bool running() const;
   /// Stops what runs; then `body` runs in the child, `in` and `out` being its ends of the pipes.

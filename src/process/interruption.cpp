@@ -1,7 +1,6 @@
 #include "process/interruption.hpp"
 
 #include <algorithm>
-#include <ctime>
 
 namespace manifuzz {
 namespace {

@@ -36,8 +36,7 @@ class Interruption {
   Interruption() : Interruption(Limits{}) {}
   explicit Interruption(const Limits& limits);
   ~Interruption();
-  Interruption(const Interruption&) = delete;
-  Interruption& operator=(const Interruption&) = delete;
+  Interruption& operator=(Interruption&&) = delete;  // nor copied
 
   State state();
   bool is_stopped() { return state() == State::stopped; }

@@ -27,8 +27,7 @@ class WatchedChild {
  public:
   WatchedChild() = default;
   ~WatchedChild() { kill(); }
-  WatchedChild(const WatchedChild&) = delete;
-  WatchedChild& operator=(const WatchedChild&) = delete;
+  WatchedChild& operator=(WatchedChild&&) = delete;  // nor copied
 
   bool is_running() const { return process_ > 0; }
 

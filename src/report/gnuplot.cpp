@@ -30,8 +30,7 @@ class DrawnFile {
     close(file);
   }
   ~DrawnFile() { unlink(path_.c_str()); }
-  DrawnFile(const DrawnFile&) = delete;
-  DrawnFile& operator=(const DrawnFile&) = delete;
+  DrawnFile& operator=(DrawnFile&&) = delete;  // nor copied
 
   const std::string& path() const { return path_; }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <initializer_list>
 #include <optional>
@@ -9,7 +8,6 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include <nlohmann/json_fwd.hpp>
 
 #include "base/file.hpp"
 #include "campaign/replay.hpp"
@@ -49,8 +47,7 @@ class ProgressLine {
  public:
   ProgressLine();
   ~ProgressLine();
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
+  ProgressLine& operator=(ProgressLine&&) = delete;  // nor copied
 
   void show(std::string_view text) const;
 

@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "geometry/manifold.hpp"
 #include "geometry/pose.hpp"

@@ -1,6 +1,5 @@
 #include "scene/pair_cache.hpp"
 
-#include <utility>
 
 #include "kernel/pair.hpp"
 #include "scene/shape_table.hpp"

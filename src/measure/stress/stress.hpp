@@ -213,8 +213,7 @@ class FlushToZero {
  public:
   explicit FlushToZero(bool wanted);
   ~FlushToZero();
-  FlushToZero(const FlushToZero&) = delete;
-  FlushToZero& operator=(const FlushToZero&) = delete;
+  FlushToZero& operator=(FlushToZero&&) = delete;  // nor copied
 
  private:
   bool wanted_;

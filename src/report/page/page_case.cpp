@@ -1,12 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <limits>
 #include <span>
-#include <vector>
 
-#include <fmt/format.h>
 
 #include "exchange/json.hpp"
 #include "oracle/exact/placed.hpp"
