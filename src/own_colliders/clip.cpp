@@ -23,7 +23,7 @@ Answer collide(const PairCase& pair, Scalar tie_bias) {
 
 template <class Scalar>
 Collider implemented(const Declaration& declaration, Collider (*with_tie_bias)(double tie_bias)) {
-  Collider collider = own_collider<Scalar>(declaration, collide<Scalar>, with_tie_bias);
+  Collider collider = own::collider_of<Scalar>(declaration, collide<Scalar>, with_tie_bias);
   collider.from_normal = [](const PairCase& pair, const Vector2<double>& normal) {
     return answer<Scalar>(pair, [&](const auto& placed, const Pose<Scalar>& b_in_a) {
       return clipping::manifold_from_normal<Scalar>(placed.a, placed.b, b_in_a,

@@ -29,15 +29,15 @@ Answer collide_as_pair(const PairCase& pair, float tie_bias) {
 }  // namespace
 
 Collider make_pair(double tie_bias) {
-  return own_collider<float>({.name = "pair",
-                              .version = MANIFUZZ_VERSION,
-                              .description = "clip, one pair at a time, a face a lane",
-                              .tie_bias = tie_bias},
-                             collide_as_pair, make_pair);
+  return own::collider_of<float>({.name = "pair",
+                                  .version = MANIFUZZ_VERSION,
+                                  .description = "clip, one pair at a time, a face a lane",
+                                  .tie_bias = tie_bias},
+                                 collide_as_pair, make_pair);
 }
 
 Collider make_batch(double tie_bias) {
-  return own_collider<float>(
+  return own::collider_of<float>(
       {.name = "batch",
        .version = MANIFUZZ_VERSION,
        .description = "clip, many pairs at once, one a lane of the widest vectors",
@@ -46,11 +46,11 @@ Collider make_batch(double tie_bias) {
 }
 
 Collider make_batch64(double tie_bias) {
-  return own_collider<double>({.name = "batch64",
-                               .version = MANIFUZZ_VERSION,
-                               .description = "clip64, many pairs at once, one a lane",
-                               .tie_bias = tie_bias},
-                              collide_as_batch<double>, make_batch64);
+  return own::collider_of<double>({.name = "batch64",
+                                   .version = MANIFUZZ_VERSION,
+                                   .description = "clip64, many pairs at once, one a lane",
+                                   .tie_bias = tie_bias},
+                                  collide_as_batch<double>, make_batch64);
 }
 
 }  // namespace manifuzz

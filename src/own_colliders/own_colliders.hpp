@@ -65,10 +65,13 @@ Collider make_batch(double tie_bias = 0);
 /// The same in double: `clip64`'s.
 Collider make_batch64(double tie_bias = 0);
 
+// A namespace of its own, as clipping has, keeps planted copies apart.
+namespace own {
+
 /// What all of these have in common: `collide_one(pair, bias)` gives the answers, in the scalar.
 template <class Scalar, class CollideOne>
-Collider own_collider(const Declaration& declaration, CollideOne collide_one,
-                      Collider (*with_tie_bias)(double tie_bias)) {
+Collider collider_of(const Declaration& declaration, CollideOne collide_one,
+                     Collider (*with_tie_bias)(double tie_bias)) {
   const auto bias = static_cast<Scalar>(declaration.tie_bias);
   Collider collider;
   collider.declaration = declaration;
@@ -80,5 +83,7 @@ Collider own_collider(const Declaration& declaration, CollideOne collide_one,
   collider.in_double = [bias] { return make_clip64(static_cast<double>(bias)); };
   return collider;
 }
+
+}  // namespace own
 
 }  // namespace manifuzz
