@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
-#include <vector>
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_broad_phase.h>

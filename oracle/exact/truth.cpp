@@ -1,10 +1,7 @@
 #include "oracle/exact/truth.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "oracle/exact/placed.hpp"
 
 namespace manifuzz::exact {
 namespace {

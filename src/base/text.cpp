@@ -1,10 +1,7 @@
 #include "base/text.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
-#include <vector>
 
 #include <fmt/compile.h>
 #include <fmt/format.h>

@@ -10,7 +10,6 @@
 #include <type_traits>
 
 #include "judging/manifold_error.hpp"
-#include "process/pool.hpp"
 
 namespace manifuzz {
 namespace {

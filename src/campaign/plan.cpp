@@ -1,7 +1,5 @@
 #include "campaign/plan.hpp"
 
-#include <algorithm>
-
 #include "campaign/in_child.hpp"
 
 namespace manifuzz {

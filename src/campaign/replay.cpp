@@ -9,8 +9,6 @@
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
-#include "corpus/corpus.hpp"
-#include "judging/properties.hpp"
 #include "process/pool.hpp"
 
 namespace manifuzz {

@@ -1,7 +1,6 @@
 #include "campaign/result.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 

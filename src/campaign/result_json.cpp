@@ -62,11 +62,6 @@ Json list_of(const std::vector<T>& all) {
 
 // Keys that the formats of manifuzz fix are required; the others came later, or may go.
 
-std::string string_or(const JsonView& object, std::string_view key, std::string_view otherwise) {
-  const auto member = object.find(key);
-  return std::string(member ? member->string() : otherwise);
-}
-
 Count whole_in(const JsonView& object, std::string_view key) {
   return object.at(key).whole_number();
 }
@@ -162,13 +157,13 @@ void expect_disjoint(const JsonView& root, const std::vector<CasesRun>& parts) {
 }
 
 Json read_machine(const JsonView& machine) {
-  return {{"processor", string_or(machine, "processor", "unknown")},
+  return {{"processor", machine.string_or("processor", "unknown")},
           {"cores", count_or(machine, "cores", 0)},
-          {"instruction_set", string_or(machine, "instruction_set", "unknown")}};
+          {"instruction_set", machine.string_or("instruction_set", "unknown")}};
 }
 
 Settings read_settings(const JsonView& root) {
-  Settings settings{string_or(root, "subject", ""),  string_or(root, "oracle", ""), {}, 0, {},
+  Settings settings{root.string_or("subject", ""),   root.string_or("oracle", ""), {}, 0, {},
                     count_or(root, "judge_every", 1)};
   const JsonView versions = root.at("versions");
   for (const std::string_view name : versions.keys()) {

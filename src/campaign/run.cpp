@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "campaign/result.hpp"
-
 namespace manifuzz {
 namespace {
 

@@ -9,7 +9,6 @@
 #include "base/text.hpp"
 #include "cli/options.hpp"
 #include "oracle/box2d/box2d.hpp"
-#include "oracle/external/external_collider.hpp"
 #include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <random>
-#include <vector>
 
 #include <fmt/format.h>
 

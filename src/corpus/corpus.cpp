@@ -8,9 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "base/file.hpp"
 #include "base/random.hpp"
-#include "base/text.hpp"
 
 namespace manifuzz {
 namespace {

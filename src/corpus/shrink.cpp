@@ -5,9 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <set>
-#include <vector>
-
-#include <rapidcheck.h>
 
 #include "generating/drafts.hpp"
 

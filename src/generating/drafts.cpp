@@ -1,7 +1,6 @@
 #include "generating/drafts.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace manifuzz {
 namespace {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/random.hpp"
 #include "base/text.hpp"
 #include "generating/drafts.hpp"
 

@@ -1,7 +1,6 @@
 #include "geometry/convex_polygon.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -76,10 +75,6 @@ Admissible admissible(const PairCase& pair, const Declaration& declaration);
 /// The same within these bounds.
 Admissible admissible(std::shared_ptr<const exact::Truth> truth, double tie_bias,
                       const Bounds& bounds);
-
-inline double distance(const Vector2<double>& p, const Vector2<double>& q) {
-  return std::sqrt((p - q).dot(p - q));
-}
 
 /// How far position and depth of a candidate's point may be off: the angle's term where the end is
 /// clipped or nearly so, capped by the incident edge's length.

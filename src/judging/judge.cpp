@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 #include "base/random.hpp"
 #include "generating/drafts.hpp"
-#include "judging/manifold_error.hpp"
 
 namespace manifuzz {
 namespace {

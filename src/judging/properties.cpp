@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <optional>
 
 #include "generating/drafts.hpp"
 #include "judging/compare.hpp"

@@ -13,13 +13,6 @@ using exact::DoubleDouble;
 using exact::FaceOf;
 using Point = exact::Point<DoubleDouble>;
 
-/// The collider at bias 0, or none where its bias is fixed at another value.
-std::optional<Collider> without_bias(const Collider& collider) {
-  if (collider.declaration.tie_bias == 0) return collider;
-  if (!collider.with_tie_bias) return std::nullopt;
-  return collider.with_tie_bias(0);
-}
-
 double largest_depth(const Manifold<double>& manifold) {
   double largest = 0;
   for (int i = 0; i < manifold.count; ++i) largest = std::max(largest, manifold.points[i].depth);
@@ -182,36 +175,46 @@ Outcome points_lie_where_they_say(AskedCollider& ask, const PairCase& pair) {
   return holds();
 }
 
+/// What a collider answers at bias 0 to a pair that must touch.
+struct Unbiased {
+  Declaration declaration;
+  Admissible right;
+  Manifold<double> manifold;
+};
+
+/// None where the bias is fixed at another value, where nothing must touch, or without an answer.
+std::optional<Unbiased> ask_without_bias(const Collider& collider, const PairCase& pair) {
+  const bool is_unbiased = collider.declaration.tie_bias == 0;
+  if (!is_unbiased && !collider.with_tie_bias) return std::nullopt;
+  const Collider unbiased = is_unbiased ? collider : collider.with_tie_bias(0);
+  const Admissible right = admissible(pair, unbiased.declaration);
+  const auto manifold = right.must_touch ? AskedCollider(unbiased).manifold(pair) : std::nullopt;
+  if (!manifold) return std::nullopt;
+  return Unbiased{unbiased.declaration, right, *manifold};
+}
+
 Outcome depth_is_the_overlap(AskedCollider& ask, const PairCase& pair) {
-  const auto unbiased = without_bias(ask.collider());
+  const auto unbiased = ask_without_bias(ask.collider(), pair);
   if (!unbiased) return not_applicable();
-  const Admissible right = admissible(pair, unbiased->declaration);
-  if (!right.must_touch) return not_applicable();
-  AskedCollider ask_unbiased(*unbiased);
-  const auto manifold = ask_unbiased.manifold(pair);
-  if (!manifold) return not_applicable();
-  const double off = std::abs(leading(largest_depth(*manifold) - true_overlap(pair, *right.truth)));
+  const auto& [declaration, right, manifold] = *unbiased;
+  const double off = std::abs(leading(largest_depth(manifold) - true_overlap(pair, *right.truth)));
   if (off <= widest_depth_bound(right)) return holds();
   return fails("a largest depth that is not the overlap", off / size(pair));
 }
 
 Outcome depth_moves_apart(AskedCollider& ask, const PairCase& pair) {
-  const auto unbiased = without_bias(ask.collider());
-  if (!unbiased) return not_applicable();
-  const Admissible right = admissible(pair, unbiased->declaration);
-  if (!right.must_touch) return not_applicable();
-  AskedCollider ask_unbiased(*unbiased);
-  const auto manifold = ask_unbiased.manifold(pair);
-  if (!manifold || manifold->count == 0) return not_applicable();
-  const Vector2<double> normal = world_normal(pair, manifold->normal);
+  const auto unbiased = ask_without_bias(ask.collider(), pair);
+  if (!unbiased || unbiased->manifold.count == 0) return not_applicable();
+  const auto& [declaration, right, manifold] = *unbiased;
+  const Vector2<double> normal = world_normal(pair, manifold.normal);
   for (const double further : {0.0, size(pair) / 4}) {
-    const double by = largest_depth(*manifold) + further;
+    const double by = largest_depth(manifold) + further;
     PairCase moved = pair;
     const Vector2<double> start = pair.b.pose.position.cast<double>();
     moved.b.pose.position = Vector2<double>(start + by * normal).cast<float>();
     const Vector2<double> shift = moved.b.pose.position.cast<double>() - start;
     const double rounding = (shift - by * normal).norm();
-    const Bounds after = bounds(moved, unbiased->declaration);
+    const Bounds after = bounds(moved, declaration);
     const double bound =
         widest_depth_bound(right) + after.separation + rounding + right.bounds.normal * by;
     const double off = std::abs(leading(true_overlap(moved, exact::Truth(moved)) + further));

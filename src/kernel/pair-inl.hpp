@@ -150,21 +150,15 @@ using EndLanes = hn::Vec<Ends>;
 using EndLanes2 = Lanes2<Ends>;
 using EndInts = hn::Vec<DInt<Ends>>;
 
-HWY_INLINE EndLanes of_ends(float first, float second) {
-  return hn::InterleaveLower(Ends(), hn::Set(Ends(), first), hn::Set(Ends(), second));
-}
-
-HWY_INLINE EndInts of_ends(std::int32_t first, std::int32_t second) {
-  const DInt<Ends> d;
+template <class T>
+HWY_INLINE hn::Vec<hn::Rebind<T, Ends>> of_ends(T first, T second) {
+  const hn::Rebind<T, Ends> d;
   return hn::InterleaveLower(d, hn::Set(d, first), hn::Set(d, second));
 }
 
-HWY_INLINE EndLanes of_planes(float first, float second) {
-  return hn::ConcatLowerLower(Ends(), hn::Set(Ends(), second), hn::Set(Ends(), first));
-}
-
-HWY_INLINE EndInts of_planes(std::int32_t first, std::int32_t second) {
-  const DInt<Ends> d;
+template <class T>
+HWY_INLINE hn::Vec<hn::Rebind<T, Ends>> of_planes(T first, T second) {
+  const hn::Rebind<T, Ends> d;
   return hn::ConcatLowerLower(d, hn::Set(d, second), hn::Set(d, first));
 }
 

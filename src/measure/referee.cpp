@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "judging/judge.hpp"
-#include "judging/manifold_error.hpp"
 
 namespace manifuzz {
 namespace {

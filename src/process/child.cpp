@@ -9,7 +9,6 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
-#include <optional>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>

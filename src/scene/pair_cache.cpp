@@ -1,8 +1,6 @@
 #include "scene/pair_cache.hpp"
 
-
 #include "kernel/pair.hpp"
-#include "scene/shape_table.hpp"
 
 namespace manifuzz::scene {
 namespace {

@@ -1,7 +1,5 @@
 #include "scene/shape_table.hpp"
 
-#include <algorithm>
-
 namespace manifuzz::scene {
 namespace {
 

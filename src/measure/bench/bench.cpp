@@ -5,12 +5,10 @@
 #include <benchmark/benchmark.h>
 #include <cassert>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "kernel/target.hpp"
-#include "measure/referee.hpp"
 #include "oracle/exact/truth.hpp"
 
 namespace manifuzz {

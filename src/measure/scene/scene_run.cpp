@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "corpus/corpus.hpp"
-#include "measure/referee.hpp"
 #include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {

@@ -1,9 +1,7 @@
 #include "measure/stress/stress.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
-#include <span>
 #include <stdexcept>
 
 #include <fmt/format.h>

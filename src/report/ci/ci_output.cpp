@@ -6,7 +6,6 @@
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/plan.hpp"
-#include "report/outputs.hpp"
 #include "report/picture/pictures.hpp"
 
 namespace manifuzz {

@@ -4,7 +4,6 @@
 #include <limits>
 #include <span>
 
-
 #include "exchange/json.hpp"
 #include "oracle/exact/placed.hpp"
 #include "report/page/page.hpp"

@@ -1,7 +1,6 @@
 #include "report/picture/drawing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cairo.h>
 #include <cmath>
 #include <new>
