@@ -58,6 +58,8 @@ function(manifuzz_public_library name)
     # Whoever uses it may be a shared library, whose own symbols these are not.
     set_target_properties(${target} PROPERTIES
       POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
+    # Fast code is compiled alone: what it is compiled together with changes what is inlined.
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:manifuzz_options>)
   endif()
 endfunction()
