@@ -92,9 +92,10 @@ pid_t spawn(const std::function<void()>& body) {
   std::fflush(nullptr);
   const pid_t parent = getpid();
   const pid_t child = fork();
-  if (child < 0)
+  if (child < 0) {
     throw std::system_error(errno, std::generic_category(),
                             "cannot start another process; fewer --jobs may do");
+  }
   if (child > 0) return child;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kLeftHalfway);

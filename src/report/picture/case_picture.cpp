@@ -41,6 +41,7 @@ constexpr std::string_view kStyle = R"(
 .normal.oracle{stroke:#00795c}
 .arrow.subject{fill:#c0143c}
 .arrow.oracle{fill:#00795c}
+.leader{stroke:#5a6472;stroke-width:1}
 .bar{stroke-width:2}
 .bar.subject,.bar.truth{stroke:#c0143c}
 .bar.oracle{stroke:#00795c}

@@ -66,31 +66,23 @@ Box box_of(const Label& label) {
   return {center.x() - width / 2, center.y() - height / 2, width, height};
 }
 
-/// Writes a label that fits into the frame; where its place is taken, above or below what is there
-/// if it may move that far, and else not at all.
+/// Writes a label where it fits into the frame; where its place is taken, above or below if it may
+/// move, with a line to what it names if that is far, and else not at all.
 bool write(Drawing& drawing, const Label& label, bool may_move) {
-  const Box& frame = drawing.view.frame;
-  const Box room = frame.grown(-4);
+  const Box room = drawing.view.frame.grown(-4);
   Box wanted = box_of(label);
   if (wanted.width > room.width) return false;
   wanted.x = std::clamp(wanted.x, room.x, room.right() - wanted.width);
   wanted.y = std::clamp(wanted.y, room.y, room.bottom() - wanted.height);
-  for (const bool downwards : {true, false}) {
-    Box box = wanted;
-    const auto overlaps = [&](const Box& other) { return other.overlaps(box); };
-    auto other = std::ranges::find_if(drawing.taken, overlaps);
-    while (may_move && other != drawing.taken.end() && frame.contains(box)) {
-      box.y = downwards ? other->bottom() + 0.1 : other->y - box.height - 0.1;
-      other = std::ranges::find_if(drawing.taken, overlaps);
-    }
-    if (other != drawing.taken.end() || !frame.contains(box)) continue;
-    drawing.taken.push_back(box);
-    drawing.svg.box(box, "label", 3);
-    const Point at(box.x + 3, box.bottom() - 3 - 0.2 * label.font.size);
-    drawing.svg.text(at, label.text, label.font, label.css);
-    return true;
-  }
-  return false;
+  const auto box = nearest_free(wanted, drawing.taken, drawing.view.frame);
+  if (!box || (box->y != wanted.y && !may_move)) return false;
+  drawing.taken.push_back(*box);
+  const Segment leader{label.anchor, nearest(*box, label.anchor)};
+  if (length(leader.second - leader.first) > 2 * box->height) drawing.svg.line(leader, "leader");
+  drawing.svg.box(*box, "label", 3);
+  const Point at(box->x + 3, box->bottom() - 3 - 0.2 * label.font.size);
+  drawing.svg.text(at, label.text, label.font, label.css);
+  return true;
 }
 
 void draw_edges(const Drawing& drawing, Side side) {
@@ -172,7 +164,7 @@ void draw_normals(Drawing& drawing) {
   }
 }
 
-/// What is reported at one spot, a figure of all who report it.
+/// What is reported at one spot: who reports each depth.
 struct Spot {
   Label label;
   nlohmann::ordered_map<std::string, std::vector<std::string>> said{};

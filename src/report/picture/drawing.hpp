@@ -80,6 +80,10 @@ double depth_in(const Region& region, const Point& p);
 /// The part of a segment inside the box.
 std::optional<Segment> inside(const Segment& segment, const Box& box);
 
+/// The nearest box straight above or below the one that is wanted, or that itself, that is in the
+/// frame and overlaps nothing that is taken.
+std::optional<Box> nearest_free(const Box& wanted, const std::vector<Box>& taken, const Box& frame);
+
 struct Font {
   double size = 12;  ///< in pixels
   bool bold = false;

@@ -149,7 +149,26 @@ std::optional<Segment> inside(const Segment& segment, const Box& box) {
     end = std::min(end, leave);
   }
   if (!(begin <= end)) return std::nullopt;
-  return Segment(segment.first + begin * along, segment.first + end * along);
+  // Far ends are rounded by more than a frame.
+  return Segment(nearest(box, segment.first + begin * along),
+                 nearest(box, segment.first + end * along));
+}
+
+std::optional<Box> nearest_free(const Box& wanted, const std::vector<Box>& taken,
+                                const Box& frame) {
+  std::optional<Box> nearest;
+  for (const bool downwards : {true, false}) {
+    Box box = wanted;
+    const auto overlaps = [&](const Box& other) { return other.overlaps(box); };
+    auto other = std::ranges::find_if(taken, overlaps);
+    while (other != taken.end() && frame.contains(box)) {
+      box.y = downwards ? other->bottom() + 0.1 : other->y - box.height - 0.1;
+      other = std::ranges::find_if(taken, overlaps);
+    }
+    if (!frame.contains(box)) continue;
+    if (!nearest || std::abs(box.y - wanted.y) < std::abs(nearest->y - wanted.y)) nearest = box;
+  }
+  return nearest;
 }
 
 }  // namespace manifuzz
