@@ -143,7 +143,8 @@ std::vector<Corners> plain_triangles() {
   constexpr int side = 4;
   constexpr int points = side * side;
   const auto at = [](int i) {
-    return Vector2<float>(static_cast<float>(i % side - 1), static_cast<float>(i / side - 1));
+    const Vector2<int> place(i % side - 1, i / side - 1);
+    return Vector2<float>(place.cast<float>());
   };
   const auto fits = [](const Vector2<float>& edge) { return edge.cwiseAbs().maxCoeff() <= 2; };
   std::vector<Corners> triangles;

@@ -89,9 +89,12 @@ std::optional<Bucket> without_manifold(const PairCase& pair, const Answer& answe
 std::optional<Bucket> without_judging(const exact::Truth& truth, const ColliderAnswer& subject,
                                       const ColliderAnswer& oracle) {
   const PairCase& pair = truth.pair();
-  const Bounds wider = std::ranges::max({bounds(pair, subject.declaration, truth.extent()),
-                                         bounds(pair, oracle.declaration, truth.extent())},
-                                        {}, &Bounds::separation);
+  const auto is_tighter = [](const Bounds& a, const Bounds& b) {
+    return a.separation < b.separation;
+  };
+  const Bounds wider = std::max({bounds(pair, subject.declaration, truth.extent()),
+                                 bounds(pair, oracle.declaration, truth.extent())},
+                                is_tighter);
   // What overflows in the collider's scalar is no nonsense of the collider's.
   if (!std::isfinite(wider.separation)) return Bucket{.verdict = Verdict::ill_posed};
   if (const auto bucket = without_manifold(pair, subject.answer, Fault::subject)) return bucket;
@@ -158,7 +161,7 @@ Standing standing(const exact::Truth& truth) {
           .near = std::abs(above) <= kNearShare * truth.size()};
 }
 
-Judgement judge(std::shared_ptr<const exact::Truth> truth, const ColliderAnswer& subject,
+Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& subject,
                 const ColliderAnswer& oracle) {
   if (const auto bucket = without_judging(*truth, subject, oracle)) return {.bucket = *bucket};
   const Judged of_subject = judged(truth, subject);

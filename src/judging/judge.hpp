@@ -32,7 +32,7 @@ inline constexpr double kNearShare = 0.1;
 Standing standing(const exact::Truth& truth);
 
 /// The full verdict.
-Judgement judge(std::shared_ptr<const exact::Truth> truth, const ColliderAnswer& subject,
+Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& subject,
                 const ColliderAnswer& oracle);
 Judgement judge(const PairCase& pair, const ColliderAnswer& subject, const ColliderAnswer& oracle);
 
