@@ -34,8 +34,9 @@ std::vector<FinePose> field(std::size_t bodies, double spacing, double jitter, R
   const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(bodies))));
   std::vector<FinePose> places;
   for (std::size_t i = 0; i < bodies; ++i) {
+    const std::size_t row = i / side;
     const double x = spacing * static_cast<double>(i % side) + random.uniform(-jitter, jitter);
-    const double y = spacing * static_cast<double>(i / side) + random.uniform(-jitter, jitter);
+    const double y = spacing * static_cast<double>(row) + random.uniform(-jitter, jitter);
     places.push_back({{x, y}, random_direction(random)});
   }
   return places;
@@ -166,7 +167,8 @@ Trajectory recorded(const Stage& stage, std::size_t bodies, int warm_up, int ste
   const std::size_t in_stage = stage.bodies.size();
   const auto pose_at = [&](std::size_t i, int step) {
     Pose<float> pose = poses[static_cast<std::size_t>(step)][i % in_stage];
-    pose.position.x() += static_cast<float>(stage.width) * static_cast<float>(i / in_stage);
+    const std::size_t copy = i / in_stage;
+    pose.position.x() += static_cast<float>(stage.width) * static_cast<float>(copy);
     return pose;
   };
   for (std::size_t i = 0; i < bodies; ++i) {
@@ -189,11 +191,13 @@ Stage pile_stage(std::size_t bodies) {
   const std::size_t columns = 20;
   const std::size_t dynamic = std::min(bodies, kRecordedMax) - 3;
   stage.width = 1.1 * static_cast<double>(columns) + 1.5;
-  stage.enclose(2.0 + 1.2 * static_cast<double>(dynamic / columns));
+  const std::size_t rows = dynamic / columns;
+  stage.enclose(2.0 + 1.2 * static_cast<double>(rows));
   Random random(1, "pile", 0);
   for (std::uint32_t i = 0; i < dynamic; ++i) {
+    const std::size_t row = i / columns;
     const double x = 1.4 + 1.1 * static_cast<double>(i % columns) + random.uniform(-0.1, 0.1);
-    stage.add(i % mixed, x, 0.6 + 1.1 * static_cast<double>(i / columns));
+    stage.add(i % mixed, x, 0.6 + 1.1 * static_cast<double>(row));
   }
   return stage;
 }
