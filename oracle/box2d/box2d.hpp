@@ -57,7 +57,7 @@ class Box2dPairs {
  public:
   explicit Box2dPairs(std::span<const Body> bodies);
   ~Box2dPairs();
-  Box2dPairs& operator=(Box2dPairs&&) = delete;  // nor copied
+  Box2dPairs& operator=(Box2dPairs&&) = delete;  // neither moved nor copied
 
   /// Collides all pairs, or those alone of which a body moved, as sleep allows.
   void step(std::span<const BodyMove> moves, bool skip_unmoved);

@@ -60,7 +60,7 @@ class Polygon {
                                           static_cast<double>(body.position.y)));
   }
   ~Polygon() { cpShapeDestroy(shape()); }
-  Polygon& operator=(Polygon&&) = delete;  // nor copied
+  Polygon& operator=(Polygon&&) = delete;  // neither moved nor copied
 
   cpShape* shape() { return &polygon_.shape; }
 

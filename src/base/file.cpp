@@ -48,7 +48,7 @@ class TemporaryFile {
     if (descriptor_ >= 0) ::close(descriptor_);
     if (!name_.empty()) ::unlink(name_.c_str());
   }
-  TemporaryFile& operator=(TemporaryFile&&) = delete;  // nor copied
+  TemporaryFile& operator=(TemporaryFile&&) = delete;  // neither moved nor copied
 
   int descriptor() const { return descriptor_; }
 

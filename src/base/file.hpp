@@ -25,7 +25,7 @@ class InputFile {
  public:
   explicit InputFile(const std::string& path);
   ~InputFile();
-  InputFile& operator=(InputFile&&) = delete;  // nor copied
+  InputFile& operator=(InputFile&&) = delete;  // neither moved nor copied
 
   /// Up to `size` bytes, 0 at the end.
   std::size_t read(char* to, std::size_t size);
@@ -92,7 +92,7 @@ class NewFolder {
   /// Throws UserError that begins with `shown` where anything is there.
   NewFolder(const std::filesystem::path& path, std::string_view shown);
   ~NewFolder();
-  NewFolder& operator=(NewFolder&&) = delete;  // nor copied
+  NewFolder& operator=(NewFolder&&) = delete;  // neither moved nor copied
 
   const std::filesystem::path& path() const { return path_; }
   void keep() { is_kept_ = true; }

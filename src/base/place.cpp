@@ -40,7 +40,7 @@ class TrialFolder {
   ~TrialFolder() {
     for (; !made_.empty(); made_.pop_back()) ::rmdir(made_.back().c_str());
   }
-  TrialFolder& operator=(TrialFolder&&) = delete;  // nor copied
+  TrialFolder& operator=(TrialFolder&&) = delete;  // neither moved nor copied
 
   const std::string& why_not() const { return why_not_; }
 

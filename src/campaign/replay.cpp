@@ -1,6 +1,7 @@
 #include "campaign/replay.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <thread>
 #include <tuple>

@@ -105,7 +105,7 @@ ResultFile result_of(const std::string& path, const JsonTree& tree, const KindKe
     result.json = json_of(*result.campaign);
   } else {
     for (const JsonView& row : root.at(kind.key).elements()) row.keys();
-    result.json = *tree.root;
+    result.json = *tree.root;  // where a negative whole number is a double; none is ours
   }
   return result;
 }

@@ -95,9 +95,10 @@ ManifoldError read_error(const JsonView& object) {
 }
 
 RegimeResult read_regime(const JsonView& row) {
+  const std::string name(row.at("name").string());
   return {{count_in(row, "cases"), count_in(row, "touching"), count_in(row, "near"),
            count_in(row, "unexplained")},
-          std::string(row.at("name").string())};
+          name};
 }
 
 LedgerResult read_entry(const JsonView& row) {

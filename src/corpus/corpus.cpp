@@ -151,7 +151,7 @@ fs::path corpus_file(const fs::path& folder, const CorpusCase& corpus_case) {
 fs::path write_corpus_case(const fs::path& folder, const CorpusCase& corpus_case) {
   const fs::path file = corpus_file(folder, corpus_case);
   std::error_code unknown;
-  const bool holds_it = fs::is_regular_file(file, unknown);
+  const bool holds_it = fs::is_regular_file(file, unknown);  // else it would have another name
   if (!holds_it) write_file(file, format_case(corpus_case));
   return file;
 }

@@ -40,7 +40,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kListedMax = 5;
 
-using Cases = std::vector<const CorpusCase*>;
+using CaseList = std::vector<const CorpusCase*>;
 
 std::string dashed(std::string text) {
   std::ranges::replace(text, '/', '-');
@@ -57,9 +57,9 @@ std::string bucket_of(const CorpusCase& known) {
 
 /// Those that match; the worst ones, which lie beside their shrunk forms, only where no other does.
 template <class Matches>
-Cases matching(const std::vector<CorpusCase>& corpus, const Matches& matches) {
-  Cases shrunk;
-  Cases worst;
+CaseList matching(const std::vector<CorpusCase>& corpus, const Matches& matches) {
+  CaseList shrunk;
+  CaseList worst;
   for (const CorpusCase& known : corpus) {
     const bool is_file = known.path.ends_with(".json");  // not a line of one
     if (is_file && matches(known)) (is_worst(known.path) ? worst : shrunk).push_back(&known);
@@ -80,7 +80,7 @@ Cases matching(const std::vector<CorpusCase>& corpus, const Matches& matches) {
 }
 
 [[noreturn]] void complain_of_several(const std::string& name, const fs::path& folder,
-                                      const Cases& found) {
+                                      const CaseList& found) {
   std::vector<std::string> names;
   for (const CorpusCase* const known : found) names.push_back(printable_path(file_name(*known)));
   std::ranges::sort(names);
@@ -98,7 +98,7 @@ FoundCase find_case(const std::string& name, const fs::path& folder) {
   if (name == "-" || fs::exists(name, unknown)) return {name};
   const std::vector<CorpusCase> corpus = read_corpus({&folder, 1}).cases;  // what is whole of it
   const std::string wanted = dashed(name);
-  const Cases alike =
+  const CaseList alike =
       matching(corpus, [&](const CorpusCase& known) { return dashed(bucket_of(known)) == wanted; });
   if (!alike.empty()) {
     const CorpusCase& smallest = **std::ranges::min_element(
@@ -107,7 +107,7 @@ FoundCase find_case(const std::string& name, const fs::path& folder) {
         alike.size() > 1 ? fmt::format(", the smallest of {} with that bucket", alike.size()) : "";
     return {smallest.path, fmt::format("taken: {}{}", printable_path(smallest.path), of)};
   }
-  const Cases begun = matching(
+  const CaseList begun = matching(
       corpus, [&](const CorpusCase& known) { return file_name(known).starts_with(wanted); });
   if (begun.empty()) complain_of_none(name, folder, corpus);
   if (begun.size() > 1) complain_of_several(name, folder, begun);

@@ -68,12 +68,13 @@ constexpr std::array<std::array<float, 2>, 6> kPlainRotations{
 Cases with_plainer_poses(const PairCase& pair) {
   std::vector<PairCase> plainer{seen_from_a(pair)};
   for (const Side side : {Side::a, Side::b}) {
-    const auto add = [&]() -> Body& { return plainer.emplace_back(pair)[side]; };
-    work_pose_into_vertices(add(), {0, 0});
-    work_pose_into_vertices(add(), pair[side].pose.position);
-    add().pose.position = {0, 0};
-    add().polygon.radius = 0;
-    for (const auto& rotation : kPlainRotations) add().pose.rotation = {rotation[0], rotation[1]};
+    const auto changed = [&]() -> Body& { return plainer.emplace_back(pair)[side]; };
+    work_pose_into_vertices(changed(), {0, 0});
+    work_pose_into_vertices(changed(), pair[side].pose.position);
+    changed().pose.position = {0, 0};
+    changed().polygon.radius = 0;
+    for (const auto& rotation : kPlainRotations)
+      changed().pose.rotation = {rotation[0], rotation[1]};
   }
   return rc::seq::fromContainer(std::move(plainer));
 }

@@ -77,9 +77,10 @@ Draft corner_to_corner(Random& random, const Outline& a, const Outline& b) {
 Draft any_meeting(Random& random, const Outline& a, const Outline& b) {
   const int kind = random.integer(0, 3);
   if (kind == 0) return free_pair(random, a, b);
-  return maybe_swapped(random, kind == 1   ? face_to_face(random, a, b, random.uniform(-0.1, 0.1))
-                               : kind == 2 ? corner_to_face(random, a, b)
-                                           : corner_to_corner(random, a, b));
+  if (kind == 1)
+    return maybe_swapped(random, face_to_face(random, a, b, random.uniform(-0.1, 0.1)));
+  if (kind == 2) return maybe_swapped(random, corner_to_face(random, a, b));
+  return maybe_swapped(random, corner_to_corner(random, a, b));
 }
 
 Draft any_meeting(Random& random) {

@@ -224,7 +224,7 @@ std::vector<float*> free_numbers(PairCase& pair);
 /// valid.
 std::optional<PairCase> revalidated(PairCase pair);
 
-// The same case in other words; normals do not follow vertices.
+// The same case in other words.
 
 /// A quarter turn of the world.
 void turn_by_quarter(PairCase& pair);

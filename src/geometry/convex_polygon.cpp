@@ -121,16 +121,23 @@ std::optional<PolygonDefect> find_defect(Vertices v) {
 }
 
 std::string_view describe(PolygonDefect defect) {
-  constexpr std::string_view clauses[] = {
-      "too few vertices: a polygon has 3 to 8",
-      "too many vertices: a polygon has 3 to 8",
-      "a coordinate is not finite as a float: its magnitude must be below 3.4e38",
-      "a vertex is repeated: all vertices must differ as floats",
-      "the vertices run clockwise: list them counter-clockwise",
-      "not strictly convex as floats: every corner must turn left",
-      "the vertices go round more than once: the outline must not cross itself",
-  };
-  return clauses[static_cast<std::size_t>(defect)];
+  switch (defect) {
+    case PolygonDefect::too_few:
+      return "too few vertices: a polygon has 3 to 8";
+    case PolygonDefect::too_many:
+      return "too many vertices: a polygon has 3 to 8";
+    case PolygonDefect::not_finite:
+      return "a coordinate is not finite as a float: its magnitude must be below 3.4e38";
+    case PolygonDefect::repeated_vertex:
+      return "a vertex is repeated: all vertices must differ as floats";
+    case PolygonDefect::clockwise:
+      return "the vertices run clockwise: list them counter-clockwise";
+    case PolygonDefect::not_strictly_convex:
+      return "not strictly convex as floats: every corner must turn left";
+    case PolygonDefect::winds_twice:
+      return "the vertices go round more than once: the outline must not cross itself";
+  }
+  return {};
 }
 
 double diameter(const ConvexPolygon<float>& polygon) {

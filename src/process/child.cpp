@@ -34,7 +34,7 @@ struct Pipe {
       if (end >= 0) close(end);
     }
   }
-  Pipe& operator=(Pipe&&) = delete;  // nor copied
+  Pipe& operator=(Pipe&&) = delete;  // neither moved nor copied
 
   int release(int end) { return std::exchange(ends[static_cast<std::size_t>(end)], -1); }
 };

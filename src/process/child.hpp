@@ -23,7 +23,7 @@ class Descendants {
  public:
   Descendants();
   ~Descendants();
-  Descendants& operator=(Descendants&&) = delete;  // nor copied
+  Descendants& operator=(Descendants&&) = delete;  // neither moved nor copied
 };
 
 /// A child process with a pipe to it and a pipe from it, in a process group of its own. It belongs
@@ -32,7 +32,7 @@ class Child {
  public:
   Child() = default;
   ~Child() { stop(); }
-  Child& operator=(Child&&) = delete;  // nor copied
+  Child& operator=(Child&&) = delete;  // neither moved nor copied
 
   bool running() const;
   /// Stops what runs; then `body` runs in the child, `in` and `out` being its ends of the pipes.

@@ -36,7 +36,7 @@ class Interruption {
   Interruption() : Interruption(Limits{}) {}
   explicit Interruption(const Limits& limits);
   ~Interruption();
-  Interruption& operator=(Interruption&&) = delete;  // nor copied
+  Interruption& operator=(Interruption&&) = delete;  // neither moved nor copied
 
   State state();
   bool is_stopped() { return state() == State::stopped; }

@@ -27,7 +27,7 @@ class WatchedChild {
  public:
   WatchedChild() = default;
   ~WatchedChild() { kill(); }
-  WatchedChild& operator=(WatchedChild&&) = delete;  // nor copied
+  WatchedChild& operator=(WatchedChild&&) = delete;  // neither moved nor copied
 
   bool is_running() const { return process_ > 0; }
 

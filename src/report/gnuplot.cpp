@@ -30,7 +30,7 @@ class DrawnFile {
     close(file);
   }
   ~DrawnFile() { unlink(path_.c_str()); }
-  DrawnFile& operator=(DrawnFile&&) = delete;  // nor copied
+  DrawnFile& operator=(DrawnFile&&) = delete;  // neither moved nor copied
 
   const std::string& path() const { return path_; }
 

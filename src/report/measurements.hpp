@@ -101,9 +101,9 @@ std::string stress_csv(const nlohmann::ordered_json& json);
 std::array<std::string, 2> stress_picture_files(const std::filesystem::path& folder,
                                                 const Sweep& sweep);
 
-/// Draws these, where anything of the sweep was measured: error against the
-/// knob, a line a collider, the larger of depth's and position's 99.9th percentile as a share of
-/// the size. Throws UserError.
+/// Draws these, where anything of the sweep was measured: error against the knob, a line a
+/// collider, the larger of depth's and position's 99.9th percentile as a share of the size. Throws
+/// UserError.
 void write_stress_pictures(const std::filesystem::path& folder, const StressPlan& plan,
                            const StressResult& result, const Sweep& sweep);
 

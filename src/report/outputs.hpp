@@ -47,7 +47,7 @@ class ProgressLine {
  public:
   ProgressLine();
   ~ProgressLine();
-  ProgressLine& operator=(ProgressLine&&) = delete;  // nor copied
+  ProgressLine& operator=(ProgressLine&&) = delete;  // neither moved nor copied
 
   void show(std::string_view text) const;
 

@@ -140,8 +140,9 @@ std::string csv_text(const std::vector<std::string>& columns, const std::vector<
   std::string text = fmt::format("{}\n", fmt::join(columns, ","));
   std::ranges::replace(text, '/', '_');
   for (const Json& row : rows) {
-    std::vector<std::string> cells;
-    for (const std::string& column : columns) cells.push_back(csv_cell(row, column));
+    std::vector<std::string> cells(columns.size());
+    std::ranges::transform(columns, cells.begin(),
+                           [&](const std::string& column) { return csv_cell(row, column); });
     text += fmt::format("{}\n", fmt::join(cells, ","));
   }
   return text;

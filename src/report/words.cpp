@@ -52,10 +52,10 @@ constexpr std::array<std::string_view, kVerdictNames.size()> kVerdictWords{
     "oracle_wrong: {1} is wrong",
     "both_wrong: both are wrong",
     "ill_posed: rounding hides the answer",
-    kVerdictNames[7],
-    kVerdictNames[8],
-    kVerdictNames[9],
-    kVerdictNames[10]};
+    "unsupported",
+    "crashed",
+    "timed_out",
+    "malformed"};
 
 std::string agreement(const JudgedCase& judged) {
   const std::string names =

@@ -1,7 +1,5 @@
 #include "scene/body.hpp"
 
-#include <array>
-
 namespace manifuzz::scene {
 
 std::optional<Defect> find_defect(const Pose<float>& pose) {
@@ -13,16 +11,25 @@ std::optional<Defect> find_defect(const Pose<float>& pose) {
 }
 
 std::string_view describe(Defect defect) {
-  constexpr std::array<std::string_view, 8> descriptions{
-      "a position is not finite",
-      "a position is too far out: coordinates are at most 1e15",
-      "a rotation is not unit: cos^2 + sin^2 must be 1 within 1e-5",
-      "a shape is too large: its reach and its radius are at most 1e15",
-      "a shape is too sharp: its corners are at least 2e-5 wide",
-      "a setting is not a length: 0 to 1e15 is expected",
-      "no such shape: an index that add_shape gave is expected",
-      "no such body: it was removed, or never added"};
-  return descriptions[static_cast<std::size_t>(defect)];
+  switch (defect) {
+    case Defect::position_not_finite:
+      return "a position is not finite";
+    case Defect::position_too_far:
+      return "a position is too far out: coordinates are at most 1e15";
+    case Defect::rotation_not_unit:
+      return "a rotation is not unit: cos^2 + sin^2 must be 1 within 1e-5";
+    case Defect::shape_too_large:
+      return "a shape is too large: its reach and its radius are at most 1e15";
+    case Defect::shape_too_sharp:
+      return "a shape is too sharp: its corners are at least 2e-5 wide";
+    case Defect::setting_not_a_length:
+      return "a setting is not a length: 0 to 1e15 is expected";
+    case Defect::unknown_shape:
+      return "no such shape: an index that add_shape gave is expected";
+    case Defect::unknown_body:
+      return "no such body: it was removed, or never added";
+  }
+  return {};
 }
 
 }  // namespace manifuzz::scene

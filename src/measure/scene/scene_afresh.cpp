@@ -41,7 +41,7 @@ void compare(const ScenePlayer& player, std::map<Bodies, Manifold<float>> right,
   const auto note = [&](const Bodies& bodies) {
     ++check.mismatches;
     if (check.findings.size() == kFindingsMax) return;
-    check.findings.push_back({player.body(bodies.first), player.body(bodies.second)});
+    check.findings.push_back({player.bodies()[bodies.first], player.bodies()[bodies.second]});
   };
   for (const scene::Contact& contact : player.result().contacts) {
     const Bodies bodies{contact.a.index, contact.b.index};

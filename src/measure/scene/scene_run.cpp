@@ -28,7 +28,7 @@ std::pair<std::size_t, ErrorStatistics> recycled_at(const Trajectory& trajectory
     collided += player.step(moves).counts.pairs.collided;
     for (const scene::Contact& contact : player.result().contacts) {
       if (seen++ % every != 0) continue;
-      Referee referee({player.body(contact.a.index), player.body(contact.b.index)});
+      Referee referee({player.bodies()[contact.a.index], player.bodies()[contact.b.index]});
       const Answer answer = manifold_cast<double>(contact.manifold);
       errors.add(seen, referee.measure(declaration, referee.completed(declaration, answer)));
     }
@@ -126,9 +126,7 @@ Frame last_frame(const Trajectory& trajectory, const scene::Settings& settings) 
   ScenePlayer player(trajectory, settings);
   for (const auto& moves : trajectory.steps) player.step(moves);
   const auto contacts = player.result().contacts;
-  Frame frame{{}, {contacts.begin(), contacts.end()}};
-  for (std::size_t i = 0; i < trajectory.start.size(); ++i) frame.bodies.push_back(player.body(i));
-  return frame;
+  return {player.bodies(), {contacts.begin(), contacts.end()}};
 }
 
 std::optional<double> fitted_exponent(const std::vector<std::pair<double, double>>& points) {

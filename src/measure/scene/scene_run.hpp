@@ -39,12 +39,11 @@ struct SceneSpec {
 /// All scenes, in the order of reports.
 std::span<const SceneSpec> scene_specs();
 
-/// A scene with a trajectory's bodies, which have the same indices there. The trajectory must
-/// outlive it.
+/// A scene with a trajectory's bodies, which have the same indices there.
 class ScenePlayer {
  public:
   ScenePlayer(const Trajectory& trajectory, const scene::Settings& settings)
-      : trajectory_(trajectory), scene_(settings) {
+      : scene_(settings), bodies_(trajectory.bodies()) {
     for (const auto& shape : trajectory.shapes) scene_.add_shape(shape);
     for (const auto& [shape, pose] : trajectory.start) {
       handles_.push_back(std::get<scene::BodyHandle>(scene_.add(shape, pose)));
@@ -60,7 +59,10 @@ class ScenePlayer {
 
   void prepare(std::span<const BodyMove> moves) {
     moves_.clear();
-    for (const BodyMove& move : moves) moves_.push_back({handles_[move.body], move.pose});
+    for (const BodyMove& move : moves) {
+      moves_.push_back({handles_[move.body], move.pose});
+      bodies_[move.body].pose = move.pose;
+    }
   }
   const scene::StepResult& step_prepared() {
     const auto stepped = scene_.step(moves_);
@@ -70,14 +72,12 @@ class ScenePlayer {
 
   const scene::StepResult& result() const { return result_; }
   const scene::Scene& scene() const { return scene_; }
-  /// Where it is now.
-  Body body(std::size_t index) const {
-    return {trajectory_.shapes[trajectory_.start[index].shape], scene_.pose(handles_[index])};
-  }
+  /// Where the trajectory has them now, whatever the scene made of it.
+  const std::vector<Body>& bodies() const { return bodies_; }
 
  private:
-  const Trajectory& trajectory_;
   scene::Scene scene_;
+  std::vector<Body> bodies_;
   std::vector<scene::BodyHandle> handles_;
   std::vector<scene::Move> moves_;
   scene::StepResult result_;

@@ -213,7 +213,7 @@ class FlushToZero {
  public:
   explicit FlushToZero(bool wanted);
   ~FlushToZero();
-  FlushToZero& operator=(FlushToZero&&) = delete;  // nor copied
+  FlushToZero& operator=(FlushToZero&&) = delete;  // neither moved nor copied
 
  private:
   bool wanted_;

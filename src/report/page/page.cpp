@@ -104,8 +104,8 @@ std::vector<Manifold<double>> right_of(const PageCase& page_case) {
     }
   }
   const ContactSummary own = summary_of(page_case.judged.subject.answer);
-  std::ranges::stable_partition(
-      right, [&](const Manifold<double>& other) { return summary_of(other) == own; });
+  std::stable_partition(right.begin(), right.end(),
+                        [&](const Manifold<double>& other) { return summary_of(other) == own; });
   return right;
 }
 

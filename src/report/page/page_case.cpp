@@ -51,7 +51,7 @@ Point letter_place(const Region& own, const Region& other) {
 double thickness(const Region& region) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < region.size(); ++i) {
-    const Point along = unit(region[(i + 1) % region.size()] - region[i]);
+    const Point along = unit_or_zero(region[(i + 1) % region.size()] - region[i]);
     double most = 0;
     for (const Point& p : region) most = std::max(most, cross<double>(along, p - region[i]));
     if (along != Point(0, 0)) least = std::min(least, most);
@@ -89,7 +89,7 @@ std::optional<Segment> named_edge(std::span<const ContactPoint<double>> points, 
 
 /// Two points of the line of each side plane: of the reference face's ends, widened by the radii.
 Json planes_json(const PairCase& pair, const Segment& face) {
-  const Point along = unit(face.second - face.first);
+  const Point along = unit_or_zero(face.second - face.first);
   const Point away = counter_clockwise_quarter<double>(along) * length(face.second - face.first);
   const Point first = face.first - total_radius(pair) * along;
   const Point second = face.second + total_radius(pair) * along;
@@ -120,7 +120,7 @@ Json manifold_json(const PairCase& pair, const Manifold<double>& manifold) {
   const exact::RoughPair placed = exact::place_roughly(pair);
   const Side incident = other(manifold.reference);
   const Point normal = world_normal(pair, manifold.normal);
-  const Point outward = incident == Side::b ? unit(normal) : Point(-unit(normal));
+  const Point outward = incident == Side::b ? unit_or_zero(normal) : Point(-unit_or_zero(normal));
   json["normal"] = vector_json(normal);
   json["outward"] = outward.allFinite() ? vector_json(outward) : Json();
   json["reference"] = manifold.reference == Side::a ? "a" : "b";

@@ -137,7 +137,7 @@ void draw_bar(const Drawing& drawing, const DepthBar& bar, double offset, std::s
 }
 
 void draw_arrow(Drawing& drawing, const Point& from, const Point& normal, std::string_view whose) {
-  const Point direction = View::direction(unit(normal));
+  const Point direction = View::direction(unit_or_zero(normal));
   const Point to = from + kArrow * direction;
   if (!drawing.view.frame.grown(-8).contains(to)) return;
   const Point aside = clockwise_quarter<double>(direction);
@@ -180,7 +180,7 @@ void label_depths(Drawing& drawing) {
     auto spot = std::ranges::find_if(
         spots, [&](const Spot& known) { return length(known.label.anchor - at) < kSameSpot; });
     if (spot == spots.end()) {
-      const Point away = unit(point.position - (point.bar.from + point.bar.to) / 2);
+      const Point away = unit_or_zero(point.position - (point.bar.from + point.bar.to) / 2);
       spots.push_back({{"", at, View::direction(away), 10, kDepthFont, style}});
       spot = std::prev(spots.end());
     }
@@ -205,7 +205,7 @@ void draw_truth(Drawing& drawing) {
   draw_bar(drawing, bar, 0, "bar truth");
   const Point middle = drawing.view.place(Point((bar.from + bar.to) / 2));
   if (!drawing.sees(middle)) return;
-  const Point aside = View::direction(clockwise_quarter<double>(unit(bar.to - bar.from)));
+  const Point aside = View::direction(clockwise_quarter<double>(unit_or_zero(bar.to - bar.from)));
   const std::string text = (bar.depth >= 0 ? "true depth " : "gap ") + brief(std::abs(bar.depth));
   write(drawing, {text, middle, aside, 8, kDepthFont, "depth-word subject"}, true);
 }
@@ -258,7 +258,7 @@ void number_vertices(Drawing& drawing, Side side) {
     const Point at = drawing.view.place(polygon.vertices[i]);
     if (!drawing.sees(at)) continue;
     const Point& before = polygon.normals[i > 0 ? i - 1 : polygon.count - 1];
-    const Point outward = View::direction(unit(polygon.normals[i] + before));
+    const Point outward = View::direction(unit_or_zero(polygon.normals[i] + before));
     Label label{fmt::format("{}", i), at, outward, 1, {10.5}, css("vertex", side)};
     if (write(drawing, label, false)) continue;
     label.towards = {outward.x() < 0 ? -1 : 1, 0};

@@ -196,7 +196,9 @@ std::string Canvas::png(int height) const {
 }
 
 DotCanvas::DotCanvas(int columns, int rows)
-    : columns_(columns), rows_(rows), cells_(static_cast<std::size_t>(columns * rows)) {}
+    : columns_(columns),
+      rows_(rows),
+      cells_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
 
 DotCanvas::Cell* DotCanvas::cell(int x, int y) {
   if (x < 0 || x >= width() || y < 0 || y >= height()) return nullptr;
@@ -234,9 +236,9 @@ std::string DotCanvas::text() const {
     std::size_t used = text.size();
     for (int column = 0; column < columns_; ++column, ++i) {
       const Cell& cell = cells_[i];
+      // U+2800 and the dots, in UTF-8.
       const char low = static_cast<char>(0x80 | (cell.dots & 0x3f));
-      const char high =
-          static_cast<char>(0xa0 | (cell.dots >> 6));  // U+2800 and the dots, in UTF-8
+      const char high = static_cast<char>(0xa0 | (cell.dots >> 6));
       text += cell.mark != 0 ? std::string(1, cell.mark) : std::string{'\xe2', high, low};
       if (cell.mark != 0 || cell.dots != 0) used = text.size();
     }

@@ -13,11 +13,12 @@
 #include <vector>
 
 #include "campaign/plan.hpp"
+#include "generating/drafts.hpp"
 #include "geometry/vector.hpp"
 #include "oracle/exact/placed.hpp"
 
-struct _cairo;
-struct _cairo_surface;
+struct _cairo;          // NOLINT(bugprone-reserved-identifier)
+struct _cairo_surface;  // NOLINT(bugprone-reserved-identifier)
 
 namespace manifuzz {
 
@@ -57,9 +58,8 @@ Point middle_of(const Region& region);
 /// The smallest box around points, of which there is one at least.
 Box box_around(const std::vector<Point>& points);
 
-double length(const Point& v);
 /// `v` at length 1, or zero where it has none.
-Point unit(const Point& v);
+Point unit_or_zero(const Point& v);
 
 /// The point of the box nearest to `p`.
 Point nearest(const Box& box, const Point& p);

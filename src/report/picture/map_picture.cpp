@@ -17,12 +17,12 @@ namespace {
 
 constexpr int kPanels = 4;
 constexpr double kPanelWidthMin = 387;  // 3 pixels for each of 129 cells
-constexpr double kEdge = 28;
-constexpr double kGap = 24;
+constexpr double kMapEdge = 28;
+constexpr double kPanelGap = 24;
 constexpr int kHeightMax = 4000;
-constexpr Font kTitleFont{19, true};
+constexpr Font kMapTitleFont{19, true};
 constexpr Font kPanelFont{14, true};
-constexpr Font kTextFont{13};
+constexpr Font kMapTextFont{13};
 constexpr Font kSmallFont{11};
 constexpr Colour kInk = 0x14181f;
 constexpr Colour kQuiet = 0x5a6472;
@@ -87,7 +87,7 @@ class MapPicture {
         side_(neighbourhood.grid.side()),
         pixels_(std::max(1.0, std::ceil(kPanelWidthMin / side_))),
         panel_(pixels_ * side_),
-        width_(2 * kEdge + kPanels * panel_ + (kPanels - 1) * kGap),
+        width_(2 * kMapEdge + kPanels * panel_ + (kPanels - 1) * kPanelGap),
         said_(all_said(neighbourhood)),
         canvas_(static_cast<int>(width_), kHeightMax) {}
 
@@ -95,14 +95,14 @@ class MapPicture {
     write_title();
     draw_panels();
     const double top = y_;
-    write_statements(left_of(0), left_of(3) - kGap);
+    write_statements(left_of(0), left_of(3) - kPanelGap);
     const double bottom = std::exchange(y_, top);
-    write_verdicts(left_of(3), width_ - kEdge);
+    write_verdicts(left_of(3), width_ - kMapEdge);
     return canvas_.png(static_cast<int>(std::max(y_, bottom)));
   }
 
  private:
-  double left_of(int panel) const { return kEdge + panel * (panel_ + kGap); }
+  double left_of(int panel) const { return kMapEdge + panel * (panel_ + kPanelGap); }
   bool any(Cell::State state) const {
     return std::ranges::find(map_.cells, state, &Cell::state) != map_.cells.end();
   }
@@ -118,27 +118,27 @@ class MapPicture {
     const Box swatch{x, y_ - 11, 18, 13};
     canvas_.fill(swatch, colour);
     canvas_.frame(swatch, kQuiet);
-    write(text, x + 27, right, kTextFont, kInk);
+    write(text, x + 27, right, kMapTextFont, kInk);
     y_ += 3;
   }
 
   /// The cells without a polygon.
   void draw_hatched(const Box& box) {
-    for (double y = 0; y < box.height; y += 4) {
+    for (int y = 0; y < box.height; y += 4) {
       canvas_.fill({box.x, box.y + y, box.width, 1}, kHatch);
     }
   }
 
   void write_title() {
-    const double right = width_ - kEdge;
+    const double right = width_ - kMapEdge;
     const std::string name = std::filesystem::path(judged_.given.path).filename().string();
     y_ = 38;
-    write(name.empty() || name == "-" ? "a case" : name, kEdge, right, kTitleFont, kInk);
-    write(verdict_sentence(judged_), kEdge, right, kTextFont, kInk);
-    write(severity_in_words(judged_, map_), kEdge, right, kTextFont, kInk);
+    write(name.empty() || name == "-" ? "a case" : name, kMapEdge, right, kMapTitleFont, kInk);
+    write(verdict_sentence(judged_), kMapEdge, right, kMapTextFont, kInk);
+    write(severity_in_words(judged_, map_), kMapEdge, right, kMapTextFont, kInk);
     write(fmt::format("The map: {}. Right is +x, up is +y; the ring marks the case itself.",
                       grid_in_words(map_.grid)),
-          kEdge, right, kTextFont, kQuiet);
+          kMapEdge, right, kMapTextFont, kQuiet);
     y_ += 14;
   }
 
@@ -209,7 +209,7 @@ class MapPicture {
     if (any(Cell::State::invalid)) {
       draw_hatched({x, y_ - 11, 18, 13});
       canvas_.frame({x, y_ - 11, 18, 13}, kQuiet);
-      write("the moved vertex makes no convex polygon", x + 27, right, kTextFont, kInk);
+      write("the moved vertex makes no convex polygon", x + 27, right, kMapTextFont, kInk);
     }
     if (any(Cell::State::not_asked)) write_entry("not asked", x, right, kPaper);
   }

@@ -16,7 +16,7 @@ constexpr int kBisectionsMax = 40;
 Point halfway(const Point& from, const Point& to) {
   const Point sum =
       from.dot(to) < 0 ? counter_clockwise_quarter<double>(from - to) : Point(from + to);
-  return unit(sum);
+  return unit_or_zero(sum);
 }
 
 /// An arc around a corner, and how finely it is to be drawn.
@@ -48,11 +48,7 @@ void append_arc(Region& region, const Arc& arc, const Point& from, const Point& 
 
 }  // namespace
 
-double length(const Point& v) {
-  return std::sqrt(v.dot(v));
-}
-
-Point unit(const Point& v) {
+Point unit_or_zero(const Point& v) {
   const double long_as = length(v);
   return long_as > 0 ? Point(v / long_as) : Point(0, 0);
 }

@@ -9,7 +9,7 @@ namespace manifuzz {
 namespace {
 
 constexpr double kHeightMin = 280;
-constexpr double kGap = 14;          // between frames
+constexpr double kFrameGap = 14;     // between frames
 constexpr double kWholeShare = 0.6;  // of the width, where there are closer views
 constexpr double kMargin = 56;       // around the scene, for labels
 
@@ -67,7 +67,7 @@ void add_points(Scene& scene, const PairCase& pair, const DeclaredAnswer& asked,
     if (!point.position.allFinite()) continue;
     const Point normal = world_normal(pair, manifold.normal);
     const Point position = seen_from_a(pair, point.position);
-    const Point direction = unit(normal);
+    const Point direction = unit_or_zero(normal);
     const Point outward = manifold.reference == Side::a ? direction : Point(-direction);
     scene.points.push_back({is_subject, position, normal,
                             bar_at(scene, position, point.depth, manifold.reference, outward)});
@@ -198,10 +198,10 @@ std::vector<View> choose_views(const Scene& scene, double x, double y, double wi
   for (const std::size_t closer : {1U, 2U}) {
     if (unseen(all, views).empty()) return views;
     const double height = closer == 1 ? 440 : 470;
-    const double left = kWholeShare * (width - kGap);
-    const double half = closer == 1 ? height : (height - kGap) / 2;
+    const double left = kWholeShare * (width - kFrameGap);
+    const double half = closer == 1 ? height : (height - kFrameGap) / 2;
     views = {view_of(shown, {x, y, left, height})};
-    for (double top = y; views.size() <= closer; top += half + kGap) {
+    for (double top = y; views.size() <= closer; top += half + kFrameGap) {
       const std::vector<Interest> hidden = unseen(all, views);
       if (hidden.empty()) break;
       auto next = hidden.begin();
@@ -209,7 +209,7 @@ std::vector<View> choose_views(const Scene& scene, double x, double y, double wi
         next = std::ranges::find(hidden, true, &Interest::is_depth);
         if (next == hidden.end()) --next;
       }
-      const Box frame{x + left + kGap, top, width - left - kGap, half};
+      const Box frame{x + left + kFrameGap, top, width - left - kFrameGap, half};
       views.push_back(
           {frame, next->focus, next->share_wanted * std::min(frame.width, half) / next->length});
     }

@@ -30,7 +30,7 @@ constexpr std::array<char, 2> kAnswerMarks{'S', 'O'};
 constexpr char kSeveral = '*';
 
 /// A part of the world on a canvas; `scale` in dots a length.
-struct Frame {
+struct DotFrame {
   Box box;
   double scale = 1;
   int columns = 1;
@@ -53,7 +53,7 @@ std::vector<std::pair<Point, char>> marks_of(const Scene& scene) {
 }
 
 /// A finite box, which is not a point, at the largest scale that the canvas has room for.
-Frame framed(const Box& box, int rows) {
+DotFrame framed(const Box& box, int rows) {
   const double scale = std::min((2.0 * kColumns - 1) / box.width, (4.0 * rows - 1) / box.height);
   const auto cells = [scale](double length, int dots) {
     return static_cast<int>((length * scale + 1e-9) / dots) + 1;
@@ -64,7 +64,7 @@ Frame framed(const Box& box, int rows) {
 /// What a closer view has to show: the overlap and the points where they are small, with some air
 /// around; else an end of the contact where the overlap, or the gap, is too thin. None where all is
 /// seen.
-std::optional<Box> closer(const Scene& scene, const Frame& all) {
+std::optional<Box> closer(const Scene& scene, const DotFrame& all) {
   const auto marks = marks_of(scene);
   const double tolerance = 0.25 / all.scale;
   std::vector<Point> places = intersection(scene.shape(Side::a, all.box, tolerance),
@@ -86,14 +86,14 @@ std::optional<Box> closer(const Scene& scene, const Frame& all) {
   return Box{end.x(), end.y()}.grown(4 * scene.depth);
 }
 
-void draw_outline(DotCanvas& canvas, const Frame& frame, const Region& region, int every) {
+void draw_outline(DotCanvas& canvas, const DotFrame& frame, const Region& region, int every) {
   for (std::size_t i = 0; i < region.size(); ++i) {
     const auto edge = inside({region[i], region[(i + 1) % region.size()]}, frame.box);
     if (edge) canvas.line(frame.place(edge->first), frame.place(edge->second), every);
   }
 }
 
-void fill(DotCanvas& canvas, const Frame& frame, const Region& region) {
+void fill(DotCanvas& canvas, const DotFrame& frame, const Region& region) {
   if (region.size() < 3) return;
   for (int y = 0; y < canvas.height(); y += 2) {
     for (int x = y / 2 % 2; x < canvas.width(); x += 2) {
@@ -102,7 +102,7 @@ void fill(DotCanvas& canvas, const Frame& frame, const Region& region) {
   }
 }
 
-std::string drawn(const Scene& scene, const Frame& frame) {
+std::string drawn(const Scene& scene, const DotFrame& frame) {
   DotCanvas canvas(frame.columns, frame.rows);
   const double tolerance = 0.25 / frame.scale;
   const Region a = scene.shape(Side::a, frame.box, tolerance);
@@ -125,7 +125,7 @@ std::string drawn(const Scene& scene, const Frame& frame) {
 }
 
 std::string legend(const PairCase& pair, std::span<const DeclaredAnswer> answers,
-                   const Frame& frame) {
+                   const DotFrame& frame) {
   std::string text =
       fmt::format("A solid, B dotted, overlap filled; a character is {} wide\n{} right: {}\n",
                   brief(2 / frame.scale), kRight, truth_in_words(pair));
@@ -140,10 +140,10 @@ std::string legend(const PairCase& pair, std::span<const DeclaredAnswer> answers
 
 std::string text_picture(const PairCase& pair, std::span<const DeclaredAnswer> answers) {
   const Scene scene = make_scene(pair, answers);
-  const Frame all = framed(scene.whole(0.5), kRowsOfAll);
+  const DotFrame all = framed(scene.whole(0.5), kRowsOfAll);
   std::string text = drawn(scene, all);
   if (const auto part = closer(scene, all)) {
-    const Frame near = framed(*part, kRowsOfCloser);
+    const DotFrame near = framed(*part, kRowsOfCloser);
     const double times = near.scale / all.scale;
     if (times >= kCloser) {
       text += fmt::format("\n{} times closer:\n{}", brief(times), drawn(scene, near));

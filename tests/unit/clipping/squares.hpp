@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "geometry/convex_polygon.hpp"
 
 namespace manifuzz::test {

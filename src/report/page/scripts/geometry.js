@@ -18,9 +18,7 @@ function unit(p) {
 }
 
 // Each face of an outline, from its corner of the same number to the next.
-function facesOf(outline) {
-  return outline.map((point, i) => [point, outline[(i + 1) % outline.length]]);
-}
+const facesOf = (outline) => outline.map((point, i) => [point, outline[(i + 1) % outline.length]]);
 
 function outwardOf([from, to]) {
   const [x, y] = unit(minus(to, from));
@@ -33,17 +31,13 @@ function boxOf(points, margin = 0) {
     bottom: Math.min(...ys) - margin, top: Math.max(...ys) + margin };
 }
 
-function centerOf({ left, right, bottom, top }) {
-  return middle([left, bottom], [right, top]);
-}
+const centerOf = ({ left, right, bottom, top }) => middle([left, bottom], [right, top]);
 
 function meets(box, other) {
   return box.left <= other.right && other.left <= box.right && box.bottom <= other.top && other.bottom <= box.top;
 }
 
-function contains(box, [x, y]) {
-  return meets(box, { left: x, right: x, bottom: y, top: y });
-}
+const contains = (box, [x, y]) => meets(box, { left: x, right: x, bottom: y, top: y });
 
 // The part of a convex polygon at which `height`, linear in the point, is not negative.
 function clipPolygon(polygon, height) {
@@ -58,9 +52,7 @@ function sidesOf({ left, right, bottom, top }) {
   return [([x]) => x - left, ([x]) => right - x, ([, y]) => y - bottom, ([, y]) => top - y];
 }
 
-function clipPolygonToBox(polygon, box) {
-  return sidesOf(box).reduce(clipPolygon, polygon);
-}
+const clipPolygonToBox = (polygon, box) => sidesOf(box).reduce(clipPolygon, polygon);
 
 // The part of the segment in the box, or null; ends that lie inside stay as they are, bit for bit.
 function clipSegmentToBox(segment, box) {
@@ -115,14 +107,10 @@ function fitBox(box, width, height, margin) {
   return { x, y, width, height, scale: Number.isFinite(scale) && scale > 0 ? scale : 1 };
 }
 
-function panBy(camera, right, down) {
-  return { ...camera, x: camera.x - right / camera.scale, y: camera.y + down / camera.scale };
-}
+const panBy = (camera, right, down) => ({ ...camera, x: camera.x - right / camera.scale, y: camera.y + down / camera.scale });
 
 // A scale within reach of the camera that shows everything.
-function limitedScale(scale, whole) {
-  return Math.min(Math.max(scale, whole.scale * FARTHEST), whole.scale * CLOSEST);
-}
+const limitedScale = (scale, whole) => Math.min(Math.max(scale, whole.scale * FARTHEST), whole.scale * CLOSEST);
 
 // What can be seen, and a little around it, in the world.
 function seenBox(camera, around = 40) {
