@@ -45,7 +45,6 @@ Vector2<double> midpoint(const Manifold<double>& manifold, const PairCase& pair,
 
 extern "C" {
 
-extern const manifuzz_declaration manifuzz_collider;
 const manifuzz_declaration manifuzz_collider = {MANIFUZZ_INTERFACE,
                                                 "behaving",
                                                 "1.0",
