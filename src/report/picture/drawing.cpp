@@ -202,7 +202,8 @@ DotCanvas::DotCanvas(int columns, int rows)
 
 DotCanvas::Cell* DotCanvas::cell(int x, int y) {
   if (x < 0 || x >= width() || y < 0 || y >= height()) return nullptr;
-  return &cells_[static_cast<std::size_t>(y / 4 * columns_ + x / 2)];
+  const int index = y / 4 * columns_ + x / 2;
+  return &cells_[static_cast<std::size_t>(index)];
 }
 
 void DotCanvas::dot(int x, int y) {
