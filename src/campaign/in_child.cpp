@@ -165,11 +165,11 @@ struct ChildState {
   }
 };
 
-/// The cell whose turn it is: the middle one first, each of them once.
-int cell_in_turn(int turn, int cells) {
+/// From cell to cell so that each of them is met once.
+int stride_over(int cells) {
   auto stride = static_cast<int>(cells * kGoldenSection);
   while (std::gcd(stride, cells) != 1) ++stride;
-  return static_cast<int>((cells / 2 + std::int64_t{turn} * stride) % cells);
+  return stride;
 }
 
 void judge_cell(const PairCase& pair, const Collider& subject, const Collider& oracle,
@@ -200,9 +200,13 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
 
   const int turns = std::min(count, cells_max);
   place->losses_left = cells_max / kCellsACrash;
+  const int stride = stride_over(count);
+  const auto cell_in_turn = [&] {  // the middle one first
+    return static_cast<int>((count / 2 + std::int64_t{place->turn} * stride) % count);
+  };
   const auto ask_the_rest = [&](int) {
     for (; place->turn < turns && place->losses_left > 0; ++place->turn) {
-      const int at = cell_in_turn(place->turn, count);
+      const int at = cell_in_turn();
       Cell& cell = cells[at];
       const auto moved = neighbour(pair, grid, at);
       cell.state = Cell::State::invalid;
@@ -212,7 +216,7 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
     }
   };
   const auto lose_cell = [&](int, Ending ending) {
-    Cell& cell = cells[cell_in_turn(place->turn, count)];
+    Cell& cell = cells[cell_in_turn()];
     cell.bucket = bucket_of_lost(ending, place->at_work);
     cell.state = Cell::State::judged;
     place->lose(cell.bucket.verdict);

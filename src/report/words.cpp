@@ -44,18 +44,14 @@ constexpr std::array<std::string_view, kTieClassNames.size()> kTieWords{
     "the incident edge ends at a side plane within rounding"};
 
 /// By verdict; {0} is the subject, {1} the oracle.
-constexpr std::array<std::string_view, kVerdictNames.size()> kVerdictWords{
-    "agree: both are right, and say the same",
-    "tie: they differ, and both are right",
-    "known: {1} is wrong, as the ledger says",
-    "subject_wrong: {0} is wrong",
-    "oracle_wrong: {1} is wrong",
-    "both_wrong: both are wrong",
-    "ill_posed: rounding hides the answer",
-    "unsupported",
-    "crashed",
-    "timed_out",
-    "malformed"};
+/// Of the verdicts that say more than their names do.
+constexpr std::array<std::string_view, 7> kVerdictWords{"agree: both are right, and say the same",
+                                                        "tie: they differ, and both are right",
+                                                        "known: {1} is wrong, as the ledger says",
+                                                        "subject_wrong: {0} is wrong",
+                                                        "oracle_wrong: {1} is wrong",
+                                                        "both_wrong: both are wrong",
+                                                        "ill_posed: rounding hides the answer"};
 
 std::string agreement(const JudgedCase& judged) {
   const std::string names =
@@ -217,8 +213,9 @@ const exact::Clip* candidate_to_show(const Admissible& right, const DeclaredAnsw
 
 std::string verdict_in_words(Verdict verdict, const std::string& subject,
                              const std::string& oracle) {
-  return fmt::format(fmt::runtime(kVerdictWords[static_cast<std::size_t>(verdict)]), subject,
-                     oracle);
+  const auto place = static_cast<std::size_t>(verdict);
+  if (place >= kVerdictWords.size()) return std::string(to_string(verdict));
+  return fmt::format(fmt::runtime(kVerdictWords[place]), subject, oracle);
 }
 
 std::string escape_markdown(std::string_view text) {

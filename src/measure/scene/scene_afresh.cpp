@@ -34,16 +34,16 @@ std::map<Bodies, Manifold<float>> contacts_of_all_pairs(
   return contacts;
 }
 
-/// Holds the scene's contacts against the right ones.
-void compare(const ScenePlayer& player, std::map<Bodies, Manifold<float>> right,
-             AfreshCheck& check) {
+/// Holds the scene's contacts against the right ones of these bodies.
+void compare(std::span<const scene::Contact> contacts, std::map<Bodies, Manifold<float>> right,
+             std::span<const Body> where, AfreshCheck& check) {
   ++check.steps;
   const auto note = [&](const Bodies& bodies) {
     ++check.mismatches;
     if (check.findings.size() == kFindingsMax) return;
-    check.findings.push_back({player.bodies()[bodies.first], player.bodies()[bodies.second]});
+    check.findings.push_back({where[bodies.first], where[bodies.second]});
   };
-  for (const scene::Contact& contact : player.result().contacts) {
+  for (const scene::Contact& contact : contacts) {
     const Bodies bodies{contact.a.index, contact.b.index};
     const auto found = right.find(bodies);
     if (found == right.end() || !same_bits(found->second, contact.manifold)) note(bodies);
@@ -65,15 +65,18 @@ AfreshCheck check_afresh(const Trajectory& trajectory, const scene::Settings& se
   kernel::Shapes<float> shapes;
   for (const auto& shape : trajectory.shapes) shapes.add(shape);
   auto placements = trajectory.start;
+  std::vector<Body> where = trajectory.bodies();
   for (std::size_t step = 0; step < steps; ++step) {
     if (step > 0) {
       const auto& moves = trajectory.steps[step - 1];
       for (const BodyMove& move : moves) placements[move.body].pose = move.pose;
+      move_bodies(moves, where);
       player.step(moves);
     }
     const bool is_last_of_its_share = (steps - 1 - step) % every == 0;
     if (!is_last_of_its_share) continue;
-    compare(player, contacts_of_all_pairs(shapes, placements, settings.tie_bias), check);
+    compare(player.result().contacts, contacts_of_all_pairs(shapes, placements, settings.tie_bias),
+            where, check);
   }
   return check;
 }

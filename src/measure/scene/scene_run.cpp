@@ -24,11 +24,13 @@ std::pair<std::size_t, ErrorStatistics> recycled_at(const Trajectory& trajectory
   std::size_t seen = 0;
   std::size_t collided = 0;
   ErrorCollector errors;
+  std::vector<Body> bodies = trajectory.bodies();
   for (const auto& moves : trajectory.steps) {
+    move_bodies(moves, bodies);
     collided += player.step(moves).counts.pairs.collided;
     for (const scene::Contact& contact : player.result().contacts) {
       if (seen++ % every != 0) continue;
-      Referee referee({player.bodies()[contact.a.index], player.bodies()[contact.b.index]});
+      Referee referee({bodies[contact.a.index], bodies[contact.b.index]});
       const Answer answer = manifold_cast<double>(contact.manifold);
       errors.add(seen, referee.measure(declaration, referee.completed(declaration, answer)));
     }
@@ -124,9 +126,11 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
 
 Frame last_frame(const Trajectory& trajectory, const scene::Settings& settings) {
   ScenePlayer player(trajectory, settings);
+  std::vector<Body> bodies = trajectory.bodies();
   for (const auto& moves : trajectory.steps) player.step(moves);
+  for (const auto& moves : trajectory.steps) move_bodies(moves, bodies);
   const auto contacts = player.result().contacts;
-  return {player.bodies(), {contacts.begin(), contacts.end()}};
+  return {bodies, {contacts.begin(), contacts.end()}};
 }
 
 std::optional<double> fitted_exponent(const std::vector<std::pair<double, double>>& points) {

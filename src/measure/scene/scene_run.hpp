@@ -29,6 +29,11 @@ struct Trajectory {
   }
 };
 
+/// Puts bodies where the trajectory has them now, whatever a scene makes of it.
+inline void move_bodies(std::span<const BodyMove> moves, std::vector<Body>& bodies) {
+  for (const BodyMove& move : moves) bodies[move.body].pose = move.pose;
+}
+
 /// A named family of scenes, of any number of bodies.
 struct SceneSpec {
   std::string_view name;
@@ -42,8 +47,7 @@ std::span<const SceneSpec> scene_specs();
 /// A scene with a trajectory's bodies, which have the same indices there.
 class ScenePlayer {
  public:
-  ScenePlayer(const Trajectory& trajectory, const scene::Settings& settings)
-      : scene_(settings), bodies_(trajectory.bodies()) {
+  ScenePlayer(const Trajectory& trajectory, const scene::Settings& settings) : scene_(settings) {
     for (const auto& shape : trajectory.shapes) scene_.add_shape(shape);
     for (const auto& [shape, pose] : trajectory.start) {
       handles_.push_back(std::get<scene::BodyHandle>(scene_.add(shape, pose)));
@@ -59,10 +63,7 @@ class ScenePlayer {
 
   void prepare(std::span<const BodyMove> moves) {
     moves_.clear();
-    for (const BodyMove& move : moves) {
-      moves_.push_back({handles_[move.body], move.pose});
-      bodies_[move.body].pose = move.pose;
-    }
+    for (const BodyMove& move : moves) moves_.push_back({handles_[move.body], move.pose});
   }
   const scene::StepResult& step_prepared() {
     const auto stepped = scene_.step(moves_);
@@ -72,12 +73,9 @@ class ScenePlayer {
 
   const scene::StepResult& result() const { return result_; }
   const scene::Scene& scene() const { return scene_; }
-  /// Where the trajectory has them now, whatever the scene made of it.
-  const std::vector<Body>& bodies() const { return bodies_; }
 
  private:
   scene::Scene scene_;
-  std::vector<Body> bodies_;
   std::vector<scene::BodyHandle> handles_;
   std::vector<scene::Move> moves_;
   scene::StepResult result_;
