@@ -56,17 +56,29 @@ struct Watch {
   }
 };
 
-}  // namespace
-
-std::vector<MakeCollider>& planted_colliders() {
-  static std::vector<MakeCollider> all;
-  return all;
+/// The collider with the bug acting whenever it is asked.
+Collider with_bug(const Bug& bug, Collider collider) {
+  const auto ask = [bug](const auto& function) {
+    return [bug, function](const auto&... arguments) {
+      const Acting acting(bug);
+      return function(arguments...);
+    };
+  };
+  const auto make = [bug](const auto& function) {
+    return
+        [bug, function](const auto&... arguments) { return with_bug(bug, function(arguments...)); };
+  };
+  collider.collide = ask(collider.collide);
+  collider.from_normal = ask(collider.from_normal);
+  collider.with_tie_bias = make(collider.with_tie_bias);
+  collider.in_double = make(collider.in_double);
+  return collider;
 }
 
-bool add_collider(const char* bug, MakeCollider make) {
-  planted_colliders().push_back(make);
-  return add_planted_bug(
-      {bug, 200'000, [make](const Haystack& haystack) {
+void add_collider(const Bug& bug, const MakeCollider& make) {
+  planted_colliders().push_back([=](double tie_bias) { return with_bug(bug, make(tie_bias)); });
+  add_planted_bug(
+      {bug.name, 200'000, [make = planted_colliders().back()](const Haystack& haystack) {
          const Collider collider = make(0);
          const Watch watch{collider, collider.in_double()};
          return search(
@@ -78,4 +90,15 @@ bool add_collider(const char* bug, MakeCollider make) {
        }});
 }
 
+}  // namespace
+
+std::vector<MakeCollider>& planted_colliders() {
+  static std::vector<MakeCollider> all;
+  return all;
+}
+
+bool add_colliders(const std::vector<Bug>& bugs, const MakeCollider& make) {
+  for (const Bug& bug : bugs) add_collider(bug, make);
+  return true;
+}
 }  // namespace manifuzz::canary

@@ -17,7 +17,7 @@ namespace {
 const std::vector<Collider>& subjects() {
   static const std::vector<Collider> all = [] {
     std::vector<Collider> made{make_clip(), make_clip64()};
-    for (const MakeCollider make : planted_colliders()) made.push_back(make(0));
+    for (const MakeCollider& make : planted_colliders()) made.push_back(make(0));
     return made;
   }();
   return all;
@@ -52,13 +52,16 @@ Bucket without_ledger(Bucket bucket) {
   return bucket;
 }
 
-bool differs_from_twin(JudgeOf judge_of, std::uint64_t number, const PairCase& pair) {
+bool differs_from_twin(JudgeOf judge_of, const Bug& bug, std::uint64_t number,
+                       const PairCase& pair) {
   static const Collider oracle = make_box2d();
   const Collider& subject = subjects()[number % subjects().size()];
   const Answer of_subject = subject.collide(pair);
   const Answer of_oracle = oracle.collide(pair);
-  const Bucket bucket =
-      judge_of(pair, subject.declaration, of_subject, oracle.declaration, of_oracle);
+  const Bucket bucket = [&] {
+    const Acting acting(bug);
+    return judge_of(pair, subject.declaration, of_subject, oracle.declaration, of_oracle);
+  }();
   const Bucket expected = twin_bucket(pair, ColliderAnswer{subject.declaration, of_subject},
                                       ColliderAnswer{oracle.declaration, of_oracle});
   return !(without_ledger(bucket) == expected);
@@ -66,21 +69,24 @@ bool differs_from_twin(JudgeOf judge_of, std::uint64_t number, const PairCase& p
 
 }  // namespace
 
-bool add_judge(const char* bug, JudgeOf judge_of) {
-  return add_planted_bug(
-      {bug, 20'000, [judge_of](const Haystack& haystack) {
-         return search(
-             haystack,
-             [&](std::uint64_t number, const PairCase& pair) -> std::optional<Noticed> {
-               if (!differs_from_twin(judge_of, number, pair)) return std::nullopt;
-               return Noticed{"twin", "twin"};
-             },
-             [&](std::uint64_t number, const PairCase& pair, const Noticed&) {
-               return shrink(pair, [&](const PairCase& smaller) {
-                 return differs_from_twin(judge_of, number, smaller);
+bool add_judges(const std::vector<Bug>& bugs, JudgeOf judge_of) {
+  for (const Bug& bug : bugs) {
+    add_planted_bug(
+        {bug.name, 20'000, [judge_of, bug](const Haystack& haystack) {
+           return search(
+               haystack,
+               [&](std::uint64_t number, const PairCase& pair) -> std::optional<Noticed> {
+                 if (!differs_from_twin(judge_of, bug, number, pair)) return std::nullopt;
+                 return Noticed{"twin", "twin"};
+               },
+               [&](std::uint64_t number, const PairCase& pair, const Noticed&) {
+                 return shrink(pair, [&](const PairCase& smaller) {
+                   return differs_from_twin(judge_of, bug, number, smaller);
+                 });
                });
-             });
-       }});
+         }});
+  }
+  return true;
 }
 
 }  // namespace manifuzz::canary

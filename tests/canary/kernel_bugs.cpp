@@ -66,9 +66,10 @@ std::optional<Sighting> search_with(const Haystack& haystack, const Look& look, 
 /// What the judge sees first, which is asked about that many cases at most (it need not see every
 /// bug), then the first promise that is not kept. `look` at all of them, `look_at_manifold` is
 /// cheaper.
-bool add_kernel(const char* bug, const Look& look, const Look& look_at_manifold,
+void add_kernel(const Bug& bug, const Look& look, const Look& look_at_manifold,
                 std::uint64_t judged_max) {
   const auto search_both = [=](const Haystack& haystack) {
+    const Acting acting(bug);
     Haystack to_judge = haystack;
     to_judge.cases_max = std::min(haystack.cases_max, haystack.first + judged_max);
     auto judged = search_with(to_judge, look_at_manifold, noticed_by_judge);
@@ -77,8 +78,8 @@ bool add_kernel(const char* bug, const Look& look, const Look& look_at_manifold,
     if (broken) judged->noticed.by += ", " + broken->noticed.by;
     return judged;
   };
-  return add_planted_bug(
-      {.name = bug, .cases_max = kCases, .search = search_both, .in_kernel = true});
+  add_planted_bug(
+      {.name = bug.name, .cases_max = kCases, .search = search_both, .in_kernel = true});
 }
 
 /// Every other round of the regimes.
@@ -254,7 +255,7 @@ std::optional<Broken> broken_by_batches(const PlantedBatch<float>& batch,
 
 }  // namespace
 
-bool add_pair(const char* bug, AskPair ask) {
+bool add_pairs(const std::vector<Bug>& bugs, AskPair ask) {
   const auto look_at_manifold = [ask](std::uint64_t number, const PairCase& pair) {
     return broken_by_pair(ask, number, pair);
   };
@@ -262,15 +263,19 @@ bool add_pair(const char* bug, AskPair ask) {
     auto broken = broken_by_pair(ask, number, pair);
     return broken ? broken : broken_by_hints(ask, number, pair);
   };
-  return add_kernel(bug, look, look_at_manifold, kCases / 4);
+  for (const Bug& bug : bugs) add_kernel(bug, look, look_at_manifold, kCases / 4);
+  return true;
 }
 
-bool add_batch(const char* bug, const PlantedBatch<float>& batch,
-               const PlantedBatch<double>& batch64) {
+bool add_batches(const std::vector<Bug>& bugs, const PlantedBatch<float>& batch,
+                 const PlantedBatch<double>& batch64) {
   const auto look = [batch, batch64](std::uint64_t number, const PairCase& pair) {
     return broken_by_batches(batch, batch64, number, pair);
   };
-  return add_kernel(bug, look, look, kCases / 20);  // twenty-three pairs a case
+  for (const Bug& bug : bugs) {
+    add_kernel(bug, look, look, kCases / 20);  // twenty-three pairs a case
+  }
+  return true;
 }
 
 }  // namespace manifuzz::canary

@@ -11,15 +11,16 @@
 #include <string_view>
 
 #include "canary/edits.hpp"
+#include "canary/switches.hpp"
 
-// Writes a translation unit that holds a copy of some sources for each planted bug, its edit
-// applied, in a namespace of its own:
+// Writes a translation unit that holds planted bugs:
 //
-//   plant TABLE SOURCE_DIR OUTPUT ROOT SHARE SHARES {--edits PATH [--as SUFFIX] FILE...}...
+//   plant TABLE SOURCE_DIR OUTPUT ROOT {--edits PATH [--as SUFFIX] FILE...}...
 //
-// ROOT is the file to compile. A bug whose edit is in PATH, a file or a folder, gets copies of the
-// FILEs it includes; all else is shared. SUFFIX makes its name another one, where several roots
-// have the bug. Of all such bugs, every SHARES-th from SHARE on is taken.
+// ROOT is the file to compile. A bug whose edit is in PATH, a file or a folder, is in copies of the
+// FILEs that ROOT includes, which have a namespace of their own; all else is shared, and a source
+// that is none of the FILEs is linked. Bugs that fit behind switches have copies together, each
+// other has copies alone. SUFFIX makes a bug's name another one, where several roots have the bug.
 
 using namespace manifuzz::canary;
 namespace fs = std::filesystem;
@@ -40,11 +41,11 @@ bool is_word_character(char c) {
 }
 
 /// Highway includes files that end so once a target; each copy has an include guard of its own.
-std::string with_own_guard(std::string line, const std::string& bug) {
+std::string with_own_guard(std::string line, const std::string& name) {
   constexpr std::string_view ending = "_INL";
   if (line.starts_with('#') && line.find("MANIFUZZ_") != std::string::npos) {
     const std::size_t at = line.find(ending);
-    if (at != std::string::npos) line.insert(at + ending.size(), "_" + bug);
+    if (at != std::string::npos) line.insert(at + ending.size(), "_" + name);
   }
   return line;
 }
@@ -61,17 +62,22 @@ std::string with_word_replaced(std::string text, std::string_view word, std::str
   return text;
 }
 
-/// One bug's copies, put into one text in the order in which they include each other.
+/// The bugs that have copies in common: one, or all those behind switches.
+struct Planting {
+  std::string name;  ///< of the namespace
+  std::vector<Edit> edits;
+  bool is_switched = false;
+};
+
+/// The copies of a planting, put into one text in the order in which they include each other.
 class Copies {
  public:
-  Copies(const fs::path& source, const Edit& edit, const Part& part)
-      : source_(source), edit_(edit), part_(part) {}
+  Copies(const fs::path& source, const Planting& planting, const Part& part)
+      : source_(source), planting_(planting), part_(part) {}
 
   void add(const std::string& file) {
     if (!added_.insert(file).second) return;
-    std::string text = read_text(source_ / file);
-    if (file == edit_.file) text = edited(edit_, text);
-    std::istringstream lines(text);
+    std::istringstream lines(planted(file, read_text(source_ / file)));
     std::string line;
     while (std::getline(lines, line)) add_line(line);
   }
@@ -79,21 +85,39 @@ class Copies {
   const std::string& text() const { return text_; }
 
  private:
+  std::string planted(const std::string& file, const std::string& text) const {
+    std::vector<Edit> edits;
+    std::ranges::copy_if(planting_.edits, std::back_inserter(edits),
+                         [&](const Edit& edit) { return edit.file == file; });
+    if (planting_.is_switched) return switched(edits, text);
+    return edits.empty() ? text : edited(edits.front(), text);
+  }
+
   void add_line(const std::string& line) {
     constexpr std::string_view include = "#include \"";
     if (line == "#pragma once") return;
     if (line.starts_with(include)) {
       const std::size_t start = include.size();
-      if (const auto file = copied(line.substr(start, line.find('"', start) - start))) {
+      const std::string included = line.substr(start, line.find('"', start) - start);
+      if (const auto file = copied(included)) {
         add(*file);
-      } else {
+      } else if (!included.ends_with(".cpp")) {  // which is linked instead
         text_ += line + "\n";
       }
       return;
     }
-    const std::string guarded = with_own_guard(line, edit_.bug);
-    const std::string named = with_word_replaced(guarded, "PLANTED_BUG", edit_.bug);
-    text_ += with_word_replaced(named, "manifuzz", "manifuzz::planted::" + edit_.bug) + "\n";
+    const std::string guarded = with_own_guard(line, planting_.name);
+    const std::string named = with_word_replaced(guarded, "PLANTED_BUGS", bugs());
+    text_ += with_word_replaced(named, "manifuzz", "manifuzz::planted::" + planting_.name) + "\n";
+  }
+
+  /// The elements of a list of Bug.
+  std::string bugs() const {
+    std::string list;
+    for (const Edit& edit : planting_.edits) {
+      list += "{\"" + edit.bug + part_.suffix + "\", " + std::to_string(edit.line) + "}, ";
+    }
+    return list;
   }
 
   /// The file that an include means, if it is one to be copied.
@@ -105,16 +129,18 @@ class Copies {
   }
 
   const fs::path& source_;
-  const Edit& edit_;
+  const Planting& planting_;
   const Part& part_;
   std::set<std::string> added_;
   std::string text_;
 };
 
 /// What copies do not redefine is found in the project's own namespace.
-std::string opening(const Edit& edit) {
-  return "\n// " + edit.bug + ": " + edit.why + "\nnamespace manifuzz {}\n" +
-         "namespace manifuzz::planted::" + edit.bug + " {\nusing namespace ::manifuzz;\n}\n";
+std::string opening(const Planting& planting) {
+  std::string text;
+  for (const Edit& edit : planting.edits) text += "\n// " + edit.bug + ": " + edit.why;
+  return text + "\nnamespace manifuzz {}\nnamespace manifuzz::planted::" + planting.name +
+         " {\nusing namespace ::manifuzz;\n}\n";
 }
 
 std::vector<Part> read_parts(std::span<char*> arguments) {
@@ -141,24 +167,44 @@ void write(const fs::path& path, const std::string& text) {
   if (!stream.flush()) throw std::runtime_error("cannot be written: " + path.string());
 }
 
+std::string identifier(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return !is_word_character(c); }, '_');
+  return text;
+}
+
+/// The part's bugs, those behind switches first. Throws std::runtime_error where an edit does not
+/// apply.
+std::vector<Planting> plantings_of(const Part& part, std::span<const Edit> edits,
+                                   const fs::path& source, const std::string& table) {
+  std::vector<Planting> plantings{{identifier(table + "_" + part.path) + part.suffix, {}, true}};
+  for (const Edit& edit : edits) {
+    if (!part.has(edit.file)) continue;
+    const std::string text = read_text(source / edit.file);
+    edited(edit, text);
+    if (edit.old_line.empty() || fits_switch(edit, text)) {
+      plantings.front().edits.push_back(edit);
+    } else {
+      plantings.push_back({edit.bug + part.suffix, {edit}});
+    }
+  }
+  return plantings;
+}
+
 void plant(std::span<char*> arguments) {
-  if (arguments.size() < 7) throw std::runtime_error("too few arguments");
+  if (arguments.size() < 5) throw std::runtime_error("too few arguments");
+  const fs::path table = arguments[0];
   const fs::path source = arguments[1];
-  const std::string root = arguments[3];
-  const int share = std::stoi(arguments[4]);
-  const int shares = std::stoi(arguments[5]);
-  const std::vector<Part> parts = read_parts(arguments.subspan(6));
-  std::string text = "// Made by plant.cpp from the table of planted bugs.\n";
-  int taken = 0;
-  for (Edit& edit : read_edits(arguments[0])) {
-    const auto part = std::find_if(parts.begin(), parts.end(),
-                                   [&](const Part& candidate) { return candidate.has(edit.file); });
-    if (part == parts.end() || taken++ % shares != share) continue;
-    edited(edit, read_text(source / edit.file));  // wherever it is, it must apply
-    edit.bug += part->suffix;
-    Copies copies(source, edit, *part);
-    copies.add(root);
-    text += opening(edit) + copies.text();
+  const std::vector<Edit> edits = read_edits(table);
+  std::string text =
+      "// Made by plant.cpp from the table of planted bugs.\n#include \"canary/acting.hpp\"\n";
+  for (const Part& part : read_parts(arguments.subspan(4))) {
+    for (const Planting& planting : plantings_of(part, edits, source, table.stem().string())) {
+      if (planting.edits.empty()) continue;
+      Copies copies(source, planting, part);
+      copies.add(arguments[3]);
+      text += opening(planting) + copies.text();
+    }
   }
   write(arguments[2], text);
 }

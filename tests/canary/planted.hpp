@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
+#include "canary/acting.hpp"
 #include "collider/collider.hpp"
 #include "judging/bucket.hpp"
 #include "own_colliders/own_colliders.hpp"
@@ -10,7 +12,7 @@
 namespace manifuzz::canary {
 
 /// A collider with a bug in it.
-using MakeCollider = Collider (*)(double tie_bias);
+using MakeCollider = std::function<Collider(double tie_bias)>;
 
 /// Those registered so far.
 std::vector<MakeCollider>& planted_colliders();
@@ -46,11 +48,11 @@ struct PlantedBatch {
   Collide packed;
 };
 
-/// Registers the test that a planted bug is caught. To be called before main.
-bool add_collider(const char* bug, MakeCollider make);
-bool add_judge(const char* bug, JudgeOf judge_of);
-bool add_pair(const char* bug, AskPair ask);
-bool add_batch(const char* bug, const PlantedBatch<float>& batch,
-               const PlantedBatch<double>& batch64);
+/// Registers for each planted bug the test that it is caught. To be called before main.
+bool add_colliders(const std::vector<Bug>& bugs, const MakeCollider& make);
+bool add_judges(const std::vector<Bug>& bugs, JudgeOf judge_of);
+bool add_pairs(const std::vector<Bug>& bugs, AskPair ask);
+bool add_batches(const std::vector<Bug>& bugs, const PlantedBatch<float>& batch,
+                 const PlantedBatch<double>& batch64);
 
 }  // namespace manifuzz::canary

@@ -1,5 +1,5 @@
-// Copied for each bug planted into the kernels for many pairs, and compiled under the bug's
-// namespace.
+// Copied with the bugs planted into the kernels for many pairs, and compiled under a namespace of
+// theirs.
 #include <memory>
 
 #include "canary/one_target.hpp"
@@ -55,8 +55,8 @@ void packed(std::span<const canary::Placed<Scalar>> placed, Scalar tie_bias,
   }
 }
 
-[[maybe_unused]] const bool planted = canary::add_batch(
-    "PLANTED_BUG", {from_indices<float>, packed<float>}, {from_indices<double>, packed<double>});
+[[maybe_unused]] const bool planted = canary::add_batches(
+    {PLANTED_BUGS}, {from_indices<float>, packed<float>}, {from_indices<double>, packed<double>});
 
 }  // namespace
 }  // namespace manifuzz

@@ -1,18 +1,22 @@
-// Copied for each bug planted into the judge, and compiled under the bug's namespace.
+// Copied with the bugs planted into the judge, and compiled under a namespace of theirs.
 #include "canary/planted.hpp"
+#include "judging/admissible.cpp"
+#include "judging/compare.cpp"
 #include "judging/judge.cpp"
+#include "judging/ledger.cpp"
+#include "judging/manifold_error.cpp"
+#include "oracle/exact/clip.cpp"
+#include "oracle/exact/truth.cpp"
 
 namespace manifuzz {
 namespace {
 
-[[maybe_unused]] const bool planted = canary::add_judge("PLANTED_BUG", [](const PairCase& pair,
-                                                                          const Declaration&
-                                                                              subject,
-                                                                          const Answer& of_subject,
-                                                                          const Declaration& oracle,
-                                                                          const Answer& of_oracle) {
+Bucket bucket_of(const PairCase& pair, const Declaration& subject, const Answer& of_subject,
+                 const Declaration& oracle, const Answer& of_oracle) {
   return judge(pair, ColliderAnswer{subject, of_subject}, ColliderAnswer{oracle, of_oracle}).bucket;
-});
+}
+
+[[maybe_unused]] const bool planted = canary::add_judges({PLANTED_BUGS}, bucket_of);
 
 }  // namespace
 }  // namespace manifuzz

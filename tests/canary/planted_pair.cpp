@@ -1,4 +1,5 @@
-// Copied for each bug planted into the kernel for one pair, and compiled under the bug's namespace.
+// Copied with the bugs planted into the kernel for one pair, and compiled under a namespace of
+// theirs.
 #include "canary/one_target.hpp"
 #include "canary/planted.hpp"
 #include "kernel/deepest_contact.cpp"
@@ -23,7 +24,7 @@ std::vector<canary::PairAnswers> ask(std::span<const PairCase> pairs, float tie_
   return answers;
 }
 
-[[maybe_unused]] const bool planted = canary::add_pair("PLANTED_BUG", ask);
+[[maybe_unused]] const bool planted = canary::add_pairs({PLANTED_BUGS}, ask);
 
 }  // namespace
 }  // namespace manifuzz

@@ -110,11 +110,10 @@ std::vector<PlantedBug>& planted_bugs() {
   return bugs;
 }
 
-bool add_planted_bug(PlantedBug bug) {
+void add_planted_bug(PlantedBug bug) {
   const std::string name = is_unedited(bug) ? bug.name + " is not caught" : bug.name + " is caught";
   test::add_test(name, "[planted]", [bug] { check(bug); });
   planted_bugs().push_back(std::move(bug));
-  return true;
 }
 
 }  // namespace manifuzz::canary

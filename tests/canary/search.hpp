@@ -64,6 +64,6 @@ std::vector<PlantedBug>& planted_bugs();
 
 /// Adds a bug and registers a test that it is caught, or, of an unedited copy, that it is not. To
 /// be called before main.
-bool add_planted_bug(PlantedBug bug);
+void add_planted_bug(PlantedBug bug);
 
 }  // namespace manifuzz::canary

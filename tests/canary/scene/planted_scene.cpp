@@ -1,4 +1,4 @@
-// Copied for each bug planted into the scene, and compiled under the bug's namespace.
+// Copied with the bugs planted into the scene, and compiled under a namespace of theirs.
 #include "canary/scene/scene_bugs.hpp"
 #include "scene/body.cpp"
 #include "scene/broad_phase.cpp"
@@ -16,7 +16,7 @@ struct Api {
   using Move = scene::Move;
 };
 
-[[maybe_unused]] const bool planted = canary::add_scene("PLANTED_BUG", test::Adapted<Api>::make);
+[[maybe_unused]] const bool planted = canary::add_scenes({PLANTED_BUGS}, test::Adapted<Api>::make);
 
 }  // namespace
 }  // namespace manifuzz

@@ -64,13 +64,17 @@ bool crowd_catches(test::MakeScene make) {
 
 }  // namespace
 
-bool add_scene(const std::string& bug, test::MakeScene make) {
-  planted().insert(bug);
-  const std::string verb = is_unedited(bug) ? " is not caught" : " is caught";
-  test::add_test(bug + verb, "[planted]", [=] {
-    const bool caught = commands_catch(bug, make) || crowd_catches(make);
-    CHECK(caught == !is_unedited(bug));
-  });
+bool add_scenes(const std::vector<Bug>& bugs, test::MakeScene make) {
+  for (const Bug& bug : bugs) {
+    const std::string name = bug.name;
+    planted().insert(name);
+    const std::string verb = is_unedited(name) ? " is not caught" : " is caught";
+    test::add_test(name + verb, "[planted]", [=] {
+      const Acting acting(bug);
+      const bool caught = commands_catch(name, make) || crowd_catches(make);
+      CHECK(caught == !is_unedited(name));
+    });
+  }
   return true;
 }
 

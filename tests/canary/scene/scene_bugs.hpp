@@ -1,12 +1,14 @@
 #pragma once
 
-#include <string>
+#include <vector>
 
+#include "canary/acting.hpp"
 #include "unit/scene/any_scene.hpp"
 
 namespace manifuzz::canary {
 
-/// Registers the tests that a bug planted into the scene is caught. To be called before main.
-bool add_scene(const std::string& bug, test::MakeScene make);
+/// Registers for each bug planted into the scene the test that it is caught. To be called before
+/// main.
+bool add_scenes(const std::vector<Bug>& bugs, test::MakeScene make);
 
 }  // namespace manifuzz::canary
