@@ -1,8 +1,9 @@
 #include "canary/switches.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
-#include <regex>
+#include <string_view>
 #include <vector>
 
 namespace manifuzz::canary {
@@ -33,26 +34,36 @@ bool is_balanced(const std::string& code) {
   });
 }
 
+/// Whether the words before an assignment, an initialiser or a call are a type and a name.
+bool is_type_and_name(const std::string& words) {
+  constexpr const char* kStatements[] = {"return ", "if ", "for ", "while ", "throw "};
+  return words.find(' ') != std::string::npos &&
+         std::ranges::none_of(kStatements, [&](auto word) { return words.starts_with(word); }) &&
+         std::ranges::all_of(words, [](char c) {
+           return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                  std::string_view("_:<>,&* ").find(c) != std::string_view::npos;
+         });
+}
+
+bool is_declaration(const std::string& code) {
+  return is_type_and_name(code.substr(0, std::min(code.find(" ="), code.find_first_of("({;"))));
+}
+
 /// `const auto x = value;`, where the value is an expression.
 std::optional<Parts> as_variable(const std::string& code) {
-  static const std::regex form(R"(((?:const )?[\w:<>, ]*\w>?&? \w+ = )([^{;][^;]*)(;))");
-  std::smatch found;
-  if (!std::regex_match(code, found, form)) return std::nullopt;
-  return Parts{found[1], found[2], found[3]};
+  const std::size_t at = code.find(" = ");
+  if (at == std::string::npos || !is_type_and_name(code.substr(0, at))) return std::nullopt;
+  const std::string value = code.substr(at + 3);
+  if (value.starts_with('{') || value.find(';') + 1 != value.size()) return std::nullopt;
+  return Parts{code.substr(0, at + 3), value.substr(0, value.size() - 1), ";"};
 }
 
 /// `if (value) {`
 std::optional<Parts> as_condition(const std::string& code) {
-  static const std::regex form(R"((if \()(.*)(\) \{))");
-  std::smatch found;
-  if (!std::regex_match(code, found, form)) return std::nullopt;
-  return Parts{found[1], found[2], found[3]};
-}
-
-bool is_declaration(const std::string& code) {
-  static const std::regex statement(R"((return|if|for|while|break|continue|throw)\b[\s\S]*)");
-  static const std::regex form(R"([\w:<>,&* ]+[&*> ]\w+( = |\{|\(|;)[\s\S]*)");
-  return !std::regex_match(code, statement) && std::regex_match(code, form);
+  const std::string head = "if (";
+  const std::string tail = ") {";
+  if (!code.starts_with(head) || !code.ends_with(tail)) return std::nullopt;
+  return Parts{head, code.substr(head.size(), code.size() - head.size() - tail.size()), tail};
 }
 
 bool is_statement(const std::string& code) {
