@@ -101,7 +101,7 @@ Real operator/(const Real& a, const Real& b) {
       if (wider > (1U << 16)) throw std::logic_error("division by what may be zero");
       divisor = b.at(wider);
     }
-    const Enclosure dividend = a.at(wider);
+    const Enclosure& dividend = a.at(wider);
     const Enclosure quotient = spanned(dividend, divisor, [&](const Integer& p, const Integer& q) {
       const Integer above = p << wider;
       return Enclosure{floor_division(above, q), ceiling_division(above, q)};
@@ -132,7 +132,7 @@ int sign(const Real& value) {
 }
 
 double nearest(const Real& value) {
-  const Enclosure enclosure = value.at(512);
+  const Enclosure& enclosure = value.at(512);
   return static_cast<double>(Ratio(enclosure.low + enclosure.high, power_of_two(513)));
 }
 

@@ -52,7 +52,7 @@ TwinClip Twin::clip(const TwinCandidate& candidate) const {
                   {}};
   const auto end_at = [&](int end, bool crossing) {
     const Exact from = opposing.corner(vertices[0]);
-    const Real along_end = at[static_cast<std::size_t>(end)];
+    const Real& along_end = at[static_cast<std::size_t>(end)];
     const bool before = along_end < Real(0.0);
     Real x = opposing.corner(vertices[static_cast<std::size_t>(end)]).x;
     Real y = opposing.corner(vertices[static_cast<std::size_t>(end)]).y;

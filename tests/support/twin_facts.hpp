@@ -131,6 +131,7 @@ class Twin {
     for (int i = 0; i < of(side).size(); ++i) {
       if (of(side).separation(i) < least_allowed) continue;
       std::vector<Real> dots;
+      dots.reserve(static_cast<std::size_t>(opposing.size()));
       for (int j = 0; j < opposing.size(); ++j) {
         dots.push_back(Real(of(side).normal(i) * opposing.normal(j)) /
                        (of(side).length(i) * opposing.length(j)));

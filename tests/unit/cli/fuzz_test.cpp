@@ -178,11 +178,10 @@ TEST_CASE("a finding that cannot be saved loses neither the table nor the other 
 TEST_CASE("a reader of stdout that is gone changes neither the status nor the files") {
   const TemporaryFolder folder;
   const std::string json = (folder.path() / "summary.json").string();
-  const Outcome outcome = run_program(
-      {"bash", "-c",
-       "\"$0\" fuzz --subject box2d --oracle clip --regime tie_bias --seed 1 --cases 5000 "
-       "--no-save --json \"$1\" | true; exit ${PIPESTATUS[0]}",
-       manifuzz_path(), json});
+  const std::string script =
+      "\"$0\" fuzz --subject box2d --oracle clip --regime tie_bias --seed 1 --cases 5000 "
+      "--no-save --json \"$1\" | true; exit ${PIPESTATUS[0]}";
+  const Outcome outcome = run_program({"bash", "-c", script, manifuzz_path(), json});
   CHECK(outcome.status == 1);
   CHECK(std::filesystem::exists(json));
 }

@@ -13,6 +13,8 @@ using Catch::Contains;
 
 namespace {
 
+const std::string kDefects = MANIFUZZ_SOURCE_DIR "/corpus/defects/box2d";
+
 const std::string kRed = "\x1b[31m";
 const std::string kYellow = "\x1b[33m";
 const std::string kErased = "\r\x1b[K";
@@ -52,10 +54,8 @@ TEST_CASE("a terminal shows what decides the status in red, what is new in yello
 }
 
 TEST_CASE("without its colours the text is what a pipe gets") {
-  const std::vector<std::string> command{
-      manifuzz_path(), "replay",    MANIFUZZ_SOURCE_DIR "/corpus/defects/box2d",
-      "--quiet",       "--subject", "box2d",
-      "--oracle",      "clip"};
+  const std::vector<std::string> command{manifuzz_path(), "replay", kDefects,   "--quiet",
+                                         "--subject",     "box2d",  "--oracle", "clip"};
   const std::string piped = run_program(command).out;
   REQUIRE(piped.starts_with("FAIL "));
   std::string text = shown({"TERM=xterm"}, command);
@@ -129,7 +129,7 @@ TEST_CASE("a quiet campaign says what decides its status, where a file has the r
       "--cases", "10",   "--json",   json,        "--corpus", (folder.path() / "corpus").string()};
   const Outcome silent = run_manifuzz(harmless);
   CHECK(silent.status == 0);
-  CHECK(silent.out + silent.err == "");
+  CHECK((silent.out + silent.err).empty());
 }
 
 TEST_CASE("a quiet replay, property or smoke run names failures alone") {
@@ -137,22 +137,22 @@ TEST_CASE("a quiet replay, property or smoke run names failures alone") {
   CHECK(run_manifuzz(replay).out.find("passed") != std::string::npos);
   const Outcome quiet = run_manifuzz({"--quiet", replay[0], replay[1]});
   CHECK(quiet.status == 0);
-  CHECK(quiet.out + quiet.err == "");
-  const Outcome wrong = run_manifuzz({"replay", MANIFUZZ_SOURCE_DIR "/corpus/defects/box2d",
-                                      "--subject", "box2d", "--oracle", "clip", "--quiet"});
+  CHECK((quiet.out + quiet.err).empty());
+  const Outcome wrong =
+      run_manifuzz({"replay", kDefects, "--subject", "box2d", "--oracle", "clip", "--quiet"});
   CHECK(wrong.status == 1);
   CHECK(wrong.out.starts_with("FAIL "));
   for (const std::string& line : lines_of(wrong.out)) CHECK(line.starts_with("FAIL "));
   const Outcome property = run_manifuzz(
       {"property", "depth-is-overlap", "--quiet", "--cases", "10", "--seed", "1", "--no-save"});
   CHECK(property.status == 0);
-  CHECK(property.out + property.err == "");
+  CHECK((property.out + property.err).empty());
   const TemporaryFolder folder;
   const Outcome smoke =
       run_manifuzz({"smoke", "--quiet", "--oracle", "clip64", "--seed", "1", "--seconds", "2",
                     "--no-save", "--corpus", (folder.path() / "corpus").string()});
   CHECK(smoke.status == 0);
-  CHECK(smoke.out + smoke.err == "");
+  CHECK((smoke.out + smoke.err).empty());
 }
 
 TEST_CASE("quiet or not, data stays and errors stay") {
