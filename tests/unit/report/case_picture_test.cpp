@@ -72,7 +72,9 @@ std::vector<std::string> misplaced(const std::vector<Element>& elements) {
 }
 
 void check_layout(const std::vector<Element>& elements) {
-  CHECK(misplaced(elements) == std::vector<std::string>());
+  const auto found = misplaced(elements);
+  CAPTURE(found);
+  CHECK(found.empty());
 }
 
 void check_words(const JudgedCase& judged, const std::vector<Element>& elements) {

@@ -68,8 +68,9 @@ class Image {
   int width() const { return cairo_image_surface_get_width(surface_.get()); }
   int height() const { return cairo_image_surface_get_height(surface_.get()); }
   std::uint32_t at(int x, int y) const {
-    const unsigned char* const row = cairo_image_surface_get_data(surface_.get()) +
-                                     y * cairo_image_surface_get_stride(surface_.get());
+    const unsigned char* const row =
+        cairo_image_surface_get_data(surface_.get()) +
+        std::ptrdiff_t{y} * cairo_image_surface_get_stride(surface_.get());
     return reinterpret_cast<const std::uint32_t*>(row)[x] & 0xffffffU;
   }
 

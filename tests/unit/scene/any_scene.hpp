@@ -71,6 +71,7 @@ class Adapted : public AnyScene {
   }
   std::optional<Stepped> step(const std::vector<Moved>& moves) override {
     std::vector<typename Api::Move> own_moves;
+    own_moves.reserve(moves.size());
     for (const Moved& moved : moves) own_moves.push_back({own(moved.body), moved.pose});
     const auto stepped = scene_.step(own_moves);
     const auto* const result = std::get_if<0>(&stepped);

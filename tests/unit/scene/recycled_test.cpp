@@ -117,7 +117,8 @@ TEST_CASE("contacts that are kept for recycling stay with their pairs as others 
   const auto shape = std::get<std::uint32_t>(scene.add_shape(kSmall));
   std::vector<BodyHandle> bodies;
   for (int i = 0; i < 6; ++i) {
-    const float x = 3 * static_cast<float>(i / 2);
+    const int stack = i / 2;
+    const float x = 3 * static_cast<float>(stack);
     bodies.push_back(
         std::get<BodyHandle>(scene.add(shape, at(x, i % 2 == 0 ? 0 : 0.9F + 0.01F * x))));
   }
