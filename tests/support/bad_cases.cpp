@@ -48,7 +48,7 @@ std::string numbered_keys(int count) {
   std::string out;
   for (int i = 0; i < count; ++i) {
     const std::string number = std::to_string(i);
-    out += (i > 0 ? ", " : "") + ("\"k" + number) + "\": " + number;
+    out.append(i > 0 ? ", " : "").append("\"k").append(number).append("\": ").append(number);
   }
   return out;
 }

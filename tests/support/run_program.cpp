@@ -11,8 +11,6 @@
 #include <system_error>
 #include <unistd.h>
 
-extern char** environ;
-
 namespace manifuzz::test {
 namespace {
 
@@ -78,6 +76,7 @@ pid_t start(const std::vector<std::string>& command, int in, int out, int err) {
   posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   std::vector<char*> variables = plain_environment();

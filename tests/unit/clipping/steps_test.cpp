@@ -9,7 +9,7 @@ using namespace manifuzz::test;
 
 namespace {
 
-ConvexPolygon<float> moved(ConvexPolygon<float> p, float x, float y) {
+ConvexPolygon<float> moved(const ConvexPolygon<float>& p, float x, float y) {
   return transform<float>({{x, y}, {1, 0}}, p);
 }
 
