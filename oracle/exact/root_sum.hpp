@@ -174,6 +174,13 @@ int decide(const Expression& expression) {
   return *sign(expression.template operator()<Rational>());
 }
 
+/// The same with that filter: the expression in doubles.
+template <class Expression>
+int decide_from_doubles(const Expression& expression) {
+  const auto s = sign(expression.template operator()<Approximate<double>>());
+  return s ? *s : decide(expression);
+}
+
 /// rational + root * sqrt(radicand): the field in which everything about one reference face lives,
 /// its radicand being the square of the face's length.
 struct Quadratic {

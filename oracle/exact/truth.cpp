@@ -173,9 +173,14 @@ int Truth::compare_lead_of_b(double offset) const {
   return compare_distances(pair_, deepest(greatest(Side::b)), deepest(greatest(Side::a)), offset);
 }
 
+int Truth::compare_separations(FaceOf face, FaceOf another, double offset) const {
+  if (const int s = rough_sign(separation(face) - separation(another) - offset, offset)) return s;
+  return compare_distances(pair_, deepest(face), deepest(another), offset);
+}
+
 int Truth::compare_with_greatest(FaceOf face, double offset) const {
   if (const int s = rough_sign(separation(face) - separation(face.side) - offset, offset)) return s;
-  return compare_distances(pair_, deepest(face), deepest(greatest(face.side)), offset);
+  return compare_separations(face, greatest(face.side), offset);
 }
 
 std::vector<int> Truth::incident_edges(FaceOf reference, double bound) const {

@@ -55,6 +55,8 @@ class Truth {
   int compare_contact(double offset) const;
   /// The sign of S_B - S_A - offset.
   int compare_lead_of_b(double offset) const;
+  /// The sign of S of a face - S of another - offset.
+  int compare_separations(FaceOf face, FaceOf another, double offset) const;
   /// The sign of S of a face - S of its side - offset.
   int compare_with_greatest(FaceOf face, double offset) const;
 

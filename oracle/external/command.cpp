@@ -15,14 +15,26 @@ namespace {
 constexpr double kExtraLineSeconds = 0.002;
 
 /// One of two words, the first of which is what is meant where there is none.
-bool is_second(const JsonView& object, std::string_view key, std::string_view first,
-               std::string_view second) {
+template <class Choice>
+Choice choice_in(const JsonView& object, std::string_view key,
+                 std::initializer_list<std::string_view> names) {
   const auto value = object.find(key);
-  if (!value || value->string() == first) return false;
-  if (value->string() != second) {
-    value->fail(fmt::format("\"{}\" or \"{}\" is expected", first, second));
+  if (!value) return Choice{};
+  const auto* const found = std::ranges::find(names, value->string());
+  if (found == names.end()) {
+    value->fail(fmt::format("\"{}\" is expected", fmt::join(names, "\" or \"")));
   }
-  return true;
+  return static_cast<Choice>(found - names.begin());
+}
+
+bool flag_in(const JsonView& object, std::string_view key, bool usual) {
+  const auto value = object.find(key);
+  return value ? value->boolean() : usual;
+}
+
+double number_in(const JsonView& object, std::string_view key) {
+  const auto value = object.find(key);
+  return value ? value->number() : 0;
 }
 
 int vertices_max_in(const JsonView& object) {
@@ -35,19 +47,26 @@ int vertices_max_in(const JsonView& object) {
 /// What is left out is taken to be the least that a collider can promise: float, in the world.
 Declaration read_declaration(const JsonView& object, const std::string& usual_name) {
   object.expect_keys({"name", "version", "scalar", "frame", "tie_bias", "vertices_max",
-                      "takes_radius", "points", "normal", "snippet"});
-  const auto tie_bias = object.find("tie_bias");
-  const auto takes_radius = object.find("takes_radius");
+                      "takes_radius", "points", "normal", "snippet", "claims", "clips", "depths",
+                      "one_point_enough", "speculative", "least_depth"});
   return {.name = object.string_or("name", usual_name),
           .version = object.string_or("version", "unknown"),
           .description = "a program",
-          .scalar = is_second(object, "scalar", "float32", "float64") ? ScalarType::float64
-                                                                      : ScalarType::float32,
-          .frame = is_second(object, "frame", "world", "local") ? RoundingFrame::local
-                                                                : RoundingFrame::world,
-          .tie_bias = tie_bias ? tie_bias->number() : 0,
+          .scalar = choice_in<ScalarType>(object, "scalar", {"float32", "float64"}),
+          .frame = choice_in<bool>(object, "frame", {"world", "local"}) ? RoundingFrame::local
+                                                                        : RoundingFrame::world,
+          .tie_bias = number_in(object, "tie_bias"),
           .max_vertices = vertices_max_in(object),
-          .takes_radius = !takes_radius || takes_radius->boolean(),
+          .takes_radius = flag_in(object, "takes_radius", true),
+          .claims =
+              choice_in<Claims>(object, "claims", {"manifold", "point", "separation", "touching"}),
+          .clips = flag_in(object, "clips", true),
+          .points = choice_in<PointsAt>(object, "points",
+                                        {"clip", "midpoint", "vertex", "surface_a", "surface_b"}),
+          .shares_depth = choice_in<bool>(object, "depths", {"point", "shared"}),
+          .one_point_enough = flag_in(object, "one_point_enough", false),
+          .speculative = number_in(object, "speculative"),
+          .least_depth = number_in(object, "least_depth"),
           .snippet = object.string_or("snippet", "")};
 }
 
@@ -97,8 +116,8 @@ class CommandCollider {
     try {
       const JsonView object = JsonView(tree).at("declaration");
       const Declaration read = read_declaration(object, name_in(command_));
-      program_.conventions = {.has_midpoints = is_second(object, "points", "clip", "midpoint"),
-                              .normal_from_b = is_second(object, "normal", "a_to_b", "b_to_a")};
+      program_.conventions = conventions_of(read);
+      program_.conventions.normal_from_b = choice_in<bool>(object, "normal", {"a_to_b", "b_to_a"});
       check_declaration(read, "$.declaration.");
       return read;
     } catch (const UserError& error) {

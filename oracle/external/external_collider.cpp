@@ -74,9 +74,21 @@ void check_declaration(const Declaration& declaration, std::string_view prefix) 
                                 prefix, printable(declaration.version), kVersionLengthMax));
   }
   check_snippet(declaration.snippet, prefix);
-  if (!std::isfinite(declaration.tie_bias) || declaration.tie_bias < 0) {
-    throw UserError(fmt::format("{}tie_bias: {} is no length; 0 or more is expected", prefix,
-                                declaration.tie_bias));
+  const std::array<std::pair<std::string_view, double>, 3> lengths{
+      {{"tie_bias", declaration.tie_bias},
+       {"speculative", declaration.speculative},
+       {"least_depth", declaration.least_depth}}};
+  for (const auto& [key, length] : lengths) {
+    if (std::isfinite(length) && length >= 0) continue;
+    throw UserError(
+        fmt::format("{}{}: {} is no length; 0 or more is expected", prefix, key, length));
+  }
+  const bool is_of_clip =
+      declaration.points == PointsAt::clip || declaration.points == PointsAt::midpoint;
+  if (declaration.clips && declaration.claims == Claims::manifold && !is_of_clip) {
+    throw UserError(fmt::format(
+        "{}points: a clip's are \"clip\" or \"midpoint\"; say \"clips\": false for others",
+        prefix));
   }
 }
 

@@ -24,6 +24,7 @@ struct JudgementSlot {
 struct AnswerSlot {
   std::size_t kind = 0;  ///< its place among the kinds of an Answer
   PartialManifold manifold;
+  Penetration penetration;
   Lost::How how = Lost::How::crashed;
   SharedText<512> why;
 
@@ -31,6 +32,7 @@ struct AnswerSlot {
     kind = answer.index();
     if (const auto* const whole = std::get_if<Manifold<double>>(&answer)) manifold = {*whole};
     if (const auto* const partial = std::get_if<PartialManifold>(&answer)) manifold = *partial;
+    if (const auto* const less = std::get_if<Penetration>(&answer)) penetration = *less;
     if (const auto* const declined = std::get_if<Unsupported>(&answer)) why.set(declined->why);
     if (const auto* const lost = std::get_if<Lost>(&answer)) {
       how = lost->how;
@@ -40,7 +42,7 @@ struct AnswerSlot {
 
   Answer answer() const {
     const std::array<Answer, std::variant_size_v<Answer>> kinds{
-        manifold.manifold, Unsupported{why.str()}, manifold, Lost{how, why.str()}};
+        manifold.manifold, Unsupported{why.str()}, manifold, Lost{how, why.str()}, penetration};
     return kinds[kind];
   }
 };

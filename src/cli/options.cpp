@@ -203,9 +203,9 @@ std::string case_file(const CaseArgument& argument) {
 }
 
 std::span<const Command> commands() {
-  static const Command all[] = {kFuzz,   kReplay,   kProperty, kSmoke, kCollide,
-                                kJudge,  kGenerate, kShrink,   kShow,  kBench,
-                                kStress, kScene,    kReport,   kMerge, kList};
+  static const Command all[] = {kFuzz,     kReplay, kProperty, kSmoke, kCollide, kJudge,
+                                kGenerate, kShrink, kShow,     kBench, kStress,  kScene,
+                                kDigest,   kReport, kMerge,    kList};
   return all;
 }
 

@@ -107,6 +107,7 @@ Run define(CLI::App& app) {
 // Each in a file of its own.
 extern const Command kBench;
 extern const Command kCollide;
+extern const Command kDigest;
 extern const Command kFuzz;
 extern const Command kGenerate;
 extern const Command kJudge;

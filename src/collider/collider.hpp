@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -15,6 +16,14 @@ enum class ScalarType { float32, float64 };
 /// Where a collider rounds: in a frame that travels with the pair, or in world coordinates.
 enum class RoundingFrame { local, world };
 
+/// What an answer asserts: the contact points, one of them, how far along which normal they
+/// overlap, or only that they touch. What is not claimed is not judged.
+enum class Claims { manifold, point, separation, touching };
+
+/// Where contact points lie: on the incident edge, halfway between both surfaces, at a vertex of
+/// either core, on A's surface, on B's.
+enum class PointsAt { clip, midpoint, vertex, surface_a, surface_b };
+
 /// What a collider declares of itself. It is judged by this, and by nothing else.
 struct Declaration {
   std::string name;         ///< in tables, options and the names of files
@@ -25,6 +34,14 @@ struct Declaration {
   double tie_bias = 0;  ///< a world length: B's face is the reference where it leads by more
   int max_vertices = kMaxVertices;  ///< of a polygon; with more it is not asked
   bool takes_radius = true;         ///< false: rounded polygons are not asked
+  Claims claims = Claims::manifold;
+  bool clips =
+      true;  ///< a reference face clips an incident edge; else the penetration curve judges
+  PointsAt points = PointsAt::clip;
+  bool shares_depth = false;      ///< one depth for all points: the deepest's
+  bool one_point_enough = false;  ///< of several right points it may give one
+  double speculative = 0;         ///< a world length: it reports points across gaps up to it
+  double least_depth = 0;         ///< a world length: shallower contacts may be missing
   std::string snippet{};  ///< of a program that shows one case; report/upstream.cpp fills it in
 };
 
@@ -42,6 +59,15 @@ struct PartialManifold {
   bool has_midpoints = false;   ///< points halfway between both surfaces, as Box2D 3 has them
 };
 
+/// How far they overlap along a normal, or only whether they touch.
+struct Penetration {
+  bool touches = false;
+  std::optional<Vector2<double>> normal{};  ///< from A to B, in A's frame
+  double depth = 0;                         ///< along it, a world length; negative across a gap
+
+  friend bool operator==(const Penetration&, const Penetration&) = default;
+};
+
 /// There is no answer: the collider died, took too long, or gave what is no manifold.
 struct Lost {
   enum class How { crashed, timed_out, malformed };
@@ -50,7 +76,18 @@ struct Lost {
 };
 
 /// What a collider answers to a case: a manifold in A's frame, whatever the collider's own frame.
-using Answer = std::variant<Manifold<double>, Unsupported, PartialManifold, Lost>;
+using Answer = std::variant<Manifold<double>, Unsupported, PartialManifold, Lost, Penetration>;
+
+/// The manifold of an answer, complete or not; nullptr where there is none.
+inline const Manifold<double>* manifold_in(const Answer& answer) {
+  if (const auto* const partial = std::get_if<PartialManifold>(&answer)) return &partial->manifold;
+  return std::get_if<Manifold<double>>(&answer);
+}
+
+/// Whether the penetration curve judges its answers, and not the clips that it may make.
+inline bool is_judged_by_curve(const Declaration& declaration) {
+  return !declaration.clips || declaration.claims != Claims::manifold;
+}
 
 /// Anything that turns a pair case into a manifold. All but the first two are empty where a
 /// collider does not offer them.

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/file.hpp"
+#include "base/text.hpp"
 #include "collider/collider.hpp"
 
 namespace manifuzz {
@@ -23,7 +24,15 @@ struct Conventions {
   bool normal_from_b = false;  ///< normals point from B to A
   bool normal_in_a = false;    ///< normals are in A's frame, not in the world's
   bool is_ordered = false;     ///< points are in the contract's order, and stay in theirs
+  Claims claims = Claims::manifold;  ///< what an answer says, and must say
 };
+
+/// Those that follow from a declaration.
+inline Conventions conventions_of(const Declaration& declaration) {
+  return {
+      .has_midpoints = declaration.points == PointsAt::midpoint && !is_judged_by_curve(declaration),
+      .claims = declaration.claims};
+}
 
 /// A contact point as it is given: its position at least once, the rest where it is known.
 struct ReportedPoint {
@@ -56,6 +65,9 @@ struct NamedAnswer {
 /// Stands in a collider's place before a manifold that is right by the exact judge.
 inline constexpr std::string_view kJudgeName = "judge";
 
+/// Fails, saying what is expected, unless the array has two elements.
+void expect_two(const JsonView& array, std::string_view expected);
+
 /// One body, validated: {"vertices": [[x, y], ...], "radius": 0, "position": [x, y], "rotation":
 /// [cos, sin]}; all but the vertices may be left out. Throws UserError that begins with a path.
 Body read_body(const JsonView& object);
@@ -65,6 +77,16 @@ std::string feature_name(Feature feature);
 
 /// The feature of that name, of any index up to 255; nothing for any other text.
 std::optional<Feature> find_feature(std::string_view name);
+
+/// Appends [x,y].
+template <class Scalar>
+void append_vector(std::string& out, const Vector2<Scalar>& v) {
+  out += '[';
+  append_number(out, v.x());
+  out += ',';
+  append_number(out, v.y());
+  out += ']';
+}
 
 /// Appends a pair case as one line, without the line's end.
 void append_case_line(std::string& out, const PairCase& pair);
@@ -88,9 +110,11 @@ void append_manifold_object(std::string& out, const PairCase& pair,
 NamedAnswer read_recorded_answer(const JsonView& object, const PairCase& pair);
 
 /// Reads what a program answers: {"points": [...], "normal": ...}, which becomes a partial
-/// manifold, or {"unsupported": "why"}. Each point has `depth` and `position` (in the world) or
-/// `local` (in A's frame), the normal is in the world; reference and features may be left out, and
-/// unknown keys are ignored. Throws UserError that begins with a path.
+/// manifold, or {"unsupported": "why"}. Each point has `depth`, unless one beside the points is
+/// that of all, and `position` (in the world) or `local` (in A's frame), the normal is in the
+/// world; reference and features may be left out, and unknown keys are ignored. One that claims
+/// less says
+/// {"touching": true}, or {"normal": ..., "depth": ...}. Throws UserError that begins with a path.
 Answer read_reported_answer(const JsonView& object, const PairCase& pair,
                             const Conventions& conventions = {});
 
@@ -98,7 +122,8 @@ Answer read_reported_answer(const JsonView& object, const PairCase& pair,
 /// are skipped. What is wrong is a UserError that names the file and the line.
 class AnswerFile {
  public:
-  explicit AnswerFile(const std::string& path) : file_(path), lines_(file_) {}
+  AnswerFile(const std::string& path, const Conventions& conventions)
+      : file_(path), lines_(file_), conventions_(conventions) {}
 
   /// Answer number `index`, from 0 and never backwards, to this case.
   Answer at(std::size_t index, const PairCase& pair);
@@ -111,6 +136,7 @@ class AnswerFile {
 
   InputFile file_;
   LineReader lines_;
+  Conventions conventions_;
   std::size_t read_ = 0;
 };
 

@@ -215,8 +215,20 @@ bool is_well_formed(const PairCase& pair, const Manifold<double>& m) {
   });
 }
 
+bool says_sense(const PairCase& pair, const Answer& answer) {
+  if (const auto* const penetration = std::get_if<Penetration>(&answer)) {
+    return std::isfinite(penetration->depth) &&
+           (!penetration->normal || penetration->normal->allFinite());
+  }
+  const Manifold<double>* const manifold = manifold_in(answer);
+  return manifold == nullptr || is_well_formed(pair, *manifold);
+}
+
 bool plainly_agree(const exact::Truth& truth, const ColliderAnswer& subject,
                    const ColliderAnswer& oracle) {
+  if (is_judged_by_curve(subject.declaration) || is_judged_by_curve(oracle.declaration)) {
+    return false;
+  }
   const auto* const s = std::get_if<Manifold<double>>(&subject.answer);
   const auto* const o = std::get_if<Manifold<double>>(&oracle.answer);
   if (s && o) return plainly_agree(truth, subject.declaration, *s, oracle.declaration, *o);

@@ -5,6 +5,7 @@
 
 #include "base/random.hpp"
 #include "generating/drafts.hpp"
+#include "judging/by_curve.hpp"
 
 namespace manifuzz {
 namespace {
@@ -51,16 +52,11 @@ TieClass tie_class(const Admissible& subject, const Admissible& oracle) {
 /// excuses a difference of two right manifolds; what is wrong lies beyond every bound, whatever
 /// boundary is near.
 TieClass relevant(TieClass tie_class, Verdict verdict, Kind kind) {
-  if (kind == Kind::normal && tie_class != TieClass::reference) return TieClass::none;
+  const bool is_of_normal = kind == Kind::normal || kind == Kind::reversed;
+  if (is_of_normal && tie_class != TieClass::reference) return TieClass::none;
   const bool boundary =
       tie_class == TieClass::contact_boundary || tie_class == TieClass::clip_boundary;
   return boundary && verdict != Verdict::tie ? TieClass::none : tie_class;
-}
-
-/// The manifold of an answer, complete or not; nullptr where there is none.
-const Manifold<double>* manifold_in(const Answer& answer) {
-  if (const auto* const partial = std::get_if<PartialManifold>(&answer)) return &partial->manifold;
-  return std::get_if<Manifold<double>>(&answer);
 }
 
 Manifold<double> manifold_of(const Answer& answer, const Admissible& right) {
@@ -80,8 +76,7 @@ std::optional<Bucket> without_manifold(const PairCase& pair, const Answer& answe
   if (const auto* const lost = std::get_if<Lost>(&answer)) {
     return bucket_of_lost(verdict_of(lost->how), fault);
   }
-  const Manifold<double>* const manifold = manifold_in(answer);
-  if (manifold == nullptr || is_well_formed(pair, *manifold)) return std::nullopt;
+  if (says_sense(pair, answer)) return std::nullopt;
   return bucket_of_lost(Verdict::malformed, fault);
 }
 
@@ -99,7 +94,8 @@ std::optional<Bucket> without_judging(const exact::Truth& truth, const ColliderA
   if (!std::isfinite(wider.separation)) return Bucket{.verdict = Verdict::ill_posed};
   if (const auto bucket = without_manifold(pair, subject.answer, Fault::subject)) return bucket;
   if (const auto bucket = without_manifold(pair, oracle.answer, Fault::oracle)) return bucket;
-  if (manifold_in(subject.answer) == nullptr || manifold_in(oracle.answer) == nullptr) {
+  if (std::holds_alternative<Unsupported>(subject.answer) ||
+      std::holds_alternative<Unsupported>(oracle.answer)) {
     return Bucket{.verdict = Verdict::unsupported};
   }
   if (is_ill_posed(truth.size(), wider)) return Bucket{.verdict = Verdict::ill_posed};
@@ -109,17 +105,37 @@ std::optional<Bucket> without_judging(const exact::Truth& truth, const ColliderA
 /// One collider's manifold, what is right for it, and how it falls short.
 struct Judged {
   Admissible right;
-  Manifold<double> manifold;
+  Manifold<double> manifold;  ///< none of one that claims less
   Mismatch mismatch;
+  bool by_curve = false;
+  bool touches = false;
 
   bool is_wrong() const { return mismatch.kind != Kind::none; }
 };
 
 Judged judged(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& given) {
   Judged result{.right = admissible(truth, given.declaration), .manifold = {}, .mismatch = {}};
+  result.by_curve = is_judged_by_curve(given.declaration);
+  if (result.by_curve) {
+    const CurveJudgement curve = judge_by_curve(*truth, given.declaration, given.answer);
+    if (const auto* const manifold = manifold_in(given.answer)) result.manifold = *manifold;
+    result.mismatch = {curve.kind, curve.magnitude};
+    result.touches = touches(given.answer);
+    return result;
+  }
   result.manifold = manifold_of(given.answer, result.right);
   result.mismatch = mismatch(result.manifold, result.right);
+  result.touches = result.manifold.count > 0;
+  if (result.mismatch.kind == Kind::normal && is_reversed(*truth, given)) {
+    result.mismatch.kind = Kind::reversed;
+  }
   return result;
+}
+
+/// Of answers that are both right: whether they say the same, as far as both say it.
+bool agree(const Judged& subject, const Judged& oracle) {
+  if (subject.by_curve || oracle.by_curve) return subject.touches == oracle.touches;
+  return agree_within_bounds(subject.manifold, subject.right, oracle.manifold, oracle.right);
 }
 
 Fault fault_of(const Judged& subject, const Judged& oracle) {
@@ -138,6 +154,7 @@ Verdict verdict_of(Fault fault) {
 /// The error of a wrong manifold.
 ManifoldError error_of(const Judged& judged) {
   if (!judged.is_wrong()) return {};
+  if (judged.by_curve) return {.depth = judged.mismatch.magnitude / judged.right.truth->size()};
   return share_of_size(plain_error(judged.manifold, judged.right), judged.right.truth->size());
 }
 
@@ -145,12 +162,17 @@ ManifoldError error_of(const Judged& judged) {
 /// oracle's; the magnitude as a share of the size.
 Mismatch disagreement(const Judged& subject, const Judged& oracle, double size) {
   if (!subject.is_wrong() && !oracle.is_wrong()) {
+    if (subject.by_curve || oracle.by_curve) {
+      return {subject.touches ? Kind::phantom_contact : Kind::missed_contact,
+              subject.right.from_contact() / size};
+    }
     const Mismatch apart =
         difference(subject.manifold, oracle.manifold, subject.right.from_contact());
     return {apart.kind, apart.magnitude / size};
   }
   const auto [kind, magnitude] = subject.is_wrong() ? subject.mismatch : oracle.mismatch;
-  return {kind, kind == Kind::normal ? magnitude : magnitude / size};
+  const bool is_of_normal = kind == Kind::normal || kind == Kind::reversed;
+  return {kind, is_of_normal ? magnitude : magnitude / size};
 }
 
 }  // namespace
@@ -170,10 +192,7 @@ Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const Collider
   Bucket& bucket = result.bucket;
   bucket.reference = truth->greatest().side;
   bucket.fault = fault_of(of_subject, of_oracle);
-  if (bucket.fault == Fault::none && agree_within_bounds(of_subject.manifold, of_subject.right,
-                                                         of_oracle.manifold, of_oracle.right)) {
-    return result;
-  }
+  if (bucket.fault == Fault::none && agree(of_subject, of_oracle)) return result;
   const Mismatch found = disagreement(of_subject, of_oracle, truth->size());
   bucket.verdict = verdict_of(bucket.fault);
   bucket.kind = found.kind;

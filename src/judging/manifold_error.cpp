@@ -174,12 +174,22 @@ bool is_same(const Answer& one, const Answer& other) {
   if (const auto* const partial = std::get_if<PartialManifold>(&one)) {
     return partial->manifold == std::get<PartialManifold>(other).manifold;
   }
+  if (const auto* const penetration = std::get_if<Penetration>(&one)) {
+    return *penetration == std::get<Penetration>(other);
+  }
   return true;
+}
+
+Answer whole(Answer answer, const Admissible& right, const Declaration& declaration) {
+  const auto* const given = std::get_if<PartialManifold>(&answer);
+  if (given == nullptr) return answer;
+  if (is_judged_by_curve(declaration)) return Manifold<double>(given->manifold);
+  return completed(*given, right);
 }
 
 Answer whole(Answer answer, const PairCase& pair, const Declaration& declaration) {
   if (!std::holds_alternative<PartialManifold>(answer)) return answer;
-  return completed(std::move(answer), admissible(pair, declaration));
+  return whole(std::move(answer), admissible(pair, declaration), declaration);
 }
 
 Answer ask(const Collider& collider, const PairCase& pair) {

@@ -86,8 +86,9 @@ Answer completed(Answer answer, const Admissible& right);
 /// Whether two answers are equal, the reasons of a lost or declined one apart.
 bool is_same(const Answer& one, const Answer& other);
 
-/// A collider's answer, completed.
+/// A collider's answer, completed; of one that the penetration curve judges as it is.
 Answer whole(Answer answer, const PairCase& pair, const Declaration& declaration);
+Answer whole(Answer answer, const Admissible& right, const Declaration& declaration);
 
 /// What the collider answers now, completed.
 Answer ask(const Collider& collider, const PairCase& pair);

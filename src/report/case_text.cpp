@@ -5,7 +5,9 @@
 
 #include "base/text.hpp"
 #include "exchange/json.hpp"
+#include "judging/by_curve.hpp"
 #include "judging/manifold_error.hpp"
+#include "oracle/exact/curve.hpp"
 #include "report/outputs.hpp"
 #include "report/words.hpp"
 
@@ -44,6 +46,37 @@ void append_admissible(std::string& line, const Admissible& right) {
     separator = ", ";
   }
   line += ']';
+}
+
+/// The least depth, and the unit normals, in the world, at which it is least within the bound.
+void append_penetration(std::string& line, const Admissible& right) {
+  const exact::PenetrationCurve curve(*right.truth, exact::Skin::mitred);
+  const double bound = std::isfinite(right.bounds.separation) ? right.bounds.separation : 0;
+  append_key(line, ", \"penetration\": {\"depth\": ", curve.least());
+  line += ", \"normals\": [";
+  std::string_view separator;
+  for (const Vector2<double>& normal : curve.minima(bound)) {
+    line += separator;
+    append_vector(line, world_normal(right.pair(), normal));
+    separator = ", ";
+  }
+  line += "]}";
+}
+
+/// What the curve makes of an answer, null for what is not claimed.
+void append_by_curve(std::string& line, const exact::Truth& truth, const ColliderAnswer& subject) {
+  CurveJudgement curve;
+  if (is_judged_by_curve(subject.declaration)) {
+    curve = judge_by_curve(truth, subject.declaration, subject.answer);
+  }
+  append_key(line, ", \"excess\": ", curve.excess.value_or(NAN));
+  const auto append = [&line](std::string_view key, const std::optional<bool>& is_so) {
+    line += key;
+    line += !is_so ? "null" : *is_so ? "true" : "false";
+  };
+  append(", \"consistent\": ", curve.consistent);
+  append(", \"minimal\": ", curve.minimal);
+  append(", \"witness\": ", curve.witness);
 }
 
 template <class Number>
@@ -216,13 +249,16 @@ void append_collision(std::string& line, const Collider& collider, const PairCas
   append_answer(line, pair, collider.declaration.name, answer);
 }
 
-void append_judgement(std::string& line, const Admissible& right, const Judgement& judgement) {
+void append_judgement(std::string& line, const Admissible& right, const ColliderAnswer& subject,
+                      const Judgement& judgement) {
   const exact::Truth& truth = *right.truth;
   const double condition = right.candidates.empty() ? NAN : 1 / right.candidates.front()->cosine;
   append_key(line, "{\"separation\": ", leading(truth.fine_separation(truth.greatest())));
   line += ", \"touching\": ";
   line += standing(truth).touching ? "true" : "false";
   append_admissible(line, right);
+  append_penetration(line, right);
+  append_by_curve(line, *right.truth, subject);
   append_key(line, ", \"condition\": ", condition);
   append_key(line, ", \"bound\": {\"separation\": ", right.bounds.separation);
   append_key(line, ", \"position\": ", widest(right, right.bounds.position, position_bound));

@@ -31,6 +31,15 @@ std::string wrong_in_words(const JudgedCase& judged, const DeclaredAnswer& asked
       return fmt::format("{} leaves out a point of depth {}", name, off);
     case Kind::features:
       return fmt::format("{} names the wrong features", name);
+    case Kind::reversed:
+      return fmt::format("the normal of {} points from B to A", name);
+    case Kind::inconsistent:
+      return fmt::format("the depth of {} is off by {} along its own normal", name, off);
+    case Kind::not_minimal:
+      return fmt::format("along the normal of {} they overlap by {} more than the least", name,
+                         off);
+    case Kind::witness:
+      return fmt::format("a point of {} is not where they overlap as it says", name);
     default:
       return fmt::format("{} reports {}", name, answer_in_words(asked));
   }
@@ -43,8 +52,7 @@ constexpr std::array<std::string_view, kTieClassNames.size()> kTieWords{
     "two incident edges are nearer than rounding can tell", "a depth is zero within rounding",
     "the incident edge ends at a side plane within rounding"};
 
-/// By verdict; {0} is the subject, {1} the oracle.
-/// Of the verdicts that say more than their names do.
+/// Of the verdicts that say more than their names do; {0} is the subject, {1} the oracle.
 constexpr std::array<std::string_view, 7> kVerdictWords{"agree: both are right, and say the same",
                                                         "tie: they differ, and both are right",
                                                         "known: {1} is wrong, as the ledger says",
@@ -124,6 +132,11 @@ std::string truth_in_words(const PairCase& pair) {
 
 std::string answer_in_words(const DeclaredAnswer& asked) {
   if (const auto* const lost = std::get_if<Lost>(&asked.answer)) return lost->why;
+  if (const auto* const penetration = std::get_if<Penetration>(&asked.answer)) {
+    if (!penetration->touches) return "no contact";
+    if (!penetration->normal) return "contact";
+    return "depth " + brief(penetration->depth);
+  }
   const Manifold<double>* const manifold = asked.manifold();
   if (manifold == nullptr) return "unsupported: " + std::get<Unsupported>(asked.answer).why;
   const auto& [first, second] = manifold->points;

@@ -62,7 +62,8 @@ void append_collision(std::string& line, const Collider& collider, const PairCas
 
 /// Appends what `judge` prints: what is right, by how much one may be off, verdict and bucket.
 /// Lengths are in the world.
-void append_judgement(std::string& line, const Admissible& right, const Judgement& judgement);
+void append_judgement(std::string& line, const Admissible& right, const ColliderAnswer& subject,
+                      const Judgement& judgement);
 
 /// A case as its line has it.
 nlohmann::ordered_json case_json(const PairCase& pair);

@@ -1,12 +1,15 @@
 // Copied with the bugs planted into the judge, and compiled under a namespace of theirs.
 #include "canary/planted.hpp"
 #include "judging/admissible.cpp"
+#include "judging/by_curve.cpp"
 #include "judging/compare.cpp"
 #include "judging/judge.cpp"
 #include "judging/ledger.cpp"
 #include "judging/manifold_error.cpp"
 #include "oracle/exact/clip.cpp"
+#include "oracle/exact/curve.cpp"
 #include "oracle/exact/truth.cpp"
+#include "oracle/exact/witness.cpp"
 
 namespace manifuzz {
 namespace {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -13,6 +14,30 @@ using namespace manifuzz;
 
 namespace {
 
+/// What it declares beside its name: that it says less than clip64 does.
+std::string_view claims_of(std::string_view behaviour) {
+  if (behaviour == "touching") return R"(, "claims": "touching")";
+  if (behaviour == "separation" || behaviour == "reversed") return R"(, "claims": "separation")";
+  if (behaviour == "point" || behaviour == "two-points") return R"(, "claims": "point")";
+  return "";
+}
+
+/// Of what clip64 says, as much as that behaviour claims.
+Answer claimed(Manifold<double> manifold, std::string_view behaviour) {
+  if (manifold.count == 2 && manifold.points[1].depth > manifold.points[0].depth) {
+    std::swap(manifold.points[0], manifold.points[1]);
+  }
+  Penetration penetration{.touches = manifold.count > 0, .normal = {}, .depth = 0};
+  if (penetration.touches && behaviour != "touching") {
+    penetration.normal =
+        behaviour == "reversed" ? Vector2<double>(-manifold.normal) : manifold.normal;
+    penetration.depth = manifold.points[0].depth;
+  }
+  if (behaviour == "point") manifold.count = std::min(manifold.count, 1);
+  const bool has_points = behaviour == "point" || behaviour == "two-points";
+  return has_points ? Answer(manifold) : Answer(penetration);
+}
+
 std::string answer_to(const std::string& line, std::string_view behaviour) {
   static const Collider clip64 = make_clip64();
   const PairCase pair = parse_case(line, FormatKey::required).pair;
@@ -24,7 +49,10 @@ std::string answer_to(const std::string& line, std::string_view behaviour) {
   if (is_unlucky && behaviour == "not-a-number") return "{\"points\": [], \"depth\": NaN}\n";
   if (is_unlucky && behaviour == "nonsense") return "{\"points\": 3}\n";
   std::string answer;
-  append_answer(answer, pair, "behaving", clip64.collide(pair));
+  const Answer whole = clip64.collide(pair);
+  append_answer(
+      answer, pair, "behaving",
+      claims_of(behaviour).empty() ? whole : claimed(std::get<Manifold<double>>(whole), behaviour));
   answer += '\n';
   if (is_unlucky && behaviour == "twice") answer += answer;
   if (is_unlucky && behaviour == "never") answer.clear();
@@ -38,7 +66,7 @@ int main(int argc, char** argv) {
   if (behaviour == "dies-at-start") return 3;
   if (behaviour != "undeclared") {
     std::cout << R"({"declaration": {"name": "behaving", "version": "1.0", "scalar": "float64", )"
-              << R"("frame": "local"}})" << std::endl;
+              << R"("frame": "local")" << claims_of(behaviour) << "}}" << std::endl;
   }
   std::string held;
   for (std::string line; std::getline(std::cin, line);) {

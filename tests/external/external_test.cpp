@@ -201,6 +201,50 @@ TEST_CASE("a program's own children end with the command that ran it") {
   CHECK(kill(*orphan, 0) == -1);
 }
 
+/// Without radii: a clip may cut off the deepest vertex of skins that meet at their corners.
+JobsResult run_without_radii(const std::string& behaviour) {
+  Plan plan = plan_of(program(behaviour));
+  plan.context.radius = 0.0F;
+  return run(plan);
+}
+
+TEST_CASE("a program that claims less than a manifold is judged by what it claims") {
+  for (const char* behaviour : {"touching", "separation", "point"}) {
+    INFO(behaviour);
+    CHECK(is_judged_by_curve(program(behaviour).declaration));
+    const JobsResult result = run_without_radii(behaviour);
+    CHECK(result.tally->cases() == kCases);
+    CHECK(result.tally->unexplained() == 0);
+  }
+}
+
+TEST_CASE("a program whose normals point from B to A is found out, whatever it claims") {
+  const JobsResult result = run_without_radii("reversed");
+  std::uint64_t reversed = 0;
+  for (std::size_t i = 0; i < kBucketCount; ++i) {
+    if (bucket_at(i).kind == Kind::reversed) reversed += result.tally->buckets[i].count;
+  }
+  CHECK(reversed > kCases / 3);
+  CHECK(result.tally->count(Verdict::subject_wrong) == reversed);
+}
+
+TEST_CASE("an answer that contradicts its declaration is malformed") {
+  const JobsResult result = run_without_radii("two-points");
+  CHECK(result.tally->count(Verdict::malformed) > 0);
+  CHECK(result.tally->unexplained() == result.tally->count(Verdict::malformed));
+}
+
+TEST_CASE("what a program may claim is checked") {
+  for (const char* declared :
+       {R"("claims": "nothing")", R"("points": "vertex")", R"("clips": 3)", R"("depths": "some")",
+        R"("speculative": -1)", R"("least_depth": -0.5)"}) {
+    INFO(declared);
+    CHECK_THROWS_AS(collider_of_command(std::string("echo '{\"declaration\": {") + declared + "}}'",
+                                        kSecondsMax),
+                    UserError);
+  }
+}
+
 TEST_CASE("what cannot be loaded or run is a user's error") {
   CHECK_THROWS_AS(
       collider_of_command(R"(echo '{"declaration": {"snippet": "@a.corner@"}}')", kSecondsMax),

@@ -1,5 +1,7 @@
 #include "support/twin.hpp"
 
+#include "judging/by_curve.hpp"
+#include "support/twin_curve.hpp"
 #include "support/twin_facts.hpp"
 
 namespace manifuzz {
@@ -37,6 +39,31 @@ Kind difference(const Manifold<double>& subject, const Manifold<double>& oracle)
   return Kind::position;
 }
 
+/// A wrong normal that points from B to A: turned about it has the least depth, and that depth.
+Kind or_reversed(Kind kind, const PairCase& pair, const Declaration& declaration,
+                 const Manifold<double>& manifold) {
+  if (kind != Kind::normal || manifold.normal.isZero(0)) return kind;
+  const CurveBounds allowed = curve_bounds(pair, declaration, extent(pair));
+  const twin::TwinCurve curve(pair, false);
+  const Vector2<double> back = -manifold.normal;
+  const Real depth = curve.depth(back);
+  const auto is_least = [&](const Real& least) {
+    return magnitude(depth - least) <= Real(allowed.minimality);
+  };
+  const Real lead_of_b = curve.least_of(Side::a) - curve.least_of(Side::b);
+  const bool bias_lets_a =
+      declaration.tie_bias > 0 && lead_of_b <= Real(declaration.tie_bias + allowed.touching);
+  if (!is_least(curve.least()) && !(bias_lets_a && is_least(curve.least_of(Side::a)))) return kind;
+  double deepest = 0;
+  for (int i = 0; i < manifold.count; ++i) deepest = std::max(deepest, manifold.points[i].depth);
+  const Real overlap = curve.gap(back).value_or(depth);
+  const auto is_within = [&](double low, double high) {
+    return Real(low) <= overlap && overlap <= Real(high);
+  };
+  return is_within(deepest - allowed.consistency, deepest + allowed.consistency) ? Kind::reversed
+                                                                                 : kind;
+}
+
 }  // namespace
 
 TwinJudgement twin_judge(const PairCase& pair, const ColliderAnswer& subject,
@@ -58,8 +85,10 @@ TwinJudgement twin_judge(const PairCase& pair, const ColliderAnswer& subject,
     return result;
   }
   const Twin for_oracle(pair, oracle.declaration);
-  const Kind wrong_subject = for_subject.wrong(*of_subject);
-  const Kind wrong_oracle = for_oracle.wrong(*of_oracle);
+  const Kind wrong_subject =
+      or_reversed(for_subject.wrong(*of_subject), pair, subject.declaration, *of_subject);
+  const Kind wrong_oracle =
+      or_reversed(for_oracle.wrong(*of_oracle), pair, oracle.declaration, *of_oracle);
   bucket.reference = for_subject.reference();
   const bool both_right = wrong_subject == Kind::none && wrong_oracle == Kind::none;
   if (both_right && of_subject->count == of_oracle->count) {
@@ -87,7 +116,8 @@ TwinJudgement twin_judge(const PairCase& pair, const ColliderAnswer& subject,
     bucket.kind = wrong_oracle;
   }
   bucket.tie_class = tie_class(for_subject, for_oracle);
-  const bool of_normal = bucket.kind == Kind::normal && bucket.tie_class != TieClass::reference;
+  const bool is_normal = bucket.kind == Kind::normal || bucket.kind == Kind::reversed;
+  const bool of_normal = is_normal && bucket.tie_class != TieClass::reference;
   const bool at_boundary =
       bucket.tie_class == TieClass::contact_boundary || bucket.tie_class == TieClass::clip_boundary;
   if (of_normal || (at_boundary && bucket.verdict != Verdict::tie)) {

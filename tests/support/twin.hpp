@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdlib>
 #include <vector>
 
 #include "judging/judge.hpp"
@@ -9,6 +10,12 @@
 // nothing else.
 
 namespace manifuzz {
+
+/// How many cases a regime something is held against its twin: MANIFUZZ_TWIN_CASES, or as usual.
+inline std::uint64_t twin_cases(std::uint64_t usual) {
+  const char* const text = std::getenv("MANIFUZZ_TWIN_CASES");
+  return text == nullptr ? usual : std::strtoull(text, nullptr, 10);
+}
 
 /// A reference face and an incident edge that a collider may take.
 struct TwinCandidate {

@@ -31,16 +31,18 @@ int judge_cases(const JudgeArguments& options) {
     throw UserError("--manifolds: stdin is where the cases come from; name a file for one of them");
   }
   std::optional<AnswerFile> answers;
-  if (!options.manifolds.empty()) answers.emplace(options.manifolds);
+  if (!options.manifolds.empty()) {
+    answers.emplace(options.manifolds, conventions_of(subject.declaration));
+  }
   bool unexplained = false;
   answer_each(options.file, [&](const PairCase& pair, std::size_t index, std::string& line) {
     const auto truth = std::make_shared<const exact::Truth>(pair);
     const Admissible right = admissible(truth, subject.declaration);
-    const Answer of_subject =
-        answers ? completed(answers->at(index, pair), right) : subject.collide(pair);
+    const Answer of_subject = answers ? whole(answers->at(index, pair), right, subject.declaration)
+                                      : subject.collide(pair);
     const Judgement judgement =
         judge(truth, {subject.declaration, of_subject}, {oracle.declaration, oracle.collide(pair)});
-    append_judgement(line, right, judgement);
+    append_judgement(line, right, {subject.declaration, of_subject}, judgement);
     unexplained = unexplained || is_unexplained(judgement.bucket.verdict);
   });
   if (answers) answers->expect_end();

@@ -25,6 +25,7 @@ struct ShowArguments {
   CaseArgument given;
   SubjectAndOracle colliders{{"subject", "", ""}, {"oracle", "", ""}, {}};
   std::string svg;
+  std::string curve;
   bool upstream = false;
   bool text_picture = false;
   std::optional<std::string> map;
@@ -49,6 +50,7 @@ int show(const ShowArguments& options) {
   }
   const std::string file = case_file(options.given);
   check_outputs({{{"--svg", options.svg},
+                  {"--curve", options.curve, OutputPath::Kind::file, {".svg"}},
                   {"--map", options.map.value_or(""), OutputPath::Kind::file, {".png"}}},
                  {file}});
   const CorpusCase given = read_case_file(file);
@@ -62,6 +64,7 @@ int show(const ShowArguments& options) {
   const JudgedCase judged = judged_case(given, subject, oracle, interruption);
   const bool is_picture_alone = options.svg == "-";
   if (!options.svg.empty() && !is_picture_alone) write_file(options.svg, case_svg(judged));
+  if (!options.curve.empty()) write_file(options.curve, curve_svg(judged));
   std::string text = is_picture_alone   ? case_svg(judged)
                      : options.upstream ? upstream_report(judged, options_again(asked))
                                         : case_text(judged);
@@ -85,6 +88,8 @@ void add_show_arguments(CLI::App& app, ShowArguments& options) {
   add_external_options(app, options.colliders.external);
   app.add_option("--svg", options.svg, "a picture too; - for the picture alone, on stdout")
       ->type_name("FILE");
+  add_text(app, "--curve", options.curve, "FILE.svg",
+           "a picture of how deep they overlap in each direction, and where each answer stands");
   app.add_flag("--upstream", options.upstream,
                "a report for the authors of the collider at fault, with a program that shows it");
   app.add_flag("--text-picture", options.text_picture,

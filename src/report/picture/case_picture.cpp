@@ -10,53 +10,11 @@
 namespace manifuzz {
 namespace {
 
-constexpr double kWidth = 960;
-constexpr double kEdge = 24;  // free at the picture's sides
+constexpr double kWidth = kPictureWidth;
+constexpr double kEdge = kPictureEdge;
 constexpr double kInner = kWidth - 2 * kEdge;
-constexpr Font kTitleFont{17, true};
-constexpr Font kTextFont{12.5};
 constexpr Font kScaleFont{10.5};
 constexpr double kLine = 21;
-
-/// Blue and orange, told apart by every eye (Okabe and Ito); what colliders say is dark or green.
-constexpr std::string_view kStyle = R"(
-.paper{fill:#ffffff;stroke:#c9ced6}
-.frame{fill:#fafbfc;stroke:#c9ced6}
-.title{fill:#14181f}
-.subtitle,.quiet{fill:#5a6472}
-.legend{fill:#14181f}
-.fill.a{fill:#0072b2;fill-opacity:.16}
-.fill.b{fill:#e69f00;fill-opacity:.2}
-.overlap{fill:#cc3366;fill-opacity:.38}
-.edge{stroke-width:1.5;stroke-linecap:round}
-.edge.a,.skin.a{stroke:#0072b2}
-.edge.b,.skin.b{stroke:#b87900}
-.skin{stroke-width:1.2;stroke-dasharray:4 3}
-.plane{stroke:#6b7280;stroke-width:1;stroke-dasharray:7 4}
-.reference{stroke:#14181f;stroke-width:4;stroke-linecap:round}
-.incident{stroke:#9b30a8;stroke-width:4;stroke-linecap:round}
-.normal{stroke:#14181f;stroke-width:1.8}
-.arrow{fill:#14181f}
-.normal.subject{stroke:#c0143c}
-.normal.oracle{stroke:#00795c}
-.arrow.subject{fill:#c0143c}
-.arrow.oracle{fill:#00795c}
-.leader{stroke:#5a6472;stroke-width:1}
-.bar{stroke-width:2}
-.bar.subject,.bar.truth{stroke:#c0143c}
-.bar.oracle{stroke:#00795c}
-.mark-subject{fill:#c0143c;stroke:#ffffff;stroke-width:1.2}
-.mark-oracle{fill:none;stroke:#00795c;stroke-width:2.2}
-.label{fill:#fafbfc;fill-opacity:.85}
-.zoomed{fill:none;stroke:#5a6472;stroke-width:1.1}
-.zoom-line{stroke:#5a6472;stroke-width:.8;stroke-dasharray:2 3}
-.scale{stroke:#14181f;stroke-width:1.4}
-.depth-word{font-weight:bold;fill:#14181f}
-.depth-word.subject{fill:#a01030}
-.depth-word.oracle{fill:#006048}
-.letter.a,.vertex.a{fill:#005a8e}
-.letter.b,.vertex.b{fill:#8a5a00}
-)";
 
 /// A place in the world, without a blank to break the line at.
 std::string place(const Point& at) {
@@ -105,7 +63,7 @@ class Picture {
   explicit Picture(const JudgedCase& judged)
       : judged_(judged),
         scene_(make_scene(judged.given.pair, std::array{judged.subject, judged.oracle})),
-        svg_(verdict_sentence(judged), kStyle) {
+        svg_(verdict_sentence(judged), kPictureStyle) {
     std::erase_if(scene_.points, [](const DrawnPoint& p) { return !p.bar.to.allFinite(); });
   }
 
@@ -123,12 +81,8 @@ class Picture {
   }
 
  private:
-  /// Text from `x` to the right edge, in as many lines as it takes; moves down.
   void write(std::string_view text, double x, const Font& font, std::string_view css) {
-    for (const std::string& line : wrapped(text, font, kWidth - kEdge - x)) {
-      svg_.text({x, y_}, line, font, css);
-      y_ += font.size * 1.68;
-    }
+    y_ = write_down(svg_, text, {x, y_}, kWidth - kEdge, font, css);
   }
 
   void write_title() {

@@ -121,6 +121,18 @@ class Svg {
   pugi::xml_node paper_;
 };
 
+/// What all pictures of a case have in common: width, free sides, fonts, and a style sheet: blue
+/// and orange, told apart by every eye (Okabe and Ito); what colliders say is red or green.
+inline constexpr double kPictureWidth = 960;
+inline constexpr double kPictureEdge = 24;
+inline constexpr Font kTitleFont{17, true};
+inline constexpr Font kTextFont{12.5};
+extern const std::string_view kPictureStyle;
+
+/// The text from `at` to `right`, in as many lines as it takes; where the next line would begin.
+double write_down(Svg& svg, std::string_view text, const Point& at, double right, const Font& font,
+                  std::string_view css);
+
 /// 0xRRGGBB.
 using Colour = std::uint32_t;
 

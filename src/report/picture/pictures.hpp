@@ -15,6 +15,11 @@ namespace manifuzz {
 /// collider's points with their depths, closer views of what is too small to be seen, a legend.
 std::string case_svg(const JudgedCase& judged);
 
+/// The penetration curve of the case as an SVG document: the depth in every direction around the
+/// shapes, the least one ringed, every collider's answer a mark at its normal and depth, and in
+/// words what each mark means.
+std::string curve_svg(const JudgedCase& judged);
+
 /// The neighbourhood as a PNG file: what the subject says, what the oracle says, what is true and
 /// the verdict, side by side, with the severity and a legend in words.
 std::string map_png(const JudgedCase& judged, const Neighbourhood& neighbourhood);

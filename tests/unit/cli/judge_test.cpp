@@ -42,6 +42,7 @@ TEST_CASE("a judgement has what the contract fixes, in figures anyone can check"
     CHECK(got["bound"][bound] > 0);
     CHECK(got["bound"][bound] < 1e-5);
   }
+  CHECK(got["penetration"] == json::parse(R"({"depth": 0.25, "normals": [[1, 0]]})"));
   REQUIRE(got["admissible"].size() == 2);  // A's right side and B's left one tie
   const json& of_a = got["admissible"][0];
   CHECK(of_a["normal"] == json::parse("[1.0, 0.0]"));
@@ -57,6 +58,7 @@ TEST_CASE("no contact is among what is right where the polygons are apart") {
   const json got = json::parse(run_manifuzz({"judge"}, apart + "\n").out);
   CHECK(got["touching"] == false);
   CHECK(got["condition"].is_null());
+  CHECK(got["penetration"] == json::parse(R"({"depth": -0.75, "normals": [[1, 0]]})"));
   CHECK(got["admissible"] == json::parse(R"([{"points": []}])"));
 }
 

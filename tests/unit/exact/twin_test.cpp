@@ -1,6 +1,5 @@
 #include "support/twin.hpp"
 
-#include <cstdlib>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -16,11 +15,6 @@
 
 namespace manifuzz {
 namespace {
-
-std::uint64_t cases() {
-  const char* const text = std::getenv("MANIFUZZ_TWIN_CASES");
-  return text == nullptr ? 2000 : std::strtoull(text, nullptr, 10);
-}
 
 /// Between a quarter of the bound and four times it.
 double about(Random& random, double bound) {
@@ -77,7 +71,7 @@ void compare(const Regime& regime) {
   const std::array<Collider, 3> colliders{make_clip(), make_clip64(), make_box2d()};
   std::vector<PairCase> corpus;
   for (std::uint64_t i = 0; i < 20; ++i) corpus.push_back(generate(3, *find_regime("grid"), i));
-  for (std::uint64_t i = 0; i < cases(); ++i) {
+  for (std::uint64_t i = 0; i < twin_cases(2000); ++i) {
     const PairCase pair = generate(11, regime, i, {.corpus = corpus, .radius = {}});
     Random random(11, "answers", i);
     const Collider& subject = colliders[random.chance(0.5) ? 0 : 1];

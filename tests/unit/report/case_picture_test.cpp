@@ -18,10 +18,6 @@ namespace {
 
 constexpr std::uint64_t kCasesOfRegime = 200;
 
-Font font_of(const Element& text) {
-  return {text.number("font-size"), text.attributes.contains("font-weight")};
-}
-
 /// The text that the picture is expected to hold, broken into lines or not.
 bool holds(const std::vector<Element>& elements, std::string_view expected) {
   std::string joined;
@@ -40,41 +36,6 @@ Box bounds_of(const Element& polygon) {
     high = high.cwiseMax(corner);
   }
   return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
-}
-
-void check_numbers(const std::string& svg) {
-  CHECK(svg.find("nan") == std::string::npos);
-  CHECK(svg.find("inf,") == std::string::npos);
-  CHECK(svg.find("\"inf") == std::string::npos);
-  CHECK(svg.find("\"-inf") == std::string::npos);
-}
-
-/// Rectangles and texts that leave the canvas, labels that cover each other.
-std::vector<std::string> misplaced(const std::vector<Element>& elements) {
-  const Box canvas{0, 0, elements.front().number("width"), elements.front().number("height")};
-  std::vector<std::string> found;
-  std::vector<Box> labels;
-  for (const Element& element : elements) {
-    if (element.name == "rect" && !canvas.contains(element.box())) found.push_back("a rect");
-    if (element.is("rect", "label")) labels.push_back(element.box().grown(-0.01));  // of rounding
-    if (element.name != "text") continue;
-    const double width = text_width(element.text, font_of(element));
-    const double size = element.number("font-size");
-    const Box box{element.number("x"), element.number("y") - size, width, size};
-    if (!canvas.contains(box)) found.push_back(element.text);
-  }
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (labels[i].overlaps(labels[j])) found.push_back("a label on another");
-    }
-  }
-  return found;
-}
-
-void check_layout(const std::vector<Element>& elements) {
-  const auto found = misplaced(elements);
-  CAPTURE(found);
-  CHECK(found.empty());
 }
 
 void check_words(const JudgedCase& judged, const std::vector<Element>& elements) {

@@ -4,6 +4,8 @@
 #include <pugixml.hpp>
 #include <stdexcept>
 
+#include <catch2/catch.hpp>
+
 namespace manifuzz::test {
 namespace {
 
@@ -52,6 +54,49 @@ std::string all_text(const std::vector<Element>& elements) {
     if (element.name == "text") text += element.text + '\n';
   }
   return text;
+}
+
+Font font_of(const Element& text) {
+  return {text.number("font-size"), text.attributes.contains("font-weight")};
+}
+
+void check_numbers(const std::string& svg) {
+  CHECK(svg.find("nan") == std::string::npos);
+  CHECK(svg.find("inf,") == std::string::npos);
+  CHECK(svg.find("\"inf") == std::string::npos);
+  CHECK(svg.find("\"-inf") == std::string::npos);
+}
+
+namespace {
+
+/// Rectangles and texts that leave the canvas, labels that cover each other.
+std::vector<std::string> misplaced(const std::vector<Element>& elements) {
+  const Box canvas{0, 0, elements.front().number("width"), elements.front().number("height")};
+  std::vector<std::string> found;
+  std::vector<Box> labels;
+  for (const Element& element : elements) {
+    if (element.name == "rect" && !canvas.contains(element.box())) found.push_back("a rect");
+    if (element.is("rect", "label")) labels.push_back(element.box().grown(-0.01));  // of rounding
+    if (element.name != "text") continue;
+    const double width = text_width(element.text, font_of(element));
+    const double size = element.number("font-size");
+    const Box box{element.number("x"), element.number("y") - size, width, size};
+    if (!canvas.contains(box)) found.push_back(element.text);
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (labels[i].overlaps(labels[j])) found.push_back("a label on another");
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+void check_layout(const std::vector<Element>& elements) {
+  const auto found = misplaced(elements);
+  CAPTURE(found);
+  CHECK(found.empty());
 }
 
 }  // namespace manifuzz::test

@@ -31,4 +31,12 @@ std::vector<Element> select(const std::vector<Element>& elements, std::string_vi
 /// Every text of the document, a line each.
 std::string all_text(const std::vector<Element>& elements);
 
+Font font_of(const Element& text);
+
+/// Checks that every number of the document is one.
+void check_numbers(const std::string& svg);
+
+/// Checks that no rectangle and no text leaves the canvas, and no label covers another.
+void check_layout(const std::vector<Element>& elements);
+
 }  // namespace manifuzz::test

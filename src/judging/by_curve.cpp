@@ -1,0 +1,193 @@
+#include "judging/by_curve.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "oracle/exact/witness.hpp"
+
+namespace manifuzz {
+namespace {
+
+using exact::Along;
+using exact::Height;
+using exact::PenetrationCurve;
+
+/// An answer in the curve's terms: what it says of the pair as a whole.
+struct Said {
+  bool touches = false;
+  std::optional<Vector2<double>> normal;
+  double depth = 0;  ///< of the deepest point, or of the pair
+  const Manifold<double>* manifold = nullptr;
+};
+
+Said said_by(const Answer& answer) {
+  if (const auto* const penetration = std::get_if<Penetration>(&answer)) {
+    return {penetration->touches, penetration->normal, penetration->depth, nullptr};
+  }
+  const Manifold<double>* const manifold = manifold_in(answer);
+  if (manifold == nullptr || manifold->count == 0) return {};
+  Said said{true, manifold->normal, manifold->points[0].depth, manifold};
+  for (int i = 1; i < manifold->count; ++i) {
+    said.depth = std::max(said.depth, manifold->points[i].depth);
+  }
+  return said;
+}
+
+/// Where points lie that are claimed to lie there, as shares of A's top and B's bottom.
+std::vector<Height> heights_of(PointsAt points, const PairCase& pair) {
+  const auto radius_a = static_cast<double>(pair.a.polygon.radius);
+  const auto radius_b = static_cast<double>(pair.b.polygon.radius);
+  switch (points) {
+    case PointsAt::midpoint:
+      return {{0.5, 0.5, (radius_a - radius_b) / 2}};
+    case PointsAt::surface_a:
+      return {{1, 0, radius_a}};
+    case PointsAt::surface_b:
+      return {{0, 1, -radius_b}};
+    default:
+      return {{1, 0, 0}, {0, 1, 0}};
+  }
+}
+
+class ByCurve {
+ public:
+  ByCurve(const exact::Truth& truth, const Declaration& declaration, const Said& said)
+      : truth_(truth),
+        declaration_(declaration),
+        said_(said),
+        bounds_(curve_bounds(truth.pair(), declaration, truth.extent())),
+        curve_(truth, exact::Skin::mitred) {}
+
+  bool is_reversed() const {
+    if (!said_.normal || said_.normal->isZero(0)) return false;
+    const Along back(truth_, -*said_.normal);
+    return is_minimal(back) && is_depth(back, said_.depth);
+  }
+
+  CurveJudgement judge() {
+    if (!touches_as_it_should() || !said_.normal) return result_;
+    const double off_unit = std::abs(said_.normal->norm() - 1);
+    if (!(off_unit <= bounds_.normal)) return found(Kind::normal, off_unit);
+    const Along along(truth_, *said_.normal);
+    result_.excess = curve_.excess(along);
+    result_.consistent = is_depth(along, said_.depth);
+    if (said_.touches) result_.minimal = is_minimal(along);
+    const bool is_right = *result_.consistent && result_.minimal.value_or(true);
+    if (!is_right && is_reversed()) return found(Kind::reversed, 2);
+    if (!*result_.consistent) return found(Kind::inconsistent, depth_error(along));
+    if (!result_.minimal.value_or(true)) return found(Kind::not_minimal, std::abs(*result_.excess));
+    if (said_.manifold == nullptr) return result_;
+    result_.witness = has_witnesses(along);
+    return *result_.witness ? result_ : found(Kind::witness, depth_error(along));
+  }
+
+ private:
+  CurveJudgement found(Kind kind, double magnitude) {
+    result_.kind = kind;
+    result_.magnitude = magnitude;
+    return result_;
+  }
+
+  bool touches_as_it_should() {
+    const bool must = curve_.compare_least(bounds_.touching + declaration_.least_depth) > 0;
+    const bool may = curve_.compare_least(-bounds_.touching - declaration_.speculative) >= 0;
+    if (said_.touches ? may : !must) return true;
+    found(said_.touches ? Kind::phantom_contact : Kind::missed_contact, std::abs(curve_.least()));
+    return false;
+  }
+
+  /// The overlap that a depth stands for: of a pair the depth along the normal, of points the
+  /// deepest on any line along it.
+  bool is_gap_claimed(const Along& along) const {
+    return said_.manifold != nullptr && along.meets();
+  }
+  double depth_error(const Along& along) const {
+    return std::abs(said_.depth - (is_gap_claimed(along) ? along.gap() : along.depth()));
+  }
+  bool is_depth(const Along& along, double depth) const {
+    const double bound = bounds_.consistency;
+    if (is_gap_claimed(along)) {
+      return along.compare_gap(depth - bound) >= 0 && along.compare_gap(depth + bound) <= 0;
+    }
+    return along.compare_depth(depth - bound) >= 0 && along.compare_depth(depth + bound) <= 0;
+  }
+
+  /// Mitred pairs have depths at faces' normals alone: less than the least is no face's either.
+  bool is_least(const PenetrationCurve& curve, const Along& along) const {
+    return curve.compare_excess(along, bounds_.minimality) <= 0 &&
+           curve.compare_excess(along, -bounds_.minimality) >= 0;
+  }
+  bool is_minimal(const Along& along) const {
+    if (is_least(curve_, along)) return true;
+    // The bias lets A's best face stand though one of B's has less depth.
+    const double bias = declaration_.tie_bias;
+    if (!(bias > 0) || truth_.compare_lead_of_b(bias + bounds_.touching) > 0) return false;
+    return is_least(PenetrationCurve(truth_, truth_.greatest(Side::a)), along);
+  }
+  bool has_witnesses(const Along& along) const {
+    const auto heights = heights_of(declaration_.points, truth_.pair());
+    const Manifold<double>& manifold = *said_.manifold;
+    const int deepest =
+        manifold.count > 1 && manifold.points[1].depth > manifold.points[0].depth ? 1 : 0;
+    bool is_deepest_found = false;
+    for (int i = 0; i < manifold.count; ++i) {
+      const ContactPoint<double>& point = manifold.points[i];
+      exact::PointClaim claim{.position = point.position,
+                              .heights = heights,
+                              .gap_least = point.depth,
+                              .gap_most = point.depth,
+                              .along = bounds_.along,
+                              .across = bounds_.across,
+                              .slack = bounds_.consistency};
+      exact::PointClaim as_deepest = claim;
+      as_deepest.shortfall = bounds_.minimality;  // two rounded depths say which is the deepest
+      if (declaration_.shares_depth) {
+        is_deepest_found = is_deepest_found || is_witness(truth_, along, as_deepest);
+        claim.gap_least = 0;
+      } else if (i == deepest) {
+        claim = as_deepest;
+        is_deepest_found = true;
+      }
+      if (!is_witness(truth_, along, claim)) return false;
+    }
+    return is_deepest_found;
+  }
+
+  const exact::Truth& truth_;
+  const Declaration& declaration_;
+  const Said& said_;
+  CurveBounds bounds_;
+  PenetrationCurve curve_;
+  CurveJudgement result_;
+};
+
+}  // namespace
+
+CurveBounds curve_bounds(const PairCase& pair, const Declaration& declaration, double extent) {
+  const Bounds of_clip = bounds(pair, declaration, extent);
+  const double turned = of_clip.normal * (extent + total_radius(pair));
+  return {.consistency = of_clip.separation + turned,
+          .minimality = 2 * of_clip.separation + turned,
+          .along = of_clip.position + of_clip.separation,
+          .across = of_clip.position,
+          .touching = of_clip.separation,
+          .normal = of_clip.normal};
+}
+
+CurveJudgement judge_by_curve(const exact::Truth& truth, const Declaration& declaration,
+                              const Answer& answer) {
+  const Said said = said_by(answer);
+  return ByCurve(truth, declaration, said).judge();
+}
+
+bool touches(const Answer& answer) {
+  return said_by(answer).touches;
+}
+
+bool is_reversed(const exact::Truth& truth, const ColliderAnswer& given) {
+  const Said said = said_by(given.answer);
+  return said.touches && ByCurve(truth, given.declaration, said).is_reversed();
+}
+
+}  // namespace manifuzz

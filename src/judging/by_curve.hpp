@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+
+#include "judging/admissible.hpp"
+#include "judging/compare.hpp"
+#include "oracle/exact/curve.hpp"
+
+namespace manifuzz {
+
+/// How far an answer's figures may lie from the penetration curve, by its declaration; bounds.md
+/// derives them.
+struct CurveBounds {
+  double consistency = 0;  ///< of a depth against the curve at the reported normal, world lengths
+  double minimality = 0;   ///< of the depth at the normal against the least
+  double along = 0;        ///< of a contact point, along the tangent
+  double across = 0;       ///< of a contact point, along the normal
+  double touching = 0;     ///< of the least depth against 0
+  double normal = 0;       ///< of the normal's length against 1
+};
+
+CurveBounds curve_bounds(const PairCase& pair, const Declaration& declaration, double extent);
+
+/// What the penetration curve makes of an answer. What is not claimed, or not judged once something
+/// else is wrong, is none.
+struct CurveJudgement {
+  Kind kind = Kind::none;
+  double magnitude = 0;              ///< a world length; of a normal's length its error
+  std::optional<double> excess{};    ///< D(n) - D*, a world length
+  std::optional<bool> consistent{};  ///< the depth is the curve's at the reported normal
+  std::optional<bool> minimal{};     ///< no other normal has clearly less depth
+  std::optional<bool> witness{};     ///< every point lies where it claims, with that overlap
+};
+
+/// Of a manifold, complete or not, or a penetration; whatever the collider's frame, in A's.
+CurveJudgement judge_by_curve(const exact::Truth& truth, const Declaration& declaration,
+                              const Answer& answer);
+
+/// Whether the answer says that they touch.
+bool touches(const Answer& answer);
+
+/// Whether the normal of an answer with a contact points from B to A: turned about it would have
+/// the least depth, and the depth that it gives.
+bool is_reversed(const exact::Truth& truth, const ColliderAnswer& given);
+
+}  // namespace manifuzz

@@ -1,0 +1,232 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "oracle/exact/curve.hpp"
+#include "report/picture/drawing.hpp"
+#include "report/picture/pictures.hpp"
+#include "report/words.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr double kFrame = 620;  // the plot's height, as wide as the picture
+constexpr double kLevel = 150;  // the radius of depth 0
+constexpr double kReach = 270;  // the farthest that the curve gets from the middle
+constexpr double kCrater = 60;  // the nearest
+constexpr double kShapes = 52;  // the radius that both shapes fit into, in the middle
+constexpr Font kLevelFont{10.5};
+
+/// An answer as the curve sees it.
+struct CurveAnswer {
+  Point normal{0, 0};  ///< in the world, unit or nearly
+  double depth = 0;    ///< of its deepest point
+  double along = 0;    ///< D at its normal
+};
+
+class CurvePicture {
+ public:
+  explicit CurvePicture(const JudgedCase& judged)
+      : judged_(judged),
+        pair_(judged.given.pair),
+        truth_(pair_),
+        curve_(truth_, exact::Skin::mitred),
+        placed_(exact::place_roughly(pair_)),
+        bounds_(bounds(pair_, judged.subject.declaration)),
+        svg_(title(), kPictureStyle) {
+    double deepest = 0;
+    for (const double angle : angles()) deepest = std::max(deepest, depth_along(at_angle(angle)));
+    const double least = curve_.least();
+    scale_ = (kReach - kLevel) / deepest;
+    if (least < 0) scale_ = std::min(scale_, (kLevel - kCrater) / -least);
+  }
+
+  std::string draw() {
+    double y = write_down(svg_, title(), {kPictureEdge, 38}, kRight, kTitleFont, "title") - 5;
+    y = write_down(svg_, subtitle(), {kPictureEdge, y}, kRight, kTextFont, "subtitle") - 6;
+    const Box frame{kPictureEdge, y, kPictureWidth - 2 * kPictureEdge, kFrame};
+    middle_ = frame.center();
+    svg_.box(frame, "frame", 4);
+    draw_shapes();
+    draw_levels();
+    draw_curve();
+    draw_answer(judged_.oracle, false);
+    draw_answer(judged_.subject, true);
+    y = frame.bottom() + 25;
+    y = write_ring(y);
+    y = write_answer(judged_.subject, true, y);
+    y = write_answer(judged_.oracle, false, y);
+    return svg_.finish(kPictureWidth, y);
+  }
+
+ private:
+  static constexpr double kRight = kPictureWidth - kPictureEdge;
+
+  static Point at_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+  /// A depth along a unit normal, on the canvas.
+  Point place(const Point& normal, double depth) const {
+    return middle_ + (kLevel + scale_ * depth) * View::direction(normal);
+  }
+
+  double depth_along(const Point& normal) const {
+    double most = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i < placed_.a.count; ++i) {
+      for (int j = 0; j < placed_.b.count; ++j) {
+        most = std::max(most, normal.dot(placed_.a.vertices[i] - placed_.b.vertices[j]));
+      }
+    }
+    return most + total_radius(pair_);
+  }
+
+  /// Every half degree, and where the curve has corners.
+  std::vector<double> angles() const {
+    std::vector<double> all;
+    for (int i = 0; i < 720; ++i) all.push_back(i * std::numbers::pi / 360);
+    const auto add = [&all](const Point& normal) {
+      const double angle = std::atan2(normal.y(), normal.x());
+      all.push_back(angle < 0 ? angle + 2 * std::numbers::pi : angle);
+    };
+    for (int i = 0; i < placed_.a.count; ++i) add(placed_.a.normals[i]);
+    for (int j = 0; j < placed_.b.count; ++j) add(-placed_.b.normals[j]);
+    std::ranges::sort(all);
+    return all;
+  }
+
+  /// Both shapes, small, in the middle.
+  void draw_shapes() {
+    std::vector<Point> corners;
+    for (const Side side : kSides) {
+      const auto& polygon = placed_[side];
+      corners.insert(corners.end(), polygon.vertices.begin(),
+                     polygon.vertices.begin() + polygon.count);
+    }
+    const Box all = box_around(corners);
+    const double shrunk = kShapes / length(Point(all.width, all.height) / 2);
+    for (const Side side : kSides) {
+      Region region;
+      for (int i = 0; i < placed_[side].count; ++i) {
+        const Point at = (placed_[side].vertices[i] - all.center()) * shrunk;
+        region.push_back(middle_ + View::direction(at));
+      }
+      svg_.polygon(region, side == Side::a ? "fill a" : "fill b");
+    }
+  }
+
+  void draw_level(double depth, std::string_view words) {
+    const double radius = kLevel + scale_ * depth;
+    svg_.circle(middle_, radius, "level");
+    const Point at = middle_ + Point(4, radius - 4);
+    svg_.text(at, words, kLevelFont, "quiet");
+  }
+
+  /// Depth 0, and a round depth outside it.
+  void draw_levels() {
+    draw_level(0, "depth 0: they touch");
+    const double widest = 0.8 * (kReach - kLevel) / scale_;
+    const double power = std::pow(10, std::floor(std::log10(widest)));
+    const double round = widest >= 5 * power ? 5 * power : widest >= 2 * power ? 2 * power : power;
+    draw_level(round, "depth " + brief(round));
+  }
+
+  void draw_curve() {
+    Region outline;
+    for (const double angle : angles()) {
+      outline.push_back(place(at_angle(angle), depth_along(at_angle(angle))));
+    }
+    svg_.polygon(outline, "curve");
+    for (const Point& normal : minima()) svg_.circle(place(normal, curve_.least()), 10, "ring");
+  }
+
+  std::vector<Point> minima() const {
+    const double bound = bounds_.separation;
+    std::vector<Point> normals;
+    for (const Point& normal : curve_.minima(std::isfinite(bound) ? bound : 0)) {
+      normals.push_back(world_normal(pair_, normal));
+    }
+    return normals;
+  }
+
+  std::optional<CurveAnswer> seen(const DeclaredAnswer& asked) const {
+    const Manifold<double>* const manifold = asked.manifold();
+    if (asked.count() == 0 || !manifold->normal.allFinite() || manifold->normal.isZero(0)) {
+      return std::nullopt;
+    }
+    CurveAnswer answer{world_normal(pair_, manifold->normal), manifold->points[0].depth,
+                       exact::Along(truth_, manifold->normal).depth()};
+    for (int i = 1; i < asked.count(); ++i) {
+      answer.depth = std::max(answer.depth, manifold->points[i].depth);
+    }
+    if (!std::isfinite(answer.depth)) return std::nullopt;
+    return answer;
+  }
+
+  void draw_answer(const DeclaredAnswer& asked, bool is_subject) {
+    const auto answer = seen(asked);
+    if (!answer) return;
+    const Point direction = unit_or_zero(answer->normal);
+    const Point at = place(direction, answer->depth);
+    svg_.line({middle_ + kShapes * View::direction(direction), at},
+              is_subject ? "ray subject" : "ray oracle");
+    draw_mark(svg_, at, is_subject);
+  }
+
+  std::string title() const {
+    return fmt::format("How deep they overlap, direction by direction: least {}",
+                       brief(curve_.least()));
+  }
+
+  static std::string subtitle() {
+    return "The farther the line is from the middle in a direction, the farther B must be moved "
+           "that way to leave A. A right answer stands in a ring, where that is least; one on the "
+           "line elsewhere names a deeper way out; one off the line has a depth that its own "
+           "normal does not have.";
+  }
+
+  double write_ring(double y) {
+    svg_.circle({kPictureEdge + 9, y - 4}, 8, "ring");
+    std::string text = minima().size() > 1 ? "the least depths, which tie:" : "the least depth:";
+    std::string_view separator = " ";
+    for (const Point& normal : minima()) {
+      text += fmt::format("{}along ({}, {})", separator, brief(normal.x()), brief(normal.y()));
+      separator = " and ";
+    }
+    return write_down(svg_, text, {kPictureEdge + 26, y}, kRight, kTextFont, "legend");
+  }
+
+  double write_answer(const DeclaredAnswer& asked, bool is_subject, double y) {
+    draw_mark(svg_, {kPictureEdge + 9, y - 4}, is_subject);
+    return write_down(svg_, in_words(asked), {kPictureEdge + 26, y}, kRight, kTextFont, "legend");
+  }
+
+  std::string in_words(const DeclaredAnswer& asked) const {
+    const auto answer = seen(asked);
+    if (!answer) {
+      return fmt::format("{}: {}", asked.declaration.name, answer_in_words(asked));
+    }
+    return fmt::format("{}: depth {} along ({}, {}), where they overlap by {}, {} more than least",
+                       asked.declaration.name, brief(answer->depth), brief(answer->normal.x()),
+                       brief(answer->normal.y()), brief(answer->along),
+                       brief(answer->along - curve_.least()));
+  }
+
+  const JudgedCase& judged_;
+  const PairCase& pair_;
+  exact::Truth truth_;
+  exact::PenetrationCurve curve_;
+  exact::RoughPair placed_;
+  Bounds bounds_;
+  Svg svg_;
+  double scale_ = 1;
+  Point middle_{0, 0};
+};
+
+}  // namespace
+
+std::string curve_svg(const JudgedCase& judged) {
+  return CurvePicture(judged).draw();
+}
+
+}  // namespace manifuzz
