@@ -113,8 +113,8 @@ NamedAnswer read_recorded_answer(const JsonView& object, const PairCase& pair);
 /// manifold, or {"unsupported": "why"}. Each point has `depth`, unless one beside the points is
 /// that of all, and `position` (in the world) or `local` (in A's frame), the normal is in the
 /// world; reference and features may be left out, and unknown keys are ignored. One that claims
-/// less says
-/// {"touching": true}, or {"normal": ..., "depth": ...}. Throws UserError that begins with a path.
+/// less says {"touching": true}, or {"normal": ..., "depth": ...}. Throws UserError that begins
+/// with a path.
 Answer read_reported_answer(const JsonView& object, const PairCase& pair,
                             const Conventions& conventions = {});
 

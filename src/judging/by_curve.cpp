@@ -125,6 +125,7 @@ class ByCurve {
     if (!(bias > 0) || truth_.compare_lead_of_b(bias + bounds_.touching) > 0) return false;
     return is_least(PenetrationCurve(truth_, truth_.greatest(Side::a)), along);
   }
+
   bool has_witnesses(const Along& along) const {
     const auto heights = heights_of(declaration_.points, truth_.pair());
     const Manifold<double>& manifold = *said_.manifold;

@@ -104,7 +104,7 @@ bool is_line_of(const Edit& edit, const std::string& line) {
          line.find_first_not_of(' ') == line.size() - edit.old_line.size();
 }
 
-/// Whether code that ends like this has come to the end of a statement or of a block's head.
+/// Whether the line after this code begins a new statement.
 bool is_complete(const std::string& code) {
   constexpr std::string_view kEnds = ";{}:";
   return code.empty() || code.starts_with("//") || kEnds.find(code.back()) != kEnds.npos;
