@@ -257,7 +257,7 @@ Collider make_box2d() {
       .description = "Box2D's b2CollidePolygons on shapes filled from the stored floats",
       .scalar = ScalarType::float32,
       .frame = RoundingFrame::world,
-      .tie_bias = static_cast<double>(0.1f * b2_linearSlop),
+      .tie_bias = {static_cast<double>(0.1f * b2_linearSlop)},
       .max_vertices = b2_maxPolygonVertices,
       .takes_radius = true,
       .snippet = kSnippet};

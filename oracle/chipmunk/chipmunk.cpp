@@ -111,6 +111,7 @@ extern const manifuzz_declaration manifuzz_collider = {
     .vertices_max = MANIFUZZ_VERTICES_MAX,
     .takes_radius = 0,
     .snippet = kSnippet,
+    .claims = {},
 };
 
 int manifuzz_collide(const manifuzz_body* body_a, const manifuzz_body* body_b,

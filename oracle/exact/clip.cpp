@@ -138,7 +138,7 @@ double Clip::gap() const {
   return std::max(-most, least - width.value);
 }
 
-Clip clip(const PairCase& pair, FaceOf reference, int incident) {
+Clip clip(const StoredPair& pair, FaceOf reference, int incident) {
   Clip result;
   result.pair = &pair;
   result.reference = reference;

@@ -33,7 +33,7 @@ struct ClipPoint {
 /// The clip of one incident edge by one reference face, the slab widened by the total radius as in
 /// Box2D. Values are doubles; which end is cut is exact.
 struct Clip {
-  const PairCase* pair = nullptr;  ///< whose polygons these are
+  const StoredPair* pair = nullptr;  ///< whose polygons these are
   FaceOf reference;
   int incident = 0;
   std::array<Cut, 2> cuts{};
@@ -60,7 +60,7 @@ inline std::span<const ClipPoint> points_of(const Clip& clip) {
 }
 
 /// The clip refers to the pair, which must outlive it.
-Clip clip(const PairCase& pair, FaceOf reference, int incident);
+Clip clip(const StoredPair& pair, FaceOf reference, int incident);
 
 /// The clip as a manifold, its figures right to the last digit of double: the ends that lie behind
 /// the face; of an edge that misses the slab by more than `slack`, none.
@@ -143,7 +143,7 @@ Located<Number> locate(const Clip& clip, int end) {
   const Number face = squared_face<Number>(clip);
   const auto element = [&](const Number& number) { return with_root(number, Number(0.0), face); };
   const Point<E> world = world_position<Number>(clip, end, face);
-  const PairCase& pair = *clip.pair;
+  const StoredPair& pair = *clip.pair;
   const Point<Number> corner = vertex<Number>(pair, clip.reference.side, clip.reference.index);
   const Point<Number> out = outward<Number>(pair, clip.reference);
   const E scaled = element(out.x) * (world.x - element(corner.x)) +
@@ -158,11 +158,9 @@ Located<Number> locate(const Clip& clip, int end) {
 }
 
 /// A face's unit normal from A to B, in A's frame.
-template <class Number>
-Point<Element<Number>> true_normal(const PairCase& pair, FaceOf face) {
-  const Point<Number> out = outward<Number>(pair, face);
-  const Point<Number> local =
-      turned_back(pair.a, face.side == Side::a ? out : Point<Number>{-out.x, -out.y});
+template <class Number, class AnyPair>
+Point<Element<Number>> true_normal(const AnyPair& pair, FaceOf face) {
+  const Point<Number> local = turned_back(pair.a, outward_from_a<Number>(pair, face));
   const Number length_squared = dot(local, local);
   return {with_root(Number(0.0), local.x / length_squared, length_squared),
           with_root(Number(0.0), local.y / length_squared, length_squared)};

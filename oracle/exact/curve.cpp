@@ -17,7 +17,7 @@ RootSum<Number> sum_of(const Root<Number>& one, const Root<Number>& two = {},
 /// The vertex of a side that lies farthest in a direction of the world, the first of equals.
 /// `direction` is called with a number type.
 template <class Direction>
-int farthest(const PairCase& pair, Side side, const Direction& direction) {
+int farthest(const StoredPair& pair, Side side, const Direction& direction) {
   int best = 0;
   for (int i = 1; i < pair[side].polygon.count; ++i) {
     const int s = decide_from_doubles([&]<class Number>() {
@@ -30,14 +30,7 @@ int farthest(const PairCase& pair, Side side, const Direction& direction) {
   return best;
 }
 
-/// A face's outward normal as one of W's: A's faces are W's, and so are B's, turned about.
-template <class Number>
-Point<Number> outward_of_difference(const PairCase& pair, FaceOf face) {
-  const Point<Number> out = outward<Number>(pair, face);
-  return face.side == Side::a ? out : Point<Number>{-out.x, -out.y};
-}
-
-std::vector<FaceOf> all_faces(const PairCase& pair) {
+std::vector<FaceOf> all_faces(const StoredPair& pair) {
   std::vector<FaceOf> faces;
   for (const Side side : {Side::a, Side::b}) {
     for (int i = 0; i < pair[side].polygon.count; ++i) faces.push_back({side, i});
@@ -46,14 +39,14 @@ std::vector<FaceOf> all_faces(const PairCase& pair) {
 }
 
 /// Whether two faces of W have one direction.
-bool faces_alike(const PairCase& pair, FaceOf one, FaceOf another) {
+bool faces_alike(const StoredPair& pair, FaceOf one, FaceOf another) {
   const int is_ahead = decide_from_doubles([&]<class Number>() {
-    return sum_of(Root<Number>{dot(outward_of_difference<Number>(pair, one),
-                                   outward_of_difference<Number>(pair, another))});
+    return sum_of(Root<Number>{
+        dot(outward_from_a<Number>(pair, one), outward_from_a<Number>(pair, another))});
   });
   const int turn = decide_from_doubles([&]<class Number>() {
-    const Point<Number> p = outward_of_difference<Number>(pair, one);
-    const Point<Number> q = outward_of_difference<Number>(pair, another);
+    const Point<Number> p = outward_from_a<Number>(pair, one);
+    const Point<Number> q = outward_from_a<Number>(pair, another);
     return sum_of(Root<Number>{p.x * q.y - p.y * q.x});
   });
   return is_ahead > 0 && turn == 0;
@@ -72,6 +65,8 @@ Along::Along(const Truth& truth, const Vector2<double>& normal) : truth_(&truth)
       farthest(pair(), Side::a, [&]<class Number>() { return this->normal<Number>(); });
   nearest_of_b_ =
       farthest(pair(), Side::b, [&]<class Number>() { return minus(this->normal<Number>()); });
+  meets_ = finds_line();
+  if (meets_) ahead_ = faces_ahead();
 }
 
 double Along::depth() const {
@@ -88,7 +83,7 @@ int Along::compare_depth(double length) const {
   });
 }
 
-bool Along::meets() const {
+bool Along::finds_line() const {
   // W reaches to both sides of the line through the origin along n.
   for (const double turn : {1.0, -1.0}) {
     const auto tangent = [&]<class Number>() {
@@ -109,13 +104,13 @@ bool Along::meets() const {
   return true;
 }
 
-/// W's faces that the ray along the normal leaves through, or their lines.
+/// Those, and faces whose lines it crosses beyond.
 std::vector<FaceOf> Along::faces_ahead() const {
   std::vector<FaceOf> ahead;
   for (const FaceOf& face : all_faces(pair())) {
     const int s = decide_from_doubles([&]<class Number>() {
       return sum_of(
-          Root<Number>{dot(outward_of_difference<Number>(pair(), face), this->normal<Number>())});
+          Root<Number>{dot(outward_from_a<Number>(pair(), face), this->normal<Number>())});
     });
     if (s > 0) ahead.push_back(face);
   }
@@ -123,27 +118,27 @@ std::vector<FaceOf> Along::faces_ahead() const {
 }
 
 double Along::gap() const {
-  if (!meets()) return -std::numeric_limits<double>::infinity();
+  if (!meets_) return -std::numeric_limits<double>::infinity();
   using Fine = Approximate<DoubleDouble>;
   const Point<Fine> n = this->normal<Fine>();
   double least = std::numeric_limits<double>::infinity();
-  for (const FaceOf& face : faces_ahead()) {
-    const Fine rise = dot(outward_of_difference<Fine>(pair(), face), n);
+  for (const FaceOf& face : ahead_) {
+    const Fine rise = dot(outward_from_a<Fine>(pair(), face), n);
     const Fine scaled = scaled_separation<Fine>(pair(), face, truth_->support(face));
     least = std::min(least, leading((-scaled / rise * sqrt(dot(n, n))).value));
   }
-  return least + manifuzz::total_radius(pair());
+  return least + (pair().a.polygon.radius + pair().b.polygon.radius);
 }
 
 int Along::compare_gap(double length) const {
-  if (!meets()) return -1;
+  if (!meets_) return -1;
   int least = 1;
-  for (const FaceOf& face : faces_ahead()) {
+  for (const FaceOf& face : ahead_) {
     // -separation |n| / rise + R - length, times the rise.
     least = std::min(
         least, decide_from_doubles([&]<class Number>() {
           const Point<Number> n = this->normal<Number>();
-          const Number rise = dot(outward_of_difference<Number>(pair(), face), n);
+          const Number rise = dot(outward_from_a<Number>(pair(), face), n);
           const Number scaled = scaled_separation<Number>(pair(), face, truth_->support(face));
           return sum_of(Root<Number>{-scaled, dot(n, n)},
                         Root<Number>{(total_radius<Number>(pair()) - Number(length)) * rise});
@@ -159,7 +154,7 @@ namespace {
 class NearestVertices {
  public:
   explicit NearestVertices(const Truth& truth)
-      : pair_(truth.pair()),
+      : pair_(truth.stored()),
         placed_(place_roughly(pair_)),
         error_(kErrorOfProduct * truth.extent() * truth.extent()) {}
 
@@ -173,9 +168,8 @@ class NearestVertices {
   }
 
  private:
-  // The coordinates of a placed vertex are off by less than 3 u E each, the difference of two by
-  // less than 9 u E as a vector, and it is no longer than 2 E: a product of two of them is off by
-  // 2 (9 u E) (2 E) + 2 u (2 E)^2 = 44 u E^2.
+  // The difference of two placed vertices is off by less than 10 u E as a vector, and no longer
+  // than 2 E: a product of two of them is off by 2 (10 u E) (2 E) + 2 u (2 E)^2 = 48 u E^2.
   static constexpr double kErrorOfProduct = 0x1p-47;  // 64 u
 
   bool are_nearest(const std::array<int, 2>& of) const {
@@ -201,7 +195,7 @@ class NearestVertices {
     return !is_farther(polygon.next(own)) && !is_farther(polygon.previous(own));
   }
 
-  const PairCase& pair_;
+  const StoredPair& pair_;
   RoughPair placed_;
   double error_;
 };

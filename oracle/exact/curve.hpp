@@ -34,7 +34,7 @@ class Along {
   int compare_depth(double length) const;
 
   /// Whether any line along the normal meets both cores; G(n) is minus infinity where none does.
-  bool meets() const;
+  bool meets() const { return meets_; }
   double gap() const;
   /// The sign of G(n) - length.
   int compare_gap(double length) const;
@@ -52,13 +52,16 @@ class Along {
   }
 
  private:
-  const PairCase& pair() const { return truth_->pair(); }
+  const StoredPair& pair() const { return truth_->stored(); }
+  bool finds_line() const;
   std::vector<FaceOf> faces_ahead() const;
 
   const Truth* truth_;
   Vector2<double> normal_;
   int farthest_of_a_ = 0;  ///< the vertex farthest along the normal
   int nearest_of_b_ = 0;   ///< the vertex least far along it
+  bool meets_ = false;
+  std::vector<FaceOf> ahead_;  ///< W's faces that the ray along the normal leaves through
 };
 
 /// The curve of a pair. The truth must outlive it.
@@ -94,7 +97,7 @@ class PenetrationCurve {
   template <class Number>
   Point<Number> between_vertices() const;
   Vector2<double> unit_normal(FaceOf face) const;
-  const PairCase& pair() const { return truth_->pair(); }
+  const StoredPair& pair() const { return truth_->stored(); }
 
   const Truth* truth_;
   FaceOf face_;  ///< of the greatest separation

@@ -6,8 +6,35 @@
 
 namespace manifuzz::exact {
 
-// Where the stored floats put the polygons: R v + p with R the matrix of (cos, sin) as it is, in
-// any number type, seen from A's position. Whatever is asked for is computed from the floats.
+// Where the stored numbers put the polygons: R v + p with R the matrix of (cos, sin) as it is, in
+// any number type, seen from A's position. Whatever is asked for is computed from what is stored:
+// floats, or doubles where an engine has made the polygons its own.
+
+/// A polygon as it is stored, in doubles; every float is one.
+struct StoredPolygon {
+  std::array<Vector2<double>, kMaxVertices> vertices;
+  int count = 0;
+  double radius = 0;
+
+  int next(int i) const { return i + 1 < count ? i + 1 : 0; }
+  int previous(int i) const { return i > 0 ? i - 1 : count - 1; }
+};
+
+struct StoredBody {
+  StoredPolygon polygon;
+  Pose<float> pose;
+};
+
+struct StoredPair {
+  StoredBody a;
+  StoredBody b;
+
+  const StoredBody& operator[](Side side) const { return side == Side::a ? a : b; }
+};
+
+StoredPair stored(const PairCase& pair);
+/// With the vertices that an engine made of the polygons, kMinVertices to kMaxVertices of each.
+StoredPair stored(const PairCase& pair, const UsedShapes& used);
 
 template <class Number>
 struct Point {
@@ -24,32 +51,38 @@ Number dot(const Point<Number>& p, const Point<Number>& q) {
 }
 
 template <class Number>
+Number widen(double value) {
+  return Number(value);
+}
+template <class Number>
 Number widen(float value) {
   return Number(static_cast<double>(value));
 }
 
-template <class Number>
-Point<Number> widen(const Vector2<float>& v) {
+template <class Number, class Scalar>
+Point<Number> widen(const Vector2<Scalar>& v) {
   return {widen<Number>(v.x()), widen<Number>(v.y())};
 }
 
+// A body, or a pair, is one of floats or one that is stored in doubles.
+
 /// R v.
-template <class Number>
-Point<Number> turned(const Body& body, const Point<Number>& v) {
+template <class Number, class AnyBody>
+Point<Number> turned(const AnyBody& body, const Point<Number>& v) {
   const Point<Number> r = widen<Number>(body.pose.rotation);
   return {r.x * v.x - r.y * v.y, r.y * v.x + r.x * v.y};
 }
 
 /// R^T v.
-template <class Number>
-Point<Number> turned_back(const Body& body, const Point<Number>& v) {
+template <class Number, class AnyBody>
+Point<Number> turned_back(const AnyBody& body, const Point<Number>& v) {
   const Point<Number> r = widen<Number>(body.pose.rotation);
   return {r.x * v.x + r.y * v.y, r.x * v.y - r.y * v.x};
 }
 
 /// cos^2 + sin^2.
-template <class Number>
-Number scale(const Body& body) {
+template <class Number, class AnyBody>
+Number scale(const AnyBody& body) {
   const Point<Number> r = widen<Number>(body.pose.rotation);
   return dot(r, r);
 }
@@ -63,45 +96,52 @@ struct FaceOf {
 };
 
 /// A vertex in the world, from A's position.
-template <class Number>
-Point<Number> vertex(const PairCase& pair, Side side, int index) {
+template <class Number, class AnyPair>
+Point<Number> vertex(const AnyPair& pair, Side side, int index) {
   const Point<Number> at = turned(pair[side], widen<Number>(pair[side].polygon.vertices[index]));
   if (side == Side::a) return at;
   return at + (widen<Number>(pair.b.pose.position) - widen<Number>(pair.a.pose.position));
 }
 
 /// A face's direction in the world, counter-clockwise, as long as the face.
-template <class Number>
-Point<Number> direction(const PairCase& pair, FaceOf face) {
-  const ConvexPolygon<float>& polygon = pair[face.side].polygon;
+template <class Number, class AnyPair>
+Point<Number> direction(const AnyPair& pair, FaceOf face) {
+  const auto& polygon = pair[face.side].polygon;
   return turned(pair[face.side], widen<Number>(polygon.vertices[polygon.next(face.index)]) -
                                      widen<Number>(polygon.vertices[face.index]));
 }
 
 /// A face's outward normal in the world, as long as the face.
-template <class Number>
-Point<Number> outward(const PairCase& pair, FaceOf face) {
+template <class Number, class AnyPair>
+Point<Number> outward(const AnyPair& pair, FaceOf face) {
   const Point<Number> along = direction<Number>(pair, face);
   return {along.y, -along.x};
 }
 
+/// The same, or turned about where the face is B's: it points from A to B.
+template <class Number, class AnyPair>
+Point<Number> outward_from_a(const AnyPair& pair, FaceOf face) {
+  const Point<Number> out = outward<Number>(pair, face);
+  return face.side == Side::a ? out : Point<Number>{-out.x, -out.y};
+}
+
 /// The square of a face's length.
-template <class Number>
-Number square(const PairCase& pair, FaceOf face) {
+template <class Number, class AnyPair>
+Number square(const AnyPair& pair, FaceOf face) {
   const Point<Number> along = direction<Number>(pair, face);
   return dot(along, along);
 }
 
 /// The distance of the other polygon's vertex in front of a face, times the face's length.
-template <class Number>
-Number scaled_separation(const PairCase& pair, FaceOf face, int opposing) {
+template <class Number, class AnyPair>
+Number scaled_separation(const AnyPair& pair, FaceOf face, int opposing) {
   const Point<Number> corner = vertex<Number>(pair, face.side, face.index);
   return dot(outward<Number>(pair, face),
              vertex<Number>(pair, other(face.side), opposing) - corner);
 }
 
-template <class Number>
-Number total_radius(const PairCase& pair) {
+template <class Number, class AnyPair>
+Number total_radius(const AnyPair& pair) {
   return widen<Number>(pair.a.polygon.radius) + widen<Number>(pair.b.polygon.radius);
 }
 
@@ -123,7 +163,10 @@ struct RoughPair {
   const RoughPolygon& operator[](Side side) const { return side == Side::a ? a : b; }
 };
 
-RoughPair place_roughly(const PairCase& pair);
+RoughPair place_roughly(const StoredPair& pair);
+inline RoughPair place_roughly(const PairCase& pair) {
+  return place_roughly(stored(pair));
+}
 
 /// The separation of every face of both polygons, within one proven error.
 struct Separations {

@@ -1,27 +1,28 @@
 #include "oracle/exact/truth.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
 namespace manifuzz::exact {
 namespace {
 
-// With u = 2^-53 and E the extent, rotations being unit to 1e-5. A product of two floats is exact
-// in double, so the coordinates of a placed vertex are off by less than 3 u E each, the difference
-// of two vertices by less than 6 u E as a vector. The face's edge is a rounded difference, turned
-// by two products and a sum, made unit by a root of a sum of squares and a division: off by less
-// than 8 u in all. The dot of both adds 2 u E: together 16 u E, doubled for good measure. The dot
-// of two normals is off by 8 u + 8 u + 2 u.
+// With u = 2^-53 and E the extent, rotations being unit to 1e-5. As a vector, a placed vertex is
+// off by 1.42 u of its reach from two products, u from their sum, u E from the sum with a position
+// that is off by u of its length: the difference of two by less than 10 u E. The face's edge is a
+// rounded difference, turned by two products and a sum, made unit by a root of a sum of squares and
+// a division: off by less than 8 u in all. The dot of both adds 2 u E: together 20 u E, and half as
+// much again for good measure. The dot of two normals is off by 8 u + 8 u + 2 u.
 constexpr double kErrorOfSeparation = 0x1p-48;  // 32 u
 
-RoughPolygon place(const Body& body, const Vector2<double>& position) {
-  const ConvexPolygon<float>& polygon = body.polygon;
+RoughPolygon place(const StoredBody& body, const Vector2<double>& position) {
+  const StoredPolygon& polygon = body.polygon;
   const Vector2<double> rotation = body.pose.rotation.cast<double>();
   RoughPolygon placed;
   placed.count = polygon.count;
   for (int i = 0; i < placed.count; ++i) {
-    const Vector2<double> corner = polygon.vertices[i].cast<double>();
-    const Vector2<double> edge = polygon.vertices[polygon.next(i)].cast<double>() - corner;
+    const Vector2<double>& corner = polygon.vertices[i];
+    const Vector2<double> edge = polygon.vertices[polygon.next(i)] - corner;
     const Vector2<double> outward = rotate<double>(rotation, clockwise_quarter(edge));
     placed.vertices[i] = rotate<double>(rotation, corner) + position;
     placed.normals[i] = outward / std::sqrt(outward.dot(outward));
@@ -29,9 +30,51 @@ RoughPolygon place(const Body& body, const Vector2<double>& position) {
   return placed;
 }
 
+StoredBody stored(const Body& body) {
+  StoredBody result{.polygon = {.vertices = {},
+                                .count = body.polygon.count,
+                                .radius = static_cast<double>(body.polygon.radius)},
+                    .pose = body.pose};
+  for (int i = 0; i < body.polygon.count; ++i) {
+    result.polygon.vertices[i] = body.polygon.vertices[i].cast<double>();
+  }
+  return result;
+}
+
+StoredBody stored(const Body& body, const UsedVertices& used) {
+  assert(used.count >= kMinVertices && used.count <= kMaxVertices);
+  StoredBody result = stored(body);
+  result.polygon.count = used.count;
+  result.polygon.vertices = used.all;
+  return result;
+}
+
+/// With the floats nearest to what is stored.
+PairCase nearest(PairCase pair, const StoredPair& shapes) {
+  for (const Side side : {Side::a, Side::b}) {
+    const StoredPolygon& polygon = shapes[side].polygon;
+    std::array<Vector2<float>, kMaxVertices> vertices;
+    for (int i = 0; i < polygon.count; ++i) vertices[i] = polygon.vertices[i].cast<float>();
+    pair[side].polygon = make_polygon<float>(
+        {vertices.data(), static_cast<std::size_t>(polygon.count)}, pair[side].polygon.radius);
+  }
+  return pair;
+}
+
+/// More than rounding to float may take from an extent.
+constexpr double kExtentSlack = 1 + 0x1p-20;
+
 }  // namespace
 
-RoughPair place_roughly(const PairCase& pair) {
+StoredPair stored(const PairCase& pair) {
+  return {stored(pair.a), stored(pair.b)};
+}
+
+StoredPair stored(const PairCase& pair, const UsedShapes& used) {
+  return {stored(pair.a, used.a), stored(pair.b, used.b)};
+}
+
+RoughPair place_roughly(const StoredPair& pair) {
   return {place(pair.a, {0, 0}),
           place(pair.b, pair.b.pose.position.cast<double>() - pair.a.pose.position.cast<double>())};
 }
@@ -69,21 +112,22 @@ int decide_from(double value, double error, const Expression& expression) {
   return decide(expression);
 }
 
-/// The sign of (distance of p's vertex in front of p's face) - (the same of q) - offset.
-int compare_distances(const PairCase& pair, const FaceAndVertex& p, const FaceAndVertex& q,
-                      double offset) {
-  if (p == q) return offset > 0 ? -1 : offset < 0 ? 1 : 0;
+/// The sign of (distance of p's vertex in front of p's face) - share (the same of q) - offset.
+int compare_distances(const StoredPair& pair, const FaceAndVertex& p, const FaceAndVertex& q,
+                      double offset, double share = 1) {
+  if (p == q && share == 1) return offset > 0 ? -1 : offset < 0 ? 1 : 0;
   return decide([&]<class Number>() {
     const Number square_of_p = square<Number>(pair, p.face);
     const Number square_of_q = square<Number>(pair, q.face);
-    return RootSum<Number>{{{scaled_separation<Number>(pair, p.face, p.vertex), square_of_q},
-                            {-scaled_separation<Number>(pair, q.face, q.vertex), square_of_p},
-                            {-Number(offset), square_of_p * square_of_q}}};
+    return RootSum<Number>{
+        {{scaled_separation<Number>(pair, p.face, p.vertex), square_of_q},
+         {Number(-share) * scaled_separation<Number>(pair, q.face, q.vertex), square_of_p},
+         {-Number(offset), square_of_p * square_of_q}}};
   });
 }
 
 /// The sign of (distance of p's vertex in front of p's face) - (radii total radii + offset).
-int compare_distance(const PairCase& pair, const FaceAndVertex& p, int radii, double offset) {
+int compare_distance(const StoredPair& pair, const FaceAndVertex& p, int radii, double offset) {
   return decide([&]<class Number>() {
     const Number length = Number(radii) * total_radius<Number>(pair) + Number(offset);
     return RootSum<Number>{{{scaled_separation<Number>(pair, p.face, p.vertex), Number(1.0)},
@@ -96,10 +140,20 @@ int compare_distance(const PairCase& pair, const FaceAndVertex& p, int radii, do
 
 Truth::Truth(const PairCase& pair)
     : pair_(pair),
+      stored_(exact::stored(pair)),
       size_(manifuzz::size(pair)),
       extent_(manifuzz::extent(pair)),
-      placed_(place_roughly(pair)),
+      placed_(place_roughly(stored_)),
       rough_(separations(placed_, extent_)) {}
+
+Truth::Truth(const PairCase& pair, const UsedShapes& used)
+    : stored_(exact::stored(pair, used)),
+      size_(manifuzz::size(pair)),
+      placed_(place_roughly(stored_)) {
+  pair_ = nearest(pair, stored_);
+  extent_ = manifuzz::extent(pair_) * kExtentSlack;
+  rough_ = separations(placed_, extent_);
+}
 
 int Truth::rough_sign(double value, double offset) const {
   const double error = 2 * rough_.error + 0x1p-51 * std::abs(offset);
@@ -117,8 +171,8 @@ int Truth::support(FaceOf face) const {
     const double deeper = normal.dot(polygon.vertices[deepest] - polygon.vertices[j]);
     const int s = decide_from(deeper, rough_.error, [&]<class Number>() {
       return RootSum<Number>{
-          {{dot(outward<Number>(pair_, face),
-                vertex<Number>(pair_, opposing, deepest) - vertex<Number>(pair_, opposing, j))},
+          {{dot(outward<Number>(stored_, face),
+                vertex<Number>(stored_, opposing, deepest) - vertex<Number>(stored_, opposing, j))},
            {},
            {}}};
     });
@@ -130,7 +184,7 @@ int Truth::support(FaceOf face) const {
 
 DoubleDouble Truth::fine_separation(FaceOf face) const {
   using Fine = Approximate<DoubleDouble>;
-  return (scaled_separation<Fine>(pair_, face, support(face)) / sqrt(square<Fine>(pair_, face)))
+  return (scaled_separation<Fine>(stored_, face, support(face)) / sqrt(square<Fine>(stored_, face)))
       .value;
 }
 
@@ -144,7 +198,8 @@ FaceOf Truth::greatest(Side side) const {
     const double contends = separation(side) - 2 * rough_.error;
     for (int i = 0; i < pair_[side].polygon.count; ++i) {
       if (separation(FaceOf{side, i}) < contends) continue;
-      if (!known || compare_distances(pair_, deepest({side, i}), deepest({side, *known}), 0) > 0) {
+      if (!known ||
+          compare_distances(stored_, deepest({side, i}), deepest({side, *known}), 0) > 0) {
         known = i;
       }
     }
@@ -155,8 +210,8 @@ FaceOf Truth::greatest(Side side) const {
 int Truth::compare_separation(int radii, double offset) const {
   const double length = radii * manifuzz::total_radius(pair_) + offset;
   if (const int s = rough_sign(separation() - length, length)) return s;
-  return std::max(compare_distance(pair_, deepest(greatest(Side::a)), radii, offset),
-                  compare_distance(pair_, deepest(greatest(Side::b)), radii, offset));
+  return std::max(compare_distance(stored_, deepest(greatest(Side::a)), radii, offset),
+                  compare_distance(stored_, deepest(greatest(Side::b)), radii, offset));
 }
 
 int Truth::compare_separation(double offset) const {
@@ -168,14 +223,20 @@ int Truth::compare_contact(double offset) const {
 }
 
 int Truth::compare_lead_of_b(double offset) const {
-  if (const int s = rough_sign(separation(Side::b) - separation(Side::a) - offset, offset))
-    return s;
-  return compare_distances(pair_, deepest(greatest(Side::b)), deepest(greatest(Side::a)), offset);
+  return compare_lead(Side::b, 1, offset);
+}
+
+int Truth::compare_lead(Side side, double share, double offset) const {
+  const Side opposing = other(side);
+  const double lead = separation(side) - share * separation(opposing) - offset;
+  if (const int s = rough_sign(lead, offset)) return s;
+  return compare_distances(stored_, deepest(greatest(side)), deepest(greatest(opposing)), offset,
+                           share);
 }
 
 int Truth::compare_separations(FaceOf face, FaceOf another, double offset) const {
   if (const int s = rough_sign(separation(face) - separation(another) - offset, offset)) return s;
-  return compare_distances(pair_, deepest(face), deepest(another), offset);
+  return compare_distances(stored_, deepest(face), deepest(another), offset);
 }
 
 int Truth::compare_with_greatest(FaceOf face, double offset) const {
@@ -196,15 +257,15 @@ std::vector<int> Truth::incident_edges(FaceOf reference, double bound) const {
     const double apart = dots[j] - dots[k] - offset;
     if (std::abs(apart) > 3 * kErrorOfDot) return apart > 0 ? 1 : -1;
     return decide([&]<class Number>() {
-      const auto out = outward<Number>(pair_, reference);
+      const auto out = outward<Number>(stored_, reference);
       const FaceOf edge_j{opposing, j};
       const FaceOf edge_k{opposing, k};
-      const Number square_j = square<Number>(pair_, edge_j);
-      const Number square_k = square<Number>(pair_, edge_k);
+      const Number square_j = square<Number>(stored_, edge_j);
+      const Number square_k = square<Number>(stored_, edge_k);
       return RootSum<Number>{
-          {{dot(out, outward<Number>(pair_, edge_j)), square_k},
-           {-dot(out, outward<Number>(pair_, edge_k)), square_j},
-           {-Number(offset), square<Number>(pair_, reference) * square_j * square_k}}};
+          {{dot(out, outward<Number>(stored_, edge_j)), square_k},
+           {-dot(out, outward<Number>(stored_, edge_k)), square_j},
+           {-Number(offset), square<Number>(stored_, reference) * square_j * square_k}}};
     });
   };
   int best = -1;
@@ -224,7 +285,7 @@ const Clip& Truth::clip(FaceOf reference, int incident) const {
     if (made->reference == reference && made->incident == incident) return *made;
   }
   return *clips_.emplace_back(
-      std::make_unique<const Clip>(exact::clip(pair_, reference, incident)));
+      std::make_unique<const Clip>(exact::clip(stored_, reference, incident)));
 }
 
 }  // namespace manifuzz::exact

@@ -25,10 +25,14 @@ struct FaceAndVertex {
 class Truth {
  public:
   explicit Truth(const PairCase& pair);
+  /// Of what an engine made of the polygons: strictly convex, counter-clockwise. Sizes are judged
+  /// by the case's own; `pair` has the floats nearest to what is used.
+  Truth(const PairCase& pair, const UsedShapes& used);
   Truth(const Truth&) = delete;  // clips refer to its pair
   Truth& operator=(const Truth&) = delete;
 
   const PairCase& pair() const { return pair_; }
+  const StoredPair& stored() const { return stored_; }
   double size() const { return size_; }
   double extent() const { return extent_; }
 
@@ -55,6 +59,8 @@ class Truth {
   int compare_contact(double offset) const;
   /// The sign of S_B - S_A - offset.
   int compare_lead_of_b(double offset) const;
+  /// The sign of S of a side - share times S of the other - offset.
+  int compare_lead(Side side, double share, double offset) const;
   /// The sign of S of a face - S of another - offset.
   int compare_separations(FaceOf face, FaceOf another, double offset) const;
   /// The sign of S of a face - S of its side - offset.
@@ -73,8 +79,9 @@ class Truth {
   FaceAndVertex deepest(FaceOf face) const;
 
   PairCase pair_;
+  StoredPair stored_;
   double size_;
-  double extent_;
+  double extent_ = 0;
   RoughPair placed_;
   Separations rough_;
   mutable std::array<std::optional<int>, 2> greatest_;

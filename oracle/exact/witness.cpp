@@ -9,8 +9,8 @@ namespace manifuzz::exact {
 namespace {
 
 // Everything is multiplied by |n|: places on the tangent, heights and gaps are then rational, and
-// lengths are rational times |n|, so that all lies in Q(|n|). In doubles the same, for a first
-// look.
+// lengths are rational times |n|, so that all lies in Q(|n|). In pairs of doubles the same, which
+// proves most witnesses.
 
 /// rational + root |n|.
 template <class Number>
@@ -28,16 +28,18 @@ struct Scaled<Rational> {
 };
 
 template <>
-struct Scaled<double> {
-  using type = double;
-  static double of(double rational, double root, double squared) {
-    return rational + root * std::sqrt(squared);
+struct Scaled<DoubleDouble> {
+  using type = DoubleDouble;
+  static DoubleDouble of(const DoubleDouble& rational, double root, const DoubleDouble& squared) {
+    return rational + DoubleDouble(root) * sqrt(squared);
   }
-  static double over(double value, double divisor) { return value / divisor; }
+  static DoubleDouble over(const DoubleDouble& value, const DoubleDouble& divisor) {
+    return value / divisor;
+  }
 };
 
-int sign_of(double value) {
-  return value > 0 ? 1 : value < 0 ? -1 : 0;
+int sign_of(const DoubleDouble& value) {
+  return value.high > 0 ? 1 : value.high < 0 ? -1 : 0;
 }
 int sign_of(const Rational& value) {
   return value.sign();
@@ -58,29 +60,33 @@ struct Edge {
   Number height(const Number& place) const { return at_from + slope * (place - from); }
 };
 
+template <class Number>
+bool is_less_steep(const Number& run, const Number& rise, double steepest) {
+  const Number most = run * Number(steepest);
+  return sign_of(most - rise) > 0 && sign_of(most + rise) > 0;
+}
+
 /// Tangent places, heights and lengths, as they are along one normal.
 template <class Number>
 struct Frame {
   using E = typename Scaled<Number>::type;
 
-  const PairCase& pair;
+  const StoredPair& pair;
   Point<Number> normal;
   Number squared;  ///< |n|^2
 
   Frame(const Truth& truth, const Along& along)
-      : pair(truth.pair()), normal(along.normal<Number>()), squared(dot(normal, normal)) {}
+      : pair(truth.stored()), normal(along.normal<Number>()), squared(dot(normal, normal)) {}
 
   Number place(const Point<Number>& p) const { return normal.x * p.y - normal.y * p.x; }
   Number height(const Point<Number>& p) const { return dot(normal, p); }
   E element(const Number& number) const { return Scaled<Number>::of(number, 0, squared); }
   E length(double world) const { return Scaled<Number>::of(Number(0.0), world, squared); }
-  E radii() const {
-    return length(static_cast<double>(pair.a.polygon.radius)) +
-           length(static_cast<double>(pair.b.polygon.radius));
-  }
+  E radii() const { return length(pair.a.polygon.radius) + length(pair.b.polygon.radius); }
 
-  /// A's upper edges run along the tangent, B's lower ones against it.
-  std::vector<Edge<Number>> facing(Side side) const {
+  /// A's upper edges run along the tangent, B's lower ones against it; those less steep than
+  /// `steepest` alone, where one is given.
+  std::vector<Edge<Number>> facing(Side side, std::optional<double> steepest) const {
     std::vector<Edge<Number>> edges;
     const auto& polygon = pair[side].polygon;
     for (int i = 0; i < polygon.count; ++i) {
@@ -89,8 +95,9 @@ struct Frame {
       if (side == Side::b) std::swap(first, second);
       const Number run = place(second) - place(first);
       if (sign_of(run) <= 0) continue;
-      edges.push_back(
-          {place(first), place(second), height(first), (height(second) - height(first)) / run});
+      const Number rise = height(second) - height(first);
+      if (steepest && !is_less_steep(run, rise, *steepest)) continue;
+      edges.push_back({place(first), place(second), height(first), rise / run});
     }
     return edges;
   }
@@ -102,7 +109,7 @@ class Stretch {
  public:
   using E = typename Scaled<Number>::type;
 
-  Stretch(E zero, E to) : zero_(zero), from_(std::move(zero)), to_(std::move(to)) {}
+  Stretch(E from, E to) : from_(std::move(from)), to_(std::move(to)) {}
 
   /// What is `excess` at the origin, and grows by `slope` from there, is not negative.
   void keep(const E& excess, const Number& slope) {
@@ -111,32 +118,31 @@ class Stretch {
       is_empty_ = is_empty_ || sign_of(excess) < 0;
       return;
     }
-    const E root = Scaled<Number>::over(zero_ - excess, slope);
+    const E root = Scaled<Number>::over(excess, Number(0.0) - slope);
     if (direction > 0 && sign_of(root - from_) > 0) from_ = root;
     if (direction < 0 && sign_of(to_ - root) > 0) to_ = root;
   }
   /// What is `value` at the origin, and grows by `slope` from there, is between both.
   void keep_between(const E& value, const Number& slope, const E& least, const E& most) {
     keep(value - least, slope);
-    keep(most - value, -slope);
+    keep(most - value, Number(0.0) - slope);
   }
   bool is_empty() const { return is_empty_ || sign_of(to_ - from_) < 0; }
 
  private:
-  E zero_;
   E from_;
   E to_;
   bool is_empty_ = false;
 };
 
-/// Whether there is a line that meets both of these edges.
+/// Whether there is a line that meets both of these edges, `inside` of their ends.
 template <class Number>
 bool finds_line(const Frame<Number>& frame, const Along& along, const PointClaim& claim,
-                const Edge<Number>& top, const Edge<Number>& bottom) {
+                double inside, const Edge<Number>& top, const Edge<Number>& bottom) {
   using E = typename Scaled<Number>::type;
-  const Number from = std::max<Number>(top.from, bottom.from);
-  const Number to = std::min<Number>(top.to, bottom.to);
-  if (to < from) return false;
+  const Number from = sign_of(top.from - bottom.from) > 0 ? top.from : bottom.from;
+  const Number to = sign_of(top.to - bottom.to) > 0 ? bottom.to : top.to;
+  if (sign_of(to - from) < 0) return false;
   const Point<Number> at =
       turned(frame.pair.a, Point<Number>{Number(claim.position.x()), Number(claim.position.y())});
   const E place = frame.element(frame.place(at) - from);
@@ -146,7 +152,7 @@ bool finds_line(const Frame<Number>& frame, const Along& along, const PointClaim
   return std::ranges::any_of(claim.heights, [&](const Height& claimed) {
     const Number of_top(claimed.of_top);
     const Number of_bottom(claimed.of_bottom);
-    Stretch<Number> stretch(frame.element(Number(0.0)), frame.element(to - from));
+    Stretch<Number> stretch(frame.length(inside), frame.element(to - from) - frame.length(inside));
     stretch.keep_between(frame.element(Number(0.0)), Number(1.0), place - frame.length(claim.along),
                          place + frame.length(claim.along));
     stretch.keep_between(
@@ -165,49 +171,39 @@ bool finds_line(const Frame<Number>& frame, const Along& along, const PointClaim
 }
 
 template <class Number>
-bool finds_line(const Truth& truth, const Along& along, const PointClaim& claim) {
+bool finds_line(const Truth& truth, const Along& along, const PointClaim& claim, double inside = 0,
+                std::optional<double> steepest = {}) {
   const Frame<Number> frame(truth, along);
-  const auto bottoms = frame.facing(Side::b);
-  for (const Edge<Number>& top : frame.facing(Side::a)) {
+  const auto bottoms = frame.facing(Side::b, steepest);
+  for (const Edge<Number>& top : frame.facing(Side::a, steepest)) {
     for (const Edge<Number>& bottom : bottoms) {
-      if (finds_line(frame, along, claim, top, bottom)) return true;
+      if (finds_line(frame, along, claim, inside, top, bottom)) return true;
     }
   }
   return false;
 }
 
-/// With every allowance wider by so much.
-PointClaim widened(PointClaim claim, double by) {
+/// With every allowance less by so much.
+PointClaim narrowed(PointClaim claim, double by) {
   for (const auto of : {&PointClaim::along, &PointClaim::across, &PointClaim::slack})
-    claim.*of += by;
-  if (claim.shortfall) *claim.shortfall += by;
+    claim.*of -= by;
+  if (claim.shortfall) *claim.shortfall -= by;
   return claim;
 }
 
-/// Whether doubles can tell which way an edge runs.
-bool has_steep_edges(const Truth& truth, const Along& along, double doubt) {
-  const Frame<double> frame(truth, along);
-  for (const Side side : {Side::a, Side::b}) {
-    const auto& polygon = truth.pair()[side].polygon;
-    for (int i = 0; i < polygon.count; ++i) {
-      const double run = frame.place(vertex<double>(truth.pair(), side, polygon.next(i))) -
-                         frame.place(vertex<double>(truth.pair(), side, i));
-      if (std::abs(run) < doubt * std::sqrt(frame.squared)) return true;
-    }
-  }
-  return false;
+/// A line that pairs of doubles find, well inside of what is allowed, is one. With v = 2^-101, the
+/// roundoff of such a pair, and E the extent, places and heights are off by less than 2^4 v E; on
+/// an edge of slope m, within its ends, heights by less than 2^5 v E (m + 1). Where m is less than
+/// 2^20 all stays below 2^-74 E.
+bool surely_finds_line(const Truth& truth, const Along& along, const PointClaim& claim) {
+  const double doubt = 0x1p-70 * truth.extent();
+  return finds_line<DoubleDouble>(truth, along, narrowed(claim, doubt), doubt, 0x1p20);
 }
 
 }  // namespace
 
 bool is_witness(const Truth& truth, const Along& along, const PointClaim& claim) {
-  // In doubles, vertices are as if moved by some ulps of the extent: by far less than this.
-  const double doubt = 0x1p-44 * truth.extent();
-  if (!has_steep_edges(truth, along, doubt)) {
-    if (!finds_line<double>(truth, along, widened(claim, doubt))) return false;
-    if (finds_line<double>(truth, along, widened(claim, -doubt))) return true;
-  }
-  return finds_line<Rational>(truth, along, claim);
+  return surely_finds_line(truth, along, claim) || finds_line<Rational>(truth, along, claim);
 }
 
 }  // namespace manifuzz::exact

@@ -48,14 +48,19 @@ int vertices_max_in(const JsonView& object) {
 Declaration read_declaration(const JsonView& object, const std::string& usual_name) {
   object.expect_keys({"name", "version", "scalar", "frame", "tie_bias", "vertices_max",
                       "takes_radius", "points", "normal", "snippet", "claims", "clips", "depths",
-                      "one_point_enough", "speculative", "least_depth"});
+                      "one_point_enough", "speculative", "least_depth", "rotation", "alters_shapes",
+                      "tolerance"});
+  const auto bias = object.find("tie_bias");
+  const auto tolerance = object.find("tolerance");
+  if (tolerance) tolerance->expect_keys({"absolute", "relative", "source"});
   return {.name = object.string_or("name", usual_name),
           .version = object.string_or("version", "unknown"),
           .description = "a program",
           .scalar = choice_in<ScalarType>(object, "scalar", {"float32", "float64"}),
           .frame = choice_in<bool>(object, "frame", {"world", "local"}) ? RoundingFrame::local
                                                                         : RoundingFrame::world,
-          .tie_bias = number_in(object, "tie_bias"),
+          .takes_angles = choice_in<bool>(object, "rotation", {"matrix", "angle"}),
+          .tie_bias = bias ? read_tie_bias(*bias) : TieBias{},
           .max_vertices = vertices_max_in(object),
           .takes_radius = flag_in(object, "takes_radius", true),
           .claims =
@@ -67,6 +72,11 @@ Declaration read_declaration(const JsonView& object, const std::string& usual_na
           .one_point_enough = flag_in(object, "one_point_enough", false),
           .speculative = number_in(object, "speculative"),
           .least_depth = number_in(object, "least_depth"),
+          .alters_shapes = flag_in(object, "alters_shapes", false),
+          .tolerance = tolerance ? Tolerance{number_in(*tolerance, "absolute"),
+                                             number_in(*tolerance, "relative")}
+                                 : Tolerance{},
+          .tolerance_source = tolerance ? tolerance->string_or("source", "") : "",
           .snippet = object.string_or("snippet", "")};
 }
 

@@ -74,14 +74,24 @@ void check_declaration(const Declaration& declaration, std::string_view prefix) 
                                 prefix, printable(declaration.version), kVersionLengthMax));
   }
   check_snippet(declaration.snippet, prefix);
-  const std::array<std::pair<std::string_view, double>, 3> lengths{
-      {{"tie_bias", declaration.tie_bias},
+  const std::array<std::pair<std::string_view, double>, 5> lengths{
+      {{"tie_bias", declaration.tie_bias.absolute},
        {"speculative", declaration.speculative},
-       {"least_depth", declaration.least_depth}}};
+       {"least_depth", declaration.least_depth},
+       {"tolerance.absolute", declaration.tolerance.absolute},
+       {"tolerance.relative", declaration.tolerance.relative}}};
   for (const auto& [key, length] : lengths) {
     if (std::isfinite(length) && length >= 0) continue;
     throw UserError(
         fmt::format("{}{}: {} is no length; 0 or more is expected", prefix, key, length));
+  }
+  if (!(std::abs(declaration.tie_bias.relative) < 1)) {
+    throw UserError(fmt::format("{}tie_bias.relative: {} is no share; one between -1 and 1 is",
+                                prefix, declaration.tie_bias.relative));
+  }
+  if (!declaration.tolerance.is_none() && declaration.tolerance_source.empty()) {
+    throw UserError(fmt::format(
+        "{}tolerance.source: a tolerance is taken only with the place that states it", prefix));
   }
   const bool is_of_clip =
       declaration.points == PointsAt::clip || declaration.points == PointsAt::midpoint;

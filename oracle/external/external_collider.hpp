@@ -19,12 +19,12 @@ class Library {
   /// Throws UserError that says what is wrong with it.
   explicit Library(const std::string& path);
 
-  const manifuzz_declaration& declaration() const { return *declaration_; }
+  const manifuzz_declaration& declaration() const { return declaration_; }
   /// What `manifuzz_collide` returns; the manifold comes zeroed.
   int collide(const PairCase& pair, manifuzz_manifold& manifold) const;
 
  private:
-  const manifuzz_declaration* declaration_ = nullptr;
+  manifuzz_declaration declaration_{};
   decltype(&manifuzz_collide) collide_ = nullptr;
 };
 
@@ -32,8 +32,9 @@ class Library {
 Declaration declaration_of(const manifuzz_declaration& declared);
 
 /// What `manifuzz_collide` returned for a case (0, or 1 where it declines) and the manifold that it
-/// filled in, as an answer: in A's frame, its normal from A to B; `Lost` where it is no manifold.
-Answer answer_of(int status, const manifuzz_manifold& manifold,
+/// filled in, as an answer: in A's frame, its normal from A to B; `Lost` where it is none, or
+/// contradicts the declaration.
+Answer answer_of(int status, const manifuzz_manifold& manifold, const Declaration& declaration,
                  const manifuzz_declaration& declared, const PairCase& pair);
 
 /// A shared library after manifuzz_collider.h as a collider in this process: the fastest, but where

@@ -25,6 +25,7 @@ struct SharedState {
   SharedText<64> name;
   SharedText<64> version;
   SharedText<16384> snippet;
+  SharedText<512> tolerance_source;
   SharedText<512> error;  ///< why it could not be loaded
   std::atomic<int> asked{0};
   std::atomic<int> answered{0};
@@ -51,6 +52,7 @@ void serve(const std::string& path, SharedState& shared, int in, int out) {
     shared.name.set(shared.declared.name);
     shared.version.set(shared.declared.version);
     shared.snippet.set(shared.declared.snippet);
+    shared.tolerance_source.set(shared.declared.claims.tolerance_source);
   } catch (const UserError& error) {
     shared.error.set(error.what());
   }
@@ -77,8 +79,10 @@ class HostedLibrary {
     declared.name = shared.name.c_str();
     declared.version = shared.version.c_str();
     declared.snippet = shared.snippet.c_str();
+    declared.claims.tolerance_source = shared.tolerance_source.c_str();
     try {
-      return declaration_of(declared);
+      declaration_ = declaration_of(declared);
+      return declaration_;
     } catch (const UserError& error) {
       throw UserError(fmt::format("{}: {}", path_, error.what()));
     }
@@ -104,7 +108,8 @@ class HostedLibrary {
     const int answered = std::clamp(shared.answered.load(), 0, shared.asked.load());
     auto done = std::min(static_cast<std::size_t>(answered), pairs.size());
     for (std::size_t i = 0; i < done; ++i) {
-      answers[i] = answer_of(shared.statuses[i], shared.manifolds[i], shared.declared, pairs[i]);
+      answers[i] = answer_of(shared.statuses[i], shared.manifolds[i], declaration_, shared.declared,
+                             pairs[i]);
     }
     if (lost && done < pairs.size()) answers[done++] = *lost;
     return done;
@@ -150,6 +155,7 @@ class HostedLibrary {
 
   std::string path_;
   double seconds_max_;
+  Declaration declaration_;
   Child child_;
   std::unique_ptr<Shared<SharedState>> shared_;
 };

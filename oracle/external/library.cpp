@@ -1,3 +1,5 @@
+#include <cstddef>
+#include <cstring>
 #include <dlfcn.h>
 #include <memory>
 
@@ -41,6 +43,27 @@ Feature from_c(const manifuzz_feature& feature) {
           feature.index};
 }
 
+constexpr std::size_t kBytesOfInterface1 = offsetof(manifuzz_declaration, claims);
+
+std::optional<UsedShapes> shapes_of(const manifuzz_manifold& manifold) {
+  if (manifold.shapes[0].count == 0 && manifold.shapes[1].count == 0) return std::nullopt;
+  UsedShapes used;
+  for (const Side side : {Side::a, Side::b}) {
+    const manifuzz_shape& shape = manifold.shapes[static_cast<std::size_t>(side)];
+    used[side].count = shape.count;
+    for (int i = 0; i < shape.count; ++i) used[side].all[i] = from_c(shape.vertices[i]);
+  }
+  return used;
+}
+
+bool has_shapes_to_read(const manifuzz_manifold& manifold) {
+  const auto is_said = [](const manifuzz_shape& shape) {
+    return shape.count >= 1 && shape.count <= kMaxVertices;
+  };
+  const auto& [a, b] = manifold.shapes;
+  return (a.count == 0 && b.count == 0) || (is_said(a) && is_said(b));
+}
+
 Lost malformed(std::string why) {
   return {Lost::How::malformed, std::move(why)};
 }
@@ -64,12 +87,16 @@ Library::Library(const std::string& path) {
   if (library == nullptr) {
     throw UserError(fmt::format("{}: cannot be loaded: {}", path, printable(dlerror(), 300)));
   }
-  declaration_ = static_cast<const manifuzz_declaration*>(dlsym(library, "manifuzz_collider"));
+  const void* const declared = dlsym(library, "manifuzz_collider");
   collide_ = reinterpret_cast<decltype(collide_)>(dlsym(library, "manifuzz_collide"));
-  if (declaration_ == nullptr || collide_ == nullptr) {
-    throw UserError(
-        fmt::format("{}: has no {}; see manifuzz_collider.h", path,
-                    declaration_ == nullptr ? "manifuzz_collider" : "manifuzz_collide"));
+  if (declared == nullptr || collide_ == nullptr) {
+    throw UserError(fmt::format("{}: has no {}; see manifuzz_collider.h", path,
+                                declared == nullptr ? "manifuzz_collider" : "manifuzz_collide"));
+  }
+  // One of interface 1 ends before what interface 2 added.
+  std::memcpy(&declaration_, declared, kBytesOfInterface1);
+  if (declaration_.interface == MANIFUZZ_INTERFACE) {
+    std::memcpy(&declaration_, declared, sizeof(declaration_));
   }
 }
 
@@ -81,59 +108,100 @@ int Library::collide(const PairCase& pair, manifuzz_manifold& manifold) const {
 }
 
 Declaration declaration_of(const manifuzz_declaration& declared) {
-  if (declared.interface != MANIFUZZ_INTERFACE) {
-    throw UserError(fmt::format("manifuzz_collider.interface is {}; {} is expected",
-                                declared.interface, static_cast<int>(MANIFUZZ_INTERFACE)));
-  }
+  expect_between(declared.interface, 1, MANIFUZZ_INTERFACE, "interface");
   expect_between(declared.scalar, MANIFUZZ_FLOAT32, MANIFUZZ_FLOAT64, "scalar");
   expect_between(declared.rounds_in, MANIFUZZ_WORLD, MANIFUZZ_FRAME_OF_A, "rounds_in");
   expect_between(declared.answers_in, MANIFUZZ_WORLD, MANIFUZZ_FRAME_OF_A, "answers_in");
-  expect_between(declared.points, MANIFUZZ_CLIP_POINTS, MANIFUZZ_MIDPOINTS, "points");
+  expect_between(declared.points, MANIFUZZ_CLIP_POINTS, MANIFUZZ_ON_SURFACE_B, "points");
   expect_between(declared.normal, MANIFUZZ_A_TO_B, MANIFUZZ_B_TO_A, "normal");
   expect_between(declared.vertices_max, 3, kMaxVertices, "vertices_max");
+  expect_between(declared.claims.answers, MANIFUZZ_CLAIMS_MANIFOLD, MANIFUZZ_CLAIMS_TOUCHING,
+                 "claims.answers");
+  expect_between(declared.claims.tie_bias_towards, MANIFUZZ_NO_REFERENCE, MANIFUZZ_B,
+                 "claims.tie_bias_towards");
   Declaration declaration{
       .name = text_of(declared.name),
       .version = text_of(declared.version),
       .description = "a shared library",
       .scalar = declared.scalar == MANIFUZZ_FLOAT32 ? ScalarType::float32 : ScalarType::float64,
       .frame = declared.rounds_in == MANIFUZZ_WORLD ? RoundingFrame::world : RoundingFrame::local,
-      .tie_bias = declared.tie_bias,
+      .takes_angles = declared.claims.takes_angles != 0,
+      .tie_bias = {declared.tie_bias, declared.claims.tie_bias_relative,
+                   declared.claims.tie_bias_towards == MANIFUZZ_B ? Side::b : Side::a},
       .max_vertices = declared.vertices_max,
       .takes_radius = declared.takes_radius != 0,
+      .claims = static_cast<Claims>(declared.claims.answers),
+      .clips = declared.claims.does_not_clip == 0,
+      .points = static_cast<PointsAt>(declared.points),
+      .shares_depth = declared.claims.shares_depth != 0,
+      .one_point_enough = declared.claims.one_point_enough != 0,
+      .speculative = declared.claims.speculative,
+      .least_depth = declared.claims.least_depth,
+      .alters_shapes = declared.claims.alters_shapes != 0,
+      .tolerance = {declared.claims.tolerance_absolute, declared.claims.tolerance_relative},
+      .tolerance_source = text_of(declared.claims.tolerance_source),
       .snippet = text_of(declared.snippet)};
   check_declaration(declaration, "manifuzz_collider.");
   return declaration;
 }
 
-Answer answer_of(int status, const manifuzz_manifold& manifold,
-                 const manifuzz_declaration& declared, const PairCase& pair) {
-  if (status == 1) return Unsupported{"it declined this case"};
-  if (status != 0) return malformed(fmt::format("returned {}; 0 or 1 is expected", status));
+namespace {
+
+/// Of one that claims no points.
+Penetration penetration_of(const manifuzz_manifold& manifold, bool has_normal,
+                           const Conventions& conventions, const PairCase& pair) {
+  Penetration result{.touches = manifold.touching != 0, .used = shapes_of(manifold)};
+  const Vector2<double> normal = from_c(manifold.normal);
+  if (!has_normal || (!result.touches && normal.isZero(0))) return result;
+  result.normal = normal_in_frame_of_a(normal, conventions, pair);
+  result.depth = manifold.depth;
+  return result;
+}
+
+Answer manifold_of(const manifuzz_manifold& manifold, const Conventions& conventions,
+                   const PairCase& pair) {
   if (manifold.count < 0 || manifold.count > 2) {
     return malformed(fmt::format("{} points; 0 to 2 are expected", manifold.count));
   }
-  if (manifold.count == 0) return Manifold<double>{};
-  ReportedManifold reported{.count = manifold.count, .normal = from_c(manifold.normal)};
+  ReportedManifold reported{
+      .count = manifold.count, .normal = from_c(manifold.normal), .used = shapes_of(manifold)};
   if (manifold.reference != MANIFUZZ_NO_REFERENCE) {
     reported.reference = manifold.reference == MANIFUZZ_B ? Side::b : Side::a;
   }
-  const bool in_a = declared.answers_in == MANIFUZZ_FRAME_OF_A;
   for (int i = 0; i < manifold.count; ++i) {
     const manifuzz_point& point = manifold.points[i];
     if (!is_feature(point.feature_a, pair.a) || !is_feature(point.feature_b, pair.b)) {
       return malformed("names a feature that the polygon does not have");
     }
-    (in_a ? reported.points[i].local : reported.points[i].world) = from_c(point.position);
+    auto& position = conventions.normal_in_a ? reported.points[i].local : reported.points[i].world;
+    position = from_c(point.position);
     reported.points[i].depth = point.depth;
     if (point.feature_a.kind != MANIFUZZ_UNSAID && point.feature_b.kind != MANIFUZZ_UNSAID) {
       reported.points[i].features = {from_c(point.feature_a), from_c(point.feature_b)};
     }
   }
-  return in_frame_of_a(reported,
-                       {.has_midpoints = declared.points == MANIFUZZ_MIDPOINTS,
-                        .normal_from_b = declared.normal == MANIFUZZ_B_TO_A,
-                        .normal_in_a = in_a},
-                       pair);
+  return in_frame_of_a(reported, conventions, pair);
+}
+
+}  // namespace
+
+Answer answer_of(int status, const manifuzz_manifold& manifold, const Declaration& declaration,
+                 const manifuzz_declaration& declared, const PairCase& pair) {
+  if (status == 1) return Unsupported{"it declined this case"};
+  if (status != 0) return malformed(fmt::format("returned {}; 0 or 1 is expected", status));
+  if (!has_shapes_to_read(manifold)) {
+    return malformed(fmt::format("shapes of {} and {} vertices; 1 to {} are expected",
+                                 manifold.shapes[0].count, manifold.shapes[1].count, kMaxVertices));
+  }
+  Conventions conventions = conventions_of(declaration);
+  conventions.normal_from_b = declared.normal == MANIFUZZ_B_TO_A;
+  conventions.normal_in_a = declared.answers_in == MANIFUZZ_FRAME_OF_A;
+  const bool is_separation = conventions.claims == Claims::separation;
+  const bool is_less = is_separation || conventions.claims == Claims::touching;
+  const Answer answer = is_less ? penetration_of(manifold, is_separation, conventions, pair)
+                                : manifold_of(manifold, conventions, pair);
+  const auto why = contradiction(answer, conventions);
+  return why ? malformed(*why) : answer;
 }
 
 Collider collider_in_process(const std::string& path) {
@@ -144,7 +212,7 @@ Collider collider_in_process(const std::string& path) {
     if (auto declined = beyond_limits(declaration, pair)) return *declined;
     manifuzz_manifold manifold;
     const int status = library->collide(pair, manifold);
-    return answer_of(status, manifold, library->declaration(), pair);
+    return answer_of(status, manifold, declaration, library->declaration(), pair);
   };
   return collider;
 }

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-enum { MANIFUZZ_INTERFACE = 1, MANIFUZZ_VERTICES_MAX = 8 };
+enum { MANIFUZZ_INTERFACE = 2, MANIFUZZ_VERTICES_MAX = 8 };
 
 typedef struct { float x, y; } manifuzz_float2;
 typedef struct { double x, y; } manifuzz_double2;
@@ -35,21 +35,61 @@ typedef struct {
 
 typedef enum { MANIFUZZ_NO_REFERENCE = 0, MANIFUZZ_A, MANIFUZZ_B } manifuzz_reference;
 
+/* What you made of a polygon, in its own frame. */
 typedef struct {
-  int32_t count;    /* 0 to 2; with 0 nothing else is read */
+  int32_t count; /* 1 to 8, or 0: nothing is said */
+  manifuzz_double2 vertices[MANIFUZZ_VERTICES_MAX];
+} manifuzz_shape;
+
+typedef struct {
+  int32_t count;    /* of points: 0 to 2 */
   int32_t reference; /* whose face it is, a manifuzz_reference, if you know */
   manifuzz_double2 normal; /* unit, in the frame of the points */
   manifuzz_point points[2];
+  /* From interface 2 on. */
+  int32_t touching; /* where you claim less than points: 1 or 0 */
+  double depth;     /* along the normal, where you claim a separation; negative across a gap */
+  manifuzz_shape shapes[2]; /* A's, B's: where you alter them */
 } manifuzz_manifold;
 
 typedef enum { MANIFUZZ_FLOAT32 = 0, MANIFUZZ_FLOAT64 } manifuzz_scalar;
 typedef enum { MANIFUZZ_WORLD = 0, MANIFUZZ_FRAME_OF_A } manifuzz_frame;
-typedef enum { MANIFUZZ_CLIP_POINTS = 0, MANIFUZZ_MIDPOINTS } manifuzz_points;
+typedef enum {
+  MANIFUZZ_CLIP_POINTS = 0,
+  MANIFUZZ_MIDPOINTS,
+  MANIFUZZ_AT_VERTICES,
+  MANIFUZZ_ON_SURFACE_A,
+  MANIFUZZ_ON_SURFACE_B
+} manifuzz_points;
 typedef enum { MANIFUZZ_A_TO_B = 0, MANIFUZZ_B_TO_A } manifuzz_direction;
+
+typedef enum {
+  MANIFUZZ_CLAIMS_MANIFOLD = 0,
+  MANIFUZZ_CLAIMS_POINT,      /* at most one */
+  MANIFUZZ_CLAIMS_SEPARATION, /* touching, normal and depth */
+  MANIFUZZ_CLAIMS_TOUCHING    /* touching alone */
+} manifuzz_claim;
+
+/* What its answers claim; README.md says what each means. All zero: manifolds that clips make. */
+typedef struct {
+  int32_t answers;          /* manifuzz_claim */
+  int32_t does_not_clip;    /* 1: no reference face is meant */
+  int32_t shares_depth;     /* 1: all points have the deepest's */
+  int32_t one_point_enough;
+  int32_t takes_angles;     /* 1: rotations reach it as angles */
+  int32_t alters_shapes;    /* 1: it fills in `shapes` */
+  double speculative;       /* a length */
+  double least_depth;       /* a length */
+  double tie_bias_relative; /* of the favoured side's separation */
+  int32_t tie_bias_towards; /* manifuzz_reference; A where none is named */
+  double tolerance_absolute;
+  double tolerance_relative;
+  const char* tolerance_source; /* where it is documented, or NULL */
+} manifuzz_claims;
 
 /* What the collider says of itself; it is judged by this alone. */
 typedef struct {
-  int32_t interface;    /* MANIFUZZ_INTERFACE */
+  int32_t interface;    /* MANIFUZZ_INTERFACE; of 1, nothing below `snippet` is read */
   const char* name;     /* as tables and the corpus have it */
   const char* version;
   int32_t scalar;       /* manifuzz_scalar: what it computes in */
@@ -61,6 +101,7 @@ typedef struct {
   int32_t vertices_max; /* 3 to 8: with more it is not asked */
   int32_t takes_radius; /* 0: rounded polygons are not asked */
   const char* snippet;  /* a program that shows one case (README.md), or NULL */
+  manifuzz_claims claims; /* from interface 2 on */
 } manifuzz_declaration;
 
 extern const manifuzz_declaration manifuzz_collider;

@@ -85,7 +85,7 @@ std::string in_words(const Settings& settings) {
     versions.push_back(fmt::format("{} {}", name, version));
   std::string text = fmt::format("{} against {} ({}), tie bias {}, judging 1 in {}",
                                  settings.subject, settings.oracle, fmt::join(versions, ", "),
-                                 settings.tie_bias, settings.judge_every);
+                                 in_words(settings.tie_bias), settings.judge_every);
   if (settings.radius) text += fmt::format(", radius {}", *settings.radius);
   return printable(text, 300);
 }
@@ -200,6 +200,7 @@ void add_run(CampaignResult& sum, const CampaignResult& run) {
   }
   sum.jobs = std::max(sum.jobs, run.jobs);
   for (std::size_t i = 0; i < sum.verdicts.size(); ++i) sum.verdicts[i] += run.verdicts[i];
+  sum.by_tolerance += run.by_tolerance;
   widen(sum.of_subject, run.of_subject);
   widen(sum.of_oracle, run.of_oracle);
   sum.interrupted = sum.interrupted || run.interrupted;

@@ -53,6 +53,7 @@ void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
   if (is_unexplained(bucket.verdict)) ++of_regime.unexplained;
   if (is_failure(bucket)) ++of_regime.failures;
   ++verdicts[static_cast<std::size_t>(bucket.verdict)];
+  if (judgement.is_by_tolerance) ++by_tolerance;
   if (bucket.verdict != Verdict::agree) {
     buckets[index_of(bucket)].add({1, number, number, judgement.magnitude});
   }
@@ -63,6 +64,7 @@ void Tally::add(const Tally& tally) {
   widen(of_subject, tally.of_subject);
   widen(of_oracle, tally.of_oracle);
   for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] += tally.verdicts[i];
+  by_tolerance += tally.by_tolerance;
   for (std::size_t i = 0; i < regimes.size(); ++i) regimes[i].add(tally.regimes[i]);
   for (std::size_t i = 0; i < buckets.size(); ++i) buckets[i].add(tally.buckets[i]);
   for (std::size_t i = 0; i < explained.size(); ++i) {

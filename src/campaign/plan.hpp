@@ -82,6 +82,7 @@ struct Tally {
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
   std::array<RegimeTally, kRegimesMax> regimes{};
   std::array<BucketTally, kBucketCount> buckets{};
+  std::uint64_t by_tolerance = 0;  ///< right, but only by the tolerance that a collider declares
   /// The worst errors of wrong answers.
   ManifoldError of_subject;
   ManifoldError of_oracle;

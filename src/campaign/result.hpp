@@ -68,9 +68,10 @@ struct Settings {
   std::string subject;
   std::string oracle;
   std::vector<std::pair<std::string, std::string>> versions;
-  double tie_bias = 0;           ///< the subject's
+  TieBias tie_bias{};            ///< the subject's
   std::optional<double> radius;  ///< of each polygon; none: the regime's own
   std::uint64_t judge_every = 1;
+  std::vector<std::string> allowances{};  ///< what is not judged, or judged more mildly, and why
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -86,7 +87,8 @@ struct CampaignResult {
   std::vector<CasesRun> parts;  ///< one of a campaign, each of several that were merged; sorted
   std::uint64_t jobs = 0;
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
-  ManifoldError of_subject;  ///< the worst errors of wrong answers
+  std::uint64_t by_tolerance = 0;  ///< right only by the tolerance that a collider declares
+  ManifoldError of_subject;        ///< the worst errors of wrong answers
   ManifoldError of_oracle;
   bool interrupted = false;
   bool stopped_early = false;  ///< a collider gave no answer again and again

@@ -163,14 +163,31 @@ Json read_machine(const JsonView& machine) {
           {"instruction_set", machine.string_or("instruction_set", "unknown")}};
 }
 
+Json json_of(const TieBias& bias) {
+  if (bias == TieBias{.absolute = bias.absolute}) return bias.absolute;
+  return {{"absolute", bias.absolute},
+          {"relative", bias.relative},
+          {"towards", bias.towards == Side::a ? "a" : "b"}};
+}
+
 Settings read_settings(const JsonView& root) {
-  Settings settings{root.string_or("subject", ""),   root.string_or("oracle", ""), {}, 0, {},
-                    count_or(root, "judge_every", 1)};
+  Settings settings{root.string_or("subject", ""),
+                    root.string_or("oracle", ""),
+                    {},
+                    {},
+                    {},
+                    count_or(root, "judge_every", 1),
+                    {}};
   const JsonView versions = root.at("versions");
   for (const std::string_view name : versions.keys()) {
     settings.versions.emplace_back(name, versions.at(name).string());
   }
-  if (const auto tie_bias = root.find("tie_bias")) settings.tie_bias = tie_bias->magnitude();
+  if (const auto tie_bias = root.find("tie_bias")) settings.tie_bias = read_tie_bias(*tie_bias);
+  if (const auto allowances = root.find("allowances")) {
+    for (const JsonView& allowance : allowances->elements()) {
+      settings.allowances.emplace_back(allowance.string());
+    }
+  }
   const auto radius = root.find("radius");
   if (radius && !radius->is_null()) settings.radius = radius->magnitude();
   return settings;
@@ -187,7 +204,7 @@ Json json_of(const CampaignResult& result) {
             {"versions", Json::object()},
             {"subject", settings.subject},
             {"oracle", settings.oracle},
-            {"tie_bias", settings.tie_bias},
+            {"tie_bias", json_of(settings.tie_bias)},
             {"radius", or_null(settings.radius)},
             {"judge_every", settings.judge_every},
             {"cases", result.cases()},
@@ -201,6 +218,10 @@ Json json_of(const CampaignResult& result) {
     json["verdicts"][std::string(kVerdictNames[i])] = result.verdicts[i];
   }
   json["unexplained"] = result.unexplained();
+  if (!settings.allowances.empty()) {
+    json["allowances"] = settings.allowances;
+    json["by_tolerance"] = result.by_tolerance;
+  }
   json["worst_error"] = {{"subject", json_of(result.of_subject)},
                          {"oracle", json_of(result.of_oracle)}};
   json["vacuous"] = is_vacuous(result);
@@ -228,6 +249,7 @@ CampaignResult read_campaign_result(const JsonView& root) {
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
     result.verdicts[i] = count_in(root.at("verdicts"), kVerdictNames[i]);
   }
+  result.by_tolerance = count_or(root, "by_tolerance", 0);
   if (const auto worst = root.find("worst_error")) {
     result.of_subject = read_error(worst->at("subject"));
     result.of_oracle = read_error(worst->at("oracle"));

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
+
 namespace manifuzz {
 namespace {
 
@@ -42,14 +44,38 @@ JobsResult run_plan(const Plan& plan, const KnownBuckets& known, Interruption& i
   return all;
 }
 
+/// What a collider does not claim, and what else its declaration keeps from being judged.
+void add_allowances(const Declaration& declaration, std::vector<std::string>& all) {
+  const auto add = [&](const std::string& what) { all.push_back(declaration.name + " " + what); };
+  if (declaration.claims == Claims::touching) {
+    add("claims only whether they touch: no depth, normal or point is judged");
+  } else if (declaration.claims == Claims::separation) {
+    add("claims no points: none are judged");
+  } else if (declaration.claims == Claims::point) {
+    add("claims one point: that there is no second one is not judged");
+  } else if (!declaration.clips) {
+    add("does not clip: reference, features and the extent of its points are not judged");
+  }
+  if (declaration.alters_shapes) add("alters shapes: it is judged by those that it used");
+  if (!declaration.tolerance.is_none()) {
+    add(fmt::format("may stop {} and {}% of the depth short of the least, by {}",
+                    declaration.tolerance.absolute, 100 * declaration.tolerance.relative,
+                    printable(declaration.tolerance_source, 200)));
+  }
+}
+
 Settings settings_of(const Plan& plan) {
+  std::vector<std::string> allowances;
+  add_allowances(plan.subject.declaration, allowances);
+  add_allowances(plan.oracle.declaration, allowances);
   const bool has_radius = plan.context.radius && !plan.is_narrowed;
   return {.subject = plan.subject.declaration.name,
           .oracle = plan.oracle.declaration.name,
           .versions = {},
           .tie_bias = plan.subject.declaration.tie_bias,
           .radius = has_radius ? std::optional<double>(*plan.context.radius) : std::nullopt,
-          .judge_every = plan.judge_every};
+          .judge_every = plan.judge_every,
+          .allowances = allowances};
 }
 
 void add_provenance(CampaignResult& result, const nlohmann::ordered_json& provenance) {
@@ -84,6 +110,7 @@ CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
   add_provenance(result, origin.provenance);
   result.jobs = static_cast<std::uint64_t>(plan.jobs);
   result.verdicts = tally.verdicts;
+  result.by_tolerance = tally.by_tolerance;
   result.of_subject = tally.of_subject;
   result.of_oracle = tally.of_oracle;
   result.interrupted = campaign.run.interrupted || campaign.saving.interrupted;

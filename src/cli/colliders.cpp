@@ -115,8 +115,8 @@ Collider find_any(const ColliderChoice& choice, const ExternalOptions& external)
 
 Collider with_tie_bias(const Collider& collider, double tie_bias) {
   if (!collider.with_tie_bias) {
-    throw UserError(fmt::format("--tie-bias: that of {} is fixed at {:g}",
-                                collider.declaration.name, collider.declaration.tie_bias));
+    throw UserError(fmt::format("--tie-bias: that of {} is fixed at {}", collider.declaration.name,
+                                in_words(collider.declaration.tie_bias)));
   }
   if (tie_bias > static_cast<double>(std::numeric_limits<float>::max())) {
     throw UserError(fmt::format("--tie-bias: {:g} is beyond float; take 0 to {:g}", tie_bias,

@@ -116,9 +116,8 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name,
   const auto read = [name, &to, least, most](const std::string& text) {
     to = parse_number<std::uint64_t>(text);
     if (!to || *to < least) {
-      throw CLI::ValidationError(
-          name, fmt::format("'{}' is not a whole number from {} to {}", printable(text), least,
-                            std::numeric_limits<std::uint64_t>::max()));
+      throw CLI::ValidationError(name, fmt::format("'{}' is not a whole number from {} to {}",
+                                                   printable(text), least, most));
     }
     if (*to > most) {
       throw UserError(fmt::format("{}: {} are too many; take {} to {}", name, *to, least, most));

@@ -24,6 +24,27 @@ enum class Claims { manifold, point, separation, touching };
 /// either core, on A's surface, on B's.
 enum class PointsAt { clip, midpoint, vertex, surface_a, surface_b };
 
+/// What keeps the reference on one side's face where both have nearly the same separation, as cores
+/// have it: the other side's is taken only where its separation is more than (1 - relative) times
+/// the favoured one's, and absolute more. (Box2D 2.4 has 0.0005 and 0, Box2D 2.2 0.001 and 0.02.)
+struct TieBias {
+  double absolute = 0;  ///< a world length
+  double relative = 0;  ///< of the favoured side's separation
+  Side towards = Side::a;
+
+  bool is_none() const { return absolute == 0 && relative == 0; }
+  friend bool operator==(const TieBias&, const TieBias&) = default;
+};
+
+/// How far an iterative collider stops short of the least depth, by its documentation: depths and
+/// normals may have that much more excess, points be that much off, depths that much too small.
+struct Tolerance {
+  double absolute = 0;  ///< a world length
+  double relative = 0;  ///< of the least depth
+
+  bool is_none() const { return absolute == 0 && relative == 0; }
+};
+
 /// What a collider declares of itself. It is judged by this, and by nothing else.
 struct Declaration {
   std::string name;         ///< in tables, options and the names of files
@@ -31,7 +52,8 @@ struct Declaration {
   std::string description;  ///< one line for `list colliders`
   ScalarType scalar = ScalarType::float32;
   RoundingFrame frame = RoundingFrame::local;
-  double tie_bias = 0;  ///< a world length: B's face is the reference where it leads by more
+  bool takes_angles = false;  ///< a rotation reaches it as an angle, and is rounded once more
+  TieBias tie_bias{};
   int max_vertices = kMaxVertices;  ///< of a polygon; with more it is not asked
   bool takes_radius = true;         ///< false: rounded polygons are not asked
   Claims claims = Claims::manifold;
@@ -42,6 +64,9 @@ struct Declaration {
   bool one_point_enough = false;  ///< of several right points it may give one
   double speculative = 0;         ///< a world length: it reports points across gaps up to it
   double least_depth = 0;         ///< a world length: shallower contacts may be missing
+  bool alters_shapes = false;     ///< it may make polygons its own, and says what it used
+  Tolerance tolerance{};
+  std::string tolerance_source{};  ///< where its documentation, or its code, states it
   std::string snippet{};  ///< of a program that shows one case; report/upstream.cpp fills it in
 };
 
@@ -55,8 +80,9 @@ struct Unsupported {
 struct PartialManifold {
   Manifold<double> manifold{};
   bool names_reference = false;
-  bool names_features = false;  ///< of every point
-  bool has_midpoints = false;   ///< points halfway between both surfaces, as Box2D 3 has them
+  bool names_features = false;       ///< of every point
+  bool has_midpoints = false;        ///< points halfway between both surfaces, as Box2D 3 has them
+  std::optional<UsedShapes> used{};  ///< in place of the case's polygons, where it says so
 };
 
 /// How far they overlap along a normal, or only whether they touch.
@@ -64,6 +90,7 @@ struct Penetration {
   bool touches = false;
   std::optional<Vector2<double>> normal{};  ///< from A to B, in A's frame
   double depth = 0;                         ///< along it, a world length; negative across a gap
+  std::optional<UsedShapes> used{};         ///< in place of the case's polygons
 
   friend bool operator==(const Penetration&, const Penetration&) = default;
 };
@@ -82,6 +109,14 @@ using Answer = std::variant<Manifold<double>, Unsupported, PartialManifold, Lost
 inline const Manifold<double>* manifold_in(const Answer& answer) {
   if (const auto* const partial = std::get_if<PartialManifold>(&answer)) return &partial->manifold;
   return std::get_if<Manifold<double>>(&answer);
+}
+
+/// The shapes that the answer says it used; nullptr where it says nothing of them.
+inline const UsedShapes* used_by(const Answer& answer) {
+  const std::optional<UsedShapes>* used = nullptr;
+  if (const auto* const partial = std::get_if<PartialManifold>(&answer)) used = &partial->used;
+  if (const auto* const less = std::get_if<Penetration>(&answer)) used = &less->used;
+  return used != nullptr && *used ? &**used : nullptr;
 }
 
 /// Whether the penetration curve judges its answers, and not the clips that it may make.

@@ -36,6 +36,18 @@ void append_manifold(std::string& out, const PairCase& pair, const Manifold<doub
   out += ']';
 }
 
+void append_shapes(std::string& out, const UsedShapes& used) {
+  out += ", \"shapes\": {";
+  for (const Side side : {Side::a, Side::b}) {
+    out += side == Side::a ? "\"a\": [" : "], \"b\": [";
+    for (int i = 0; i < used[side].count; ++i) {
+      if (i > 0) out += ", ";
+      append_vector(out, used[side].all[i]);
+    }
+  }
+  out += "]}";
+}
+
 void append_penetration(std::string& out, const PairCase& pair, const Penetration& penetration) {
   out += penetration.touches ? "\"touching\": true" : "\"touching\": false";
   if (!penetration.normal) return;
@@ -54,6 +66,7 @@ class ManifoldReader {
 
   ReportedManifold manifold(const JsonView& object) const {
     ReportedManifold result;
+    result.used = shapes(object);
     const JsonView points = object.at("points");
     const std::size_t count = points.length("an array of 0 to 2 points");
     if (count > result.points.size()) {
@@ -62,7 +75,8 @@ class ManifoldReader {
     result.count = static_cast<int>(count);
     if (count == 0) return result;
     result.normal = vector(object.at("normal"));
-    if (const auto reference = member(object, "reference")) result.reference = side(*reference);
+    if (const auto reference = member(object, "reference"))
+      result.reference = read_side(*reference);
     const auto shared = is_recorded_ ? std::nullopt : object.find("depth");
     for (std::size_t i = 0; i < count; ++i) result.points[i] = point(points[i], shared);
     return result;
@@ -72,6 +86,7 @@ class ManifoldReader {
   Penetration penetration(const JsonView& object, bool needs_normal,
                           const Conventions& conventions) const {
     Penetration result;
+    result.used = shapes(object);
     const auto touching = object.find("touching");
     const auto depth = object.find("depth");
     if (touching) result.touches = touching->boolean();
@@ -82,7 +97,7 @@ class ManifoldReader {
     if (!needs_normal) object.fail("\"touching\", true or false, is expected, as it declares");
     result.depth = number(object.at("depth"));
     if (!touching) result.touches = result.depth >= 0;
-    result.normal = local(vector(object.at("normal")), conventions);
+    result.normal = normal_in_frame_of_a(vector(object.at("normal")), conventions, pair_);
     return result;
   }
 
@@ -96,20 +111,25 @@ class ManifoldReader {
     return value.number();
   }
 
-  Vector2<double> local(const Vector2<double>& normal, const Conventions& conventions) const {
-    const Vector2<double> in_a = conventions.normal_in_a ? normal : local_normal(pair_, normal);
-    return conventions.normal_from_b ? Vector2<double>(-in_a) : in_a;
+  std::optional<UsedShapes> shapes(const JsonView& object) const {
+    const auto given = object.find("shapes");
+    if (!given) return std::nullopt;
+    UsedShapes used;
+    for (const Side side : {Side::a, Side::b}) {
+      const JsonView vertices = given->at(side == Side::a ? "a" : "b");
+      const std::size_t count = vertices.length("an array of vertices");
+      if (count < 1 || count > kMaxVertices) {
+        vertices.fail(fmt::format("has {} vertices; 1 to {} are expected", count, kMaxVertices));
+      }
+      used[side].count = static_cast<int>(count);
+      for (std::size_t i = 0; i < count; ++i) used[side].all[i] = vector(vertices[i]);
+    }
+    return used;
   }
 
   Vector2<double> vector(const JsonView& array) const {
     expect_two(array, "an array of two numbers");
     return {number(array[0]), number(array[1])};
-  }
-
-  static Side side(const JsonView& value) {
-    const std::string_view name = value.string();
-    if (name != "a" && name != "b") value.fail("the reference is \"a\" or \"b\"");
-    return name == "a" ? Side::a : Side::b;
   }
 
   Feature feature(const JsonView& value, const Body& body) const {
@@ -157,8 +177,9 @@ void append_answer(std::string& out, const PairCase& pair, std::string_view coll
   } else if (const auto* penetration = std::get_if<Penetration>(&answer)) {
     append_penetration(out, pair, *penetration);
   } else {
-    append_manifold(out, pair, std::get<Manifold<double>>(answer));
+    append_manifold(out, pair, *manifold_in(answer));
   }
+  if (const UsedShapes* const used = used_by(answer)) append_shapes(out, *used);
   out += '}';
 }
 
@@ -171,7 +192,7 @@ void append_manifold_object(std::string& out, const PairCase& pair,
 
 NamedAnswer read_recorded_answer(const JsonView& object, const PairCase& pair) {
   object.expect_keys(
-      {"collider", "unsupported", "normal", "reference", "points", "touching", "depth"});
+      {"collider", "unsupported", "normal", "reference", "points", "touching", "depth", "shapes"});
   const std::string collider(object.at("collider").string());
   if (const auto touching = object.find("touching")) {
     return {collider,
@@ -181,7 +202,9 @@ NamedAnswer read_recorded_answer(const JsonView& object, const PairCase& pair) {
     return {collider, Unsupported{std::string(unsupported->string())}};
   }
   const ReportedManifold recorded = ManifoldReader(pair, true).manifold(object);
-  return {collider, in_frame_of_a(recorded, {.is_ordered = true}, pair).manifold};
+  const PartialManifold manifold = in_frame_of_a(recorded, {.is_ordered = true}, pair);
+  if (manifold.used) return {collider, manifold};
+  return {collider, manifold.manifold};
 }
 
 Answer read_reported_answer(const JsonView& object, const PairCase& pair,
@@ -190,27 +213,44 @@ Answer read_reported_answer(const JsonView& object, const PairCase& pair,
     return Unsupported{std::string(unsupported->string())};
   }
   const ManifoldReader reader(pair, false);
-  if (conventions.claims == Claims::touching || conventions.claims == Claims::separation) {
-    return reader.penetration(object, conventions.claims == Claims::separation, conventions);
+  const bool is_less =
+      conventions.claims == Claims::touching || conventions.claims == Claims::separation;
+  const Answer answer = is_less
+                            ? Answer(reader.penetration(
+                                  object, conventions.claims == Claims::separation, conventions))
+                            : in_frame_of_a(reader.manifold(object), conventions, pair);
+  if (const auto why = contradiction(answer, conventions)) object.fail(*why);
+  return answer;
+}
+
+std::optional<std::string> contradiction(const Answer& answer, const Conventions& conventions) {
+  const Manifold<double>* const manifold = manifold_in(answer);
+  if (conventions.claims == Claims::point && manifold != nullptr && manifold->count > 1) {
+    return fmt::format("has {} points; 0 or 1 is expected, as it declares", manifold->count);
   }
-  const ReportedManifold manifold = reader.manifold(object);
-  if (conventions.claims == Claims::point && manifold.count > 1) {
-    object.at("points").fail("has 2 points; 0 or 1 is expected, as it declares");
+  if (conventions.says_shapes && used_by(answer) == nullptr) {
+    return "says no shapes; those that it used are expected, as it declares";
   }
-  return in_frame_of_a(manifold, conventions, pair);
+  return std::nullopt;
+}
+
+Vector2<double> normal_in_frame_of_a(const Vector2<double>& normal, const Conventions& conventions,
+                                     const PairCase& pair) {
+  const Vector2<double> in_a = conventions.normal_in_a ? normal : local_normal(pair, normal);
+  return conventions.normal_from_b ? Vector2<double>(-in_a) : in_a;
 }
 
 PartialManifold in_frame_of_a(const ReportedManifold& reported, const Conventions& conventions,
                               const PairCase& pair) {
   PartialManifold result{.names_reference = reported.reference.has_value(),
                          .names_features = reported.count > 0,
-                         .has_midpoints = conventions.has_midpoints};
+                         .has_midpoints = conventions.has_midpoints,
+                         .used = reported.used};
   Manifold<double>& manifold = result.manifold;
   manifold.count = reported.count;
   if (manifold.count == 0) return result;
   manifold.reference = reported.reference.value_or(Side::a);
-  manifold.normal = conventions.normal_in_a ? reported.normal : local_normal(pair, reported.normal);
-  if (conventions.normal_from_b) manifold.normal = -manifold.normal;
+  manifold.normal = normal_in_frame_of_a(reported.normal, conventions, pair);
   for (int i = 0; i < manifold.count; ++i) {
     const ReportedPoint& point = reported.points[i];
     manifold.points[i] = {point.local ? *point.local : to_local(pair.a.pose, point.world.value()),

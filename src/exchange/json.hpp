@@ -25,14 +25,30 @@ struct Conventions {
   bool normal_in_a = false;    ///< normals are in A's frame, not in the world's
   bool is_ordered = false;     ///< points are in the contract's order, and stay in theirs
   Claims claims = Claims::manifold;  ///< what an answer says, and must say
+  bool says_shapes = false;          ///< it must say which shapes it used
 };
 
 /// Those that follow from a declaration.
 inline Conventions conventions_of(const Declaration& declaration) {
   return {
       .has_midpoints = declaration.points == PointsAt::midpoint && !is_judged_by_curve(declaration),
-      .claims = declaration.claims};
+      .claims = declaration.claims,
+      .says_shapes = declaration.alters_shapes};
 }
+
+/// How an answer contradicts what its collider declares: too many points, no shapes where it alters
+/// them. None where it does not.
+std::optional<std::string> contradiction(const Answer& answer, const Conventions& conventions);
+
+/// "a" or "b". Throws UserError that begins with a path.
+Side read_side(const JsonView& value);
+
+/// A number, or {"absolute": x, "relative": x, "towards": "a"|"b"}, each of which may be left out.
+/// Throws UserError that begins with a path.
+TieBias read_tie_bias(const JsonView& value);
+
+/// "0.0005", or "0.001 and 2% towards a".
+std::string in_words(const TieBias& bias);
 
 /// A contact point as it is given: its position at least once, the rest where it is known.
 struct ReportedPoint {
@@ -48,6 +64,7 @@ struct ReportedManifold {
   Vector2<double> normal{0, 0};     ///< unit
   std::optional<Side> reference{};  ///< whose face clips
   std::array<ReportedPoint, 2> points{};
+  std::optional<UsedShapes> used{};
 };
 
 /// The manifold by our own contract: in A's frame, its normal from A to B, its points in order.
@@ -55,6 +72,10 @@ struct ReportedManifold {
 /// tells which way the incident edge lies.
 PartialManifold in_frame_of_a(const ReportedManifold& reported, const Conventions& conventions,
                               const PairCase& pair);
+
+/// The same of a normal.
+Vector2<double> normal_in_frame_of_a(const Vector2<double>& normal, const Conventions& conventions,
+                                     const PairCase& pair);
 
 /// A collider's answer and its name, as a manifold line has them.
 struct NamedAnswer {
@@ -113,8 +134,9 @@ NamedAnswer read_recorded_answer(const JsonView& object, const PairCase& pair);
 /// manifold, or {"unsupported": "why"}. Each point has `depth`, unless one beside the points is
 /// that of all, and `position` (in the world) or `local` (in A's frame), the normal is in the
 /// world; reference and features may be left out, and unknown keys are ignored. One that claims
-/// less says {"touching": true}, or {"normal": ..., "depth": ...}. Throws UserError that begins
-/// with a path.
+/// less says {"touching": true}, or {"normal": ..., "depth": ...}. {"shapes": {"a": [[x, y], ...],
+/// "b": ...}}, in the polygons' own frames, is what it used. Throws UserError that begins with a
+/// path.
 Answer read_reported_answer(const JsonView& object, const PairCase& pair,
                             const Conventions& conventions = {});
 

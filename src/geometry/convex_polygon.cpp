@@ -64,19 +64,23 @@ int orientation(const Vector2<double>& a, const Vector2<double>& b, const Vector
 
 namespace {
 
-using Vertices = std::span<const Vector2<float>>;
+template <class Scalar>
+using Vertices = std::span<const Vector2<Scalar>>;
 
 /// Vertex i, counted round; i is below twice the count.
-const Vector2<float>& cyclic(Vertices v, std::size_t i) {
+template <class Scalar>
+const Vector2<Scalar>& cyclic(Vertices<Scalar> v, std::size_t i) {
   return v[i < v.size() ? i : i - v.size()];
 }
 
-bool all_finite(Vertices v) {
+template <class Scalar>
+bool all_finite(Vertices<Scalar> v) {
   return std::all_of(v.begin(), v.end(),
                      [](const auto& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); });
 }
 
-bool has_repeated_vertex(Vertices v) {
+template <class Scalar>
+bool has_repeated_vertex(Vertices<Scalar> v) {
   for (std::size_t i = 0; i < v.size(); ++i) {
     for (std::size_t j = i + 1; j < v.size(); ++j) {
       if (v[i] == v[j]) return true;
@@ -88,7 +92,8 @@ bool has_repeated_vertex(Vertices v) {
 /// A closed chain of left turns goes round as often as its edges start to climb: none of the turns
 /// is wide enough to pass over all the climbing directions. Without branches, which no processor
 /// could foretell here.
-int turns_round(Vertices v) {
+template <class Scalar>
+int turns_round(Vertices<Scalar> v) {
   int starts = 0;
   bool before = v.front().y() > v.back().y();
   for (std::size_t i = 0; i < v.size(); ++i) {
@@ -99,9 +104,8 @@ int turns_round(Vertices v) {
   return starts;
 }
 
-}  // namespace
-
-std::optional<PolygonDefect> find_defect(Vertices v) {
+template <class Scalar>
+std::optional<PolygonDefect> defect_of(Vertices<Scalar> v) {
   if (v.size() < kMinVertices) return PolygonDefect::too_few;
   if (v.size() > kMaxVertices) return PolygonDefect::too_many;
   if (!all_finite(v)) return PolygonDefect::not_finite;
@@ -118,6 +122,16 @@ std::optional<PolygonDefect> find_defect(Vertices v) {
   if (right == v.size()) return PolygonDefect::clockwise;
   if (left < v.size()) return PolygonDefect::not_strictly_convex;
   return PolygonDefect::winds_twice;
+}
+
+}  // namespace
+
+std::optional<PolygonDefect> find_defect(std::span<const Vector2<float>> vertices) {
+  return defect_of<float>(vertices);
+}
+
+std::optional<PolygonDefect> find_defect_in_doubles(std::span<const Vector2<double>> vertices) {
+  return defect_of<double>(vertices);
 }
 
 std::string_view describe(PolygonDefect defect) {

@@ -65,6 +65,8 @@ enum class PolygonDefect {
 /// The first defect, or none. Decided exactly on the floats, without a tolerance: see
 /// `orientation`.
 std::optional<PolygonDefect> find_defect(std::span<const Vector2<float>> vertices);
+/// The same of doubles, as far as `orientation` is exact.
+std::optional<PolygonDefect> find_defect_in_doubles(std::span<const Vector2<double>> vertices);
 
 /// One clause for a person: what is wrong, and what would be right.
 std::string_view describe(PolygonDefect defect);

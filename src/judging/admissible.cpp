@@ -18,6 +18,7 @@ struct Constants {
 constexpr Constants kOfFloat{15, 9, 6, 10};
 constexpr Constants kOfDouble{26, 17, 12, 14};
 constexpr double kOfWorldNormal = 9;  ///< more for a double one's normal in world coordinates
+constexpr double kOfAngles = 8;       ///< more of each for one that takes angles
 
 double smallest(ScalarType scalar) {
   return scalar == ScalarType::float32
@@ -28,12 +29,12 @@ double smallest(ScalarType scalar) {
 /// Beyond it a float collider's sums and differences overflow.
 constexpr double kFloatReachMax = static_cast<double>(std::numeric_limits<float>::max()) / 4;
 
-double defect(const Body& body) {
+}  // namespace
+
+double rotation_defect(const Body& body) {
   const Vector2<double> rotation = body.pose.rotation.cast<double>();
   return std::abs(rotation.dot(rotation) - 1);
 }
-
-}  // namespace
 
 double roundoff(ScalarType scalar) {
   return scalar == ScalarType::float32 ? std::numeric_limits<float>::epsilon() / 2.0
@@ -48,12 +49,14 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
   const bool narrow = declaration.scalar == ScalarType::float32;
   const bool in_world = declaration.frame == RoundingFrame::world;
   const Constants& of = narrow ? kOfFloat : kOfDouble;
+  const double of_angles = declaration.takes_angles ? kOfAngles : 0;
   const double of_normal = of.normal + (in_world && !narrow ? kOfWorldNormal : 0);
   const double u = roundoff(declaration.scalar);
   double reach = extent + total_radius(pair);
   const double underflow = of.separation * smallest(declaration.scalar);
-  const double rotation_defect = narrow ? defect(pair.a) + defect(pair.b) : 0;
-  const double of_rotation = rotation_defect * reach + underflow;
+  const double of_rotations =
+      (narrow ? rotation_defect(pair.a) + rotation_defect(pair.b) : 0) + of_angles * u;
+  const double of_lengths = of_rotations * reach + underflow;
   if (in_world) {
     reach += std::max(pair.a.pose.position.cast<double>().norm(),
                       pair.b.pose.position.cast<double>().norm());
@@ -62,10 +65,10 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     return {unbounded, unbounded, unbounded, unbounded};
   }
-  return {.separation = of.separation * u * reach + of_rotation,
-          .incident_dot = of.incident_dot * u + rotation_defect,
-          .normal = of_normal * u + rotation_defect,
-          .position = of.position * u * reach + of_rotation};
+  return {.separation = of.separation * u * reach + of_lengths,
+          .incident_dot = of.incident_dot * u + of_rotations,
+          .normal = of_normal * u + of_rotations,
+          .position = of.position * u * reach + of_lengths};
 }
 
 namespace {
@@ -80,7 +83,7 @@ bool has_candidates_on(const Admissible& result, Side side) {
 }
 
 /// Adds the references of each side that the bias leaves open, unless they are there already.
-void add_references(double tie_bias, Admissible& result) {
+void add_references(const TieBias& bias, Admissible& result) {
   const exact::Truth& truth = *result.truth;
   const double bound = result.bounds.separation;
   const auto add_faces = [&](Side side) {
@@ -88,8 +91,11 @@ void add_references(double tie_bias, Admissible& result) {
     std::ranges::copy(clips_within(truth, side, result.bounds),
                       std::back_inserter(result.candidates));
   };
-  if (truth.compare_lead_of_b(tie_bias + bound) <= 0) add_faces(Side::a);
-  if (truth.compare_lead_of_b(tie_bias - bound) > 0) add_faces(Side::b);
+  const bool may_be_favoured = compare_lead_over_bias(truth, bias, bound) <= 0;
+  const bool may_be_other = compare_lead_over_bias(truth, bias, -bound) > 0;
+  for (const Side side : {Side::a, Side::b}) {
+    if (side == bias.towards ? may_be_favoured : may_be_other) add_faces(side);
+  }
 }
 
 bool nearly_clipped(const Bounds& bounds, const Clip& clip, const ClipPoint& point) {
@@ -203,7 +209,15 @@ Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declarati
   return admissible(std::move(truth), declaration.tie_bias, own);
 }
 
-Admissible admissible(std::shared_ptr<const exact::Truth> truth, double tie_bias,
+int compare_lead_over_bias(const exact::Truth& truth, const TieBias& bias, double offset) {
+  return truth.compare_lead(other(bias.towards), 1 - bias.relative, bias.absolute + offset);
+}
+
+Side reference_under(const exact::Truth& truth, const TieBias& bias) {
+  return compare_lead_over_bias(truth, bias, 0) > 0 ? other(bias.towards) : bias.towards;
+}
+
+Admissible admissible(std::shared_ptr<const exact::Truth> truth, const TieBias& tie_bias,
                       const Bounds& bounds) {
   Admissible result;
   result.bounds = bounds;
@@ -223,7 +237,7 @@ Admissible admissible(std::shared_ptr<const exact::Truth> truth, double tie_bias
   if (may_overlap && std::ranges::any_of(result.candidates, [&](const Clip* clip) {
         return may_be_empty(result, *clip);
       })) {
-    add_references(0, result);
+    add_references({}, result);
   }
   return result;
 }

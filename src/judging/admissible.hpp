@@ -22,7 +22,7 @@ namespace manifuzz {
 ///                                             (26)
 ///
 /// each plus the rotations' defect |c^2 + s^2 - 1| (times E) for a float collider, which may take
-/// the transpose for the inverse.
+/// the transpose for the inverse, and 8 u (times E) for one that takes angles.
 struct Bounds {
   double separation = 0;    ///< world length; also depth's, and how near a side plane is "nearly"
   double incident_dot = 0;  ///< of two unit normals
@@ -32,6 +32,9 @@ struct Bounds {
 
 /// What one operation of that scalar may be off by, as a share of its result: 2^-24 or 2^-53.
 double roundoff(ScalarType scalar);
+
+/// |c^2 + s^2 - 1| of a body's rotation.
+double rotation_defect(const Body& body);
 
 Bounds bounds(const PairCase& pair, const Declaration& declaration);
 
@@ -50,6 +53,12 @@ inline bool is_ill_posed(double size, const Bounds& bounds) {
 std::vector<const exact::Clip*> clips_within(const exact::Truth& truth, Side side,
                                              const Bounds& bounds);
 
+/// The sign of (how far the side that the bias does not favour leads) - bias - offset.
+int compare_lead_over_bias(const exact::Truth& truth, const TieBias& bias, double offset);
+
+/// The side whose greatest separation is the reference under the bias.
+Side reference_under(const exact::Truth& truth, const TieBias& bias);
+
 /// Every manifold that is right for a collider: the clips it may make, and the bounds within which
 /// it may make them. Whatever is compared with a bound is compared exactly.
 struct Admissible {
@@ -65,15 +74,16 @@ struct Admissible {
 };
 
 /// What is right for a collider with this declaration:
-/// - A's faces within bound of S_A, unless S_B > S_A + bias + bound; B's within bound of S_B, if
-///   S_B > S_A + bias - bound. Where the polygons may overlap and a clip of these may be empty, the
-///   same at bias 0 too: no bias forbids to report the overlap.
+/// - Faces of the side that its bias favours within bound of S of that side, unless the other's S
+///   leads by more than bias + bound; the other's, if it leads by more than bias - bound. Where the
+///   polygons may overlap and a clip of these may be empty, the same at bias 0 too: no bias forbids
+///   to report the overlap.
 /// - With each, the incident edges whose normal's dot is within bound of the least.
 /// Where the scalar may overflow the bound is infinite, and nothing is decided: no candidates.
 Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declaration& declaration);
 Admissible admissible(const PairCase& pair, const Declaration& declaration);
 /// The same within these bounds.
-Admissible admissible(std::shared_ptr<const exact::Truth> truth, double tie_bias,
+Admissible admissible(std::shared_ptr<const exact::Truth> truth, const TieBias& tie_bias,
                       const Bounds& bounds);
 
 /// How far position and depth of a candidate's point may be off: the angle's term where the end is

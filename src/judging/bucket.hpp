@@ -44,10 +44,12 @@ enum class Kind {
   inconsistent,
   not_minimal,
   witness,
+  altered_shape,
 };
-inline constexpr std::array<std::string_view, 12> kKindNames{
-    "none",  "missed_contact", "phantom_contact", "normal",       "position",    "depth",
-    "count", "features",       "reversed",        "inconsistent", "not_minimal", "witness"};
+inline constexpr std::array<std::string_view, 13> kKindNames{
+    "none",        "missed_contact", "phantom_contact", "normal",   "position",
+    "depth",       "count",          "features",        "reversed", "inconsistent",
+    "not_minimal", "witness",        "altered_shape"};
 
 /// Which decision of the case lies within bound, so that several manifolds are right.
 enum class TieClass { none, reference, incident, contact_boundary, clip_boundary };

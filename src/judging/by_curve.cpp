@@ -52,11 +52,14 @@ std::vector<Height> heights_of(PointsAt points, const PairCase& pair) {
 
 class ByCurve {
  public:
-  ByCurve(const exact::Truth& truth, const Declaration& declaration, const Said& said)
+  /// `tolerance`: how far it may stop short of the least depth, a world length.
+  ByCurve(const exact::Truth& truth, const Declaration& declaration, const Said& said,
+          double tolerance = 0)
       : truth_(truth),
         declaration_(declaration),
         said_(said),
         bounds_(curve_bounds(truth.pair(), declaration, truth.extent())),
+        tolerance_(tolerance),
         curve_(truth, exact::Skin::mitred) {}
 
   bool is_reversed() const {
@@ -72,7 +75,8 @@ class ByCurve {
     const Along along(truth_, *said_.normal);
     result_.excess = curve_.excess(along);
     result_.consistent = is_depth(along, said_.depth);
-    if (said_.touches) result_.minimal = is_minimal(along);
+    // Across a gap any normal will do.
+    if (said_.touches && said_.depth >= 0) result_.minimal = is_minimal(along);
     const bool is_right = *result_.consistent && result_.minimal.value_or(true);
     if (!is_right && is_reversed()) return found(Kind::reversed, 2);
     if (!*result_.consistent) return found(Kind::inconsistent, depth_error(along));
@@ -106,24 +110,26 @@ class ByCurve {
     return std::abs(said_.depth - (is_gap_claimed(along) ? along.gap() : along.depth()));
   }
   bool is_depth(const Along& along, double depth) const {
-    const double bound = bounds_.consistency;
+    // No tolerance excuses a depth that is too large.
+    const double least = depth - bounds_.consistency;
+    const double most = depth + bounds_.consistency + tolerance_;
     if (is_gap_claimed(along)) {
-      return along.compare_gap(depth - bound) >= 0 && along.compare_gap(depth + bound) <= 0;
+      return along.compare_gap(least) >= 0 && along.compare_gap(most) <= 0;
     }
-    return along.compare_depth(depth - bound) >= 0 && along.compare_depth(depth + bound) <= 0;
+    return along.compare_depth(least) >= 0 && along.compare_depth(most) <= 0;
   }
 
   /// Mitred pairs have depths at faces' normals alone: less than the least is no face's either.
   bool is_least(const PenetrationCurve& curve, const Along& along) const {
-    return curve.compare_excess(along, bounds_.minimality) <= 0 &&
+    return curve.compare_excess(along, bounds_.minimality + tolerance_) <= 0 &&
            curve.compare_excess(along, -bounds_.minimality) >= 0;
   }
   bool is_minimal(const Along& along) const {
     if (is_least(curve_, along)) return true;
-    // The bias lets A's best face stand though one of B's has less depth.
-    const double bias = declaration_.tie_bias;
-    if (!(bias > 0) || truth_.compare_lead_of_b(bias + bounds_.touching) > 0) return false;
-    return is_least(PenetrationCurve(truth_, truth_.greatest(Side::a)), along);
+    // The bias lets its side's best face stand though one of the other's has less depth.
+    const TieBias& bias = declaration_.tie_bias;
+    if (bias.is_none() || compare_lead_over_bias(truth_, bias, bounds_.touching) > 0) return false;
+    return is_least(PenetrationCurve(truth_, truth_.greatest(bias.towards)), along);
   }
 
   bool has_witnesses(const Along& along) const {
@@ -138,11 +144,12 @@ class ByCurve {
                               .heights = heights,
                               .gap_least = point.depth,
                               .gap_most = point.depth,
-                              .along = bounds_.along,
-                              .across = bounds_.across,
-                              .slack = bounds_.consistency};
+                              .along = bounds_.along + tolerance_,
+                              .across = bounds_.across + tolerance_,
+                              .slack = bounds_.consistency + tolerance_};
       exact::PointClaim as_deepest = claim;
-      as_deepest.shortfall = bounds_.minimality;  // two rounded depths say which is the deepest
+      as_deepest.shortfall =
+          bounds_.minimality + tolerance_;  // two rounded depths say which is the deepest
       if (declaration_.shares_depth) {
         is_deepest_found = is_deepest_found || is_witness(truth_, along, as_deepest);
         claim.gap_least = 0;
@@ -159,11 +166,19 @@ class ByCurve {
   const Declaration& declaration_;
   const Said& said_;
   CurveBounds bounds_;
+  double tolerance_;
   PenetrationCurve curve_;
   CurveJudgement result_;
 };
 
 }  // namespace
+
+double tolerance_of(const exact::Truth& truth, const Declaration& declaration) {
+  const Tolerance& tolerance = declaration.tolerance;
+  if (tolerance.is_none()) return 0;
+  const double least = PenetrationCurve(truth, exact::Skin::mitred).least();
+  return tolerance.absolute + tolerance.relative * std::abs(least);
+}
 
 CurveBounds curve_bounds(const PairCase& pair, const Declaration& declaration, double extent) {
   const Bounds of_clip = bounds(pair, declaration, extent);
@@ -179,7 +194,18 @@ CurveBounds curve_bounds(const PairCase& pair, const Declaration& declaration, d
 CurveJudgement judge_by_curve(const exact::Truth& truth, const Declaration& declaration,
                               const Answer& answer) {
   const Said said = said_by(answer);
-  return ByCurve(truth, declaration, said).judge();
+  const CurveJudgement strictly = ByCurve(truth, declaration, said).judge();
+  const double tolerance = tolerance_of(truth, declaration);
+  if (strictly.kind == Kind::none || tolerance == 0) return strictly;
+  CurveJudgement judgement = ByCurve(truth, declaration, said, tolerance).judge();
+  judgement.is_by_tolerance = judgement.kind == Kind::none;
+  return judgement;
+}
+
+std::optional<AlongNormal> said_along(const Answer& answer) {
+  const Said said = said_by(answer);
+  if (!said.normal) return std::nullopt;
+  return AlongNormal{*said.normal, said.depth};
 }
 
 bool touches(const Answer& answer) {

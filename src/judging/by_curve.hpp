@@ -19,6 +19,9 @@ struct CurveBounds {
   double normal = 0;       ///< of the normal's length against 1
 };
 
+/// How far a collider may stop short of the least depth, as it declares: a world length.
+double tolerance_of(const exact::Truth& truth, const Declaration& declaration);
+
 CurveBounds curve_bounds(const PairCase& pair, const Declaration& declaration, double extent);
 
 /// What the penetration curve makes of an answer. What is not claimed, or not judged once something
@@ -26,6 +29,7 @@ CurveBounds curve_bounds(const PairCase& pair, const Declaration& declaration, d
 struct CurveJudgement {
   Kind kind = Kind::none;
   double magnitude = 0;              ///< a world length; of a normal's length its error
+  bool is_by_tolerance = false;      ///< right, but only by the tolerance that it declares
   std::optional<double> excess{};    ///< D(n) - D*, a world length
   std::optional<bool> consistent{};  ///< the depth is the curve's at the reported normal
   std::optional<bool> minimal{};     ///< no other normal has clearly less depth
@@ -35,6 +39,15 @@ struct CurveJudgement {
 /// Of a manifold, complete or not, or a penetration; whatever the collider's frame, in A's.
 CurveJudgement judge_by_curve(const exact::Truth& truth, const Declaration& declaration,
                               const Answer& answer);
+
+/// A depth along a normal.
+struct AlongNormal {
+  Vector2<double> normal{0, 0};  ///< in A's frame
+  double depth = 0;              ///< a world length; of points the deepest's
+};
+
+/// What an answer says of the pair as a whole; none where it names no normal.
+std::optional<AlongNormal> said_along(const Answer& answer);
 
 /// Whether the answer says that they touch.
 bool touches(const Answer& answer);

@@ -90,8 +90,9 @@ struct ColliderAnswer {
 /// Whether it says what a manifold can say: 0 to 2 points, finite figures, no depth below zero,
 /// features that exist.
 bool is_well_formed(const PairCase& pair, const Manifold<double>& manifold);
-/// The same of any answer; one that says nothing is well formed.
-bool says_sense(const PairCase& pair, const Answer& answer);
+/// The same of any answer, and of the shapes that it used; one that says nothing is well formed. Of
+/// a collider that reports points across gaps, depths may be below zero.
+bool is_well_formed(const PairCase& pair, const ColliderAnswer& given);
 
 /// Whether they match each other within the sum of both bounds, on the cheap: what it says is so,
 /// but it leaves to `judge` every case in which anything has to be decided.

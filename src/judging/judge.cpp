@@ -1,11 +1,9 @@
 #include "judging/judge.hpp"
 
 #include <algorithm>
-#include <limits>
 
-#include "base/random.hpp"
-#include "generating/drafts.hpp"
 #include "judging/by_curve.hpp"
+#include "judging/used_shapes.hpp"
 
 namespace manifuzz {
 namespace {
@@ -72,11 +70,13 @@ Verdict verdict_of(Lost::How how) {
 }
 
 /// An answer that is no manifold to judge, as the finding that it is by itself: lost, or nonsense.
-std::optional<Bucket> without_manifold(const PairCase& pair, const Answer& answer, Fault fault) {
+std::optional<Bucket> without_manifold(const PairCase& pair, const ColliderAnswer& given,
+                                       Fault fault) {
+  const Answer& answer = given.answer;
   if (const auto* const lost = std::get_if<Lost>(&answer)) {
     return bucket_of_lost(verdict_of(lost->how), fault);
   }
-  if (says_sense(pair, answer)) return std::nullopt;
+  if (is_well_formed(pair, given)) return std::nullopt;
   return bucket_of_lost(Verdict::malformed, fault);
 }
 
@@ -92,48 +92,81 @@ std::optional<Bucket> without_judging(const exact::Truth& truth, const ColliderA
                                 is_tighter);
   // What overflows in the collider's scalar is no nonsense of the collider's.
   if (!std::isfinite(wider.separation)) return Bucket{.verdict = Verdict::ill_posed};
-  if (const auto bucket = without_manifold(pair, subject.answer, Fault::subject)) return bucket;
-  if (const auto bucket = without_manifold(pair, oracle.answer, Fault::oracle)) return bucket;
+  if (const auto bucket = without_manifold(pair, subject, Fault::subject)) return bucket;
+  if (const auto bucket = without_manifold(pair, oracle, Fault::oracle)) return bucket;
   if (std::holds_alternative<Unsupported>(subject.answer) ||
       std::holds_alternative<Unsupported>(oracle.answer)) {
     return Bucket{.verdict = Verdict::unsupported};
   }
-  if (is_ill_posed(truth.size(), wider)) return Bucket{.verdict = Verdict::ill_posed};
+  if (is_ill_posed(truth.size(), wider) ||
+      std::max(tolerance_of(truth, subject.declaration), tolerance_of(truth, oracle.declaration)) >
+          kIllPosedShare * truth.size()) {
+    return Bucket{.verdict = Verdict::ill_posed};
+  }
   return std::nullopt;
 }
 
-/// One collider's manifold, what is right for it, and how it falls short.
+/// One collider's answer, what is right for it, and how it falls short.
 struct Judged {
   Admissible right;
   Manifold<double> manifold;  ///< none of one that claims less
   Mismatch mismatch;
   bool by_curve = false;
   bool touches = false;
+  bool is_altered = false;       ///< it used other shapes than the case's
+  bool is_by_tolerance = false;  ///< right, but only by the tolerance that it declares
 
   bool is_wrong() const { return mismatch.kind != Kind::none; }
 };
 
-Judged judged(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& given) {
-  Judged result{.right = admissible(truth, given.declaration), .manifold = {}, .mismatch = {}};
+Judged judged_on(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& given) {
+  Judged result;
+  result.right = admissible(truth, given.declaration);
   result.by_curve = is_judged_by_curve(given.declaration);
   if (result.by_curve) {
     const CurveJudgement curve = judge_by_curve(*truth, given.declaration, given.answer);
     if (const auto* const manifold = manifold_in(given.answer)) result.manifold = *manifold;
     result.mismatch = {curve.kind, curve.magnitude};
     result.touches = touches(given.answer);
+    result.is_by_tolerance = curve.is_by_tolerance;
     return result;
   }
   result.manifold = manifold_of(given.answer, result.right);
   result.mismatch = mismatch(result.manifold, result.right);
   result.touches = result.manifold.count > 0;
+  if (result.mismatch.kind == Kind::count && given.declaration.one_point_enough &&
+      result.manifold.count == 1) {
+    result.mismatch = {};
+  }
   if (result.mismatch.kind == Kind::normal && is_reversed(*truth, given)) {
     result.mismatch.kind = Kind::reversed;
   }
   return result;
 }
 
-/// Of answers that are both right: whether they say the same, as far as both say it.
+/// By the shapes that it used; that they are others is a finding where nothing else is one.
+Judged judged(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& given) {
+  const auto altered = altered_by(*truth, given);
+  if (!altered) return judged_on(truth, given);
+  Judged result;
+  if (altered->truth) {
+    result = judged_on(altered->truth, given);
+  } else {
+    result.right = admissible(truth, given.declaration);
+    result.touches = touches(given.answer);
+  }
+  result.is_altered = true;
+  if (!result.is_wrong() && altered->is_beyond_rounding && !given.declaration.alters_shapes) {
+    result.by_curve = true;
+    result.mismatch = {Kind::altered_shape, altered->distance};
+  }
+  return result;
+}
+
+/// Of answers that are both right: whether they say the same, as far as both say it of the same
+/// shapes.
 bool agree(const Judged& subject, const Judged& oracle) {
+  if (subject.is_altered || oracle.is_altered) return true;
   if (subject.by_curve || oracle.by_curve) return subject.touches == oracle.touches;
   return agree_within_bounds(subject.manifold, subject.right, oracle.manifold, oracle.right);
 }
@@ -188,7 +221,9 @@ Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const Collider
   if (const auto bucket = without_judging(*truth, subject, oracle)) return {.bucket = *bucket};
   const Judged of_subject = judged(truth, subject);
   const Judged of_oracle = judged(truth, oracle);
-  Judgement result{.of_subject = error_of(of_subject), .of_oracle = error_of(of_oracle)};
+  Judgement result{.of_subject = error_of(of_subject),
+                   .of_oracle = error_of(of_oracle),
+                   .is_by_tolerance = of_subject.is_by_tolerance || of_oracle.is_by_tolerance};
   Bucket& bucket = result.bucket;
   bucket.reference = truth->greatest().side;
   bucket.fault = fault_of(of_subject, of_oracle);
@@ -196,8 +231,9 @@ Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const Collider
   const Mismatch found = disagreement(of_subject, of_oracle, truth->size());
   bucket.verdict = verdict_of(bucket.fault);
   bucket.kind = found.kind;
-  bucket.tie_class =
-      relevant(tie_class(of_subject.right, of_oracle.right), bucket.verdict, bucket.kind);
+  const bool is_one_truth = of_subject.right.truth == of_oracle.right.truth;
+  const TieClass tie = is_one_truth ? tie_class(of_subject.right, of_oracle.right) : TieClass::none;
+  bucket.tie_class = relevant(tie, bucket.verdict, bucket.kind);
   result.magnitude = found.magnitude;
   if (bucket.verdict == Verdict::oracle_wrong) {
     result.explanation = find_explanation(oracle.declaration.name,
@@ -215,74 +251,6 @@ Judgement judge(const PairCase& pair, const Collider& subject, const Collider& o
   const Answer of_subject = subject.collide(pair);
   const Answer of_oracle = oracle.collide(pair);
   return judge(pair, {subject.declaration, of_subject}, {oracle.declaration, of_oracle});
-}
-
-namespace {
-
-ContactSummary summary_of(const Manifold<double>& manifold) {
-  if (manifold.count == 0) return {.kind = ContactSummary::Kind::apart};
-  ContactSummary result{.kind = ContactSummary::Kind::contact,
-                        .count = manifold.count,
-                        .reference = manifold.reference};
-  for (int i = 0; i < manifold.count; ++i) result.features[i] = manifold.points[i].features;
-  return result;
-}
-
-}  // namespace
-
-VertexOf deciding_vertex(const exact::Truth& truth) {
-  const exact::FaceOf face = truth.greatest();
-  return {other(face.side), truth.support(face)};
-}
-
-Grid grid_around(const exact::Truth& truth, int step) {
-  const VertexOf vertex = deciding_vertex(truth);
-  return {.vertex = vertex, .ulp = ulp_of(reach(truth.pair()[vertex.side].polygon)), .step = step};
-}
-
-std::optional<PairCase> neighbour(const PairCase& pair, const Grid& grid, int cell) {
-  PairCase moved = pair;
-  Vector2<float>& at = moved[grid.vertex.side].polygon.vertices[grid.vertex.index];
-  const Vector2<double> steps(grid.x_of(cell), grid.y_of(cell));
-  const Vector2<double> to = at.cast<double>() + grid.step * grid.ulp * steps;
-  if (to.cwiseAbs().maxCoeff() > static_cast<double>(std::numeric_limits<float>::max())) {
-    return std::nullopt;
-  }
-  at = to.cast<float>();
-  return revalidated(moved);
-}
-
-ContactSummary summary_of(const Answer& answer) {
-  const auto* const manifold = std::get_if<Manifold<double>>(&answer);
-  if (manifold == nullptr || manifold->count < 0 || manifold->count > 2) return {};
-  return summary_of(*manifold);
-}
-
-ContactSummary summary_of(const exact::Truth& truth) {
-  if (truth.compare_contact(0) > 0) return {.kind = ContactSummary::Kind::apart};
-  const exact::FaceOf face = truth.greatest();
-  const exact::Clip& clip = truth.clip(face, truth.incident_edges(face, 0).front());
-  const Manifold<double> manifold = true_manifold(clip);
-  if (manifold.count > 0) return summary_of(manifold);
-  return {.kind = ContactSummary::Kind::no_clip, .reference = face.side};
-}
-
-bool fails_alike(const Bucket& bucket, const Bucket& finding) {
-  if (finding.fault != Fault::none) {
-    return bucket.fault == finding.fault || bucket.fault == Fault::both;
-  }
-  if (finding.verdict == Verdict::agree) return bucket.fault != Fault::none;
-  return bucket.verdict == finding.verdict;
-}
-
-Severity severity(const Neighbourhood& neighbourhood, const Bucket& finding) {
-  Severity result;
-  for (const Cell& cell : neighbourhood.cells) {
-    if (cell.state != Cell::State::judged) continue;
-    ++result.valid;
-    if (fails_alike(cell.bucket, finding)) ++result.failing;
-  }
-  return result;
 }
 
 }  // namespace manifuzz

@@ -19,6 +19,7 @@ struct Judgement {
   const LedgerEntry* explanation = nullptr;  ///< set where the verdict is known
   ManifoldError of_subject{};  ///< of a wrong manifold, as shares of the size; 0 of a right one
   ManifoldError of_oracle{};
+  bool is_by_tolerance = false;  ///< an answer is right, but only by the tolerance it declares
 };
 
 /// Where a case stands by the truth alone.

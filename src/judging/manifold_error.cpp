@@ -159,20 +159,14 @@ Manifold<double> completed(const PartialManifold& given, const PairCase& pair,
                    [](const ContactPoint<double>& point) { return point.position; });
 }
 
-Answer completed(Answer answer, const Admissible& right) {
-  if (const auto* const given = std::get_if<PartialManifold>(&answer)) {
-    return completed(*given, right);
-  }
-  return answer;
-}
-
 bool is_same(const Answer& one, const Answer& other) {
   if (one.index() != other.index()) return false;
   if (const auto* const manifold = std::get_if<Manifold<double>>(&one)) {
     return *manifold == std::get<Manifold<double>>(other);
   }
   if (const auto* const partial = std::get_if<PartialManifold>(&one)) {
-    return partial->manifold == std::get<PartialManifold>(other).manifold;
+    const auto& partial_other = std::get<PartialManifold>(other);
+    return partial->manifold == partial_other.manifold && partial->used == partial_other.used;
   }
   if (const auto* const penetration = std::get_if<Penetration>(&one)) {
     return *penetration == std::get<Penetration>(other);
@@ -182,7 +176,7 @@ bool is_same(const Answer& one, const Answer& other) {
 
 Answer whole(Answer answer, const Admissible& right, const Declaration& declaration) {
   const auto* const given = std::get_if<PartialManifold>(&answer);
-  if (given == nullptr) return answer;
+  if (given == nullptr || given->used) return answer;
   if (is_judged_by_curve(declaration)) return Manifold<double>(given->manifold);
   return completed(*given, right);
 }

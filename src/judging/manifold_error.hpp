@@ -80,13 +80,11 @@ Manifold<double> completed(const PartialManifold& given, const Admissible& right
 Manifold<double> completed(const PartialManifold& given, const PairCase& pair,
                            const Manifold<double>& model);
 
-/// The answer, a partial manifold completed; any other as it is.
-Answer completed(Answer answer, const Admissible& right);
-
 /// Whether two answers are equal, the reasons of a lost or declined one apart.
 bool is_same(const Answer& one, const Answer& other);
 
-/// A collider's answer, completed; of one that the penetration curve judges as it is.
+/// A collider's answer, a partial manifold completed; of one that the penetration curve judges, or
+/// that used shapes of its own, as it is.
 Answer whole(Answer answer, const PairCase& pair, const Declaration& declaration);
 Answer whole(Answer answer, const Admissible& right, const Declaration& declaration);
 

@@ -49,9 +49,13 @@ std::optional<Admissible> decided(const PairCase& pair, const Declaration& decla
   if (is_ill_posed(right.truth->size(), right.bounds)) return std::nullopt;
   if (right.candidates.size() != 1) return std::nullopt;
   const exact::Clip& only = *right.candidates.front();
-  const double undecided = declaration.tie_bias + right.bounds.separation;
-  const bool leads = right.truth->compare_lead_of_b(undecided) > 0 ||
-                     right.truth->compare_lead_of_b(-undecided) < 0;
+  // Either side leads by more than a bias towards any of them.
+  const TieBias& bias = declaration.tie_bias;
+  const double undecided = bias.absolute + right.bounds.separation;
+  const bool leads = std::ranges::any_of(std::array{Side::a, Side::b}, [&](Side side) {
+    return right.truth->compare_lead(side, 1, undecided) > 0 &&
+           right.truth->compare_lead(side, 1 - bias.relative, undecided) > 0;
+  });
   if (!leads || right.may_be_apart || only.count < 2 || may_miss(right, only)) return std::nullopt;
   for (const exact::ClipPoint& point : only.points) {
     if (!features_decided(right, only, point) || is_at_zero_depth(right, only, point)) {
@@ -198,15 +202,15 @@ Outcome translations_move(AskedCollider& ask, const PairCase& pair) {
 }
 
 Outcome powers_of_two_scale(AskedCollider& ask, const PairCase& pair) {
-  const double bias = ask.declaration().tie_bias;
+  const TieBias& bias = ask.declaration().tie_bias;
   if (!is_in_mid_range(pair.a) || !is_in_mid_range(pair.b)) return not_applicable();
-  if (bias != 0 && !ask.collider().with_tie_bias) return not_applicable();
+  if (bias.absolute != 0 && !ask.collider().with_tie_bias) return not_applicable();
   const auto here = ask.manifold(pair);
   if (!here) return not_applicable();
   for (const float factor : {0x1p-12F, 0x1p9F}) {
     const double scale = static_cast<double>(factor);
     const Collider collider =
-        bias == 0 ? ask.collider() : ask.collider().with_tie_bias(bias * scale);
+        bias.absolute == 0 ? ask.collider() : ask.collider().with_tie_bias(bias.absolute * scale);
     PairCase scaled = pair;
     scale_lengths(scaled, factor);
     const Answer there = manifuzz::ask(collider, scaled);

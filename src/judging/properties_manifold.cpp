@@ -184,7 +184,7 @@ struct Unbiased {
 
 /// None where the bias is fixed at another value, where nothing must touch, or without an answer.
 std::optional<Unbiased> ask_without_bias(const Collider& collider, const PairCase& pair) {
-  const bool is_unbiased = collider.declaration.tie_bias == 0;
+  const bool is_unbiased = collider.declaration.tie_bias.is_none();
   if (!is_unbiased && !collider.with_tie_bias) return std::nullopt;
   const Collider unbiased = is_unbiased ? collider : collider.with_tie_bias(0);
   const Admissible right = admissible(pair, unbiased.declaration);

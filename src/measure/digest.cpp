@@ -8,6 +8,7 @@
 #include "base/random.hpp"
 #include "base/text.hpp"
 #include "generating/regime.hpp"
+#include "judging/by_curve.hpp"
 
 namespace manifuzz {
 namespace {
@@ -54,6 +55,9 @@ void add(Hash& hash, const Answer& answer) {
     hash.add(penetration->depth);
   }
   if (const auto* const manifold = manifold_in(answer)) add(hash, *manifold);
+  if (const auto* const lost = std::get_if<Lost>(&answer)) {
+    hash.add(static_cast<std::uint64_t>(lost->how));
+  }
 }
 
 std::vector<Answer> ask_all(const Collider& collider, const std::vector<PairCase>& pairs,
@@ -87,12 +91,16 @@ Digest digest(const DigestPlan& plan, Interruption& interruption,
       }
       for (const Answer& answer : ask_all(plan.collider, pairs, interruption)) {
         add(hash, answer);
-        const auto* const manifold = manifold_in(answer);
-        of_regime.contacts += manifold != nullptr && manifold->count > 0 ? 1 : 0;
+        of_regime.contacts += touches(answer) ? 1 : 0;
+        of_regime.lost += std::holds_alternative<Lost>(answer) ? 1 : 0;
       }
       if (interruption.is_stopped()) throw UserError("digest: interrupted; nothing is told");
     }
     of_regime.hash = hash.value();
+    if (plan.cases > 0 && of_regime.lost == plan.cases) {
+      throw UserError(fmt::format("digest: {} gives no answer to {}",
+                                  plan.collider.declaration.name, regime.name));
+    }
     over_all.add(hash_of(regime.name));
     over_all.add(of_regime.hash);
   }

@@ -19,7 +19,8 @@ struct DigestPlan {
 
 struct RegimeDigest {
   std::string_view regime;
-  std::uint64_t contacts = 0;  ///< answers that have points
+  std::uint64_t contacts = 0;  ///< answers that say that they touch
+  std::uint64_t lost = 0;      ///< answers that never came, or made no sense
   std::uint64_t hash = 0;
 };
 
@@ -31,7 +32,7 @@ struct Digest {
 };
 
 /// `progress` gets the number of cases done, now and then. Throws UserError where the interruption
-/// stops it, or the collider gives no answers again and again.
+/// stops it, or the collider gives no answers again and again, or none to a whole regime.
 Digest digest(const DigestPlan& plan, Interruption& interruption,
               const std::function<void(std::uint64_t)>& progress);
 

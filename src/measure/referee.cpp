@@ -64,9 +64,9 @@ const Admissible& Referee::right_for(const Declaration& declaration) {
   return rules_for(declaration).right;
 }
 
-Answer Referee::completed(const Declaration& declaration, Answer answer) {
+Answer Referee::whole(const Declaration& declaration, Answer answer) {
   if (std::holds_alternative<PartialManifold>(answer)) {
-    answer = manifuzz::completed(std::move(answer), rules_for(declaration).right);
+    answer = manifuzz::whole(std::move(answer), rules_for(declaration).right, declaration);
   }
   const auto* const manifold = std::get_if<Manifold<double>>(&answer);
   if (manifold == nullptr || is_well_formed(truth_->pair(), *manifold)) return answer;
@@ -90,7 +90,7 @@ const Manifold<double>& Referee::truth_for(const Declaration& declaration) {
   Rules& rules = rules_for(declaration);
   if (rules.truth) return *rules.truth;
   if (truth_->compare_contact(0) > 0) return rules.truth.emplace();
-  const Side side = truth_->compare_lead_of_b(declaration.tie_bias) > 0 ? Side::b : Side::a;
+  const Side side = reference_under(*truth_, declaration.tie_bias);
   const exact::FaceOf face = truth_->greatest(side);
   const exact::Clip& clip = truth_->clip(face, truth_->incident_edges(face, 0).front());
   return rules.truth.emplace(true_manifold(clip));

@@ -67,8 +67,8 @@ class Referee {
   /// but where these grow with the distance from the origin, it is allowed no more than in A's
   /// frame, or a gross error where that is more.
   const Admissible& right_for(const Declaration& declaration);
-  /// The answer as it is measured: a partial manifold completed, one that is not well formed lost.
-  Answer completed(const Declaration& declaration, Answer answer);
+  /// The answer as it is measured: whole, or lost where it is not well formed.
+  Answer whole(const Declaration& declaration, Answer answer);
   /// Of a completed answer.
   Measured measure(const Declaration& declaration, const Answer& answer);
 
@@ -81,7 +81,7 @@ class Referee {
   struct Rules {
     ScalarType scalar;
     RoundingFrame frame;
-    double tie_bias;
+    TieBias tie_bias;
     Admissible right;
     Bounds in_a_frame;
     std::optional<Manifold<double>> truth{};

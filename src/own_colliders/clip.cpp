@@ -41,7 +41,7 @@ Collider make_clip(double tie_bias) {
        .version = MANIFUZZ_VERSION,
        .description =
            "the article's clipping in float, incident edge by least dot, no empty overlap",
-       .tie_bias = tie_bias},
+       .tie_bias = {tie_bias}},
       make_clip);
 }
 
@@ -49,7 +49,7 @@ Collider make_clip64(double tie_bias) {
   return implemented<double>({.name = "clip64",
                               .version = MANIFUZZ_VERSION,
                               .description = "the same in double, on the same float input",
-                              .tie_bias = tie_bias},
+                              .tie_bias = {tie_bias}},
                              make_clip64);
 }
 

@@ -32,7 +32,7 @@ Collider make_pair(double tie_bias) {
   return own::collider_of<float>({.name = "pair",
                                   .version = MANIFUZZ_VERSION,
                                   .description = "clip, one pair at a time, a face a lane",
-                                  .tie_bias = tie_bias},
+                                  .tie_bias = {tie_bias}},
                                  collide_as_pair, make_pair);
 }
 
@@ -41,7 +41,7 @@ Collider make_batch(double tie_bias) {
       {.name = "batch",
        .version = MANIFUZZ_VERSION,
        .description = "clip, many pairs at once, one a lane of the widest vectors",
-       .tie_bias = tie_bias},
+       .tie_bias = {tie_bias}},
       collide_as_batch<float>, make_batch);
 }
 
@@ -49,7 +49,7 @@ Collider make_batch64(double tie_bias) {
   return own::collider_of<double>({.name = "batch64",
                                    .version = MANIFUZZ_VERSION,
                                    .description = "clip64, many pairs at once, one a lane",
-                                   .tie_bias = tie_bias},
+                                   .tie_bias = {tie_bias}},
                                   collide_as_batch<double>, make_batch64);
 }
 

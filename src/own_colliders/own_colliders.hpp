@@ -72,12 +72,12 @@ namespace own {
 template <class Scalar, class CollideOne>
 Collider collider_of(const Declaration& declaration, CollideOne collide_one,
                      Collider (*with_tie_bias)(double tie_bias)) {
-  const auto bias = static_cast<Scalar>(declaration.tie_bias);
+  const auto bias = static_cast<Scalar>(declaration.tie_bias.absolute);
   Collider collider;
   collider.declaration = declaration;
   collider.declaration.scalar =
       std::is_same_v<Scalar, float> ? ScalarType::float32 : ScalarType::float64;
-  collider.declaration.tie_bias = static_cast<double>(bias);
+  collider.declaration.tie_bias.absolute = static_cast<double>(bias);
   collider.collide = [collide_one, bias](const PairCase& pair) { return collide_one(pair, bias); };
   collider.with_tie_bias = with_tie_bias;
   collider.in_double = [bias] { return make_clip64(static_cast<double>(bias)); };

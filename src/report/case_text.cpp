@@ -7,6 +7,7 @@
 #include "exchange/json.hpp"
 #include "judging/by_curve.hpp"
 #include "judging/manifold_error.hpp"
+#include "judging/used_shapes.hpp"
 #include "oracle/exact/curve.hpp"
 #include "report/outputs.hpp"
 #include "report/words.hpp"
@@ -66,8 +67,10 @@ void append_penetration(std::string& line, const Admissible& right) {
 /// What the curve makes of an answer, null for what is not claimed.
 void append_by_curve(std::string& line, const exact::Truth& truth, const ColliderAnswer& subject) {
   CurveJudgement curve;
-  if (is_judged_by_curve(subject.declaration)) {
-    curve = judge_by_curve(truth, subject.declaration, subject.answer);
+  const auto altered = altered_by(truth, subject);
+  const exact::Truth* const used = altered ? altered->truth.get() : &truth;
+  if (is_judged_by_curve(subject.declaration) && used != nullptr) {
+    curve = judge_by_curve(*used, subject.declaration, subject.answer);
   }
   append_key(line, ", \"excess\": ", curve.excess.value_or(NAN));
   const auto append = [&line](std::string_view key, const std::optional<bool>& is_so) {

@@ -46,7 +46,14 @@ std::string verdict_rows(const CampaignResult& result) {
     const bool is_bad = result.verdicts[i] > 0 && is_unexplained(static_cast<Verdict>(i));
     text += fmt::format("{}{:>14}\n", is_bad ? bad(name) : name, result.verdicts[i]);
   }
-  return text + fmt::format("{:<18}{:>14}\n", "unexplained", result.unexplained());
+  text += fmt::format("{:<18}{:>14}\n", "unexplained", result.unexplained());
+  if (result.by_tolerance > 0) {
+    text += fmt::format("{:<18}{:>14}\n", "by tolerance", result.by_tolerance);
+  }
+  for (const std::string& allowance : result.settings.allowances) {
+    text += fmt::format("{}\n", printable(allowance, 400));
+  }
+  return text;
 }
 
 std::string over_budget_in_words(const LedgerResult& entry) {

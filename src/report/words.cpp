@@ -38,6 +38,8 @@ std::string wrong_in_words(const JudgedCase& judged, const DeclaredAnswer& asked
     case Kind::not_minimal:
       return fmt::format("along the normal of {} they overlap by {} more than the least", name,
                          off);
+    case Kind::altered_shape:
+      return "shapes that are not the case's";
     case Kind::witness:
       return fmt::format("a point of {} is not where they overlap as it says", name);
     default:

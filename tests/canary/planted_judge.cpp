@@ -6,8 +6,10 @@
 #include "judging/judge.cpp"
 #include "judging/ledger.cpp"
 #include "judging/manifold_error.cpp"
+#include "judging/used_shapes.cpp"
 #include "oracle/exact/clip.cpp"
 #include "oracle/exact/curve.cpp"
+#include "oracle/exact/hausdorff.cpp"
 #include "oracle/exact/truth.cpp"
 #include "oracle/exact/witness.cpp"
 

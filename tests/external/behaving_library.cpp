@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 
@@ -41,22 +42,33 @@ Vector2<double> midpoint(const Manifold<double>& manifold, const PairCase& pair,
   return manifold.points[i].position + inwards * (manifold.points[i].depth / 2 - radius) / unit;
 }
 
+/// As its behaviour has it: what a separation is named after claims no more.
+manifuzz_declaration declaration() {
+  manifuzz_declaration declared{};
+  declared.interface = MANIFUZZ_INTERFACE;
+  declared.name = "behaving";
+  declared.version = "1.0";
+  declared.scalar = MANIFUZZ_FLOAT64;
+  declared.rounds_in = declared.answers_in = MANIFUZZ_FRAME_OF_A;
+  declared.points = MANIFUZZ_MIDPOINTS;
+  declared.normal = MANIFUZZ_B_TO_A;
+  declared.vertices_max = MANIFUZZ_VERTICES_MAX;
+  declared.takes_radius = 1;
+  if (behaviour() == "separation") declared.claims.answers = MANIFUZZ_CLAIMS_SEPARATION;
+  if (behaviour() == "touching") declared.claims.answers = MANIFUZZ_CLAIMS_TOUCHING;
+  if (behaviour() == "unknown-claim") declared.claims.answers = 7;
+  if (behaviour() == "unclipped") declared.claims.does_not_clip = 1;
+  if (behaviour() == "no-shapes") declared.claims.alters_shapes = 1;
+  if (behaviour() == "unsourced") declared.claims.tolerance_absolute = 1;
+  return declared;
+}
+
 }  // namespace
 
 extern "C" {
 
-const manifuzz_declaration manifuzz_collider = {MANIFUZZ_INTERFACE,
-                                                "behaving",
-                                                "1.0",
-                                                MANIFUZZ_FLOAT64,
-                                                MANIFUZZ_FRAME_OF_A,
-                                                MANIFUZZ_FRAME_OF_A,
-                                                MANIFUZZ_MIDPOINTS,
-                                                MANIFUZZ_B_TO_A,
-                                                0,
-                                                MANIFUZZ_VERTICES_MAX,
-                                                1,
-                                                nullptr};
+extern const manifuzz_declaration manifuzz_collider;
+const manifuzz_declaration manifuzz_collider = declaration();
 
 int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_manifold* manifold) {
   static const Collider clip64 = make_clip64();
@@ -65,6 +77,8 @@ int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_ma
   const Answer answer = clip64.collide(pair);
   const auto& found = std::get<Manifold<double>>(answer);
   manifold->count = found.count;
+  manifold->touching = found.count > 0 ? 1 : 0;
+  manifold->depth = std::max(found.points[0].depth, found.points[1].depth);
   manifold->normal = {-found.normal.x(), -found.normal.y()};
   for (int i = 0; i < found.count; ++i) {
     const Vector2<double> position = midpoint(found, pair, i);

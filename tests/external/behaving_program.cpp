@@ -19,7 +19,36 @@ std::string_view claims_of(std::string_view behaviour) {
   if (behaviour == "touching") return R"(, "claims": "touching")";
   if (behaviour == "separation" || behaviour == "reversed") return R"(, "claims": "separation")";
   if (behaviour == "point" || behaviour == "two-points") return R"(, "claims": "point")";
+  if (behaviour == "alters" || behaviour == "no-shapes") return R"(, "alters_shapes": true)";
+  if (behaviour == "stops-short") {
+    return R"(, "claims": "separation", "tolerance": {"relative": 0.02, "source": "its manual"})";
+  }
   return "";
+}
+
+/// Without the first vertex of each polygon that has more than three.
+PairCase altered(PairCase pair) {
+  for (const Side side : {Side::a, Side::b}) {
+    ConvexPolygon<float>& polygon = pair[side].polygon;
+    if (polygon.count <= kMinVertices) continue;
+    polygon = make_polygon<float>(polygon.corners().subspan(1), polygon.radius);
+  }
+  return pair;
+}
+
+/// What clip64 says of the altered polygons, and which they are.
+Answer answer_by_altered(const PairCase& pair) {
+  static const Collider clip64 = make_clip64();
+  const PairCase used = altered(pair);
+  PartialManifold result{.manifold = std::get<Manifold<double>>(clip64.collide(used))};
+  result.used.emplace();
+  for (const Side side : {Side::a, Side::b}) {
+    const auto corners = used[side].polygon.corners();
+    (*result.used)[side].count = static_cast<int>(corners.size());
+    std::ranges::transform(corners, (*result.used)[side].all.begin(),
+                           [](const auto& v) { return v.template cast<double>(); });
+  }
+  return result;
 }
 
 /// Of what clip64 says, as much as that behaviour claims.
@@ -32,6 +61,7 @@ Answer claimed(Manifold<double> manifold, std::string_view behaviour) {
     penetration.normal =
         behaviour == "reversed" ? Vector2<double>(-manifold.normal) : manifold.normal;
     penetration.depth = manifold.points[0].depth;
+    if (behaviour == "stops-short") penetration.depth *= 0.99;
   }
   if (behaviour == "point") manifold.count = std::min(manifold.count, 1);
   const bool has_points = behaviour == "point" || behaviour == "two-points";
@@ -50,9 +80,11 @@ std::string answer_to(const std::string& line, std::string_view behaviour) {
   if (is_unlucky && behaviour == "nonsense") return "{\"points\": 3}\n";
   std::string answer;
   const Answer whole = clip64.collide(pair);
-  append_answer(
-      answer, pair, "behaving",
-      claims_of(behaviour).empty() ? whole : claimed(std::get<Manifold<double>>(whole), behaviour));
+  const bool is_whole = behaviour == "no-shapes" || claims_of(behaviour).empty();
+  append_answer(answer, pair, "behaving",
+                behaviour == "alters" || behaviour == "alters-unsaid" ? answer_by_altered(pair)
+                : is_whole                                            ? whole
+                           : claimed(std::get<Manifold<double>>(whole), behaviour));
   answer += '\n';
   if (is_unlucky && behaviour == "twice") answer += answer;
   if (is_unlucky && behaviour == "never") answer.clear();

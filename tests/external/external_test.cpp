@@ -7,10 +7,9 @@
 #include <catch2/catch.hpp>
 
 #include "base/text.hpp"
-#include "campaign/run.hpp"
 #include "external/behaviour.hpp"
+#include "external/campaigns.hpp"
 #include "generating/regime.hpp"
-#include "oracle/external/external_collider.hpp"
 #include "own_colliders/own_colliders.hpp"
 #include "process/child.hpp"
 #include "process/pool.hpp"
@@ -19,44 +18,9 @@
 // nobody behind.
 
 using namespace manifuzz;
+using namespace manifuzz::test;
 
 namespace {
-
-constexpr double kSecondsMax = 1;  // enough on a busy machine
-constexpr std::uint64_t kCases = 3000;
-
-/// Tells libraries that are loaded while it lives what to do.
-class Told {
- public:
-  explicit Told(const char* behaviour) { setenv("MANIFUZZ_TEST_BEHAVIOUR", behaviour, 1); }
-  ~Told() { unsetenv("MANIFUZZ_TEST_BEHAVIOUR"); }
-  Told(const Told&) = delete;
-  Told& operator=(const Told&) = delete;
-};
-
-Collider library() {
-  return collider_in_own_process(MANIFUZZ_TEST_LIBRARY, kSecondsMax);
-}
-
-Collider program(const std::string& behaviour) {
-  return collider_of_command(MANIFUZZ_TEST_PROGRAM " " + behaviour, kSecondsMax);
-}
-
-Plan plan_of(const Collider& subject) {
-  Plan plan;
-  plan.subject = subject;
-  plan.oracle = make_clip64();
-  plan.regimes = {find_regime("generic"), find_regime("sliver")};
-  plan.seed = 3;
-  plan.cases = kCases;
-  plan.jobs = 2;
-  return plan;
-}
-
-JobsResult run(const Plan& plan) {
-  Interruption interruption;
-  return run_jobs(plan, {0, plan.cases_max()}, interruption, [](const Progress&) {});
-}
 
 /// How many of the plan's cases a collider that is told so fails at.
 std::uint64_t unlucky(const Plan& plan) {
@@ -64,7 +28,7 @@ std::uint64_t unlucky(const Plan& plan) {
   for (CaseNumber number = 0; number < *plan.cases; ++number) {
     const PairCase pair = plan.pair(number);
     const float x = pair.a.polygon.vertices[0].x();
-    if (test::is_unlucky(x, pair.b.pose.position.y())) ++count;
+    if (is_unlucky(x, pair.b.pose.position.y())) ++count;
   }
   return count;
 }
@@ -199,50 +163,6 @@ TEST_CASE("a program's own children end with the command that ran it") {
   CHECK(wait_for(command));
   REQUIRE(*orphan > 0);
   CHECK(kill(*orphan, 0) == -1);
-}
-
-/// Without radii: a clip may cut off the deepest vertex of skins that meet at their corners.
-JobsResult run_without_radii(const std::string& behaviour) {
-  Plan plan = plan_of(program(behaviour));
-  plan.context.radius = 0.0F;
-  return run(plan);
-}
-
-TEST_CASE("a program that claims less than a manifold is judged by what it claims") {
-  for (const char* behaviour : {"touching", "separation", "point"}) {
-    INFO(behaviour);
-    CHECK(is_judged_by_curve(program(behaviour).declaration));
-    const JobsResult result = run_without_radii(behaviour);
-    CHECK(result.tally->cases() == kCases);
-    CHECK(result.tally->unexplained() == 0);
-  }
-}
-
-TEST_CASE("a program whose normals point from B to A is found out, whatever it claims") {
-  const JobsResult result = run_without_radii("reversed");
-  std::uint64_t reversed = 0;
-  for (std::size_t i = 0; i < kBucketCount; ++i) {
-    if (bucket_at(i).kind == Kind::reversed) reversed += result.tally->buckets[i].count;
-  }
-  CHECK(reversed > kCases / 3);
-  CHECK(result.tally->count(Verdict::subject_wrong) == reversed);
-}
-
-TEST_CASE("an answer that contradicts its declaration is malformed") {
-  const JobsResult result = run_without_radii("two-points");
-  CHECK(result.tally->count(Verdict::malformed) > 0);
-  CHECK(result.tally->unexplained() == result.tally->count(Verdict::malformed));
-}
-
-TEST_CASE("what a program may claim is checked") {
-  for (const char* declared :
-       {R"("claims": "nothing")", R"("points": "vertex")", R"("clips": 3)", R"("depths": "some")",
-        R"("speculative": -1)", R"("least_depth": -0.5)"}) {
-    INFO(declared);
-    CHECK_THROWS_AS(collider_of_command(std::string("echo '{\"declaration\": {") + declared + "}}'",
-                                        kSecondsMax),
-                    UserError);
-  }
 }
 
 TEST_CASE("what cannot be loaded or run is a user's error") {

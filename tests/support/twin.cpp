@@ -50,10 +50,15 @@ Kind or_reversed(Kind kind, const PairCase& pair, const Declaration& declaration
   const auto is_least = [&](const Real& least) {
     return magnitude(depth - least) <= Real(allowed.minimality);
   };
-  const Real lead_of_b = curve.least_of(Side::a) - curve.least_of(Side::b);
-  const bool bias_lets_a =
-      declaration.tie_bias > 0 && lead_of_b <= Real(declaration.tie_bias + allowed.touching);
-  if (!is_least(curve.least()) && !(bias_lets_a && is_least(curve.least_of(Side::a)))) return kind;
+  // Depths are total radii less separations.
+  const TieBias& bias = declaration.tie_bias;
+  const auto separation_of = [&](Side side) {
+    return Real(total_radius(pair)) - curve.least_of(side);
+  };
+  const Real lead =
+      separation_of(other(bias.towards)) - Real(1 - bias.relative) * separation_of(bias.towards);
+  const bool is_let = !bias.is_none() && lead <= Real(bias.absolute + allowed.touching);
+  if (!is_least(curve.least()) && !(is_let && is_least(curve.least_of(bias.towards)))) return kind;
   double deepest = 0;
   for (int i = 0; i < manifold.count; ++i) deepest = std::max(deepest, manifold.points[i].depth);
   const Real overlap = curve.gap(back).value_or(depth);

@@ -1,6 +1,7 @@
 #include "support/twin_curve.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace manifuzz::twin {
 namespace {
@@ -31,6 +32,31 @@ std::optional<Ratio> height(const Outline& polygon, const Exact& direction, cons
     }
   }
   return most;
+}
+
+/// What must not be negative at a line's place.
+using Condition = std::function<Ratio(const Ratio& place)>;
+
+bool holds(const std::vector<Condition>& conditions, const Ratio& place) {
+  return std::ranges::all_of(conditions, [&](const Condition& c) { return c(place) >= 0; });
+}
+
+/// Each condition is linear between two of the places that follow each other: where all hold, they
+/// do so at one of them, or where one turns.
+bool hold_somewhere(const std::vector<Condition>& conditions, const std::vector<Ratio>& places) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (holds(conditions, places[i])) return true;
+    if (i + 1 == places.size()) break;
+    const Ratio& from = places[i];
+    const Ratio run = places[i + 1] - from;
+    for (const Condition& condition : conditions) {
+      const Ratio first = condition(from);
+      const Ratio last = condition(places[i + 1]);
+      if ((first < 0) == (last < 0)) continue;
+      if (holds(conditions, from + run * first / (first - last))) return true;
+    }
+  }
+  return false;
 }
 
 /// From A to B.
@@ -101,6 +127,54 @@ std::optional<Real> TwinCurve::gap(const Vector2<double>& normal) const {
   }
   if (!most) return std::nullopt;
   return Real(*most) / square_root(direction * direction) + Real(radius_);
+}
+
+bool TwinCurve::has_witness(const Vector2<double>& normal, const exact::PointClaim& claim) const {
+  const Exact direction = turned(normal);
+  const Exact tangent{-direction.y, direction.x};
+  const Ratio length = *square_root(direction * direction).rational();
+  const Exact at = turned(claim.position);
+  const Ratio depth = *(along(direction) * Real(length)).rational();
+  const auto top = [&](const Ratio& place) { return *height(a_, direction, place, 1); };
+  const auto bottom = [&](const Ratio& place) { return *height(b_, direction, place, -1); };
+  const Condition gap = [&](const Ratio& place) -> Ratio {
+    return top(place) - bottom(place) + radius_ * length;
+  };
+  const auto within = [&](double bound) -> Ratio { return Ratio(bound) * length; };
+
+  std::vector<Ratio> places;
+  for (const Outline* polygon : {&a_, &b_}) {
+    for (const Exact& corner : polygon->corners) {
+      const Ratio place = tangent * corner;
+      if (height(a_, direction, place, 1) && height(b_, direction, place, -1)) {
+        places.push_back(place);
+      }
+    }
+  }
+  std::ranges::sort(places);
+  for (const exact::Height& claimed : claim.heights) {
+    const Condition off = [&](const Ratio& place) -> Ratio {
+      return Ratio(claimed.of_top) * top(place) + Ratio(claimed.of_bottom) * bottom(place) +
+             within(claimed.offset) - direction * at;
+    };
+    std::vector<Condition> conditions{
+        [&](const Ratio& p) -> Ratio { return p - tangent * at + within(claim.along); },
+        [&](const Ratio& p) -> Ratio { return tangent * at + within(claim.along) - p; },
+        [&](const Ratio& p) -> Ratio { return within(claim.across) + off(p); },
+        [&](const Ratio& p) -> Ratio { return within(claim.across) - off(p); },
+        [&](const Ratio& p) -> Ratio {
+          return gap(p) - within(claim.gap_least) + within(claim.slack);
+        },
+        [&](const Ratio& p) -> Ratio {
+          return within(claim.gap_most) + within(claim.slack) - gap(p);
+        }};
+    if (claim.shortfall) {
+      conditions.emplace_back(
+          [&](const Ratio& p) -> Ratio { return gap(p) - depth + within(*claim.shortfall); });
+    }
+    if (hold_somewhere(conditions, places)) return true;
+  }
+  return false;
 }
 
 }  // namespace manifuzz::twin

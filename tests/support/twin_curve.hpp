@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "oracle/exact/witness.hpp"
 #include "support/twin_facts.hpp"
 
 // The penetration curve written a second time, by its definitions alone: over every pair of
@@ -18,6 +19,9 @@ class TwinCurve {
   Real depth(const Vector2<double>& normal) const { return along(turned(normal)); }
   /// G(n); none where no line along the normal meets both cores.
   std::optional<Real> gap(const Vector2<double>& normal) const;
+  /// Whether some line along the normal bears the claim out. The normal's length is rational, and
+  /// A's rotation unit: lengths are then rational too.
+  bool has_witness(const Vector2<double>& normal, const exact::PointClaim& claim) const;
   /// D*.
   const Real& least() const { return least_; }
   /// The least over one side's faces.

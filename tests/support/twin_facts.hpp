@@ -147,14 +147,19 @@ class Twin {
   }
 
   /// Of each side that the bias leaves open; `all` says which sides are in it already.
-  void add_open_sides(const Real& bias, std::vector<TwinCandidate>& all) const {
+  void add_open_sides(const TieBias& bias, std::vector<TwinCandidate>& all) const {
     const auto has = [&](Side side) {
       return std::ranges::any_of(all, [&](const TwinCandidate& c) { return c.side == side; });
     };
-    const bool has_b = has(Side::b);
-    const Real lead = of_b_ - of_a_;
-    if (!has(Side::a) && lead <= bias + bounds_.separation) add_faces(Side::a, all);
-    if (!has_b && bias - bounds_.separation < lead) add_faces(Side::b, all);
+    const std::array before{has(Side::a), has(Side::b)};
+    const bool is_a = bias.towards == Side::a;
+    const Real lead = (is_a ? of_b_ : of_a_) - Real(1 - bias.relative) * (is_a ? of_a_ : of_b_);
+    for (const Side side : {Side::a, Side::b}) {
+      const bool is_open = side == bias.towards
+                               ? lead <= Real(bias.absolute) + Real(bounds_.separation)
+                               : Real(bias.absolute) - Real(bounds_.separation) < lead;
+      if (is_open && !before[side == Side::a ? 0 : 1]) add_faces(side, all);
+    }
   }
 
   std::vector<TwinCandidate> candidates() const {
@@ -162,7 +167,7 @@ class Twin {
     add_open_sides(bias_, all);
     if (separation() < Real(bounds_.separation) &&
         std::ranges::any_of(all, [&](const TwinCandidate& c) { return may_be_empty(clip(c)); })) {
-      add_open_sides(0.0, all);
+      add_open_sides({}, all);
     }
     return all;
   }
@@ -211,7 +216,7 @@ class Twin {
   const PairCase& pair_;
   std::array<Outline, 2> outlines_;
   Ratio radius_;
-  double bias_;
+  TieBias bias_;
   Bounds bounds_;
   Real of_a_;
   Real of_b_;

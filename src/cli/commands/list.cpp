@@ -18,10 +18,9 @@ std::string list_colliders() {
     try {
       const Declaration says = entry.make().declaration;
       lines += fmt::format(
-          "{:<13} {} ({}, {}, rounds in the {} frame, tie bias {:g}, up to {} vertices)\n",
-          says.name, says.description, says.version,
-          says.scalar == ScalarType::float32 ? "float" : "double",
-          says.frame == RoundingFrame::local ? "pair's" : "world's", says.tie_bias,
+          "{:<13} {} ({}, {}, rounds in the {} frame, tie bias {}, up to {} vertices)\n", says.name,
+          says.description, says.version, says.scalar == ScalarType::float32 ? "float" : "double",
+          says.frame == RoundingFrame::local ? "pair's" : "world's", in_words(says.tie_bias),
           says.max_vertices);
     } catch (const UserError& error) {
       lines += fmt::format("{:<13} not there: {}\n", entry.name, error.what());

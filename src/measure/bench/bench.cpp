@@ -145,7 +145,7 @@ struct Measurement {
 void measure(Measurement& subject, std::uint64_t index, Referee& referee) {
   const Declaration& declaration = subject.collider.declaration;
   const PairCase& pair = referee.truth().pair();
-  const Answer answer = referee.completed(declaration, subject.collider.collide(pair));
+  const Answer answer = referee.whole(declaration, subject.collider.collide(pair));
   const Measured measured = referee.measure(declaration, answer);
   subject.counts.add(index, measured);
   if (!measured.has_errors) return;

@@ -32,7 +32,7 @@ std::pair<std::size_t, ErrorStatistics> recycled_at(const Trajectory& trajectory
       if (seen++ % every != 0) continue;
       Referee referee({bodies[contact.a.index], bodies[contact.b.index]});
       const Answer answer = manifold_cast<double>(contact.manifold);
-      errors.add(seen, referee.measure(declaration, referee.completed(declaration, answer)));
+      errors.add(seen, referee.measure(declaration, referee.whole(declaration, answer)));
     }
   }
   return {collided, errors.statistics()};

@@ -61,7 +61,7 @@ std::pair<bool, double> badness_of(const Collider& collider, const PairCase& pai
                                    Interruption& interruption) {
   const Declaration& declaration = collider.declaration;
   Referee referee(pair);
-  const Answer answer = referee.completed(declaration, ask_in_child(collider, pair, interruption));
+  const Answer answer = referee.whole(declaration, ask_in_child(collider, pair, interruption));
   const Measured measured = referee.measure(declaration, answer);
   const bool wrong = is_wrong(measured.assessment);
   return {wrong,

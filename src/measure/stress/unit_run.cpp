@@ -186,7 +186,7 @@ void measure_case(const StressPlan& plan, const Unit& unit, std::vector<SubjectR
   for (SubjectRun& run : runs) {
     const Declaration& declaration = run.subject->collider.declaration;
     const Answer answer =
-        referee.completed(declaration, answer_of(plan, run, in_block, index, referee, state));
+        referee.whole(declaration, answer_of(plan, run, in_block, index, referee, state));
     run.collector.add(index, referee.measure(declaration, answer));
     if (unit.walk != nullptr) run.changes.add(index, referee, declaration, answer);
   }

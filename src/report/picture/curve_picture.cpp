@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "judging/by_curve.hpp"
 #include "oracle/exact/curve.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/picture/pictures.hpp"
@@ -72,13 +73,7 @@ class CurvePicture {
   }
 
   double depth_along(const Point& normal) const {
-    double most = -std::numeric_limits<double>::infinity();
-    for (int i = 0; i < placed_.a.count; ++i) {
-      for (int j = 0; j < placed_.b.count; ++j) {
-        most = std::max(most, normal.dot(placed_.a.vertices[i] - placed_.b.vertices[j]));
-      }
-    }
-    return most + total_radius(pair_);
+    return exact::Along(truth_, local_normal(pair_, normal)).depth();
   }
 
   /// Every half degree, and where the curve has corners.
@@ -150,17 +145,11 @@ class CurvePicture {
   }
 
   std::optional<CurveAnswer> seen(const DeclaredAnswer& asked) const {
-    const Manifold<double>* const manifold = asked.manifold();
-    if (asked.count() == 0 || !manifold->normal.allFinite() || manifold->normal.isZero(0)) {
-      return std::nullopt;
-    }
-    CurveAnswer answer{world_normal(pair_, manifold->normal), manifold->points[0].depth,
-                       exact::Along(truth_, manifold->normal).depth()};
-    for (int i = 1; i < asked.count(); ++i) {
-      answer.depth = std::max(answer.depth, manifold->points[i].depth);
-    }
-    if (!std::isfinite(answer.depth)) return std::nullopt;
-    return answer;
+    const auto said = said_along(asked.answer);
+    if (!said || !said->normal.allFinite() || said->normal.isZero(0)) return std::nullopt;
+    if (!std::isfinite(said->depth)) return std::nullopt;
+    return CurveAnswer{world_normal(pair_, said->normal), said->depth,
+                       exact::Along(truth_, said->normal).depth()};
   }
 
   void draw_answer(const DeclaredAnswer& asked, bool is_subject) {

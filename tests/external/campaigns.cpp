@@ -1,0 +1,40 @@
+#include "external/campaigns.hpp"
+
+#include "generating/regime.hpp"
+#include "own_colliders/own_colliders.hpp"
+
+namespace manifuzz::test {
+
+Collider library() {
+  return collider_in_own_process(MANIFUZZ_TEST_LIBRARY, kSecondsMax);
+}
+
+Collider program(const std::string& behaviour) {
+  return collider_of_command(MANIFUZZ_TEST_PROGRAM " " + behaviour, kSecondsMax);
+}
+
+Plan plan_of(const Collider& subject) {
+  Plan plan;
+  plan.subject = subject;
+  plan.oracle = make_clip64();
+  plan.regimes = {find_regime("generic"), find_regime("sliver")};
+  plan.seed = 3;
+  plan.cases = kCases;
+  plan.jobs = 2;
+  return plan;
+}
+
+JobsResult run(const Plan& plan) {
+  Interruption interruption;
+  return run_jobs(plan, {0, plan.cases_max()}, interruption, [](const Progress&) {});
+}
+
+std::uint64_t count_of(const JobsResult& result, Kind kind) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < kBucketCount; ++i) {
+    if (bucket_at(i).kind == kind) count += result.tally->buckets[i].count;
+  }
+  return count;
+}
+
+}  // namespace manifuzz::test

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdlib>
+#include <string>
+
+#include "campaign/run.hpp"
+#include "oracle/external/external_collider.hpp"
+
+// Short campaigns against the library and the program that behave as they are told.
+
+namespace manifuzz::test {
+
+inline constexpr double kSecondsMax = 1;  // enough on a busy machine
+inline constexpr std::uint64_t kCases = 3000;
+
+/// Tells libraries that are loaded while it lives what to do.
+class Told {
+ public:
+  explicit Told(const char* behaviour) { setenv("MANIFUZZ_TEST_BEHAVIOUR", behaviour, 1); }
+  ~Told() { unsetenv("MANIFUZZ_TEST_BEHAVIOUR"); }
+  Told(const Told&) = delete;
+  Told& operator=(const Told&) = delete;
+};
+
+Collider library();
+Collider program(const std::string& behaviour);
+
+/// Against clip64.
+Plan plan_of(const Collider& subject);
+JobsResult run(const Plan& plan);
+
+/// How many findings have that kind.
+std::uint64_t count_of(const JobsResult& result, Kind kind);
+
+}  // namespace manifuzz::test

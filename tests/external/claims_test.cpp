@@ -1,0 +1,104 @@
+#include <catch2/catch.hpp>
+
+#include "base/text.hpp"
+#include "external/campaigns.hpp"
+
+// Colliders from outside that claim less than a manifold of clips, or more.
+
+using namespace manifuzz;
+using namespace manifuzz::test;
+
+namespace {
+
+/// Without radii: a clip may cut off the deepest vertex of skins that meet at their corners.
+JobsResult run_without_radii(const Collider& collider) {
+  Plan plan = plan_of(collider);
+  plan.context.radius = 0.0F;
+  return run(plan);
+}
+
+}  // namespace
+
+TEST_CASE("a program that claims less than a manifold is judged by what it claims") {
+  for (const char* behaviour : {"touching", "separation", "point"}) {
+    INFO(behaviour);
+    CHECK(is_judged_by_curve(program(behaviour).declaration));
+    const JobsResult result = run_without_radii(program(behaviour));
+    CHECK(result.tally->cases() == kCases);
+    CHECK(result.tally->unexplained() == 0);
+  }
+}
+
+TEST_CASE("a program whose normals point from B to A is found out, whatever it claims") {
+  const JobsResult result = run_without_radii(program("reversed"));
+  const std::uint64_t reversed = count_of(result, Kind::reversed);
+  CHECK(reversed > kCases / 3);
+  CHECK(result.tally->count(Verdict::subject_wrong) == reversed);
+}
+
+TEST_CASE("a library that claims less than a manifold is judged by what it claims") {
+  for (const char* behaviour : {"touching", "separation", "unclipped"}) {
+    INFO(behaviour);
+    const Told told(behaviour);
+    const Collider collider = library();
+    CHECK(is_judged_by_curve(collider.declaration));
+    CHECK(run_without_radii(collider).tally->unexplained() == 0);
+  }
+}
+
+TEST_CASE("a library of interface 1 goes on loading") {
+  for (const Collider& early : {collider_in_own_process(MANIFUZZ_TEST_INTERFACE_1, kSecondsMax),
+                                collider_in_process(MANIFUZZ_TEST_INTERFACE_1)}) {
+    CHECK(early.declaration.name == "early");
+    CHECK(early.declaration.tie_bias == TieBias{.absolute = 0.25});
+    CHECK(early.declaration.max_vertices == 6);
+    CHECK(early.declaration.claims == Claims::manifold);
+    CHECK(early.declaration.clips);
+    const JobsResult result = run(plan_of(early));
+    CHECK(count_of(result, Kind::missed_contact) >= result.tally->unexplained());
+    CHECK(result.tally->unexplained() > kCases / 5);
+  }
+}
+
+TEST_CASE("an answer that contradicts its declaration is malformed") {
+  const JobsResult result = run_without_radii(program("two-points"));
+  CHECK(result.tally->count(Verdict::malformed) > 0);
+  CHECK(result.tally->unexplained() == result.tally->count(Verdict::malformed));
+  const Told told("no-shapes");
+  for (const Collider& silent : {program("no-shapes"), library()}) {
+    CHECK(run(plan_of(silent)).tally->count(Verdict::malformed) >= 20);
+  }
+}
+
+TEST_CASE("a collider that alters shapes is judged by those that it used") {
+  CHECK(run_without_radii(program("alters")).tally->unexplained() == 0);
+  const JobsResult unsaid = run_without_radii(program("alters-unsaid"));
+  CHECK(unsaid.tally->unexplained() > kCases / 3);
+  CHECK(count_of(unsaid, Kind::altered_shape) == unsaid.tally->unexplained());
+}
+
+TEST_CASE("what is right only by its tolerance is counted apart") {
+  const JobsResult result = run_without_radii(program("stops-short"));
+  CHECK(result.tally->unexplained() == 0);
+  CHECK(result.tally->by_tolerance > kCases / 3);
+}
+
+TEST_CASE("what a program may claim is checked") {
+  for (const char* declared :
+       {R"("claims": "nothing")", R"("points": "vertex")", R"("clips": 3)", R"("depths": "some")",
+        R"("speculative": -1)", R"("least_depth": -0.5)", R"("rotation": "quaternion")",
+        R"("tie_bias": {"relative": 1})", R"("tie_bias": {"towards": "c"})",
+        R"("tolerance": {"relative": 0.1})", R"("tolerance": {"relative": -1, "source": "s"})"}) {
+    INFO(declared);
+    CHECK_THROWS_AS(collider_of_command(std::string("echo '{\"declaration\": {") + declared + "}}'",
+                                        kSecondsMax),
+                    UserError);
+  }
+}
+
+TEST_CASE("what a library may claim is checked") {
+  for (const char* behaviour : {"unknown-claim", "unsourced"}) {
+    const Told told(behaviour);
+    CHECK_THROWS_AS(library(), UserError);
+  }
+}

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "exchange/json.hpp"
+#include "generating/regime.hpp"
+#include "judging/by_curve.hpp"
+#include "support/claiming.hpp"
+#include "support/named_tests.hpp"
+#include "support/twin.hpp"
+
+// Right answers of every claim, rounded wherever an engine rounds: none is called wrong.
+// MANIFUZZ_TWIN_CASES sets how many cases a regime.
+
+namespace manifuzz {
+namespace {
+
+/// The largest shares of a bound that were used.
+struct Shares {
+  double consistency = 0;
+  double minimality = 0;
+  std::uint64_t judged = 0;
+};
+
+void widen(Shares& shares, const exact::Truth& truth, const Declaration& declaration,
+           const Answer& answer, const CurveJudgement& judgement) {
+  ++shares.judged;
+  const auto said = said_along(answer);
+  if (!said || !judgement.excess || std::holds_alternative<Manifold<double>>(answer)) return;
+  const CurveBounds bounds = curve_bounds(truth.pair(), declaration, truth.extent());
+  const double off = std::abs(said->depth - exact::Along(truth, said->normal).depth());
+  shares.consistency = std::max(shares.consistency, off / bounds.consistency);
+  shares.minimality = std::max(shares.minimality, *judgement.excess / bounds.minimality);
+}
+
+void judge_all(const Regime& regime) {
+  std::array<Shares, std::size(test::kClaiming)> shares;
+  for (std::uint64_t i = 0; i < twin_cases(400); ++i) {
+    const exact::Truth truth(generate(29, regime, i, {.corpus = {}, .radius = 0}));
+    const PairCase& pair = truth.pair();
+    const test::Claim& claim = test::claims()[i % test::claims().size()];
+    for (std::size_t c = 0; c < shares.size(); ++c) {
+      const test::Claiming& claiming = test::kClaiming[c];
+      const Declaration declaration = claim.declared(test::declaration_of(claiming));
+      if (is_ill_posed(truth.size(), bounds(pair, declaration, truth.extent()))) continue;
+      const Answer answer = claim.said(pair, test::clipped(pair, claiming));
+      const CurveJudgement judgement = judge_by_curve(truth, declaration, answer);
+      widen(shares[c], truth, declaration, answer, judgement);
+      if (judgement.kind == Kind::none) continue;
+      std::string line;
+      append_case_line(line, pair);
+      FAIL_CHECK(claim.name << ", " << declaration.name << ", index " << i << ": "
+                            << kKindNames[static_cast<std::size_t>(judgement.kind)] << " "
+                            << judgement.magnitude << "\n"
+                            << line);
+    }
+  }
+  for (std::size_t c = 0; c < shares.size(); ++c) {
+    std::printf("%-16s %-14s %9llu judged  consistency %.3f  minimality %.3f\n",
+                std::string(regime.name).c_str(), test::name_of(test::kClaiming[c]).c_str(),
+                static_cast<unsigned long long>(shares[c].judged), shares[c].consistency,
+                shares[c].minimality);
+    CHECK(shares[c].consistency <= 1);
+    CHECK(shares[c].minimality <= 1);
+  }
+}
+
+[[maybe_unused]] const bool claims_registered = [] {
+  for (const Regime& regime : regimes()) {
+    test::add_test("no right answer of any claim is called wrong in " + std::string(regime.name),
+                   "[twin]", [&regime] { judge_all(regime); });
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace manifuzz
