@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "judging/by_curve.hpp"
 #include "judging/judge.hpp"
 
 namespace manifuzz {
@@ -73,8 +74,41 @@ Answer Referee::whole(const Declaration& declaration, Answer answer) {
   return Lost{Lost::How::malformed, {}};
 }
 
+Measured Referee::measure_by_curve(const Declaration& declaration, const Answer& answer) {
+  const exact::PenetrationCurve curve(*truth_, exact::Skin::mitred);
+  const double size = truth_->size();
+  const double least = curve.least();
+  const Rules& rules = rules_for(declaration);
+  Measured measured;
+  if (const auto said = said_along(answer); said && touches(answer)) {
+    measured.has_errors = true;
+    const CurveBounds bounds = curve_bounds(truth_->pair(), declaration, truth_->extent());
+    const auto off = [&](const Vector2<double>& normal) { return (normal - said->normal).norm(); };
+    const auto minima = curve.minima(bounds.minimality);
+    measured.error = {.normal = off(*std::ranges::min_element(minima, {}, off)),
+                      .depth = std::abs(said->depth - least)};
+    measured.of_size = share_of_size(measured.error, size);
+    measured.of_bound = {.normal = measured.error.normal / bounds.normal,
+                         .depth = measured.error.depth / bounds.minimality};
+    measured.of_extent = measured.error.depth / (roundoff(rules.scalar) * truth_->extent());
+  }
+  const Kind kind = judge_by_curve(*truth_, declaration, answer).kind;
+  measured.assessment = is_ill_posed(size, rules.in_a_frame) ? Assessment::ill_posed
+                        : kind == Kind::missed_contact       ? Assessment::missed
+                        : kind == Kind::phantom_contact      ? Assessment::phantom
+                        : is_gross(measured.of_size)         ? Assessment::gross
+                                                             : Assessment::right;
+  if (is_wrong(measured.assessment)) {
+    measured.wrongness = to_float(std::max(measured.of_size.depth, std::abs(least) / size));
+  }
+  return measured;
+}
+
 Measured Referee::measure(const Declaration& declaration, const Answer& answer) {
   if (std::holds_alternative<Unsupported>(answer)) return {.assessment = Assessment::unsupported};
+  if (is_judged_by_curve(declaration) && !std::holds_alternative<Lost>(answer)) {
+    return measure_by_curve(declaration, answer);
+  }
   const auto* const manifold = std::get_if<Manifold<double>>(&answer);
   if (manifold == nullptr) {
     return {.assessment = Assessment::lost, .wrongness = std::numeric_limits<float>::max()};

@@ -39,7 +39,8 @@ inline bool is_wrong(Assessment assessment) {
   return assessment > Assessment::right;
 }
 
-/// One answer against the right manifold nearest to it.
+/// One answer against the right manifold nearest to it; of one that no clip makes, its normal and
+/// its depth against the least.
 struct Measured {
   Assessment assessment = Assessment::right;
   bool has_errors = false;  ///< it has points, and there is something to hold them against
@@ -90,6 +91,7 @@ class Referee {
   };
   Rules& rules_for(const Declaration& declaration);
   Measured measure(const Rules& rules, const Manifold<double>& manifold);
+  Measured measure_by_curve(const Declaration& declaration, const Answer& answer);
   bool has_right_count(const Admissible& right, const Manifold<double>& manifold);
 
   std::shared_ptr<const exact::Truth> truth_;

@@ -1,5 +1,6 @@
-// What a full exact verdict costs, in calls of b2CollidePolygons, by regime: the median of paired
-// rounds within this run.
+// What a full exact verdict costs, and what the penetration curve does, in calls of
+// b2CollidePolygons, by regime: medians of paired rounds within this run. The curve judges clip's
+// manifolds as points that no clip made, and their normals and depths alone.
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include <box2d/b2_polygon_shape.h>
 
 #include "generating/regime.hpp"
+#include "judging/by_curve.hpp"
 #include "judging/judge.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "own_colliders/own_colliders.hpp"
@@ -61,6 +63,20 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+/// Its manifolds as points that no clip made, or as normals and depths.
+Declaration claiming(const Collider& collider, Claims claims) {
+  Declaration declaration = collider.declaration;
+  declaration.claims = claims;
+  declaration.clips = false;
+  return declaration;
+}
+
+Answer without_points(const Answer& answer) {
+  const auto said = said_along(answer);
+  if (!said) return Penetration{};
+  return Penetration{.touches = true, .normal = said->normal, .depth = said->depth};
+}
+
 void measure(const Regime& regime) {
   constexpr std::size_t count = 2000;
   constexpr int rounds = 15;
@@ -75,8 +91,14 @@ void measure(const Regime& regime) {
         {filled(pair.a.polygon), filled(pair.b.polygon), filled(pair.a.pose), filled(pair.b.pose)});
     answers.push_back({clip.collide(pair), box2d.collide(pair)});
   }
+  const Declaration with_points = claiming(clip, Claims::manifold);
+  const Declaration separation = claiming(clip, Claims::separation);
+  std::vector<Answer> separations;
+  for (const auto& answer : answers) separations.push_back(without_points(answer[0]));
   std::vector<double> ratios;
   std::vector<double> times;
+  std::vector<double> curve_ratios;
+  std::vector<double> separation_ratios;
   int contacts = 0;
   std::size_t explained = 0;
   for (int round = 0; round < rounds; ++round) {
@@ -90,17 +112,30 @@ void measure(const Regime& regime) {
           judge(pairs[i], {clip.declaration, answers[i][0]}, {box2d.declaration, answers[i][1]});
       explained += static_cast<std::size_t>(verdict.bucket.verdict);
     });
+    const auto by_curve = [&](const Declaration& declaration, const auto& answer) {
+      return time_ns(count, [&](std::size_t i) {
+        const exact::Truth truth(pairs[i]);
+        explained += static_cast<std::size_t>(judge_by_curve(truth, declaration, answer(i)).kind);
+      });
+    };
+    curve_ratios.push_back(
+        by_curve(with_points, [&](std::size_t i) -> const Answer& { return answers[i][0]; }) /
+        of_box2d);
+    separation_ratios.push_back(
+        by_curve(separation, [&](std::size_t i) -> const Answer& { return separations[i]; }) /
+        of_box2d);
     ratios.push_back(of_judge / of_box2d);
     times.push_back(of_judge);
   }
-  std::printf("%-16s %8.0f ns %6.1f calls  (%d, %zu)\n", std::string(regime.name).c_str(),
-              median(times), median(ratios), contacts, explained);
+  std::printf("%-16s %8.0f ns %6.1f calls %9.1f calls %9.1f calls  (%d, %zu)\n",
+              std::string(regime.name).c_str(), median(times), median(ratios), median(curve_ratios),
+              median(separation_ratios), contacts, explained);
 }
 
 }  // namespace
 
 int main(int count, char** names) {
-  std::puts("regime             a verdict   b2CollidePolygons");
+  std::puts("regime             a verdict              points by curve   separation by curve");
   for (const Regime& regime : regimes()) {
     const bool wanted =
         count < 2 || std::find(names + 1, names + count, regime.name) != names + count;

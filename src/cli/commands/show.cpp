@@ -50,7 +50,7 @@ int show(const ShowArguments& options) {
   }
   const std::string file = case_file(options.given);
   check_outputs({{{"--svg", options.svg},
-                  {"--curve", options.curve, OutputPath::Kind::file, {".svg"}},
+                  {"--curve", options.curve, OutputPath::Kind::file, {".svg", ".png"}},
                   {"--map", options.map.value_or(""), OutputPath::Kind::file, {".png"}}},
                  {file}});
   const CorpusCase given = read_case_file(file);
@@ -64,7 +64,10 @@ int show(const ShowArguments& options) {
   const JudgedCase judged = judged_case(given, subject, oracle, interruption);
   const bool is_picture_alone = options.svg == "-";
   if (!options.svg.empty() && !is_picture_alone) write_file(options.svg, case_svg(judged));
-  if (!options.curve.empty()) write_file(options.curve, curve_svg(judged));
+  if (!options.curve.empty()) {
+    const bool is_png = options.curve.ends_with(".png");
+    write_file(options.curve, is_png ? curve_png(judged) : curve_svg(judged));
+  }
   std::string text = is_picture_alone   ? case_svg(judged)
                      : options.upstream ? upstream_report(judged, options_again(asked))
                                         : case_text(judged);
@@ -88,7 +91,7 @@ void add_show_arguments(CLI::App& app, ShowArguments& options) {
   add_external_options(app, options.colliders.external);
   app.add_option("--svg", options.svg, "a picture too; - for the picture alone, on stdout")
       ->type_name("FILE");
-  add_text(app, "--curve", options.curve, "FILE.svg",
+  add_text(app, "--curve", options.curve, "FILE.svg|FILE.png",
            "a picture of how deep they overlap in each direction, and where each answer stands");
   app.add_flag("--upstream", options.upstream,
                "a report for the authors of the collider at fault, with a program that shows it");

@@ -76,10 +76,10 @@ class CurvePicture {
     return exact::Along(truth_, local_normal(pair_, normal)).depth();
   }
 
-  /// Every half degree, and where the curve has corners.
+  /// Every two degrees, which nobody sees, and where the curve has corners.
   std::vector<double> angles() const {
     std::vector<double> all;
-    for (int i = 0; i < 720; ++i) all.push_back(i * std::numbers::pi / 360);
+    for (int i = 0; i < 180; ++i) all.push_back(i * std::numbers::pi / 90);
     const auto add = [&all](const Point& normal) {
       const double angle = std::atan2(normal.y(), normal.x());
       all.push_back(angle < 0 ? angle + 2 * std::numbers::pi : angle);
@@ -216,6 +216,10 @@ class CurvePicture {
 
 std::string curve_svg(const JudgedCase& judged) {
   return CurvePicture(judged).draw();
+}
+
+std::string curve_png(const JudgedCase& judged) {
+  return png_of(curve_svg(judged));
 }
 
 }  // namespace manifuzz

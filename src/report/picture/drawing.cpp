@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cairo.h>
 #include <cmath>
+#include <librsvg/rsvg.h>
 #include <new>
 #include <sstream>
 #include <stdexcept>
@@ -193,6 +194,42 @@ std::string Canvas::png(int height) const {
   std::string file;
   check(cairo_surface_write_to_png_stream(top.get(), append, &file));
   return file;
+}
+
+namespace {
+
+using Document = std::unique_ptr<RsvgHandle, decltype(&g_object_unref)>;
+
+Document parsed(const std::string& svg) {
+  const auto* const bytes = reinterpret_cast<const guint8*>(svg.data());
+  return {rsvg_handle_new_from_data(bytes, svg.size(), nullptr), g_object_unref};
+}
+
+}  // namespace
+
+void Canvas::draw(const std::string& svg) {
+  const Document document = parsed(svg);
+  const RsvgRectangle all{0, 0, static_cast<double>(cairo_image_surface_get_width(surface_.get())),
+                          static_cast<double>(cairo_image_surface_get_height(surface_.get()))};
+  if (document == nullptr ||
+      !rsvg_handle_render_document(document.get(), context_.get(), &all, nullptr)) {
+    throw std::runtime_error("an SVG document cannot be drawn");
+  }
+}
+
+std::string png_of(const std::string& svg) {
+  constexpr double kScale = 2;
+  const Document document = parsed(svg);
+  double width = 0;
+  double height = 0;
+  if (document == nullptr ||
+      !rsvg_handle_get_intrinsic_size_in_pixels(document.get(), &width, &height)) {
+    throw std::runtime_error("an SVG document has no size");
+  }
+  const int rows = static_cast<int>(std::ceil(kScale * height));
+  Canvas canvas(static_cast<int>(std::ceil(kScale * width)), rows);
+  canvas.draw(svg);
+  return canvas.png(rows);
 }
 
 DotCanvas::DotCanvas(int columns, int rows)

@@ -149,6 +149,9 @@ class Canvas {
   /// `at`: the left end of the base line. What is not printable ASCII is drawn escaped.
   void text(const Point& at, std::string_view text, const Font& font, Colour colour);
 
+  /// An SVG document over all of it.
+  void draw(const std::string& svg);
+
   /// The topmost rows as a PNG file.
   std::string png(int height) const;
 
@@ -159,6 +162,9 @@ class Canvas {
   std::shared_ptr<_cairo_surface> surface_;
   std::shared_ptr<_cairo> context_;
 };
+
+/// An SVG document as a PNG file, twice as large for sharp texts. Throws std::runtime_error.
+std::string png_of(const std::string& svg);
 
 /// A picture of characters, each of them two by four dots as Braille has them; marks stand over the
 /// dots. Coordinates are dots, y down; what lies outside is not drawn.

@@ -19,6 +19,8 @@ std::string case_svg(const JudgedCase& judged);
 /// shapes, the least one ringed, every collider's answer a mark at its normal and depth, and in
 /// words what each mark means.
 std::string curve_svg(const JudgedCase& judged);
+/// The same as a PNG file.
+std::string curve_png(const JudgedCase& judged);
 
 /// The neighbourhood as a PNG file: what the subject says, what the oracle says, what is true and
 /// the verdict, side by side, with the severity and a legend in words.

@@ -9,6 +9,7 @@
 #include "exchange/json.hpp"
 #include "generating/regime.hpp"
 #include "judging/by_curve.hpp"
+#include "oracle/exact/witness.hpp"
 #include "support/claiming.hpp"
 #include "support/named_tests.hpp"
 #include "support/twin.hpp"
@@ -23,6 +24,7 @@ namespace {
 struct Shares {
   double consistency = 0;
   double minimality = 0;
+  double witness = 0;  ///< 1, a half, a quarter, ...
   std::uint64_t judged = 0;
 };
 
@@ -35,6 +37,29 @@ void widen(Shares& shares, const exact::Truth& truth, const Declaration& declara
   const double off = std::abs(said->depth - exact::Along(truth, said->normal).depth());
   shares.consistency = std::max(shares.consistency, off / bounds.consistency);
   shares.minimality = std::max(shares.minimality, *judgement.excess / bounds.minimality);
+}
+
+/// The least of a half, a quarter, ... of its bounds within which every point of a clip is one.
+double share_of_witness(const exact::Truth& truth, const Declaration& declaration,
+                        const Manifold<double>& manifold) {
+  constexpr std::array<exact::Height, 2> cores{{{1, 0, 0}, {0, 1, 0}}};
+  if (manifold.count == 0) return 0;
+  const CurveBounds bounds = curve_bounds(truth.pair(), declaration, truth.extent());
+  const exact::Along along(truth, manifold.normal);
+  for (double share = 0.5; share > 1e-3; share /= 2) {
+    for (int i = 0; i < manifold.count; ++i) {
+      const ContactPoint<double>& point = manifold.points[i];
+      const exact::PointClaim claim{.position = point.position,
+                                    .heights = cores,
+                                    .gap_least = point.depth,
+                                    .gap_most = point.depth,
+                                    .along = share * bounds.along,
+                                    .across = share * bounds.across,
+                                    .slack = share * bounds.consistency};
+      if (!exact::is_witness(truth, along, claim)) return 2 * share;
+    }
+  }
+  return 0;
 }
 
 void judge_all(const Regime& regime) {
@@ -50,6 +75,11 @@ void judge_all(const Regime& regime) {
       const Answer answer = claim.said(pair, test::clipped(pair, claiming));
       const CurveJudgement judgement = judge_by_curve(truth, declaration, answer);
       widen(shares[c], truth, declaration, answer, judgement);
+      if (std::string_view(claim.name) == "points of a clip") {
+        const double share =
+            share_of_witness(truth, declaration, std::get<Manifold<double>>(answer));
+        shares[c].witness = std::max(shares[c].witness, share);
+      }
       if (judgement.kind == Kind::none) continue;
       std::string line;
       append_case_line(line, pair);
@@ -60,10 +90,10 @@ void judge_all(const Regime& regime) {
     }
   }
   for (std::size_t c = 0; c < shares.size(); ++c) {
-    std::printf("%-16s %-14s %9llu judged  consistency %.3f  minimality %.3f\n",
+    std::printf("%-16s %-14s %9llu judged  consistency %.3f  minimality %.3f  witness %.3f\n",
                 std::string(regime.name).c_str(), test::name_of(test::kClaiming[c]).c_str(),
                 static_cast<unsigned long long>(shares[c].judged), shares[c].consistency,
-                shares[c].minimality);
+                shares[c].minimality, shares[c].witness);
     CHECK(shares[c].consistency <= 1);
     CHECK(shares[c].minimality <= 1);
   }

@@ -70,8 +70,6 @@ bool differ(const Right& right, const Declaration& by) {
          right.is_clear(right.manifold.points[0].depth - right.manifold.points[1].depth, by);
 }
 
-const std::vector<Kind> kOfPoint{Kind::witness};
-
 }  // namespace
 
 std::vector<Mistake> of_points() {
@@ -100,16 +98,18 @@ std::vector<Mistake> of_points() {
          return with_depth(r, r.depth - kClearly * r.bounds(by).consistency);
        },
        {Kind::inconsistent}},
-      {"a point beside both", point,
+      {"a point beside both",
+       point,
        [](const Right& r, const Declaration&) {
          return moved(r, 2 * r.truth->extent() * turned(r.normal, 1.57), 0, 1);
        },
-       kOfPoint},
-      {"a point in front of both", point,
+       {Kind::witness}},
+      {"a point in front of both",
+       point,
        [](const Right& r, const Declaration&) {
          return moved(r, 2 * r.truth->extent() * r.normal, 0, 1);
        },
-       kOfPoint},
+       {Kind::witness}},
       {"the shallower of two points",
        point,
        [](const Right& r, const Declaration& by) -> Given {
@@ -117,28 +117,32 @@ std::vector<Mistake> of_points() {
          return r.only(1 - r.deepest);
        },
        {Kind::inconsistent}},
-      {"a point on B that should be on A", on_a,
+      {"a point on B that should be on A",
+       on_a,
        [](const Right& r, const Declaration& by) -> Given {
          if (r.manifold.reference == Side::b || !r.overlaps(by)) return std::nullopt;
          return r.only(r.deepest);
        },
-       kOfPoint},
-      {"a point on A that should be on B", on_b,
+       {Kind::witness}},
+      {"a point on A that should be on B",
+       on_b,
        [](const Right& r, const Declaration& by) -> Given {
          if (r.manifold.reference == Side::a || !r.overlaps(by)) return std::nullopt;
          return r.only(r.deepest);
        },
-       kOfPoint},
-      {"a midpoint beyond B's surface", midpoint,
+       {Kind::witness}},
+      {"a midpoint beyond B's surface",
+       midpoint,
        [](const Right& r, const Declaration&) {
          return moved(r, -(r.depth + r.truth->extent()) * r.normal, 0, 1);
        },
-       kOfPoint},
+       {Kind::witness}},
       {"an edge that is not clipped",
        points,
        [](const Right& r, const Declaration& by) { return unclipped(r, by); },
        {Kind::inconsistent, Kind::witness}},
-      {"one depth for two that differ", points,
+      {"one depth for two that differ",
+       points,
        [](const Right& r, const Declaration& by) -> Given {
          if (!differ(r, by) || r.is_clear(r.manifold.points[r.deepest].depth - r.depth, by)) {
            return std::nullopt;
@@ -147,7 +151,7 @@ std::vector<Mistake> of_points() {
          same.points[1 - r.deepest].depth = same.points[r.deepest].depth;
          return same;
        },
-       kOfPoint},
+       {Kind::witness}},
       {"the shallower depth for both",
        shared,
        [](const Right& r, const Declaration& by) -> Given {
@@ -157,20 +161,23 @@ std::vector<Mistake> of_points() {
          return same;
        },
        {Kind::inconsistent}},
-      {"depths exchanged", points,
+      {"depths exchanged",
+       points,
        [](const Right& r, const Declaration& by) -> Given {
          if (!differ(r, by)) return std::nullopt;
          Manifold<double> exchanged = r.manifold;
          std::swap(exchanged.points[0].depth, exchanged.points[1].depth);
          return exchanged;
        },
-       kOfPoint},
-      {"a second point beside both", points,
+       {Kind::witness}},
+      {"a second point beside both",
+       points,
        [](const Right& r, const Declaration&) {
          return moved(r, 2 * r.truth->extent() * turned(r.normal, 1.57), 1, 2);
        },
-       kOfPoint},
-      {"points in B's frame", points,
+       {Kind::witness}},
+      {"points in B's frame",
+       points,
        [](const Right& r, const Declaration&) -> Given {
          Manifold<double> theirs = r.manifold;
          for (int i = 0; i < theirs.count; ++i) {
@@ -181,7 +188,7 @@ std::vector<Mistake> of_points() {
          }
          return theirs;
        },
-       kOfPoint},
+       {Kind::witness}},
   };
 }
 

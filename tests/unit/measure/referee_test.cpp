@@ -33,7 +33,7 @@ Manifold<double> right_answer(const PairCase& pair) {
 Assessment assessed(const PairCase& pair, const Answer& answer,
                     const Declaration& declaration = of_clip()) {
   Referee referee(pair);
-  return referee.measure(declaration, referee.completed(declaration, answer)).assessment;
+  return referee.measure(declaration, referee.whole(declaration, answer)).assessment;
 }
 
 }  // namespace

@@ -82,6 +82,11 @@ function mapFigure(one) {
     element("figcaption", {}, one.map_words.map((line) => element("span", {}, line))));
 }
 
+function curveFigure(one) {
+  return /^<svg /.test(one.curve ?? "") && element("figure", {},
+    element("img", { src: `data:image/svg+xml,${encodeURIComponent(one.curve)}`, alt: "How deep they overlap, direction by direction." }));
+}
+
 function relatedCase(one) {
   const other = one.role === "worst" ? report.caseOf.get(one.smallest) : report.cases.find(({ smallest }) => smallest === one.file);
   return other && element("p", {}, element("a", { href: caseHash(other) }, `The ${other.role} witness of this bucket`));
@@ -90,7 +95,7 @@ function relatedCase(one) {
 function caseDetails(one, right) {
   return [one.note && element("p", { class: "note" }, one.note), relatedCase(one),
     ...one.answers.map((answer) => answerBlock(one, answer, right)),
-    element("h4", {}, "This case"), caseFacts(one), mapFigure(one),
+    element("h4", {}, "This case"), caseFacts(one), curveFigure(one), mapFigure(one),
     element("h4", {}, "Run it again"), ...one.commands.map(copyLine),
     element("div", { class: "copies" }, copyButton("Copy the case", one.case), copyButton("Copy the file name", one.file)),
   ].filter(Boolean);
