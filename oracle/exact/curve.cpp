@@ -65,8 +65,7 @@ Along::Along(const Truth& truth, const Vector2<double>& normal) : truth_(&truth)
       farthest(pair(), Side::a, [&]<class Number>() { return this->normal<Number>(); });
   nearest_of_b_ =
       farthest(pair(), Side::b, [&]<class Number>() { return minus(this->normal<Number>()); });
-  meets_ = finds_line();
-  if (meets_) ahead_ = faces_ahead();
+  ahead_ = faces_ahead();
 }
 
 double Along::depth() const {
@@ -83,8 +82,8 @@ int Along::compare_depth(double length) const {
   });
 }
 
-bool Along::finds_line() const {
-  // W reaches to both sides of the line through the origin along n.
+int Along::compare_reach(double length) const {
+  int least = 1;
   for (const double turn : {1.0, -1.0}) {
     const auto tangent = [&]<class Number>() {
       const Point<Number> n = this->normal<Number>();
@@ -95,13 +94,15 @@ bool Along::finds_line() const {
       return minus(tangent.template operator()<Number>());
     });
     const int reaches = decide_from_doubles([&]<class Number>() {
-      return sum_of(Root<Number>{
-          dot(tangent.template operator()<Number>(),
-              vertex<Number>(pair(), Side::a, a) - vertex<Number>(pair(), Side::b, b))});
+      const Point<Number> n = this->normal<Number>();
+      return sum_of(Root<Number>{dot(
+                        tangent.template operator()<Number>(),
+                        vertex<Number>(pair(), Side::a, a) - vertex<Number>(pair(), Side::b, b))},
+                    Root<Number>{Number(-length), dot(n, n)});
     });
-    if (reaches < 0) return false;
+    least = std::min(least, reaches);
   }
-  return true;
+  return least;
 }
 
 /// Those, and faces whose lines it crosses beyond.
@@ -118,7 +119,7 @@ std::vector<FaceOf> Along::faces_ahead() const {
 }
 
 double Along::gap() const {
-  if (!meets_) return -std::numeric_limits<double>::infinity();
+  if (!meets()) return -std::numeric_limits<double>::infinity();
   using Fine = Approximate<DoubleDouble>;
   const Point<Fine> n = this->normal<Fine>();
   double least = std::numeric_limits<double>::infinity();
@@ -130,21 +131,43 @@ double Along::gap() const {
   return least + (pair().a.polygon.radius + pair().b.polygon.radius);
 }
 
-int Along::compare_gap(double length) const {
-  if (!meets_) return -1;
+/// W's faces ahead, each moved out by `slide` times the sine of its angle to the normal, as sliding
+/// B both ways moves the outermost of them, and in where it is negative.
+int Along::compare_ahead(double length, double slide) const {
   int least = 1;
   for (const FaceOf& face : ahead_) {
+    const auto turn = [&]<class Number>() {
+      const Point<Number> n = this->normal<Number>();
+      const Point<Number> out = outward_from_a<Number>(pair(), face);
+      return n.x * out.y - n.y * out.x;
+    };
+    const double side = decide_from_doubles([&]<class Number>() {
+                          return sum_of(Root<Number>{turn.template operator()<Number>()});
+                        }) < 0
+                            ? -1
+                            : 1;
     // -separation |n| / rise + R - length, times the rise.
-    least = std::min(
-        least, decide_from_doubles([&]<class Number>() {
-          const Point<Number> n = this->normal<Number>();
-          const Number rise = dot(outward_from_a<Number>(pair(), face), n);
-          const Number scaled = scaled_separation<Number>(pair(), face, truth_->support(face));
-          return sum_of(Root<Number>{-scaled, dot(n, n)},
-                        Root<Number>{(total_radius<Number>(pair()) - Number(length)) * rise});
-        }));
+    const int s = decide_from_doubles([&]<class Number>() {
+      const Point<Number> n = this->normal<Number>();
+      const Number rise = dot(outward_from_a<Number>(pair(), face), n);
+      const Number scaled = scaled_separation<Number>(pair(), face, truth_->support(face));
+      return sum_of(Root<Number>{-scaled, dot(n, n)},
+                    Root<Number>{(total_radius<Number>(pair()) - Number(length)) * rise},
+                    Root<Number>{Number(side * slide) * turn.template operator()<Number>()});
+    });
+    least = std::min(least, s);
   }
   return least;
+}
+
+int Along::compare_gap(double length, double slide) const {
+  if (!meets(slide)) return -1;
+  return std::min(compare_ahead(length, slide), compare_depth(length));
+}
+
+int Along::compare_least_gap(double length, double slide) const {
+  if (compare_reach(slide) < 0) return -1;
+  return compare_ahead(length, -slide);
 }
 
 namespace {

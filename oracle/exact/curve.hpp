@@ -33,11 +33,15 @@ class Along {
   /// The sign of D(n) - length.
   int compare_depth(double length) const;
 
-  /// Whether any line along the normal meets both cores; G(n) is minus infinity where none does.
-  bool meets() const { return meets_; }
+  /// Whether any line along the normal meets both cores, B slid by up to so much along the tangent;
+  /// G(n) is minus infinity where none does.
+  bool meets(double slide = 0) const { return compare_reach(-slide) >= 0; }
   double gap() const;
-  /// The sign of G(n) - length.
-  int compare_gap(double length) const;
+  /// The sign of G(n) - length, at its largest where B is slid by up to so much along the tangent:
+  /// where corners pass each other G depends on rounding alone.
+  int compare_gap(double length, double slide = 0) const;
+  /// The same at its least.
+  int compare_least_gap(double length, double slide) const;
 
   /// The normal in the world, with the length that the numbers have.
   template <class Number>
@@ -53,14 +57,15 @@ class Along {
 
  private:
   const StoredPair& pair() const { return truth_->stored(); }
-  bool finds_line() const;
+  /// The sign of (how far W reaches past the line through the origin, on both sides) - length.
+  int compare_reach(double length) const;
   std::vector<FaceOf> faces_ahead() const;
+  int compare_ahead(double length, double slide) const;
 
   const Truth* truth_;
   Vector2<double> normal_;
-  int farthest_of_a_ = 0;  ///< the vertex farthest along the normal
-  int nearest_of_b_ = 0;   ///< the vertex least far along it
-  bool meets_ = false;
+  int farthest_of_a_ = 0;      ///< the vertex farthest along the normal
+  int nearest_of_b_ = 0;       ///< the vertex least far along it
   std::vector<FaceOf> ahead_;  ///< W's faces that the ray along the normal leaves through
 };
 

@@ -1,9 +1,7 @@
 #include "oracle/exact/witness.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
-#include <vector>
 
 namespace manifuzz::exact {
 namespace {
@@ -12,31 +10,19 @@ namespace {
 // lengths are rational times |n|, so that all lies in Q(|n|). In pairs of doubles the same, which
 // proves most witnesses.
 
-/// rational + root |n|.
-template <class Number>
-struct Scaled;
-
-template <>
-struct Scaled<Rational> {
-  using type = Quadratic;
-  static Quadratic of(const Rational& rational, double root, const Rational& squared) {
-    return {rational, Rational(root), squared};
-  }
-  static Quadratic over(const Quadratic& value, const Rational& divisor) {
-    return {value.rational / divisor, value.root / divisor, value.radicand};
-  }
-};
-
-template <>
-struct Scaled<DoubleDouble> {
-  using type = DoubleDouble;
-  static DoubleDouble of(const DoubleDouble& rational, double root, const DoubleDouble& squared) {
-    return rational + DoubleDouble(root) * sqrt(squared);
-  }
-  static DoubleDouble over(const DoubleDouble& value, const DoubleDouble& divisor) {
-    return value / divisor;
-  }
-};
+/// rational + root |n|, and that divided by a number.
+Quadratic scaled(const Rational& rational, double root, const Rational& squared) {
+  return {rational, Rational(root), squared};
+}
+DoubleDouble scaled(const DoubleDouble& rational, double root, const DoubleDouble& squared) {
+  return rational + DoubleDouble(root) * sqrt(squared);
+}
+Quadratic times(const Quadratic& value, const Rational& factor) {
+  return {value.rational * factor, value.root * factor, value.radicand};
+}
+DoubleDouble times(const DoubleDouble& value, const DoubleDouble& factor) {
+  return value * factor;
+}
 
 int sign_of(const DoubleDouble& value) {
   return value.high > 0 ? 1 : value.high < 0 ? -1 : 0;
@@ -48,139 +34,130 @@ int sign_of(const Quadratic& value) {
   return *sign(value);
 }
 
-/// One edge of the boundary that faces the other side: the height at a place is at_from + slope
-/// (place - from).
 template <class Number>
-struct Edge {
-  Number from;
-  Number to;
-  Number at_from;
-  Number slope;
+using ElementOfPlace = decltype(scaled(Number(0.0), 0.0, Number(0.0)));
 
-  Number height(const Number& place) const { return at_from + slope * (place - from); }
+/// From `low` to `high`; empty where that is not so.
+template <class E>
+struct Interval {
+  E low;
+  E high;
+
+  bool is_empty() const { return sign_of(high - low) < 0; }
+  void narrow(const E& least, const E& most) {
+    if (sign_of(least - low) > 0) low = least;
+    if (sign_of(high - most) > 0) high = most;
+  }
+  void widen_to(const E& value) {
+    if (sign_of(low - value) > 0) low = value;
+    if (sign_of(value - high) > 0) high = value;
+  }
 };
-
-template <class Number>
-bool is_less_steep(const Number& run, const Number& rise, double steepest) {
-  const Number most = run * Number(steepest);
-  return sign_of(most - rise) > 0 && sign_of(most + rise) > 0;
-}
 
 /// Tangent places, heights and lengths, as they are along one normal.
 template <class Number>
-struct Frame {
-  using E = typename Scaled<Number>::type;
-
-  const StoredPair& pair;
-  Point<Number> normal;
-  Number squared;  ///< |n|^2
+class Frame {
+ public:
+  using E = ElementOfPlace<Number>;
 
   Frame(const Truth& truth, const Along& along)
-      : pair(truth.stored()), normal(along.normal<Number>()), squared(dot(normal, normal)) {}
+      : pair_(truth.stored()), normal_(along.normal<Number>()), squared_(dot(normal_, normal_)) {}
 
-  Number place(const Point<Number>& p) const { return normal.x * p.y - normal.y * p.x; }
-  Number height(const Point<Number>& p) const { return dot(normal, p); }
-  E element(const Number& number) const { return Scaled<Number>::of(number, 0, squared); }
-  E length(double world) const { return Scaled<Number>::of(Number(0.0), world, squared); }
-  E radii() const { return length(pair.a.polygon.radius) + length(pair.b.polygon.radius); }
+  Number place(const Point<Number>& p) const { return normal_.x * p.y - normal_.y * p.x; }
+  Number height(const Point<Number>& p) const { return dot(normal_, p); }
+  E element(const Number& number) const { return scaled(number, 0, squared_); }
+  E length(double world) const { return scaled(Number(0.0), world, squared_); }
+  E radii() const { return length(pair_.a.polygon.radius) + length(pair_.b.polygon.radius); }
+  /// A point of A's frame in the world, from A's position.
+  Point<Number> seen(const Vector2<double>& local) const {
+    return turned(pair_.a, Point<Number>{Number(local.x()), Number(local.y())});
+  }
 
-  /// A's upper edges run along the tangent, B's lower ones against it; those less steep than
-  /// `steepest` alone, where one is given.
-  std::vector<Edge<Number>> facing(Side side, std::optional<double> steepest) const {
-    std::vector<Edge<Number>> edges;
-    const auto& polygon = pair[side].polygon;
+  /// The heights of a side's edges that face the other, where they lie at these places; none where
+  /// none does. Of edges steeper than `steepest`, none are seen.
+  std::optional<Interval<E>> heights(Side side, const Interval<E>& places,
+                                     std::optional<double> steepest) const {
+    std::optional<Interval<E>> all;
+    const auto& polygon = pair_[side].polygon;
     for (int i = 0; i < polygon.count; ++i) {
-      Point<Number> first = vertex<Number>(pair, side, i);
-      Point<Number> second = vertex<Number>(pair, side, polygon.next(i));
-      if (side == Side::b) std::swap(first, second);
-      const Number run = place(second) - place(first);
-      if (sign_of(run) <= 0) continue;
-      const Number rise = height(second) - height(first);
-      if (steepest && !is_less_steep(run, rise, *steepest)) continue;
-      edges.push_back({place(first), place(second), height(first), rise / run});
+      // A's upper edges run along the tangent, B's lower ones against it.
+      Point<Number> from = vertex<Number>(pair_, side, i);
+      Point<Number> to = vertex<Number>(pair_, side, polygon.next(i));
+      if (side == Side::b) std::swap(from, to);
+      add_heights(from, to, places, steepest, all);
     }
-    return edges;
+    return all;
   }
-};
-
-/// Places from an origin on, as far as conditions leave them.
-template <class Number>
-class Stretch {
- public:
-  using E = typename Scaled<Number>::type;
-
-  Stretch(E from, E to) : from_(std::move(from)), to_(std::move(to)) {}
-
-  /// What is `excess` at the origin, and grows by `slope` from there, is not negative.
-  void keep(const E& excess, const Number& slope) {
-    const int direction = sign_of(slope);
-    if (direction == 0) {
-      is_empty_ = is_empty_ || sign_of(excess) < 0;
-      return;
-    }
-    const E root = Scaled<Number>::over(excess, Number(0.0) - slope);
-    if (direction > 0 && sign_of(root - from_) > 0) from_ = root;
-    if (direction < 0 && sign_of(to_ - root) > 0) to_ = root;
-  }
-  /// What is `value` at the origin, and grows by `slope` from there, is between both.
-  void keep_between(const E& value, const Number& slope, const E& least, const E& most) {
-    keep(value - least, slope);
-    keep(most - value, Number(0.0) - slope);
-  }
-  bool is_empty() const { return is_empty_ || sign_of(to_ - from_) < 0; }
 
  private:
-  E from_;
-  E to_;
-  bool is_empty_ = false;
+  void add_heights(const Point<Number>& from, const Point<Number>& to, const Interval<E>& places,
+                   std::optional<double> steepest, std::optional<Interval<E>>& all) const {
+    const Number run = place(to) - place(from);
+    if (sign_of(run) <= 0) return;
+    const Number rise = height(to) - height(from);
+    if (steepest) {
+      const Number most = run * Number(*steepest);
+      if (sign_of(most - rise) <= 0 || sign_of(most + rise) <= 0) return;
+    }
+    Interval<E> seen{element(place(from)), element(place(to))};
+    seen.narrow(places.low, places.high);
+    if (seen.is_empty()) return;
+    for (const E& at : {seen.low, seen.high}) {
+      const E value = element(height(from)) + times(at - element(place(from)), Number(rise / run));
+      if (!all) all = Interval<E>{value, value};
+      all->widen_to(value);
+    }
+  }
+
+  const StoredPair& pair_;
+  Point<Number> normal_;
+  Number squared_;  ///< |n|^2
 };
 
-/// Whether there is a line that meets both of these edges, `inside` of their ends.
-template <class Number>
-bool finds_line(const Frame<Number>& frame, const Along& along, const PointClaim& claim,
-                double inside, const Edge<Number>& top, const Edge<Number>& bottom) {
-  using E = typename Scaled<Number>::type;
-  const Number from = sign_of(top.from - bottom.from) > 0 ? top.from : bottom.from;
-  const Number to = sign_of(top.to - bottom.to) > 0 ? bottom.to : top.to;
-  if (sign_of(to - from) < 0) return false;
-  const Point<Number> at =
-      turned(frame.pair.a, Point<Number>{Number(claim.position.x()), Number(claim.position.y())});
-  const E place = frame.element(frame.place(at) - from);
-  const E height = frame.element(frame.height(at));
-  const E gap = frame.element(top.height(from) - bottom.height(from)) + frame.radii();
-  const Number gap_slope = top.slope - bottom.slope;
-  return std::ranges::any_of(claim.heights, [&](const Height& claimed) {
-    const Number of_top(claimed.of_top);
-    const Number of_bottom(claimed.of_bottom);
-    Stretch<Number> stretch(frame.length(inside), frame.element(to - from) - frame.length(inside));
-    stretch.keep_between(frame.element(Number(0.0)), Number(1.0), place - frame.length(claim.along),
-                         place + frame.length(claim.along));
-    stretch.keep_between(
-        frame.element(of_top * top.height(from) + of_bottom * bottom.height(from)) +
-            frame.length(claimed.offset),
-        of_top * top.slope + of_bottom * bottom.slope, height - frame.length(claim.across),
-        height + frame.length(claim.across));
-    stretch.keep_between(gap, gap_slope, frame.length(claim.gap_least) - frame.length(claim.slack),
-                         frame.length(claim.gap_most) + frame.length(claim.slack));
-    if (claim.shortfall) {
-      const E depth = frame.element(along.scaled_support<Number>()) + frame.radii();
-      stretch.keep(gap - depth + frame.length(*claim.shortfall), gap_slope);
-    }
-    return !stretch.is_empty();
-  });
+/// Whether some top and bottom of these have that difference, and lie so that the point has one of
+/// its heights.
+template <class E>
+bool fits(Interval<E> top, Interval<E> bottom, const Height& claimed, const Interval<E>& height,
+          Interval<E> difference) {
+  if (claimed.of_bottom == 0) {
+    top.narrow(height.low, height.high);
+  } else if (claimed.of_top == 0) {
+    bottom.narrow(height.low, height.high);
+  } else {
+    // Halfway: the sum of both is twice the height. Twice the top less the sum is the difference,
+    // and so is the sum less twice the bottom.
+    const Interval<E> sum{height.low + height.low, height.high + height.high};
+    difference.narrow(sum.low - bottom.high - bottom.high, sum.high - bottom.low - bottom.low);
+    difference.narrow(top.low + top.low - sum.high, top.high + top.high - sum.low);
+  }
+  if (top.is_empty() || bottom.is_empty() || height.is_empty()) return false;
+  difference.narrow(top.low - bottom.high, top.high - bottom.low);
+  return !difference.is_empty();
 }
 
 template <class Number>
-bool finds_line(const Truth& truth, const Along& along, const PointClaim& claim, double inside = 0,
-                std::optional<double> steepest = {}) {
+bool finds_places(const Truth& truth, const Along& along, const PointClaim& claim,
+                  std::optional<double> steepest = {}) {
   const Frame<Number> frame(truth, along);
-  const auto bottoms = frame.facing(Side::b, steepest);
-  for (const Edge<Number>& top : frame.facing(Side::a, steepest)) {
-    for (const Edge<Number>& bottom : bottoms) {
-      if (finds_line(frame, along, claim, inside, top, bottom)) return true;
-    }
+  using E = typename Frame<Number>::E;
+  const Point<Number> at = frame.seen(claim.position);
+  const E place = frame.element(frame.place(at));
+  const Interval<E> near{place - frame.length(claim.along), place + frame.length(claim.along)};
+  if (near.is_empty()) return false;
+  const auto top = frame.heights(Side::a, near, steepest);
+  const auto bottom = frame.heights(Side::b, near, steepest);
+  if (!top || !bottom) return false;
+  Interval<E> difference{frame.length(claim.gap_least) - frame.length(claim.slack) - frame.radii(),
+                         frame.length(claim.gap_most) + frame.length(claim.slack) - frame.radii()};
+  if (claim.shortfall) {
+    const E least = frame.element(along.scaled_support<Number>()) - frame.length(*claim.shortfall);
+    difference.narrow(least, difference.high);
   }
-  return false;
+  return std::ranges::any_of(claim.heights, [&](const Height& claimed) {
+    const E height = frame.element(frame.height(at)) - frame.length(claimed.offset);
+    const E across = frame.length(claim.across);
+    return fits(*top, *bottom, claimed, {height - across, height + across}, difference);
+  });
 }
 
 /// With every allowance less by so much.
@@ -191,19 +168,19 @@ PointClaim narrowed(PointClaim claim, double by) {
   return claim;
 }
 
-/// A line that pairs of doubles find, well inside of what is allowed, is one. With v = 2^-101, the
-/// roundoff of such a pair, and E the extent, places and heights are off by less than 2^4 v E; on
-/// an edge of slope m, within its ends, heights by less than 2^5 v E (m + 1). Where m is less than
-/// 2^20 all stays below 2^-74 E.
-bool surely_finds_line(const Truth& truth, const Along& along, const PointClaim& claim) {
-  const double doubt = 0x1p-70 * truth.extent();
-  return finds_line<DoubleDouble>(truth, along, narrowed(claim, doubt), doubt, 0x1p20);
+/// Places that pairs of doubles find, well inside of what is allowed, are there. With v = 2^-101,
+/// the roundoff of such a pair, and E the extent, places and heights are off by less than 2^4 v E;
+/// on an edge of slope m heights by less than 2^5 v E (m + 1). Where m is less than 2^20 all stays
+/// below 2^-74 E, and what lies so far outside of an edge has a place on it as near.
+bool surely_finds_places(const Truth& truth, const Along& along, const PointClaim& claim) {
+  return finds_places<DoubleDouble>(truth, along, narrowed(claim, 0x1p-70 * truth.extent()),
+                                    0x1p20);
 }
 
 }  // namespace
 
 bool is_witness(const Truth& truth, const Along& along, const PointClaim& claim) {
-  return surely_finds_line(truth, along, claim) || finds_line<Rational>(truth, along, claim);
+  return surely_finds_places(truth, along, claim) || finds_places<Rational>(truth, along, claim);
 }
 
 }  // namespace manifuzz::exact

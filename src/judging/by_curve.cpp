@@ -104,17 +104,20 @@ class ByCurve {
   /// The overlap that a depth stands for: of a pair the depth along the normal, of points the
   /// deepest on any line along it.
   bool is_gap_claimed(const Along& along) const {
-    return said_.manifold != nullptr && along.meets();
+    return said_.manifold != nullptr && along.meets(slide());
   }
+  /// How far two places that a point names may pass each other.
+  double slide() const { return 2 * (bounds_.along + tolerance_); }
   double depth_error(const Along& along) const {
-    return std::abs(said_.depth - (is_gap_claimed(along) ? along.gap() : along.depth()));
+    return std::abs(said_.depth -
+                    (is_gap_claimed(along) && along.meets() ? along.gap() : along.depth()));
   }
   bool is_depth(const Along& along, double depth) const {
     // No tolerance excuses a depth that is too large.
     const double least = depth - bounds_.consistency;
     const double most = depth + bounds_.consistency + tolerance_;
     if (is_gap_claimed(along)) {
-      return along.compare_gap(least) >= 0 && along.compare_gap(most) <= 0;
+      return along.compare_gap(least, slide()) >= 0 && along.compare_least_gap(most, slide()) <= 0;
     }
     return along.compare_depth(least) >= 0 && along.compare_depth(most) <= 0;
   }

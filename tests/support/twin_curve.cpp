@@ -1,7 +1,6 @@
 #include "support/twin_curve.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace manifuzz::twin {
 namespace {
@@ -34,29 +33,50 @@ std::optional<Ratio> height(const Outline& polygon, const Exact& direction, cons
   return most;
 }
 
-/// What must not be negative at a line's place.
-using Condition = std::function<Ratio(const Ratio& place)>;
+/// What must not be negative: x top + y bottom + constant.
+struct Condition {
+  Ratio x;
+  Ratio y;
+  Ratio constant;
 
-bool holds(const std::vector<Condition>& conditions, const Ratio& place) {
-  return std::ranges::all_of(conditions, [&](const Condition& c) { return c(place) >= 0; });
-}
+  Ratio at(const Ratio& top, const Ratio& bottom) const { return x * top + y * bottom + constant; }
+};
 
-/// Each condition is linear between two of the places that follow each other: where all hold, they
-/// do so at one of them, or where one turns.
-bool hold_somewhere(const std::vector<Condition>& conditions, const std::vector<Ratio>& places) {
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (holds(conditions, places[i])) return true;
-    if (i + 1 == places.size()) break;
-    const Ratio& from = places[i];
-    const Ratio run = places[i + 1] - from;
-    for (const Condition& condition : conditions) {
-      const Ratio first = condition(from);
-      const Ratio last = condition(places[i + 1]);
-      if ((first < 0) == (last < 0)) continue;
-      if (holds(conditions, from + run * first / (first - last))) return true;
+/// Whether all hold somewhere, of conditions that bound both: then they hold where two are zero.
+bool hold_somewhere(const std::vector<Condition>& conditions) {
+  for (const Condition& p : conditions) {
+    for (const Condition& q : conditions) {
+      const Ratio turn = p.x * q.y - p.y * q.x;
+      if (turn == 0) continue;
+      const Ratio top = (p.y * q.constant - q.y * p.constant) / turn;
+      const Ratio bottom = (q.x * p.constant - p.x * q.constant) / turn;
+      if (std::ranges::all_of(conditions,
+                              [&](const Condition& c) { return c.at(top, bottom) >= 0; })) {
+        return true;
+      }
     }
   }
   return false;
+}
+
+/// The least and the largest height of a polygon on lines along the direction, from one place to
+/// another: at one of them, or at a corner between.
+std::optional<std::pair<Ratio, Ratio>> heights(const Outline& polygon, const Exact& direction,
+                                               const Ratio& from, const Ratio& to, int sign) {
+  std::vector<Ratio> places{from, to};
+  for (const Exact& corner : polygon.corners) {
+    const Ratio place = Exact{-direction.y, direction.x} * corner;
+    if (from <= place && place <= to) places.push_back(place);
+  }
+  std::optional<std::pair<Ratio, Ratio>> all;
+  for (const Ratio& place : places) {
+    const auto found = height(polygon, direction, place, sign);
+    if (!found) continue;
+    if (!all) all = {*found, *found};
+    all->first = std::min<Ratio>(all->first, *found);
+    all->second = std::max<Ratio>(all->second, *found);
+  }
+  return all;
 }
 
 /// From A to B.
@@ -131,50 +151,83 @@ std::optional<Real> TwinCurve::gap(const Vector2<double>& normal) const {
 
 bool TwinCurve::has_witness(const Vector2<double>& normal, const exact::PointClaim& claim) const {
   const Exact direction = turned(normal);
-  const Exact tangent{-direction.y, direction.x};
   const Ratio length = *square_root(direction * direction).rational();
   const Exact at = turned(claim.position);
-  const Ratio depth = *(along(direction) * Real(length)).rational();
-  const auto top = [&](const Ratio& place) { return *height(a_, direction, place, 1); };
-  const auto bottom = [&](const Ratio& place) { return *height(b_, direction, place, -1); };
-  const Condition gap = [&](const Ratio& place) -> Ratio {
-    return top(place) - bottom(place) + radius_ * length;
-  };
-  const auto within = [&](double bound) -> Ratio { return Ratio(bound) * length; };
+  const Ratio place = Exact{-direction.y, direction.x} * at;
+  const auto scaled = [&](double world) -> Ratio { return Ratio(world) * length; };
+  const Ratio near = scaled(claim.along);
+  if (near < 0) return false;
+  const auto top = heights(a_, direction, place - near, place + near, 1);
+  const auto bottom = heights(b_, direction, place - near, place + near, -1);
+  if (!top || !bottom) return false;
+  const Ratio radii = radius_ * length;
+  std::vector<Condition> common{{1, 0, -top->first},
+                                {-1, 0, top->second},
+                                {0, 1, -bottom->first},
+                                {0, -1, bottom->second},
+                                {1, -1, radii - scaled(claim.gap_least) + scaled(claim.slack)},
+                                {-1, 1, scaled(claim.gap_most) + scaled(claim.slack) - radii}};
+  if (claim.shortfall) {
+    const Ratio depth = *(along(direction) * Real(length)).rational();
+    common.push_back({1, -1, radii - depth + scaled(*claim.shortfall)});
+  }
+  return std::ranges::any_of(claim.heights, [&](const exact::Height& claimed) {
+    std::vector<Condition> all = common;
+    const Ratio off = scaled(claimed.offset) - direction * at;
+    const Ratio across = scaled(claim.across);
+    all.push_back({claimed.of_top, claimed.of_bottom, across + off});
+    all.push_back({-claimed.of_top, -claimed.of_bottom, across - off});
+    return hold_somewhere(all);
+  });
+}
 
-  std::vector<Ratio> places;
-  for (const Outline* polygon : {&a_, &b_}) {
-    for (const Exact& corner : polygon->corners) {
-      const Ratio place = tangent * corner;
-      if (height(a_, direction, place, 1) && height(b_, direction, place, -1)) {
-        places.push_back(place);
+std::optional<Real> TwinCurve::most_gap(const Vector2<double>& normal, double slide) const {
+  const Exact direction = turned(normal);
+  const Exact tangent{-direction.y, direction.x};
+  const Ratio length = *square_root(direction * direction).rational();
+  const Ratio off = Ratio(slide) * length;
+  std::optional<Ratio> most;
+  const auto consider = [&](const Ratio& place_a, const Ratio& place_b) {
+    if (place_a - place_b > off || place_b - place_a > off) return;
+    const auto top = height(a_, direction, place_a, 1);
+    const auto bottom = height(b_, direction, place_b, -1);
+    if (top && bottom && (!most || *top - *bottom > *most)) most = *top - *bottom;
+  };
+  for (const Exact& of_a : a_.corners) {
+    for (const Exact& of_b : b_.corners) {
+      const Ratio a = tangent * of_a;
+      const Ratio b = tangent * of_b;
+      consider(a, b);
+      for (const Ratio& moved : {Ratio(0), off, Ratio(-off)}) {
+        consider(a, a + moved);
+        consider(b + moved, b);
       }
     }
   }
-  std::ranges::sort(places);
-  for (const exact::Height& claimed : claim.heights) {
-    const Condition off = [&](const Ratio& place) -> Ratio {
-      return Ratio(claimed.of_top) * top(place) + Ratio(claimed.of_bottom) * bottom(place) +
-             within(claimed.offset) - direction * at;
+  if (!most) return std::nullopt;
+  return Real(Ratio(*most / length + radius_));
+}
+
+std::optional<Real> TwinCurve::least_gap(const Vector2<double>& normal, double slide) const {
+  const Exact direction = turned(normal);
+  const Exact tangent{-direction.y, direction.x};
+  const Ratio length = *square_root(direction * direction).rational();
+  std::optional<Real> least;
+  for (const double moved : {slide, -slide}) {
+    const Ratio off = Ratio(moved) * length;
+    std::optional<Ratio> most;
+    const auto consider = [&](const Ratio& place) {
+      const auto top = height(a_, direction, place, 1);
+      const auto bottom = height(b_, direction, place + off, -1);
+      if (top && bottom && (!most || *top - *bottom > *most)) most = *top - *bottom;
     };
-    std::vector<Condition> conditions{
-        [&](const Ratio& p) -> Ratio { return p - tangent * at + within(claim.along); },
-        [&](const Ratio& p) -> Ratio { return tangent * at + within(claim.along) - p; },
-        [&](const Ratio& p) -> Ratio { return within(claim.across) + off(p); },
-        [&](const Ratio& p) -> Ratio { return within(claim.across) - off(p); },
-        [&](const Ratio& p) -> Ratio {
-          return gap(p) - within(claim.gap_least) + within(claim.slack);
-        },
-        [&](const Ratio& p) -> Ratio {
-          return within(claim.gap_most) + within(claim.slack) - gap(p);
-        }};
-    if (claim.shortfall) {
-      conditions.emplace_back(
-          [&](const Ratio& p) -> Ratio { return gap(p) - depth + within(*claim.shortfall); });
-    }
-    if (hold_somewhere(conditions, places)) return true;
+    for (const Exact& corner : a_.corners) consider(tangent * corner);
+    for (const Exact& corner : b_.corners) consider(tangent * corner - off);
+    if (!most) return std::nullopt;
+    const Real found = Ratio(*most / length + radius_);
+    least = least ? lesser(*least, found) : found;
   }
-  return false;
+  return least;
 }
 
 }  // namespace manifuzz::twin

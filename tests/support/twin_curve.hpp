@@ -19,8 +19,14 @@ class TwinCurve {
   Real depth(const Vector2<double>& normal) const { return along(turned(normal)); }
   /// G(n); none where no line along the normal meets both cores.
   std::optional<Real> gap(const Vector2<double>& normal) const;
-  /// Whether some line along the normal bears the claim out. The normal's length is rational, and
-  /// A's rotation unit: lengths are then rational too.
+  // Of a normal whose length is rational, where A's rotation is unit: lengths are then rational
+  // too.
+
+  /// G(n) at its largest, and at its least, where B is slid by up to so much along the tangent;
+  /// none where no line meets both cores: with any such slide, with one of the two.
+  std::optional<Real> most_gap(const Vector2<double>& normal, double slide) const;
+  std::optional<Real> least_gap(const Vector2<double>& normal, double slide) const;
+  /// Whether places of both cores bear the claim out.
   bool has_witness(const Vector2<double>& normal, const exact::PointClaim& claim) const;
   /// D*.
   const Real& least() const { return least_; }

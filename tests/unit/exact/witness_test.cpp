@@ -75,6 +75,14 @@ void compare_all(const Regime& regime) {
     std::string line;
     append_case_line(line, pair);
     INFO(line << "index " << i << ", normal " << normal.x() << ", " << normal.y());
+    const double slide = error_size(random) * truth.extent();
+    const auto most = twin.most_gap(normal, slide);
+    const auto least = twin.least_gap(normal, slide);
+    REQUIRE(along.meets(slide) == most.has_value());
+    for (const double length : {along.meets() ? along.gap() : 0, along.depth(), 0.0}) {
+      if (most) REQUIRE(along.compare_gap(length, slide) == sign(*most - Real(length)));
+      REQUIRE(along.compare_least_gap(length, slide) == (least ? sign(*least - Real(length)) : -1));
+    }
     for (int k = 0; k < 4; ++k) {
       const exact::PointClaim claim = any_claim(random, truth, along);
       const bool is_one = exact::is_witness(truth, along, claim);
