@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/pair_case.hpp"
+#include "collider/used_shapes.hpp"
 
 namespace manifuzz::exact {
 

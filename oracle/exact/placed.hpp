@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "geometry/pair_case.hpp"
+#include "collider/used_shapes.hpp"
 
 namespace manifuzz::exact {
 

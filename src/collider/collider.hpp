@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "collider/used_shapes.hpp"
 #include "geometry/manifold.hpp"
 
 namespace manifuzz {

@@ -12,10 +12,10 @@ Side read_side(const JsonView& value) {
 }
 
 TieBias read_tie_bias(const JsonView& value) {
-  if (!value.is_object()) return {.absolute = value.number()};
+  if (!value.is_object()) return {.absolute = value.magnitude()};
   value.expect_keys({"absolute", "relative", "towards"});
   TieBias bias;
-  if (const auto absolute = value.find("absolute")) bias.absolute = absolute->number();
+  if (const auto absolute = value.find("absolute")) bias.absolute = absolute->magnitude();
   if (const auto relative = value.find("relative")) bias.relative = relative->number();
   if (const auto towards = value.find("towards")) bias.towards = read_side(*towards);
   return bias;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <span>
 
 #include "geometry/convex_polygon.hpp"
 #include "geometry/pose.hpp"
@@ -34,30 +33,6 @@ struct PairCase {
   /// The body on this side.
   Body& operator[](Side side) { return side == Side::a ? a : b; }
   friend bool operator==(const PairCase&, const PairCase&) = default;
-};
-
-/// 1 to kMaxVertices vertices in a polygon's own frame; nothing more is known of them.
-struct UsedVertices {
-  std::array<Vector2<double>, kMaxVertices> all;
-  int count = 0;
-
-  std::span<const Vector2<double>> corners() const {
-    return {all.data(), static_cast<std::size_t>(count)};
-  }
-  friend bool operator==(const UsedVertices& p, const UsedVertices& q) {
-    return std::ranges::equal(p.corners(), q.corners());
-  }
-};
-
-/// Both polygons of a pair, as an engine has them that makes them its own: it may drop vertices, or
-/// move them.
-struct UsedShapes {
-  UsedVertices a;
-  UsedVertices b;
-
-  const UsedVertices& operator[](Side side) const { return side == Side::a ? a : b; }
-  UsedVertices& operator[](Side side) { return side == Side::a ? a : b; }
-  friend bool operator==(const UsedShapes&, const UsedShapes&) = default;
 };
 
 /// The sum of both radii, a length: shapes touch while the separation is at most this.

@@ -113,7 +113,9 @@ class CurvePicture {
   void draw_level(double depth, std::string_view words) {
     const double radius = kLevel + scale_ * depth;
     svg_.circle(middle_, radius, "level");
-    const Point at = middle_ + Point(4, radius - 4);
+    const double width = text_width(words, kLevelFont);
+    const Point at = middle_ + Point(-width / 2, radius + 4);
+    svg_.box({at.x() - 3, at.y() - 11, width + 6, 14}, "label");
     svg_.text(at, words, kLevelFont, "quiet");
   }
 
