@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "collider/used_shapes.hpp"
 
@@ -94,6 +95,15 @@ struct FaceOf {
 
   friend bool operator==(const FaceOf&, const FaceOf&) = default;
 };
+
+/// A's faces, then B's.
+inline std::vector<FaceOf> all_faces(const StoredPair& pair) {
+  std::vector<FaceOf> faces;
+  for (const Side side : {Side::a, Side::b}) {
+    for (int i = 0; i < pair[side].polygon.count; ++i) faces.push_back({side, i});
+  }
+  return faces;
+}
 
 /// A vertex in the world, from A's position.
 template <class Number, class AnyPair>

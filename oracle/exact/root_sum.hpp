@@ -116,6 +116,12 @@ struct Root {
 template <class Number>
 using RootSum = std::array<Root<Number>, 3>;
 
+template <class Number>
+RootSum<Number> sum_of(const Root<Number>& one, const Root<Number>& two = {},
+                       const Root<Number>& three = {}) {
+  return {one, two, three};
+}
+
 namespace detail {
 
 /// Of a sqrt(p) + b sqrt(q): where the signs differ, the greater square decides.

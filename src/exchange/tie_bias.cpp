@@ -17,6 +17,9 @@ TieBias read_tie_bias(const JsonView& value) {
   TieBias bias;
   if (const auto absolute = value.find("absolute")) bias.absolute = absolute->magnitude();
   if (const auto relative = value.find("relative")) bias.relative = relative->number();
+  if (!value.find("absolute") && !value.find("relative")) {
+    value.fail("\"absolute\" or \"relative\" is expected");
+  }
   if (const auto towards = value.find("towards")) bias.towards = read_side(*towards);
   return bias;
 }

@@ -7,6 +7,7 @@
 #include "judging/ledger.cpp"
 #include "judging/manifold_error.cpp"
 #include "judging/used_shapes.cpp"
+#include "oracle/exact/along.cpp"
 #include "oracle/exact/clip.cpp"
 #include "oracle/exact/curve.cpp"
 #include "oracle/exact/hausdorff.cpp"

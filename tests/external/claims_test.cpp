@@ -1,7 +1,13 @@
+#include <cstdlib>
+#include <string>
+
 #include <catch2/catch.hpp>
 
 #include "base/text.hpp"
 #include "external/campaigns.hpp"
+#include "support/skip.hpp"
+#include "support/source_tree.hpp"
+#include "support/temporary_folder.hpp"
 
 // Colliders from outside that claim less than a manifold of clips, or more.
 
@@ -101,4 +107,17 @@ TEST_CASE("what a library may claim is checked") {
     const Told told(behaviour);
     CHECK_THROWS_AS(library(), UserError);
   }
+}
+
+TEST_CASE("the minimum translation of the README is right, and judged as such") {
+  if (std::system("command -v node > /dev/null") != 0) return skip("there is no node");
+  const std::string readme = text_of(source_dir() / "oracle/external/README.md");
+  const std::size_t begin = readme.find("```js\n") + 6;
+  REQUIRE(begin > 6);
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.write("translation.cjs", readme.substr(begin, readme.find("```", begin) - begin));
+  const Collider translation = collider_of_command("node " + file, 10 * kSecondsMax);
+  CHECK(translation.declaration.claims == Claims::separation);
+  CHECK(run(plan_of(translation)).tally->unexplained() == 0);
 }

@@ -63,7 +63,7 @@ for (const [name, ...shape] of [['tiny', 1e-18, 1], ['huge', 1e18, 1], ['long', 
 
 const evil = '</script><img src=x onerror="document.title=\'owned\'">\'"&amp;<b>\u202eevil\u2066';
 const names = {...sample, file: `${evil}.json`, sentence: evil, note: evil, regime: evil, subject: evil, oracle: evil, bucket: `a/b/${evil}/d/e`,
-  commands: [evil], case: evil, property: evil, map: 'data:text/html,<script>1</script>', map_words: [evil]};
+  commands: [evil], case: evil, property: evil, map: 'data:text/html,<script>1</script>', map_words: [evil], curve: evil, curve_words: [evil]};
 
 onData('what the data says is text, never HTML', reportOf({cases: [names], errors: [evil], command: evil, version: evil,
   sources: [{path: evil, kind: evil, cases: null}]}), async (page) => {

@@ -71,6 +71,13 @@ onCase('a link opens its case, and says everything of it', witness, async (page)
   }
 });
 
+onCase('the penetration curve stands beside it, drawn and in words', witness, async (page) => {
+  const curve = page.locator('img[alt^="How deep they overlap"]');
+  await curve.scrollIntoViewIfNeeded();
+  assert.ok(await curve.evaluate((image) => image.decode().then(() => image.naturalWidth > 0)));
+  assert.match(await page.textContent('#viewer'), /the least depth: along/);
+});
+
 onCase('a point says its collider, position, depth and features', tie, async (page) => {
   await drawn(page);
   await page.mouse.move(...await drawnAt(page));

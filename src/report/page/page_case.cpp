@@ -173,6 +173,7 @@ Json page_case_json(const PageCase& page_case) {
   const Region b = region_of(placed.b);
   const Expectation expect = given.expect.value_or(Expectation{});
   const Bucket& bucket = judged.judgement.bucket;
+  const CurvePlot curve = curve_plot(judged);
   Declaration judge;
   judge.name = kJudgeName;
   std::string line;
@@ -216,7 +217,8 @@ Json page_case_json(const PageCase& page_case) {
       {"answers",
        {answer_json(pair, "truth", judge, truth_in_words(pair), page_case.right),
         answer_json(pair, "subject", judged.subject), answer_json(pair, "oracle", judged.oracle)}},
-      {"curve", curve_svg(judged)},
+      {"curve", curve.svg},
+      {"curve_words", curve.words},
       {"map", page_case.map ? Json("data:image/png;base64," + base64(page_case.map->png)) : Json()},
       {"map_words", page_case.map ? Json(page_case.map->words) : Json::array()}};
 }

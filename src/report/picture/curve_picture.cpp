@@ -19,6 +19,8 @@ constexpr double kReach = 270;  // the farthest that the curve gets from the mid
 constexpr double kCrater = 60;  // the nearest
 constexpr double kShapes = 52;  // the radius that both shapes fit into, in the middle
 constexpr Font kLevelFont{10.5};
+constexpr double kPlot = 580;  // the side of a plot alone, which is drawn half as large
+constexpr Font kPlotFont{19};
 
 /// An answer as the curve sees it.
 struct CurveAnswer {
@@ -48,18 +50,19 @@ class CurvePicture {
     double y = write_down(svg_, title(), {kPictureEdge, 38}, kRight, kTitleFont, "title") - 5;
     y = write_down(svg_, subtitle(), {kPictureEdge, y}, kRight, kTextFont, "subtitle") - 6;
     const Box frame{kPictureEdge, y, kPictureWidth - 2 * kPictureEdge, kFrame};
-    middle_ = frame.center();
-    svg_.box(frame, "frame", 4);
-    draw_shapes();
-    draw_levels();
-    draw_curve();
-    draw_answer(judged_.oracle, false);
-    draw_answer(judged_.subject, true);
+    draw_plot(frame, kLevelFont);
     y = frame.bottom() + 25;
     y = write_ring(y);
     y = write_answer(judged_.subject, true, y);
     y = write_answer(judged_.oracle, false, y);
     return svg_.finish(kPictureWidth, y);
+  }
+
+  /// Without words, which stand beside it.
+  CurvePlot draw_small() {
+    draw_plot({0, 0, kPlot, kPlot}, kPlotFont);
+    return {svg_.finish(kPlot, kPlot),
+            {title(), ring_in_words(), in_words(judged_.subject), in_words(judged_.oracle)}};
   }
 
  private:
@@ -90,6 +93,16 @@ class CurvePicture {
     return all;
   }
 
+  void draw_plot(const Box& frame, const Font& level_font) {
+    middle_ = frame.center();
+    svg_.box(frame, "frame", 4);
+    draw_shapes();
+    draw_levels(level_font);
+    draw_curve();
+    draw_answer(judged_.oracle, false);
+    draw_answer(judged_.subject, true);
+  }
+
   /// Both shapes, small, in the middle.
   void draw_shapes() {
     std::vector<Point> corners;
@@ -110,22 +123,22 @@ class CurvePicture {
     }
   }
 
-  void draw_level(double depth, std::string_view words) {
+  void draw_level(double depth, std::string_view words, const Font& font) {
     const double radius = kLevel + scale_ * depth;
     svg_.circle(middle_, radius, "level");
-    const double width = text_width(words, kLevelFont);
-    const Point at = middle_ + Point(-width / 2, radius + 4);
-    svg_.box({at.x() - 3, at.y() - 11, width + 6, 14}, "label");
-    svg_.text(at, words, kLevelFont, "quiet");
+    const double width = text_width(words, font);
+    const Point at = middle_ + Point(-width / 2, radius + 0.38 * font.size);
+    svg_.box({at.x() - 3, at.y() - font.size, width + 6, 1.3 * font.size}, "label");
+    svg_.text(at, words, font, "quiet");
   }
 
   /// Depth 0, and a round depth outside it.
-  void draw_levels() {
-    draw_level(0, "depth 0: they touch");
+  void draw_levels(const Font& font) {
+    draw_level(0, "depth 0: they touch", font);
     const double widest = 0.8 * (kReach - kLevel) / scale_;
     const double power = std::pow(10, std::floor(std::log10(widest)));
     const double round = widest >= 5 * power ? 5 * power : widest >= 2 * power ? 2 * power : power;
-    draw_level(round, "depth " + brief(round));
+    draw_level(round, "depth " + brief(round), font);
   }
 
   void draw_curve() {
@@ -176,15 +189,19 @@ class CurvePicture {
            "normal does not have.";
   }
 
-  double write_ring(double y) {
-    svg_.circle({kPictureEdge + 9, y - 4}, 8, "ring");
+  std::string ring_in_words() const {
     std::string text = minima().size() > 1 ? "the least depths, which tie:" : "the least depth:";
     std::string_view separator = " ";
     for (const Point& normal : minima()) {
       text += fmt::format("{}along ({}, {})", separator, brief(normal.x()), brief(normal.y()));
       separator = " and ";
     }
-    return write_down(svg_, text, {kPictureEdge + 26, y}, kRight, kTextFont, "legend");
+    return text;
+  }
+
+  double write_ring(double y) {
+    svg_.circle({kPictureEdge + 9, y - 4}, 8, "ring");
+    return write_down(svg_, ring_in_words(), {kPictureEdge + 26, y}, kRight, kTextFont, "legend");
   }
 
   double write_answer(const DeclaredAnswer& asked, bool is_subject, double y) {
@@ -218,6 +235,10 @@ class CurvePicture {
 
 std::string curve_svg(const JudgedCase& judged) {
   return CurvePicture(judged).draw();
+}
+
+CurvePlot curve_plot(const JudgedCase& judged) {
+  return CurvePicture(judged).draw_small();
 }
 
 std::string curve_png(const JudgedCase& judged) {

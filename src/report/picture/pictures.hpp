@@ -19,7 +19,13 @@ std::string case_svg(const JudgedCase& judged);
 /// shapes, the least one ringed, every collider's answer a mark at its normal and depth, and in
 /// words what each mark means.
 std::string curve_svg(const JudgedCase& judged);
-/// The same as a PNG file.
+/// Its plot alone, for a narrow place, and what would stand around it.
+struct CurvePlot {
+  std::string svg;
+  std::vector<std::string> words;
+};
+CurvePlot curve_plot(const JudgedCase& judged);
+/// The picture as a PNG file.
 std::string curve_png(const JudgedCase& judged);
 
 /// The neighbourhood as a PNG file: what the subject says, what the oracle says, what is true and

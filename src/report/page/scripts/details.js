@@ -83,8 +83,9 @@ function mapFigure(one) {
 }
 
 function curveFigure(one) {
-  return /^<svg /.test(one.curve ?? "") && element("figure", {},
-    element("img", { src: `data:image/svg+xml,${encodeURIComponent(one.curve)}`, alt: "How deep they overlap, direction by direction." }));
+  return /^<\?xml [^>]*>\s*<svg /.test(one.curve ?? "") && element("figure", {},
+    element("img", { src: `data:image/svg+xml,${encodeURIComponent(one.curve)}`, alt: one.curve_words.join(" ") }),
+    element("figcaption", {}, one.curve_words.map((line) => element("span", {}, line))));
 }
 
 function relatedCase(one) {
