@@ -41,6 +41,23 @@ void widen(Shares& shares, const exact::Truth& truth, const Declaration& declara
   shares.minimality = std::max(shares.minimality, *judgement.excess / bounds.minimality);
 }
 
+/// Whether a side plane cut the deepest point off an edge so steep that its depth is off by more
+/// than the curve allows: a clip's is right within s (1 + tan), and only a clip's.
+bool is_cut(const PairCase& pair, const Manifold<double>& manifold, const CurveBounds& bounds) {
+  if (manifold.count == 0) return false;
+  const bool is_second = manifold.count == 2 && manifold.points[1].depth > manifold.points[0].depth;
+  const FeaturePair& features = manifold.points[is_second ? 1 : 0].features;
+  const Side incident = other(manifold.reference);
+  const Feature& cut = incident == Side::a ? features.a : features.b;
+  if (cut.kind == Feature::Kind::vertex) return false;
+  const auto along = exact::turned_back(
+      pair.a, exact::direction<double>(pair, exact::FaceOf{incident, cut.index}));
+  const Vector2<double> edge(along.x, along.y);
+  const double rise = std::abs(edge.dot(manifold.normal));
+  const double run = std::abs(edge.x() * manifold.normal.y() - edge.y() * manifold.normal.x());
+  return rise * bounds.touching > run * (bounds.consistency - bounds.touching);
+}
+
 /// The least of a half, a quarter, ... of its bounds within which every point of a clip is one.
 double share_of_witness(const exact::Truth& truth, const Declaration& declaration,
                         const Manifold<double>& manifold) {
@@ -74,7 +91,9 @@ void judge_all(const Regime& regime) {
       const test::Claiming& claiming = test::kClaiming[c];
       const Declaration declaration = claim.declared(test::declaration_of(claiming));
       if (is_ill_posed(truth.size(), bounds(pair, declaration, truth.extent()))) continue;
-      const Answer answer = claim.said(pair, test::clipped(pair, claiming));
+      const Manifold<double> manifold = test::clipped(pair, claiming);
+      if (is_cut(pair, manifold, curve_bounds(pair, declaration, truth.extent()))) continue;
+      const Answer answer = claim.said(pair, manifold);
       const CurveJudgement judgement = judge_by_curve(truth, declaration, answer);
       widen(shares[c], truth, declaration, answer, judgement);
       if (i < kWitnessesMeasured && std::string_view(claim.name) == "points of a clip") {
