@@ -188,7 +188,8 @@ CurveBounds curve_bounds(const PairCase& pair, const Declaration& declaration, d
   const double turned = of_clip.normal * (extent + total_radius(pair));
   return {.consistency = of_clip.separation + turned,
           .minimality = 2 * of_clip.separation + turned,
-          .along = of_clip.position + of_clip.separation,
+          // A mitred skin reaches past its core by its radius, and more at sharp corners.
+          .along = of_clip.position + of_clip.separation + total_radius(pair),
           .across = of_clip.position,
           .touching = of_clip.separation,
           .normal = of_clip.normal};

@@ -70,13 +70,14 @@ Manifold<double> deepest_alone(Manifold<double> manifold) {
   return manifold;
 }
 
-/// The share of the way from the incident edge to the reference face.
+/// From the incident edge to its skin, and that share of the way to the reference skin.
 Manifold<double> moved(const PairCase& pair, Manifold<double> manifold, double share) {
   const double unit = pair.a.pose.rotation.cast<double>().norm();
+  const auto radius = static_cast<double>(pair[other(manifold.reference)].polygon.radius);
   const double out_of_b = manifold.reference == Side::a ? 1 : -1;
   for (int i = 0; i < manifold.count; ++i) {
     ContactPoint<double>& point = manifold.points[i];
-    point.position += share * out_of_b * point.depth / unit * manifold.normal;
+    point.position += out_of_b * (share * point.depth - radius) / unit * manifold.normal;
   }
   return manifold;
 }
