@@ -49,14 +49,14 @@ StoredBody stored(const Body& body, const UsedVertices& used) {
   return result;
 }
 
-/// With the floats nearest to what is stored.
+/// With the floats nearest to what is stored; as floats they may be no polygons, and their normals
+/// mean nothing.
 PairCase nearest(PairCase pair, const StoredPair& shapes) {
   for (const Side side : {Side::a, Side::b}) {
-    const StoredPolygon& polygon = shapes[side].polygon;
-    std::array<Vector2<float>, kMaxVertices> vertices;
-    for (int i = 0; i < polygon.count; ++i) vertices[i] = polygon.vertices[i].cast<float>();
-    pair[side].polygon = make_polygon<float>(
-        {vertices.data(), static_cast<std::size_t>(polygon.count)}, pair[side].polygon.radius);
+    const StoredPolygon& from = shapes[side].polygon;
+    ConvexPolygon<float>& polygon = pair[side].polygon;
+    polygon.count = from.count;
+    for (int i = 0; i < from.count; ++i) polygon.vertices[i] = from.vertices[i].cast<float>();
   }
   return pair;
 }

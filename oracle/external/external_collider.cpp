@@ -93,6 +93,18 @@ void check_declaration(const Declaration& declaration, std::string_view prefix) 
     throw UserError(fmt::format(
         "{}tolerance.source: a tolerance is taken only with the place that states it", prefix));
   }
+  if (declaration.clips && declaration.claims == Claims::manifold) {
+    const std::array<std::pair<std::string_view, bool>, 4> not_of_clips{
+        {{"speculative", declaration.speculative > 0},
+         {"least_depth", declaration.least_depth > 0},
+         {"tolerance", !declaration.tolerance.is_none()},
+         {"depths", declaration.shares_depth}}};
+    for (const auto& [key, is_said] : not_of_clips) {
+      if (!is_said) continue;
+      throw UserError(fmt::format("{}{}: clips are judged without it; say \"clips\": false as well",
+                                  prefix, key));
+    }
+  }
   const bool is_of_clip =
       declaration.points == PointsAt::clip || declaration.points == PointsAt::midpoint;
   if (declaration.clips && declaration.claims == Claims::manifold && !is_of_clip) {

@@ -56,6 +56,13 @@ void add_allowances(const Declaration& declaration, std::vector<std::string>& al
   } else if (!declaration.clips) {
     add("does not clip: reference, features and the extent of its points are not judged");
   }
+  if (declaration.one_point_enough) add("may give one point of two");
+  if (declaration.speculative > 0) {
+    add(fmt::format("may see contact across gaps up to {}", declaration.speculative));
+  }
+  if (declaration.least_depth > 0) {
+    add(fmt::format("may miss contacts up to {} deep", declaration.least_depth));
+  }
   if (declaration.alters_shapes) add("alters shapes: it is judged by those that it used");
   if (!declaration.tolerance.is_none()) {
     add(fmt::format("may stop {} and {}% of the depth short of the least, by {}",

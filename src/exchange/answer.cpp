@@ -90,7 +90,8 @@ class ManifoldReader {
     const auto touching = object.find("touching");
     const auto depth = object.find("depth");
     if (touching) result.touches = touching->boolean();
-    if (touching && !depth && !(needs_normal && result.touches)) return result;
+    if (touching && !needs_normal) return result;
+    if (touching && !depth && !result.touches) return result;
     if (const auto points = object.find("points"); points && !touching && !depth) {
       if (points->length("an array") == 0) return result;
     }
@@ -227,6 +228,10 @@ std::optional<std::string> contradiction(const Answer& answer, const Conventions
   const Manifold<double>* const manifold = manifold_in(answer);
   if (conventions.claims == Claims::point && manifold != nullptr && manifold->count > 1) {
     return fmt::format("has {} points; 0 or 1 is expected, as it declares", manifold->count);
+  }
+  const auto* const less = std::get_if<Penetration>(&answer);
+  if (less != nullptr && less->normal && !less->touches && less->depth > 0) {
+    return "says that they do not touch, and a depth above 0";
   }
   if (conventions.says_shapes && used_by(answer) == nullptr) {
     return "says no shapes; those that it used are expected, as it declares";

@@ -30,7 +30,8 @@ inline constexpr std::array<std::string_view, 11> kVerdictNames{
 enum class Fault { none, subject, oracle, both };
 inline constexpr std::array<std::string_view, 4> kFaultNames{"none", "subject", "oracle", "both"};
 
-/// What is wrong with a manifold, or how two differ; the later, the closer to being right.
+/// What is wrong with an answer, or how two differ. Of a clip, the later, the closer to being
+/// right; from `reversed` on, what the penetration curve says.
 enum class Kind {
   none,
   missed_contact,

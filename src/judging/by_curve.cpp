@@ -83,7 +83,7 @@ class ByCurve {
     if (!result_.minimal.value_or(true)) return found(Kind::not_minimal, std::abs(*result_.excess));
     if (said_.manifold == nullptr) return result_;
     result_.witness = has_witnesses(along);
-    return *result_.witness ? result_ : found(Kind::witness, depth_error(along));
+    return *result_.witness ? result_ : found(Kind::witness, witness_error(along));
   }
 
  private:
@@ -117,7 +117,9 @@ class ByCurve {
     const double least = depth - bounds_.consistency;
     const double most = depth + bounds_.consistency + tolerance_;
     if (is_gap_claimed(along)) {
-      return along.compare_gap(least, slide()) >= 0 && along.compare_least_gap(most, slide()) <= 0;
+      const bool is_gap =
+          along.compare_gap(least, slide()) >= 0 && along.compare_least_gap(most, slide()) <= 0;
+      if (is_gap || total_radius(truth_.pair()) == 0) return is_gap;  // skins reach past cores
     }
     return along.compare_depth(least) >= 0 && along.compare_depth(most) <= 0;
   }
@@ -129,10 +131,37 @@ class ByCurve {
   }
   bool is_minimal(const Along& along) const {
     if (is_least(curve_, along)) return true;
-    // The bias lets its side's best face stand though one of the other's has less depth.
+    // A bias lets a side's best face stand though one of the other's has less depth.
     const TieBias& bias = declaration_.tie_bias;
-    if (bias.is_none() || compare_lead_over_bias(truth_, bias, bounds_.touching) > 0) return false;
-    return is_least(PenetrationCurve(truth_, truth_.greatest(bias.towards)), along);
+    if (bias.is_none()) return false;
+    const double bound = bounds_.touching;
+    const auto may_stand = [&](Side side) {
+      return side == bias.towards ? compare_lead_over_bias(truth_, bias, bound) <= 0
+                                  : compare_lead_over_bias(truth_, bias, -bound) > 0;
+    };
+    return std::ranges::any_of(std::array{Side::a, Side::b}, [&](Side side) {
+      return may_stand(side) && is_least(PenetrationCurve(truth_, truth_.greatest(side)), along);
+    });
+  }
+
+  /// How far a place may be from a point's line: with radii, clips reach past cores by as much.
+  double reach() const { return bounds_.along + tolerance_ + total_radius(truth_.pair()); }
+  /// How far a point is from where both are, at least, or a depth from the deepest overlap.
+  double witness_error(const Along& along) const {
+    const exact::RoughPair placed = exact::place_roughly(truth_.stored());
+    const Vector2<double> turn = truth_.pair().a.pose.rotation.cast<double>();
+    double most = depth_error(along);
+    for (int i = 0; i < said_.manifold->count; ++i) {
+      const Vector2<double> at = rotate<double>(turn, said_.manifold->points[i].position);
+      for (const Side side : {Side::a, Side::b}) {
+        const exact::RoughPolygon& polygon = placed[side];
+        for (int k = 0; k < polygon.count; ++k) {
+          most = std::max(
+              most, polygon.normals[k].dot(at - polygon.vertices[k]) - total_radius(truth_.pair()));
+        }
+      }
+    }
+    return most;
   }
 
   bool has_witnesses(const Along& along) const {
@@ -147,7 +176,7 @@ class ByCurve {
                               .heights = heights,
                               .gap_least = point.depth,
                               .gap_most = point.depth,
-                              .along = bounds_.along + tolerance_,
+                              .along = reach(),
                               .across = bounds_.across + tolerance_,
                               .slack = bounds_.consistency + tolerance_};
       exact::PointClaim as_deepest = claim;
@@ -155,7 +184,7 @@ class ByCurve {
           bounds_.minimality + tolerance_;  // two rounded depths say which is the deepest
       if (declaration_.shares_depth) {
         is_deepest_found = is_deepest_found || is_witness(truth_, along, as_deepest);
-        claim.gap_least = 0;
+        claim.gap_least = std::min(point.depth, -declaration_.speculative);
       } else if (i == deepest) {
         claim = as_deepest;
         is_deepest_found = true;
@@ -188,8 +217,7 @@ CurveBounds curve_bounds(const PairCase& pair, const Declaration& declaration, d
   const double turned = of_clip.normal * (extent + total_radius(pair));
   return {.consistency = of_clip.separation + turned,
           .minimality = 2 * of_clip.separation + turned,
-          // A mitred skin reaches past its core by its radius, and more at sharp corners.
-          .along = of_clip.position + of_clip.separation + total_radius(pair),
+          .along = of_clip.position + of_clip.separation,
           .across = of_clip.position,
           .touching = of_clip.separation,
           .normal = of_clip.normal};

@@ -46,12 +46,16 @@ TieClass tie_class(const Admissible& subject, const Admissible& oracle) {
   return TieClass::none;
 }
 
+/// Its magnitude is a difference of directions then, and no length.
+bool is_of_normal(Kind kind) {
+  return kind == Kind::normal || kind == Kind::reversed;
+}
+
 /// A normal is the reference face's: no other tie has to do with it. A boundary within bound
 /// excuses a difference of two right manifolds; what is wrong lies beyond every bound, whatever
 /// boundary is near.
 TieClass relevant(TieClass tie_class, Verdict verdict, Kind kind) {
-  const bool is_of_normal = kind == Kind::normal || kind == Kind::reversed;
-  if (is_of_normal && tie_class != TieClass::reference) return TieClass::none;
+  if (is_of_normal(kind) && tie_class != TieClass::reference) return TieClass::none;
   const bool boundary =
       tie_class == TieClass::contact_boundary || tie_class == TieClass::clip_boundary;
   return boundary && verdict != Verdict::tie ? TieClass::none : tie_class;
@@ -113,6 +117,7 @@ struct Judged {
   Mismatch mismatch;
   bool by_curve = false;
   bool touches = false;
+  bool is_unjudged = false;      ///< what it used is no pair of polygons to judge by
   bool is_altered = false;       ///< it used other shapes than the case's
   bool is_by_tolerance = false;  ///< right, but only by the tolerance that it declares
 
@@ -154,6 +159,7 @@ Judged judged(const std::shared_ptr<const exact::Truth>& truth, const ColliderAn
   } else {
     result.right = admissible(truth, given.declaration);
     result.touches = touches(given.answer);
+    result.is_unjudged = true;
   }
   result.is_altered = true;
   if (!result.is_wrong() && altered->is_beyond_rounding && !given.declaration.alters_shapes) {
@@ -187,6 +193,9 @@ Verdict verdict_of(Fault fault) {
 /// The error of a wrong manifold.
 ManifoldError error_of(const Judged& judged) {
   if (!judged.is_wrong()) return {};
+  if (judged.by_curve && is_of_normal(judged.mismatch.kind)) {
+    return {.normal = judged.mismatch.magnitude};
+  }
   if (judged.by_curve) return {.depth = judged.mismatch.magnitude / judged.right.truth->size()};
   return share_of_size(plain_error(judged.manifold, judged.right), judged.right.truth->size());
 }
@@ -204,8 +213,7 @@ Mismatch disagreement(const Judged& subject, const Judged& oracle, double size) 
     return {apart.kind, apart.magnitude / size};
   }
   const auto [kind, magnitude] = subject.is_wrong() ? subject.mismatch : oracle.mismatch;
-  const bool is_of_normal = kind == Kind::normal || kind == Kind::reversed;
-  return {kind, is_of_normal ? magnitude : magnitude / size};
+  return {kind, is_of_normal(kind) ? magnitude : magnitude / size};
 }
 
 }  // namespace
@@ -227,6 +235,9 @@ Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const Collider
   Bucket& bucket = result.bucket;
   bucket.reference = truth->greatest().side;
   bucket.fault = fault_of(of_subject, of_oracle);
+  if (bucket.fault == Fault::none && (of_subject.is_unjudged || of_oracle.is_unjudged)) {
+    return {.bucket = {.verdict = Verdict::ill_posed}};
+  }
   if (bucket.fault == Fault::none && agree(of_subject, of_oracle)) return result;
   const Mismatch found = disagreement(of_subject, of_oracle, truth->size());
   bucket.verdict = verdict_of(bucket.fault);

@@ -2,10 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "oracle/exact/hausdorff.hpp"
 
 namespace manifuzz {
+
+namespace {
+
+/// One that floats can hold, too.
+bool is_polygon(const UsedVertices& used) {
+  constexpr auto most = static_cast<double>(std::numeric_limits<float>::max() / 4);
+  return !find_defect_in_doubles(used.corners()) &&
+         std::ranges::all_of(used.corners(),
+                             [](const auto& v) { return v.cwiseAbs().maxCoeff() <= most; });
+}
+
+}  // namespace
 
 double alteration_bound(const Body& body, ScalarType scalar) {
   constexpr double kRoundings = 5;  // bounds.md
@@ -24,9 +37,10 @@ std::optional<Altered> altered_by(const exact::Truth& truth, const ColliderAnswe
     result.is_beyond_rounding = result.is_beyond_rounding || of_side.exceeds(bound);
   }
   if (result.distance == 0) return std::nullopt;
-  if (!find_defect_in_doubles(used->a.corners()) && !find_defect_in_doubles(used->b.corners())) {
-    result.truth = std::make_shared<const exact::Truth>(pair, *used);
-  }
+  if (!is_polygon(used->a) || !is_polygon(used->b)) return result;
+  const auto of_used = std::make_shared<const exact::Truth>(pair, *used);
+  const Bounds within = bounds(of_used->pair(), given.declaration, of_used->extent());
+  if (!is_ill_posed(of_used->size(), within)) result.truth = of_used;
   return result;
 }
 

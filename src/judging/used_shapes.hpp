@@ -11,7 +11,8 @@ namespace manifuzz {
 struct Altered {
   double distance = 0;  ///< Hausdorff, the farther side's; a world length
   bool is_beyond_rounding = false;
-  /// Of the shapes used, by which the answer is judged; none where they are no polygons.
+  /// Of the shapes used, by which the answer is judged; none where they are no polygons, or ill
+  /// posed.
   std::shared_ptr<const exact::Truth> truth;
 };
 

@@ -55,6 +55,12 @@ void add(Hash& hash, const Answer& answer) {
     hash.add(penetration->depth);
   }
   if (const auto* const manifold = manifold_in(answer)) add(hash, *manifold);
+  if (const UsedShapes* const used = used_by(answer)) {
+    for (const Side side : {Side::a, Side::b}) {
+      hash.add(static_cast<std::uint64_t>((*used)[side].count));
+      for (const Vector2<double>& vertex : (*used)[side].corners()) hash.add(vertex);
+    }
+  }
   if (const auto* const lost = std::get_if<Lost>(&answer)) {
     hash.add(static_cast<std::uint64_t>(lost->how));
   }

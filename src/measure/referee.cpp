@@ -47,6 +47,7 @@ bool has_points_of(const exact::Clip& clip, const Manifold<double>& manifold,
 Referee::Rules& Referee::rules_for(const Declaration& declaration) {
   for (const auto& rules : rules_) {
     if (rules->scalar == declaration.scalar && rules->frame == declaration.frame &&
+        rules->takes_angles == declaration.takes_angles &&
         rules->tie_bias == declaration.tie_bias) {
       return *rules;
     }
@@ -56,7 +57,7 @@ Referee::Rules& Referee::rules_for(const Declaration& declaration) {
   const Bounds own = bounds(truth_->pair(), declaration, truth_->extent());
   const Bounds of_input = bounds(truth_->pair(), in_a_frame, truth_->extent());
   rules_.push_back(std::make_unique<Rules>(Rules{
-      declaration.scalar, declaration.frame, declaration.tie_bias,
+      declaration.scalar, declaration.frame, declaration.takes_angles, declaration.tie_bias,
       admissible(truth_, declaration.tie_bias, limited(own, of_input, truth_->size())), of_input}));
   return *rules_.back();
 }
@@ -66,7 +67,8 @@ const Admissible& Referee::right_for(const Declaration& declaration) {
 }
 
 Answer Referee::whole(const Declaration& declaration, Answer answer) {
-  if (std::holds_alternative<PartialManifold>(answer)) {
+  if (auto* const partial = std::get_if<PartialManifold>(&answer)) {
+    partial->used.reset();  // it is measured by the case's shapes
     answer = manifuzz::whole(std::move(answer), rules_for(declaration).right, declaration);
   }
   const auto* const manifold = std::get_if<Manifold<double>>(&answer);
@@ -79,6 +81,7 @@ Measured Referee::measure_by_curve(const Declaration& declaration, const Answer&
   const double size = truth_->size();
   const double least = curve.least();
   const Rules& rules = rules_for(declaration);
+  if (is_ill_posed(size, rules.in_a_frame)) return {.assessment = Assessment::ill_posed};
   Measured measured;
   if (const auto said = said_along(answer); said && touches(answer)) {
     measured.has_errors = true;
@@ -93,11 +96,10 @@ Measured Referee::measure_by_curve(const Declaration& declaration, const Answer&
     measured.of_extent = measured.error.depth / (roundoff(rules.scalar) * truth_->extent());
   }
   const Kind kind = judge_by_curve(*truth_, declaration, answer).kind;
-  measured.assessment = is_ill_posed(size, rules.in_a_frame) ? Assessment::ill_posed
-                        : kind == Kind::missed_contact       ? Assessment::missed
-                        : kind == Kind::phantom_contact      ? Assessment::phantom
-                        : is_gross(measured.of_size)         ? Assessment::gross
-                                                             : Assessment::right;
+  measured.assessment = kind == Kind::missed_contact    ? Assessment::missed
+                        : kind == Kind::phantom_contact ? Assessment::phantom
+                        : is_gross(measured.of_size)    ? Assessment::gross
+                                                        : Assessment::right;
   if (is_wrong(measured.assessment)) {
     measured.wrongness = to_float(std::max(measured.of_size.depth, std::abs(least) / size));
   }
@@ -106,7 +108,8 @@ Measured Referee::measure_by_curve(const Declaration& declaration, const Answer&
 
 Measured Referee::measure(const Declaration& declaration, const Answer& answer) {
   if (std::holds_alternative<Unsupported>(answer)) return {.assessment = Assessment::unsupported};
-  if (is_judged_by_curve(declaration) && !std::holds_alternative<Lost>(answer)) {
+  if (is_judged_by_curve(declaration) && !std::holds_alternative<Lost>(answer) &&
+      is_well_formed(truth_->pair(), ColliderAnswer{declaration, answer})) {
     return measure_by_curve(declaration, answer);
   }
   const auto* const manifold = std::get_if<Manifold<double>>(&answer);

@@ -82,6 +82,7 @@ class Referee {
   struct Rules {
     ScalarType scalar;
     RoundingFrame frame;
+    bool takes_angles;
     TieBias tie_bias;
     Admissible right;
     Bounds in_a_frame;

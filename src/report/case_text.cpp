@@ -65,12 +65,14 @@ void append_penetration(std::string& line, const Admissible& right) {
 }
 
 /// What the curve makes of an answer, null for what is not claimed.
-void append_by_curve(std::string& line, const exact::Truth& truth, const ColliderAnswer& subject) {
+void append_by_curve(std::string& line, const exact::Truth& truth, const ColliderAnswer& subject,
+                     Verdict verdict) {
   CurveJudgement curve;
-  const auto altered = altered_by(truth, subject);
-  const exact::Truth* const used = altered ? altered->truth.get() : &truth;
-  if (is_judged_by_curve(subject.declaration) && used != nullptr) {
-    curve = judge_by_curve(*used, subject.declaration, subject.answer);
+  // From ill_posed on, nothing was judged.
+  if (is_judged_by_curve(subject.declaration) && verdict < Verdict::ill_posed) {
+    const auto altered = altered_by(truth, subject);
+    const exact::Truth* const used = altered ? altered->truth.get() : &truth;
+    if (used != nullptr) curve = judge_by_curve(*used, subject.declaration, subject.answer);
   }
   append_key(line, ", \"excess\": ", curve.excess.value_or(NAN));
   const auto append = [&line](std::string_view key, const std::optional<bool>& is_so) {
@@ -261,7 +263,7 @@ void append_judgement(std::string& line, const Admissible& right, const Collider
   line += standing(truth).touching ? "true" : "false";
   append_admissible(line, right);
   append_penetration(line, right);
-  append_by_curve(line, *right.truth, subject);
+  append_by_curve(line, *right.truth, subject, judgement.bucket.verdict);
   append_key(line, ", \"condition\": ", condition);
   append_key(line, ", \"bound\": {\"separation\": ", right.bounds.separation);
   append_key(line, ", \"position\": ", widest(right, right.bounds.position, position_bound));

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "exchange/json.hpp"
+#include "judging/by_curve.hpp"
 
 namespace manifuzz {
 namespace {
@@ -39,7 +40,7 @@ std::string wrong_in_words(const JudgedCase& judged, const DeclaredAnswer& asked
       return fmt::format("along the normal of {} they overlap by {} more than the least", name,
                          off);
     case Kind::altered_shape:
-      return "shapes that are not the case's";
+      return fmt::format("{} used shapes that are off by {}", name, off);
     case Kind::witness:
       return fmt::format("a point of {} is not where they overlap as it says", name);
     default:
@@ -66,7 +67,7 @@ constexpr std::array<std::string_view, 7> kVerdictWords{"agree: both are right, 
 std::string agreement(const JudgedCase& judged) {
   const std::string names =
       fmt::format("{} and {}", judged.subject.declaration.name, judged.oracle.declaration.name);
-  if (judged.subject.count() == 0) {
+  if (!touches(judged.subject.answer)) {
     return fmt::format("agree: {} report no contact, {}", names, truth_in_words(judged.given.pair));
   }
   return fmt::format("agree within rounding: {} report {}", names, answer_in_words(judged.subject));

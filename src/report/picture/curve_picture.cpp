@@ -219,7 +219,8 @@ class CurvePicture {
     return fmt::format("{}: depth {} along ({}, {}), where they overlap by {}, {} more than least",
                        asked.declaration.name, brief(answer->depth), brief(answer->normal.x()),
                        brief(answer->normal.y()), brief(answer->along),
-                       brief(answer->along - curve_.least()));
+                       brief(answer->along - curve_.least())) +
+           (used_by(asked.answer) == nullptr ? "" : "; it used shapes of its own");
   }
 
   const JudgedCase& judged_;

@@ -98,7 +98,8 @@ void judge_all(const Regime& regime) {
       const Answer answer = claim.said(pair, manifold);
       const CurveJudgement judgement = judge_by_curve(truth, declaration, answer);
       widen(shares[c], truth, declaration, answer, judgement);
-      if (i < kWitnessesMeasured && std::string_view(claim.name) == "points of a clip") {
+      if (i < kWitnessesMeasured && total_radius(pair) == 0 &&
+          std::string_view(claim.name) == "points of a clip") {
         const double share =
             share_of_witness(truth, declaration, std::get<Manifold<double>>(answer));
         shares[c].witness = std::max(shares[c].witness, share);

@@ -24,7 +24,7 @@ Declaration biased() {
 }
 Declaration biased_to_b() {
   Declaration declaration = biased();
-  declaration.tie_bias = {.absolute = 0, .relative = -0.5, .towards = Side::b};
+  declaration.tie_bias = {.absolute = 0, .relative = 0.5, .towards = Side::b};
   return declaration;
 }
 Declaration tolerant() {
