@@ -77,7 +77,7 @@ int Along::compare_reach(double length) const {
   return least;
 }
 
-/// Those, and faces whose lines it crosses beyond.
+/// W's faces that look along the normal; the ray leaves W through one of them.
 std::vector<FaceOf> Along::faces_ahead() const {
   std::vector<FaceOf> ahead;
   for (const FaceOf& face : all_faces(pair())) {

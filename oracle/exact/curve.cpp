@@ -127,11 +127,12 @@ int PenetrationCurve::compare_excess(const Along& along, double bound) const {
 std::vector<Vector2<double>> PenetrationCurve::minima(double bound) const {
   std::vector<Vector2<double>> normals;
   if (vertices_) {
-    using Fine = Approximate<DoubleDouble>;
-    const Point<Fine> towards_b = turned_back(pair().a, between_vertices<Fine>());
-    const Fine length = sqrt(dot(towards_b, towards_b));
-    normals.emplace_back(leading((towards_b.x / length).value),
-                         leading((towards_b.y / length).value));
+    // Corners may be as near to each other as no pair of doubles tells.
+    const Point<Rational> towards_b = turned_back(pair().a, between_vertices<Rational>());
+    const Rational most = std::max<Rational>(abs(towards_b.x), abs(towards_b.y));
+    const Vector2<double> direction(static_cast<double>(Rational(towards_b.x / most)),
+                                    static_cast<double>(Rational(towards_b.y / most)));
+    normals.emplace_back(direction / direction.norm());
     return normals;
   }
   normals.push_back(unit_normal(face_));

@@ -66,7 +66,7 @@ class Along {
   Vector2<double> normal_;
   int farthest_of_a_ = 0;      ///< the vertex farthest along the normal
   int nearest_of_b_ = 0;       ///< the vertex least far along it
-  std::vector<FaceOf> ahead_;  ///< W's faces that the ray along the normal leaves through
+  std::vector<FaceOf> ahead_;  ///< W's faces that look along the normal
 };
 
 /// The curve of a pair. The truth must outlive it.

@@ -128,8 +128,8 @@ class CurvePicture {
     svg_.circle(middle_, radius, "level");
     const double width = text_width(words, font);
     // On the far side of what the picture is about.
-    const Point away = middle_ - radius * View::direction(minima().front());
-    const Point at = away + Point(-width / 2, 0.38 * font.size);
+    const double down = View::direction(minima().front()).y() > 0 ? -radius : radius;
+    const Point at = middle_ + Point(-width / 2, down + 0.38 * font.size);
     svg_.box({at.x() - 3, at.y() - font.size, width + 6, 1.3 * font.size}, "label");
     svg_.text(at, words, font, "quiet");
   }

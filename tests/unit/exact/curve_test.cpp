@@ -281,6 +281,17 @@ TEST_CASE("the depth along a normal of two unit boxes, by hand") {
   CHECK(Along(truth, {-1, 0}).depth() == 3.5);
 }
 
+TEST_CASE("corners that are apart by less than pairs of doubles tell have a normal") {
+  const auto polygon = square(0);
+  const PairCase pair{{polygon, {}}, {polygon, {{2, 2}, {1, 0}}}};
+  PairCase apart = pair;
+  apart.a.pose.position.y() = -3e-45F;
+  const Truth truth(apart);
+  const PenetrationCurve curve(truth, Skin::round);
+  CHECK(curve.compare_least(0) < 0);
+  CHECK(curve.minima(0) == std::vector{Vector2<double>(0, 1)});
+}
+
 TEST_CASE("round cores that are apart are nearest between two corners, or at a face") {
   const auto polygon = square(2);
   const auto least_at = [&](float x, float y, Skin skin) {
