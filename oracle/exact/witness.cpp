@@ -1,6 +1,7 @@
 #include "oracle/exact/witness.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace manifuzz::exact {
@@ -68,10 +69,6 @@ class Frame {
   E element(const Number& number) const { return scaled(number, 0, squared_); }
   E length(double world) const { return scaled(Number(0.0), world, squared_); }
   E radii() const { return length(pair_.a.polygon.radius) + length(pair_.b.polygon.radius); }
-  /// A point of A's frame in the world, from A's position.
-  Point<Number> seen(const Vector2<double>& local) const {
-    return turned(pair_.a, Point<Number>{Number(local.x()), Number(local.y())});
-  }
 
   /// The heights of a side's edges that face the other, where they lie at these places; none where
   /// none does. Of edges steeper than `steepest`, none are seen.
@@ -114,6 +111,12 @@ class Frame {
   Number squared_;  ///< |n|^2
 };
 
+/// From A's position, in the world: a point of A's frame.
+template <class Number>
+Point<Number> seen_in_world(const StoredPair& pair, const Vector2<double>& local) {
+  return turned(pair.a, Point<Number>{Number(local.x()), Number(local.y())});
+}
+
 /// Whether some top and bottom of these have that difference, and lie so that the point has one of
 /// its heights.
 template <class E>
@@ -140,7 +143,7 @@ bool finds_places(const Truth& truth, const Along& along, const PointClaim& clai
                   std::optional<double> steepest = {}) {
   const Frame<Number> frame(truth, along);
   using E = typename Frame<Number>::E;
-  const Point<Number> at = frame.seen(claim.position);
+  const auto at = seen_in_world<Number>(truth.stored(), claim.position);
   const E place = frame.element(frame.place(at));
   const Interval<E> near{place - frame.length(claim.along), place + frame.length(claim.along)};
   if (near.is_empty()) return false;
@@ -181,6 +184,20 @@ bool surely_finds_places(const Truth& truth, const Along& along, const PointClai
 
 bool is_witness(const Truth& truth, const Along& along, const PointClaim& claim) {
   return surely_finds_places(truth, along, claim) || finds_places<Rational>(truth, along, claim);
+}
+
+bool is_at_vertex(const Truth& truth, const Vector2<double>& position, double bound) {
+  const StoredPair& pair = truth.stored();
+  const auto at = seen_in_world<Rational>(pair, position);
+  const Rational reach = Rational(bound) * Rational(bound);
+  return std::ranges::any_of(std::array{Side::a, Side::b}, [&](Side side) {
+    for (int i = 0; i < pair[side].polygon.count; ++i) {
+      const auto corner = vertex<Rational>(pair, side, i);
+      const Point<Rational> off{at.x - corner.x, at.y - corner.y};
+      if (dot(off, off) <= reach) return true;
+    }
+    return false;
+  });
 }
 
 }  // namespace manifuzz::exact

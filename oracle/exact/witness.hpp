@@ -36,4 +36,7 @@ struct PointClaim {
 /// Exact: whether there are such places.
 bool is_witness(const Truth& truth, const Along& along, const PointClaim& claim);
 
+/// Exact: whether a point of A's frame is within a world length of a vertex of either core.
+bool is_at_vertex(const Truth& truth, const Vector2<double>& position, double bound);
+
 }  // namespace manifuzz::exact

@@ -93,7 +93,8 @@ void check_declaration(const Declaration& declaration, std::string_view prefix) 
     throw UserError(fmt::format(
         "{}tolerance.source: a tolerance is taken only with the place that states it", prefix));
   }
-  if (declaration.clips && declaration.claims == Claims::manifold) {
+  const bool is_clip = !is_judged_by_curve(declaration);
+  if (is_clip) {
     const std::array<std::pair<std::string_view, bool>, 4> not_of_clips{
         {{"speculative", declaration.speculative > 0},
          {"least_depth", declaration.least_depth > 0},
@@ -107,7 +108,7 @@ void check_declaration(const Declaration& declaration, std::string_view prefix) 
   }
   const bool is_of_clip =
       declaration.points == PointsAt::clip || declaration.points == PointsAt::midpoint;
-  if (declaration.clips && declaration.claims == Claims::manifold && !is_of_clip) {
+  if (is_clip && !is_of_clip) {
     throw UserError(fmt::format(
         "{}points: a clip's are \"clip\" or \"midpoint\"; say \"clips\": false for others",
         prefix));

@@ -197,9 +197,9 @@ Answer answer_of(int status, const manifuzz_manifold& manifold, const Declaratio
   conventions.normal_from_b = declared.normal == MANIFUZZ_B_TO_A;
   conventions.normal_in_a = declared.answers_in == MANIFUZZ_FRAME_OF_A;
   const bool is_separation = conventions.claims == Claims::separation;
-  const bool is_less = is_separation || conventions.claims == Claims::touching;
-  const Answer answer = is_less ? penetration_of(manifold, is_separation, conventions, pair)
-                                : manifold_of(manifold, conventions, pair);
+  const Answer answer = conventions.is_without_points()
+                            ? penetration_of(manifold, is_separation, conventions, pair)
+                            : manifold_of(manifold, conventions, pair);
   const auto why = contradiction(answer, conventions);
   return why ? malformed(*why) : answer;
 }

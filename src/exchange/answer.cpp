@@ -214,9 +214,7 @@ Answer read_reported_answer(const JsonView& object, const PairCase& pair,
     return Unsupported{std::string(unsupported->string())};
   }
   const ManifoldReader reader(pair, false);
-  const bool is_less =
-      conventions.claims == Claims::touching || conventions.claims == Claims::separation;
-  const Answer answer = is_less
+  const Answer answer = conventions.is_without_points()
                             ? Answer(reader.penetration(
                                   object, conventions.claims == Claims::separation, conventions))
                             : in_frame_of_a(reader.manifold(object), conventions, pair);
@@ -228,6 +226,11 @@ std::optional<std::string> contradiction(const Answer& answer, const Conventions
   const Manifold<double>* const manifold = manifold_in(answer);
   if (conventions.claims == Claims::point && manifold != nullptr && manifold->count > 1) {
     return fmt::format("has {} points; 0 or 1 is expected, as it declares", manifold->count);
+  }
+  if (conventions.shares_depth && manifold != nullptr && manifold->count > 1 &&
+      manifold->points[0].depth != manifold->points[1].depth) {
+    return fmt::format("has depths of {} and {}; one is expected for all points, as it declares",
+                       manifold->points[0].depth, manifold->points[1].depth);
   }
   const auto* const less = std::get_if<Penetration>(&answer);
   if (less != nullptr && less->normal && !less->touches && less->depth > 0) {

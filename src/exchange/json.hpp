@@ -25,7 +25,13 @@ struct Conventions {
   bool normal_in_a = false;    ///< normals are in A's frame, not in the world's
   bool is_ordered = false;     ///< points are in the contract's order, and stay in theirs
   Claims claims = Claims::manifold;  ///< what an answer says, and must say
+  bool shares_depth = false;         ///< one depth for all points
   bool says_shapes = false;          ///< it must say which shapes it used
+
+  /// Whether an answer is about the pair as a whole, without points.
+  bool is_without_points() const {
+    return claims == Claims::touching || claims == Claims::separation;
+  }
 };
 
 /// Those that follow from a declaration.
@@ -33,11 +39,12 @@ inline Conventions conventions_of(const Declaration& declaration) {
   return {
       .has_midpoints = declaration.points == PointsAt::midpoint && !is_judged_by_curve(declaration),
       .claims = declaration.claims,
+      .shares_depth = declaration.shares_depth,
       .says_shapes = declaration.alters_shapes};
 }
 
-/// How an answer contradicts what its collider declares: too many points, no shapes where it alters
-/// them. None where it does not.
+/// How an answer contradicts what its collider declares: too many points, depths that differ where
+/// all share one, no shapes where it alters them. None where it does not.
 std::optional<std::string> contradiction(const Answer& answer, const Conventions& conventions);
 
 /// "a" or "b". Throws UserError that begins with a path.

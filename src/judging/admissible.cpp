@@ -85,16 +85,11 @@ bool has_candidates_on(const Admissible& result, Side side) {
 /// Adds the references of each side that the bias leaves open, unless they are there already.
 void add_references(const TieBias& bias, Admissible& result) {
   const exact::Truth& truth = *result.truth;
-  const double bound = result.bounds.separation;
-  const auto add_faces = [&](Side side) {
-    if (has_candidates_on(result, side)) return;
+  for (const Side side : {Side::a, Side::b}) {
+    if (has_candidates_on(result, side)) continue;
+    if (!may_be_reference(truth, bias, side, result.bounds.separation)) continue;
     std::ranges::copy(clips_within(truth, side, result.bounds),
                       std::back_inserter(result.candidates));
-  };
-  const bool may_be_favoured = compare_lead_over_bias(truth, bias, bound) <= 0;
-  const bool may_be_other = compare_lead_over_bias(truth, bias, -bound) > 0;
-  for (const Side side : {Side::a, Side::b}) {
-    if (side == bias.towards ? may_be_favoured : may_be_other) add_faces(side);
   }
 }
 
@@ -211,6 +206,11 @@ Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declarati
 
 int compare_lead_over_bias(const exact::Truth& truth, const TieBias& bias, double offset) {
   return truth.compare_lead(other(bias.towards), 1 - bias.relative, bias.absolute + offset);
+}
+
+bool may_be_reference(const exact::Truth& truth, const TieBias& bias, Side side, double bound) {
+  return side == bias.towards ? compare_lead_over_bias(truth, bias, bound) <= 0
+                              : compare_lead_over_bias(truth, bias, -bound) > 0;
 }
 
 Side reference_under(const exact::Truth& truth, const TieBias& bias) {

@@ -56,6 +56,9 @@ std::vector<const exact::Clip*> clips_within(const exact::Truth& truth, Side sid
 /// The sign of (how far the side that the bias does not favour leads) - bias - offset.
 int compare_lead_over_bias(const exact::Truth& truth, const TieBias& bias, double offset);
 
+/// Whether the bias leaves it open, within `bound`, that a side's best face is the reference.
+bool may_be_reference(const exact::Truth& truth, const TieBias& bias, Side side, double bound);
+
 /// The side whose greatest separation is the reference under the bias.
 Side reference_under(const exact::Truth& truth, const TieBias& bias);
 

@@ -21,17 +21,17 @@ struct Said {
   const Manifold<double>* manifold = nullptr;
 };
 
+int deepest_of(const Manifold<double>& manifold) {
+  return manifold.count > 1 && manifold.points[1].depth > manifold.points[0].depth ? 1 : 0;
+}
+
 Said said_by(const Answer& answer) {
   if (const auto* const penetration = std::get_if<Penetration>(&answer)) {
     return {penetration->touches, penetration->normal, penetration->depth, nullptr};
   }
   const Manifold<double>* const manifold = manifold_in(answer);
   if (manifold == nullptr || manifold->count == 0) return {};
-  Said said{true, manifold->normal, manifold->points[0].depth, manifold};
-  for (int i = 1; i < manifold->count; ++i) {
-    said.depth = std::max(said.depth, manifold->points[i].depth);
-  }
-  return said;
+  return {true, manifold->normal, manifold->points[deepest_of(*manifold)].depth, manifold};
 }
 
 /// Where points lie that are claimed to lie there, as shares of A's top and B's bottom.
@@ -134,13 +134,9 @@ class ByCurve {
     // A bias lets a side's best face stand though one of the other's has less depth.
     const TieBias& bias = declaration_.tie_bias;
     if (bias.is_none()) return false;
-    const double bound = bounds_.touching;
-    const auto may_stand = [&](Side side) {
-      return side == bias.towards ? compare_lead_over_bias(truth_, bias, bound) <= 0
-                                  : compare_lead_over_bias(truth_, bias, -bound) > 0;
-    };
     return std::ranges::any_of(std::array{Side::a, Side::b}, [&](Side side) {
-      return may_stand(side) && is_least(PenetrationCurve(truth_, truth_.greatest(side)), along);
+      return may_be_reference(truth_, bias, side, bounds_.touching) &&
+             is_least(PenetrationCurve(truth_, truth_.greatest(side)), along);
     });
   }
 
@@ -164,11 +160,16 @@ class ByCurve {
     return most;
   }
 
+  bool is_where_claimed(const ContactPoint<double>& point) const {
+    return declaration_.points != PointsAt::vertex ||
+           exact::is_at_vertex(truth_, point.position,
+                               bounds_.across + tolerance_ + total_radius(truth_.pair()));
+  }
+
   bool has_witnesses(const Along& along) const {
     const auto heights = heights_of(declaration_.points, truth_.pair());
     const Manifold<double>& manifold = *said_.manifold;
-    const int deepest =
-        manifold.count > 1 && manifold.points[1].depth > manifold.points[0].depth ? 1 : 0;
+    const int deepest = deepest_of(manifold);
     bool is_deepest_found = false;
     for (int i = 0; i < manifold.count; ++i) {
       const ContactPoint<double>& point = manifold.points[i];
@@ -189,7 +190,7 @@ class ByCurve {
         claim = as_deepest;
         is_deepest_found = true;
       }
-      if (!is_witness(truth_, along, claim)) return false;
+      if (!is_witness(truth_, along, claim) || !is_where_claimed(point)) return false;
     }
     return is_deepest_found;
   }

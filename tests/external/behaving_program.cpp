@@ -7,6 +7,7 @@
 #include "exchange/json.hpp"
 #include "external/behaviour.hpp"
 #include "own_colliders/own_colliders.hpp"
+#include "support/used_shapes_of.hpp"
 
 // clip64 as a program that answers lines. Its argument says what else it does.
 
@@ -41,13 +42,7 @@ Answer answer_by_altered(const PairCase& pair) {
   static const Collider clip64 = make_clip64();
   const PairCase used = altered(pair);
   PartialManifold result{.manifold = std::get<Manifold<double>>(clip64.collide(used))};
-  result.used.emplace();
-  for (const Side side : {Side::a, Side::b}) {
-    const auto corners = used[side].polygon.corners();
-    (*result.used)[side].count = static_cast<int>(corners.size());
-    std::ranges::transform(corners, (*result.used)[side].all.begin(),
-                           [](const auto& v) { return v.template cast<double>(); });
-  }
+  result.used = test::used_shapes_of(used);
   return result;
 }
 

@@ -76,6 +76,17 @@ TEST_CASE("an answer that contradicts its declaration is malformed") {
   }
 }
 
+TEST_CASE("depths that differ contradict one depth for all points") {
+  Manifold<double> manifold;
+  manifold.count = 2;
+  manifold.points[0].depth = 0.5;
+  manifold.points[1].depth = 0.25;
+  CHECK(contradiction(manifold, {.shares_depth = true}).has_value());
+  CHECK_FALSE(contradiction(manifold, {}).has_value());
+  manifold.points[1].depth = 0.5;
+  CHECK_FALSE(contradiction(manifold, {.shares_depth = true}).has_value());
+}
+
 TEST_CASE("a collider that alters shapes is judged by those that it used") {
   CHECK(run_without_radii(program("alters")).tally->unexplained() == 0);
   const JobsResult unsaid = run_without_radii(program("alters-unsaid"));

@@ -196,30 +196,19 @@ std::string Canvas::png(int height) const {
   return file;
 }
 
-namespace {
-
-using Document = std::unique_ptr<RsvgHandle, decltype(&g_object_unref)>;
-
-Document parsed(const std::string& svg) {
-  const auto* const bytes = reinterpret_cast<const guint8*>(svg.data());
-  return {rsvg_handle_new_from_data(bytes, svg.size(), nullptr), g_object_unref};
-}
-
-}  // namespace
-
-void Canvas::draw(const std::string& svg) {
-  const Document document = parsed(svg);
+void Canvas::draw(_RsvgHandle* document) {
   const RsvgRectangle all{0, 0, static_cast<double>(cairo_image_surface_get_width(surface_.get())),
                           static_cast<double>(cairo_image_surface_get_height(surface_.get()))};
-  if (document == nullptr ||
-      !rsvg_handle_render_document(document.get(), context_.get(), &all, nullptr)) {
+  if (!rsvg_handle_render_document(document, context_.get(), &all, nullptr)) {
     throw std::runtime_error("an SVG document cannot be drawn");
   }
 }
 
 std::string png_of(const std::string& svg) {
   constexpr double kScale = 2;
-  const Document document = parsed(svg);
+  const auto* const bytes = reinterpret_cast<const guint8*>(svg.data());
+  const std::unique_ptr<RsvgHandle, decltype(&g_object_unref)> document(
+      rsvg_handle_new_from_data(bytes, svg.size(), nullptr), g_object_unref);
   double width = 0;
   double height = 0;
   if (document == nullptr ||
@@ -228,7 +217,7 @@ std::string png_of(const std::string& svg) {
   }
   const int rows = static_cast<int>(std::ceil(kScale * height));
   Canvas canvas(static_cast<int>(std::ceil(kScale * width)), rows);
-  canvas.draw(svg);
+  canvas.draw(document.get());
   return canvas.png(rows);
 }
 

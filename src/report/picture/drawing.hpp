@@ -19,6 +19,7 @@
 
 struct _cairo;          // NOLINT(bugprone-reserved-identifier)
 struct _cairo_surface;  // NOLINT(bugprone-reserved-identifier)
+struct _RsvgHandle;     // NOLINT(bugprone-reserved-identifier)
 
 namespace manifuzz {
 
@@ -150,7 +151,7 @@ class Canvas {
   void text(const Point& at, std::string_view text, const Font& font, Colour colour);
 
   /// An SVG document over all of it.
-  void draw(const std::string& svg);
+  void draw(_RsvgHandle* document);
 
   /// The topmost rows as a PNG file.
   std::string png(int height) const;

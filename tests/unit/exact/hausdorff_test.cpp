@@ -7,16 +7,12 @@
 
 #include "generating/regime.hpp"
 #include "oracle/exact/curve.hpp"
+#include "support/used_shapes_of.hpp"
 
 namespace manifuzz {
 namespace {
 
-UsedVertices used_of(const ConvexPolygon<float>& polygon) {
-  UsedVertices used;
-  used.count = polygon.count;
-  for (int i = 0; i < polygon.count; ++i) used.all[i] = polygon.vertices[i].cast<double>();
-  return used;
-}
+using test::used_vertices_of;
 
 UsedVertices without(UsedVertices used, int vertex) {
   for (int i = vertex; i + 1 < used.count; ++i) used.all[i] = used.all[i + 1];
@@ -48,7 +44,7 @@ double distance_to_line(const Vector2<double>& p, const Vector2<double>& from,
 
 TEST_CASE("the same vertices, in any order, have distance 0") {
   for_polygons([](const ConvexPolygon<float>& polygon) {
-    UsedVertices used = used_of(polygon);
+    UsedVertices used = used_vertices_of(polygon);
     CHECK(exact::Alteration(polygon, used).distance() == 0);
     std::reverse(used.all.begin(), used.all.begin() + used.count);
     CHECK(exact::Alteration(polygon, used).distance() == 0);
@@ -59,7 +55,7 @@ TEST_CASE("the same vertices, in any order, have distance 0") {
 TEST_CASE("a vertex that is dropped lies so far from what is left") {
   for_polygons([](const ConvexPolygon<float>& polygon) {
     if (polygon.count == 3) return;
-    const UsedVertices used = used_of(polygon);
+    const UsedVertices used = used_vertices_of(polygon);
     const exact::Alteration dropped(polygon, without(used, 1));
     const double most = (used.all[1] - used.all[0]).stableNorm();
     CHECK(dropped.distance() >= 0.999 * distance_to_line(used.all[1], used.all[0], used.all[2]));
@@ -70,7 +66,7 @@ TEST_CASE("a vertex that is dropped lies so far from what is left") {
 
 TEST_CASE("a vertex that is moved outwards is that far away, and no farther than it was moved") {
   const auto polygon = make_polygon<float>(kCorners);
-  UsedVertices used = used_of(polygon);
+  UsedVertices used = used_vertices_of(polygon);
   used.all[2] = {1.5, 1.5};
   CHECK(exact::Alteration(polygon, used).distance() == std::sqrt(0.5));
   used.all[2] = {1, 1 + 0x1p-52};
@@ -95,7 +91,7 @@ TEST_CASE("what is true of used shapes is decided to the last bit of double") {
   const auto polygon = make_polygon<float>(kCorners);
   const PairCase pair{{polygon, {}}, {polygon, {{2, 0.25F}, {1, 0}}}};
   CHECK(exact::Truth(pair).compare_contact(0) == 0);
-  UsedShapes used{used_of(polygon), used_of(polygon)};
+  UsedShapes used{used_vertices_of(polygon), used_vertices_of(polygon)};
   CHECK(exact::Truth(pair, used).compare_contact(0) == 0);
   used.b.all[0].x() = used.b.all[3].x() = -1 + 0x1p-53;
   const exact::Truth apart(pair, used);
@@ -110,7 +106,7 @@ TEST_CASE("used shapes that are another pair's have that pair's truth") {
     for (std::uint64_t i = 0; i < 50; ++i) {
       PairCase pair = generate(41, regime, i);
       const PairCase other = generate(43, regime, i);
-      const UsedShapes used{used_of(other.a.polygon), used_of(other.b.polygon)};
+      const UsedShapes used{used_vertices_of(other.a.polygon), used_vertices_of(other.b.polygon)};
       pair.a.polygon.radius = other.a.polygon.radius;
       pair.b.polygon.radius = other.b.polygon.radius;
       const exact::Truth of_used(pair, used);

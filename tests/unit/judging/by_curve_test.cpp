@@ -85,6 +85,26 @@ TEST_CASE("a reversed normal is reversed, by a clip too") {
   });
 }
 
+TEST_CASE("a deepest point that is a vertex is one to a collider that says so") {
+  int vertices = 0;
+  for_overlapping([&](const exact::Truth& truth, const Bounds&) {
+    Declaration declaration = without_clips(make_clip64().declaration);
+    declaration.points = PointsAt::vertex;
+    declaration.claims = Claims::point;
+    Manifold<double> manifold = clipped(truth.pair(), make_clip64());
+    if (manifold.points[1].depth > manifold.points[0].depth) {
+      std::swap(manifold.points[0], manifold.points[1]);
+    }
+    manifold.count = 1;
+    const FeaturePair& features = manifold.points[0].features;
+    const Feature& incident = manifold.reference == Side::a ? features.b : features.a;
+    if (incident.kind != Feature::Kind::vertex) return;
+    ++vertices;
+    REQUIRE(kind_of(truth, declaration, manifold) == Kind::none);
+  });
+  CHECK(vertices > 500);
+}
+
 TEST_CASE("a point that is off the surface by ten bounds is no witness") {
   for_overlapping([](const exact::Truth& truth, const Bounds&) {
     const Declaration declaration = without_clips(make_clip64().declaration);

@@ -17,6 +17,9 @@ Declaration on_b() {
 Declaration midpoint() {
   return of(Claims::point, PointsAt::midpoint);
 }
+Declaration at_vertex() {
+  return of(Claims::point, PointsAt::vertex);
+}
 Declaration points() {
   return of(Claims::manifold);
 }
@@ -135,6 +138,20 @@ std::vector<Mistake> of_points() {
        midpoint,
        [](const Right& r, const Declaration&) {
          return moved(r, -(r.depth + r.truth->extent()) * r.normal, 0, 1);
+       },
+       {Kind::witness}},
+      {"a point between vertices that should be at one",
+       at_vertex,
+       [](const Right& r, const Declaration& by) -> Given {
+         if (r.manifold.count < 2) return std::nullopt;
+         Manifold<double> between = r.only(r.deepest);
+         ContactPoint<double>& point = between.points[0];
+         point.position = (r.manifold.points[0].position + r.manifold.points[1].position) / 2;
+         if (exact::is_at_vertex(*r.truth, point.position, kClearly * r.bounds(by).across)) {
+           return std::nullopt;
+         }
+         if (differ(r, by)) return std::nullopt;
+         return between;
        },
        {Kind::witness}},
       {"an edge that is not clipped",

@@ -5,6 +5,7 @@
 
 #include "mistakes.hpp"
 #include "support/named_tests.hpp"
+#include "support/used_shapes_of.hpp"
 
 namespace manifuzz::mistakes {
 namespace {
@@ -39,17 +40,6 @@ const Declaration in_float = [] {
   return declaration;
 }();
 
-UsedShapes shapes_of(const PairCase& pair) {
-  UsedShapes used;
-  for (const Side side : {Side::a, Side::b}) {
-    used[side].count = pair[side].polygon.count;
-    for (int i = 0; i < used[side].count; ++i) {
-      used[side].all[i] = pair[side].polygon.vertices[i].cast<double>();
-    }
-  }
-  return used;
-}
-
 Kind kind_of(const PairCase& pair, const Declaration& declaration, const Answer& answer) {
   const Collider oracle = make_clip64();
   const Answer right = oracle.collide(pair);
@@ -71,7 +61,7 @@ TEST_CASE("shapes that are not the case's are a finding, and excuse no other") {
   int dropped = 0;
   for_overlapping(0.0F, [&](const Right& right) {
     const PairCase& pair = right.pair();
-    const UsedShapes same = shapes_of(pair);
+    const UsedShapes same = test::used_shapes_of(pair);
     REQUIRE(kind_of(pair, plain, with_shapes(right.manifold, same)) == Kind::none);
 
     UsedShapes moved = same;
@@ -89,7 +79,7 @@ TEST_CASE("shapes that are not the case's are a finding, and excuse no other") {
     PairCase less = pair;
     less.b.polygon = make_polygon<float>(pair.b.polygon.corners().subspan(1), 0.0F);
     const Right of_less(less);
-    const UsedShapes used = shapes_of(less);
+    const UsedShapes used = test::used_shapes_of(less);
     const Answer answer = with_shapes(of_less.manifold, used);
     REQUIRE(kind_of(pair, plain, answer) == Kind::altered_shape);
     REQUIRE(kind_of(pair, altering, answer) == Kind::none);
@@ -106,7 +96,7 @@ TEST_CASE("shapes that are not the case's are a finding, and excuse no other") {
 
 TEST_CASE("shapes that are no polygons are a finding, without a verdict on the manifold") {
   for_overlapping(0.0F, [](const Right& right) {
-    UsedShapes edge = shapes_of(right.pair());
+    UsedShapes edge = test::used_shapes_of(right.pair());
     edge.a.count = 2;
     REQUIRE(kind_of(right.pair(), make_clip64().declaration, with_shapes({}, edge)) ==
             Kind::altered_shape);
