@@ -92,8 +92,9 @@ void judge_all(const Regime& regime) {
       const Declaration declaration = claim.declared(test::declaration_of(claiming));
       if (is_ill_posed(truth.size(), bounds(pair, declaration, truth.extent()))) continue;
       const Manifold<double> manifold = test::clipped(pair, claiming);
-      // With radii a clip may be empty though skins overlap: right for a clip alone.
-      if (manifold.count == 0 && total_radius(pair) > 0) continue;
+      // Unless cores overlap, a clip may lose the deepest vertex, or all: right for a clip alone.
+      const double bound = bounds(pair, declaration, truth.extent()).separation;
+      if (total_radius(pair) > 0 && truth.compare_separation(-bound) >= 0) continue;
       if (is_cut(pair, manifold, curve_bounds(pair, declaration, truth.extent()))) continue;
       const Answer answer = claim.said(pair, manifold);
       const CurveJudgement judgement = judge_by_curve(truth, declaration, answer);
