@@ -108,11 +108,6 @@ Answer ask_in_child(const Collider& collider, const PairCase& pair, Interruption
 
 namespace {
 
-bool alike(const Judgement& judgement, const Judgement& root) {
-  return judgement.bucket == root.bucket && judgement.explanation == root.explanation &&
-         judgement.magnitude >= kMagnitudeShareKept * root.magnitude;
-}
-
 /// What a shrinking child has found so far, where its parent can see it even if it dies.
 struct ShrinkSlot {
   std::atomic<int> evaluations{0};
@@ -135,7 +130,7 @@ Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Colli
     ++slot->evaluations;
     const Judgement judgement = is_lost ? judge_in_child(candidate, subject, oracle, shrinking)
                                         : judge(candidate, subject, oracle);
-    if (!alike(judgement, root)) return false;
+    if (!is_alike(judgement, root)) return false;
     slot->best[static_cast<std::size_t>(slot->accepted + 1) % 2] = candidate;
     ++slot->accepted;
     return true;

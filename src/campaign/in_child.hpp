@@ -34,12 +34,9 @@ Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Co
 /// hangs. Throws Interrupted.
 Answer ask_in_child(const Collider& collider, const PairCase& pair, Interruption& interruption);
 
-/// A shrunk case keeps at least this share of the magnitude.
-inline constexpr double kMagnitudeShareKept = 0.5;
-
-/// The smallest case like this one: same bucket, same ledger entry, enough of the magnitude. Runs
-/// in a child process, so that a collider may die; ends early, with the smallest so far, at the
-/// first signal from now on. Throws Interrupted where it had not begun.
+/// The smallest case that is the same finding. Runs in a child process, so that a collider may die;
+/// ends early, with the smallest so far, at the first signal from now on. Throws Interrupted where
+/// it had not begun.
 Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
                       Interruption& interruption);
 

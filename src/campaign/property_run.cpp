@@ -37,7 +37,7 @@ using CheckCase = std::function<Outcome(const PairCase&)>;
 
 bool fails_alike(const Outcome& outcome, const Outcome& root) {
   return outcome.kind == Outcome::Kind::fails && outcome.why == root.why &&
-         outcome.magnitude >= kMagnitudeShareKept * root.magnitude;
+         is_about(outcome.magnitude, root.magnitude);
 }
 
 /// Simpler cases that fail in the root's way and no less: left alone, RapidCheck takes any failure,

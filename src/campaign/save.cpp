@@ -31,7 +31,15 @@ std::string finding_key(const Expectation& expect) {
 KnownBuckets known_buckets(std::span<const CorpusCase> corpus) {
   KnownBuckets files;
   for (const CorpusCase& known : corpus) {
-    if (known.expect) files.emplace(finding_key(*known.expect), known.path);
+    if (!known.expect) continue;
+    files.emplace(finding_key(*known.expect), known.path);
+    const auto bucket = find_bucket(known.expect->bucket);
+    if (!bucket || bucket->error_class != ErrorClass::none) continue;
+    Expectation of_class = *known.expect;  // older files name no class: they show each
+    for (const ErrorClass each : {ErrorClass::rounding, ErrorClass::fine, ErrorClass::gross}) {
+      of_class.bucket = fmt::format("{}/{}", known.expect->bucket, name_of(each, kErrorClassNames));
+      files.emplace(finding_key(of_class), known.path);
+    }
   }
   return files;
 }

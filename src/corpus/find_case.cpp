@@ -47,6 +47,13 @@ std::string dashed(std::string text) {
   return text;
 }
 
+/// Whether it is that bucket, or that bucket with its error class.
+bool is_of(const std::string& bucket, const std::string& wanted) {
+  constexpr int kDashes = 4;  // without a class
+  return bucket == wanted ||
+         (std::ranges::count(wanted, '-') == kDashes && bucket.starts_with(wanted + '-'));
+}
+
 std::string file_name(const CorpusCase& known) {
   return fs::path(known.path).filename().string();
 }
@@ -98,8 +105,8 @@ FoundCase find_case(const std::string& name, const fs::path& folder) {
   if (name == "-" || fs::exists(name, unknown)) return {name};
   const std::vector<CorpusCase> corpus = read_corpus({&folder, 1}).cases;  // what is whole of it
   const std::string wanted = dashed(name);
-  const CaseList alike =
-      matching(corpus, [&](const CorpusCase& known) { return dashed(bucket_of(known)) == wanted; });
+  const CaseList alike = matching(
+      corpus, [&](const CorpusCase& known) { return is_of(dashed(bucket_of(known)), wanted); });
   if (!alike.empty()) {
     const CorpusCase& smallest = **std::ranges::min_element(
         alike, {}, [](const CorpusCase* known) { return complexity(known->pair); });

@@ -3,74 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace manifuzz {
-namespace {
-
-/// In units of the roundoff; bounds.md derives them.
-struct Constants {
-  double separation;
-  double incident_dot;
-  double normal;
-  double position;
-};
-constexpr Constants kOfFloat{15, 9, 6, 10};
-constexpr Constants kOfDouble{26, 17, 12, 14};
-constexpr double kOfWorldNormal = 9;  ///< more for a double one's normal in world coordinates
-constexpr double kOfAngles = 8;       ///< more of each for one that takes angles
-
-double smallest(ScalarType scalar) {
-  return scalar == ScalarType::float32
-             ? static_cast<double>(std::numeric_limits<float>::denorm_min())
-             : std::numeric_limits<double>::denorm_min();
-}
-
-/// Beyond it a float collider's sums and differences overflow.
-constexpr double kFloatReachMax = static_cast<double>(std::numeric_limits<float>::max()) / 4;
-
-}  // namespace
-
-double rotation_defect(const Body& body) {
-  const Vector2<double> rotation = body.pose.rotation.cast<double>();
-  return std::abs(rotation.dot(rotation) - 1);
-}
-
-double roundoff(ScalarType scalar) {
-  return scalar == ScalarType::float32 ? std::numeric_limits<float>::epsilon() / 2.0
-                                       : std::numeric_limits<double>::epsilon() / 2.0;
-}
-
-Bounds bounds(const PairCase& pair, const Declaration& declaration) {
-  return bounds(pair, declaration, extent(pair));
-}
-
-Bounds bounds(const PairCase& pair, const Declaration& declaration, double extent) {
-  const bool narrow = declaration.scalar == ScalarType::float32;
-  const bool in_world = declaration.frame == RoundingFrame::world;
-  const Constants& of = narrow ? kOfFloat : kOfDouble;
-  const double of_angles = declaration.takes_angles ? kOfAngles : 0;
-  const double of_normal = of.normal + (in_world && !narrow ? kOfWorldNormal : 0);
-  const double u = roundoff(declaration.scalar);
-  double reach = extent + total_radius(pair);
-  const double underflow = of.separation * smallest(declaration.scalar);
-  const double of_rotations =
-      (narrow ? rotation_defect(pair.a) + rotation_defect(pair.b) : 0) + of_angles * u;
-  const double of_lengths = of_rotations * reach + underflow;
-  if (in_world) {
-    reach += std::max(pair.a.pose.position.cast<double>().norm(),
-                      pair.b.pose.position.cast<double>().norm());
-  }
-  if (narrow && reach > kFloatReachMax) {
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
-    return {unbounded, unbounded, unbounded, unbounded};
-  }
-  return {.separation = of.separation * u * reach + of_lengths,
-          .incident_dot = of.incident_dot * u + of_rotations,
-          .normal = of_normal * u + of_rotations,
-          .position = of.position * u * reach + of_lengths};
-}
-
 namespace {
 
 using exact::Clip;
@@ -121,11 +55,13 @@ bool closer(const Mismatch& m, const Mismatch& n) {
 
 Mismatch point_mismatch(const Admissible& right, const Clip& clip, const ClipPoint& point,
                         const ContactPoint<double>& reported) {
-  if (!is_near_position(clip, point, reported.position, position_bound(right, clip, point))) {
-    return {Kind::position, (reported.position - point.position()).norm()};
+  const double apart = position_bound(right, clip, point);
+  if (!is_near_position(clip, point, reported.position, apart)) {
+    return {Kind::position, (reported.position - point.position()).norm(), apart};
   }
-  if (!is_near_depth(clip, point, reported.depth, depth_bound(right, clip, point))) {
-    return {Kind::depth, std::abs(reported.depth - point.depth())};
+  const double deeper = depth_bound(right, clip, point);
+  if (!is_near_depth(clip, point, reported.depth, deeper)) {
+    return {Kind::depth, std::abs(reported.depth - point.depth()), deeper};
   }
   if (reported.features != point.features && features_decided(right, clip, point)) {
     return {Kind::features, 0};
@@ -250,10 +186,10 @@ Mismatch mismatch(const Manifold<double>& manifold, const Clip& clip, const Admi
   if (manifold.count > 0) {
     if (manifold.reference != clip.reference.side ||
         !is_near_normal(clip, manifold.normal, right.bounds.normal)) {
-      return {Kind::normal, (manifold.normal - clip.normal).norm()};
+      return {Kind::normal, (manifold.normal - clip.normal).norm(), right.bounds.normal};
     }
     if (compare_gap(clip, right.bounds.separation) > 0) {
-      return {Kind::position, clip.gap()};
+      return {Kind::position, clip.gap(), right.bounds.separation};
     }
   }
   for (int i = 0; i < manifold.count; ++i) {
@@ -262,7 +198,7 @@ Mismatch mismatch(const Manifold<double>& manifold, const Clip& clip, const Admi
   }
   for (const ClipPoint& point : points_of(clip)) {
     if (!is_optional(right, clip, point) && !is_matched(right, clip, point, manifold)) {
-      return {Kind::count, point.depth()};
+      return {Kind::count, point.depth(), depth_bound(right, clip, point)};
     }
   }
   return {};
@@ -270,15 +206,17 @@ Mismatch mismatch(const Manifold<double>& manifold, const Clip& clip, const Admi
 
 Mismatch mismatch(const Manifold<double>& manifold, const Admissible& right) {
   if (manifold.count == 0 && !right.may_touch) return {};
-  if (manifold.count == 0 && right.must_touch) return {Kind::missed_contact, right.from_contact()};
-  if (manifold.count > 0 && !right.may_touch) return {Kind::phantom_contact, right.from_contact()};
+  const double bound = right.bounds.separation;
+  const Mismatch missed{Kind::missed_contact, right.from_contact(), bound};
+  if (manifold.count == 0 && right.must_touch) return missed;
+  if (manifold.count > 0 && !right.may_touch) {
+    return {Kind::phantom_contact, right.from_contact(), bound};
+  }
   if (manifold.count == 0 && right.may_be_apart) return {};
-  Mismatch closest{Kind::missed_contact, right.from_contact()};
+  Mismatch closest = missed;
   for (const Clip* clip : right.candidates) {
     Mismatch found = mismatch(manifold, *clip, right);
-    if (manifold.count == 0 && found.kind != Kind::none) {
-      found = {Kind::missed_contact, right.from_contact()};
-    }
+    if (manifold.count == 0 && found.kind != Kind::none) found = missed;
     if (closer(found, closest)) closest = found;
   }
   return closest;

@@ -6,6 +6,18 @@
 
 namespace manifuzz {
 
+ErrorClass class_of(Kind kind, double magnitude, double bound) {
+  constexpr double kRounding = 1000;                    // bounds
+  constexpr double kGross = 0.01;                       // of the size
+  if (kind == Kind::features) return ErrorClass::fine;  // off by no length
+  if (magnitude <= kRounding * bound) return ErrorClass::rounding;
+  return magnitude <= kGross ? ErrorClass::fine : ErrorClass::gross;
+}
+
+bool is_about(double magnitude, double other) {
+  return magnitude >= 0.3 * other && magnitude <= 3 * other;
+}
+
 std::string to_string(const Bucket& bucket) {
   std::string text;
   for (const std::string_view part :
@@ -15,7 +27,8 @@ std::string to_string(const Bucket& bucket) {
     if (!text.empty()) text += '/';
     text += part;
   }
-  return text;
+  if (bucket.error_class == ErrorClass::none) return text;
+  return text.append("/").append(name_of(bucket.error_class, kErrorClassNames));
 }
 
 std::size_t index_of(const Bucket& bucket) {
@@ -23,7 +36,8 @@ std::size_t index_of(const Bucket& bucket) {
   index = index * kVerdictNames.size() + static_cast<std::size_t>(bucket.verdict);
   index = index * kKindNames.size() + static_cast<std::size_t>(bucket.kind);
   index = index * kTieClassNames.size() + static_cast<std::size_t>(bucket.tie_class);
-  return index * kSideNames.size() + static_cast<std::size_t>(bucket.reference);
+  index = index * kSideNames.size() + static_cast<std::size_t>(bucket.reference);
+  return index * kErrorClassNames.size() + static_cast<std::size_t>(bucket.error_class);
 }
 
 Bucket bucket_at(std::size_t index) {
@@ -33,6 +47,7 @@ Bucket bucket_at(std::size_t index) {
     return digit;
   };
   Bucket bucket;
+  bucket.error_class = static_cast<ErrorClass>(take(kErrorClassNames.size()));
   bucket.reference = static_cast<Side>(take(kSideNames.size()));
   bucket.tie_class = static_cast<TieClass>(take(kTieClassNames.size()));
   bucket.kind = static_cast<Kind>(take(kKindNames.size()));

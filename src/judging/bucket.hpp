@@ -59,13 +59,31 @@ inline constexpr std::array<std::string_view, 5> kTieClassNames{
 
 inline constexpr std::array<std::string_view, 2> kSideNames{"a", "b"};
 
-/// One name for all findings with one look: `<at fault>/<verdict>/<kind>/<tie class>/<reference>`.
+/// How far off a wrong answer is: what rounds too much and what is plainly wrong are unlike bugs.
+enum class ErrorClass {
+  none,      ///< nobody is wrong, or there is no answer
+  rounding,  ///< by at most a thousand bounds
+  fine,      ///< by more, yet by at most a hundredth of the size
+  gross,
+};
+inline constexpr std::array<std::string_view, 4> kErrorClassNames{"none", "rounding", "fine",
+                                                                  "gross"};
+
+/// Of an error and of the bound within which it would be right, as shares of the size.
+ErrorClass class_of(Kind kind, double magnitude, double bound);
+
+/// Whether an error is 0.3 to 3 times another.
+bool is_about(double magnitude, double other);
+
+/// One name for all findings with one look:
+/// `<at fault>/<verdict>/<kind>/<tie class>/<reference>`, and `/<error class>` unless that is none.
 struct Bucket {
   Fault fault = Fault::none;
   Verdict verdict = Verdict::agree;
   Kind kind = Kind::none;
   TieClass tie_class = TieClass::none;
   Side reference = Side::a;  ///< of the true greatest separation
+  ErrorClass error_class = ErrorClass::none;
 
   friend bool operator==(const Bucket&, const Bucket&) = default;
 };
@@ -89,7 +107,7 @@ std::string to_string(const Bucket& bucket);
 /// Buckets as small integers, for tables: 0 <= index < kBucketCount.
 inline constexpr std::size_t kBucketCount = kFaultNames.size() * kVerdictNames.size() *
                                             kKindNames.size() * kTieClassNames.size() *
-                                            kSideNames.size();
+                                            kSideNames.size() * kErrorClassNames.size();
 std::size_t index_of(const Bucket& bucket);
 Bucket bucket_at(std::size_t index);
 

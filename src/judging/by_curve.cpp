@@ -71,25 +71,31 @@ class ByCurve {
   CurveJudgement judge() {
     if (!touches_as_it_should() || !said_.normal) return result_;
     const double off_unit = std::abs(said_.normal->norm() - 1);
-    if (!(off_unit <= bounds_.normal)) return found(Kind::normal, off_unit);
+    if (!(off_unit <= bounds_.normal)) return found(Kind::normal, off_unit, bounds_.normal);
     const Along along(truth_, *said_.normal);
     result_.excess = curve_.excess(along);
     result_.consistent = is_depth(along, said_.depth);
     // Across a gap any normal will do.
     if (said_.touches && said_.depth >= 0) result_.minimal = is_minimal(along);
     const bool is_right = *result_.consistent && result_.minimal.value_or(true);
-    if (!is_right && is_reversed()) return found(Kind::reversed, 2);
-    if (!*result_.consistent) return found(Kind::inconsistent, depth_error(along));
-    if (!result_.minimal.value_or(true)) return found(Kind::not_minimal, std::abs(*result_.excess));
+    if (!is_right && is_reversed()) return found(Kind::reversed, 2, bounds_.normal);
+    if (!*result_.consistent) {
+      return found(Kind::inconsistent, depth_error(along), bounds_.consistency);
+    }
+    if (!result_.minimal.value_or(true)) {
+      return found(Kind::not_minimal, std::abs(*result_.excess), bounds_.minimality);
+    }
     if (said_.manifold == nullptr) return result_;
     result_.witness = has_witnesses(along);
-    return *result_.witness ? result_ : found(Kind::witness, witness_error(along));
+    if (*result_.witness) return result_;
+    return found(Kind::witness, witness_error(along), bounds_.along);
   }
 
  private:
-  CurveJudgement found(Kind kind, double magnitude) {
+  CurveJudgement found(Kind kind, double magnitude, double bound) {
     result_.kind = kind;
     result_.magnitude = magnitude;
+    result_.bound = bound;
     return result_;
   }
 
@@ -97,7 +103,8 @@ class ByCurve {
     const bool must = curve_.compare_least(bounds_.touching + declaration_.least_depth) > 0;
     const bool may = curve_.compare_least(-bounds_.touching - declaration_.speculative) >= 0;
     if (said_.touches ? may : !must) return true;
-    found(said_.touches ? Kind::phantom_contact : Kind::missed_contact, std::abs(curve_.least()));
+    found(said_.touches ? Kind::phantom_contact : Kind::missed_contact, std::abs(curve_.least()),
+          bounds_.touching);
     return false;
   }
 

@@ -29,6 +29,7 @@ CurveBounds curve_bounds(const PairCase& pair, const Declaration& declaration, d
 struct CurveJudgement {
   Kind kind = Kind::none;
   double magnitude = 0;              ///< a world length; of a normal's length its error
+  double bound = 0;                  ///< within which it would be right
   bool is_by_tolerance = false;      ///< right, but only by the tolerance that it declares
   std::optional<double> excess{};    ///< D(n) - D*, a world length
   std::optional<bool> consistent{};  ///< the depth is the curve's at the reported normal

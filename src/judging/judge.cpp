@@ -131,7 +131,7 @@ Judged judged_on(const std::shared_ptr<const exact::Truth>& truth, const Collide
   if (result.by_curve) {
     const CurveJudgement curve = judge_by_curve(*truth, given.declaration, given.answer);
     if (const auto* const manifold = manifold_in(given.answer)) result.manifold = *manifold;
-    result.mismatch = {curve.kind, curve.magnitude};
+    result.mismatch = {curve.kind, curve.magnitude, curve.bound};
     result.touches = touches(given.answer);
     result.is_by_tolerance = curve.is_by_tolerance;
     return result;
@@ -164,7 +164,7 @@ Judged judged(const std::shared_ptr<const exact::Truth>& truth, const ColliderAn
   result.is_altered = true;
   if (!result.is_wrong() && altered->is_beyond_rounding && !given.declaration.alters_shapes) {
     result.by_curve = true;
-    result.mismatch = {Kind::altered_shape, altered->distance};
+    result.mismatch = {Kind::altered_shape, altered->distance, altered->bound};
   }
   return result;
 }
@@ -212,11 +212,36 @@ Mismatch disagreement(const Judged& subject, const Judged& oracle, double size) 
         difference(subject.manifold, oracle.manifold, subject.right.from_contact());
     return {apart.kind, apart.magnitude / size};
   }
-  const auto [kind, magnitude] = subject.is_wrong() ? subject.mismatch : oracle.mismatch;
-  return {kind, is_of_normal(kind) ? magnitude : magnitude / size};
+  const auto [kind, magnitude, bound] = subject.is_wrong() ? subject.mismatch : oracle.mismatch;
+  if (is_of_normal(kind)) return {kind, magnitude, bound};
+  return {kind, magnitude / size, bound / size};
+}
+
+/// How many points a manifold has less than any right one must have; below zero, more than any has.
+int points_missing(const Judged& judged) {
+  if (judged.by_curve || !judged.is_wrong() || judged.right.candidates.empty()) return 0;
+  int least = 2;
+  int most = 0;
+  for (const Clip* const clip : judged.right.candidates) {
+    const auto points = points_of(*clip);
+    const auto needed = std::ranges::count_if(
+        points, [&](const auto& point) { return !is_optional(judged.right, *clip, point); });
+    least = std::min(least, static_cast<int>(needed));
+    most = std::max(most, static_cast<int>(points.size()));
+  }
+  const int count = judged.manifold.count;
+  return std::max(least - count, 0) + std::min(most - count, 0);
 }
 
 }  // namespace
+
+bool is_alike(const Judgement& judgement, const Judgement& root) {
+  const bool are_within_bounds =
+      judgement.magnitude <= judgement.bound && root.magnitude <= root.bound;
+  return judgement.bucket == root.bucket && judgement.explanation == root.explanation &&
+         judgement.points_missing == root.points_missing &&
+         (is_about(judgement.magnitude, root.magnitude) || are_within_bounds);
+}
 
 Standing standing(const exact::Truth& truth) {
   const double above = truth.separation() - total_radius(truth.pair());
@@ -246,6 +271,11 @@ Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const Collider
   const TieClass tie = is_one_truth ? tie_class(of_subject.right, of_oracle.right) : TieClass::none;
   bucket.tie_class = relevant(tie, bucket.verdict, bucket.kind);
   result.magnitude = found.magnitude;
+  result.bound = found.bound;
+  if (bucket.fault != Fault::none) {
+    bucket.error_class = class_of(found.kind, found.magnitude, found.bound);
+  }
+  result.points_missing = points_missing(of_subject.is_wrong() ? of_subject : of_oracle);
   if (bucket.verdict == Verdict::oracle_wrong) {
     result.explanation = find_explanation(oracle.declaration.name,
                                           {of_oracle.right, of_oracle.manifold, found.kind});

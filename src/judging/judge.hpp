@@ -16,11 +16,17 @@ namespace manifuzz {
 struct Judgement {
   Bucket bucket{};
   double magnitude = 0;                      ///< the finding's worst error as a share of the size
+  double bound = 0;                          ///< of that error, as a share of the size too
+  int points_missing = 0;                    ///< of the wrong answer; below zero: it has too many
   const LedgerEntry* explanation = nullptr;  ///< set where the verdict is known
   ManifoldError of_subject{};  ///< of a wrong manifold, as shares of the size; 0 of a right one
   ManifoldError of_oracle{};
   bool is_by_tolerance = false;  ///< an answer is right, but only by the tolerance it declares
 };
+
+/// Whether it is the same finding: its bucket, its ledger entry, points missing or too many, and
+/// 0.3 to 3 times its magnitude, unless both are right within their bounds.
+bool is_alike(const Judgement& judgement, const Judgement& root);
 
 /// Where a case stands by the truth alone.
 struct Standing {

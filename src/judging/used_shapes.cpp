@@ -34,6 +34,7 @@ std::optional<Altered> altered_by(const exact::Truth& truth, const ColliderAnswe
     const exact::Alteration of_side(pair[side].polygon, (*used)[side]);
     const double bound = alteration_bound(pair[side], given.declaration.scalar);
     result.distance = std::max(result.distance, of_side.distance());
+    result.bound = std::max(result.bound, bound);
     result.is_beyond_rounding = result.is_beyond_rounding || of_side.exceeds(bound);
   }
   if (result.distance == 0) return std::nullopt;

@@ -46,12 +46,6 @@ Bucket twin_bucket(const PairCase& pair, const ColliderAnswer& subject,
   return twin_judge(pair, subject, oracle).bucket;
 }
 
-/// The twin does not ask the ledger.
-Bucket without_ledger(Bucket bucket) {
-  if (bucket.verdict == Verdict::known) bucket.verdict = Verdict::oracle_wrong;
-  return bucket;
-}
-
 bool differs_from_twin(JudgeOf judge_of, const Bug& bug, std::uint64_t number,
                        const PairCase& pair) {
   static const Collider oracle = make_box2d();
@@ -64,7 +58,7 @@ bool differs_from_twin(JudgeOf judge_of, const Bug& bug, std::uint64_t number,
   }();
   const Bucket expected = twin_bucket(pair, ColliderAnswer{subject.declaration, of_subject},
                                       ColliderAnswer{oracle.declaration, of_oracle});
-  return !(without_ledger(bucket) == expected);
+  return !(as_twin_has_it(bucket) == expected);
 }
 
 }  // namespace

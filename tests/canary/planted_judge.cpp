@@ -1,6 +1,7 @@
 // Copied with the bugs planted into the judge, and compiled under a namespace of theirs.
 #include "canary/planted.hpp"
 #include "judging/admissible.cpp"
+#include "judging/bounds.cpp"
 #include "judging/by_curve.cpp"
 #include "judging/compare.cpp"
 #include "judging/judge.cpp"

@@ -22,7 +22,7 @@ function onData(name, data, check, options = {}) {
   });
 }
 
-const [sample] = corpusCases().filter(({file}) => file.includes('oracle-known-missed_contact-incident-b-e93298bc.json'));
+const [sample] = corpusCases().filter(({file}) => file.includes('oracle-known-missed_contact-incident-b-gross-e93298bc.json'));
 const boxes = allCases().find(({file}) => file.includes('boxes.jsonl'));
 
 /** The value with each of its points stretched along x and y. */

@@ -29,8 +29,15 @@ struct TwinCandidate {
 struct TwinJudgement {
   bool touching = false;                  ///< S <= total radius
   std::vector<TwinCandidate> candidates;  ///< the subject's
-  Bucket bucket;  ///< the ledger not asked: oracle_wrong where it says known
+  Bucket bucket;                          ///< as `as_twin_has_it`
 };
+
+/// The twin neither asks the ledger nor sorts errors into classes.
+inline Bucket as_twin_has_it(Bucket bucket) {
+  if (bucket.verdict == Verdict::known) bucket.verdict = Verdict::oracle_wrong;
+  bucket.error_class = ErrorClass::none;
+  return bucket;
+}
 
 TwinJudgement twin_judge(const PairCase& pair, const ColliderAnswer& subject,
                          const ColliderAnswer& oracle);

@@ -111,7 +111,7 @@ const Command kShow{
     "show", "A case as text and as a picture: polygons, contact points, verdict.",
     "manifuzz generate --seed 1 --regime boxes --cases 1 | manifuzz show - --svg case.svg "
     "--map case.png\n"
-    "manifuzz show oracle/known/missed_contact/none/b",
+    "manifuzz show oracle/known/missed_contact/none/b/gross",
     define<ShowArguments, add_show_arguments, show>};
 
 }  // namespace manifuzz

@@ -54,7 +54,7 @@ void add_shrink_arguments(CLI::App& app, ShrinkArguments& options) {
 }  // namespace
 
 const Command kShrink{
-    "shrink", "The smallest case with the same verdict, bucket and half the magnitude.",
+    "shrink", "The smallest case with the same verdict, bucket and about the magnitude.",
     "manifuzz generate --seed 2 --regime tie_bias --cases 1 | manifuzz shrink - --output "
     "smallest.json",
     define<ShrinkArguments, add_shrink_arguments, shrink_file>};

@@ -69,9 +69,9 @@ TEST_CASE("answers in a file may leave out reference and features") {
 TEST_CASE("wrong answers in a file are the subject's, and status 1") {
   std::string wrong = kRight;
   wrong.replace(wrong.find("0.25"), 4, "0.26");
-  CHECK(judge_answer(wrong, 1)["bucket"] == "subject/subject_wrong/depth/reference/a");
+  CHECK(judge_answer(wrong, 1)["bucket"] == "subject/subject_wrong/depth/reference/a/fine");
   CHECK(judge_answer(R"({"points": []})", 1)["bucket"] ==
-        "subject/subject_wrong/missed_contact/reference/a");
+        "subject/subject_wrong/missed_contact/reference/a/gross");
   std::string features = kRight;
   features.replace(features.find("\"depth\": 0.25"), 13,
                    "\"depth\": 0.25, \"features\": [\"f3\",\"v3\"]");

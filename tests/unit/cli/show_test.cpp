@@ -125,7 +125,7 @@ TEST_CASE("every defect in the corpus has its picture") {
 
 TEST_CASE("a polygon that rounding leaves no thickness is drawn") {
   const auto file =
-      source_dir() / "corpus/defects/box2d/oracle-known-missed_contact-none-a-0103adb7.json";
+      source_dir() / "corpus/defects/box2d/oracle-known-missed_contact-none-a-gross-0103adb7.json";
   const Outcome outcome = run_manifuzz({"show", file.string(), "--svg", "-"});
   CHECK(outcome.status == 0);
   CHECK_THAT(outcome.out, Contains("</svg>"));

@@ -54,11 +54,6 @@ Answer moved(const Answer& answer, const PairCase& pair, const Bounds& bounds, R
   return m;
 }
 
-Bucket without_ledger(Bucket bucket) {
-  if (bucket.verdict == Verdict::known) bucket.verdict = Verdict::oracle_wrong;
-  return bucket;
-}
-
 std::vector<TwinCandidate> judged_candidates(const Admissible& right) {
   std::vector<TwinCandidate> candidates;
   for (const exact::Clip* clip : right.candidates) {
@@ -89,7 +84,7 @@ void compare(const Regime& regime) {
     const TwinJudgement twin = twin_judge(pair, s, o);
     REQUIRE(standing(exact::Truth(pair)).touching == twin.touching);
     REQUIRE(judged_candidates(admissible(pair, s.declaration)) == twin.candidates);
-    REQUIRE(to_string(without_ledger(judge(pair, s, o).bucket)) == to_string(twin.bucket));
+    REQUIRE(to_string(as_twin_has_it(judge(pair, s, o).bucket)) == to_string(twin.bucket));
   }
 }
 

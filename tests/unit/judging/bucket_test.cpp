@@ -1,5 +1,6 @@
 #include "judging/bucket.hpp"
 
+#include <limits>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -16,9 +17,10 @@ TEST_CASE("every bucket has an index of its own and comes back from it") {
 }
 
 TEST_CASE("a bucket's name says who, what, how, why and where") {
-  const Bucket bucket{Fault::oracle, Verdict::known, Kind::missed_contact, TieClass::reference,
-                      Side::b};
+  Bucket bucket{Fault::oracle, Verdict::known, Kind::missed_contact, TieClass::reference, Side::b};
   CHECK(to_string(bucket) == "oracle/known/missed_contact/reference/b");
+  bucket.error_class = ErrorClass::gross;
+  CHECK(to_string(bucket) == "oracle/known/missed_contact/reference/b/gross");
 }
 
 TEST_CASE("unexplained is what nobody explains, and failures are the subject's") {
@@ -29,4 +31,14 @@ TEST_CASE("unexplained is what nobody explains, and failures are the subject's")
   CHECK_FALSE(is_failure({.fault = Fault::oracle, .verdict = Verdict::oracle_wrong}));
   CHECK(is_failure({.fault = Fault::both, .verdict = Verdict::both_wrong}));
   CHECK(is_failure({.fault = Fault::subject, .verdict = Verdict::crashed}));
+}
+
+TEST_CASE("an error is rounding up to a thousand bounds, and gross above a hundredth of the size") {
+  CHECK(class_of(Kind::depth, 1000 * 0x1p-20, 0x1p-20) == ErrorClass::rounding);
+  CHECK(class_of(Kind::depth, 1001 * 0x1p-20, 0x1p-20) == ErrorClass::fine);
+  CHECK(class_of(Kind::depth, 0.01, 1e-7) == ErrorClass::fine);
+  CHECK(class_of(Kind::depth, 0.011, 1e-7) == ErrorClass::gross);
+  CHECK(class_of(Kind::depth, 0.5, 1e-3) == ErrorClass::rounding);
+  CHECK(class_of(Kind::depth, std::numeric_limits<double>::quiet_NaN(), 1) == ErrorClass::gross);
+  CHECK(class_of(Kind::features, 0, 1) == ErrorClass::fine);
 }

@@ -1,0 +1,73 @@
+#include "judging/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace manifuzz {
+namespace {
+
+/// In units of the roundoff; bounds.md derives them.
+struct Constants {
+  double separation;
+  double incident_dot;
+  double normal;
+  double position;
+};
+constexpr Constants kOfFloat{15, 9, 6, 10};
+constexpr Constants kOfDouble{26, 17, 12, 14};
+constexpr double kOfWorldNormal = 9;  ///< more for a double one's normal in world coordinates
+constexpr double kOfAngles = 8;       ///< more of each for one that takes angles
+
+double smallest(ScalarType scalar) {
+  return scalar == ScalarType::float32
+             ? static_cast<double>(std::numeric_limits<float>::denorm_min())
+             : std::numeric_limits<double>::denorm_min();
+}
+
+/// Beyond it a float collider's sums and differences overflow.
+constexpr double kFloatReachMax = static_cast<double>(std::numeric_limits<float>::max()) / 4;
+
+}  // namespace
+
+double rotation_defect(const Body& body) {
+  const Vector2<double> rotation = body.pose.rotation.cast<double>();
+  return std::abs(rotation.dot(rotation) - 1);
+}
+
+double roundoff(ScalarType scalar) {
+  return scalar == ScalarType::float32 ? std::numeric_limits<float>::epsilon() / 2.0
+                                       : std::numeric_limits<double>::epsilon() / 2.0;
+}
+
+Bounds bounds(const PairCase& pair, const Declaration& declaration) {
+  return bounds(pair, declaration, extent(pair));
+}
+
+Bounds bounds(const PairCase& pair, const Declaration& declaration, double extent) {
+  const bool narrow = declaration.scalar == ScalarType::float32;
+  const bool in_world = declaration.frame == RoundingFrame::world;
+  const Constants& of = narrow ? kOfFloat : kOfDouble;
+  const double of_angles = declaration.takes_angles ? kOfAngles : 0;
+  const double of_normal = of.normal + (in_world && !narrow ? kOfWorldNormal : 0);
+  const double u = roundoff(declaration.scalar);
+  double reach = extent + total_radius(pair);
+  const double underflow = of.separation * smallest(declaration.scalar);
+  const double of_rotations =
+      (narrow ? rotation_defect(pair.a) + rotation_defect(pair.b) : 0) + of_angles * u;
+  const double of_lengths = of_rotations * reach + underflow;
+  if (in_world) {
+    reach += std::max(pair.a.pose.position.cast<double>().norm(),
+                      pair.b.pose.position.cast<double>().norm());
+  }
+  if (narrow && reach > kFloatReachMax) {
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    return {unbounded, unbounded, unbounded, unbounded};
+  }
+  return {.separation = of.separation * u * reach + of_lengths,
+          .incident_dot = of.incident_dot * u + of_rotations,
+          .normal = of_normal * u + of_rotations,
+          .position = of.position * u * reach + of_lengths};
+}
+
+}  // namespace manifuzz
