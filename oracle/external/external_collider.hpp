@@ -1,5 +1,8 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -55,6 +58,18 @@ inline constexpr double kStartSecondsMax = 10;
 /// cannot be started or declares nonsense.
 Collider collider_of_command(const std::string& command, double seconds_max,
                              double start_seconds_max = kStartSecondsMax);
+
+/// How a collider from outside is called: by one of both.
+struct NamedSubject {
+  std::string command;
+  std::string library;
+};
+using NamedSubjects = std::map<std::string, NamedSubject, std::less<>>;
+
+/// The names that files called subjects.json give to colliders, {"NAME": {"command": "..."}} or
+/// {"library": "..."}: for each of these files and folders of cases the nearest one, in it or
+/// above. Throws UserError that begins with the file's name.
+NamedSubjects read_subjects(std::span<const std::filesystem::path> corpora);
 
 /// How a batch of cases ended.
 enum class BatchEnd {

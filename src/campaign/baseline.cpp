@@ -14,10 +14,10 @@ bool holds_budgets(const Plan& plan) {
   return !plan.context.radius || plan.is_narrowed;
 }
 
-bool is_over_budget(const LedgerEntry& entry, std::string_view regime, std::uint64_t hits,
+bool is_over_budget(double per_million, std::string_view regime, std::uint64_t hits,
                     std::uint64_t cases) {
   if (regime == "corpus") return false;
-  const double expected = budget_per_million(entry, regime) * 1e-6 * static_cast<double>(cases);
+  const double expected = per_million * 1e-6 * static_cast<double>(cases);
   return static_cast<double>(hits) > expected + 5 * std::sqrt(expected) + 5;
 }
 
@@ -31,7 +31,8 @@ std::vector<LedgerResult> ledger_counts(const Tally& tally, const Plan& plan) {
       count.hits += hits;
       const std::string regime(plan.regimes[r]->name);
       if (hits > 0) count.regimes[regime] = hits;
-      if (holds_budgets(plan) && is_over_budget(entry, regime, hits, tally.regimes[r].cases)) {
+      const double budget = budget_per_million(entry, regime);
+      if (holds_budgets(plan) && is_over_budget(budget, regime, hits, tally.regimes[r].cases)) {
         count.over_budget.push_back(regime);
       }
     }
@@ -109,6 +110,13 @@ BucketComparison compared(const CampaignResult& earlier, const CampaignResult& n
     if (again == now.buckets.end()) comparison.gone.push_back(before.bucket);
   }
   return comparison;
+}
+
+void hold_against(const CampaignResult& earlier, CampaignResult& now) {
+  const BucketComparison comparison = compared(earlier, now);
+  for (BucketResult& found : now.buckets) {
+    found.is_in_baseline = !found.is_new && std::ranges::count(comparison.worse, found.bucket) == 0;
+  }
 }
 
 std::string comparison_text(const CampaignResult& earlier, const CampaignResult& now) {

@@ -119,11 +119,13 @@ struct ShrinkSlot {
 }  // namespace
 
 Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
-                      Interruption& interruption) {
+                      Interruption& interruption, const Deadline& deadline) {
   const Judgement root = judge_in_child(pair, subject, oracle, interruption);
   const bool is_lost =
       root.bucket.verdict == Verdict::crashed || root.bucket.verdict == Verdict::timed_out;
-  Interruption shrinking(interruption.until_signal());
+  Interruption::Limits limits = interruption.until_signal();
+  if (deadline) limits.stopped_at = std::min(limits.stopped_at.value_or(*deadline), *deadline);
+  Interruption shrinking(limits);
   const Shared<ShrinkSlot> slot;
   slot->best[0] = pair;
   const auto like_root = [&](const PairCase& candidate) {

@@ -35,10 +35,10 @@ Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Co
 Answer ask_in_child(const Collider& collider, const PairCase& pair, Interruption& interruption);
 
 /// The smallest case that is the same finding. Runs in a child process, so that a collider may die;
-/// ends early, with the smallest so far, at the first signal from now on. Throws Interrupted where
-/// it had not begun.
+/// ends early, with the smallest so far, at the deadline, and at the first signal from now on.
+/// Throws Interrupted where it had not begun.
 Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
-                      Interruption& interruption);
+                      Interruption& interruption, const Deadline& deadline = {});
 
 /// Asks both colliders for the cells of the grid, in child processes: a cell on which one of them
 /// dies is judged as crashed. Begins with the case itself and goes on evenly spread, so that the

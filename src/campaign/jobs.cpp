@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <limits>
 #include <vector>
 
 #include "base/random.hpp"
@@ -29,12 +30,20 @@ struct JobState {
   void begin(Step next_step) { step.store(next_step, std::memory_order_relaxed); }
 };
 
+constexpr CaseNumber kNoCase = std::numeric_limits<CaseNumber>::max();
+
 /// What all jobs share.
 struct RunState {
   SharedQueue cases;
+  std::atomic<CaseNumber> sought{kNoCase};  ///< the least that ends the run
   std::atomic<Fault> given_up{Fault::none};
   SharedText<256> why_given_up;  ///< of the first that was given up
 
+  void find(CaseNumber number) {
+    CaseNumber least = sought;
+    while (number < least && !sought.compare_exchange_weak(least, number)) {
+    }
+  }
   void give_up(Fault role, const std::string& why) {
     Fault none = Fault::none;
     if (given_up.compare_exchange_strong(none, role)) why_given_up.set(why);
@@ -102,8 +111,8 @@ bool is_blamed_in_vain(const Bucket& bucket, const PairCase& pair, std::size_t i
 
 /// A case's way: two answers are compared, and judged where they do not plainly agree; the tally
 /// has it.
-void run_case(const Plan& plan, const PairCase& pair, std::size_t i, BlockAnswers& of_subject,
-              BlockAnswers& of_oracle, JobState& job) {
+void run_case(const Plan& plan, const PairCase& pair, std::size_t i, RunState& run,
+              BlockAnswers& of_subject, BlockAnswers& of_oracle, JobState& job) {
   const CaseNumber number = job.next;
   const auto truth = std::make_shared<const exact::Truth>(pair);
   job.begin(Step::asking_subject);
@@ -121,6 +130,7 @@ void run_case(const Plan& plan, const PairCase& pair, std::size_t i, BlockAnswer
     }
   }
   job.tally.add(plan.regime_of(number), number, standing(*truth), judgement);
+  if (plan.ends_with && plan.ends_with(judgement)) run.find(number);
 }
 
 /// The cases of the job's block, to its end.
@@ -131,8 +141,8 @@ void run_block(const Plan& plan, RunState& run, JobState& job, BlockAnswers& of_
   for (CaseNumber number = job.next; number < job.end; ++number) pairs.push_back(plan.pair(number));
   const std::size_t answered =
       std::min({ask_block(pairs, run, job, of_subject), ask_block(pairs, run, job, of_oracle)});
-  for (std::size_t i = 0; i < answered; ++i) {
-    run_case(plan, pairs[i], i, of_subject, of_oracle, job);
+  for (std::size_t i = 0; i < answered && job.next < run.sought; ++i) {
+    run_case(plan, pairs[i], i, run, of_subject, of_oracle, job);
     job.next.fetch_add(1);
     for (const BlockAnswers* const of : {&of_subject, &of_oracle}) {
       if (of->unsteady < kUnsteadyMax) continue;
@@ -147,16 +157,17 @@ void run_job(const Plan& plan, RunState& run, JobState& job) {
   while (run.cases.is_open()) {
     if (job.next >= job.end) {
       const SharedQueue::Block block = run.cases.take(kBlock);
-      if (block.begin >= block.end) return;
+      if (block.begin >= block.end || block.begin > run.sought) return;
       job.end = block.end;
       job.next = block.begin;
     }
     run_block(plan, run, job, of_subject, of_oracle);
+    if (job.next >= run.sought) return;
   }
 }
 
 /// The case that a job died or hung at is a finding of its own.
-void lose_case(const Plan& plan, JobState& job, Ending ending) {
+void lose_case(const Plan& plan, RunState& run, JobState& job, Ending ending) {
   const CaseNumber number = job.next;
   const Step step = job.step;
   const Fault fault = step == Step::asking_subject  ? Fault::subject
@@ -164,7 +175,9 @@ void lose_case(const Plan& plan, JobState& job, Ending ending) {
                                                     : Fault::none;
   const Standing where =
       step == Step::generating ? Standing{} : standing(exact::Truth(plan.pair(number)));
-  job.tally.add(plan.regime_of(number), number, where, {.bucket = bucket_of_lost(ending, fault)});
+  const Judgement judgement{.bucket = bucket_of_lost(ending, fault)};
+  job.tally.add(plan.regime_of(number), number, where, judgement);
+  if (plan.ends_with && plan.ends_with(judgement)) run.find(number);
   job.next.fetch_add(1);
 }
 
@@ -176,13 +189,8 @@ std::unique_ptr<Tally> added(const Shared<JobState>& jobs) {
 
 /// The state it begins with, and hurry once the plan's time is up.
 Interruption::Limits limits_of(const Plan& plan, Interruption& interruption) {
-  using namespace std::chrono;
-  constexpr double thirty_years = 1e9;
   Interruption::Limits limits{.begins = interruption.state()};
-  if (plan.seconds) {
-    const duration<double> time(std::min(*plan.seconds, thirty_years));
-    limits.hurried_at = Clock::now() + duration_cast<Clock::duration>(time);
-  }
+  if (plan.seconds) limits.hurried_at = after(*plan.seconds);
   return limits;
 }
 
@@ -200,7 +208,7 @@ JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& in
                   .seconds_max = case_seconds_max(plan.subject, plan.oracle),
                   .on_lost =
                       [&](int job, Ending ending) {
-                        lose_case(plan, jobs[job], ending);
+                        lose_case(plan, *run, jobs[job], ending);
                         return run->cases.is_open();
                       },
                   .hurry = &run->cases.is_closed,
@@ -213,6 +221,7 @@ JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& in
   return {.tally = added(jobs),
           .seconds = result.seconds,
           .interrupted = interruption.state() != Interruption::State::running,
+          .sought = run->sought == kNoCase ? std::nullopt : std::optional(run->sought.load()),
           .given_up = run->given_up,
           .why_given_up = run->why_given_up.str()};
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <span>
@@ -53,14 +54,10 @@ MergedFinding merged_finding(const Members& members) {
   MergedFinding kept{*std::ranges::min(members, {}, size_of), {}};
   const CorpusCase& worst = *std::ranges::min(as_seen, {}, badness);
   if (worst.pair != kept.smallest.pair) kept.worst = worst;
+  const auto accepted = std::ranges::find_if(
+      members, [](const CorpusCase* known) { return known->accepted.has_value(); });
+  if (accepted != members.end()) kept.smallest.accepted = (*accepted)->accepted;
   return kept;
-}
-
-fs::path folder_of(const CorpusCase& known) {
-  if (!known.property.empty()) return "regressions";
-  if (!known.expect) return "seeds";
-  const auto bucket = find_bucket(known.expect->bucket);
-  return bucket ? corpus_folder(*bucket, known.expect->oracle) : fs::path("seeds");
 }
 
 /// The case as its file has it, every byte: answers read and written again may differ by a
@@ -168,7 +165,12 @@ void add_buckets(CampaignResult& sum, const CampaignResult& run) {
     BucketResult added = place_of(other, sum) < place_of(*kept, sum) ? other : *kept;
     added.count = kept->count + other.count;
     added.magnitude = std::max(kept->magnitude, other.magnitude);
+    added.regimes = kept->regimes;
+    for (const auto& [regime, count] : other.regimes) added.regimes[regime] += count;
     added.is_new = kept->is_new || other.is_new;
+    added.is_accepted = kept->is_accepted && other.is_accepted;
+    added.is_in_baseline = kept->is_in_baseline && other.is_in_baseline;
+    if (added.objection.empty()) added.objection = kept->objection + other.objection;
     *kept = added;
   }
 }
@@ -182,14 +184,16 @@ void find_over_budget(CampaignResult& sum) {
     for (const auto& [regime, hits] : row.regimes) {
       const auto counted = std::ranges::find(sum.regimes, regime, &RegimeResult::name);
       const Count cases = counted == sum.regimes.end() ? 0 : counted->cases;
-      if (is_over_budget(*entry, regime, hits, cases)) row.over_budget.push_back(regime);
+      const double budget = budget_per_million(*entry, regime);
+      if (is_over_budget(budget, regime, hits, cases)) row.over_budget.push_back(regime);
     }
   }
 }
 
-std::size_t place_in_order(const BucketResult& found) {
+auto place_in_order(const BucketResult& found) {
   const auto bucket = find_bucket(found.bucket);
-  return bucket ? index_of(*bucket) : kBucketCount;
+  using Place = decltype(place_of(*bucket, found.count));
+  return bucket ? place_of(*bucket, found.count) : Place{std::numeric_limits<Count>::max()};
 }
 
 void add_run(CampaignResult& sum, const CampaignResult& run) {
@@ -203,6 +207,10 @@ void add_run(CampaignResult& sum, const CampaignResult& run) {
   sum.by_tolerance += run.by_tolerance;
   widen(sum.of_subject, run.of_subject);
   widen(sum.of_oracle, run.of_oracle);
+  sum.unshrunk += run.unshrunk;
+  for (const std::string& file : run.stale) {
+    if (std::ranges::count(sum.stale, file) == 0) sum.stale.push_back(file);
+  }
   sum.interrupted = sum.interrupted || run.interrupted;
   sum.stopped_early = sum.stopped_early || run.stopped_early;
   sum.budgets_hold = sum.budgets_hold && run.budgets_hold;
@@ -252,8 +260,9 @@ void write_findings(MergedRuns& runs, const fs::path& folder, Interruption& inte
   for (const MergedFinding& finding : runs.findings) {
     if (interruption.is_stopped()) throw UserError("merge: interrupted; nothing was written");
     const CorpusCase& smallest = finding.smallest;
-    const fs::path file = corpus_file(folder / folder_of(smallest), smallest);
+    const fs::path file = corpus_file(folder / corpus_folder(smallest), smallest);
     write_file(file, text_of(smallest));
+    if (smallest.accepted) write_acceptance(file.string(), smallest.accepted);
     if (finding.worst) write_file(worst_beside(file), text_of(*finding.worst));
     if (smallest.expect) files[finding_key(*smallest.expect)] = file.string();
   }

@@ -23,6 +23,7 @@ void BucketTally::add(const BucketTally& tally) {
     return;
   }
   count += tally.count;
+  for (std::size_t i = 0; i < regimes.size(); ++i) regimes[i] += tally.regimes[i];
   first = std::min(first, tally.first);
   if (tally.magnitude > magnitude || (tally.magnitude == magnitude && tally.worst < worst)) {
     magnitude = tally.magnitude;
@@ -30,12 +31,44 @@ void BucketTally::add(const BucketTally& tally) {
   }
 }
 
+std::size_t BucketTallies::slot_of(std::size_t bucket) const {
+  std::size_t slot = bucket % kRoom;
+  while (places_[slot] != 0 && places_[slot] != bucket + 1) slot = (slot + 1) % kRoom;
+  return slot;
+}
+
+BucketTally& BucketTallies::of(const Bucket& bucket) {
+  const std::size_t slot = slot_of(index_of(bucket));
+  places_[slot] = index_of(bucket) + 1;
+  return tallies_[slot];
+}
+
+const BucketTally* BucketTallies::find(const Bucket& bucket) const {
+  const std::size_t slot = slot_of(index_of(bucket));
+  return places_[slot] == 0 ? nullptr : &tallies_[slot];
+}
+
+void BucketTallies::add(const BucketTallies& tallies) {
+  for (std::size_t slot = 0; slot < kRoom; ++slot) {
+    if (tallies.places_[slot] == 0) continue;
+    of(bucket_at(tallies.places_[slot] - 1)).add(tallies.tallies_[slot]);
+  }
+}
+
+std::vector<BucketTallies::Met> BucketTallies::all() const {
+  std::vector<Met> met;
+  for (std::size_t slot = 0; slot < kRoom; ++slot) {
+    if (places_[slot] != 0) met.push_back({bucket_at(places_[slot] - 1), &tallies_[slot]});
+  }
+  std::ranges::sort(met, {}, [](const Met& one) { return index_of(one.bucket); });
+  return met;
+}
+
 void RegimeTally::add(const RegimeTally& tally) {
   cases += tally.cases;
   touching += tally.touching;
   near += tally.near;
   unexplained += tally.unexplained;
-  failures += tally.failures;
 }
 
 void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
@@ -51,11 +84,12 @@ void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
     ++of_regime.near;
   }
   if (is_unexplained(bucket.verdict)) ++of_regime.unexplained;
-  if (is_failure(bucket)) ++of_regime.failures;
   ++verdicts[static_cast<std::size_t>(bucket.verdict)];
   if (judgement.is_by_tolerance) ++by_tolerance;
   if (bucket.verdict != Verdict::agree) {
-    buckets[index_of(bucket)].add({1, number, number, judgement.magnitude});
+    BucketTally met{1, number, number, judgement.magnitude};
+    met.regimes[regime] = 1;
+    buckets.of(bucket).add(met);
   }
   if (judgement.explanation != nullptr) ++explained[index_of(*judgement.explanation)][regime];
 }
@@ -66,7 +100,7 @@ void Tally::add(const Tally& tally) {
   for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] += tally.verdicts[i];
   by_tolerance += tally.by_tolerance;
   for (std::size_t i = 0; i < regimes.size(); ++i) regimes[i].add(tally.regimes[i]);
-  for (std::size_t i = 0; i < buckets.size(); ++i) buckets[i].add(tally.buckets[i]);
+  buckets.add(tally.buckets);
   for (std::size_t i = 0; i < explained.size(); ++i) {
     for (std::size_t r = 0; r < kRegimesMax; ++r) explained[i][r] += tally.explained[i][r];
   }

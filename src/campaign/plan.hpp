@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -54,8 +55,34 @@ struct BucketTally {
   CaseNumber first = 0;  ///< the least case number
   CaseNumber worst = 0;  ///< of the greatest magnitude, the least of equals
   double magnitude = 0;
+  std::array<std::uint64_t, kRegimesMax> regimes{};  ///< the count in each
 
   void add(const BucketTally& tally);
+};
+
+/// The tallies of those buckets that were met: plain data, with room for more than there can be.
+class BucketTallies {
+ public:
+  /// The bucket's, which begins at none.
+  BucketTally& of(const Bucket& bucket);
+  /// None where it was not met.
+  const BucketTally* find(const Bucket& bucket) const;
+  void add(const BucketTallies& tallies);
+
+  struct Met {
+    Bucket bucket;
+    const BucketTally* tally = nullptr;
+  };
+  /// Those that were met, in the order of their indices.
+  std::vector<Met> all() const;
+
+ private:
+  static constexpr std::size_t kRoom = 2048;  // there are some 900 that a run may meet
+
+  std::size_t slot_of(std::size_t bucket) const;
+
+  std::array<std::size_t, kRoom> places_{};  ///< the bucket's index and 1; 0: the slot is free
+  std::array<BucketTally, kRoom> tallies_{};
 };
 
 /// Counts of a regime's cases.
@@ -64,7 +91,6 @@ struct RegimeTally {
   std::uint64_t touching = 0;  ///< by the truth
   std::uint64_t near = 0;      ///< not touching, but near
   std::uint64_t unexplained = 0;
-  std::uint64_t failures = 0;  ///< against the subject
 
   void add(const RegimeTally& tally);
 };
@@ -81,7 +107,7 @@ std::uint64_t sum_of(const auto& regimes, std::uint64_t RegimeTally::*count) {
 struct Tally {
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
   std::array<RegimeTally, kRegimesMax> regimes{};
-  std::array<BucketTally, kBucketCount> buckets{};
+  BucketTallies buckets;
   std::uint64_t by_tolerance = 0;  ///< right, but only by the tolerance that a collider declares
   /// The worst errors of wrong answers.
   ManifoldError of_subject;
@@ -113,7 +139,10 @@ struct Plan {
   std::uint64_t first = 0;             ///< index in each regime of its first case
   std::optional<std::uint64_t> cases;  ///< of all regimes together; none: until time is up
   std::optional<double> seconds;
-  bool until_new = false;  ///< it ends where a bucket is found that its corpus does not show
+  bool until_new = false;  ///< it ends with the first case of something new and wrong
+  /// The run ends with the first such case; those behind it are counted in part.
+  std::function<bool(const Judgement&)> ends_with{};
+  bool has_ties = false;  ///< new ties are findings to save, too
   int jobs = 1;
   /// Two colliders can be wrong alike: of the cases on which they plainly agree, one in so many is
   /// judged all the same.

@@ -92,6 +92,7 @@ FailuresToRepeat failures_to_repeat(const std::string& rc_params) {
 
 /// What a run leaves behind as it goes, where its parent can see it even if it dies.
 struct RunSlot {
+  double magnitude = 0;
   std::atomic<bool> is_over{false};  ///< it is to leave the rest out
   std::atomic<std::uint64_t> checks{0};
   PairCase at_work;
@@ -156,6 +157,7 @@ void run_rapidcheck(const Property& property, const Collider& subject, const Pro
     if (!slot.has_failing && !is_over()) ++slot.cases;
     if (outcome.kind != Outcome::Kind::fails) return;
     slot.why.set(outcome.why);  // whatever it is shrunk to fails alike
+    slot.magnitude = outcome.magnitude;
     slot.failing = drawn.pair;
     slot.has_failing = true;
     RC_FAIL(outcome.why);
@@ -199,6 +201,7 @@ void end_halfway(RunSlot& slot, Ending ending) {
 PropertyResult result_of(const RunSlot& slot, const PropertyPlan& plan) {
   PropertyResult result{.passed = slot.passed,
                         .cases = slot.cases,
+                        .magnitude = slot.magnitude,
                         .report = slot.report.str(),
                         .failing = {},
                         .why = slot.why.str(),

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <set>
 #include <thread>
 #include <tuple>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
@@ -21,18 +23,24 @@ bool was_against_subject(const Expectation& expect) {
   return expect.bucket.starts_with("subject/") || expect.bucket.starts_with("both/");
 }
 
-/// Whether it is the recorded bucket, or one of its classes: older files name none, or no bucket.
-bool is_bucket(const std::string& got, const std::string& recorded) {
-  return recorded.empty() || got == recorded || got.starts_with(recorded + '/');
-}
-
 /// What a child that checks a property leaves behind.
 struct OutcomeSlot {
   Outcome::Kind kind = Outcome::Kind::holds;
   SharedText<512> why;
+  double magnitude = 0;
 };
 
-Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
+/// Of a failure that may be accepted by that key.
+Replayed failed_unless_accepted(const std::string& key, double magnitude, const Known& known,
+                                const std::string& expected, const std::string& got) {
+  const auto accepted = known.accepted.find(key);
+  if (accepted == known.accepted.end()) return {false, expected, got};
+  const std::string why = objection(accepted->second.acceptance, magnitude, known.today);
+  if (!why.empty()) return {false, expected, fmt::format("{}: {}", got, why)};
+  return {.passed = true, .expected = got, .got = got, .is_accepted = true};
+}
+
+Replayed replay_property(const CorpusCase& recorded, const Collider& subject, const Known& known,
                          Interruption& interruption) {
   const Property* const property = find_by_name(properties(), recorded.property);
   if (property == nullptr) {
@@ -43,25 +51,45 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject,
   const auto body = [&] {
     const Outcome outcome = check(*property, subject, recorded.pair);
     slot->kind = outcome.kind;
+    slot->magnitude = outcome.magnitude;
     slot->why.set(outcome.why);
   };
   const Ending ending = run_in_child(body, case_seconds_max(subject, subject), interruption);
   if (ending == Ending::stopped) throw Interrupted();
-  if (ending == Ending::crashed) return {false, sentence, "crashed"};
-  if (ending == Ending::timed_out) return {false, sentence, "timed_out"};
-  return {slot->kind != Outcome::Kind::fails, sentence, slot->why.str()};
+  const bool has_ended = ending == Ending::done;
+  const bool fails = !has_ended || slot->kind == Outcome::Kind::fails;
+  if (!fails) {
+    return {
+        .passed = true, .expected = sentence, .got = "", .is_stale = recorded.accepted.has_value()};
+  }
+  const std::string got = has_ended ? slot->why.str() : lost_by(ending).why;
+  return failed_unless_accepted(finding_key(property->name, subject.declaration.name),
+                                slot->magnitude, known, sentence, got);
+}
+
+/// Of a subject that is wrong.
+Replayed replay_wrong(const CorpusCase& recorded, const Judgement& judgement,
+                      const Collider& subject, const Collider& oracle, const Known& known) {
+  const std::string expected = fmt::format("{} to be right", subject.declaration.name);
+  const std::string got = to_string(judgement.bucket);
+  const bool is_again = recorded.expect && !recorded.expect->bucket.empty() &&
+                        is_bucket(got, recorded.expect->bucket);
+  if (!is_again) return {false, expected, got};
+  const std::string key =
+      finding_key(Expectation{subject.declaration.name, oracle.declaration.name, "", got, {}});
+  return failed_unless_accepted(key, judgement.magnitude, known, expected, got);
 }
 
 }  // namespace
 
 Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const Collider& oracle,
-                     Interruption& interruption) {
-  if (!recorded.property.empty()) return replay_property(recorded, subject, interruption);
+                     const Known& known, Interruption& interruption) {
+  if (!recorded.property.empty()) return replay_property(recorded, subject, known, interruption);
   const Judgement judgement = judge_in_child(recorded.pair, subject, oracle, interruption);
   const std::string got = to_string(judgement.bucket);
   const std::string verdict(to_string(judgement.bucket.verdict));
   if (is_failure(judgement.bucket) && judgement.bucket.fault != Fault::oracle) {
-    return {false, fmt::format("{} to be right", subject.declaration.name), got};
+    return replay_wrong(recorded, judgement, subject, oracle, known);
   }
   for (const LedgerEntry& entry : ledger()) {
     const bool is_witness =
@@ -81,7 +109,10 @@ Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const 
       return {false, expected_verdict, verdict};
     }
   }
-  return {true, got, got};
+  return {.passed = true,
+          .expected = got,
+          .got = got,
+          .is_stale = is_stale(recorded, got, subject, oracle)};
 }
 
 std::size_t ReplayRun::failed() const {
@@ -89,22 +120,47 @@ std::size_t ReplayRun::failed() const {
       std::ranges::count_if(cases, [](const ReplayedCase& one) { return !one.result.passed; }));
 }
 
-ReplayRun replay_cases(const std::vector<CorpusCase>& cases, const Collider& subject,
-                       const Collider& oracle, Interruption& interruption) {
-  ReplayRun run{subject.declaration.name, oracle.declaration.name, {}};
+std::size_t ReplayRun::accepted() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(cases, [](const ReplayedCase& one) { return one.result.is_accepted; }));
+}
+
+std::vector<std::string> ReplayRun::stale() const {
+  std::vector<std::string> files;
+  for (const ReplayedCase& one : cases) {
+    if (one.result.is_stale) files.push_back(one.recorded->path);
+  }
+  return files;
+}
+
+ReplayRun replay_cases(const std::vector<CorpusCase>& cases, NamedColliders& colliders,
+                       const Known& known, Interruption& interruption) {
+  ReplayRun run;
+  std::set<std::string> subjects;
+  std::set<std::string> oracles;
   const auto start = Clock::now();
   try {
     for (const CorpusCase& recorded : cases) {
       const auto case_start = Clock::now();
       if (interruption.is_stopped()) break;
-      const Replayed replayed = replay_case(recorded, subject, oracle, interruption);
+      const Collider* const subject = colliders.subject_of(recorded);
+      const Collider* const oracle = colliders.oracle_of(recorded);
+      if (subject == nullptr || oracle == nullptr) {
+        run.unasked.push_back(&recorded);
+        continue;
+      }
+      const Replayed replayed = replay_case(recorded, *subject, *oracle, known, interruption);
       if (interruption.is_stopped()) break;
-      run.cases.push_back({&recorded, replayed, seconds_since(case_start)});
+      run.cases.push_back({&recorded, replayed, seconds_since(case_start), subject, oracle});
+      subjects.insert(subject->declaration.name);
+      oracles.insert(oracle->declaration.name);
     }
   } catch (const Interrupted&) {
     // This one is left out too.
   }
-  run.left_out = cases.size() - run.cases.size();
+  run.subject = fmt::format("{}", fmt::join(subjects, ", "));
+  run.oracle = fmt::format("{}", fmt::join(oracles, ", "));
+  run.left_out = cases.size() - run.cases.size() - run.unasked.size();
   run.seconds = seconds_since(start);
   return run;
 }
@@ -117,23 +173,18 @@ std::string save(const std::string& corpus, const Property& property, const Coll
   CorpusCase failing;
   failing.pair = *result.failing;
   failing.property = std::string(property.name);
+  failing.expect.emplace().subject = subject.declaration.name;
+  failing.expect->magnitude = result.magnitude;
   failing.note = fmt::format("{} {}: {}: {}.", subject.declaration.name,
                              subject.declaration.version, property.sentence, result.why);
   return write_corpus_case(std::filesystem::path(corpus) / "regressions", failing).string();
-}
-
-/// When the first of so many, who share what time is left, must be done.
-Deadline share_of(const Deadline& deadline, std::size_t count) {
-  if (!deadline) return deadline;
-  const auto now = Clock::now();
-  return now + (*deadline - now) / static_cast<int>(count);
 }
 
 }  // namespace
 
 std::vector<CheckedProperty> check_properties(
     const std::vector<const Property*>& chosen, const Collider& subject, const PropertyPlan& plan,
-    const Deadline& deadline, const std::string& save_to,
+    const Known& known, const Deadline& deadline, const std::string& save_to,
     const std::function<void(const CheckedProperty&)>& on_checked) {
   std::vector<CheckedProperty> all;
   Interruption signals(kUntilSignal);
@@ -144,8 +195,15 @@ std::vector<CheckedProperty> check_properties(
     in_turn.interruption = &interruption;
     CheckedProperty checked{property, run_property(*property, subject, in_turn)};
     checked.seconds = seconds_since(start);
+    const auto accepted =
+        known.accepted.find(finding_key(property->name, subject.declaration.name));
+    if (!checked.result.passed && accepted != known.accepted.end()) {
+      checked.objection =
+          objection(accepted->second.acceptance, checked.result.magnitude, known.today);
+      checked.is_accepted = checked.objection.empty();
+    }
     try {
-      if (checked.result.failing && !save_to.empty()) {
+      if (checked.result.failing && !checked.is_accepted && !save_to.empty()) {
         checked.saved = save(save_to, *property, subject, checked.result);
       }
     } catch (const UserError& error) {
@@ -173,7 +231,8 @@ std::vector<CheckedProperty> check_all(const SmokePlan& plan, const std::vector<
                                        const SmokeListener& listener) {
   const PropertyPlan each{plan.seed, kPropertyCases, pairs, {}};
   return check_properties(chosen_by_name(properties(), {}, "property", "property"), plan.subject,
-                          each, plan.at(kPropertyShare), plan.save_to, listener.on_checked);
+                          each, plan.known, plan.at(kPropertyShare), plan.save_to,
+                          listener.on_checked);
 }
 
 Plan campaign_plan(const SmokePlan& smoke, const std::vector<PairCase>& pairs) {
@@ -208,15 +267,16 @@ SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interru
   {
     Interruption in_time(
         {.first_signal = Interruption::State::stopped, .stopped_at = plan.at(kReplayShare)});
-    run.replayed = replay_cases(plan.corpus.cases, plan.subject, plan.oracle, in_time);
+    NamedColliders given([](const auto&) { return std::nullopt; }, plan.subject, plan.oracle);
+    run.replayed = replay_cases(plan.corpus.cases, given, plan.known, in_time);
   }
   listener.on_replayed(run.replayed);
   if (!all.is_stopped()) run.checked = check_all(plan, pairs, listener);
   if (all.is_stopped()) return run;
   const Plan campaign = campaign_plan(plan, pairs);
-  run.campaign = run_campaign(
-      campaign, known_buckets(plan.corpus.cases), {plan.save_to, plan.at(kSavingShare)},
-      plan.origin, [&](const Progress& progress) { listener.on_progress(campaign, progress); });
+  run.campaign =
+      run_campaign(campaign, plan.known, {plan.save_to, plan.at(kSavingShare)}, plan.origin,
+                   [&](const Progress& progress) { listener.on_progress(campaign, progress); });
   listener.on_campaign(*run.campaign);
   return run;
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "campaign/known.hpp"
+#include "campaign/named_colliders.hpp"
 #include "campaign/run.hpp"
 #include "collider/collider.hpp"
 #include "corpus/corpus.hpp"
@@ -27,6 +29,7 @@ struct PropertyPlan {
 struct PropertyResult {
   bool passed = false;
   int cases = 0;                    ///< that were asked about, before anything was shrunk
+  double magnitude = 0;             ///< of the failure, as a share of the size
   std::string report;               ///< what RapidCheck says: the distribution, or the failure
   std::optional<PairCase> failing;  ///< the smallest found, or the one that the collider died of
   std::string why;
@@ -42,36 +45,43 @@ struct Replayed {
   bool passed = false;
   std::string expected;  ///< for people, where it failed
   std::string got;
+  bool is_accepted = false;  ///< it passed although the subject is wrong, as is accepted
+  bool is_stale = false;     ///< it is accepted, and what was accepted did not come again
 };
 
-/// Runs a corpus case again. It passes when the subject is right. Where the recorded pair of
-/// colliders runs, the recorded verdict and bucket must come out too, unless they were against the
-/// subject: that it is right now is what a regression waits for. A case that a property failed on
-/// must pass that property.
+/// Runs a corpus case again. It passes when the subject is right, or wrong as recorded and
+/// accepted. Where the recorded pair of colliders runs, the recorded verdict and bucket must come
+/// out too, unless they were against the subject: that it is right now is what a regression waits
+/// for. A case that a property failed on must pass that property.
 Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const Collider& oracle,
-                     Interruption& interruption);
+                     const Known& known, Interruption& interruption);
 
 /// A corpus case that was run again.
 struct ReplayedCase {
   const CorpusCase* recorded = nullptr;
   Replayed result;
   double seconds = 0;
+  const Collider* subject = nullptr;
+  const Collider* oracle = nullptr;
 };
 
 struct ReplayRun {
-  std::string subject;
+  std::string subject;  ///< several names, where files name several
   std::string oracle;
   std::vector<ReplayedCase> cases;
   double seconds = 0;
-  std::size_t left_out = 0;  ///< cases that were not run, since it was time to stop
+  std::size_t left_out = 0;                  ///< cases that were not run, since it was time to stop
+  std::vector<const CorpusCase*> unasked{};  ///< there is no subject of the name that they have
 
   std::size_t failed() const;
   std::size_t passed() const { return cases.size() - failed(); }
+  std::size_t accepted() const;
+  std::vector<std::string> stale() const;
 };
 
-/// Every case again, as far as there is time; the run refers to the cases.
-ReplayRun replay_cases(const std::vector<CorpusCase>& cases, const Collider& subject,
-                       const Collider& oracle, Interruption& interruption);
+/// Every case again, as far as there is time; the run refers to the cases and to the colliders.
+ReplayRun replay_cases(const std::vector<CorpusCase>& cases, NamedColliders& colliders,
+                       const Known& known, Interruption& interruption);
 
 /// A property that was run over a collider.
 struct CheckedProperty {
@@ -80,8 +90,10 @@ struct CheckedProperty {
   double seconds = 0;
   std::string saved{};        ///< the file its failing case was written to, or empty
   std::string why_unsaved{};  ///< why it could not be
+  bool is_accepted = false;   ///< it fails, no worse than the corpus accepts
+  std::string objection{};    ///< why not, where the corpus accepts less
 
-  bool holds() const { return result.passed; }
+  bool holds() const { return result.passed || is_accepted; }
   /// Whether there was no time for a single case.
   bool is_left_out() const { return result.passed && result.cases == 0; }
 };
@@ -91,7 +103,7 @@ struct CheckedProperty {
 /// `on_checked` runs after each.
 std::vector<CheckedProperty> check_properties(
     const std::vector<const Property*>& chosen, const Collider& subject, const PropertyPlan& plan,
-    const Deadline& deadline, const std::string& save_to,
+    const Known& known, const Deadline& deadline, const std::string& save_to,
     const std::function<void(const CheckedProperty&)>& on_checked);
 
 /// A corpus again, every property and a campaign, within so many seconds, however slow the
@@ -100,6 +112,7 @@ struct SmokePlan {
   Collider subject;
   Collider oracle;
   Corpus corpus;
+  Known known{};  ///< of the corpus
   std::uint64_t seed = 0;
   std::string save_to{};  ///< a corpus folder; empty: nowhere
   Origin origin{};

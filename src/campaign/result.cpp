@@ -56,13 +56,28 @@ bool is_vacuous(const CampaignResult& result) {
   return cases >= kVacuousCases && touching == 0;
 }
 
-bool decides_status(const Bucket& bucket, bool is_new) {
-  return is_failure(bucket) || (is_new && bucket.verdict == Verdict::oracle_wrong);
+std::uint64_t CampaignResult::accepted() const {
+  std::uint64_t sum = 0;
+  for (const BucketResult& found : buckets) sum += found.is_accepted ? found.count : 0;
+  return sum;
 }
 
 bool decides_status(const BucketResult& found) {
+  if (found.is_accepted || found.is_in_baseline) return false;
   const auto bucket = find_bucket(found.bucket);
-  return !bucket || decides_status(*bucket, found.is_new);
+  return !bucket || is_failure(*bucket) ||
+         (found.is_new && bucket->verdict == Verdict::oracle_wrong);
+}
+
+std::uint64_t failures_in(const CampaignResult& result, const std::string& regime) {
+  std::uint64_t sum = 0;
+  for (const BucketResult& found : result.buckets) {
+    const auto bucket = find_bucket(found.bucket);
+    const auto count = found.regimes.find(regime);
+    if (!bucket || !is_failure(*bucket) || !decides_status(found)) continue;
+    if (count != found.regimes.end()) sum += count->second;
+  }
+  return sum;
 }
 
 bool has_failed(const CampaignResult& result) {

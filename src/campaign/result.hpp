@@ -26,7 +26,7 @@ namespace manifuzz {
 /// Counts are so small that sums of them are exact, in this program and in any that reads JSON.
 inline constexpr std::uint64_t kCountMax = std::uint64_t{1} << 53;
 
-/// A regime's counts, of which `failures` are not in JSON.
+/// A regime's counts.
 struct RegimeResult : RegimeTally {
   std::string name;
 };
@@ -44,13 +44,17 @@ struct BucketResult {
   std::string bucket;
   std::string verdict{};
   std::uint64_t count = 0;
-  std::uint64_t seed = 0;         ///< of its first case
-  std::uint64_t first_index = 0;  ///< of its first case, in `regime`
+  std::map<std::string, std::uint64_t> regimes{};  ///< the count in each where it was met
+  std::uint64_t seed = 0;                          ///< of its first case
+  std::uint64_t first_index = 0;                   ///< of its first case, in `regime`
   std::string regime{};
-  double magnitude = 0;   ///< the greatest; may be infinite
-  std::string file{};     ///< of the corpus, or empty
-  std::string command{};  ///< repeats the first case
-  bool is_new = false;    ///< the corpus did not show it before
+  double magnitude = 0;         ///< the greatest; may be infinite
+  std::string file{};           ///< of the corpus, or empty
+  std::string command{};        ///< repeats the first case
+  bool is_new = false;          ///< neither corpus nor baseline showed it before
+  bool is_accepted = false;     ///< the corpus accepts it, no worse and no more often
+  std::string objection{};      ///< why not, where it accepts less
+  bool is_in_baseline = false;  ///< it is known, and no worse than in the baseline
 };
 
 /// Which cases were run: of each regime so many from `first` on, under a seed.
@@ -91,8 +95,10 @@ struct CampaignResult {
   ManifoldError of_subject;        ///< the worst errors of wrong answers
   ManifoldError of_oracle;
   bool interrupted = false;
-  bool stopped_early = false;  ///< a collider gave no answer again and again
-  bool budgets_hold = false;   ///< whether the ledger's budgets apply to it
+  std::uint64_t unshrunk = 0;        ///< new findings that there was no time to make smaller
+  std::vector<std::string> stale{};  ///< files whose finding is accepted and comes no more
+  bool stopped_early = false;        ///< a collider gave no answer again and again
+  bool budgets_hold = false;         ///< whether the ledger's budgets apply to it
   std::vector<RegimeResult> regimes;
   std::vector<LedgerResult> ledger;
   std::vector<BucketResult> buckets;
@@ -101,6 +107,7 @@ struct CampaignResult {
   std::uint64_t touching() const { return sum_of(regimes, &RegimeTally::touching); }
   std::uint64_t near() const { return sum_of(regimes, &RegimeTally::near); }
   std::uint64_t unexplained() const;
+  std::uint64_t accepted() const;             ///< of those, the accepted ones
   double seconds() const;                     ///< of all parts
   std::optional<std::uint64_t> seed() const;  ///< none: several
   std::uint64_t first() const;                ///< the least index in each regime
@@ -111,11 +118,13 @@ struct CampaignResult {
 inline constexpr std::uint64_t kVacuousCases = 1000;
 bool is_vacuous(const CampaignResult& result);
 
-/// Whether a bucket is one that the status must tell: anything against the subject, and what is
-/// new against the oracle.
-bool decides_status(const Bucket& bucket, bool is_new);
-/// One that this version does not know is nothing to be silent about.
+/// Whether the status must tell of a finding: anything against the subject, and what is new against
+/// the oracle, unless it is accepted or the baseline has it. A bucket that this version does not
+/// know is nothing to be silent about.
 bool decides_status(const BucketResult& found);
+
+/// How many cases of a regime have findings against the subject that decide the status.
+std::uint64_t failures_in(const CampaignResult& result, const std::string& regime);
 
 /// Whether the status must tell of it: such a bucket, an entry of the ledger over its budget, or a
 /// vacuous run.
@@ -154,10 +163,10 @@ RunFiles read_run_files(std::span<const std::filesystem::path> paths);
 /// of its own is not held to them.
 bool holds_budgets(const Plan& plan);
 
-/// Whether an entry fired more often in so many cases of a regime than its budget and five standard
-/// deviations of chance allow. The regime `corpus`, which depends on what the corpus holds, has
-/// none.
-bool is_over_budget(const LedgerEntry& entry, std::string_view regime, std::uint64_t hits,
+/// Whether something was met more often in so many cases of a regime than its budget and five
+/// standard deviations of chance allow. The regime `corpus`, which depends on what the corpus
+/// holds, has none.
+bool is_over_budget(double per_million, std::string_view regime, std::uint64_t hits,
                     std::uint64_t cases);
 
 /// Every entry of the plan's oracle.
@@ -179,6 +188,9 @@ CampaignResult read_baseline(const std::string& path);
 std::string differences_in_words(const CampaignResult& earlier, const CampaignResult& now);
 
 BucketComparison compared(const CampaignResult& earlier, const CampaignResult& now);
+
+/// Marks what decides no status beside a baseline: all that is not new and no worse there.
+void hold_against(const CampaignResult& earlier, CampaignResult& now);
 
 /// For people: what differs in the terms, and the buckets that are new, worse or gone.
 std::string comparison_text(const CampaignResult& earlier, const CampaignResult& now);

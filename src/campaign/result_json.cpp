@@ -10,6 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Count = std::uint64_t;
+using OfRegimes = std::map<std::string, Count>;
 
 template <class T>
 Json or_null(const std::optional<T>& value) {
@@ -36,16 +37,21 @@ Json json_of(const LedgerResult& entry) {
 }
 
 Json json_of(const BucketResult& found) {
-  return {{"bucket", found.bucket},
-          {"verdict", found.verdict},
-          {"count", found.count},
-          {"seed", found.seed},
-          {"first_index", found.first_index},
-          {"regime", found.regime},
-          {"magnitude", found.magnitude},
-          {"file", found.file},
-          {"command", found.command},
-          {"new", found.is_new}};
+  Json json{{"bucket", found.bucket},
+            {"verdict", found.verdict},
+            {"count", found.count},
+            {"regimes", found.regimes},
+            {"seed", found.seed},
+            {"first_index", found.first_index},
+            {"regime", found.regime},
+            {"magnitude", found.magnitude},
+            {"file", found.file},
+            {"command", found.command},
+            {"new", found.is_new},
+            {"accepted", found.is_accepted},
+            {"in_baseline", found.is_in_baseline}};
+  if (!found.objection.empty()) json["objection"] = found.objection;
+  return json;
 }
 
 Json json_of(const CasesRun& part) {
@@ -116,13 +122,17 @@ BucketResult read_bucket(const JsonView& row, Count seed) {
   return {.bucket = std::string(row.at("bucket").string()),
           .verdict = std::string(row.at("verdict").string()),
           .count = count_in(row, "count"),
+          .regimes = row.find("regimes") ? read_counts(row.at("regimes")) : OfRegimes{},
           .seed = row.find("seed") ? whole_in(row, "seed") : seed,
           .first_index = whole_in(row, "first_index"),
           .regime = std::string(row.at("regime").string()),
           .magnitude = row.at("magnitude").magnitude(),
           .file = std::string(row.at("file").string()),
           .command = std::string(row.at("command").string()),
-          .is_new = flag_in(row, "new")};
+          .is_new = flag_in(row, "new"),
+          .is_accepted = flag_in(row, "accepted"),
+          .objection = row.string_or("objection", ""),
+          .is_in_baseline = flag_in(row, "in_baseline")};
 }
 
 CasesRun read_part(const JsonView& part) {
@@ -218,6 +228,9 @@ Json json_of(const CampaignResult& result) {
     json["verdicts"][std::string(kVerdictNames[i])] = result.verdicts[i];
   }
   json["unexplained"] = result.unexplained();
+  json["accepted"] = result.accepted();
+  json["stale"] = result.stale;
+  json["unshrunk"] = result.unshrunk;
   if (!settings.allowances.empty()) {
     json["allowances"] = settings.allowances;
     json["by_tolerance"] = result.by_tolerance;
@@ -254,6 +267,10 @@ CampaignResult read_campaign_result(const JsonView& root) {
     result.of_subject = read_error(worst->at("subject"));
     result.of_oracle = read_error(worst->at("oracle"));
   }
+  if (const auto stale = root.find("stale")) {
+    for (const JsonView& file : stale->elements()) result.stale.emplace_back(file.string());
+  }
+  result.unshrunk = count_or(root, "unshrunk", 0);
   result.interrupted = flag_in(root, "interrupted");
   result.stopped_early = flag_in(root, "stopped_early");
   result.budgets_hold = flag_in(root, "budgets_hold");

@@ -5,31 +5,49 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "campaign/in_child.hpp"
 
 namespace manifuzz {
 namespace {
 
 /// The first round is over in a moment. Each is twice as long as the one before, so that a round's
-/// start weighs little, up to a few seconds.
+/// start weighs little, up to what a slow collider answers in some seconds.
 constexpr CaseNumber kFirstRound = 1024;
-constexpr CaseNumber kLongestRound = 1 << 18;
+constexpr CaseNumber kLongestRound = 1 << 15;
 
-/// Every case of the plan, or, where it ends at what is new, rounds of them, up to the end of the
-/// first round that fills a bucket which is not among the known. Rounds depend on the plan's cases
-/// alone, so that any number of jobs finds the same.
-JobsResult run_plan(const Plan& plan, const KnownBuckets& known, Interruption& interruption,
+/// The cases of one round. Where one of them ends the plan, those up to it again: the first time,
+/// jobs had run other cases behind it, which ones is chance.
+JobsResult run_round(const Plan& plan, SharedQueue::Block cases, Interruption& interruption,
+                     const OnProgress& on_progress) {
+  JobsResult round = run_jobs(plan, cases, interruption, on_progress);
+  if (!round.sought) return round;
+  Plan to_the_end = plan;
+  to_the_end.ends_with = {};
+  JobsResult again =
+      run_jobs(to_the_end, {cases.begin, *round.sought + 1}, interruption, on_progress);
+  again.seconds += round.seconds;
+  again.sought = round.sought;
+  return again;
+}
+
+/// Every case of the plan, or, where it ends at what is new and wrong, rounds of them, up to the
+/// first such case: any number of jobs ends at the same.
+JobsResult run_plan(const Plan& plan, const Known& known, Interruption& interruption,
                     const OnProgress& on_progress) {
   const CaseNumber end = plan.cases_max();
   if (!plan.until_new) return run_jobs(plan, {0, end}, interruption, on_progress);
   JobsResult all{.tally = std::make_unique<Tally>()};
   Plan rest = plan;  // with the time that is left
+  rest.ends_with = [&](const Judgement& judgement) {
+    return is_new_and_wrong(judgement, plan, known);
+  };
   CaseNumber length = kFirstRound;
   for (CaseNumber begin = 0; begin < end; begin += length) {
     if (begin > 0) length = std::min(2 * length, kLongestRound);
     length = std::min(length, end - begin);
     if (plan.seconds) rest.seconds = *plan.seconds - all.seconds;
     JobsResult round =
-        run_jobs(rest, {begin, begin + length}, interruption, [&](const Progress& so_far) {
+        run_round(rest, {begin, begin + length}, interruption, [&](const Progress& so_far) {
           const auto tally = std::make_unique<Tally>(so_far.tally);
           tally->add(*all.tally);
           on_progress({*tally, all.seconds + so_far.seconds});
@@ -38,8 +56,7 @@ JobsResult run_plan(const Plan& plan, const KnownBuckets& known, Interruption& i
     round.seconds += all.seconds;
     all = std::move(round);
     const bool is_time_up = plan.seconds && all.seconds >= *plan.seconds;
-    const bool is_over = all.interrupted || all.given_up != Fault::none || is_time_up;
-    if (is_over || has_new(findings(*all.tally, plan, known))) break;
+    if (all.interrupted || all.given_up != Fault::none || is_time_up || all.sought) break;
   }
   return all;
 }
@@ -93,12 +110,22 @@ void add_provenance(CampaignResult& result, const nlohmann::ordered_json& proven
   }
 }
 
+std::map<std::string, std::uint64_t> counts_of(const Finding& finding, const Plan& plan) {
+  std::map<std::string, std::uint64_t> counts;
+  for (std::size_t r = 0; r < plan.regimes.size(); ++r) {
+    const std::uint64_t count = finding.tally.regimes[r];
+    if (count > 0) counts[std::string(plan.regimes[r]->name)] = count;
+  }
+  return counts;
+}
+
 BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::string& command) {
   const CaseNumber first = finding.tally.first;
   const std::string regime(plan.regimes[plan.regime_of(first)]->name);
   return {.bucket = to_string(finding.bucket),
           .verdict = std::string(to_string(finding.bucket.verdict)),
           .count = finding.tally.count,
+          .regimes = counts_of(finding, plan),
           .seed = plan.seed,
           .first_index = plan.index_of(first),
           .regime = regime,
@@ -106,7 +133,9 @@ BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::
           .file = finding.file,
           .command = fmt::format("{} --regime {} --seed {} --first {} --cases 1", command, regime,
                                  plan.seed, plan.index_of(first)),
-          .is_new = finding.is_new};
+          .is_new = finding.is_new,
+          .is_accepted = finding.is_accepted,
+          .objection = finding.objection};
 }
 
 CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
@@ -121,6 +150,7 @@ CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
   result.of_subject = tally.of_subject;
   result.of_oracle = tally.of_oracle;
   result.interrupted = campaign.run.interrupted || campaign.saving.interrupted;
+  result.unshrunk = campaign.saving.unshrunk;
   result.stopped_early = campaign.run.given_up != Fault::none;
   result.budgets_hold = holds_budgets(plan);
   CasesRun part{plan.seed, plan.first, {}, campaign.run.seconds};
@@ -136,9 +166,33 @@ CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
   return result;
 }
 
+/// The files whose finding is accepted and does not come any more, asked again.
+std::vector<std::string> stale_files(const Plan& plan, const Known& known,
+                                     Interruption& interruption) {
+  std::vector<std::string> stale;
+  for (const auto& [key, accepted] : known.accepted) {
+    if (interruption.state() != Interruption::State::running) break;
+    try {
+      const CorpusCase known_case = read_case_file(accepted.file);
+      const Judgement judgement =
+          judge_in_child(known_case.pair, plan.subject, plan.oracle, interruption);
+      if (is_stale(known_case, to_string(judgement.bucket), plan.subject, plan.oracle)) {
+        stale.push_back(accepted.file);
+      }
+    } catch (const UserError&) {
+      // Somebody took the file away meanwhile.
+    } catch (const Interrupted&) {
+      break;
+    }
+  }
+  std::ranges::sort(stale);
+  stale.erase(std::ranges::unique(stale).begin(), stale.end());
+  return stale;
+}
+
 }  // namespace
 
-Campaign run_campaign(const Plan& plan, const KnownBuckets& known, const SaveTo& save_to,
+Campaign run_campaign(const Plan& plan, const Known& known, const SaveTo& save_to,
                       const Origin& origin, const OnProgress& on_progress) {
   Interruption interruption;  // until it is saved: a signal between the steps ends no step
   Campaign campaign{plan, run_plan(plan, known, interruption, on_progress), {}, {}, {}};
@@ -147,12 +201,13 @@ Campaign run_campaign(const Plan& plan, const KnownBuckets& known, const SaveTo&
   if (!save_to.folder.empty()) {
     using State = Interruption::State;
     campaign.saving =
-        save_new(campaign.findings, plan, save_to,
+        save_new(campaign.findings, *run.tally, plan, save_to,
                  run.interrupted ? State::hurried : State::running, [&](const std::string& text) {
                    on_progress({*run.tally, run.seconds, text});
                  });
   }
   campaign.result = result_of(campaign, origin);
+  campaign.result.stale = stale_files(plan, known, interruption);
   return campaign;
 }
 

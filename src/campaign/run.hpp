@@ -24,7 +24,8 @@ using OnProgress = std::function<void(const Progress&)>;
 struct JobsResult {
   std::unique_ptr<Tally> tally;
   double seconds = 0;
-  bool interrupted = false;  ///< somebody asked to stop before the plan was done
+  bool interrupted = false;            ///< somebody asked to stop before the plan was done
+  std::optional<CaseNumber> sought{};  ///< the first with which the plan is to end
   /// Who gave no answer again and again, which ended it.
   Fault given_up = Fault::none;
   std::string why_given_up{};  ///< what became of its last answer, in words
@@ -55,7 +56,7 @@ struct Origin {
 /// shrunk and saved, what decides the status first; once somebody has asked to stop, it is saved as
 /// it was seen. `on_progress` runs a few times a second, and before each finding that is saved.
 /// What the plan's context refers to must outlive the campaign.
-Campaign run_campaign(const Plan& plan, const KnownBuckets& known, const SaveTo& save_to,
+Campaign run_campaign(const Plan& plan, const Known& known, const SaveTo& save_to,
                       const Origin& origin, const OnProgress& on_progress);
 
 }  // namespace manifuzz

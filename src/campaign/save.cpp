@@ -14,56 +14,6 @@
 namespace manifuzz {
 namespace {
 
-/// The bucket, with the names of those at fault.
-std::string key_of(std::string_view bucket, std::string_view subject, std::string_view oracle) {
-  const std::string_view fault = bucket.substr(0, bucket.find('/'));
-  return fmt::format("{}|{}|{}", bucket,
-                     fault == "subject" || fault == "both" ? subject : std::string_view(),
-                     fault == "oracle" || fault == "both" ? oracle : std::string_view());
-}
-
-}  // namespace
-
-std::string finding_key(const Expectation& expect) {
-  return key_of(expect.bucket, expect.subject, expect.oracle);
-}
-
-KnownBuckets known_buckets(std::span<const CorpusCase> corpus) {
-  KnownBuckets files;
-  for (const CorpusCase& known : corpus) {
-    if (!known.expect) continue;
-    files.emplace(finding_key(*known.expect), known.path);
-    const auto bucket = find_bucket(known.expect->bucket);
-    if (!bucket || bucket->error_class != ErrorClass::none) continue;
-    Expectation of_class = *known.expect;  // older files name no class: they show each
-    for (const ErrorClass each : {ErrorClass::rounding, ErrorClass::fine, ErrorClass::gross}) {
-      of_class.bucket = fmt::format("{}/{}", known.expect->bucket, name_of(each, kErrorClassNames));
-      files.emplace(finding_key(of_class), known.path);
-    }
-  }
-  return files;
-}
-
-std::vector<Finding> findings(const Tally& tally, const Plan& plan, const KnownBuckets& known) {
-  std::vector<Finding> found;
-  for (std::size_t i = 0; i < kBucketCount; ++i) {
-    if (tally.buckets[i].count == 0) continue;
-    Finding finding{bucket_at(i), tally.buckets[i], false, {}};
-    const auto shown = known.find(key_of(to_string(finding.bucket), plan.subject.declaration.name,
-                                         plan.oracle.declaration.name));
-    if (shown != known.end()) finding.file = shown->second;
-    finding.is_new = finding.file.empty();
-    found.push_back(finding);
-  }
-  return found;
-}
-
-bool has_new(std::span<const Finding> found) {
-  return std::ranges::any_of(found, &Finding::is_new);
-}
-
-namespace {
-
 std::string note_of(const PairCase& pair, const Judgement& judgement, const Collider& subject,
                     const Collider& oracle) {
   if (judgement.explanation != nullptr) {
@@ -108,8 +58,9 @@ std::optional<double> recorded_severity(const PairCase& pair, const Bucket& find
   return std::round(found.share() * 1000) / 1000;
 }
 
-/// The finding's case as it was met: where it was found, and by which versions.
-Found found_at(const Plan& plan, CaseNumber number) {
+/// The finding's case as it was met: where it was found, how often, and by which versions.
+Found found_at(const Finding& finding, const Tally& tally, const Plan& plan) {
+  const CaseNumber number = finding.tally.worst;
   Found found{.seed = plan.seed,
               .regime = std::string(plan.regimes[plan.regime_of(number)]->name),
               .index = plan.index_of(number),
@@ -117,20 +68,23 @@ Found found_at(const Plan& plan, CaseNumber number) {
   for (const Collider* collider : {&plan.subject, &plan.oracle}) {
     found.versions[collider->declaration.name] = collider->declaration.version;
   }
+  if (is_unexplained(finding.bucket.verdict)) found.seen = seen_of(finding, tally, plan);
   return found;
 }
 
-/// Shrinks the finding's worst witness, if there is time, and writes it to the corpus, and beside
-/// it the worst as it was seen; sets `file`. Throws UserError where it cannot be written, and
-/// Interrupted.
-void save_finding(Finding& finding, const Plan& plan, const std::filesystem::path& corpus,
+/// Shrinks the finding's worst witness, until there is no more time, and writes it to the corpus,
+/// and beside it the worst as it was seen; sets `file`. Whether it is as small as can be. Throws
+/// UserError where it cannot be written, and Interrupted.
+bool save_finding(Finding& finding, const Tally& tally, const Plan& plan,
+                  const std::filesystem::path& corpus, const Deadline& shrink_until,
                   Interruption& interruption) {
+  const Found found = found_at(finding, tally, plan);
   const auto judged = [&](const PairCase& pair) {
     return judge_in_child(pair, plan.subject, plan.oracle, interruption);
   };
   const auto recorded = [&](const PairCase& pair, const Judgement& judgement) {
     CorpusCase saved = recorded_case(pair, judgement, plan.subject, plan.oracle, interruption);
-    saved.found = found_at(plan, finding.tally.worst);
+    saved.found = found;
     return saved;
   };
   const PairCase worst = plan.pair(finding.tally.worst);
@@ -140,27 +94,18 @@ void save_finding(Finding& finding, const Plan& plan, const std::filesystem::pat
     CorpusCase unrepeated = recorded(worst, {finding.bucket, finding.tally.magnitude});
     unrepeated.note += fmt::format(" Asked again, alone, it is {}.", to_string(of_worst.bucket));
     finding.file = write_corpus_case(folder, unrepeated).string();
-    return;
+    return true;
   }
-  PairCase smallest = worst;
+  Shrunk smallest{.pair = worst, .complete = false};
   if (interruption.state() == Interruption::State::running) {
-    smallest = shrink_finding(worst, plan.subject, plan.oracle, interruption).pair;
+    smallest = shrink_finding(worst, plan.subject, plan.oracle, interruption, shrink_until);
   }
-  const auto file = write_corpus_case(folder, recorded(smallest, judged(smallest)));
+  CorpusCase saved = recorded(smallest.pair, judged(smallest.pair));
+  saved.found->is_unshrunk = !smallest.complete;
+  const auto file = write_corpus_case(folder, saved);
   finding.file = file.string();
-  if (worst != smallest) write_worst_case(file, recorded(worst, of_worst));
-}
-
-/// What is new, what decides the status first: there may not be time for all.
-std::vector<Finding*> to_save(std::vector<Finding>& found) {
-  std::vector<Finding*> fresh;
-  for (Finding& finding : found) {
-    if (finding.is_new) fresh.push_back(&finding);
-  }
-  std::ranges::stable_sort(fresh, {}, [](const Finding* finding) {
-    return !decides_status(finding->bucket, finding->is_new);
-  });
-  return fresh;
+  if (worst != smallest.pair) write_worst_case(file, recorded(worst, of_worst));
+  return smallest.complete;
 }
 
 }  // namespace
@@ -179,6 +124,12 @@ std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& ora
     default:
       return "regressions";
   }
+}
+
+std::filesystem::path corpus_folder(const CorpusCase& known) {
+  if (!known.property.empty()) return "regressions";
+  const auto bucket = known.expect ? find_bucket(known.expect->bucket) : std::nullopt;
+  return bucket ? corpus_folder(*bucket, known.expect->oracle) : "seeds";
 }
 
 CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const Collider& subject,
@@ -209,21 +160,31 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
   return recorded;
 }
 
-Saving save_new(std::vector<Finding>& found, const Plan& plan, const SaveTo& save_to,
-                Interruption::State begins,
+Saving save_new(std::vector<Finding>& found, const Tally& tally, const Plan& plan,
+                const SaveTo& save_to, Interruption::State begins,
                 const std::function<void(const std::string&)>& on_finding) {
   Interruption signals;
   Interruption interruption({.begins = begins, .stopped_at = save_to.deadline});
   Saving saving;
-  for (Finding* const finding : to_save(found)) {
+  std::vector<Finding*> left;
+  for (Finding& finding : found) {
+    if (finding.is_new) left.push_back(&finding);
+  }
+  const Clock::time_point end = after(save_to.shrink_seconds);
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    Finding& finding = *left[i];
     if (interruption.is_stopped()) {
       ++saving.unsaved;
       continue;
     }
     const bool is_shrunk = interruption.state() == Interruption::State::running;
-    on_finding((is_shrunk ? "shrinking " : "saving ") + to_string(finding->bucket));
+    on_finding(fmt::format("{} {} ({} of {})", is_shrunk ? "shrinking" : "saving",
+                           to_string(finding.bucket), i + 1, left.size()));
     try {
-      save_finding(*finding, plan, save_to.folder, interruption);
+      const Deadline in_turn = share_of(end, left.size() - i);
+      const bool is_small =
+          save_finding(finding, tally, plan, save_to.folder, in_turn, interruption);
+      if (!is_small) ++saving.unshrunk;
     } catch (const Interrupted&) {
       ++saving.unsaved;
     } catch (const UserError& error) {

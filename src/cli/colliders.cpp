@@ -10,6 +10,7 @@
 #include "cli/options.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "own_colliders/own_colliders.hpp"
+#include "report/outputs.hpp"
 
 namespace manifuzz {
 namespace {
@@ -126,6 +127,7 @@ Collider with_tie_bias(const Collider& collider, double tie_bias) {
 }
 
 std::string option_again(const ColliderChoice& choice) {
+  if (!choice.is_given()) return "";
   if (choice.command.empty()) {
     const std::filesystem::path library(choice.name);
     std::string name =
@@ -137,6 +139,22 @@ std::string option_again(const ColliderChoice& choice) {
 }
 
 }  // namespace
+
+NamedColliders::Find find_installed_or_named(std::vector<std::filesystem::path> corpora) {
+  return [subjects = read_subjects(corpora)](const std::string& name) -> std::optional<Collider> {
+    const auto named = subjects.find(name);
+    if (named == subjects.end()) return find_installed(name);
+    try {
+      Collider found = find_collider({"subject", named->second.library, named->second.command}, {});
+      if (found.declaration.name == name) return found;
+      throw UserError(fmt::format("is called '{}' there, and declares the name '{}'",
+                                  printable(name), printable(found.declaration.name)));
+    } catch (const UserError& error) {
+      write_complaint(fmt::format("subjects.json: {}: {}", printable(name), error.what()));
+      return std::nullopt;
+    }
+  };
+}
 
 bool is_findable(const std::string& name) {
   return is_library(name) || find_entry(name) != nullptr;
@@ -177,8 +195,14 @@ Collider find_collider(const ColliderChoice& choice, const ExternalOptions& exte
   }
 }
 
+std::optional<Collider> given_collider(const ColliderChoice& choice,
+                                       const ExternalOptions& external) {
+  return choice.is_given() ? std::optional(find_collider(choice, external)) : std::nullopt;
+}
+
 std::string options_again(const SubjectAndOracle& colliders) {
-  return option_again(colliders.subject) + ' ' +
+  const std::string subject = option_again(colliders.subject);
+  return subject + (subject.empty() ? "" : " ") +
          options_again(colliders.oracle, colliders.external);
 }
 

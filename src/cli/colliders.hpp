@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -7,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "campaign/named_colliders.hpp"
 #include "collider/collider.hpp"
 #include "oracle/external/external_collider.hpp"
 
@@ -26,6 +28,10 @@ const ColliderEntry* find_entry(std::string_view name);
 
 /// The collider of that name; nothing where there is none, or where it is not installed.
 std::optional<Collider> find_installed(const std::string& name);
+
+/// The same, or what a file subjects.json beside these corpora gives that name; what is wrong with
+/// that is an error line.
+NamedColliders::Find find_installed_or_named(std::vector<std::filesystem::path> corpora);
 
 /// The collider of that name. Throws UserError that lists the names.
 Collider find_collider(std::string_view name);
@@ -64,6 +70,10 @@ void add_subject_and_oracle(CLI::App& app, SubjectAndOracle& colliders);
 /// what there is instead, or what is wrong with a library or a program.
 Collider find_collider(const ColliderChoice& choice, const ExternalOptions& external,
                        std::optional<double> tie_bias = {});
+
+/// The same, or nothing where none was named.
+std::optional<Collider> given_collider(const ColliderChoice& choice,
+                                       const ExternalOptions& external);
 
 /// Whether that names a collider in `list colliders` or a shared library.
 bool is_findable(const std::string& name);

@@ -157,6 +157,22 @@ void add_corpus(CLI::App& app, std::string& folder, const std::string& descripti
   app.add_option("--corpus", folder, description)->type_name("DIR")->capture_default_str();
 }
 
+void add_day(CLI::App& app, const std::string& name, std::string& day,
+             const std::string& description) {
+  app.add_option(name, day, description)
+      ->type_name("YYYY-MM-DD")
+      ->check([](const std::string& text) {
+        return is_day(text) ? ""
+                            : fmt::format("'{}' is no day; one such as 2027-01-31 is expected",
+                                          printable(text));
+      });
+}
+
+void add_today(CLI::App& app, std::string& day) {
+  day = today();
+  add_day(app, "--today", day, "the day that acceptances are held against, for tests");
+}
+
 std::string corpus_again(const std::string& folder) {
   return folder == "corpus" ? "" : " --corpus " + quoted_for_shell(folder);
 }
@@ -202,9 +218,9 @@ std::string case_file(const CaseArgument& argument) {
 }
 
 std::span<const Command> commands() {
-  static const Command all[] = {kFuzz,     kReplay, kProperty, kSmoke, kCollide, kJudge,
-                                kGenerate, kShrink, kShow,     kBench, kStress,  kScene,
-                                kDigest,   kReport, kMerge,    kList};
+  static const Command all[] = {kFuzz,   kReplay,   kProperty, kSmoke, kCollide, kJudge,
+                                kAccept, kGenerate, kShrink,   kShow,  kBench,   kStress,
+                                kScene,  kDigest,   kReport,   kMerge, kList};
   return all;
 }
 

@@ -53,6 +53,11 @@ void add_regimes(CLI::App& app, std::vector<std::string>& names);
 void add_corpus(CLI::App& app, std::string& folder, const std::string& description);
 /// Such a folder again, for a shell; nothing for the usual one.
 std::string corpus_again(const std::string& folder);
+/// An option that takes a day, as 2027-01-31.
+void add_day(CLI::App& app, const std::string& name, std::string& day,
+             const std::string& description);
+/// Adds --today, which acceptances end by.
+void add_today(CLI::App& app, std::string& day);
 void add_no_save(CLI::App& app, bool& no_save);
 /// Adds --junit.
 void add_junit(CLI::App& app, std::string& file);
@@ -105,6 +110,7 @@ Run define(CLI::App& app) {
 }
 
 // Each in a file of its own.
+extern const Command kAccept;
 extern const Command kBench;
 extern const Command kCollide;
 extern const Command kDigest;

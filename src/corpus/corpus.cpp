@@ -19,6 +19,7 @@ constexpr std::string_view kEnding = ".json";
 constexpr std::string_view kWorstEnding = ".worst.json";
 
 bool holds_cases(const fs::path& path) {
+  if (path.filename() == "subjects.json") return false;  // names colliders
   return path.extension() == ".json" || path.extension() == ".jsonl";
 }
 
@@ -154,6 +155,26 @@ fs::path write_corpus_case(const fs::path& folder, const CorpusCase& corpus_case
   const bool holds_it = fs::is_regular_file(file, unknown);  // else it would have another name
   if (!holds_it) write_file(file, format_case(corpus_case));
   return file;
+}
+
+void write_acceptance(const std::string& file, const std::optional<Acceptance>& acceptance) {
+  CorpusCase known = read_case_file(file);
+  std::string text = InputFile(file).read_all();  // all else stays as it is written
+  if (known.accepted) {
+    const std::string member = acceptance_member(*known.accepted);
+    const std::size_t at = text.find(member);
+    if (at == std::string::npos) {
+      known.accepted.reset();
+      text = format_case(known);
+    } else {
+      text.erase(at, member.size());
+    }
+  }
+  if (acceptance) {
+    const std::size_t end = text.find_last_not_of(" \t\r\n", text.rfind('}') - 1) + 1;
+    text.insert(end, acceptance_member(*acceptance));
+  }
+  write_file(file, text);
 }
 
 fs::path worst_beside(const fs::path& file) {

@@ -13,6 +13,7 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "corpus/acceptance.hpp"
 #include "exchange/json.hpp"
 #include "geometry/pair_case.hpp"
 
@@ -24,6 +25,8 @@ struct Found {
   std::string regime;
   std::uint64_t index = 0;
   std::map<std::string, std::string> versions;  ///< of the colliders that ran, by name
+  std::optional<Seen> seen = {};                ///< of what somebody is to blame for
+  bool is_unshrunk = false;                     ///< there was no time to make it smaller
 };
 
 /// What was seen when the case was saved. Empty strings were not recorded.
@@ -42,6 +45,7 @@ struct CorpusCase {
   PairCase pair;
   std::optional<Found> found;
   std::optional<Expectation> expect;
+  std::optional<Acceptance> accepted = {};
   std::string property;  ///< the property that failed on it, or empty
   std::string note;      ///< a sentence of why it is kept, or empty
   std::string path;  ///< the file it was read from, with :line for a line; for errors and reports
@@ -98,6 +102,9 @@ std::filesystem::path corpus_file(const std::filesystem::path& folder,
 /// already stays as it is, whatever was noted in it since. Returns its path. Throws UserError.
 std::filesystem::path write_corpus_case(const std::filesystem::path& folder,
                                         const CorpusCase& corpus_case);
+
+/// Writes that acceptance into the case's file, or, with none, takes it out. Throws UserError.
+void write_acceptance(const std::string& file, const std::optional<Acceptance>& acceptance);
 
 /// The file beside `file` for the case that it was shrunk from: name.worst.json for name.json.
 std::filesystem::path worst_beside(const std::filesystem::path& file);

@@ -20,7 +20,7 @@ void check_format(const JsonView& root, FormatKey format_key) {
 }
 
 Found read_found(const JsonView& object) {
-  object.expect_keys({"seed", "regime", "index", "versions"});
+  object.expect_keys({"seed", "regime", "index", "versions", "seen", "unshrunk"});
   Found found;
   found.seed = object.at("seed").whole_number();
   found.regime = object.at("regime").string();
@@ -30,6 +30,8 @@ Found read_found(const JsonView& object) {
       found.versions[std::string(name)] = versions->at(name).string();
     }
   }
+  if (const auto seen = object.find("seen")) found.seen = read_seen(*seen);
+  if (const auto unshrunk = object.find("unshrunk")) found.is_unshrunk = unshrunk->boolean();
   return found;
 }
 
@@ -78,7 +80,10 @@ void append_found(std::string& out, const Found& found) {
     append_string(out, version);
     separator = ", ";
   }
-  out += "}}";
+  out += '}';
+  if (found.is_unshrunk) out += ", \"unshrunk\": true";
+  if (found.seen) append_seen(out += ",\n    \"seen\": ", *found.seen);
+  out += '}';
 }
 
 void append_expectation(std::string& out, const PairCase& pair, const Expectation& expect) {
@@ -118,13 +123,16 @@ CorpusCase parse_case(std::string_view text, FormatKey format_key) {
 }
 
 CorpusCase read_case(const JsonView& root, FormatKey format_key) {
-  root.expect_keys({"format", "a", "b", "found", "expect", "property", "note"});
+  root.expect_keys({"format", "a", "b", "found", "expect", "accepted", "property", "note"});
   check_format(root, format_key);
   CorpusCase corpus_case;
   corpus_case.pair = {read_body(root.at("a")), read_body(root.at("b"))};
   if (const auto found = root.find("found")) corpus_case.found = read_found(*found);
   if (const auto expect = root.find("expect")) {
     corpus_case.expect = read_expectation(*expect, corpus_case.pair);
+  }
+  if (const auto accepted = root.find("accepted")) {
+    corpus_case.accepted = read_acceptance(*accepted);
   }
   corpus_case.property = root.string_or("property", "");
   corpus_case.note = root.string_or("note", "");
@@ -154,6 +162,7 @@ std::string format_case(const CorpusCase& corpus_case) {
   append_case_start(out, corpus_case.pair);
   if (corpus_case.found) append_found(out, *corpus_case.found);
   if (corpus_case.expect) append_expectation(out, corpus_case.pair, *corpus_case.expect);
+  if (corpus_case.accepted) out += acceptance_member(*corpus_case.accepted);
   append_member(out, ",\n  ", "property", corpus_case.property);
   append_member(out, ",\n  ", "note", corpus_case.note);
   return out + "\n}\n";

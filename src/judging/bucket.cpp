@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <map>
 
 namespace manifuzz {
@@ -66,6 +67,17 @@ std::optional<Bucket> find_bucket(std::string_view name) {
   }();
   const auto found = all.find(name);
   return found == all.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::array<std::uint64_t, 4> place_of(const Bucket& bucket, std::uint64_t count) {
+  const std::uint64_t whose = is_failure(bucket)                 ? 0
+                              : is_unexplained(bucket.verdict)   ? 1
+                              : bucket.verdict == Verdict::known ? 2
+                                                                 : 3;
+  constexpr std::array gravities{0, 3, 2, 1};  // an answer that is lost is the gravest
+  const auto gravity = gravities[static_cast<std::size_t>(bucket.error_class)];
+  return {whose, static_cast<std::uint64_t>(gravity),
+          std::numeric_limits<std::uint64_t>::max() - count, index_of(bucket)};
 }
 
 bool is_unexplained(Verdict verdict) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -113,6 +114,10 @@ Bucket bucket_at(std::size_t index);
 
 /// The bucket of that name, as `to_string` writes it.
 std::optional<Bucket> find_bucket(std::string_view name);
+
+/// Where a finding stands among others: those against the subject first, then what nobody explains,
+/// what the ledger does, and what is nobody's mistake; of each the gravest and most frequent first.
+std::array<std::uint64_t, 4> place_of(const Bucket& bucket, std::uint64_t count);
 
 /// Counted as unexplained: somebody is wrong and no ledger entry says so.
 bool is_unexplained(Verdict verdict);

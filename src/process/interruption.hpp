@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <optional>
 
 namespace manifuzz {
@@ -15,6 +17,18 @@ inline double seconds_since(Clock::time_point start) {
 using Deadline = std::optional<Clock::time_point>;
 inline bool has_passed(const Deadline& deadline) {
   return deadline && Clock::now() >= *deadline;
+}
+/// So many seconds from now, thirty years at most.
+inline Clock::time_point after(double seconds) {
+  constexpr double thirty_years = 1e9;
+  const std::chrono::duration<double> time(std::min(seconds, thirty_years));
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
+}
+/// When the first of so many, who share what time is left, must be done.
+inline Deadline share_of(const Deadline& deadline, std::size_t count) {
+  if (!deadline) return deadline;
+  const auto now = Clock::now();
+  return now + (*deadline - now) / static_cast<int>(count);
 }
 
 /// Holds SIGINT and SIGTERM back for as long as it lives, so that work can end in good order. One

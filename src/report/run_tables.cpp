@@ -47,6 +47,7 @@ std::string verdict_rows(const CampaignResult& result) {
     text += fmt::format("{}{:>14}\n", is_bad ? bad(name) : name, result.verdicts[i]);
   }
   text += fmt::format("{:<18}{:>14}\n", "unexplained", result.unexplained());
+  if (result.accepted() > 0) text += fmt::format("{:<18}{:>14}\n", "accepted", result.accepted());
   if (result.by_tolerance > 0) {
     text += fmt::format("{:<18}{:>14}\n", "by tolerance", result.by_tolerance);
   }
@@ -66,6 +67,13 @@ std::string ledger_rows(const CampaignResult& result) {
   return lines_of(result.ledger, [](const LedgerResult& entry) {
     return fmt::format("{:<36}{:>14}{}\n{}", entry.id, entry.hits,
                        entry.hits == 0 ? "  never fired" : "", over_budget_in_words(entry));
+  });
+}
+
+std::string stale_in_words(const std::vector<std::string>& files) {
+  return lines_of(files, [](const std::string& file) {
+    return fmt::format("stale {}: what was accepted comes no more; manifuzz accept --drop {}\n",
+                       printable(file, 200), quoted_for_shell(file));
   });
 }
 
@@ -91,13 +99,27 @@ std::string state_in_words(const Campaign& campaign) {
 
 std::string bucket_rows(const BucketResult& found) {
   const bool is_bad = decides_status(found);
+  const std::string how = found.is_new ? fresh("new ") : found.is_accepted ? "accepted " : "";
   std::string text =
-      fmt::format("{}{}: {} times, worst {:.2g} of the size\n", found.is_new ? fresh("new ") : "",
+      fmt::format("{}{}: {} times, worst {:.2g} of the size\n", how,
                   is_bad ? bad(found.bucket) : found.bucket, found.count, found.magnitude);
+  if (!found.objection.empty()) text += fmt::format("  {}\n", bad(found.objection));
   if (!found.file.empty()) text += fmt::format("  {}\n", found.file);
   const auto bucket = find_bucket(found.bucket);
   const bool is_open = found.is_new || (bucket && is_unexplained(bucket->verdict));
-  return is_open ? text + fmt::format("  {}\n", found.command) : text;
+  return is_open && !found.is_accepted ? text + fmt::format("  {}\n", found.command) : text;
+}
+
+/// What is left to do about the files of a run.
+std::string remarks_on_files(const CampaignResult& result) {
+  std::string text;
+  if (result.unshrunk > 0) {
+    text += fmt::format(
+        "\n{} of the new findings are not as small as can be, for there was no "
+        "more time: manifuzz shrink DIR goes on\n",
+        result.unshrunk);
+  }
+  return text + stale_in_words(result.stale);
 }
 
 }  // namespace
@@ -115,6 +137,7 @@ std::string summary_table(const Campaign& campaign, const std::optional<Campaign
   if (campaign.plan.until_new && !has_new(campaign.findings)) {
     text += "\nnothing new: the corpus shows each of these already\n";
   }
+  text += remarks_on_files(result);
   text += state_in_words(campaign);
   if (baseline) text += '\n' + comparison_text(*baseline, campaign.result);
   return text;
@@ -170,13 +193,21 @@ std::string replay_failures(const ReplayRun& run) {
     text += fmt::format("{} {}: expected {}, got {}\n", bad("FAIL"),
                         printable(one.recorded->path, 200), one.result.expected, one.result.got);
   }
-  return text;
+  for (const CorpusCase* const unasked : run.unasked) {
+    text += fmt::format(
+        "{} {}: there is no collider {}; name one with --subject, or in a file "
+        "subjects.json beside the corpus\n",
+        bad("NOT ASKED"), printable(unasked->path, 200), printable(unasked->expect->subject));
+  }
+  return text + stale_in_words(run.stale());
 }
 
 std::string replay_counts(const ReplayRun& run) {
   std::string text =
       fmt::format("{} against {}: {} cases, {} passed, {} failed, in {:.2f} s", run.subject,
                   run.oracle, run.cases.size(), run.passed(), run.failed(), run.seconds);
+  if (run.accepted() > 0) text += fmt::format("; {} of them accepted", run.accepted());
+  if (!run.unasked.empty()) text += fmt::format("; {} not asked", run.unasked.size());
   if (run.left_out > 0) text += fmt::format("; {} left out, for time was up", run.left_out);
   return text;
 }
@@ -187,6 +218,8 @@ void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std:
   json["cases"] = run.cases.size();
   json["passed"] = run.passed();
   json["failed"] = run.failed();
+  json["accepted"] = run.accepted();
+  json["stale"] = run.stale();
   json["left_out"] = run.left_out;
   json["unread"] = unread;
   json["seconds"] = run.seconds;
@@ -196,12 +229,20 @@ void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std:
     json["failures"].push_back(
         {{"file", one.recorded->path}, {"expected", one.result.expected}, {"got", one.result.got}});
   }
+  json["unasked"] = nlohmann::ordered_json::array();
+  for (const CorpusCase* const one : run.unasked) {
+    json["unasked"].push_back({{"file", one->path}, {"subject", one->expect->subject}});
+  }
 }
 
 std::string property_text(const CheckedProperty& checked) {
   const PropertyResult& result = checked.result;
-  std::string text = fmt::format("{} {}: {}\n{}\n", result.passed ? good("ok  ") : bad("FAIL"),
-                                 checked.property->name, checked.property->sentence, result.report);
+  const std::string how = result.passed         ? good("ok  ")
+                          : checked.is_accepted ? "accepted"
+                                                : bad("FAIL");
+  std::string text = fmt::format("{} {}: {}\n{}\n", how, checked.property->name,
+                                 checked.property->sentence, result.report);
+  if (!checked.objection.empty()) text += fmt::format("{}\n", bad(checked.objection));
   if (!result.reproduce.empty()) {
     text += fmt::format("repeat with RC_PARAMS=\"{}\"\n", result.reproduce);
   }
@@ -214,8 +255,8 @@ std::string property_line(const CheckedProperty& checked) {
   if (checked.is_left_out()) {
     return fmt::format("--   {}: left out, for time was up\n", property.name);
   }
-  return fmt::format("{} {}: {}, {} cases\n", good("ok  "), property.name, property.sentence,
-                     checked.result.cases);
+  return fmt::format("{} {}: {}, {} cases\n", checked.is_accepted ? "accepted" : good("ok  "),
+                     property.name, property.sentence, checked.result.cases);
 }
 
 std::string list_regimes() {

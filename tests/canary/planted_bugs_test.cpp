@@ -47,14 +47,9 @@ std::unique_ptr<Tally> run(const Plan& plan) {
 }
 
 bool blames_subject(const Tally& tally, Kind kind) {
-  for (std::size_t i = 0; i < kBucketCount; ++i) {
-    const Bucket bucket = bucket_at(i);
-    if (tally.buckets[i].count > 0 && bucket.kind == kind &&
-        bucket.verdict == Verdict::subject_wrong) {
-      return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(tally.buckets.all(), [kind](const BucketTallies::Met& met) {
+    return met.bucket.kind == kind && met.bucket.verdict == Verdict::subject_wrong;
+  });
 }
 
 struct Bug {

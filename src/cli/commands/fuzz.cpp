@@ -39,6 +39,9 @@ struct FuzzArguments {
   std::string json;
   bool no_save = false;
   bool until_new = false;
+  bool has_ties = false;
+  std::optional<double> shrink_seconds;
+  std::string today;
   std::string baseline;
   std::string report;
   CiOutput ci;
@@ -67,6 +70,7 @@ Plan plan_of(const FuzzArguments& options) {
   plan.cases = options.cases;
   expect_indices(plan.first, plan.cases.value_or(1), plan.regimes.size());
   plan.until_new = options.until_new;
+  plan.has_ties = options.has_ties;
   plan.seconds = options.seconds;
   const bool is_unlimited = !options.cases && !options.seconds && !options.until_new;
   if (is_unlimited) plan.seconds = kDefaultSeconds;
@@ -134,12 +138,13 @@ CommandFiles files_of(const FuzzArguments& options) {
   return files;
 }
 
-Campaign run_with_progress(const Plan& plan, const Corpus& corpus, const FuzzArguments& options) {
+Campaign run_with_progress(const Plan& plan, const Known& known, const FuzzArguments& options) {
+  const SaveTo save_to{.folder = options.no_save ? "" : options.corpus,
+                       .shrink_seconds = options.shrink_seconds.value_or(kShrinkSeconds)};
   const Origin origin{repeating_command(options),
                       provenance(plan.seed, {plan.subject.declaration, plan.oracle.declaration})};
   const ProgressLine line;
-  return run_campaign(plan, known_buckets(corpus.cases), {options.no_save ? "" : options.corpus},
-                      origin,
+  return run_campaign(plan, known, save_to, origin,
                       [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
 }
 
@@ -154,7 +159,12 @@ int fuzz(FuzzArguments& options) {
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
-  const Campaign campaign = run_with_progress(plan, corpus, options);
+  Known known = known_of(corpus.cases, options.today);
+  if (baseline) {
+    for (const BucketResult& found : baseline->buckets) known.baseline.insert(found.bucket);
+  }
+  Campaign campaign = run_with_progress(plan, known, options);
+  if (baseline) hold_against(*baseline, campaign.result);
   if (!write_all(campaign, baseline, options).are_written()) return 2;
   return has_failed(campaign.result) ? 1 : 0;
 }
@@ -167,8 +177,12 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
   add_length(app, "--seconds", options.seconds, "how long, all regimes together; 10 if not given")
       ->excludes(cases);
   app.add_flag("--until-new", options.until_new,
-               "until something is found that the corpus does not show; without --cases or "
-               "--seconds there is no other end");
+               "until the first case of something wrong that the corpus does not show; without "
+               "--cases or --seconds there is no other end");
+  app.add_flag("--ties", options.has_ties, "save and shrink new ties too");
+  add_length(app, "--shrink-seconds", options.shrink_seconds,
+             "how long findings are shrunk, all together; 10 if not given");
+  add_today(app, options.today);
   add_whole_number(app, "--first", options.first, "the first index in each regime");
   add_whole_number(app, "--jobs", options.jobs, "how many processes; one a core if not given", 1,
                    kJobsMax);
@@ -180,7 +194,8 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
   add_corpus(app, options.corpus, "the folder of known cases, where new ones are saved");
   add_no_save(app, options.no_save);
   add_text(app, "--baseline", options.baseline, "FILE",
-           "the --json of an earlier run: says which buckets are new, worse, gone");
+           "the --json of an earlier run: says which buckets are new, worse, gone; the status is 1 "
+           "only for what is new or worse");
   add_json(app, options.json, "the summary as JSON");
   add_text(app, "--report", options.report, "FILE.html",
            "a page of this run and its corpus, - for stdout");

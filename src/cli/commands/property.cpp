@@ -27,6 +27,7 @@ struct PropertyArguments {
   std::optional<std::uint64_t> seed;
   std::string corpus = "corpus";
   bool no_save = false;
+  std::string today;
   CiOutput ci;
 };
 
@@ -62,8 +63,8 @@ int hold_properties(PropertyArguments& options) {
     outputs.write(is_told, [&] { write_to_reader(property_text(one)); });
     outputs.add_error(one.why_unsaved);
   };
-  const std::vector<CheckedProperty> checked =
-      check_properties(chosen, subject, plan, {}, save_to, tell);
+  const std::vector<CheckedProperty> checked = check_properties(
+      chosen, subject, plan, known_of(corpus.cases, options.today), {}, save_to, tell);
   if (all.is_stopped()) outputs.add_error("property: interrupted before it was done");
   if (is_wanted(options.ci)) {
     const CalledAgain again{this_program(), options_again(options, plan.seed)};
@@ -82,6 +83,7 @@ void add_property_arguments(CLI::App& app, PropertyArguments& options) {
   add_seed(app, options.seed);
   add_corpus(app, options.corpus, "the folder of known cases, where failures are saved");
   app.add_flag("--no-save", options.no_save, "save nothing");
+  add_today(app, options.today);
   add_junit(app, options.ci.junit);
 }
 

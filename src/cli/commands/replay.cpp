@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,18 +19,33 @@ namespace {
 
 struct ReplayArguments {
   std::vector<std::string> paths;
-  SubjectAndOracle colliders;
+  SubjectAndOracle colliders{{"subject", "", ""}, {"oracle", "", ""}, {}};
+  std::string today;
   std::string json;
   CiOutput ci;
 };
+
+/// Of all that were asked, each once.
+std::vector<Declaration> declarations_of(const ReplayRun& run) {
+  std::map<std::string, Declaration> by_name;
+  for (const ReplayedCase& one : run.cases) {
+    for (const Collider* const asked : {one.subject, one.oracle}) {
+      by_name.emplace(asked->declaration.name, asked->declaration);
+    }
+  }
+  std::vector<Declaration> all;
+  for (const auto& [name, declaration] : by_name) all.push_back(declaration);
+  return all;
+}
 
 int replay(ReplayArguments& options) {
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   if (paths.empty()) paths.emplace_back("corpus");
   check_outputs({{{"--json", options.json}}, paths}, options.ci);
   const SubjectAndOracle& asked = options.colliders;
-  const Collider subject = find_collider(asked.subject, asked.external);
-  const Collider oracle = find_collider(asked.oracle, asked.external);
+  NamedColliders colliders(find_installed_or_named(paths),
+                           given_collider(asked.subject, asked.external),
+                           given_collider(asked.oracle, asked.external));
   const Corpus corpus = read_corpus(paths);
   const std::size_t unread = corpus.errors.size();
   write_complaints(corpus.errors);
@@ -38,20 +54,20 @@ int replay(ReplayArguments& options) {
   }
 
   Interruption interruption(kUntilSignal);
-  const ReplayRun run = replay_cases(corpus.cases, subject, oracle, interruption);
+  const ReplayRun run =
+      replay_cases(corpus.cases, colliders, known_of(corpus.cases, options.today), interruption);
   Outputs outputs;
   if (run.left_out > 0) outputs.add_error("replay: interrupted before it was done");
   outputs.write(!options.ci.stdout_is_data, [&] {
     write_to_reader(replay_failures(run) + (is_quiet() ? "" : replay_counts(run) + '\n'));
   });
   outputs.write(!options.json.empty(), [&] {
-    auto json = provenance(0, {subject.declaration, oracle.declaration});
+    auto json = provenance(0, declarations_of(run));
     append_replay_json(json, run, unread);
     write_data(options.json, json_text(json));
   });
   if (is_wanted(options.ci)) {
-    TestSuite suite =
-        replay_suite(run, subject, oracle, {this_program(), options_again(asked)}, interruption);
+    TestSuite suite = replay_suite(run, {this_program(), options_again(asked)}, interruption);
     suite.errors = corpus.errors;
     write_ci(options.ci, {suite}, outputs);
   }
@@ -59,13 +75,18 @@ int replay(ReplayArguments& options) {
     write_complaint(
         fmt::format("replay: {} of the files could not be read; the rest was replayed", unread));
   }
-  if (!outputs.are_written() || unread > 0) return 2;
+  if (!outputs.are_written() || unread > 0 || !run.unasked.empty()) return 2;
   return run.failed() == 0 ? 0 : 1;
 }
 
 void add_replay_arguments(CLI::App& app, ReplayArguments& options) {
   add_text(app, "paths", options.paths, "PATH", "files and folders of cases; corpus if not given");
-  add_subject_and_oracle(app, options.colliders);
+  add_collider(app, options.colliders.subject,
+               "the collider under test; if not given, the one that each case names, or clip");
+  add_collider(app, options.colliders.oracle,
+               "what it is held against; if not given, the one that each case names, or box2d");
+  add_external_options(app, options.colliders.external);
+  add_today(app, options.today);
   add_junit(app, options.ci.junit);
   add_json(app, options.json, "the summary as JSON");
 }

@@ -26,10 +26,6 @@ struct ReportArguments {
   std::optional<std::uint64_t> maps;
 };
 
-std::optional<Collider> chosen(const ColliderChoice& choice, const ExternalOptions& external) {
-  return choice.is_given() ? std::optional(find_collider(choice, external)) : std::nullopt;
-}
-
 std::string repeating_command(const std::vector<std::filesystem::path>& paths,
                               const ReportArguments& options) {
   std::string command = this_program() + " report";
@@ -50,8 +46,8 @@ int report(const ReportArguments& options) {
     throw UserError("report: there is nothing to report; name folders of cases and --json files");
   }
   const SubjectAndOracle& asked = options.colliders;
-  NamedColliders colliders(find_installed, chosen(asked.subject, asked.external),
-                           chosen(asked.oracle, asked.external));
+  NamedColliders colliders(find_installed, given_collider(asked.subject, asked.external),
+                           given_collider(asked.oracle, asked.external));
   const std::string html = page_of(files, colliders, options.maps.value_or(kMapsUsual),
                                    {this_program(), repeating_command(paths, options)});
   write_data(options.output, html);

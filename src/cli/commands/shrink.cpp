@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -10,35 +11,95 @@
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
+#include "report/outputs.hpp"
 
 namespace manifuzz {
 namespace {
 
 struct ShrinkArguments {
   CaseArgument given;
-  SubjectAndOracle colliders;
+  SubjectAndOracle colliders{{"subject", "", ""}, {"oracle", "", ""}, {}};
   std::string output = "-";
 };
 
-int shrink_file(const ShrinkArguments& options) {
-  const SubjectAndOracle& asked = options.colliders;
-  const Collider subject = find_collider(asked.subject, asked.external);
-  const Collider oracle = find_collider(asked.oracle, asked.external);
-  const std::string file = case_file(options.given);
-  check_outputs({{{"--output", options.output}}, {file}});
-  const CorpusCase given = read_case_file(file);
-  Interruption interruption(kUntilSignal);
+/// The smallest case that is the same finding, as a corpus has it. Throws UserError where there is
+/// none, and Interrupted.
+CorpusCase shrunk(const CorpusCase& given, const Collider& subject, const Collider& oracle,
+                  Interruption& interruption) {
   const Judgement root = judge_in_child(given.pair, subject, oracle, interruption);
   if (root.bucket.verdict == Verdict::agree) {
     throw UserError(
-        fmt::format("{}: {} and {} agree on it; a case on which they differ is expected", file,
-                    subject.declaration.name, oracle.declaration.name));
+        fmt::format("{}: {} and {} agree on it; a case on which they differ is expected",
+                    given.path, subject.declaration.name, oracle.declaration.name));
   }
-  const PairCase smallest = shrink_finding(given.pair, subject, oracle, interruption).pair;
-  const Judgement judgement = judge_in_child(smallest, subject, oracle, interruption);
-  CorpusCase shrunk = recorded_case(smallest, judgement, subject, oracle, interruption);
-  shrunk.found = given.found;
-  const std::string text = format_case(shrunk);
+  const Shrunk smallest = shrink_finding(given.pair, subject, oracle, interruption);
+  const Judgement judgement = judge_in_child(smallest.pair, subject, oracle, interruption);
+  CorpusCase result = recorded_case(smallest.pair, judgement, subject, oracle, interruption);
+  result.found = given.found;
+  if (result.found) result.found->is_unshrunk = !smallest.complete;
+  result.accepted = given.accepted;
+  return result;
+}
+
+/// Writes it in the place of the case that it was shrunk from, which is the worst seen then.
+std::string replace(const CorpusCase& given, const CorpusCase& smallest) {
+  const std::filesystem::path old = given.path;
+  const std::filesystem::path file = write_corpus_case(old.parent_path(), smallest);
+  std::error_code unknown;
+  const bool has_worst = std::filesystem::exists(worst_beside(old), unknown);
+  if (file == old) {
+    write_file(file, format_case(smallest));
+    return file.string();
+  }
+  CorpusCase worst = has_worst ? read_case_file(worst_beside(old).string()) : given;
+  if (worst.found) worst.found->is_unshrunk = false;
+  write_worst_case(file, worst);
+  std::filesystem::remove(old, unknown);
+  std::filesystem::remove(worst_beside(old), unknown);
+  return file.string();
+}
+
+/// Those of a folder's findings that there was no time for when they were saved.
+int shrink_folder(const ShrinkArguments& options) {
+  const std::filesystem::path folder = options.given.name;
+  if (options.output != "-") {
+    throw UserError("--output: a folder's cases are shrunk where they are; leave it out");
+  }
+  const Corpus corpus = read_corpus_folder(folder);
+  NamedColliders colliders(find_installed_or_named({folder}),
+                           given_collider(options.colliders.subject, options.colliders.external),
+                           given_collider(options.colliders.oracle, options.colliders.external));
+  Interruption interruption(kUntilSignal);
+  int done = 0;
+  for (const CorpusCase& known : corpus.cases) {
+    if (!known.found || !known.found->is_unshrunk || is_worst(known.path)) continue;
+    const Collider* const subject = colliders.subject_of(known);
+    const Collider* const oracle = colliders.oracle_of(known);
+    if (subject == nullptr || oracle == nullptr) {
+      throw UserError(fmt::format("{}: its subject '{}' is not at hand; name it with --subject",
+                                  known.path, printable(known.expect->subject)));
+    }
+    write_output(replace(known, shrunk(known, *subject, *oracle, interruption)) + '\n');
+    ++done;
+  }
+  write_remark(fmt::format("{}: {} of {} cases shrunk", printable(folder.string(), 200), done,
+                           corpus.cases.size()));
+  return 0;
+}
+
+int shrink_file(const ShrinkArguments& options) {
+  std::error_code unknown;
+  if (std::filesystem::is_directory(options.given.name, unknown)) return shrink_folder(options);
+  const std::string file = case_file(options.given);
+  check_outputs({{{"--output", options.output}}, {file}});
+  SubjectAndOracle asked = options.colliders;
+  if (!asked.subject.is_given()) asked.subject.name = "clip";
+  if (!asked.oracle.is_given()) asked.oracle.name = "box2d";
+  const Collider subject = find_collider(asked.subject, asked.external);
+  const Collider oracle = find_collider(asked.oracle, asked.external);
+  const CorpusCase given = read_case_file(file);
+  Interruption interruption(kUntilSignal);
+  const std::string text = format_case(shrunk(given, subject, oracle, interruption));
   options.output == "-" ? write_output(text) : write_file(options.output, text);
   return 0;
 }

@@ -25,6 +25,7 @@ struct SmokeArguments {
   std::optional<double> seconds;
   std::string corpus = "corpus";
   bool no_save = false;
+  std::string today;
   CiOutput ci;
 };
 
@@ -39,6 +40,7 @@ SmokePlan plan_of(const SmokeArguments& options) {
   plan.save_to = options.no_save ? "" : options.corpus;
   plan.corpus = read_known(options.corpus);
   write_complaints(plan.corpus.errors);
+  plan.known = known_of(plan.corpus.cases, options.today);
   const ColliderChoice& subject = options.colliders.subject;
   const ColliderChoice& oracle = options.colliders.oracle;
   ExternalOptions external = options.colliders.external;
@@ -116,6 +118,7 @@ void add_smoke_arguments(CLI::App& app, SmokeArguments& options) {
   add_corpus(app, options.corpus,
              "the folder of known cases, which is replayed, and where new ones are saved");
   add_no_save(app, options.no_save);
+  add_today(app, options.today);
   add_junit(app, options.ci.junit);
 }
 

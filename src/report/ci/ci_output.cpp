@@ -21,14 +21,14 @@ void add_picture(TestFailure& failure, const Draw& draw) {
 }
 
 TestResult test_of_regime(const Campaign& campaign, std::size_t i) {
-  const RegimeTally& regime = campaign.run.tally->regimes[i];
+  const RegimeResult& regime = campaign.result.regimes[i];
+  const std::uint64_t failures = failures_in(campaign.result, regime.name);
   const double cases = static_cast<double>(campaign.result.cases());
   const double share = cases > 0 ? static_cast<double>(regime.cases) / cases : 0;
-  TestResult test{campaign.result.regimes[i].name, share * campaign.result.seconds()};
-  if (regime.failures > 0) {
-    test.failure =
-        TestFailure{fmt::format("{} to be right", campaign.result.settings.subject),
-                    fmt::format("{} of {} cases against it", regime.failures, regime.cases)};
+  TestResult test{regime.name, share * campaign.result.seconds()};
+  if (failures > 0) {
+    test.failure = TestFailure{fmt::format("{} to be right", campaign.result.settings.subject),
+                               fmt::format("{} of {} cases against it", failures, regime.cases)};
   }
   return test;
 }
@@ -56,10 +56,12 @@ TestResult test_of_bucket(const CampaignResult& result, const Finding& finding,
   const std::string expected = finding.bucket.verdict == Verdict::oracle_wrong
                                    ? fmt::format("nothing new against {}", result.settings.oracle)
                                    : fmt::format("{} to be right", result.settings.subject);
-  return failed_test(found.bucket, {expected,
-                                    fmt::format("{}: {} times, worst {:.2g} of the size",
-                                                found.bucket, found.count, found.magnitude),
-                                    found.file, found.command});
+  return failed_test(
+      found.bucket,
+      {expected,
+       fmt::format("{}: {} times, worst {:.2g} of the size{}{}", found.bucket, found.count,
+                   found.magnitude, found.objection.empty() ? "" : "; ", found.objection),
+       found.file, found.command});
 }
 
 void add_buckets(TestSuite& suite, const Campaign& campaign, Interruption& interruption) {
@@ -67,7 +69,7 @@ void add_buckets(TestSuite& suite, const Campaign& campaign, Interruption& inter
   std::size_t pictures = 0;
   for (std::size_t i = 0; i < campaign.findings.size(); ++i) {
     const Finding& finding = campaign.findings[i];
-    if (!decides_status(finding.bucket, finding.is_new)) continue;
+    if (!decides_status(campaign.result.buckets[i])) continue;
     suite.tests.push_back(test_of_bucket(campaign.result, finding, campaign.result.buckets[i]));
     if (++pictures > kDescribedMax) continue;
     add_picture(*suite.tests.back().failure, [&] {
@@ -103,13 +105,14 @@ TestFailure failure_of(const ReplayedCase& replayed, const CalledAgain& again) {
 
 TestSuite fuzz_suite(const Campaign& campaign, Interruption& interruption) {
   const CampaignResult& result = campaign.result;
-  TestSuite suite{"manifuzz fuzz",
-                  fmt::format("{} against {}: {} cases in {:.1f} s, {} unexplained, seed {}{}",
-                              result.settings.subject, result.settings.oracle, result.cases(),
-                              result.seconds(), result.unexplained(), campaign.plan.seed,
-                              result.interrupted ? "; interrupted" : ""),
-                  {},
-                  {{"verdict", "cases"}}};
+  TestSuite suite{
+      "manifuzz fuzz",
+      fmt::format("{} against {}: {} cases in {:.1f} s, {} unexplained, {} accepted, seed {}{}",
+                  result.settings.subject, result.settings.oracle, result.cases(), result.seconds(),
+                  result.unexplained(), result.accepted(), campaign.plan.seed,
+                  result.interrupted ? "; interrupted" : ""),
+      {},
+      {{"verdict", "cases"}}};
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
     suite.table.push_back({std::string(kVerdictNames[i]), std::to_string(result.verdicts[i])});
   }
@@ -130,12 +133,12 @@ TestSuite fuzz_suite(const Campaign& campaign, Interruption& interruption) {
   return suite;
 }
 
-TestSuite replay_suite(const ReplayRun& run, const Collider& subject, const Collider& oracle,
-                       const CalledAgain& again, Interruption& interruption) {
+TestSuite replay_suite(const ReplayRun& run, const CalledAgain& again, Interruption& interruption) {
   TestSuite suite{"manifuzz replay", replay_counts(run), {}};
-  suite.table = {{"cases", "passed", "failed", "left out"},
-                 {std::to_string(run.cases.size()), std::to_string(run.passed()),
-                  std::to_string(run.failed()), std::to_string(run.left_out)}};
+  suite.table = {
+      {"cases", "passed", "failed", "accepted", "left out"},
+      {std::to_string(run.cases.size()), std::to_string(run.passed()), std::to_string(run.failed()),
+       std::to_string(run.accepted()), std::to_string(run.left_out)}};
   std::size_t pictures = 0;
   for (const ReplayedCase& one : run.cases) {
     TestResult& test = suite.tests.emplace_back(TestResult{one.recorded->path, one.seconds});
@@ -143,7 +146,7 @@ TestSuite replay_suite(const ReplayRun& run, const Collider& subject, const Coll
     test.failure = failure_of(one, again);
     if (++pictures > kDescribedMax) continue;
     add_picture(*test.failure, [&] {
-      return text_picture(judged_case(*one.recorded, subject, oracle, interruption));
+      return text_picture(judged_case(*one.recorded, *one.subject, *one.oracle, interruption));
     });
   }
   return suite;
@@ -160,14 +163,17 @@ TestSuite property_suite(std::span<const CheckedProperty> checked, const Collide
       continue;
     }
     TestResult test{std::string(one.property->name), one.seconds};
-    if (!one.result.passed) test.failure = failure_of(one, again);
+    if (!one.holds()) test.failure = failure_of(one, again);
     if (test.failure && one.result.failing && ++pictures <= kDescribedMax) {
       add_picture(*test.failure, [&] {
         const auto answer = declared_answer(subject, *one.result.failing, interruption);
         return text_picture(*one.result.failing, {&answer, 1});
       });
     }
-    suite.table.push_back({test.name, one.result.passed ? "ok" : "FAIL",
+    suite.table.push_back({test.name,
+                           one.result.passed ? "ok"
+                           : one.is_accepted ? "accepted"
+                                             : "FAIL",
                            std::to_string(one.result.cases), fmt::format("{:.2f}", one.seconds)});
     suite.tests.push_back(test);
   }
@@ -180,9 +186,8 @@ TestSuite property_suite(std::span<const CheckedProperty> checked, const Collide
 std::vector<TestSuite> smoke_suites(const SmokeRun& run, const SmokePlan& plan,
                                     const CalledAgain& again, const CalledAgain& subject_again) {
   Interruption in_time({.first_signal = Interruption::State::stopped, .stopped_at = plan.end()});
-  std::vector<TestSuite> suites{
-      replay_suite(run.replayed, plan.subject, plan.oracle, again, in_time),
-      property_suite(run.checked, plan.subject, subject_again, in_time)};
+  std::vector<TestSuite> suites{replay_suite(run.replayed, again, in_time),
+                                property_suite(run.checked, plan.subject, subject_again, in_time)};
   if (run.campaign) suites.push_back(fuzz_suite(*run.campaign, in_time));
   suites.front().errors = plan.corpus.errors;
   return suites;

@@ -75,8 +75,7 @@ struct CalledAgain {
 TestSuite fuzz_suite(const Campaign& campaign, Interruption& interruption);
 
 /// A test for each case.
-TestSuite replay_suite(const ReplayRun& run, const Collider& subject, const Collider& oracle,
-                       const CalledAgain& again, Interruption& interruption);
+TestSuite replay_suite(const ReplayRun& run, const CalledAgain& again, Interruption& interruption);
 
 /// A test for each property for which there was time.
 TestSuite property_suite(std::span<const CheckedProperty> checked, const Collider& subject,

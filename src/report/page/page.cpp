@@ -193,19 +193,6 @@ std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& collider
 
 }  // namespace
 
-NamedColliders::NamedColliders(const Find& find, const std::optional<Collider>& subject,
-                               const std::optional<Collider>& oracle)
-    : find_(find) {
-  if (subject) known_[subject_ = subject->declaration.name] = subject;
-  if (oracle) known_[oracle_ = oracle->declaration.name] = oracle;
-}
-
-const Collider* NamedColliders::find(const std::string& name) {
-  auto known = known_.find(name);
-  if (known == known_.end()) known = known_.emplace(name, find_(name)).first;
-  return known->second ? &*known->second : nullptr;
-}
-
 std::string page_of(const RunFiles& files, NamedColliders& colliders, std::size_t maps_max,
                     const PageCommands& commands) {
   Interruption interruption(kUntilSignal);

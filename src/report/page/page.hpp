@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/named_colliders.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/result.hpp"
 #include "collider/collider.hpp"
@@ -31,29 +32,6 @@ struct PageCase {
 /// A case as the page's script reads it, with what is drawn of it: everything in world directions
 /// and lengths, seen from A's position; null where a number is not finite.
 nlohmann::ordered_json page_case_json(const PageCase& page_case);
-
-/// The colliders that cases name, each made once; those that are given go by what they declare.
-class NamedColliders {
- public:
-  /// Makes the collider of that name, or nothing.
-  using Find = std::function<std::optional<Collider>(const std::string& name)>;
-
-  NamedColliders(const Find& find, const std::optional<Collider>& subject,
-                 const std::optional<Collider>& oracle);
-
-  /// nullptr where there is none of that name.
-  const Collider* find(const std::string& name);
-
-  /// Whom a case that names nobody is put to: those given, else clip and box2d.
-  const std::string& subject() const { return subject_; }
-  const std::string& oracle() const { return oracle_; }
-
- private:
-  Find find_;
-  std::string subject_ = "clip";
-  std::string oracle_ = "box2d";
-  std::map<std::string, std::optional<Collider>> known_;
-};
 
 /// Of so many buckets the neighbourhood is drawn where nobody says how many: a few seconds.
 inline constexpr std::size_t kMapsUsual = 12;

@@ -1,0 +1,196 @@
+#include "campaign/known.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/text.hpp"
+#include "campaign/result.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// The bucket, with the names of those at fault.
+std::string key_of(std::string_view bucket, std::string_view subject, std::string_view oracle) {
+  const std::string_view fault = bucket.substr(0, bucket.find('/'));
+  return fmt::format("{}|{}|{}", bucket,
+                     fault == "subject" || fault == "both" ? subject : std::string_view(),
+                     fault == "oracle" || fault == "both" ? oracle : std::string_view());
+}
+
+/// The keys of what a file shows: one, or, of an older file that names no class, one for each.
+std::vector<std::string> keys_of(const CorpusCase& known) {
+  const Expectation& expect = *known.expect;
+  if (!known.property.empty()) return {finding_key(known.property, expect.subject)};
+  std::vector<std::string> keys{finding_key(expect)};
+  const auto bucket = find_bucket(expect.bucket);
+  if (!bucket || bucket->error_class != ErrorClass::none) return keys;
+  Expectation of_class = expect;
+  for (const ErrorClass each : {ErrorClass::rounding, ErrorClass::fine, ErrorClass::gross}) {
+    of_class.bucket = fmt::format("{}/{}", expect.bucket, name_of(each, kErrorClassNames));
+    keys.push_back(finding_key(of_class));
+  }
+  return keys;
+}
+
+/// The regimes in which it was met more often than is accepted.
+std::vector<std::string_view> too_frequent(const Acceptance& acceptance, const Finding& finding,
+                                           const Tally& tally, const Plan& plan) {
+  std::vector<std::string_view> regimes;
+  for (std::size_t r = 0; r < plan.regimes.size(); ++r) {
+    const auto budget = acceptance.per_million.find(std::string(plan.regimes[r]->name));
+    if (budget == acceptance.per_million.end()) continue;
+    if (is_over_budget(budget->second, budget->first, finding.tally.regimes[r],
+                       tally.regimes[r].cases)) {
+      regimes.push_back(plan.regimes[r]->name);
+    }
+  }
+  return regimes;
+}
+
+void hold_against(const Accepted& accepted, const Tally& tally, const Plan& plan,
+                  const std::string& today, Finding& finding) {
+  finding.objection = objection(accepted.acceptance, finding.tally.magnitude, today);
+  const auto regimes = too_frequent(accepted.acceptance, finding, tally, plan);
+  if (finding.objection.empty() && !regimes.empty()) {
+    finding.objection =
+        fmt::format("more frequent than is accepted in {}", fmt::join(regimes, ", "));
+  }
+  finding.is_accepted = finding.objection.empty();
+}
+
+}  // namespace
+
+std::string finding_key(const Expectation& expect) {
+  return key_of(expect.bucket, expect.subject, expect.oracle);
+}
+
+std::string finding_key(std::string_view property, std::string_view subject) {
+  return fmt::format("property {}|{}", property, subject);
+}
+
+Known known_of(std::span<const CorpusCase> corpus, const std::string& today) {
+  Known known;
+  known.today = today;
+  for (const CorpusCase& one : corpus) {
+    if (!one.expect) continue;
+    for (const std::string& key : keys_of(one)) {
+      known.files.emplace(key, one.path);
+      if (one.accepted) known.accepted.emplace(key, Accepted{*one.accepted, one.path});
+    }
+  }
+  return known;
+}
+
+bool is_bucket(const std::string& got, const std::string& recorded) {
+  return recorded.empty() || got == recorded || got.starts_with(recorded + '/');
+}
+
+std::string objection(const Acceptance& acceptance, double magnitude, const std::string& today) {
+  if (!acceptance.until.empty() && acceptance.until < today) {
+    return fmt::format("accepted until {}, and that is past", acceptance.until);
+  }
+  if (!acceptance.up_to || magnitude <= *acceptance.up_to) return "";
+  return fmt::format("worse than is accepted: {:.3g} of the size, above {:.3g}", magnitude,
+                     *acceptance.up_to);
+}
+
+Acceptance acceptance_of(const CorpusCase& known, Acceptance asked) {
+  const Expectation expect = known.expect.value_or(Expectation{});
+  const auto bucket = find_bucket(expect.bucket);
+  const bool is_mistake = !known.property.empty() || (bucket && is_unexplained(bucket->verdict));
+  if (!is_mistake || expect.subject.empty()) {
+    throw UserError(
+        fmt::format("{}: shows nobody's mistake; a finding that a campaign or a property "
+                    "saved is expected",
+                    printable(known.path, 200)));
+  }
+  const std::optional<Seen> seen = known.found ? known.found->seen : std::nullopt;
+  if (!asked.up_to) {
+    asked.up_to = kAcceptedTimesWorst * (seen ? seen->magnitude : expect.magnitude.value_or(0));
+  }
+  if (!seen) return asked;
+  for (const auto& [regime, count] : seen->regimes) {
+    asked.per_million[regime] = accepted_per_million(count, seen->cases);
+  }
+  return asked;
+}
+
+std::string acceptance_in_words(const CorpusCase& accepted, const std::string& today) {
+  const Acceptance& acceptance = *accepted.accepted;
+  const Expectation expect = accepted.expect.value_or(Expectation{});
+  const std::string what =
+      accepted.property.empty() ? expect.bucket : fmt::format("property {}", accepted.property);
+  std::string text = fmt::format("accepted {}: {} of {}", printable(accepted.path, 200), what,
+                                 printable(expect.subject));
+  if (acceptance.up_to) text += fmt::format(", up to {:.3g} of the size", *acceptance.up_to);
+  if (!acceptance.until.empty()) {
+    const bool is_past = acceptance.until < today;
+    text += fmt::format(", until {}{}", acceptance.until, is_past ? ", which is past" : "");
+  }
+  text += ": " + printable(acceptance.because, 400);
+  if (!acceptance.link.empty()) text += fmt::format(" ({})", printable(acceptance.link, 400));
+  return text;
+}
+
+bool is_stale(const CorpusCase& known, const std::string& got, const Collider& subject,
+              const Collider& oracle) {
+  if (!known.accepted || !known.expect || !known.property.empty()) return false;
+  Expectation now = *known.expect;
+  now.subject = subject.declaration.name;
+  now.oracle = oracle.declaration.name;
+  const bool is_of_these = finding_key(now) == finding_key(*known.expect);
+  return is_of_these && !is_bucket(got, known.expect->bucket);
+}
+
+std::vector<Finding> findings(const Tally& tally, const Plan& plan, const Known& known) {
+  std::vector<Finding> found;
+  for (const auto& [bucket, met] : tally.buckets.all()) {
+    Finding finding{bucket, *met, false, {}};
+    const std::string name = to_string(bucket);
+    const std::string key =
+        key_of(name, plan.subject.declaration.name, plan.oracle.declaration.name);
+    const auto shown = known.files.find(key);
+    if (shown != known.files.end()) finding.file = shown->second;
+    finding.is_new = finding.file.empty() && !known.baseline.contains(name) &&
+                     (plan.has_ties || bucket.verdict != Verdict::tie);
+    const auto accepted = known.accepted.find(key);
+    if (accepted != known.accepted.end()) {
+      hold_against(accepted->second, tally, plan, known.today, finding);
+    }
+    found.push_back(finding);
+  }
+  std::ranges::stable_sort(
+      found, {}, [](const Finding& one) { return place_of(one.bucket, one.tally.count); });
+  return found;
+}
+
+bool has_new(std::span<const Finding> found) {
+  return std::ranges::any_of(found, &Finding::is_new);
+}
+
+bool is_new_and_wrong(const Judgement& judgement, const Plan& plan, const Known& known) {
+  const Bucket& bucket = judgement.bucket;
+  const bool is_wanted =
+      is_unexplained(bucket.verdict) || (plan.has_ties && bucket.verdict == Verdict::tie);
+  if (!is_wanted) return false;
+  const std::string name = to_string(bucket);
+  const std::string key = key_of(name, plan.subject.declaration.name, plan.oracle.declaration.name);
+  const auto accepted = known.accepted.find(key);
+  if (accepted != known.accepted.end()) {
+    return !objection(accepted->second.acceptance, judgement.magnitude, known.today).empty();
+  }
+  return !known.files.contains(key) && !known.baseline.contains(name);
+}
+
+Seen seen_of(const Finding& finding, const Tally& tally, const Plan& plan) {
+  Seen seen{.cases = tally.regimes[0].cases, .magnitude = finding.tally.magnitude, .regimes = {}};
+  for (std::size_t r = 0; r < plan.regimes.size(); ++r) {
+    seen.cases = std::min(seen.cases, tally.regimes[r].cases);
+    seen.regimes[std::string(plan.regimes[r]->name)] = finding.tally.regimes[r];
+  }
+  return seen;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/plan.hpp"
+#include "corpus/corpus.hpp"
+
+namespace manifuzz {
+
+/// What a finding is one of: its bucket and who is at fault, or the property that failed and whose
+/// it was. Ties count whoever the colliders were.
+std::string finding_key(const Expectation& expect);
+std::string finding_key(std::string_view property, std::string_view subject);
+
+/// An acceptance, and the file that it stands in.
+struct Accepted {
+  Acceptance acceptance;
+  std::string file;
+};
+
+/// What is known of findings before a run, by their keys: those that a corpus shows, those that it
+/// accepts, and the buckets of a baseline.
+struct Known {
+  std::map<std::string, std::string> files;
+  std::map<std::string, Accepted> accepted;
+  std::set<std::string> baseline;
+  std::string today;  ///< until which days acceptances hold
+};
+Known known_of(std::span<const CorpusCase> corpus, const std::string& today);
+
+/// Whether it is the recorded bucket, or one of its classes: older files name none, or no bucket.
+bool is_bucket(const std::string& got, const std::string& recorded);
+
+/// What keeps a finding of this magnitude from being accepted: it is worse, or the day is past;
+/// empty where nothing does.
+std::string objection(const Acceptance& acceptance, double magnitude, const std::string& today);
+
+/// What is asked for, completed from the case: its rates, and how much worse it may become. Throws
+/// UserError where it is nobody's mistake.
+Acceptance acceptance_of(const CorpusCase& known, Acceptance asked);
+
+/// "FILE: BUCKET of SUBJECT, up to ..., until ...: because ... (link)".
+std::string acceptance_in_words(const CorpusCase& accepted, const std::string& today);
+
+/// Whether the case is accepted of these colliders, and another bucket came than was accepted.
+bool is_stale(const CorpusCase& known, const std::string& got, const Collider& subject,
+              const Collider& oracle);
+
+/// A bucket that a campaign filled.
+struct Finding {
+  Bucket bucket;
+  BucketTally tally;
+  bool is_new = false;       ///< neither the corpus nor the baseline has its bucket
+  std::string file;          ///< of the corpus, where one shows it; else empty
+  bool is_accepted = false;  ///< no worse and no more often than the corpus accepts
+  std::string objection{};   ///< of what is accepted in part: why not here
+};
+
+/// Every bucket of the tally but agree, in the order of `place_of`.
+std::vector<Finding> findings(const Tally& tally, const Plan& plan, const Known& known);
+
+/// Whether one of them is new.
+bool has_new(std::span<const Finding> found);
+
+/// Whether a case is what a campaign waits for: somebody's mistake, and neither the corpus shows
+/// its bucket nor a baseline has it, or it is worse than is accepted.
+bool is_new_and_wrong(const Judgement& judgement, const Plan& plan, const Known& known);
+
+/// How often the campaign met it, in each regime.
+Seen seen_of(const Finding& finding, const Tally& tally, const Plan& plan);
+
+}  // namespace manifuzz

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "collider/collider.hpp"
+#include "corpus/corpus.hpp"
+
+namespace manifuzz {
+
+/// The colliders that cases name, each made once; those that are given go by what they declare.
+class NamedColliders {
+ public:
+  /// Makes the collider of that name, or nothing.
+  using Find = std::function<std::optional<Collider>(const std::string& name)>;
+
+  NamedColliders(const Find& find, const std::optional<Collider>& subject,
+                 const std::optional<Collider>& oracle);
+
+  /// nullptr where there is none of that name.
+  const Collider* find(const std::string& name);
+
+  /// Whom to ask about a case: those given, whoever it names; where none is given, those it names.
+  /// nullptr where there is no subject of that name; an oracle that is not there gives way to
+  /// box2d.
+  const Collider* subject_of(const CorpusCase& known);
+  const Collider* oracle_of(const CorpusCase& known);
+
+  /// Whom a case that names nobody is put to: those given, else clip and box2d.
+  const std::string& subject() const { return subject_; }
+  const std::string& oracle() const { return oracle_; }
+
+ private:
+  Find find_;
+  bool has_subject_;
+  bool has_oracle_;
+  std::string subject_ = "clip";
+  std::string oracle_ = "box2d";
+  std::map<std::string, std::optional<Collider>> known_;
+};
+
+}  // namespace manifuzz

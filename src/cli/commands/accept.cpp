@@ -1,0 +1,129 @@
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "campaign/known.hpp"
+#include "campaign/save.hpp"
+#include "cli/colliders.hpp"
+#include "cli/options.hpp"
+#include "corpus/corpus.hpp"
+#include "report/outputs.hpp"
+#include "report/words.hpp"
+
+namespace manifuzz {
+namespace {
+
+struct AcceptArguments {
+  std::vector<std::string> files;
+  std::string because;
+  std::string link;
+  std::string until;
+  std::optional<double> up_to;
+  std::string corpus = "corpus";
+  std::string drop;
+  std::string today;
+  bool list = false;
+};
+
+/// The file that is meant, of the smallest case where the worst was named.
+std::string file_of(const std::string& name, const AcceptArguments& options) {
+  return shrunk_beside(case_file({name, options.corpus}));
+}
+
+/// The case, with what is to be accepted of it. Throws UserError where it is nobody's mistake.
+CorpusCase accepted_case(const std::string& file, const AcceptArguments& options) {
+  CorpusCase known = read_case_file(file);
+  known.accepted = acceptance_of(known, {.because = options.because,
+                                         .link = options.link,
+                                         .until = options.until,
+                                         .up_to = options.up_to});
+  return known;
+}
+
+/// The case as `show` shows it, or as it is recorded where its colliders are not at hand.
+std::string shown(const CorpusCase& known, NamedColliders& colliders, Interruption& interruption) {
+  const Collider* const subject = colliders.subject_of(known);
+  const Collider* const oracle = colliders.oracle_of(known);
+  if (subject == nullptr || oracle == nullptr) return format_case(known);
+  return case_text(judged_case(known, *subject, *oracle, interruption));
+}
+
+int list_accepted(const AcceptArguments& options) {
+  std::string text;
+  for (const CorpusCase& known : read_corpus_folder(options.corpus).cases) {
+    if (known.accepted) text += acceptance_in_words(known, options.today) + '\n';
+  }
+  write_output(text);
+  return 0;
+}
+
+int drop(const AcceptArguments& options) {
+  const std::string file = file_of(options.drop, options);
+  if (!read_case_file(file).accepted) {
+    throw UserError(fmt::format("--drop: {} is not accepted", printable(file, 200)));
+  }
+  write_acceptance(file, {});
+  write_output(fmt::format("dropped {}\n", printable(file, 200)));
+  return 0;
+}
+
+int accept_files(const AcceptArguments& options) {
+  std::vector<CorpusCase> all;  // read before anything is written
+  for (const std::string& name : options.files) {
+    all.push_back(accepted_case(file_of(name, options), options));
+  }
+  NamedColliders colliders(find_installed_or_named({options.corpus}), {}, {});
+  Interruption interruption(kUntilSignal);
+  for (CorpusCase& known : all) {
+    write_output(shown(known, colliders, interruption) + '\n');
+    if (!Place(known.path).is_within(Place(options.corpus))) {
+      const auto folder = std::filesystem::path(options.corpus) / corpus_folder(known);
+      known.path = write_corpus_case(folder, known).string();
+    }
+    write_acceptance(known.path, known.accepted);
+    write_output(acceptance_in_words(known, options.today) + '\n');
+  }
+  return 0;
+}
+
+int accept(const AcceptArguments& options) {
+  if (options.list) return list_accepted(options);
+  if (!options.drop.empty()) return drop(options);
+  if (options.files.empty()) {
+    throw UserError("accept: name the files of findings, or --list, or --drop FILE");
+  }
+  if (options.because.empty()) {
+    throw UserError("--because: is missing; say why the finding may stay");
+  }
+  return accept_files(options);
+}
+
+void add_accept_arguments(CLI::App& app, AcceptArguments& options) {
+  CLI::Option* const files =
+      add_text(app, "files", options.files, "FILE", "the files of findings, or their buckets");
+  add_text(app, "--because", options.because, "TEXT", "why they may stay");
+  add_text(app, "--link", options.link, "URL", "where more is said of it, such as an issue");
+  add_day(app, "--until", options.until, "the last day; without end if not given");
+  add_length(app, "--up-to", options.up_to,
+             "the greatest magnitude, as a share of the size; 3 times the worst if not given");
+  add_corpus(app, options.corpus, "the folder of known cases");
+  app.add_flag("--list", options.list, "what is accepted, a line each")->excludes(files);
+  add_text(app, "--drop", options.drop, "FILE", "accept it no more")->excludes(files);
+  add_today(app, options.today);
+}
+
+}  // namespace
+
+const Command kAccept{
+    "accept", "Findings that may stay: from now on only what is worse or more frequent fails.",
+    "manifuzz accept corpus/regressions/subject-*.json --because 'known since 2.3' --until "
+    "2027-01-31\n"
+    "manifuzz accept --list",
+    define<AcceptArguments, add_accept_arguments, accept>};
+
+}  // namespace manifuzz

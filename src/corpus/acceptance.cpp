@@ -1,0 +1,122 @@
+#include "corpus/acceptance.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "exchange/json.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// The digits of a text as a number; anything else is 0.
+unsigned number_in(std::string_view text) {
+  unsigned number = 0;
+  for (const char c : text) {
+    if (c < '0' || c > '9') return 0;
+    number = 10 * number + static_cast<unsigned>(c - '0');
+  }
+  return number;
+}
+
+/// Appends {"name": value, ...}.
+template <class Values, class Append>
+void append_object(std::string& out, const Values& values, const Append& append) {
+  out += '{';
+  std::string_view separator;
+  for (const auto& [name, value] : values) {
+    out += separator;
+    append_string(out, name);
+    out += ": ";
+    append(value);
+    separator = ", ";
+  }
+  out += '}';
+}
+
+}  // namespace
+
+double accepted_per_million(std::uint64_t hits, std::uint64_t cases) {
+  constexpr double kDeviations = 3;
+  constexpr double kFew = 5;
+  if (cases == 0) return 1e6;
+  const auto seen = static_cast<double>(hits);
+  const double most = seen + kDeviations * std::sqrt(seen) + kFew;
+  return std::min(1e6, std::ceil(1e6 * most / static_cast<double>(cases)));
+}
+
+bool is_day(std::string_view text) {
+  if (text.size() != 10 || text[4] != '-' || text[7] != '-') return false;
+  using namespace std::chrono;
+  const unsigned of_year = number_in(text.substr(0, 4));
+  const year_month_day day{year(static_cast<int>(of_year)), month(number_in(text.substr(5, 2))),
+                           std::chrono::day(number_in(text.substr(8, 2)))};
+  return of_year > 0 && day.ok();
+}
+
+std::string today() {
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now()));
+}
+
+Acceptance read_acceptance(const JsonView& object) {
+  object.expect_keys({"because", "link", "until", "up_to", "per_million"});
+  Acceptance acceptance{.because = std::string(object.at("because").string()),
+                        .link = object.string_or("link", ""),
+                        .until = object.string_or("until", "")};
+  if (!acceptance.until.empty() && !is_day(acceptance.until)) {
+    object.at("until").fail("is no day; one such as 2027-01-31 is expected");
+  }
+  if (const auto up_to = object.find("up_to")) acceptance.up_to = up_to->magnitude();
+  if (const auto rates = object.find("per_million")) {
+    for (const std::string_view regime : rates->keys()) {
+      acceptance.per_million[std::string(regime)] = rates->at(regime).magnitude();
+    }
+  }
+  return acceptance;
+}
+
+Seen read_seen(const JsonView& object) {
+  object.expect_keys({"cases", "magnitude", "regimes"});
+  Seen seen{object.at("cases").whole_number(), object.at("magnitude").magnitude(), {}};
+  const JsonView regimes = object.at("regimes");
+  for (const std::string_view regime : regimes.keys()) {
+    seen.regimes[std::string(regime)] = regimes.at(regime).whole_number();
+  }
+  return seen;
+}
+
+std::string acceptance_member(const Acceptance& acceptance) {
+  std::string out = ",\n  \"accepted\": {\"because\": ";
+  append_string(out, acceptance.because);
+  if (!acceptance.link.empty()) {
+    out += ", \"link\": ";
+    append_string(out, acceptance.link);
+  }
+  if (!acceptance.until.empty()) {
+    out += ", \"until\": ";
+    append_string(out, acceptance.until);
+  }
+  if (acceptance.up_to) {
+    out += ", \"up_to\": ";
+    append_number(out, *acceptance.up_to);
+  }
+  if (!acceptance.per_million.empty()) {
+    out += ",\n    \"per_million\": ";
+    append_object(out, acceptance.per_million, [&](double rate) { append_number(out, rate); });
+  }
+  return out += '}';
+}
+
+void append_seen(std::string& out, const Seen& seen) {
+  fmt::format_to(std::back_inserter(out), "{{\"cases\": {}, \"magnitude\": ", seen.cases);
+  append_number(out, seen.magnitude);
+  out += ", \"regimes\": ";
+  append_object(out, seen.regimes, [&](std::uint64_t count) { out += std::to_string(count); });
+  out += '}';
+}
+
+}  // namespace manifuzz
