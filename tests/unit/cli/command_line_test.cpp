@@ -39,7 +39,7 @@ const std::vector<BadUsage>& bad_usages() {
        {"collide", "--colider", "clip"},
        "no option '--colider'; did you mean '--collider'?"},
       {"a word too many", {"list", "regimes", "now"}, "'now' is a word too many"},
-      {"list of nothing", {"list"}, "WHAT is required"},
+      {"list of an empty name", {"list", ""}, "no list of ''; there are colliders,"},
       {"list of an unknown thing", {"list", "wheels"}, "no list of 'wheels'; there are"},
       {"list of a thing that is misspelt",
        {"list", "regime"},
@@ -156,6 +156,20 @@ TEST_CASE("Help and version go to stdout") {
     CHECK(help.out.find("\n  " + std::string(command.name) + " ") != std::string::npos);
   }
   CHECK(run_manifuzz({"--version"}).out.starts_with("manifuzz "));
+}
+
+TEST_CASE("list alone has a line for each list that there is") {
+  const Outcome outcome = run_manifuzz({"list"});
+  CHECK(outcome.status == 0);
+  const auto lists = lines_of(outcome.out);
+  CHECK(lists.size() == 5);
+  for (const std::string& line : lists) {
+    INFO(line);
+    const auto entries = run_manifuzz({"list", line.substr(0, line.find(' '))});
+    CHECK(entries.status == 0);
+    CHECK_FALSE(entries.out.empty());
+    CHECK(line.find_first_not_of(' ', line.find(' ')) != std::string::npos);
+  }
 }
 
 TEST_CASE("list has a line for each collider and regime") {
