@@ -8,6 +8,7 @@
 #include "campaign/replay.hpp"
 #include "support/installed_collider.hpp"
 #include "support/named_tests.hpp"
+#include "support/source_tree.hpp"
 
 // Every property of every built-in collider is a test of its own. Seeded by MANIFUZZ_SEED, so that
 // each commit looks elsewhere; a failure prints the RC_PARAMS that repeat it.
@@ -80,6 +81,16 @@ TEST_CASE("a failing property is shrunk, says why, and repeats from its string")
   const PropertyResult again = run_property(*property, broken, {8, 1, {}, result.reproduce});
   REQUIRE(again.failing.has_value());
   CHECK(*again.failing == *result.failing);
+}
+
+TEST_CASE("the report of a failing property names no source file") {
+  const Property* const property = find_by_name(properties(), "depth-is-overlap");
+  REQUIRE(property != nullptr);
+  const PropertyResult result = run_property(*property, wrong_depths(), {7, 2000, {}, {}});
+  REQUIRE_FALSE(result.passed);
+  CHECK(result.report.find(result.why) != std::string::npos);
+  CHECK(result.report.find(".cpp") == std::string::npos);
+  CHECK(result.report.find(test::source_dir().string()) == std::string::npos);
 }
 
 TEST_CASE("a string that repeats nothing is a user's error") {
