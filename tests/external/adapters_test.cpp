@@ -1,0 +1,78 @@
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "base/text.hpp"
+#include "external/campaigns.hpp"
+#include "generating/regime.hpp"
+#include "support/skip.hpp"
+#include "support/source_tree.hpp"
+#include "support/temporary_folder.hpp"
+
+// The adapters of scripts/colliders, and those that its users write after the pages.
+
+using namespace manifuzz;
+using namespace manifuzz::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kAdapterSecondsMax = 10;  // over a case: other programs run beside it
+constexpr double kStartSeconds = 60;       // a Java program is compiled at its start
+
+bool is_there(const std::string& program) {
+  return std::system(("command -v " + program + " > /dev/null").c_str()) == 0;
+}
+
+fs::path adapters() {
+  return source_dir() / "scripts/colliders";
+}
+
+Collider adapter(const std::string& command, const fs::path& file) {
+  return collider_of_command(command + " " + quoted_for_shell(file.string()), kAdapterSecondsMax,
+                             kStartSeconds);
+}
+
+/// A program in JavaScript beside the protocol and the engines that it imports.
+Collider beside_protocol(const TemporaryFolder& folder, const std::string& program) {
+  fs::copy_file(adapters() / "protocol.mjs", folder.path() / "protocol.mjs");
+  if (fs::exists(adapters() / "node_modules")) {
+    fs::create_directory_symlink(adapters() / "node_modules", folder.path() / "node_modules");
+  }
+  return adapter("node", folder.write("mine.mjs", program));
+}
+
+/// A minimum translation, written with what protocol.mjs says of a body; `answer` is made of it.
+std::string translation(const std::string& claims, const std::string& answer) {
+  return R"(import { serve, toWorld } from "./protocol.mjs";
+const placed = ({vertices, count, pose}) => vertices.slice(0, count).map((v) => toWorld(pose, v));
+const faces = (p, q, sign) => p.normals.map((normal, i) => {
+  const n = toWorld({p: {x: 0, y: 0}, q: p.pose.q}, normal), [x, y] = toWorld(p.pose, p.vertices[i]);
+  const gap = Math.min(...placed(q).map(([z, w]) => n[0]*(z - x) + n[1]*(w - y)));
+  return {depth: p.radius + q.radius - gap, normal: n.map((c) => sign*c)};
+});
+serve({name: "mine", scalar: "float64", claims: ")" +
+         claims + R"("}, (a, b) => {
+  const {depth, normal} = [...faces(a, b, 1), ...faces(b, a, -1)].reduce((p, q) => q.depth < p.depth ? q : p);
+  return )" +
+         answer + R"(;
+});
+)";
+}
+
+}  // namespace
+
+TEST_CASE("a body is to an adapter in JavaScript what protocol.mjs says") {
+  if (!is_there("node")) return skip("there is no node");
+  for (const auto& [claims, answer] : {std::pair("separation", "{depth, normal}"),
+                                       std::pair("touching", "{touching: depth >= 0}")}) {
+    INFO(claims);
+    const TemporaryFolder folder;
+    const JobsResult result = run(plan_of(beside_protocol(folder, translation(claims, answer))));
+    CHECK(result.tally->cases() == kCases);
+    CHECK(result.tally->touching() > kCases / 3);
+    CHECK(result.tally->unexplained() == 0);
+  }
+}
