@@ -64,6 +64,20 @@ serve({name: "mine", scalar: "float64", claims: ")" +
 
 }  // namespace
 
+TEST_CASE("the clipping in Python is right in every regime") {
+  if (!is_there("python3")) return skip("there is no python3");
+  const Collider python = adapter("python3", adapters() / "clip.py");
+  CHECK(python.declaration.name == "clip-python");
+  Plan plan = plan_of(python);
+  plan.regimes.clear();
+  for (const Regime& regime : regimes()) plan.regimes.push_back(&regime);
+  const JobsResult result = run(plan);
+  CHECK(result.tally->cases() == kCases);
+  CHECK(result.tally->unexplained() == 0);
+  CHECK(result.tally->count(Verdict::unsupported) == 0);
+  CHECK(result.tally->touching() > kCases / 3);
+}
+
 TEST_CASE("a body is to an adapter in JavaScript what protocol.mjs says") {
   if (!is_there("node")) return skip("there is no node");
   for (const auto& [claims, answer] : {std::pair("separation", "{depth, normal}"),
