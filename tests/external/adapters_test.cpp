@@ -78,6 +78,24 @@ TEST_CASE("the clipping in Python is right in every regime") {
   CHECK(result.tally->touching() > kCases / 3);
 }
 
+TEST_CASE("dyn4j answers, and mostly as it should") {
+  if (!is_there("javac")) return skip("there is no javac");
+  const fs::path jar = adapters() / "dyn4j-6.0.0.jar";
+  if (!fs::exists(jar)) return skip("dyn4j is not installed; scripts/setup --tests does it");
+  const Collider dyn4j =
+      adapter("java -cp " + quoted_for_shell(jar.string()), adapters() / "Dyn4j.java");
+  CHECK(dyn4j.declaration.name == "dyn4j");
+  CHECK(dyn4j.declaration.version == "6.0.0");
+  Plan plan = plan_of(dyn4j);
+  plan.context.radius = 0.0F;
+  const JobsResult result = run(plan);
+  CHECK(result.tally->cases() == kCases);
+  CHECK(result.tally->touching() > kCases / 3);
+  CHECK(result.tally->count(Verdict::agree) > kCases - kCases / 20);
+  const auto lost = {Verdict::crashed, Verdict::timed_out, Verdict::malformed};
+  for (const Verdict verdict : lost) CHECK(result.tally->count(verdict) == 0);
+}
+
 TEST_CASE("a body is to an adapter in JavaScript what protocol.mjs says") {
   if (!is_there("node")) return skip("there is no node");
   for (const auto& [claims, answer] : {std::pair("separation", "{depth, normal}"),
