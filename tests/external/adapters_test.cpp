@@ -108,3 +108,19 @@ TEST_CASE("a body is to an adapter in JavaScript what protocol.mjs says") {
     CHECK(result.tally->unexplained() == 0);
   }
 }
+
+TEST_CASE("the adapter of the README works, and misses contacts as it is said to") {
+  if (!fs::exists(adapters() / "node_modules/planck")) return skip("planck is not installed");
+  const std::string readme = text_of(source_dir() / "README.md");
+  const std::size_t begin = readme.find("```js\n") + 6;
+  REQUIRE(begin > 6);
+  const TemporaryFolder folder;
+  Plan plan =
+      plan_of(beside_protocol(folder, readme.substr(begin, readme.find("```", begin) - begin)));
+  plan.regimes = {find_regime("sliver"), find_regime("tie_bias")};
+  const JobsResult result = run(plan);
+  CHECK(result.tally->cases() == kCases);
+  CHECK(result.tally->count(Verdict::agree) > kCases / 2);
+  CHECK(count_of(result, Kind::missed_contact) > 0);
+  CHECK(result.tally->count(Verdict::malformed) == 0);
+}
