@@ -1,5 +1,33 @@
-// What every adapter in JavaScript does: reads case lines from stdin, writes its declaration and
-// then an answer a line to stdout. `collide` gets two bodies and returns what is to be written.
+// What every adapter in JavaScript does: `serve(declaration, collide)` reads case lines from stdin,
+// writes the declaration and then an answer a line to stdout. oracle/external/README.md has all
+// that may be declared and answered; this is what most need.
+//
+// `collide(a, b)` is called for each case. A body has
+//   vertices  3 to 8 points {x, y} in its own frame: counter-clockwise, strictly convex, multiplied
+//             by the length of the stored rotation, which is not quite 1 (see readBody)
+//   normals   {x, y}, unit and outward, in that frame: normals[i] is that of the face from
+//             vertices[i] to vertices[i + 1]
+//   count     how many vertices there are
+//   radius    by which the polygon is rounded; always 0 where `takes_radius: false` is declared
+//   pose      {p: {x, y}, q: {c, s}}, the rotation unit to the bits of a double: vertex v stands at
+//             toWorld(pose, v) = [c v.x - s v.y + p.x, s v.x + c v.y + p.y] in the world
+// Every length, depths too, is in the world's unit. Both bodies are new for each call: the engine
+// may keep them and change them.
+//
+// It returns what is written for the case, positions and normals in the world:
+//   {points: [{position: [x, y], depth}, ...], normal: [x, y]}
+//                             1 or 2 points, each with the overlap there, 0 or more; the normal is
+//                             unit, from A to B (from B to A where `normal: "b_to_a"` is declared)
+//   {points: []}              no contact
+//   {unsupported: "why"}      it cannot take this case
+// It may add reference: "a" or "b", whose face clips, and to each point features: ["f0", "v2"], the
+// face or vertex of A, then of B. An engine that gives less than a manifold declares what it
+// `claims`, and returns
+//   "point"       {points: [{position, depth}], normal}, or {points: []}
+//   "separation"  {normal, depth}, the depth negative across a gap, or {touching: false}
+//   "touching"    {touching: true} or {touching: false}
+// One with a single depth for all points declares `depths: "shared"`, and returns
+// {points: [{position}, ...], normal, depth}. Where it throws, the case is counted as crashed.
 import { readFileSync } from "node:fs";
 
 export async function serve(declaration, collide) {

@@ -153,6 +153,16 @@ void add_regimes(CLI::App& app, std::vector<std::string>& names) {
       ->allow_extra_args(false);
 }
 
+void add_radius(CLI::App& app, std::optional<double>& radius) {
+  add_length(app, "--radius", radius, "of each polygon; the regime's own if not given");
+}
+
+float radius_of(double radius) {
+  constexpr float most = std::numeric_limits<float>::max() / 2;  // both together are a float still
+  if (radius <= static_cast<double>(most)) return static_cast<float>(radius);
+  throw UserError(fmt::format("--radius: {} is beyond float; take 0 to {}", radius, most));
+}
+
 void add_corpus(CLI::App& app, std::string& folder, const std::string& description) {
   app.add_option("--corpus", folder, description)->type_name("DIR")->capture_default_str();
 }

@@ -47,9 +47,12 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, To& to, const std:
   return app.add_option(name, to, description)->type_name(type)->check(not_blank);
 }
 
-/// Options that several commands have: --seed, --first, --regime, --corpus, --no-save, --json.
+/// Options that several commands have: --seed, --regime, --radius, --corpus, --no-save, --json.
 void add_seed(CLI::App& app, std::optional<std::uint64_t>& seed);
 void add_regimes(CLI::App& app, std::vector<std::string>& names);
+void add_radius(CLI::App& app, std::optional<double>& radius);
+/// Such a radius as a float. Throws UserError where it is too large for one.
+float radius_of(double radius);
 void add_corpus(CLI::App& app, std::string& folder, const std::string& description);
 /// Such a folder again, for a shell; nothing for the usual one.
 std::string corpus_again(const std::string& folder);

@@ -71,6 +71,9 @@ CorpusCase read_case_file(const std::string& path);
 /// The text of a corpus file: a line for each polygon and each manifold.
 std::string format_case(const CorpusCase& corpus_case);
 
+/// Appends a pair case and where it came from as one line, without the line's end.
+void append_found_case_line(std::string& out, const PairCase& pair, const Found& found);
+
 struct Corpus {
   std::vector<CorpusCase> cases;
   std::vector<std::string> errors;             ///< one line for each file or folder that is broken

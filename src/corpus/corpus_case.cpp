@@ -67,20 +67,21 @@ void append_member(std::string& out, std::string_view separator, std::string_vie
   append_string(out, text);
 }
 
-void append_found(std::string& out, const Found& found) {
-  fmt::format_to(std::back_inserter(out), ",\n  \"found\": {{\"seed\": {}", found.seed);
-  out += ", \"regime\": ";
+/// Appends "found" behind `separator`.
+void append_found(std::string& out, std::string_view separator, const Found& found) {
+  fmt::format_to(std::back_inserter(out), "{}\"found\": {{\"seed\": {}, \"regime\": ", separator,
+                 found.seed);
   append_string(out, found.regime);
-  fmt::format_to(std::back_inserter(out), ", \"index\": {}, \"versions\": {{", found.index);
-  std::string_view separator;
+  fmt::format_to(std::back_inserter(out), ", \"index\": {}", found.index);
+  std::string_view before = ", \"versions\": {";
   for (const auto& [name, version] : found.versions) {
-    out += separator;
+    out += before;
     append_string(out, name);
     out += ": ";
     append_string(out, version);
-    separator = ", ";
+    before = ", ";
   }
-  out += '}';
+  if (!found.versions.empty()) out += '}';
   if (found.is_unshrunk) out += ", \"unshrunk\": true";
   if (found.seen) append_seen(out += ",\n    \"seen\": ", *found.seen);
   out += '}';
@@ -160,12 +161,19 @@ CorpusCase read_case_file(const std::string& path) {
 std::string format_case(const CorpusCase& corpus_case) {
   std::string out;
   append_case_start(out, corpus_case.pair);
-  if (corpus_case.found) append_found(out, *corpus_case.found);
+  if (corpus_case.found) append_found(out, ",\n  ", *corpus_case.found);
   if (corpus_case.expect) append_expectation(out, corpus_case.pair, *corpus_case.expect);
   if (corpus_case.accepted) out += acceptance_member(*corpus_case.accepted);
   append_member(out, ",\n  ", "property", corpus_case.property);
   append_member(out, ",\n  ", "note", corpus_case.note);
   return out + "\n}\n";
+}
+
+void append_found_case_line(std::string& out, const PairCase& pair, const Found& found) {
+  append_case_line(out, pair);
+  out.pop_back();  // the brace that closes it
+  append_found(out, ", ", found);
+  out += '}';
 }
 
 }  // namespace manifuzz

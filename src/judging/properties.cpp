@@ -168,6 +168,12 @@ bool is_in_mid_range(const Body& body) {
          both(body.pose.rotation) && in_range(body.polygon.radius);
 }
 
+/// Whether it declares a length, besides its tie bias, that does not grow with the shapes.
+bool has_fixed_length(const Declaration& declaration) {
+  return declaration.speculative != 0 || declaration.least_depth != 0 ||
+         declaration.tolerance.absolute != 0;
+}
+
 }  // namespace
 
 Outcome swapping_mirrors(AskedCollider& ask, const PairCase& pair) {
@@ -205,6 +211,7 @@ Outcome powers_of_two_scale(AskedCollider& ask, const PairCase& pair) {
   const TieBias& bias = ask.declaration().tie_bias;
   if (!is_in_mid_range(pair.a) || !is_in_mid_range(pair.b)) return not_applicable();
   if (bias.absolute != 0 && !ask.collider().with_tie_bias) return not_applicable();
+  if (has_fixed_length(ask.declaration())) return not_applicable();
   const auto here = ask.manifold(pair);
   if (!here) return not_applicable();
   for (const float factor : {0x1p-12F, 0x1p9F}) {

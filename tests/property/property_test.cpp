@@ -8,6 +8,7 @@
 #include "campaign/replay.hpp"
 #include "support/installed_collider.hpp"
 #include "support/named_tests.hpp"
+#include "support/source_tree.hpp"
 
 // Every property of every built-in collider is a test of its own. Seeded by MANIFUZZ_SEED, so that
 // each commit looks elsewhere; a failure prints the RC_PARAMS that repeat it.
@@ -54,6 +55,19 @@ bool has_every_property(std::string_view collider) {
   return true;
 }();
 
+/// A collider that answers as clip does, but leaves out contacts shallower than a length.
+Collider without_shallow_contacts() {
+  Collider collider = find_collider("clip");
+  const auto right = collider.collide;
+  collider.collide = [right](const PairCase& pair) {
+    const auto manifold = std::get<Manifold<double>>(right(pair));
+    const bool is_deep = manifold.count > 0 && manifold.points[0].depth > 0.5;
+    return Answer(is_deep ? manifold : Manifold<double>());
+  };
+  collider.with_tie_bias = nullptr;
+  return collider;
+}
+
 /// A collider that answers as clip does, but each depth a hundredth too large.
 Collider wrong_depths() {
   Collider collider = find_collider("clip");
@@ -80,6 +94,37 @@ TEST_CASE("a failing property is shrunk, says why, and repeats from its string")
   const PropertyResult again = run_property(*property, broken, {8, 1, {}, result.reproduce});
   REQUIRE(again.failing.has_value());
   CHECK(*again.failing == *result.failing);
+}
+
+TEST_CASE("the report of a failing property names no source file") {
+  const Property* const property = find_by_name(properties(), "depth-is-overlap");
+  REQUIRE(property != nullptr);
+  const PropertyResult result = run_property(*property, wrong_depths(), {7, 2000, {}, {}});
+  REQUIRE_FALSE(result.passed);
+  CHECK(result.report.find(result.why) != std::string::npos);
+  CHECK(result.report.find(".cpp") == std::string::npos);
+  CHECK(result.report.find(test::source_dir().string()) == std::string::npos);
+}
+
+TEST_CASE("scaling is asked of colliders without a length of their own alone") {
+  const Property* const property = find_by_name(properties(), "powers-of-two");
+  REQUIRE(property != nullptr);
+  const Vector2<float> box[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  PairCase pair{{make_polygon<float>(box), {}}, {make_polygon<float>(box), {}}};
+  pair.b.pose.position = {1.75F, 0.5F};
+  const auto kind_of = [&](auto declare) {
+    Collider collider = without_shallow_contacts();
+    declare(collider.declaration);
+    return check(*property, collider, pair).kind;
+  };
+  using Kind = Outcome::Kind;
+  CHECK(kind_of([](Declaration&) {}) == Kind::fails);
+  CHECK(kind_of([](Declaration& d) { d.tolerance.relative = 0.01; }) == Kind::fails);
+  CHECK(kind_of([](Declaration& d) { d.tie_bias.relative = 0.01; }) == Kind::fails);
+  CHECK(kind_of([](Declaration& d) { d.tie_bias.absolute = 0.01; }) == Kind::not_applicable);
+  CHECK(kind_of([](Declaration& d) { d.speculative = 0.5; }) == Kind::not_applicable);
+  CHECK(kind_of([](Declaration& d) { d.least_depth = 0.5; }) == Kind::not_applicable);
+  CHECK(kind_of([](Declaration& d) { d.tolerance.absolute = 0.5; }) == Kind::not_applicable);
 }
 
 TEST_CASE("a string that repeats nothing is a user's error") {

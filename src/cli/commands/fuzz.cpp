@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -46,13 +45,6 @@ struct FuzzArguments {
   std::string report;
   CiOutput ci;
 };
-
-/// Both radii together are a float still.
-float radius_of(double radius) {
-  constexpr float most = std::numeric_limits<float>::max() / 2;
-  if (radius <= static_cast<double>(most)) return static_cast<float>(radius);
-  throw UserError(fmt::format("--radius: {} is beyond float; take 0 to {}", radius, most));
-}
 
 /// All of the plan that options decide; what is wrong with them comes before a seed is drawn.
 Plan plan_of(const FuzzArguments& options) {
@@ -190,7 +182,7 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
                    "of the cases that agree, one in so many is judged too; 256 if not given", 1);
   add_regimes(app, options.regimes);
   add_length(app, "--tie-bias", options.tie_bias, "the subject's tie bias");
-  add_length(app, "--radius", options.radius, "of each polygon; the regime's own if not given");
+  add_radius(app, options.radius);
   add_corpus(app, options.corpus, "the folder of known cases, where new ones are saved");
   add_no_save(app, options.no_save);
   add_text(app, "--baseline", options.baseline, "FILE",

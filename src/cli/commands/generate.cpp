@@ -7,7 +7,6 @@
 #include "base/text.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
-#include "exchange/json.hpp"
 #include "generating/regime.hpp"
 
 namespace manifuzz {
@@ -18,6 +17,7 @@ struct GenerateArguments {
   std::vector<std::string> regimes;
   std::optional<std::uint64_t> first;
   std::optional<std::uint64_t> cases;
+  std::optional<double> radius;
   std::string corpus = "corpus";
 };
 
@@ -27,15 +27,20 @@ int generate_cases(const GenerateArguments& options) {
   const std::uint64_t first = options.first.value_or(0);
   const std::uint64_t cases = options.cases.value_or(10);
   expect_indices(first, cases, chosen.size());
+  GenerationContext context;
+  if (options.radius) context.radius = radius_of(*options.radius);
   const Corpus corpus = read_corpus_folder(options.corpus);
   const std::uint64_t seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, seed);
+  context.corpus = pairs;
   Output out;
   std::string line;
   for (std::uint64_t k = 0; k < cases; ++k) {
     const Regime& regime = *chosen[k % chosen.size()];
+    const std::uint64_t index = first + k / chosen.size();
     line.clear();
-    append_case_line(line, generate(seed, regime, first + k / chosen.size(), {pairs, {}}));
+    append_found_case_line(line, generate(seed, regime, index, context),
+                           {seed, std::string(regime.name), index, {}});
     out.write(line += '\n');
   }
   out.flush();
@@ -47,6 +52,7 @@ void add_generate_arguments(CLI::App& app, GenerateArguments& options) {
   add_regimes(app, options.regimes);
   add_whole_number(app, "--first", options.first, "the first index in each regime; 0 if not given");
   add_whole_number(app, "--cases", options.cases, "how many cases; 10 if not given", 1);
+  add_radius(app, options.radius);
   add_corpus(app, options.corpus, "the folder that the regimes may mutate cases of");
 }
 

@@ -1,3 +1,4 @@
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -31,29 +32,43 @@ std::string list_colliders() {
 
 struct Catalogue {
   std::string_view name;
+  std::string_view description;
   std::string (*list)();
 };
 
-constexpr Catalogue kCatalogues[] = {{"colliders", list_colliders},
-                                     {"regimes", list_regimes},
-                                     {"ledger", list_ledger},
-                                     {"sweeps", list_sweeps},
-                                     {"scenes", list_scenes}};
+constexpr Catalogue kCatalogues[] = {
+    {"colliders", "what can be a subject or an oracle", list_colliders},
+    {"regimes", "the families of cases that fuzz and generate draw from", list_regimes},
+    {"ledger", "the known deviations of oracles, with their sources", list_ledger},
+    {"sweeps", "what stress turns until a collider breaks", list_sweeps},
+    {"scenes", "the scenes that scene runs", list_scenes}};
 
-int list(const std::string& what) {
-  write_output(chosen_by_name(kCatalogues, {&what, 1}, "list of", "list").front()->list());
+std::string list_catalogues() {
+  std::string lines;
+  for (const Catalogue& one : kCatalogues) {
+    lines += fmt::format("{:<13} {}\n", one.name, one.description);
+  }
+  return lines;
+}
+
+int list(const std::optional<std::string>& what) {
+  write_output(what ? chosen_by_name(kCatalogues, {&*what, 1}, "list of", "list").front()->list()
+                    : list_catalogues());
   return 0;
 }
 
-void add_list_arguments(CLI::App& app, std::string& what) {
-  app.add_option("WHAT", what, "colliders, regimes, ledger, sweeps or scenes")->required();
+void add_list_arguments(CLI::App& app, std::optional<std::string>& what) {
+  app.add_option("WHAT", what,
+                 "colliders, regimes, ledger, sweeps or scenes; these lists themselves if not "
+                 "given");
 }
 
 }  // namespace
 
-const Command kList{"list", "What there is, a line each.",
-                    "manifuzz list colliders\nmanifuzz list regimes\nmanifuzz list ledger\n"
-                    "manifuzz list sweeps\nmanifuzz list scenes",
-                    define<std::string, add_list_arguments, list>};
+const Command kList{
+    "list", "What there is, a line each.",
+    "manifuzz list\nmanifuzz list colliders\nmanifuzz list regimes\nmanifuzz list ledger\n"
+    "manifuzz list sweeps\nmanifuzz list scenes",
+    define<std::optional<std::string>, add_list_arguments, list>};
 
 }  // namespace manifuzz

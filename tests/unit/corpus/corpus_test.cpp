@@ -95,6 +95,18 @@ TEST_CASE("A corpus file reads back whole") {
   CHECK(format_case(read) == format_case(sample));
 }
 
+TEST_CASE("A case that no collider was asked has no versions") {
+  CorpusCase sample = sample_case();
+  sample.found->versions.clear();
+  const std::string text = format_case(sample);
+  CHECK(text.find("versions") == std::string::npos);
+  CHECK(parse_case(text, FormatKey::required).found->index == 12);
+  std::string line;
+  append_found_case_line(line, sample.pair, *sample.found);
+  CHECK(line.find('\n') == std::string::npos);
+  CHECK(parse_case(line, FormatKey::required).pair == sample.pair);
+}
+
 TEST_CASE("A severity from 0 to 1 reads back, and none stays none") {
   CorpusCase sample = sample_case();
   for (const std::optional<double> severity :
