@@ -76,7 +76,8 @@ std::string agreement(const JudgedCase& judged) {
 std::string silent_or_nonsense(const JudgedCase& judged, std::string_view what) {
   const bool of_subject = judged.judgement.bucket.fault == Fault::subject;
   const DeclaredAnswer& asked = of_subject ? judged.subject : judged.oracle;
-  return fmt::format("{} {}", asked.declaration.name, what);
+  const auto why = why_lost(judged.given.pair, {asked.declaration, asked.answer});
+  return fmt::format("{} {}{}", asked.declaration.name, what, why ? ": " + *why : "");
 }
 
 std::string unsupported_in_words(const JudgedCase& judged) {

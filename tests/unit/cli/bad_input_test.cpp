@@ -147,5 +147,6 @@ TEST_CASE("collide says where numbers overflow in the collider", "[bad-input]") 
   CHECK(outcome.status == 2);
   CHECK(is_one_clear_line(outcome.err));
   REQUIRE(lines_of(outcome.out).size() == 1);
-  check_error_line(outcome.out, 1, "clip answers with a number that is not finite");
+  check_error_line(outcome.out, 1,
+                   "clip answers nonsense: point 0: position (nan, nan) is not finite; smaller");
 }
