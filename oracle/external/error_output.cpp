@@ -20,9 +20,9 @@ void ErrorOutput::pass_on(std::string_view text) {
   if (kept == text.size() || run_->has_said.exchange(true)) return;
   const std::string_view line_end = kept > 0 && text[kept - 1] != '\n' ? "\n" : "";
   write_error(fmt::format(
-      "{}'{}' writes more to its standard error than {} KiB a case and {} KiB a run; the rest is "
+      "{}'{}' writes more to its standard error than {} KiB a case and {} MiB a run; the rest is "
       "dropped\n",
-      line_end, printable(name_), kErrorBytesACase >> 10, kErrorBytesARun >> 10));
+      line_end, printable(name_), kErrorBytesACase >> 10, kErrorBytesARun >> 20));
 }
 
 }  // namespace manifuzz

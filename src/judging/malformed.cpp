@@ -7,8 +7,13 @@
 namespace manifuzz {
 namespace {
 
+/// A NaN without its sign, which differs between machines.
+std::string in_words(double value) {
+  return std::isnan(value) ? "nan" : fmt::format("{}", value);
+}
+
 std::string in_words(const Vector2<double>& v) {
-  return fmt::format("({}, {})", v.x(), v.y());
+  return fmt::format("({}, {})", in_words(v.x()), in_words(v.y()));
 }
 
 /// Of a figure, by its name.
@@ -19,7 +24,7 @@ std::string not_finite(std::string_view name, const std::string& value) {
 std::optional<std::string> why_malformed(const PairCase& pair, const ContactPoint<double>& point,
                                          bool may_be_apart) {
   if (!point.position.allFinite()) return not_finite("position", in_words(point.position));
-  if (!std::isfinite(point.depth)) return not_finite("depth", fmt::format("{}", point.depth));
+  if (!std::isfinite(point.depth)) return not_finite("depth", in_words(point.depth));
   if (point.depth < 0 && !may_be_apart) {
     return fmt::format("depth {} is below 0; 0 or more is expected", point.depth);
   }
@@ -61,7 +66,7 @@ std::optional<std::string> why_malformed(const PairCase& pair, const ColliderAns
     }
   }
   if (const auto* const less = std::get_if<Penetration>(&answer)) {
-    if (!std::isfinite(less->depth)) return not_finite("depth", fmt::format("{}", less->depth));
+    if (!std::isfinite(less->depth)) return not_finite("depth", in_words(less->depth));
     if (!less->normal || less->normal->allFinite()) return std::nullopt;
     return not_finite("normal", in_words(*less->normal));
   }

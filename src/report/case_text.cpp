@@ -266,7 +266,7 @@ void append_judgement(std::string& line, const Admissible& right, const Collider
 
 std::string case_text(const JudgedCase& judged) {
   const PairCase& pair = judged.given.pair;
-  std::string text = verdict_sentence(judged) + '\n';
+  std::string text = verdict_and_why(judged) + '\n';
   write_verdict(text, judged.judgement);
   write_origin(text, judged.given);
   write_body(text, pair.a, 'A');

@@ -139,6 +139,22 @@ TEST_CASE("collide refuses a case file that does not name its format", "[bad-inp
   CHECK(outcome.err.find("\"format\" is missing") != std::string::npos);
 }
 
+TEST_CASE("collide says why an answer is nonsense, as fuzz does", "[bad-input]") {
+  const std::string negative =
+      R"(while read -r line; do echo '{"points": [{"position": [0, 0], "depth": -0.25}], )"
+      R"("normal": [0, 1]}'; done)";
+  const std::string why = "point 0: depth -0.25 is below 0; 0 or more is expected";
+  const Outcome generated = run_manifuzz({"generate", "--seed", "1", "--cases", "1"});
+  const Outcome collided = run_manifuzz({"collide", "--collider-command", negative}, generated.out);
+  INFO(collided.out << collided.err);
+  CHECK(collided.status == 2);
+  REQUIRE(lines_of(collided.out).size() == 1);
+  check_error_line(collided.out, 1, why);
+  const Outcome fuzzed = run_manifuzz(
+      {"fuzz", "--subject-command", negative, "--seed", "1", "--cases", "100", "--no-save"});
+  CHECK(fuzzed.out.find("gave no answer again and again: " + why) != std::string::npos);
+}
+
 TEST_CASE("collide says where numbers overflow in the collider", "[bad-input]") {
   const std::string huge = R"({"a": {"vertices": [[-3e38,-3e38],[3e38,-3e38],[0,3e38]]}, )"
                            R"("b": {"vertices": [[-3e38,-3e38],[3e38,-3e38],[0,3e38]]}})";
