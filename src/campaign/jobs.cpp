@@ -68,9 +68,6 @@ std::size_t ask_block(std::span<const PairCase> pairs, RunState& run, JobState& 
   });
   for (std::size_t i = 0; i < answered; ++i) {
     if (std::holds_alternative<Unsupported>(of.answers[i])) continue;
-    if (const auto why = why_malformed(pairs[i], {of.collider.declaration, of.answers[i]})) {
-      of.answers[i] = Lost{Lost::How::malformed, *why};
-    }
     const auto* const lost = std::get_if<Lost>(&of.answers[i]);
     of.lost_in_a_row = lost != nullptr ? of.lost_in_a_row + 1 : 0;
     if (of.lost_in_a_row < kLossesInARowMax) continue;
@@ -98,9 +95,9 @@ bool is_sampled(const Plan& plan, CaseNumber number) {
 bool is_unsteady(const Bucket& bucket, const PairCase& pair, std::size_t i, JobState& job,
                  BlockAnswers& of) {
   const bool is_blamed = bucket.fault == of.role || bucket.fault == Fault::both;
-  if (!of.collider.is_isolated() || !is_blamed || std::holds_alternative<Lost>(of.answers[i])) {
-    return false;
-  }
+  const bool has_answered =
+      bucket.verdict != Verdict::malformed && !std::holds_alternative<Lost>(of.answers[i]);
+  if (!of.collider.is_isolated() || !is_blamed || !has_answered) return false;
   Answer alone;
   of.collider.collide_many({&pair, 1}, {&alone, 1}, [&] {
     ++job.waits;

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "corpus/corpus.hpp"
 #include "support/bad_cases.hpp"
 #include "support/permissions.hpp"
 #include "support/run_program.hpp"
@@ -150,9 +151,14 @@ TEST_CASE("collide says why an answer is nonsense, as fuzz does", "[bad-input]")
   CHECK(collided.status == 2);
   REQUIRE(lines_of(collided.out).size() == 1);
   check_error_line(collided.out, 1, why);
-  const Outcome fuzzed = run_manifuzz(
-      {"fuzz", "--subject-command", negative, "--seed", "1", "--cases", "100", "--no-save"});
-  CHECK(fuzzed.out.find("gave no answer again and again: " + why) != std::string::npos);
+  const TemporaryFolder folder;
+  const Outcome fuzzed = run_manifuzz({"fuzz", "--subject-command", negative, "--seed", "1",
+                                       "--cases", "1", "--corpus", folder.path().string()});
+  INFO(fuzzed.out << fuzzed.err);
+  CHECK(fuzzed.status == 1);
+  const manifuzz::Corpus saved = manifuzz::read_corpus_folder(folder.path());
+  REQUIRE_FALSE(saved.cases.empty());
+  CHECK(saved.cases.front().note.find(why) != std::string::npos);
 }
 
 TEST_CASE("collide says where numbers overflow in the collider", "[bad-input]") {
