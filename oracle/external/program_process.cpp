@@ -64,10 +64,8 @@ BatchResult ProgramProcess::exchange(std::span<const PairCase> pairs, std::span<
     const bool open = watched[0].revents == 0 || read_some();
     take_lines(pairs, answers, result);
     if (watched[1].revents != 0) has_errors = pass_on_errors();
-    if (result.answered > before || is_ready() != was_ready) {
-      began_at = Clock::now();
-      error_output_.begin_case();
-    }
+    if (result.answered > before || is_ready() != was_ready) began_at = Clock::now();
+    if (result.answered > before) error_output_.begin_case();
     if (result.answered == pairs.size() || result.end != BatchEnd::answered) break;
     const double most = is_ready() ? case_seconds : start_seconds;
     const bool is_late = seconds_since(began_at) > most;
