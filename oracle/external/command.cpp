@@ -112,10 +112,7 @@ class CommandCollider {
   Declaration ask_declaration() {
     const PairCase pair = overlapping_boxes();
     Answer answer;
-    const auto start = Clock::now();
     const BatchResult result = program_.ask({&pair, 1}, {&answer, 1}, [] { return true; });
-    const double to_start = result.end == BatchEnd::answered ? 3 * seconds_since(start) : 0;
-    program_.start_seconds = program_.case_seconds + to_start;
     const std::string declaration = program_.declaration();
     const std::string death = program_.stop();
     const bool cannot_run = death.ends_with("status 127") || death.ends_with("status 126");
@@ -135,12 +132,11 @@ class CommandCollider {
     }
   }
 
-  /// The longest that a case may take, where the program has to be started for it.
-  double seconds_max() const { return program_.start_seconds; }
+  /// The longest that a case may take, where the program dies before it and has to be started.
+  double seconds_max() const { return program_.start_seconds + 2 * program_.case_seconds; }
 
-  /// Answers at least one, unless told to stop. A program that dies does so over the first case it
-  /// has not answered, since it flushes each line; where lines and cases may have lost step, all
-  /// are asked again, one at a time.
+  /// Answers at least one, unless told to stop. What was sent ahead to one that died is asked
+  /// again; where lines and cases may have lost step, all are, one at a time.
   std::size_t answer_batch(std::span<const PairCase> pairs, std::span<Answer> answers,
                            const std::function<bool()>& go_on) {
     BatchResult result = program_.ask(pairs, answers, go_on);
@@ -150,12 +146,13 @@ class CommandCollider {
     }
     if (result.end == BatchEnd::answered || result.end == BatchEnd::stopped) return result.answered;
     const Lost lost = lost_by(result);
-    if (result.end != BatchEnd::exited && pairs.size() > 1) {
-      return answer_one_by_one(pairs, answers, go_on);
+    if (pairs.size() == 1) {
+      answers[0] = lost;
+      return 1;
     }
-    const std::size_t at = std::min(result.answered, pairs.size() - 1);
-    answers[at] = lost;
-    return at + 1;
+    if (result.end != BatchEnd::exited) return answer_one_by_one(pairs, answers, go_on);
+    const std::size_t at = result.answered;
+    return at + answer_up_to_crash(pairs.subspan(at), answers.subspan(at), lost, go_on);
   }
 
  private:
@@ -165,7 +162,24 @@ class CommandCollider {
       return {Lost::How::crashed, death.empty() ? "closed its output" : death};
     }
     const bool is_late = result.end == BatchEnd::timed_out;
+    if (is_late && !death.empty()) return {Lost::How::crashed, death};  // one of its own lives on
     return {is_late ? Lost::How::timed_out : Lost::How::malformed, result.why};
+  }
+
+  /// The program died among these, and answers may have died with it in its buffers: asked one at a
+  /// time, it dies over the case that it dies of. Where it dies of none, the first stands for the
+  /// crash, which is not to be passed over.
+  std::size_t answer_up_to_crash(std::span<const PairCase> pairs, std::span<Answer> answers,
+                                 const Lost& crash, const std::function<bool()>& go_on) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const BatchResult result = program_.ask(pairs.subspan(i, 1), answers.subspan(i, 1), go_on);
+      if (result.end == BatchEnd::stopped) return i;
+      if (result.end == BatchEnd::answered) continue;
+      answers[i] = lost_by(result);
+      return i + 1;
+    }
+    answers[0] = Lost{crash.how, crash.why + ", among other cases; alone it answers each"};
+    return pairs.size();
   }
 
   std::size_t answer_one_by_one(std::span<const PairCase> pairs, std::span<Answer> answers,

@@ -10,6 +10,7 @@
 
 #include "collider/collider.hpp"
 #include "exchange/json.hpp"
+#include "oracle/external/error_output.hpp"
 #include "oracle/external/manifuzz_collider.h"
 #include "process/child.hpp"
 #include "process/interruption.hpp"
@@ -49,11 +50,12 @@ Collider collider_in_process(const std::string& path);
 /// case. Throws UserError where the library cannot be loaded.
 Collider collider_in_own_process(const std::string& path, double seconds_max);
 
-/// A program's first answer, before which it may have to be compiled, may take so long.
+/// A program's start, up to its declaration or, of one that declares nothing, its first answer, may
+/// take so long: it may have to be compiled.
 inline constexpr double kStartSecondsMax = 10;
 
 /// A program that answers case lines with manifold lines (corpus/README.md states both), as a
-/// collider. One that dies, hangs longer than `seconds_max` over a case (the first one:
+/// collider. One that dies, hangs longer than `seconds_max` over a case (not counting its start, of
 /// `start_seconds_max`), or answers what is no manifold, loses that case. Throws UserError where it
 /// cannot be started or declares nonsense.
 Collider collider_of_command(const std::string& command, double seconds_max,
@@ -95,14 +97,16 @@ class ProgramProcess {
   ProgramProcess(std::string command, double start_seconds_max, double case_seconds_max)
       : start_seconds(start_seconds_max),
         case_seconds(case_seconds_max),
-        command_(std::move(command)) {}
+        command_(std::move(command)),
+        error_output_(command_) {}
 
-  double start_seconds;     ///< that the first answer of a process may take
-  double case_seconds;      ///< that each one after may take
+  double start_seconds;     ///< until a process is ready: it has declared itself, or answered
+  double case_seconds;      ///< over a case, once it is ready
   Conventions conventions;  ///< of its answers, as it declares them
 
-  /// Asks all at once, and reads while it writes; starts the program where it does not run. `go_on`
-  /// is asked several times a second.
+  /// Asks all at once, and reads while it writes; starts the program where it does not run, again
+  /// where it died before it was asked. `go_on` is asked several times a second; where it says no,
+  /// the program is ended, since the answers that it owes belong to no later case.
   BatchResult ask(std::span<const PairCase> pairs, std::span<Answer> answers,
                   const std::function<bool()>& go_on);
 
@@ -116,12 +120,17 @@ class ProgramProcess {
   const std::string& declaration() const { return declaration_; }
 
  private:
+  BatchResult exchange(std::span<const PairCase> pairs, std::span<Answer> answers,
+                       const std::function<bool()>& go_on);
   void start();
-  void write_some(std::string_view& text);
+  bool is_ready() const { return has_answered_ || !declaration_.empty(); }
+  bool write_some(std::string_view& text);
   bool read_some();
+  bool pass_on_errors();
   void take_lines(std::span<const PairCase> pairs, std::span<Answer> answers, BatchResult& result);
 
   std::string command_;
+  ErrorOutput error_output_;
   Child child_;
   std::string unread_;
   std::string declaration_;

@@ -28,32 +28,52 @@ bool is_simple(const std::string& command) {
 
 BatchResult ProgramProcess::ask(std::span<const PairCase> pairs, std::span<Answer> answers,
                                 const std::function<bool()>& go_on) {
-  BatchResult result;
   // What it wrote unasked belongs to no case: better begin anew.
   if (child_.running() && (!unread_.empty() || wait_readable(child_.from(), 0))) stop();
-  if (!child_.running()) start();
+  const bool was_running = child_.running();
+  if (!was_running) start();
+  BatchResult result = exchange(pairs, answers, go_on);
+  if (was_running && result.end == BatchEnd::exited && result.answered == 0) {
+    start();  // what it died of may lie before these cases
+    result = exchange(pairs, answers, go_on);
+  }
+  if (result.end == BatchEnd::stopped) stop();
+  return result;
+}
+
+BatchResult ProgramProcess::exchange(std::span<const PairCase> pairs, std::span<Answer> answers,
+                                     const std::function<bool()>& go_on) {
+  BatchResult result;
   std::string lines;
   for (const PairCase& pair : pairs) {
     append_case_line(lines, pair);
     lines += '\n';
   }
   std::string_view unwritten = lines;
-  Clock::time_point answered_at = Clock::now();
+  Clock::time_point began_at = Clock::now();  // with the start, or with the case at work
+  bool reads = true;
+  bool has_errors = true;
   while (result.answered < pairs.size() && result.end == BatchEnd::answered) {
-    std::array<pollfd, 2> watched{{{child_.from(), POLLIN, 0}, {child_.to(), POLLOUT, 0}}};
-    poll(watched.data(), unwritten.empty() ? 1 : 2, kPollMilliseconds);
-    if (!unwritten.empty() && watched[1].revents != 0) write_some(unwritten);
+    std::array<pollfd, 3> watched{{{child_.from(), POLLIN, 0},
+                                   {has_errors ? child_.errors() : -1, POLLIN, 0},
+                                   {unwritten.empty() ? -1 : child_.to(), POLLOUT, 0}}};
+    poll(watched.data(), watched.size(), kPollMilliseconds);
+    if (watched[2].revents != 0) reads = write_some(unwritten);
     const std::size_t before = result.answered;
+    const bool was_ready = is_ready();
     const bool open = watched[0].revents == 0 || read_some();
     take_lines(pairs, answers, result);
-    if (result.answered > before) answered_at = Clock::now();
+    if (watched[1].revents != 0) has_errors = pass_on_errors();
+    if (result.answered > before || is_ready() != was_ready) began_at = Clock::now();
+    if (result.answered > before) error_output_.begin_case();
     if (result.answered == pairs.size() || result.end != BatchEnd::answered) break;
-    const double most = has_answered_ ? case_seconds : start_seconds;
-    if (!open) {
+    const double most = is_ready() ? case_seconds : start_seconds;
+    const bool is_late = seconds_since(began_at) > most;
+    if (!open || (is_late && !reads)) {
       result.end = BatchEnd::exited;
     } else if (!go_on()) {
       result.end = BatchEnd::stopped;
-    } else if (seconds_since(answered_at) > most) {
+    } else if (is_late) {
       result.end = BatchEnd::timed_out;
       result.why = fmt::format("no answer in {} s; is every line flushed?", most);
     }
@@ -70,6 +90,8 @@ bool ProgramProcess::writes_more(double seconds) {
 }
 
 std::string ProgramProcess::stop() {
+  if (child_.running()) pass_on_errors();
+  error_output_.begin_case();
   unread_.clear();
   has_answered_ = false;
   return child_.stop();
@@ -87,10 +109,13 @@ void ProgramProcess::start() {
   });
 }
 
-void ProgramProcess::write_some(std::string_view& text) {
+/// False where nobody reads it any more.
+bool ProgramProcess::write_some(std::string_view& text) {
   const ssize_t written = write(child_.to(), text.data(), text.size());
   if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
-  if (written < 0 && errno == EPIPE) text = {};  // its answers will end too
+  if (written >= 0 || errno != EPIPE) return true;
+  text = {};  // its answers will end too
+  return false;
 }
 
 /// False at the end of its output.
@@ -98,6 +123,14 @@ bool ProgramProcess::read_some() {
   std::array<char, 1 << 16> buffer;
   const ssize_t count = read(child_.from(), buffer.data(), buffer.size());
   if (count > 0) unread_.append(buffer.data(), static_cast<std::size_t>(count));
+  return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
+}
+
+/// As much as its pipe holds; false at the end.
+bool ProgramProcess::pass_on_errors() {
+  std::array<char, 1 << 16> buffer;
+  const ssize_t count = read(child_.errors(), buffer.data(), buffer.size());
+  if (count > 0) error_output_.pass_on({buffer.data(), static_cast<std::size_t>(count)});
   return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
 }
 

@@ -54,6 +54,7 @@ struct RunState {
 /// One that is not worth all the cases: it answers a case otherwise alone than among others,
 /// so often.
 constexpr int kUnsteadyMax = 20;
+constexpr const char* kUnsteady = "answers a case otherwise alone than among others";
 
 /// A collider's answers to a block of cases, and how it has fared until now.
 struct BlockAnswers {
@@ -98,15 +99,24 @@ bool is_sampled(const Plan& plan, CaseNumber number) {
   return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
 }
 
-/// Whether it is blamed for an answer that it does not give to the case alone: what went wrong may
-/// lie in the asking, of those who are asked for many cases at once.
-bool is_blamed_in_vain(const Bucket& bucket, const PairCase& pair, std::size_t i,
-                       const BlockAnswers& of) {
+/// Asks one that is blamed for its answer the case alone: what went wrong may lie in the asking, of
+/// those who are asked for many cases at once. Whether its answer is another, or none, then.
+bool is_unsteady(const Bucket& bucket, const PairCase& pair, std::size_t i, JobState& job,
+                 BlockAnswers& of) {
   const bool is_blamed = bucket.fault == of.role || bucket.fault == Fault::both;
   const bool has_answered =
       bucket.verdict != Verdict::malformed && !std::holds_alternative<Lost>(of.answers[i]);
-  return of.collider.is_isolated() && is_blamed && has_answered &&
-         !is_same(of.collider.collide(pair), of.answers[i]);
+  if (!of.collider.is_isolated() || !is_blamed || !has_answered) return false;
+  Answer alone;
+  of.collider.collide_many({&pair, 1}, {&alone, 1}, [&] {
+    ++job.waits;
+    return true;  // whatever time it is: a case that was asked is answered for
+  });
+  if (is_same(alone, of.answers[i])) return false;
+  ++of.unsteady;
+  of.answers[i] =
+      std::holds_alternative<Lost>(alone) ? alone : Lost{Lost::How::malformed, kUnsteady};
+  return true;
 }
 
 /// A case's way: two answers are compared, and judged where they do not plainly agree; the tally
@@ -124,9 +134,8 @@ void run_case(const Plan& plan, const PairCase& pair, std::size_t i, RunState& r
   if (is_sampled(plan, number) || !plainly_agree(*truth, subject, oracle)) {
     judgement = judge(truth, subject, oracle);
     for (BlockAnswers* const of : {&of_subject, &of_oracle}) {
-      if (!is_blamed_in_vain(judgement.bucket, pair, i, *of)) continue;
-      ++of->unsteady;
-      judgement = {.bucket = bucket_of_lost(Verdict::malformed, of->role)};
+      if (is_unsteady(judgement.bucket, pair, i, job, *of))
+        judgement = judge(truth, subject, oracle);
     }
   }
   job.tally.add(plan.regime_of(number), number, standing(*truth), judgement);
@@ -146,7 +155,7 @@ void run_block(const Plan& plan, RunState& run, JobState& job, BlockAnswers& of_
     job.next.fetch_add(1);
     for (const BlockAnswers* const of : {&of_subject, &of_oracle}) {
       if (of->unsteady < kUnsteadyMax) continue;
-      return run.give_up(of->role, "answers a case otherwise alone than among others");
+      return run.give_up(of->role, kUnsteady);
     }
   }
 }

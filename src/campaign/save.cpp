@@ -150,9 +150,10 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
   std::string ends;
   for (const Collider* collider : {&subject, &oracle}) {
     const Answer answer = ask_in_child(*collider, pair, interruption);
-    if (const auto* const lost = std::get_if<Lost>(&answer)) {
-      ends += fmt::format(" {}: {}.", collider->declaration.name, lost->why);
-    } else {
+    if (const auto why = why_lost(pair, {collider->declaration, answer})) {
+      ends += fmt::format(" {}: {}.", collider->declaration.name, *why);
+    }
+    if (!std::holds_alternative<Lost>(answer)) {
       expect.manifolds.push_back({collider->declaration.name, answer});
     }
   }

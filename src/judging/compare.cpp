@@ -203,42 +203,6 @@ bool plainly_agree(const exact::Truth& truth, const Declaration& of_subject,
 
 }  // namespace
 
-namespace {
-
-bool is_well_formed(const PairCase& pair, const Manifold<double>& m, bool may_be_apart) {
-  if (m.count < 0 || m.count > 2) return false;
-  if (m.count > 0 && !m.normal.allFinite()) return false;
-  const auto exists = [](const Feature& feature, const Body& body) {
-    return feature.index < body.polygon.count;
-  };
-  return std::all_of(m.points.begin(), m.points.begin() + m.count, [&](const auto& point) {
-    return point.position.allFinite() && std::isfinite(point.depth) &&
-           (point.depth >= 0 || may_be_apart) && exists(point.features.a, pair.a) &&
-           exists(point.features.b, pair.b);
-  });
-}
-
-}  // namespace
-
-bool is_well_formed(const PairCase& pair, const Manifold<double>& manifold) {
-  return is_well_formed(pair, manifold, false);
-}
-
-bool is_well_formed(const PairCase& pair, const ColliderAnswer& given) {
-  const Answer& answer = given.answer;
-  if (const UsedShapes* const used = used_by(answer)) {
-    const auto is_finite = [](const Vector2<double>& v) { return v.allFinite(); };
-    if (!std::ranges::all_of(used->a.corners(), is_finite)) return false;
-    if (!std::ranges::all_of(used->b.corners(), is_finite)) return false;
-  }
-  if (const auto* const penetration = std::get_if<Penetration>(&answer)) {
-    return std::isfinite(penetration->depth) &&
-           (!penetration->normal || penetration->normal->allFinite());
-  }
-  const Manifold<double>* const manifold = manifold_in(answer);
-  return manifold == nullptr || is_well_formed(pair, *manifold, given.declaration.speculative > 0);
-}
-
 bool plainly_agree(const exact::Truth& truth, const ColliderAnswer& subject,
                    const ColliderAnswer& oracle) {
   if (is_judged_by_curve(subject.declaration) || is_judged_by_curve(oracle.declaration)) {

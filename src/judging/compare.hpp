@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -87,12 +88,14 @@ struct ColliderAnswer {
   const Answer& answer;
 };
 
-/// Whether it says what a manifold can say: 0 to 2 points, finite figures, no depth below zero,
-/// features that exist.
-bool is_well_formed(const PairCase& pair, const Manifold<double>& manifold);
+/// In words, what it says that no manifold can say; none of 0 to 2 points, finite figures, no depth
+/// below zero, features that exist.
+std::optional<std::string> why_malformed(const PairCase& pair, const Manifold<double>& manifold);
 /// The same of any answer, and of the shapes that it used; one that says nothing is well formed. Of
 /// a collider that reports points across gaps, depths may be below zero.
-bool is_well_formed(const PairCase& pair, const ColliderAnswer& given);
+std::optional<std::string> why_malformed(const PairCase& pair, const ColliderAnswer& given);
+/// The same, or what became of an answer that was lost.
+std::optional<std::string> why_lost(const PairCase& pair, const ColliderAnswer& given);
 
 /// Whether they match each other within the sum of both bounds, on the cheap: what it says is so,
 /// but it leaves to `judge` every case in which anything has to be decided.

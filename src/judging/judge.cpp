@@ -80,7 +80,7 @@ std::optional<Bucket> without_manifold(const PairCase& pair, const ColliderAnswe
   if (const auto* const lost = std::get_if<Lost>(&answer)) {
     return bucket_of_lost(verdict_of(lost->how), fault);
   }
-  if (is_well_formed(pair, given)) return std::nullopt;
+  if (!why_malformed(pair, given)) return std::nullopt;
   return bucket_of_lost(Verdict::malformed, fault);
 }
 

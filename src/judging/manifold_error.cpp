@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "judging/compare.hpp"
 #include "oracle/exact/clip.hpp"
 
 namespace manifuzz {
@@ -177,7 +178,9 @@ bool is_same(const Answer& one, const Answer& other) {
 Answer whole(Answer answer, const Admissible& right, const Declaration& declaration) {
   const auto* const given = std::get_if<PartialManifold>(&answer);
   if (given == nullptr || given->used) return answer;
-  if (is_judged_by_curve(declaration)) return Manifold<double>(given->manifold);
+  if (is_judged_by_curve(declaration) || why_malformed(right.pair(), {declaration, answer})) {
+    return Manifold<double>(given->manifold);
+  }
   return completed(*given, right);
 }
 

@@ -72,8 +72,9 @@ Answer Referee::whole(const Declaration& declaration, Answer answer) {
     answer = manifuzz::whole(std::move(answer), rules_for(declaration).right, declaration);
   }
   const auto* const manifold = std::get_if<Manifold<double>>(&answer);
-  if (manifold == nullptr || is_well_formed(truth_->pair(), *manifold)) return answer;
-  return Lost{Lost::How::malformed, {}};
+  if (manifold == nullptr) return answer;
+  const auto why = why_malformed(truth_->pair(), *manifold);
+  return why ? Lost{Lost::How::malformed, *why} : answer;
 }
 
 Measured Referee::measure_by_curve(const Declaration& declaration, const Answer& answer) {
@@ -109,7 +110,7 @@ Measured Referee::measure_by_curve(const Declaration& declaration, const Answer&
 Measured Referee::measure(const Declaration& declaration, const Answer& answer) {
   if (std::holds_alternative<Unsupported>(answer)) return {.assessment = Assessment::unsupported};
   if (is_judged_by_curve(declaration) && !std::holds_alternative<Lost>(answer) &&
-      is_well_formed(truth_->pair(), ColliderAnswer{declaration, answer})) {
+      !why_malformed(truth_->pair(), ColliderAnswer{declaration, answer})) {
     return measure_by_curve(declaration, answer);
   }
   const auto* const manifold = std::get_if<Manifold<double>>(&answer);

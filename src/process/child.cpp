@@ -159,9 +159,11 @@ void Child::start(const std::function<void(int in, int out)>& body) {
   std::signal(SIGPIPE, SIG_IGN);  // what is written to one that has died must not end us
   Pipe inwards;
   Pipe outwards;
+  Pipe errors;
   process_ = spawn([&] {
     setpgid(0, 0);
     reset_signals();
+    dup2(errors.ends[1], STDERR_FILENO);
     body(inwards.ends[0], outwards.ends[1]);
   });
   setpgid(process_, process_);  // in both, since either may come first
@@ -169,6 +171,7 @@ void Child::start(const std::function<void(int in, int out)>& body) {
   owner_ = getpid();
   to_ = unblocked(inwards.release(1));
   from_ = unblocked(outwards.release(0));
+  errors_ = unblocked(errors.release(0));
 }
 
 std::string Child::stop() {
@@ -185,18 +188,20 @@ std::string Child::stop() {
 }
 
 std::optional<int> Child::status_if_ended() const {
-  constexpr int patience_ms = 20;  // one whose pipe is closed may not be quite gone
+  constexpr int patience_ms = 1000;  // one whose pipe is closed may still be writing its core
   for (int i = 0; i < patience_ms; ++i) {
     int status = 0;
     if (waitpid(process_, &status, WNOHANG) == process_) return status;
-    if (!wait_readable(from_, 0)) return std::nullopt;
+    pollfd watched{from_, 0, 0};
+    poll(&watched, 1, 0);
+    if ((watched.revents & POLLHUP) == 0) return std::nullopt;
     usleep(1000);
   }
   return std::nullopt;
 }
 
 void Child::abandon() {
-  for (int* const end : {&to_, &from_}) {
+  for (int* const end : {&to_, &from_, &errors_}) {
     if (*end >= 0) close(std::exchange(*end, -1));
   }
   process_ = 0;

@@ -26,8 +26,9 @@ class Descendants {
   Descendants& operator=(Descendants&&) = delete;  // neither moved nor copied
 };
 
-/// A child process with a pipe to it and a pipe from it, in a process group of its own. It belongs
-/// to the process that started it: in a fork of that, it counts as not started.
+/// A child process with a pipe to it, one from it and one from its standard error, in a process
+/// group of its own. It belongs to the process that started it: in a fork of that, it counts as not
+/// started.
 class Child {
  public:
   Child() = default;
@@ -42,8 +43,9 @@ class Child {
   /// ended, if it had by itself.
   std::string stop();
 
-  int to() const { return to_; }      ///< where to write to it; writes do not block
-  int from() const { return from_; }  ///< where to read from it; reads do not block
+  int to() const { return to_; }          ///< where to write to it; writes do not block
+  int from() const { return from_; }      ///< where to read from it; reads do not block
+  int errors() const { return errors_; }  ///< the same of its standard error
 
  private:
   std::optional<int> status_if_ended() const;
@@ -53,6 +55,7 @@ class Child {
   pid_t owner_ = 0;
   int to_ = -1;
   int from_ = -1;
+  int errors_ = -1;
 };
 
 /// Stops every child of this process: destructors do not run in one that exits at once.

@@ -15,14 +15,6 @@
 namespace manifuzz {
 namespace {
 
-bool is_finite(const Manifold<double>& manifold) {
-  for (int i = 0; i < manifold.count; ++i) {
-    const auto& point = manifold.points[i];
-    if (!point.position.allFinite() || !std::isfinite(point.depth)) return false;
-  }
-  return manifold.count == 0 || manifold.normal.allFinite();
-}
-
 /// The largest bound of the points of the first right manifold; `least` where there are none.
 double widest(const Admissible& right, double least,
               double (*bound)(const Admissible&, const exact::Clip&, const exact::ClipPoint&)) {
@@ -240,18 +232,14 @@ nlohmann::ordered_json case_json(const PairCase& pair) {
 }
 
 void append_collision(std::string& line, const Collider& collider, const PairCase& pair) {
-  const Answer answer = ask(collider, pair);
+  const Answer answer = collider.collide(pair);
   if (const auto* const lost = std::get_if<Lost>(&answer)) {
     throw UserError(fmt::format("$: {} gives no answer: {}", collider.declaration.name, lost->why));
   }
-  const auto* const manifold = std::get_if<Manifold<double>>(&answer);
-  if (manifold != nullptr && !is_finite(*manifold)) {
-    throw UserError(
-        fmt::format("$: {} answers with a number that is not finite; smaller "
-                    "coordinates are expected",
-                    collider.declaration.name));
+  if (const auto why = why_malformed(pair, {collider.declaration, answer})) {
+    throw UserError(fmt::format("$: {} answers nonsense: {}", collider.declaration.name, *why));
   }
-  append_answer(line, pair, collider.declaration.name, answer);
+  append_answer(line, pair, collider.declaration.name, whole(answer, pair, collider.declaration));
 }
 
 void append_judgement(std::string& line, const Admissible& right, const ColliderAnswer& subject,
@@ -278,7 +266,7 @@ void append_judgement(std::string& line, const Admissible& right, const Collider
 
 std::string case_text(const JudgedCase& judged) {
   const PairCase& pair = judged.given.pair;
-  std::string text = verdict_sentence(judged) + '\n';
+  std::string text = verdict_and_why(judged) + '\n';
   write_verdict(text, judged.judgement);
   write_origin(text, judged.given);
   write_body(text, pair.a, 'A');

@@ -73,9 +73,13 @@ std::string agreement(const JudgedCase& judged) {
   return fmt::format("agree within rounding: {} report {}", names, answer_in_words(judged.subject));
 }
 
+/// Whoever crashed, timed out or answered nonsense.
+const DeclaredAnswer& one_that_failed(const JudgedCase& judged) {
+  return judged.judgement.bucket.fault == Fault::subject ? judged.subject : judged.oracle;
+}
+
 std::string silent_or_nonsense(const JudgedCase& judged, std::string_view what) {
-  const bool of_subject = judged.judgement.bucket.fault == Fault::subject;
-  const DeclaredAnswer& asked = of_subject ? judged.subject : judged.oracle;
+  const DeclaredAnswer& asked = one_that_failed(judged);
   return fmt::format("{} {}", asked.declaration.name, what);
 }
 
@@ -176,6 +180,14 @@ std::string verdict_sentence(const JudgedCase& judged) {
       return "malformed: " + silent_or_nonsense(judged, "answered nonsense");
   }
   return {};
+}
+
+std::string verdict_and_why(const JudgedCase& judged) {
+  const std::string sentence = verdict_sentence(judged);
+  if (judged.judgement.bucket.verdict < Verdict::crashed) return sentence;
+  const DeclaredAnswer& asked = one_that_failed(judged);
+  const auto why = why_lost(judged.given.pair, {asked.declaration, asked.answer});
+  return why ? fmt::format("{}: {}", sentence, *why) : sentence;
 }
 
 std::string statement_in_words(const ContactSummary& statement) {

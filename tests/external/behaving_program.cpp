@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <csignal>
 #include <iostream>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 #include "corpus/corpus.hpp"
@@ -68,8 +70,20 @@ std::string answer_to(const std::string& line, std::string_view behaviour) {
   const PairCase pair = parse_case(line, FormatKey::required).pair;
   const float x = pair.a.polygon.vertices[0].x();
   const float y = pair.b.pose.position.y();
-  test::misbehave(behaviour, x, y);
   const bool is_unlucky = test::is_unlucky(x, y);
+  static int asked = 0;
+  if (behaviour == "tires" && ++asked == 100) std::raise(SIGSEGV);
+  if (behaviour == "late") usleep(300'000);
+  if (behaviour == "complains") std::cerr << std::string(200'000, 'x') << '\n';
+  if (is_unlucky && behaviour == "breaks-off") {
+    std::cout << R"({"points": [)" << std::flush;
+    std::raise(SIGSEGV);
+  }
+  test::misbehave(behaviour == "buffers-and-crashes" ? "crashes" : behaviour, x, y);
+  if (is_unlucky && behaviour == "negative") {
+    return R"({"points": [{"position": [0, 0], "depth": -0.25}], "normal": [0, 1]})"
+           "\n";
+  }
   if (is_unlucky && behaviour == "garbage") return "[object Object]\n";
   if (is_unlucky && behaviour == "not-a-number") return "{\"points\": [], \"depth\": NaN}\n";
   if (is_unlucky && behaviour == "nonsense") return "{\"points\": 3}\n";
@@ -95,10 +109,15 @@ int main(int argc, char** argv) {
     std::cout << R"({"declaration": {"name": "behaving", "version": "1.0", "scalar": "float64", )"
               << R"("frame": "local")" << claims_of(behaviour) << "}}" << std::endl;
   }
+  // Whether more cases are there to be read is known only so.
+  std::ios::sync_with_stdio(false);
   std::string held;
   for (std::string line; std::getline(std::cin, line);) {
     const std::string answer = answer_to(line, behaviour);
-    if (behaviour != "out-of-order") {
+    if (behaviour == "buffers-and-crashes") {
+      held += answer;
+      if (std::cin.rdbuf()->in_avail() <= 0) std::cout << std::exchange(held, "") << std::flush;
+    } else if (behaviour != "out-of-order") {
       std::cout << answer << std::flush;
     } else if (held.empty()) {
       held = answer;  // a case late, and swapped with the next

@@ -1,5 +1,6 @@
 #include "external/campaigns.hpp"
 
+#include "external/behaviour.hpp"
 #include "generating/regime.hpp"
 #include "own_colliders/own_colliders.hpp"
 
@@ -27,6 +28,16 @@ Plan plan_of(const Collider& subject) {
 JobsResult run(const Plan& plan) {
   Interruption interruption;
   return run_jobs(plan, {0, plan.cases_max()}, interruption, [](const Progress&) {});
+}
+
+std::uint64_t unlucky(const Plan& plan) {
+  std::uint64_t count = 0;
+  for (CaseNumber number = 0; number < *plan.cases; ++number) {
+    const PairCase pair = plan.pair(number);
+    const float x = pair.a.polygon.vertices[0].x();
+    if (is_unlucky(x, pair.b.pose.position.y())) ++count;
+  }
+  return count;
 }
 
 std::uint64_t count_of(const JobsResult& result, Kind kind) {

@@ -29,6 +29,9 @@ Collider program(const std::string& behaviour);
 Plan plan_of(const Collider& subject);
 JobsResult run(const Plan& plan);
 
+/// How many of the plan's cases a collider that is told so fails at.
+std::uint64_t unlucky(const Plan& plan);
+
 /// How many findings have that kind.
 std::uint64_t count_of(const JobsResult& result, Kind kind);
 

@@ -7,7 +7,6 @@
 #include <catch2/catch.hpp>
 
 #include "base/text.hpp"
-#include "external/behaviour.hpp"
 #include "external/campaigns.hpp"
 #include "generating/regime.hpp"
 #include "own_colliders/own_colliders.hpp"
@@ -21,17 +20,6 @@ using namespace manifuzz;
 using namespace manifuzz::test;
 
 namespace {
-
-/// How many of the plan's cases a collider that is told so fails at.
-std::uint64_t unlucky(const Plan& plan) {
-  std::uint64_t count = 0;
-  for (CaseNumber number = 0; number < *plan.cases; ++number) {
-    const PairCase pair = plan.pair(number);
-    const float x = pair.a.polygon.vertices[0].x();
-    if (is_unlucky(x, pair.b.pose.position.y())) ++count;
-  }
-  return count;
-}
 
 void check_loses(const Collider& subject, Verdict verdict) {
   const Plan plan = plan_of(subject);
@@ -130,7 +118,8 @@ TEST_CASE("a program that answers out of order has no answers") {
       collider_of_command(MANIFUZZ_TEST_PROGRAM " out-of-order", kSecondsMax / 10, kSecondsMax);
   const JobsResult result = run(plan_of(late));
   CHECK(result.given_up == Fault::subject);
-  CHECK(result.tally->count(Verdict::malformed) >= 20);
+  // Alone it gives another case's answer, or waits for the next case.
+  CHECK(result.tally->count(Verdict::malformed) + result.tally->count(Verdict::timed_out) >= 20);
   CHECK(result.tally->count(Verdict::subject_wrong) == 0);
 }
 

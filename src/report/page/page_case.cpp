@@ -156,7 +156,7 @@ Json answer_json(const PairCase& pair, std::string_view role, const DeclaredAnsw
 
 /// The verdict as a sentence; without a judgement, what its file says.
 std::string sentence_of(const PageCase& page_case) {
-  if (page_case.is_judged) return verdict_sentence(page_case.judged);
+  if (page_case.is_judged) return verdict_and_why(page_case.judged);
   const CorpusCase& given = page_case.judged.given;
   return given.note.empty() ? truth_in_words(given.pair) : given.note;
 }

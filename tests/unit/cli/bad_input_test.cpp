@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "corpus/corpus.hpp"
 #include "support/bad_cases.hpp"
 #include "support/permissions.hpp"
 #include "support/run_program.hpp"
@@ -139,6 +140,27 @@ TEST_CASE("collide refuses a case file that does not name its format", "[bad-inp
   CHECK(outcome.err.find("\"format\" is missing") != std::string::npos);
 }
 
+TEST_CASE("collide says why an answer is nonsense, as fuzz does", "[bad-input]") {
+  const std::string negative =
+      R"(while read -r line; do echo '{"points": [{"position": [0, 0], "depth": -0.25}], )"
+      R"("normal": [0, 1]}'; done)";
+  const std::string why = "point 0: depth -0.25 is below 0; 0 or more is expected";
+  const Outcome generated = run_manifuzz({"generate", "--seed", "1", "--cases", "1"});
+  const Outcome collided = run_manifuzz({"collide", "--collider-command", negative}, generated.out);
+  INFO(collided.out << collided.err);
+  CHECK(collided.status == 2);
+  REQUIRE(lines_of(collided.out).size() == 1);
+  check_error_line(collided.out, 1, why);
+  const TemporaryFolder folder;
+  const Outcome fuzzed = run_manifuzz({"fuzz", "--subject-command", negative, "--seed", "1",
+                                       "--cases", "1", "--corpus", folder.path().string()});
+  INFO(fuzzed.out << fuzzed.err);
+  CHECK(fuzzed.status == 1);
+  const manifuzz::Corpus saved = manifuzz::read_corpus_folder(folder.path());
+  REQUIRE_FALSE(saved.cases.empty());
+  CHECK(saved.cases.front().note.find(why) != std::string::npos);
+}
+
 TEST_CASE("collide says where numbers overflow in the collider", "[bad-input]") {
   const std::string huge = R"({"a": {"vertices": [[-3e38,-3e38],[3e38,-3e38],[0,3e38]]}, )"
                            R"("b": {"vertices": [[-3e38,-3e38],[3e38,-3e38],[0,3e38]]}})";
@@ -147,5 +169,6 @@ TEST_CASE("collide says where numbers overflow in the collider", "[bad-input]") 
   CHECK(outcome.status == 2);
   CHECK(is_one_clear_line(outcome.err));
   REQUIRE(lines_of(outcome.out).size() == 1);
-  check_error_line(outcome.out, 1, "clip answers with a number that is not finite");
+  check_error_line(outcome.out, 1,
+                   "clip answers nonsense: point 0: position (nan, nan) is not finite; smaller");
 }

@@ -1,8 +1,10 @@
 #include "judging/compare.hpp"
 
 #include <limits>
+#include <string_view>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
@@ -81,20 +83,30 @@ TEST_CASE("what differs by more than both bounds does not plainly agree") {
 TEST_CASE("nonsense is told from a manifold") {
   const PairCase pair = boxes();
   const Manifold<double> right = contact(pair);
-  CHECK(is_well_formed(pair, right));
-  CHECK(is_well_formed(pair, {}));
-  const auto is_well_formed_with = [&](const auto& change) {
+  CHECK_FALSE(why_malformed(pair, right));
+  CHECK_FALSE(why_malformed(pair, Manifold<double>()));
+  const auto why_with = [&](const auto& change) {
     Manifold<double> changed = right;
     change(changed);
-    return is_well_formed(pair, changed);
+    return why_malformed(pair, changed).value_or("");
   };
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_FALSE(is_well_formed_with([](auto& m) { m.count = 3; }));
-  CHECK_FALSE(is_well_formed_with([](auto& m) { m.count = -1; }));
-  CHECK_FALSE(is_well_formed_with([&](auto& m) { m.normal.x() = nan; }));
-  CHECK_FALSE(is_well_formed_with([&](auto& m) { m.points[0].position.y() = nan; }));
-  CHECK_FALSE(is_well_formed_with([](auto& m) { m.points[1].depth = -1e-30; }));
-  CHECK_FALSE(is_well_formed_with([](auto& m) { m.points[1].features.b.index = 4; }));
+  constexpr std::string_view finite = "is not finite; smaller coordinates are expected";
+  CHECK(why_with([](auto& m) { m.count = 3; }) == "3 points; 0 to 2 are expected");
+  CHECK(why_with([](auto& m) { m.count = -1; }) == "-1 points; 0 to 2 are expected");
+  CHECK(why_with([&](auto& m) {
+          m.normal = {nan, 0};
+        }) == fmt::format("normal (nan, 0) {}", finite));
+  CHECK(why_with([&](auto& m) {
+          m.points[0].position = {0, nan};
+        }) == fmt::format("point 0: position (0, nan) {}", finite));
+  CHECK(why_with([&](auto& m) { m.points[1].depth = nan; }) ==
+        fmt::format("point 1: depth nan {}", finite));
+  CHECK(why_with([](auto& m) { m.points[1].depth = -1e-30; }) ==
+        "point 1: depth -1e-30 is below 0; 0 or more is expected");
+  CHECK(why_with([](auto& m) {
+          m.points[1].features.b = {Feature::Kind::face, 4};
+        }) == "point 1: names face 4 of B, which has 4");
 }
 
 TEST_CASE("two right manifolds differ in kind, and by their largest distance") {

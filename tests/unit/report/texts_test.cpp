@@ -68,6 +68,16 @@ TEST_CASE("each verdict has its sentence") {
   }
 }
 
+TEST_CASE("a sentence of what is malformed says why") {
+  JudgedCase judged = judged_case(box_on_box(0.25F));
+  judged.judgement.bucket = bucket_of_lost(Verdict::malformed, Fault::subject);
+  std::get<Manifold<double>>(judged.subject.answer).points[1].depth = -0.5;
+  CHECK(verdict_and_why(judged) ==
+        "malformed: clip answered nonsense: point 1: depth -0.5 is below 0; 0 or more is expected");
+  judged.subject.answer = Lost{Lost::How::malformed, "$: ends too early"};
+  CHECK(verdict_and_why(judged) == "malformed: clip answered nonsense: $: ends too early");
+}
+
 TEST_CASE("what a collider answered") {
   DeclaredAnswer asked = judged_case(box_on_box(0.25F)).subject;
   CHECK(answer_in_words(asked) == "2 points, depths 0.25 and 0.25");
