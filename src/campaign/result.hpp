@@ -44,9 +44,8 @@ struct BucketResult {
   std::string bucket;
   std::string verdict{};
   std::uint64_t count = 0;
-  std::map<std::string, std::uint64_t> regimes{};  ///< the count in each where it was met
-  std::uint64_t seed = 0;                          ///< of its first case
-  std::uint64_t first_index = 0;                   ///< of its first case, in `regime`
+  std::uint64_t seed = 0;         ///< of its first case
+  std::uint64_t first_index = 0;  ///< of its first case, in `regime`
   std::string regime{};
   double magnitude = 0;         ///< the greatest; may be infinite
   std::string file{};           ///< of the corpus, or empty
@@ -55,6 +54,7 @@ struct BucketResult {
   bool is_accepted = false;     ///< the corpus accepts it, no worse and no more often
   std::string objection{};      ///< why not, where it accepts less
   bool is_in_baseline = false;  ///< it is known, and no worse than in the baseline
+  std::map<std::string, std::uint64_t> regimes{};  ///< the count in each where it was met
 };
 
 /// Which cases were run: of each regime so many from `first` on, under a seed.

@@ -122,7 +122,6 @@ BucketResult read_bucket(const JsonView& row, Count seed) {
   return {.bucket = std::string(row.at("bucket").string()),
           .verdict = std::string(row.at("verdict").string()),
           .count = count_in(row, "count"),
-          .regimes = row.find("regimes") ? read_counts(row.at("regimes")) : OfRegimes{},
           .seed = row.find("seed") ? whole_in(row, "seed") : seed,
           .first_index = whole_in(row, "first_index"),
           .regime = std::string(row.at("regime").string()),
@@ -132,7 +131,8 @@ BucketResult read_bucket(const JsonView& row, Count seed) {
           .is_new = flag_in(row, "new"),
           .is_accepted = flag_in(row, "accepted"),
           .objection = row.string_or("objection", ""),
-          .is_in_baseline = flag_in(row, "in_baseline")};
+          .is_in_baseline = flag_in(row, "in_baseline"),
+          .regimes = row.find("regimes") ? read_counts(row.at("regimes")) : OfRegimes{}};
 }
 
 CasesRun read_part(const JsonView& part) {

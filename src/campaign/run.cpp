@@ -125,7 +125,6 @@ BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::
   return {.bucket = to_string(finding.bucket),
           .verdict = std::string(to_string(finding.bucket.verdict)),
           .count = finding.tally.count,
-          .regimes = counts_of(finding, plan),
           .seed = plan.seed,
           .first_index = plan.index_of(first),
           .regime = regime,
@@ -135,7 +134,8 @@ BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::
                                  plan.seed, plan.index_of(first)),
           .is_new = finding.is_new,
           .is_accepted = finding.is_accepted,
-          .objection = finding.objection};
+          .objection = finding.objection,
+          .regimes = counts_of(finding, plan)};
 }
 
 CampaignResult result_of(const Campaign& campaign, const Origin& origin) {

@@ -42,8 +42,8 @@ std::uint64_t unlucky(const Plan& plan) {
 
 std::uint64_t count_of(const JobsResult& result, Kind kind) {
   std::uint64_t count = 0;
-  for (std::size_t i = 0; i < kBucketCount; ++i) {
-    if (bucket_at(i).kind == kind) count += result.tally->buckets[i].count;
+  for (const auto& [bucket, tally] : result.tally->buckets.all()) {
+    if (bucket.kind == kind) count += tally->count;
   }
   return count;
 }

@@ -29,7 +29,10 @@ void check_loses(const Collider& subject, Verdict verdict) {
   CHECK(result.tally->cases() == kCases);
   CHECK(result.tally->count(verdict) == expected);
   CHECK(result.tally->unexplained() == expected);
-  CHECK(result.tally->buckets[index_of(bucket_of_lost(verdict, Fault::subject))].count == expected);
+  const BucketTally* const lost =
+      result.tally->buckets.find(bucket_of_lost(verdict, Fault::subject));
+  REQUIRE(lost != nullptr);
+  CHECK(lost->count == expected);
 }
 
 /// The campaign stops, having seen enough.

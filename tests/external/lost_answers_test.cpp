@@ -110,7 +110,7 @@ TEST_CASE("a malformed answer says why in the case that is saved") {
   const JobsResult result = run(plan);
   CHECK(result.tally->count(Verdict::malformed) == unlucky(plan));
   const Bucket bucket = bucket_of_lost(Verdict::malformed, Fault::subject);
-  const PairCase pair = plan.pair(result.tally->buckets[index_of(bucket)].first);
+  const PairCase pair = plan.pair(result.tally->buckets.find(bucket)->first);
   Interruption interruption;
   const CorpusCase saved =
       recorded_case(pair, {.bucket = bucket}, subject, plan.oracle, interruption);

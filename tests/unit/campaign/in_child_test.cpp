@@ -73,8 +73,8 @@ TEST_CASE("a property's replay asks once, in a child") {
   CorpusCase recorded;
   recorded.pair = some_case();
   recorded.property = "never-empty";
-  CHECK(replay_case(recorded, collider, collider, interruption).passed);
-  const Replayed again = replay_case(recorded, collider, collider, interruption);
+  CHECK(replay_case(recorded, collider, collider, {}, interruption).passed);
+  const Replayed again = replay_case(recorded, collider, collider, {}, interruption);
   CHECK_FALSE(again.passed);
   CHECK(again.got == "crashed");
 }

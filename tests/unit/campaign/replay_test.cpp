@@ -26,7 +26,8 @@ Collider blind() {
 
 Replayed replay(const CorpusCase& recorded, const Collider& subject) {
   Interruption interruption;
-  return replay_case(recorded, subject, find_collider("box2d"), interruption);
+  return replay_case(recorded, subject, find_collider("box2d"),
+                     known_of({&recorded, 1}, "2026-11-23"), interruption);
 }
 
 }  // namespace
