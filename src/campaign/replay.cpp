@@ -267,8 +267,9 @@ SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interru
   {
     Interruption in_time(
         {.first_signal = Interruption::State::stopped, .stopped_at = plan.at(kReplayShare)});
-    NamedColliders given([](const auto&) { return std::nullopt; }, plan.subject, plan.oracle);
-    run.replayed = replay_cases(plan.corpus.cases, given, plan.known, in_time);
+    run.asked = std::make_shared<NamedColliders>([](const auto&) { return std::nullopt; },
+                                                 plan.subject, plan.oracle);
+    run.replayed = replay_cases(plan.corpus.cases, *run.asked, plan.known, in_time);
   }
   listener.on_replayed(run.replayed);
   if (!all.is_stopped()) run.checked = check_all(plan, pairs, listener);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -127,6 +128,7 @@ struct SmokePlan {
 
 /// What was done of it: where somebody asks to stop, no part is begun after that.
 struct SmokeRun {
+  std::shared_ptr<NamedColliders> asked;  ///< to which the replay refers
   ReplayRun replayed;
   std::vector<CheckedProperty> checked{};
   std::optional<Campaign> campaign{};

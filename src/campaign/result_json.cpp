@@ -258,6 +258,7 @@ CampaignResult read_campaign_result(const JsonView& root) {
   result.jobs = count_in(root, "jobs");
   // Sums are those of the rows below.
   for (const char* const sum : {"cases", "touching", "near", "unexplained"}) count_in(root, sum);
+  count_or(root, "accepted", 0);
   flag_in(root, "failed");
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
     result.verdicts[i] = count_in(root.at("verdicts"), kVerdictNames[i]);

@@ -39,6 +39,8 @@ CampaignResult sample() {
       {kOracleWrong, "oracle_wrong", 1, most, 9, "boxes", beyond, "a.json", "x", true},
       {"none/tie/none/none/a", "tie", 5, 3, most, "grid", 0, "", "y", false},
       {"oracle/known/depth/none/a", "known", 4, 3, 8, "boxes", 0.5, "", "z", false}};
+  for (BucketResult& found : result.buckets) found.regimes = {{"boxes", 1}};
+  result.stale = {"b.json"};
   result.parts = {{3, most, {{"boxes", 20}}, 0.5}, {most, 7, {{"boxes", 40}, {"grid", 40}}, 1}};
   return result;
 }

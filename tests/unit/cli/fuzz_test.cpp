@@ -46,8 +46,9 @@ TEST_CASE("a campaign's JSON has every key that is promised, and every verdict, 
 
 TEST_CASE("a finding is saved once, and its command repeats it, saved or not") {
   const TemporaryFolder folder;
-  const std::vector<std::string> campaign{"--seed",   "2",        "--cases", "20000",  "--regime",
-                                          "tie_bias", "--radius", "0",       "--json", "-"};
+  const std::vector<std::string> campaign{"--seed",   "2",        "--cases",  "20000",
+                                          "--regime", "tie_bias", "--radius", "0",
+                                          "--ties",   "--json",   "-"};
   const Json first = summary(run_manifuzz(fuzz(folder, campaign)));
   bool found = false;
   for (const Json& bucket : first["buckets"]) {
@@ -142,9 +143,10 @@ TEST_CASE("an interrupted campaign keeps what it found") {
   const TemporaryFolder folder;
   const std::string json = (folder.path() / "summary.json").string();
   const std::filesystem::path corpus = folder.path() / "corpus";
-  const Outcome outcome = run_interruptible(
-      fuzz(folder, {"--subject-command", interrupting_clip(folder, 4000), "--regime", "tie_bias",
-                    "--regime", "sliver", "--seconds", "3600", "--seed", "1", "--json", json}));
+  const Outcome outcome =
+      run_interruptible(fuzz(folder, {"--subject-command", interrupting_clip(folder, 4000),
+                                      "--regime", "tie_bias", "--regime", "sliver", "--seconds",
+                                      "3600", "--seed", "1", "--ties", "--json", json}));
   INFO(outcome.err);
   CHECK(outcome.status == 0);  // what it found is known, or a tie
   CHECK(outcome.out.find("interrupted") != std::string::npos);
@@ -167,8 +169,8 @@ TEST_CASE("a finding that cannot be saved loses neither the table nor the other 
   const std::string json = (folder.path() / "summary.json").string();
   std::filesystem::create_directory(folder.path() / "corpus");
   folder.write("corpus/ties", "a file where a folder should be");
-  const Outcome outcome = run_manifuzz(
-      fuzz(folder, {"--seed", "1", "--cases", "20000", "--regime", "boxes", "--json", json}));
+  const Outcome outcome = run_manifuzz(fuzz(
+      folder, {"--seed", "1", "--cases", "20000", "--regime", "boxes", "--ties", "--json", json}));
   CHECK(outcome.status == 2);
   CHECK(is_one_clear_line(outcome.err));
   CHECK(outcome.out.find("boxes") != std::string::npos);

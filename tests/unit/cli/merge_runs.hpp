@@ -18,6 +18,7 @@ inline Json run(const TemporaryFolder& folder, const std::string& name, int firs
                                        "--regime=tie_bias",
                                        "--regime=sliver",
                                        "--radius=0",
+                                       "--ties",
                                        "--seed=" + seed,
                                        "--first=" + std::to_string(first),
                                        "--cases=" + std::to_string(cases),
