@@ -162,28 +162,49 @@ std::vector<Corners> plain_triangles() {
   return triangles;
 }
 
-/// The unit triangle against each of those and each against it, the simplest first: what fails in
-/// any such case has one normal form, wherever it was found.
-const std::vector<PairCase>& plain_cases() {
-  static const std::vector<PairCase> cases = [] {
-    const auto unit = make_polygon<float>(Corners{{0, 0}, {1, 0}, {0, 1}});
-    std::vector<PairCase> made;
-    for (const Corners& corners : plain_triangles()) {
-      const auto other = make_polygon<float>(corners);
-      made.push_back({{unit, {}}, {other, {}}});
-      made.push_back({{other, {}}, {unit, {}}});
+/// The unit triangle against each of those and each against it, with these radii.
+void add_plain_cases(float radius_a, float radius_b, std::vector<PairCase>& made) {
+  const auto unit = make_polygon<float>(Corners{{0, 0}, {1, 0}, {0, 1}});
+  for (const Corners& corners : plain_triangles()) {
+    const auto other = make_polygon<float>(corners);
+    for (const bool is_first : {true, false}) {
+      PairCase pair{{is_first ? unit : other, {}}, {is_first ? other : unit, {}}};
+      pair.a.polygon.radius = radius_a;
+      pair.b.polygon.radius = radius_b;
+      made.push_back(pair);
     }
-    std::stable_sort(made.begin(), made.end(), [](const PairCase& p, const PairCase& q) {
-      return complexity(p) < complexity(q);
-    });
-    return made;
-  }();
+  }
+}
+
+std::vector<PairCase> sorted(std::vector<PairCase> cases) {
+  std::ranges::stable_sort(
+      cases, [](const PairCase& p, const PairCase& q) { return complexity(p) < complexity(q); });
   return cases;
 }
 
-Cases plainest() {
-  return each(static_cast<int>(plain_cases().size()),
-              [](int i) -> MaybeCase { return plain_cases()[static_cast<std::size_t>(i)]; });
+/// Those, the simplest first, and where a case has radii, those with some too: what fails in any
+/// such case has one normal form, wherever it was found.
+const std::vector<PairCase>& plain_cases(bool has_radii) {
+  static const std::vector<PairCase> without_radii = [] {
+    std::vector<PairCase> made;
+    add_plain_cases(0, 0, made);
+    return sorted(made);
+  }();
+  static const std::vector<PairCase> with_radii = [] {
+    std::vector<PairCase> made = without_radii;
+    for (const auto& [radius_a, radius_b] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1)}) {
+      add_plain_cases(static_cast<float>(radius_a), static_cast<float>(radius_b), made);
+    }
+    return sorted(made);
+  }();
+  return has_radii ? with_radii : without_radii;
+}
+
+Cases plainest(const PairCase& pair) {
+  const bool has_radii = total_radius(pair) > 0;
+  return each(static_cast<int>(plain_cases(has_radii).size()), [has_radii](int i) -> MaybeCase {
+    return plain_cases(has_radii)[static_cast<std::size_t>(i)];
+  });
 }
 
 constexpr int kDigitsMax = 8;
@@ -254,7 +275,7 @@ PairCase without_negative_zeros(PairCase pair) {
 rc::Seq<PairCase> simpler_cases(const PairCase& pair) {
   const Complexity limit = complexity(pair);
   Cases proposals =
-      rc::seq::concat(plainest(), without_a_vertex(pair), with_plainer_poses(pair),
+      rc::seq::concat(plainest(pair), without_a_vertex(pair), with_plainer_poses(pair),
                       with_fewer_digits(pair), with_a_vertex_at_zero(pair), with_plainer_size(pair),
                       with_one_number_simpler(pair), symmetric_images(pair));
   return rc::seq::mapMaybe(std::move(proposals), [limit](const PairCase& proposal) {

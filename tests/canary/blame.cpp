@@ -4,15 +4,16 @@
 
 namespace manifuzz::canary {
 
-std::optional<Bucket> blame(const PairCase& pair, const ColliderAnswer& subject,
-                            const ColliderAnswer& oracle) {
+std::optional<Judgement> blame(const PairCase& pair, const ColliderAnswer& subject,
+                               const ColliderAnswer& oracle) {
   const auto truth = std::make_shared<const exact::Truth>(pair);
   if (plainly_agree(*truth, subject, oracle)) return std::nullopt;
-  const Bucket bucket = judge(truth, subject, oracle).bucket;
-  return is_failure(bucket) ? std::optional(bucket) : std::nullopt;
+  const Judgement judgement = judge(truth, subject, oracle);
+  return is_failure(judgement.bucket) ? std::optional(judgement) : std::nullopt;
 }
 
-std::optional<Bucket> blame(const PairCase& pair, const Collider& subject, const Collider& oracle) {
+std::optional<Judgement> blame(const PairCase& pair, const Collider& subject,
+                               const Collider& oracle) {
   const Answer of_subject = subject.collide(pair);
   const Answer of_oracle = oracle.collide(pair);
   return blame(pair, ColliderAnswer{subject.declaration, of_subject},

@@ -6,9 +6,10 @@
 
 namespace manifuzz::canary {
 
-/// The bucket in which the judge blames somebody for an answer to the case; none where all is well.
-std::optional<Bucket> blame(const PairCase& pair, const ColliderAnswer& subject,
-                            const ColliderAnswer& oracle);
-std::optional<Bucket> blame(const PairCase& pair, const Collider& subject, const Collider& oracle);
+/// The judgement that blames somebody for an answer to the case; none where all is well.
+std::optional<Judgement> blame(const PairCase& pair, const ColliderAnswer& subject,
+                               const ColliderAnswer& oracle);
+std::optional<Judgement> blame(const PairCase& pair, const Collider& subject,
+                               const Collider& oracle);
 
 }  // namespace manifuzz::canary

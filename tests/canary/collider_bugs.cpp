@@ -30,12 +30,12 @@ struct Watch {
   Collider oracle = make_box2d();
 
   std::optional<Noticed> notice(std::uint64_t number, const PairCase& pair) const {
-    if (const auto bucket = blame(pair, in_float, oracle)) {
-      return Noticed{"judge of clip", to_string(*bucket)};
+    if (const auto blamed = blame(pair, in_float, oracle)) {
+      return Noticed{"judge of clip", to_string(blamed->bucket)};
     }
     if (number / regimes().size() % kPropertyShare != kPropertyShare - 1) return std::nullopt;
-    if (const auto bucket = blame(pair, in_double, oracle)) {
-      return Noticed{"judge of clip64", to_string(*bucket)};
+    if (const auto blamed = blame(pair, in_double, oracle)) {
+      return Noticed{"judge of clip64", to_string(blamed->bucket)};
     }
     for (const Property& property : properties()) {
       if (fails(property, in_float, pair)) return Noticed{sentence(property), sentence(property)};
@@ -77,17 +77,20 @@ Collider with_bug(const Bug& bug, Collider collider) {
 
 void add_collider(const Bug& bug, const MakeCollider& make) {
   planted_colliders().push_back([=](double tie_bias) { return with_bug(bug, make(tie_bias)); });
-  add_planted_bug(
-      {bug.name, 200'000, [make = planted_colliders().back()](const Haystack& haystack) {
-         const Collider collider = make(0);
-         const Watch watch{collider, collider.in_double()};
-         return search(
-             haystack,
-             [&](std::uint64_t number, const PairCase& pair) { return watch.notice(number, pair); },
-             [&](std::uint64_t, const PairCase& pair, const Noticed& noticed) {
-               return watch.shrunk(pair, noticed.by);
-             });
-       }});
+  const auto search_both = [make = planted_colliders().back()](const Haystack& haystack) {
+    const Collider collider = make(0);
+    const Watch watch{collider, collider.in_double()};
+    return search(
+        haystack,
+        [&](std::uint64_t number, const PairCase& pair) { return watch.notice(number, pair); },
+        [&](std::uint64_t, const PairCase& pair, const Noticed& noticed) {
+          return watch.shrunk(pair, noticed.by);
+        });
+  };
+  add_planted_bug({.name = bug.name,
+                   .cases_max = 200'000,
+                   .search = search_both,
+                   .collider = [make = planted_colliders().back()] { return make(0); }});
 }
 
 }  // namespace

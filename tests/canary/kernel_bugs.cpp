@@ -36,10 +36,10 @@ std::optional<Noticed> noticed_by_judge(const Look& look, std::uint64_t number,
   const auto broken = look(number, pair);
   if (!broken || !broken->answer) return std::nullopt;
   const Answer of_oracle = oracle.collide(pair);
-  const auto bucket = blame(pair, ColliderAnswer{broken->declaration, *broken->answer},
+  const auto blamed = blame(pair, ColliderAnswer{broken->declaration, *broken->answer},
                             ColliderAnswer{oracle.declaration, of_oracle});
-  if (!bucket) return std::nullopt;
-  return Noticed{"judge of " + broken->kernel, to_string(*bucket)};
+  if (!blamed) return std::nullopt;
+  return Noticed{"judge of " + broken->kernel, to_string(blamed->bucket)};
 }
 
 std::optional<Noticed> noticed_by_promise(const Look& look, std::uint64_t number,

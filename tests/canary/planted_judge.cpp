@@ -6,6 +6,7 @@
 #include "judging/compare.cpp"
 #include "judging/judge.cpp"
 #include "judging/ledger.cpp"
+#include "judging/malformed.cpp"
 #include "judging/manifold_error.cpp"
 #include "judging/used_shapes.cpp"
 #include "oracle/exact/along.cpp"

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "collider/collider.hpp"
 #include "corpus/shrink.hpp"
 
 namespace manifuzz::canary {
@@ -50,7 +51,8 @@ struct PlantedBug {
   std::string name;
   std::uint64_t cases_max = 0;  ///< within which it must be caught
   std::function<std::optional<Sighting>(const Haystack&)> search;
-  bool in_kernel = false;  ///< told by promises, too, which are no buckets
+  bool in_kernel = false;                   ///< told by promises, too, which are no buckets
+  std::function<Collider()> collider = {};  ///< that has it, where it is a collider's
 };
 
 /// Whether it is a copy as it is, in which nothing may be noticed.

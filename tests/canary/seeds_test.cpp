@@ -8,9 +8,13 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "campaign/in_child.hpp"
 #include "canary/search.hpp"
+#include "canary/worst_cases.hpp"
 #include "corpus/shrink.hpp"
 #include "exchange/json.hpp"
+#include "generating/regime.hpp"
+#include "oracle/box2d/box2d.hpp"
 
 // What the shrinker and the buckets make of each planted bug, over many seeds: how many forms it
 // comes down to, how plain they are, what they cost, and how far a bucket's name tells one bug from
@@ -33,11 +37,15 @@ Number median(std::vector<Number> numbers) {
   return *middle;
 }
 
+constexpr std::uint64_t kCampaign = 20'000;
+
 /// What came of one bug.
 struct Forms {
   std::map<std::string, std::map<std::string, int>> by_look;  ///< look, shrunk case: how often
   std::set<std::string> simplest;                             ///< the simplest case of each seed
   int seeds = 0;                                              ///< in which it was caught
+  int wrong = 0;                                              ///< cases in all campaigns
+  int gross = 0;                                              ///< of those
   std::vector<int> vertices, digits, evaluations;
   std::vector<double> shrink_ms;
 
@@ -49,6 +57,7 @@ struct Forms {
     evaluations.push_back(sighting.shrunk.evaluations);
     shrink_ms.push_back(1000 * sighting.shrink_seconds);
   }
+  bool is_gross() const { return 2 * gross > wrong; }
   std::size_t distinct() const {
     std::size_t all = 0;
     for (const auto& [look, forms] : by_look) all += forms.size();
@@ -56,19 +65,31 @@ struct Forms {
   }
 };
 
-/// Adds what a small campaign finds: the first case of each bucket among `kCampaign`, or the first
-/// of all if that comes later.
+/// Adds what a small campaign saves: the worst of each bucket, shrunk; or, where the judge notices
+/// nothing there, what is noticed first.
 void add_campaign(Forms& forms, const PlantedBug& bug, std::uint64_t seed) {
-  constexpr std::uint64_t kCampaign = 2000;
-  Haystack haystack{seed, bug.cases_max};
   std::optional<PairCase> simplest;
-  while (const auto caught = bug.search(haystack)) {
-    forms.add(*caught);
-    const PairCase& pair = caught->shrunk.pair;
+  const auto add = [&](const Sighting& sighting) {
+    forms.add(sighting);
+    const PairCase& pair = sighting.shrunk.pair;
     if (!simplest || complexity(pair) < complexity(*simplest)) simplest = pair;
-    haystack.first += caught->cases;
-    haystack.cases_max = kCampaign;
-    haystack.known_looks.insert(caught->noticed.look);
+  };
+  if (bug.collider) {
+    const Collider subject = bug.collider();
+    Interruption interruption;
+    const WorstCases found = worst_cases(subject, seed, kCampaign);
+    forms.wrong += found.wrong;
+    forms.gross += found.gross;
+    for (const auto& [look, worst] : found.by_bucket) {
+      const auto start = Clock::now();
+      Sighting sighting{{"judge of clip", look}, "", 0, 0, {}};
+      sighting.shrunk = shrink_finding(worst.second, subject, make_box2d(), interruption);
+      sighting.shrink_seconds = seconds_since(start);
+      add(sighting);
+    }
+  }
+  if (!simplest) {
+    if (const auto caught = bug.search({seed, bug.cases_max})) add(*caught);
   }
   if (!simplest) return;
   ++forms.seeds;
@@ -84,9 +105,9 @@ std::map<std::string, int> looks_of(const Forms& forms) {
 }
 
 std::string forms_heading() {
-  return fmt::format("{:<30} {:>6} {:>9} {:>7} {:>6} {:>13} {:>11} {:>16} {:>12}\n", "planted bug",
-                     "caught", "simplest", "buckets", "forms", "vertices, max", "digits, max",
-                     "evaluations, max", "ms, max");
+  return fmt::format("{:<35} {:>6} {:>6} {:>9} {:>7} {:>6} {:>13} {:>11} {:>16} {:>12}\n",
+                     "planted bug", "caught", "gross", "simplest", "buckets", "forms",
+                     "vertices, max", "digits, max", "evaluations, max", "ms, max");
 }
 
 std::string row(const std::string& name, const Forms& forms) {
@@ -94,11 +115,12 @@ std::string row(const std::string& name, const Forms& forms) {
     return *std::max_element(numbers.begin(), numbers.end());
   };
   return fmt::format(
-      "{:<30} {:>6} {:>9} {:>7} {:>6} {:>8}, {:>3} {:>7}, {:>2} {:>8}, {:>6} {:>5.0f}, {:>5.0f}\n",
-      name, forms.seeds, forms.simplest.size(), forms.by_look.size(), forms.distinct(),
-      median(forms.vertices), most(forms.vertices), median(forms.digits), most(forms.digits),
-      median(forms.evaluations), most(forms.evaluations), median(forms.shrink_ms),
-      most(forms.shrink_ms));
+      "{:<35} {:>6} {:>6} {:>9} {:>7} {:>6} {:>8}, {:>3} {:>7}, {:>2} {:>8}, {:>6} {:>5.0f}, "
+      "{:>5.0f}\n",
+      name, forms.seeds, forms.is_gross() ? "yes" : "no", forms.simplest.size(),
+      forms.by_look.size(), forms.distinct(), median(forms.vertices), most(forms.vertices),
+      median(forms.digits), most(forms.digits), median(forms.evaluations), most(forms.evaluations),
+      median(forms.shrink_ms), most(forms.shrink_ms));
 }
 
 /// Of a sighting whose bucket alone is known: how often the likeliest bug is the right guess, every
@@ -124,6 +146,21 @@ std::string purity(const std::map<std::string, Forms>& bugs) {
       "shows in its most frequent bucket in {:.0f}%\n",
       bugs.size(), likeliest.size(), 100 * right / count, 100 / count,
       100 * in_main_bucket / count);
+}
+
+/// Of bugs whose cases are gross for the most part: how many have one simplest form.
+std::string simplest_forms(const std::map<std::string, Forms>& bugs) {
+  int gross = 0;
+  int with_one = 0;
+  int with_few = 0;
+  for (const auto& [bug, forms] : bugs) {
+    if (!forms.is_gross()) continue;
+    ++gross;
+    if (forms.simplest.size() == 1) ++with_one;
+    if (forms.simplest.size() <= 4) ++with_few;
+  }
+  return fmt::format("{} of {} gross bugs have one simplest form, {} at most 4\n", with_one, gross,
+                     with_few);
 }
 
 }  // namespace
@@ -154,5 +191,5 @@ TEST_CASE("the forms of each planted bug over many seeds", "[.seeds]") {
         std::cout << count << ' ' << look << ' ' << form << '\n';
     }
   }
-  std::cout << purity(bugs_in_collider);
+  std::cout << purity(bugs_in_collider) << simplest_forms(bugs_in_collider);
 }
