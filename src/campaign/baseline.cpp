@@ -113,6 +113,9 @@ BucketComparison compared(const CampaignResult& earlier, const CampaignResult& n
 }
 
 void hold_against(const CampaignResult& earlier, CampaignResult& now) {
+  const bool is_of_these = earlier.settings.subject == now.settings.subject &&
+                           earlier.settings.oracle == now.settings.oracle;
+  if (!is_of_these) return;  // another's mistakes excuse nobody
   const BucketComparison comparison = compared(earlier, now);
   for (BucketResult& found : now.buckets) {
     found.is_in_baseline = !found.is_new && std::ranges::count(comparison.worse, found.bucket) == 0;

@@ -1,6 +1,8 @@
 #include "campaign/known.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,6 +34,15 @@ std::vector<std::string> keys_of(const CorpusCase& known) {
     keys.push_back(finding_key(of_class));
   }
   return keys;
+}
+
+/// Whether it accepts more: it holds today, and then it is the one up to the greater magnitude.
+bool is_wider(const Acceptance& one, const Acceptance& other, const std::string& today) {
+  const auto width = [&today](const Acceptance& acceptance) {
+    const bool holds = acceptance.until.empty() || acceptance.until >= today;
+    return std::pair(holds, acceptance.up_to.value_or(std::numeric_limits<double>::infinity()));
+  };
+  return width(one) > width(other);
 }
 
 /// The regimes in which it was met more often than is accepted.
@@ -77,7 +88,12 @@ Known known_of(std::span<const CorpusCase> corpus, const std::string& today) {
     if (!one.expect) continue;
     for (const std::string& key : keys_of(one)) {
       known.files.emplace(key, one.path);
-      if (one.accepted) known.accepted.emplace(key, Accepted{*one.accepted, one.path});
+      if (!one.accepted) continue;
+      const auto [of_key, is_first] =
+          known.accepted.try_emplace(key, Accepted{*one.accepted, one.path});
+      if (!is_first && is_wider(*one.accepted, of_key->second.acceptance, today)) {
+        of_key->second = {*one.accepted, one.path};
+      }
     }
   }
   return known;
@@ -107,8 +123,16 @@ Acceptance acceptance_of(const CorpusCase& known, Acceptance asked) {
                     printable(known.path, 200)));
   }
   const std::optional<Seen> seen = known.found ? known.found->seen : std::nullopt;
+  if (!asked.up_to && !seen && !expect.magnitude) {
+    throw UserError(
+        fmt::format("{}: does not record how bad it is; say with --up-to how bad it may be",
+                    printable(known.path, 200)));
+  }
   if (!asked.up_to) {
-    asked.up_to = kAcceptedTimesWorst * (seen ? seen->magnitude : expect.magnitude.value_or(0));
+    const double as_saved = expect.magnitude.value_or(0);
+    const double worst = seen ? seen->magnitude : as_saved;
+    // Shrinking again and again may have made it worse than any case that the campaign met.
+    asked.up_to = std::max(kAcceptedTimesWorst * worst, as_saved);
   }
   if (!seen) return asked;
   for (const auto& [regime, count] : seen->regimes) {

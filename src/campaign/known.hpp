@@ -26,7 +26,7 @@ struct Accepted {
 /// accepts, and the buckets of a baseline.
 struct Known {
   std::map<std::string, std::string> files;
-  std::map<std::string, Accepted> accepted;
+  std::map<std::string, Accepted> accepted;  ///< of several, the one that accepts most
   std::set<std::string> baseline;
   std::string today;  ///< until which days acceptances hold
 };

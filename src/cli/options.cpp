@@ -167,9 +167,9 @@ void add_corpus(CLI::App& app, std::string& folder, const std::string& descripti
   app.add_option("--corpus", folder, description)->type_name("DIR")->capture_default_str();
 }
 
-void add_day(CLI::App& app, const std::string& name, std::string& day,
-             const std::string& description) {
-  app.add_option(name, day, description)
+CLI::Option* add_day(CLI::App& app, const std::string& name, std::string& day,
+                     const std::string& description) {
+  return app.add_option(name, day, description)
       ->type_name("YYYY-MM-DD")
       ->check([](const std::string& text) {
         return is_day(text) ? ""

@@ -57,8 +57,8 @@ void add_corpus(CLI::App& app, std::string& folder, const std::string& descripti
 /// Such a folder again, for a shell; nothing for the usual one.
 std::string corpus_again(const std::string& folder);
 /// An option that takes a day, as 2027-01-31.
-void add_day(CLI::App& app, const std::string& name, std::string& day,
-             const std::string& description);
+CLI::Option* add_day(CLI::App& app, const std::string& name, std::string& day,
+                     const std::string& description);
 /// Adds --today, which acceptances end by.
 void add_today(CLI::App& app, std::string& day);
 void add_no_save(CLI::App& app, bool& no_save);

@@ -158,6 +158,10 @@ fs::path write_corpus_case(const fs::path& folder, const CorpusCase& corpus_case
 }
 
 void write_acceptance(const std::string& file, const std::optional<Acceptance>& acceptance) {
+  if (!file.ends_with(kEnding)) {
+    throw UserError(fmt::format("{}: holds lines; a file of one case, *.json, is expected",
+                                printable_path(file)));
+  }
   CorpusCase known = read_case_file(file);
   std::string text = InputFile(file).read_all();  // all else stays as it is written
   if (known.accepted) {

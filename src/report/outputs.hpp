@@ -104,6 +104,8 @@ std::string progress_line(const Plan& plan, const Progress& progress);
 /// How many findings of so many cases were written to that folder, and the verdicts of the result.
 std::string merged_text(const MergedRuns& runs, std::size_t cases, const std::string& folder);
 
+/// "FILE: there is no collider ...", of a case whose subject is not at hand.
+std::string why_unasked(const CorpusCase& unasked);
 /// What failed, a line each.
 std::string replay_failures(const ReplayRun& run);
 /// A line that counts.

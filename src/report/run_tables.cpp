@@ -134,7 +134,7 @@ std::string summary_table(const Campaign& campaign, const std::optional<Campaign
   if (!result.ledger.empty()) text += '\n' + ledger_rows(result);
   if (!result.buckets.empty()) text += '\n';
   text += lines_of(result.buckets, bucket_rows);
-  if (campaign.plan.until_new && !has_new(campaign.findings)) {
+  if (campaign.plan.until_new && !campaign.run.sought && !has_new(campaign.findings)) {
     text += "\nnothing new: the corpus shows each of these already\n";
   }
   text += remarks_on_files(result);
@@ -186,6 +186,13 @@ std::string merged_text(const MergedRuns& runs, std::size_t cases, const std::st
   return text + fmt::format("{:<18}{:>14}\n", "cases", runs.result->cases());
 }
 
+std::string why_unasked(const CorpusCase& unasked) {
+  return fmt::format(
+      "{}: there is no collider {}; name one with --subject, or in a file subjects.json beside the "
+      "corpus",
+      printable(unasked.path, 200), printable(unasked.expect->subject));
+}
+
 std::string replay_failures(const ReplayRun& run) {
   std::string text;
   for (const ReplayedCase& one : run.cases) {
@@ -194,10 +201,7 @@ std::string replay_failures(const ReplayRun& run) {
                         printable(one.recorded->path, 200), one.result.expected, one.result.got);
   }
   for (const CorpusCase* const unasked : run.unasked) {
-    text += fmt::format(
-        "{} {}: there is no collider {}; name one with --subject, or in a file "
-        "subjects.json beside the corpus\n",
-        bad("NOT ASKED"), printable(unasked->path, 200), printable(unasked->expect->subject));
+    text += fmt::format("{} {}\n", bad("NOT ASKED"), why_unasked(*unasked));
   }
   return text + stale_in_words(run.stale());
 }

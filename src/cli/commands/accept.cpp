@@ -81,7 +81,9 @@ int accept_files(const AcceptArguments& options) {
   Interruption interruption(kUntilSignal);
   for (CorpusCase& known : all) {
     write_output(shown(known, colliders, interruption) + '\n');
-    if (!Place(known.path).is_within(Place(options.corpus))) {
+    const bool is_of_corpus =
+        known.path.ends_with(".json") && Place(known.path).is_within(Place(options.corpus));
+    if (!is_of_corpus) {
       const auto folder = std::filesystem::path(options.corpus) / corpus_folder(known);
       known.path = write_corpus_case(folder, known).string();
     }
@@ -106,14 +108,22 @@ int accept(const AcceptArguments& options) {
 void add_accept_arguments(CLI::App& app, AcceptArguments& options) {
   CLI::Option* const files =
       add_text(app, "files", options.files, "FILE", "the files of findings, or their buckets");
-  add_text(app, "--because", options.because, "TEXT", "why they may stay");
-  add_text(app, "--link", options.link, "URL", "where more is said of it, such as an issue");
-  add_day(app, "--until", options.until, "the last day; without end if not given");
-  add_length(app, "--up-to", options.up_to,
-             "the greatest magnitude, as a share of the size; 3 times the worst if not given");
+  CLI::Option* const because =
+      add_text(app, "--because", options.because, "TEXT", "why they may stay");
+  CLI::Option* const link =
+      add_text(app, "--link", options.link, "URL", "where more is said of it, such as an issue");
+  CLI::Option* const until =
+      add_day(app, "--until", options.until, "the last day; without end if not given");
+  CLI::Option* const up_to =
+      add_length(app, "--up-to", options.up_to,
+                 "the greatest magnitude, as a share of the size; 3 times the worst if not given");
   add_corpus(app, options.corpus, "the folder of known cases");
-  app.add_flag("--list", options.list, "what is accepted, a line each")->excludes(files);
-  add_text(app, "--drop", options.drop, "FILE", "accept it no more")->excludes(files);
+  CLI::Option* const list = app.add_flag("--list", options.list, "what is accepted, a line each");
+  CLI::Option* const drop_file =
+      add_text(app, "--drop", options.drop, "FILE", "accept it no more")->excludes(list);
+  for (CLI::Option* const of_accepting : {files, because, link, until, up_to}) {
+    of_accepting->excludes(list)->excludes(drop_file);
+  }
   add_today(app, options.today);
 }
 

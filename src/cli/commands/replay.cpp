@@ -68,7 +68,7 @@ int replay(ReplayArguments& options) {
   });
   if (is_wanted(options.ci)) {
     TestSuite suite = replay_suite(run, {this_program(), options_again(asked)}, interruption);
-    suite.errors = corpus.errors;
+    suite.errors.insert(suite.errors.begin(), corpus.errors.begin(), corpus.errors.end());
     write_ci(options.ci, {suite}, outputs);
   }
   if (unread > 0) {

@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
+#include "campaign/known.hpp"
 #include "campaign/save.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
@@ -37,26 +39,63 @@ CorpusCase shrunk(const CorpusCase& given, const Collider& subject, const Collid
   CorpusCase result = recorded_case(smallest.pair, judgement, subject, oracle, interruption);
   result.found = given.found;
   if (result.found) result.found->is_unshrunk = !smallest.complete;
-  result.accepted = given.accepted;
+  // What is another mistake by now is not what was accepted.
+  const bool is_again = given.expect && is_bucket(result.expect->bucket, given.expect->bucket);
+  if (is_again) result.accepted = given.accepted;
   return result;
+}
+
+double magnitude_of(const CorpusCase& known) {
+  return known.expect ? known.expect->magnitude.value_or(0) : 0;
+}
+
+/// Puts the worst seen beside the file, unless a worse one lies there already.
+void keep_worst(const std::filesystem::path& file, CorpusCase worst) {
+  std::error_code unknown;
+  const std::filesystem::path beside = worst_beside(file);
+  const bool has_worse = std::filesystem::exists(beside, unknown) &&
+                         magnitude_of(read_case_file(beside.string())) >= magnitude_of(worst);
+  if (has_worse) return;
+  if (worst.found) worst.found->is_unshrunk = false;
+  worst.accepted.reset();  // that stands in the file of the smallest
+  write_worst_case(file, worst);
 }
 
 /// Writes it in the place of the case that it was shrunk from, which is the worst seen then.
 std::string replace(const CorpusCase& given, const CorpusCase& smallest) {
   const std::filesystem::path old = given.path;
   const std::filesystem::path file = write_corpus_case(old.parent_path(), smallest);
-  std::error_code unknown;
-  const bool has_worst = std::filesystem::exists(worst_beside(old), unknown);
   if (file == old) {
     write_file(file, format_case(smallest));
     return file.string();
   }
-  CorpusCase worst = has_worst ? read_case_file(worst_beside(old).string()) : given;
-  if (worst.found) worst.found->is_unshrunk = false;
-  write_worst_case(file, worst);
+  std::error_code unknown;
+  const bool has_worst = std::filesystem::exists(worst_beside(old), unknown);
+  keep_worst(file, has_worst ? read_case_file(worst_beside(old).string()) : given);
+  // Another case may have been shrunk to the same one before.
+  const bool is_to_be_accepted = smallest.accepted && !read_case_file(file.string()).accepted;
+  if (is_to_be_accepted) write_acceptance(file.string(), smallest.accepted);
   std::filesystem::remove(old, unknown);
   std::filesystem::remove(worst_beside(old), unknown);
   return file.string();
+}
+
+/// Whether it is a finding's own file for which there was no time.
+bool is_left_unshrunk(const CorpusCase& known) {
+  return known.found && known.found->is_unshrunk && known.property.empty() &&
+         known.path.ends_with(".json") && !is_worst(known.path);
+}
+
+/// Shrinks one of a folder's findings where it is. Throws UserError and Interrupted.
+void shrink_in_place(const CorpusCase& known, NamedColliders& colliders,
+                     Interruption& interruption) {
+  const Collider* const subject = colliders.subject_of(known);
+  const Collider* const oracle = colliders.oracle_of(known);
+  if (subject == nullptr || oracle == nullptr) {
+    throw UserError(fmt::format("{}: its subject '{}' is not at hand; name it with --subject",
+                                printable(known.path, 200), printable(known.expect->subject)));
+  }
+  write_output(replace(known, shrunk(known, *subject, *oracle, interruption)) + '\n');
 }
 
 /// Those of a folder's findings that there was no time for when they were saved.
@@ -71,20 +110,20 @@ int shrink_folder(const ShrinkArguments& options) {
                            given_collider(options.colliders.oracle, options.colliders.external));
   Interruption interruption(kUntilSignal);
   int done = 0;
+  std::vector<std::string> errors;
   for (const CorpusCase& known : corpus.cases) {
-    if (!known.found || !known.found->is_unshrunk || is_worst(known.path)) continue;
-    const Collider* const subject = colliders.subject_of(known);
-    const Collider* const oracle = colliders.oracle_of(known);
-    if (subject == nullptr || oracle == nullptr) {
-      throw UserError(fmt::format("{}: its subject '{}' is not at hand; name it with --subject",
-                                  known.path, printable(known.expect->subject)));
+    if (!is_left_unshrunk(known)) continue;
+    try {
+      shrink_in_place(known, colliders, interruption);
+      ++done;
+    } catch (const UserError& error) {
+      errors.emplace_back(error.what());  // the others can be shrunk all the same
     }
-    write_output(replace(known, shrunk(known, *subject, *oracle, interruption)) + '\n');
-    ++done;
   }
+  write_complaints(errors);
   write_remark(fmt::format("{}: {} of {} cases shrunk", printable(folder.string(), 200), done,
                            corpus.cases.size()));
-  return 0;
+  return errors.empty() ? 0 : 2;
 }
 
 int shrink_file(const ShrinkArguments& options) {

@@ -139,6 +139,7 @@ TestSuite replay_suite(const ReplayRun& run, const CalledAgain& again, Interrupt
       {"cases", "passed", "failed", "accepted", "left out"},
       {std::to_string(run.cases.size()), std::to_string(run.passed()), std::to_string(run.failed()),
        std::to_string(run.accepted()), std::to_string(run.left_out)}};
+  for (const CorpusCase* const one : run.unasked) suite.errors.push_back(why_unasked(*one));
   std::size_t pictures = 0;
   for (const ReplayedCase& one : run.cases) {
     TestResult& test = suite.tests.emplace_back(TestResult{one.recorded->path, one.seconds});

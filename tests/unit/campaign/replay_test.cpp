@@ -65,3 +65,57 @@ TEST_CASE("a case of a property must pass that property") {
   recorded.property = "no-such-property";
   CHECK_FALSE(replay(recorded, find_collider("clip")).passed);
 }
+
+TEST_CASE("a subject that is wrong as recorded passes where that is accepted, and no worse") {
+  const std::string bucket = "subject/subject_wrong/missed_contact/reference/a";
+  for (const char* error_class : {"", "/gross"}) {
+    CorpusCase recorded = boxes(bucket + error_class);
+    recorded.accepted = Acceptance{.because = "so", .up_to = 1};
+    const Replayed accepted = replay(recorded, blind());
+    CHECK(accepted.passed);
+    CHECK(accepted.is_accepted);
+    CHECK_FALSE(accepted.is_stale);
+    recorded.accepted->up_to = 1e-3;
+    const Replayed worse = replay(recorded, blind());
+    CHECK_FALSE(worse.passed);
+    CHECK(worse.got.starts_with(bucket + "/gross: worse than is accepted"));
+  }
+}
+
+TEST_CASE("a subject that is wrong in another way than was accepted fails") {
+  for (const char* bucket :
+       {"subject/subject_wrong/missed_contact/reference/a/fine",
+        "subject/subject_wrong/depth/none/a/gross", "subject/crashed/none/none/a"}) {
+    CorpusCase recorded = boxes(bucket);
+    recorded.accepted = Acceptance{.because = "so"};
+    const Replayed other = replay(recorded, blind());
+    CHECK_FALSE(other.passed);
+    CHECK_FALSE(other.is_accepted);
+  }
+}
+
+TEST_CASE("what was accepted and comes no more passes, and is stale, the oracle's mistakes too") {
+  for (const char* bucket : {"subject/subject_wrong/missed_contact/reference/a/gross",
+                             "oracle/oracle_wrong/depth/none/a/gross"}) {
+    CorpusCase recorded = boxes(bucket);
+    recorded.accepted = Acceptance{.because = "so"};
+    const Replayed gone = replay(recorded, find_collider("clip"));
+    CHECK(gone.passed);
+    CHECK(gone.is_stale);
+    CHECK_FALSE(gone.is_accepted);
+  }
+  CHECK_FALSE(
+      replay(boxes("oracle/oracle_wrong/depth/none/a/gross"), find_collider("clip")).passed);
+}
+
+TEST_CASE("a property that fails passes where that is accepted, and is stale once it holds") {
+  CorpusCase recorded = boxes("");
+  recorded.property = "never-empty";
+  recorded.accepted = Acceptance{.because = "so", .up_to = 1};
+  const Replayed accepted = replay(recorded, blind());
+  CHECK(accepted.passed);
+  CHECK(accepted.is_accepted);
+  CHECK(replay(recorded, find_collider("clip")).is_stale);
+  recorded.accepted->up_to = 1e-3;
+  CHECK_FALSE(replay(recorded, blind()).passed);
+}
