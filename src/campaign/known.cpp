@@ -45,6 +45,13 @@ bool is_wider(const Acceptance& one, const Acceptance& other, const std::string&
   return width(one) > width(other);
 }
 
+/// The greatest magnitude that a file tells of.
+double worst_of(const CorpusCase& known) {
+  const double of_case = known.expect->magnitude.value_or(0);
+  return known.found && known.found->seen ? std::max(of_case, known.found->seen->magnitude)
+                                          : of_case;
+}
+
 /// The regimes in which it was met more often than is accepted.
 std::vector<std::string_view> too_frequent(const Acceptance& acceptance, const Finding& finding,
                                            const Tally& tally, const Plan& plan) {
@@ -88,6 +95,7 @@ Known known_of(std::span<const CorpusCase> corpus, const std::string& today) {
     if (!one.expect) continue;
     for (const std::string& key : keys_of(one)) {
       known.files.emplace(key, one.path);
+      known.worst[key] = std::max(known.worst[key], worst_of(one));
       if (!one.accepted) continue;
       const auto [of_key, is_first] =
           known.accepted.try_emplace(key, Accepted{*one.accepted, one.path});
@@ -182,6 +190,10 @@ std::vector<Finding> findings(const Tally& tally, const Plan& plan, const Known&
     const auto accepted = known.accepted.find(key);
     if (accepted != known.accepted.end()) {
       hold_against(accepted->second, tally, plan, known.today, finding);
+      // Worse than all that was seen: a case to look at, and to accept or not.
+      if (!finding.is_accepted && finding.tally.magnitude > known.worst.at(key)) {
+        finding.is_new = true;
+      }
     }
     found.push_back(finding);
   }

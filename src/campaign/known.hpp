@@ -27,6 +27,7 @@ struct Accepted {
 struct Known {
   std::map<std::string, std::string> files;
   std::map<std::string, Accepted> accepted;  ///< of several, the one that accepts most
+  std::map<std::string, double> worst;       ///< the greatest magnitude that a file tells of
   std::set<std::string> baseline;
   std::string today;  ///< until which days acceptances hold
 };

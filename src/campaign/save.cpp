@@ -72,18 +72,31 @@ Found found_at(const Finding& finding, const Tally& tally, const Plan& plan) {
   return found;
 }
 
+/// Until when one finding is shrunk, and until when all of them are.
+struct Deadlines {
+  Deadline of_shrinking;
+  Deadline of_all;
+};
+
+/// The first of so many that are left has a second, though there may be none for the last ones: in
+/// less a program has hardly started.
+Deadlines deadlines_of(const Clock::time_point& end, std::size_t left) {
+  return {std::min(end, std::max(*share_of(end, left), after(1))), end};
+}
+
 /// Shrinks the finding's worst witness, until there is no more time, and writes it to the corpus,
 /// and beside it the worst as it was seen; sets `file`. Whether it is as small as can be. Throws
 /// UserError where it cannot be written, and Interrupted.
 bool save_finding(Finding& finding, const Tally& tally, const Plan& plan,
-                  const std::filesystem::path& corpus, const Deadline& shrink_until,
+                  const std::filesystem::path& corpus, const Deadlines& deadlines,
                   Interruption& interruption) {
   const Found found = found_at(finding, tally, plan);
   const auto judged = [&](const PairCase& pair) {
     return judge_in_child(pair, plan.subject, plan.oracle, interruption);
   };
   const auto recorded = [&](const PairCase& pair, const Judgement& judgement) {
-    CorpusCase saved = recorded_case(pair, judgement, plan.subject, plan.oracle, interruption);
+    CorpusCase saved =
+        recorded_case(pair, judgement, plan.subject, plan.oracle, interruption, deadlines.of_all);
     saved.found = found;
     return saved;
   };
@@ -97,8 +110,9 @@ bool save_finding(Finding& finding, const Tally& tally, const Plan& plan,
     return true;
   }
   Shrunk smallest{.pair = worst, .complete = false};
-  if (interruption.state() == Interruption::State::running) {
-    smallest = shrink_finding(worst, plan.subject, plan.oracle, interruption, shrink_until);
+  if (interruption.state() == Interruption::State::running && !has_passed(deadlines.of_all)) {
+    smallest =
+        shrink_finding(worst, plan.subject, plan.oracle, interruption, deadlines.of_shrinking);
   }
   CorpusCase saved = recorded(smallest.pair, judged(smallest.pair));
   saved.found->is_unshrunk = !smallest.complete;
@@ -133,7 +147,8 @@ std::filesystem::path corpus_folder(const CorpusCase& known) {
 }
 
 CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const Collider& subject,
-                         const Collider& oracle, Interruption& interruption) {
+                         const Collider& oracle, Interruption& interruption,
+                         const Deadline& severity_until) {
   CorpusCase recorded;
   recorded.pair = pair;
   Expectation& expect = recorded.expect.emplace(Expectation{
@@ -142,7 +157,9 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
       .verdict = std::string(to_string(judgement.bucket.verdict)),
       .bucket = to_string(judgement.bucket),
       .manifolds = {},
-      .severity = recorded_severity(pair, judgement.bucket, subject, oracle, interruption)});
+      .severity = has_passed(severity_until)
+                      ? std::nullopt
+                      : recorded_severity(pair, judgement.bucket, subject, oracle, interruption)});
   if (judgement.bucket.verdict != Verdict::agree) expect.magnitude = judgement.magnitude;
   for (const Manifold<double>& right : right_manifolds(admissible(pair, subject.declaration))) {
     expect.manifolds.push_back({std::string(kJudgeName), right});
@@ -182,9 +199,9 @@ Saving save_new(std::vector<Finding>& found, const Tally& tally, const Plan& pla
     on_finding(fmt::format("{} {} ({} of {})", is_shrunk ? "shrinking" : "saving",
                            to_string(finding.bucket), i + 1, left.size()));
     try {
-      const Deadline in_turn = share_of(end, left.size() - i);
+      const Deadlines deadlines = deadlines_of(end, left.size() - i);
       const bool is_small =
-          save_finding(finding, tally, plan, save_to.folder, in_turn, interruption);
+          save_finding(finding, tally, plan, save_to.folder, deadlines, interruption);
       if (!is_small) ++saving.unshrunk;
     } catch (const Interrupted&) {
       ++saving.unsaved;

@@ -16,10 +16,11 @@ std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& ora
 std::filesystem::path corpus_folder(const CorpusCase& known);
 
 /// The corpus case of a pair as these colliders see it: what is right, answers, verdict, severity
-/// and a note. Once there is hurry, a severity that takes longer than a second is left out. Throws
-/// Interrupted.
+/// and a note. Once there is hurry, a severity that takes longer than a second is left out, and any
+/// after the deadline. Throws Interrupted.
 CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const Collider& subject,
-                         const Collider& oracle, Interruption& interruption);
+                         const Collider& oracle, Interruption& interruption,
+                         const Deadline& severity_until = {});
 
 /// How long a campaign shrinks where nobody says.
 inline constexpr double kShrinkSeconds = 10;
