@@ -191,9 +191,9 @@ std::vector<Finding> findings(const Tally& tally, const Plan& plan, const Known&
     if (accepted != known.accepted.end()) {
       hold_against(accepted->second, tally, plan, known.today, finding);
       // Worse than all that was seen: a case to look at, and to accept or not.
-      if (!finding.is_accepted && finding.tally.magnitude > known.worst.at(key)) {
-        finding.is_new = true;
-      }
+      const double magnitude = finding.tally.magnitude;
+      const auto& up_to = accepted->second.acceptance.up_to;
+      if (up_to && magnitude > *up_to && magnitude > known.worst.at(key)) finding.is_new = true;
     }
     found.push_back(finding);
   }

@@ -131,8 +131,7 @@ void add_accept_arguments(CLI::App& app, AcceptArguments& options) {
 
 const Command kAccept{
     "accept", "Findings that may stay: from now on only what is worse or more frequent fails.",
-    "manifuzz accept corpus/regressions/subject-*.json --because 'known since 2.3' --until "
-    "2027-01-31\n"
+    "manifuzz accept corpus/regressions/subject-*.json --because 'since 2.3' --up-to 0.5\n"
     "manifuzz accept --list",
     define<AcceptArguments, add_accept_arguments, accept>};
 

@@ -31,7 +31,8 @@ void check_not_accepted(const Outcome& outcome, const std::string& complaint) {
 
 }  // namespace
 
-TEST_CASE("accept shows the case, then says what is accepted; the file has that and no other new") {
+TEST_CASE(
+    "accept shows the case and says what is accepted, which the file has then, and no other new") {
   const TemporaryFolder folder;
   const std::string file = save_findings(folder, one_eyed(folder)).front();
   const std::string before = text_of(file);
