@@ -183,7 +183,8 @@ Corpus read_known(const std::filesystem::path& folder);
 Corpus read_corpus_folder(const std::filesystem::path& folder);
 
 /// The pairs that a campaign with this seed may mutate: all but those that the seed itself or a
-/// property found, so that saving a finding changes no case and its command repeats it.
+/// property found, so that saving a finding changes no case and its command repeats it; and all but
+/// accepted ones, around which the same mistake comes in every disguise.
 std::vector<PairCase> pairs_of(const Corpus& corpus, std::uint64_t seed);
 
 /// A case's file, and what there is to say of the choice.

@@ -26,10 +26,15 @@ Corpus read_corpus_folder(const std::filesystem::path& folder) {
 }
 
 std::vector<PairCase> pairs_of(const Corpus& corpus, std::uint64_t seed) {
+  std::set<std::string> accepted;
+  for (const CorpusCase& known : corpus.cases) {
+    if (known.accepted) accepted.insert(known.path);
+  }
   std::vector<PairCase> pairs;
   for (const CorpusCase& known : corpus.cases) {
     const bool found_here = known.found && known.found->seed == seed;
-    if (!found_here && known.property.empty()) pairs.push_back(known.pair);
+    const bool is_accepted = accepted.contains(shrunk_beside(known.path));
+    if (!found_here && !is_accepted && known.property.empty()) pairs.push_back(known.pair);
   }
   return pairs;
 }

@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "corpus/corpus.hpp"
+#include "generating/regime.hpp"
 #include "support/bad_cases.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -182,4 +183,16 @@ TEST_CASE("an acceptance is not written among lines, which it would break") {
   CHECK_THROWS_WITH(write_acceptance(file, whole_acceptance()),
                     Contains("holds lines; a file of one case, *.json, is expected"));
   CHECK(test::text_of(file) == line);
+}
+
+TEST_CASE("a campaign mutates no accepted case, nor the worst beside it") {
+  CorpusCase known;
+  known.pair = generate(1, *find_regime("boxes"), 0);
+  known.path = "corpus/regressions/x.json";
+  CorpusCase worst = known;
+  worst.path = "corpus/regressions/x.worst.json";
+  Corpus corpus{{known, worst}, {}};
+  CHECK(pairs_of(corpus, 1).size() == 2);
+  corpus.cases[0].accepted = Acceptance{.because = "known"};
+  CHECK(pairs_of(corpus, 1).empty());
 }
