@@ -54,7 +54,7 @@ TEST_CASE("CI runs a smoke test of clip if nothing else is asked for") {
   CHECK(repository.called() ==
         "<smoke><--junit><manifuzz-results/junit.xml><--subject><clip><--oracle><box2d>"
         "<--seed><7><--corpus><corpus>\n"
-        "<report><manifuzz-results/findings><--subject><clip><--oracle><box2d>"
+        "<report><manifuzz-results/findings><--maps><0><--subject><clip><--oracle><box2d>"
         "<--output><manifuzz-results/report.html>\n");
   CHECK(text_of(repository.folder.path() / "manifuzz-results/status") == "passed\n");
 }
