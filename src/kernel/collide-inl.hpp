@@ -202,8 +202,10 @@ HWY_INLINE void collide_placed(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   const BothSeparations<D> found = greatest_separations(d, s);
   const auto separated = hn::Or(hn::Gt(found.of_a.separation, total_radius),
                                 hn::Gt(found.of_b.separation, total_radius));
+  const auto gap = hn::Sub(hn::Max(found.of_a.separation, found.of_b.separation), total_radius);
   if (hn::AllTrue(d, separated)) {
     hn::Store(hn::Zero(di), di, out.count.column + s.column);
+    hn::Store(hn::Neg(gap), d, out.depth[0].column + s.column);
     return;
   }
   const auto take_b =
@@ -213,9 +215,10 @@ HWY_INLINE void collide_placed(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   auto kept = touching;
   ClipEnds<D> edge[2];
   clip_to_slab(d, features, total_radius, edge, kept);
-  const LaneManifolds<D> m = keep_behind_face<D>(features, total_radius, edge, kept);
-  store(d, m, s.column, out);
+  LaneManifolds<D> m = keep_behind_face<D>(features, total_radius, edge, kept);
   const auto empty = hn::RebindMask(d, hn::Eq(m.count, hn::Zero(di)));
+  m.depth[0] = hn::IfThenElse(empty, hn::Min(hn::Neg(gap), hn::Zero(d)), m.depth[0]);
+  store(d, m, s.column, out);
   const auto among = tie_bias > 0 ? hn::And(touching, empty) : touching;
   const auto needs = misses_deepest(d, s, m, found, take_b, total_radius, among);
   if (HWY_UNLIKELY(!hn::AllFalse(d, needs))) put_deepest_contacts(d, s, needs, out);

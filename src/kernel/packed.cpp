@@ -54,7 +54,10 @@ template <class Scalar>
 Manifold<Scalar> manifold(const ManifoldBlock<Scalar>& block, int column) {
   Manifold<Scalar> result;
   result.count = static_cast<int>(block.count.column[column]);
-  if (result.count == 0) return result;
+  if (result.count == 0) {
+    result.points[0].depth = block.depth[0].column[column];
+    return result;
+  }
   result.reference = block.reference.column[column] == 0 ? Side::a : Side::b;
   result.normal = {block.normal[0].column[column], block.normal[1].column[column]};
   for (int i = 0; i < result.count; ++i) {

@@ -108,8 +108,9 @@ struct ManifoldBlock {
   Row<LaneInt<Scalar>> features[2];  ///< of each point: a `FeaturePair`'s bytes
 };
 
-/// The manifold in one column of a block, 0 <= column < kBlockPairs. Without points, the rest of
-/// the column is unspecified.
+/// The manifold in one column of a block, 0 <= column < kBlockPairs. Without points, the first
+/// one's depth is minus the gap between the polygons, or 0, and the rest of the column is
+/// unspecified.
 template <class Scalar>
 Manifold<Scalar> manifold(const ManifoldBlock<Scalar>& block, int column);
 

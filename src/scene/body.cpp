@@ -2,12 +2,11 @@
 
 namespace manifuzz::scene {
 
-std::optional<Defect> find_defect(const Pose<float>& pose) {
+Defect defect_of(const Pose<float>& pose) {
   const Vector2<float>& p = pose.position;
   if (!std::isfinite(p.x()) || !std::isfinite(p.y())) return Defect::position_not_finite;
   if (std::abs(p.x()) > kLengthMax || std::abs(p.y()) > kLengthMax) return Defect::position_too_far;
-  if (!is_unit_rotation(pose.rotation)) return Defect::rotation_not_unit;
-  return std::nullopt;
+  return Defect::rotation_not_unit;
 }
 
 std::string_view describe(Defect defect) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -44,8 +45,16 @@ enum class Defect {
   unknown_body,          ///< no such body is in the scene, or not any more
 };
 
+/// Of a pose that has one.
+Defect defect_of(const Pose<float>& pose);
+
 /// The first defect of a pose, or none.
-std::optional<Defect> find_defect(const Pose<float>& pose);
+inline std::optional<Defect> find_defect(const Pose<float>& pose) {
+  const bool is_near =
+      std::abs(pose.position.x()) <= kLengthMax && std::abs(pose.position.y()) <= kLengthMax;
+  if (is_near && is_unit_rotation(pose.rotation)) return std::nullopt;
+  return defect_of(pose);
+}
 
 /// One clause for a person: what is wrong, and what would be right.
 std::string_view describe(Defect defect);

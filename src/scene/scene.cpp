@@ -26,27 +26,40 @@ std::variant<BodyHandle, Defect> Scene::add(std::uint32_t shape, const Pose<floa
   if (const auto defect = find_defect(pose)) return *defect;
   if (free_.empty()) {
     free_.push_back(static_cast<std::uint32_t>(placements_.size()));
-    placements_.emplace_back();
-    generations_.push_back(0);
-    changes_.push_back(kUnchanged);
-    known_in_.push_back(0);
+    const auto append = [](auto& by_body, auto value) {
+      make_room(by_body, by_body.size() + 1);
+      by_body.push_back(value);
+    };
+    append(placements_, kernel::Placement<float>{});
+    append(generations_, 0U);
+    append(states_, std::uint8_t{0});
+    append(paths_, kNoPath);
+    append(leave_at_, 0.0F);
+    append(boxes_, kNowhere);
+    append(tight_, kNowhere);
+    append(left_at_, 0U);
   }
   const std::uint32_t body = free_.back();
   free_.pop_back();
   placements_[body] = {shape, pose};
   ++generations_[body];
   ++body_count_;
-  mark_changed(body);
+  start_path(body);
   return handle(body);
 }
 
-std::optional<Defect> Scene::remove(BodyHandle body) {
-  if (!is_known(body)) return Defect::unknown_body;
-  drop_pairs(body.index, [](std::uint32_t) { return true; });
-  broad_phase_.remove(body.index);
-  ++generations_[body.index];
+std::optional<Defect> Scene::remove(BodyHandle handle) {
+  if (!is_known(handle)) return Defect::unknown_body;
+  const std::uint32_t body = handle.index;
+  if (is(body, kFiled)) {
+    drop_all(body);
+    cells_.remove(body, boxes_[body]);
+  }
+  boxes_[body] = kNowhere;
+  states_[body] &= kMoved;  // it stays among the movers, if it is one
+  ++generations_[handle.index];
   --body_count_;
-  free_.push_back(body.index);
+  free_.push_back(body);
   return std::nullopt;
 }
 
@@ -54,52 +67,74 @@ std::optional<Defect> Scene::set_shape(BodyHandle body, std::uint32_t shape) {
   if (!is_known(body)) return Defect::unknown_body;
   if (shape >= shapes_.size()) return Defect::unknown_shape;
   placements_[body.index].shape = shape;
-  pairs_.each_of(body.index,
-                 [&](std::uint32_t pair, std::uint32_t) { pairs_[pair].certificate = {}; });
-  broad_phase_.forget_slack(body.index);
-  mark_changed(body.index);
+  start_path(body.index);
   return std::nullopt;
 }
 
-void Scene::mark_changed(std::uint32_t body) {
-  if (changes_[body] != kUnchanged) return;
-  changes_[body] = kChanged;
-  changed_.push_back(body);
+/// Nothing that was known of its box and its pairs holds any more.
+void Scene::start_path(std::uint32_t body) {
+  paths_[body] = kNoPath;
+  mark_moved(body);
+}
+
+void Scene::mark_moved(std::uint32_t body) {
+  states_[body] &= static_cast<std::uint8_t>(~kBoxed);
+  if (is(body, kMoved)) return;
+  states_[body] |= kMoved;
+  movers_.push_back({body, placements_[body].pose.position});
 }
 
 void Scene::place(const Move& move) {
-  Pose<float>& pose = placements_[move.body.index].pose;
+  const std::uint32_t body = move.body.index;
+  Pose<float>& pose = placements_[body].pose;
   if (same_bits(pose, move.pose)) return;
+  mark_moved(body);
+  paths_[body] = next_float(paths_[body] + displacement(pose, move.pose, facts(body).reach));
   pose = move.pose;
-  mark_changed(move.body.index);
 }
 
-void Scene::begin_contact(const Contact& contact) {
-  const std::uint32_t pair = pairs_.find(contact.a.index, contact.b.index);
-  pairs_.begin_touching(pair);
-  began_.push_back(static_cast<std::uint32_t>(contacts_.size()));
-  contacts_.push_back(contact);
-  if (settings_.recycled_motion > 0) keep_for_recycling(began_.back());
-}
-
-std::uint32_t Scene::end_contact(std::uint32_t pair) {
-  ended_.push_back({contacts_[pair].a, contacts_[pair].b});
-  contacts_[pair] = contacts_.back();
-  contacts_.pop_back();
-  if (!collided_.empty()) {
-    collided_[pair] = collided_.back();
-    collided_.pop_back();
+void Scene::drop_all(std::uint32_t body) {
+  for (Candidate& candidate : candidates_.row(body)) {
+    if (candidate.contact != kNone) end_contact(candidate);
   }
-  return pairs_.end_touching(pair);
+  counts_.pairs_dropped += candidates_.row(body).size();
+  candidates_.keep(body, 0);
+  cells_.near(boxes_[body], found_);
+  for (const std::uint32_t other : found_) {
+    if (other > body) continue;
+    if (Candidate* const candidate = candidates_.find(other, body)) drop(other, *candidate);
+  }
+}
+
+void Scene::drop(std::uint32_t a, Candidate& candidate) {
+  if (candidate.contact != kNone) end_contact(candidate);
+  candidates_.drop(a, candidate);
+  ++counts_.pairs_dropped;
+}
+
+void Scene::end_contact(Candidate& candidate) {
+  const std::uint32_t contact = candidate.contact;
+  candidate.contact = kNone;
+  ended_.push_back({contacts_[contact].a, contacts_[contact].b});
+  const Contact& last = contacts_.back();
+  if (contact + 1 < contacts_.size()) {
+    candidates_.find(last.a.index, last.b.index)->contact = contact;
+    contacts_[contact] = last;
+    if (!kept_.empty()) kept_[contact] = kept_.back();
+  }
+  contacts_.pop_back();
+  if (!kept_.empty()) kept_.pop_back();
 }
 
 Memory Scene::memory() const {
   const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
-  return {of(placements_) + of(generations_) + of(free_) + of(changes_) + of(changed_) +
-              of(known_in_) + broad_phase_.bytes() + pairs_.bytes_by_body(),
-          pairs_.bytes_by_pair() + of(contacts_) + of(collided_) + of(waiting_) +
-              of(waiting_bodies_) + of(manifolds_) + of(began_) + of(ended_) + of(beginning_) +
-              of(ending_) + of(gone_)};
+  return {of(free_) + of(placements_) + of(generations_) + of(states_) + of(paths_) +
+              of(leave_at_) + of(boxes_) + of(left_at_) + cells_.bytes() +
+              candidates_.bytes_by_body() + of(movers_) + of(left_) + of(bodies_) + of(tight_) +
+              of(drawn_) + of(found_),
+          candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + of(touching_.bodies) +
+              of(touching_.candidates) + of(apart_.bodies) + of(apart_.candidates) +
+              of(manifolds_) + of(beginning_) + of(began_) + of(ended_)};
 }
 
 }  // namespace manifuzz::scene

@@ -3,14 +3,13 @@
 #include <variant>
 
 #include "scene/body.hpp"
-#include "scene/broad_phase.hpp"
-#include "scene/pair_cache.hpp"
+#include "scene/candidates.hpp"
+#include "scene/cells.hpp"
 
 // The manifolds of a whole scene, step after step. Of the bodies that moved, in this order:
 //
-//   broad phase    those that left their fattened boxes find their candidate pairs afresh
-//   pair cache     what is known of each candidate pair of a moved body
-//   certificates   pairs proven to be separated still are skipped
+//   cells          those that left their fattened boxes find their candidate pairs
+//   candidates     pairs proven to be apart for so long are skipped
 //   batch kernel   the rest is collided
 //
 // A step's contacts are those of colliding every pair of bodies afresh, bit for bit, unless they
@@ -32,8 +31,8 @@ struct Settings {
   /// Pairs that touch keep their contact, carried along rigidly, until a vertex has moved by this,
   /// seen from the other body (a length). 0 is strict: the same bits as colliding them afresh.
   float recycled_motion = 0;
-  /// Pairs are proven separated, and then skipped. Off, all pairs that moved are collided: the same
-  /// contacts, sooner where nothing stays proven for long.
+  /// Pairs are proven to be apart, and then skipped. Off, all pairs that moved are collided: the
+  /// same contacts.
   bool certificates = true;
 };
 
@@ -73,67 +72,165 @@ class Scene {
   /// How many bodies are in the scene.
   std::size_t body_count() const { return body_count_; }
   /// How many pairs of bodies are candidates.
-  std::size_t pair_count() const { return pairs_.size(); }
+  std::size_t pair_count() const { return candidates_.size(); }
 
   /// What it takes, the shapes left out.
   Memory memory() const;
 
  private:
-  enum Change : std::uint8_t { kUnchanged, kChanged, kLeftBox };
+  /// What happened to a body since the last step, and what is known of it.
+  enum State : std::uint8_t {
+    kMoved = 1,     ///< it moved, was added or got another shape
+    kLeft = 2,      ///< it left its fattened box
+    kUnproven = 4,  ///< its path began anew: no proof holds
+    kFiled = 8,     ///< it is in the cells
+    kAlone = 16,    ///< it had no partners when its box was drawn
+    kBoxed = 32,    ///< its tight box is where it is
+  };
+
+  /// A body that moved, and from where.
+  struct Mover {
+    std::uint32_t body;
+    Vector2<float> from;  ///< in the world
+  };
+
+  /// A body that left its fattened box, and that box.
+  struct Leaver {
+    std::uint32_t body;
+    Box before;
+  };
+
+  /// Pairs that wait for the kernel; the arrays are longer than that.
+  struct Queue {
+    std::vector<kernel::BodyPair> bodies;
+    std::vector<Candidate*> candidates;
+    std::size_t count = 0;
+
+    /// Behind the last pair, to add some more: as plain pointers, which a loop keeps in registers.
+    struct End {
+      kernel::BodyPair* bodies;
+      Candidate** candidates;
+      std::size_t count;
+
+      /// Adds a pair if `is_waiting`, without a branch: no processor could foretell it.
+      void add(const kernel::BodyPair& pair, Candidate& candidate, bool is_waiting) {
+        bodies[count] = pair;
+        candidates[count] = &candidate;
+        count += static_cast<std::size_t>(is_waiting);
+      }
+    };
+    void add(const kernel::BodyPair& pair, Candidate& candidate) {
+      bodies[count] = pair;
+      candidates[count++] = &candidate;
+    }
+    End end() { return {bodies.data(), candidates.data(), count}; }
+    bool has_room(std::size_t more) const { return count + more < bodies.size(); }
+    std::span<const kernel::BodyPair> waiting() const { return std::span(bodies).first(count); }
+  };
+
+  struct Beginning {
+    kernel::BodyPair bodies;
+    Candidate* candidate;
+    Manifold<float> manifold;
+  };
+
+  /// A contact as the kernel gave it, to be recycled.
+  struct Kept {
+    Pose<float> b_in_a;
+    Manifold<float> manifold;
+  };
 
   bool is_known(BodyHandle body) const {
     return body.index < generations_.size() && generations_[body.index] == body.generation &&
            body.generation % 2 == 1;
   }
   BodyHandle handle(std::uint32_t index) const { return {index, generations_[index]}; }
-  void mark_changed(std::uint32_t body);
+  const ShapeFacts& facts(std::uint32_t body) const {
+    return shapes_.facts(placements_[body].shape);
+  }
+  bool is(std::uint32_t body, State state) const { return (states_[body] & state) != 0; }
+  bool overlap(std::uint32_t a, std::uint32_t b) const {
+    return scene::overlap(boxes_[a], boxes_[b]);
+  }
+  /// Where a body's fattened box was before this step.
+  const Box& box_before(std::uint32_t body) const {
+    return is(body, kLeft) ? left_[left_at_[body]].before : boxes_[body];
+  }
+
+  void start_path(std::uint32_t body);
+  void mark_moved(std::uint32_t body);
   void place(const Move& move);
+  bool few_moved() const { return kFewShare * movers_.size() < body_count_; }
 
   void find_candidates();
-  void find_partners(std::uint32_t body);
-  /// Of a body, those with bodies for which `is_gone(other)`. Returns how many.
-  template <class IsGone>
-  std::size_t drop_pairs(std::uint32_t body, const IsGone& is_gone);
-  void look_at_pairs();
-  void look_at_touching(std::uint32_t pair);
-  void look_at_apart(std::uint32_t pair);
-  bool is_proven(std::uint32_t pair) const;
-  void wait(std::uint32_t pair);
-  void collide_waiting();
+  void find_leavers();
+  void leave(const Mover& mover);
+  void draw_tight_boxes();
+  void drop_left();
+  void refile();
+  void add_partners(std::uint32_t body);
+  void drop(std::uint32_t a, Candidate& candidate);
+  void drop_all(std::uint32_t body);
+
+  void look_at_candidates();
+  void look_at_all_rows();
+  void look_at_row(std::uint32_t a);
+  void look_at_partners(std::uint32_t body);
+  void look_at(std::uint32_t a, Candidate& candidate);
+  void collide_apart();
+  void leave_out_apart();
+  void collide(Queue& queue);
+  void conclude(const kernel::BodyPair& bodies, Candidate& candidate,
+                const Manifold<float>& manifold);
+  /// Proves two bodies to be apart until a vertex has moved by `margin`, a length; nothing where it
+  /// is not above 0.
+  void prove_apart(const kernel::BodyPair& bodies, float margin, Candidate& candidate);
+  float margin_of(const kernel::BodyPair& bodies, float gap) const;
+  void begin_contacts();
+  void end_contact(Candidate& candidate);
+
+  bool recycle(std::uint32_t a, const Candidate& candidate);
   Pose<float> b_in_a(const kernel::BodyPair& bodies) const {
     return relative_pose(placements_[bodies.a].pose, placements_[bodies.b].pose);
   }
-  void keep_for_recycling(std::uint32_t pair);
-  void recycle(std::uint32_t pair);
-  void conclude(std::uint32_t pair, const Manifold<float>& manifold);
-  void begin_and_end();
-  void begin_contact(const Contact& contact);
-  /// The pair's new index.
-  std::uint32_t end_contact(std::uint32_t pair);
   StepResult result();
+
+  /// Where fewer than one body in so many moved, only their pairs are looked at.
+  static constexpr std::size_t kFewShare = 16;
+
+  /// The path of a body of which nothing is known: longer than any.
+  static constexpr float kNoPath = 1e30F;
 
   Settings settings_;
   ShapeTable shapes_;
   std::size_t body_count_ = 0;
-  std::vector<kernel::Placement<float>> placements_;  // by body
-  std::vector<std::uint32_t> generations_;            // by body
-  std::vector<std::uint32_t> free_;                   // bodies' places to be used again
-  std::vector<Change> changes_;                       // by body
-  std::vector<std::uint32_t> changed_;                // bodies, each once
-  std::vector<std::uint64_t> known_in_;               // by body: the last search that knew it
-  std::uint64_t search_ = 0;
-  BroadPhase broad_phase_;
-  PairCache pairs_;
-  std::vector<Contact> contacts_;          // by pair, of those that touch
-  std::vector<Manifold<float>> collided_;  // likewise, as the kernel gave them; unless strict
+  std::vector<std::uint32_t> free_;  // bodies' places to be used again
+
+  // By body.
+  std::vector<kernel::Placement<float>> placements_;
+  std::vector<std::uint32_t> generations_;
+  std::vector<std::uint8_t> states_;    // of State
+  std::vector<float> paths_;            // how far its vertices went since its path began, at most
+  std::vector<float> leave_at_;         // it is in its fattened box until its path is as long
+  std::vector<Box> boxes_;              // fattened
+  std::vector<Box> tight_;              // where kBoxed
+  std::vector<std::uint32_t> left_at_;  // its place among those that left, if it did
+
+  Cells cells_;  // of the fattened boxes
+  Candidates candidates_;
+  std::vector<Contact> contacts_;
+  std::vector<Kept> kept_;  // by contact, unless strict
 
   // Of the step under way.
-  std::vector<std::uint32_t> waiting_;  // pairs for the kernel, and their bodies
-  std::vector<kernel::BodyPair> waiting_bodies_;
+  std::vector<Mover> movers_;
+  std::vector<Leaver> left_;
+  std::vector<std::uint32_t> bodies_;
+  std::vector<Box> drawn_;
+  std::vector<std::uint32_t> found_;
+  Queue touching_;
+  Queue apart_;
   std::vector<Manifold<float>> manifolds_;
-  std::vector<Contact> beginning_;
-  std::vector<kernel::BodyPair> ending_;
-  std::vector<std::uint32_t> gone_;  // bodies whose pairs with another are dropped
+  std::vector<Beginning> beginning_;
   StepCounts counts_;
 
   // What a step reports.
@@ -141,18 +238,5 @@ class Scene {
   std::vector<EndedContact> ended_;
   std::ptrdiff_t ended_reported_ = 0;  // by the last step; those behind wait for the next
 };
-
-template <class IsGone>
-std::size_t Scene::drop_pairs(std::uint32_t body, const IsGone& is_gone) {
-  gone_.clear();
-  pairs_.each_of(body, [&](std::uint32_t, std::uint32_t other) {
-    if (is_gone(other)) gone_.push_back(other);
-  });
-  for (const std::uint32_t other : gone_) {
-    const std::uint32_t pair = pairs_.find(body, other);
-    pairs_.remove(pair < pairs_.touching() ? end_contact(pair) : pair);
-  }
-  return gone_.size();
-}
 
 }  // namespace manifuzz::scene

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <variant>
@@ -44,6 +45,11 @@ inline float displacement(const Pose<float>& from, const Pose<float>& to, float 
                      reach * length_at_most(to.rotation - from.rotation));
 }
 
+/// The next float above a length.
+inline float next_float(float length) {
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(length) + 1);
+}
+
 /// What the broad phase and the certificates ask of a shape. Lengths, rounded up.
 struct ShapeFacts {
   float reach = 0;   ///< the largest |vertex|
@@ -84,6 +90,11 @@ struct Box {
   float y_max = 0;
 };
 
+/// Overlaps no box.
+inline constexpr Box kNowhere{
+    std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
+    -std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
+
 /// Whether two boxes have a point in common; without branches, which no processor could foretell
 /// here.
 inline bool overlap(const Box& p, const Box& q) {
@@ -103,6 +114,14 @@ inline float slack(const Box& outer, const Box& inner) {
   const float x = std::min(inner.x_min - outer.x_min, outer.x_max - inner.x_max);
   const float y = std::min(inner.y_min - outer.y_min, outer.y_max - inner.y_max);
   return kRoundDown * std::min(x, y);
+}
+
+/// How far two boxes are apart in x or in y, whichever is more, rounded down; below 0 where they
+/// overlap.
+inline float gap(const Box& p, const Box& q) {
+  const float x = std::max(p.x_min - q.x_max, q.x_min - p.x_max);
+  const float y = std::max(p.y_min - q.y_max, q.y_min - p.y_max);
+  return kRoundDown * std::max(x, y);
 }
 
 /// The box, larger by a length on each of its sides.

@@ -1,18 +1,19 @@
-#include <iterator>
+#include <algorithm>
+#include <hwy/cache_control.h>
 #include <utility>
 
 #include "kernel/batch.hpp"
-#include "scene/pair_cache.hpp"
+#include "scene/recycled.hpp"
 #include "scene/scene.hpp"
 
 namespace manifuzz::scene {
 namespace {
 
 /// Pairs that are collided together: enough for the kernel to sort, few enough for the cache.
-constexpr std::size_t kWaitingMax = 4096;
+constexpr std::size_t kQueueMax = 4096;
 
-/// Once one body in so many moved, all pairs are gone through, in the order of memory.
-constexpr std::size_t kAllPairsShare = 16;
+/// So many pairs ahead, contacts are asked for: they lie anywhere in memory.
+constexpr std::size_t kAhead = 16;
 
 }  // namespace
 
@@ -26,150 +27,222 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves) {
   ended_.erase(ended_.begin(), ended_.begin() + std::exchange(ended_reported_, 0));
   for (const Move& move : moves) place(move);
   find_candidates();
-  look_at_pairs();
-  begin_and_end();
-  for (const std::uint32_t body : changed_) changes_[body] = kUnchanged;
-  changed_.clear();
+  look_at_candidates();
+  begin_contacts();
+  for (const Mover& mover : movers_) {
+    states_[mover.body] =
+        static_cast<std::uint8_t>(states_[mover.body] & (kFiled | kAlone | kBoxed));
+  }
+  movers_.clear();
   return result();
 }
 
-void Scene::find_candidates() {
-  std::erase_if(changed_, [&](std::uint32_t body) {
-    const bool is_gone = generations_[body] % 2 == 0;
-    if (is_gone) changes_[body] = kUnchanged;
-    return is_gone;
-  });
-  counts_.moved = changed_.size();
-  for (const std::uint32_t body : changed_) {
-    const auto& [shape, pose] = placements_[body];
-    const ShapeFacts& facts = shapes_.facts(shape);
-    if (broad_phase_.is_still_inside(body, pose, facts.reach)) continue;
-    const Box box = padded_box(shapes_.rows(shape), pose, facts.padding);
-    const bool is_alone = broad_phase_.holds(body) && !pairs_.has_any(body);
-    const Fatness& fatness = is_alone ? kAlone : kAmongOthers;
-    if (!broad_phase_.update(body, box, pose, facts.reach, fatness)) continue;
-    changes_[body] = kLeftBox;
-    ++counts_.left_boxes;
+void Scene::look_at_candidates() {
+  for (Queue* const queue : {&touching_, &apart_}) {
+    queue->bodies.resize(kQueueMax);
+    queue->candidates.resize(kQueueMax);
   }
-  for (const std::uint32_t body : changed_) {
-    if (changes_[body] != kLeftBox) continue;
-    find_partners(body);
-  }
-}
-
-void Scene::find_partners(std::uint32_t body) {
-  ++search_;
-  counts_.pairs_dropped += drop_pairs(body, [&](std::uint32_t other) {
-    known_in_[other] = search_;
-    return !broad_phase_.overlap(body, other);
-  });
-  broad_phase_.partners(body, [&](std::uint32_t other) {
-    if (known_in_[other] == search_) return;
-    pairs_.add(body, other);
-    ++counts_.pairs_added;
-  });
-}
-
-void Scene::look_at_pairs() {
-  if (kAllPairsShare * changed_.size() >= body_count_) {
-    const auto moved = [&](std::uint32_t pair) {
-      const auto [a, b] = pairs_[pair].bodies;
-      return changes_[a] != kUnchanged || changes_[b] != kUnchanged;
-    };
-    const auto count = static_cast<std::uint32_t>(pairs_.size());
-    for (std::uint32_t pair = 0; pair < pairs_.touching(); ++pair) {
-      if (moved(pair)) look_at_touching(pair);
-    }
-    for (std::uint32_t pair = pairs_.touching(); pair < count; ++pair) {
-      if (moved(pair)) look_at_apart(pair);
+  if (few_moved()) {
+    for (const Mover& mover : movers_) {
+      look_at_row(mover.body);
+      look_at_partners(mover.body);
     }
   } else {
-    for (const std::uint32_t body : changed_) {
-      pairs_.each_of(body, [&](std::uint32_t pair, std::uint32_t other) {
-        const bool is_others = changes_[other] != kUnchanged && other < body;
-        if (!is_others) pair < pairs_.touching() ? look_at_touching(pair) : look_at_apart(pair);
-      });
-    }
+    look_at_all_rows();
   }
-  collide_waiting();
+  collide(touching_);
+  collide_apart();
 }
 
-bool Scene::is_proven(std::uint32_t pair) const {
-  const auto& [bodies, certificate] = pairs_[pair];
-  return still_holds(certificate, shapes_, placements_[bodies.a], placements_[bodies.b]);
-}
-
-void Scene::look_at_touching(std::uint32_t pair) {
-  if (settings_.recycled_motion > 0 && is_proven(pair)) return recycle(pair);
-  wait(pair);
-}
-
-void Scene::look_at_apart(std::uint32_t pair) {
-  if (!settings_.certificates || !is_proven(pair)) return wait(pair);
-  ++counts_.pairs.separated;
-}
-
-void Scene::wait(std::uint32_t pair) {
-  waiting_.push_back(pair);
-  waiting_bodies_.push_back(pairs_[pair].bodies);
-  if (waiting_.size() == kWaitingMax) collide_waiting();
-}
-
-void Scene::collide_waiting() {
-  manifolds_.resize(std::max(manifolds_.size(), waiting_.size()));
-  kernel::collide_pairs(shapes_.for_pairs(), placements_, waiting_bodies_, settings_.tie_bias,
-                        manifolds_);
-  for (std::size_t i = 0; i < waiting_.size(); ++i) conclude(waiting_[i], manifolds_[i]);
-  counts_.pairs.collided += waiting_.size();
-  waiting_.clear();
-  waiting_bodies_.clear();
-}
-
-/// Pairs that begin or end to touch are put where they belong at the end: until then all keep their
-/// indices.
-void Scene::conclude(std::uint32_t pair, const Manifold<float>& manifold) {
-  const kernel::BodyPair bodies = pairs_[pair].bodies;
-  const bool touched = pair < pairs_.touching();
-  if (manifold.count > 0) {
-    if (touched) {
-      contacts_[pair].manifold = manifold;
-      if (settings_.recycled_motion > 0) keep_for_recycling(pair);
-    } else {
-      beginning_.push_back({handle(bodies.a), handle(bodies.b), manifold});
+/// Those whose boxes overlap no longer are dropped on the way.
+void Scene::look_at_row(std::uint32_t a) {
+  const std::span<Candidate> row = candidates_.row(a);
+  std::size_t kept = 0;
+  for (Candidate& candidate : row) {
+    if (((states_[a] | states_[candidate.b]) & kLeft) != 0 && !overlap(a, candidate.b)) {
+      if (candidate.contact != kNone) end_contact(candidate);
+      ++counts_.pairs_dropped;
+      continue;
     }
+    row[kept] = candidate;
+    look_at(a, row[kept++]);
+  }
+  candidates_.keep(a, kept);
+}
+
+/// The same of all rows, most of which need no more than to be compared: nothing in them left its
+/// box, and nothing is recycled. Without branches that depend on a pair.
+void Scene::look_at_all_rows() {
+  constexpr int kRare = kLeft | kUnproven;
+  const std::uint8_t* const states = states_.data();
+  const float* const paths = paths_.data();
+  const bool recycles = settings_.recycled_motion > 0;
+  for (std::uint32_t a = 0; a < candidates_.rows(); ++a) {
+    const std::span<Candidate> row = candidates_.row(a);
+    int rare = states[a];
+    for (const Candidate& candidate : row) rare |= states[candidate.b];
+    if (recycles || (rare & kRare) != 0 || row.size() >= kQueueMax) {
+      look_at_row(a);
+      continue;
+    }
+    if (!touching_.has_room(row.size())) collide(touching_);
+    if (!apart_.has_room(row.size())) collide_apart();
+    const int states_a = states[a];
+    const float path_a = paths[a];
+    auto touching = touching_.end();
+    auto apart = apart_.end();
+    std::size_t separated = 0;
+    for (Candidate& candidate : row) {
+      const std::uint32_t b = candidate.b;
+      const bool moved = ((states_a | states[b]) & kMoved) != 0;
+      const bool touches = candidate.contact != kNone;
+      const bool is_apart = path_a + paths[b] < candidate.apart_until;
+      touching.add({a, b}, candidate, moved & touches);
+      apart.add({a, b}, candidate, moved & !touches & !is_apart);
+      separated += static_cast<std::size_t>(moved & is_apart);
+    }
+    touching_.count = touching.count;
+    apart_.count = apart.count;
+    counts_.pairs.separated += separated;
+  }
+}
+
+/// Of a body, the pairs in other rows that are not looked at with those.
+void Scene::look_at_partners(std::uint32_t body) {
+  cells_.near(boxes_[body], found_);
+  for (const std::uint32_t other : found_) {
+    if (other > body || is(other, kMoved)) continue;
+    if (Candidate* const candidate = candidates_.find(other, body)) look_at(other, *candidate);
+  }
+}
+
+void Scene::look_at(std::uint32_t a, Candidate& candidate) {
+  const std::uint32_t b = candidate.b;
+  const int states = states_[a] | states_[b];
+  const bool moved = (states & kMoved) != 0;
+  const bool touches = candidate.contact != kNone;
+  if ((states & kUnproven) != 0) {
+    candidate.apart_until = kNeverApart;
+  } else if (settings_.recycled_motion > 0 && moved && touches && recycle(a, candidate)) {
     return;
   }
-  if (touched) ending_.push_back(bodies);
+  const bool is_apart = paths_[a] + paths_[b] < candidate.apart_until;
+  if (!touching_.has_room(1)) collide(touching_);
+  if (!apart_.has_room(1)) collide_apart();
+  if (moved && touches) touching_.add({a, b}, candidate);
+  if (moved && !touches && !is_apart) apart_.add({a, b}, candidate);
+  counts_.pairs.separated += static_cast<std::size_t>(moved && is_apart);
+}
+
+void Scene::collide_apart() {
+  leave_out_apart();
+  collide(apart_);
+}
+
+/// Of the pairs that wait and did not touch, those whose tight boxes do not overlap.
+void Scene::leave_out_apart() {
   if (!settings_.certificates) return;
-  pairs_[pair].certificate = prove_separated(shapes_, placements_[bodies.a], placements_[bodies.b]);
+  bodies_.clear();
+  for (const auto& [a, b] : apart_.waiting()) {
+    for (const std::uint32_t body : {a, b}) {
+      if (is(body, kBoxed)) continue;
+      states_[body] |= kBoxed;
+      bodies_.push_back(body);
+    }
+  }
+  draw_tight_boxes();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < apart_.count; ++i) {
+    const auto [a, b] = apart_.bodies[i];
+    const float apart = gap(tight_[a], tight_[b]);
+    if (apart > 0) {
+      prove_apart(apart_.bodies[i], apart, *apart_.candidates[i]);
+      ++counts_.pairs.separated;
+      continue;
+    }
+    apart_.bodies[kept] = apart_.bodies[i];
+    apart_.candidates[kept++] = apart_.candidates[i];
+  }
+  apart_.count = kept;
+}
+
+void Scene::collide(Queue& queue) {
+  manifolds_.resize(kQueueMax);
+  kernel::collide_pairs(shapes_.for_pairs(), placements_, queue.waiting(), settings_.tie_bias,
+                        manifolds_);
+  for (std::size_t i = 0; i < queue.count; ++i) {
+    const Candidate& soon = *queue.candidates[std::min(i + kAhead, queue.count - 1)];
+    if (soon.contact != kNone) hwy::Prefetch(&contacts_[soon.contact]);
+    conclude(queue.bodies[i], *queue.candidates[i], manifolds_[i]);
+  }
+  counts_.pairs.collided += queue.count;
+  queue.count = 0;
+}
+
+/// Contacts begin at the end of the step: until then those that end leave no gaps in what began.
+void Scene::conclude(const kernel::BodyPair& bodies, Candidate& candidate,
+                     const Manifold<float>& manifold) {
+  if (manifold.count > 0) {
+    if (candidate.contact == kNone) {
+      beginning_.push_back({bodies, &candidate, manifold});
+      return;
+    }
+    contacts_[candidate.contact].manifold = manifold;
+    if (settings_.recycled_motion > 0) kept_[candidate.contact] = {b_in_a(bodies), manifold};
+    return;
+  }
+  if (candidate.contact != kNone) end_contact(candidate);
+  prove_apart(bodies, margin_of(bodies, -manifold.points[0].depth), candidate);
+}
+
+/// What a gap between two polygons, as the kernel found it, proves (certificates.md); lengths.
+float Scene::margin_of(const kernel::BodyPair& bodies, float gap) const {
+  const ShapeFacts& a = facts(bodies.a);
+  const ShapeFacts& b = facts(bodies.b);
+  const float extent =
+      a.reach + b.reach + a.radius + b.radius +
+      length_at_most(placements_[bodies.b].pose.position - placements_[bodies.a].pose.position);
+  const float padding = a.padding + b.padding - (a.radius + b.radius);
+  return kRoundDown * gap - kSeparationError * extent - 1.001F * padding;
+}
+
+void Scene::prove_apart(const kernel::BodyPair& bodies, float margin, Candidate& candidate) {
+  candidate.apart_until = kNeverApart;
+  if (!settings_.certificates || !(margin > 0)) return;
+  candidate.apart_until = (paths_[bodies.a] + paths_[bodies.b] + margin) * (1 - 8 * kRoundoff);
   ++counts_.proofs;
 }
 
-void Scene::begin_and_end() {
-  for (const kernel::BodyPair& bodies : ending_) end_contact(pairs_.find(bodies.a, bodies.b));
-  for (const Contact& contact : beginning_) begin_contact(contact);
-  ending_.clear();
+void Scene::begin_contacts() {
+  for (const auto& [bodies, candidate, manifold] : beginning_) {
+    candidate->contact = static_cast<std::uint32_t>(contacts_.size());
+    candidate->apart_until = kNeverApart;
+    began_.push_back(candidate->contact);
+    make_room(contacts_, contacts_.size() + 1);
+    contacts_.push_back({handle(bodies.a), handle(bodies.b), manifold});
+    if (settings_.recycled_motion > 0) kept_.push_back({b_in_a(bodies), manifold});
+  }
   beginning_.clear();
-  if (beginning_.capacity() > kWaitingMax)
-    beginning_ = std::vector<Contact>();  // a first step's are no measure
-}
-
-void Scene::keep_for_recycling(std::uint32_t pair) {
-  collided_.resize(contacts_.size());
-  collided_[pair] = contacts_[pair].manifold;
-  pairs_[pair].certificate = {b_in_a(pairs_[pair].bodies), settings_.recycled_motion, Side::a};
+  if (beginning_.capacity() > kQueueMax)
+    beginning_ = std::vector<Beginning>();  // a first step's are no measure
 }
 
 /// From what the kernel gave, whenever that was: nothing accumulates.
-void Scene::recycle(std::uint32_t pair) {
-  const auto& [bodies, certificate] = pairs_[pair];
-  contacts_[pair].manifold = recycled(collided_[pair], certificate.far_in_near, b_in_a(bodies));
+bool Scene::recycle(std::uint32_t a, const Candidate& candidate) {
+  if (settings_.recycled_motion == 0) return false;
+  const Kept& kept = kept_[candidate.contact];
+  const Pose<float> now = b_in_a({a, candidate.b});
+  if (!(displacement(kept.b_in_a, now, facts(candidate.b).reach) < settings_.recycled_motion)) {
+    return false;
+  }
+  contacts_[candidate.contact].manifold = recycled(kept.manifold, kept.b_in_a, now);
   ++counts_.pairs.recycled;
+  return true;
 }
 
 StepResult Scene::result() {
   PairCounts& pairs = counts_.pairs;
-  pairs.candidates = pairs_.size();
+  pairs.candidates = candidates_.size();
   pairs.at_rest = pairs.candidates - pairs.separated - pairs.recycled - pairs.collided;
   ended_reported_ = std::ssize(ended_);
   const std::size_t stayed = contacts_.size() - began_.size();

@@ -1,9 +1,13 @@
 // Copied with the bugs planted into the scene, and compiled under a namespace of theirs.
+#include "canary/one_target.hpp"
 #include "canary/scene/scene_bugs.hpp"
 #include "scene/body.cpp"
-#include "scene/broad_phase.cpp"
-#include "scene/pair_cache.cpp"
+#include "scene/boxes.cpp"
+#include "scene/candidates.cpp"
+#include "scene/cells.cpp"
+#include "scene/recycled.cpp"
 #include "scene/scene.cpp"
+#include "scene/search.cpp"
 #include "scene/shape_table.cpp"
 #include "scene/step.cpp"
 

@@ -1,8 +1,9 @@
+#include "scene/recycled.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "clipping/collide.hpp"
 #include "generating/drafts.hpp"
-#include "scene/pair_cache.hpp"
 #include "scene/scene.hpp"
 
 using namespace manifuzz;

@@ -1,0 +1,56 @@
+#include "scene/candidates.hpp"
+
+#include <algorithm>
+
+namespace manifuzz::scene {
+namespace {
+
+/// For a row that has outgrown its place, or is packed.
+std::uint32_t room_for(std::uint32_t count) {
+  return count + count / 2 + 2;
+}
+
+}  // namespace
+
+void Candidates::add(std::uint32_t a, std::uint32_t b) {
+  if (a >= rows_.size()) {
+    make_room(rows_, a + 1);
+    rows_.resize(a + 1);
+  }
+  if (rows_[a].count == rows_[a].room) {
+    if (all_.size() > 3 * count_ + rows_.size()) pack();
+  }
+  Row& row = rows_[a];
+  if (row.count == row.room) {
+    const auto first = static_cast<std::uint32_t>(all_.size());
+    const std::uint32_t room = room_for(row.count);
+    make_room(all_, first + room);
+    all_.resize(first + room);
+    std::copy_n(all_.begin() + row.first, row.count, all_.begin() + first);
+    row = {first, row.count, room};
+  }
+  all_[row.first + row.count++] = {.b = b};
+  ++count_;
+}
+
+/// The rows one after another, as the bodies are.
+void Candidates::pack() {
+  std::vector<Candidate> packed;
+  std::size_t size = 0;
+  for (const Row& row : rows_) size += row.count == 0 ? 0 : room_for(row.count);
+  make_room(packed, size);
+  for (Row& row : rows_) {
+    const Row before = row;
+    if (row.count == 0) {
+      row = {};
+      continue;
+    }
+    row = {static_cast<std::uint32_t>(packed.size()), row.count, room_for(row.count)};
+    packed.insert(packed.end(), all_.begin() + before.first,
+                  all_.begin() + before.first + before.count);
+    packed.resize(row.first + row.room);
+  }
+  all_ = std::move(packed);
+}
+
+}  // namespace manifuzz::scene

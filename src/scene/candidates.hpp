@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "scene/body.hpp"
+
+namespace manifuzz::scene {
+
+/// Room for so many, in steps that leave little memory unused.
+template <class T>
+void make_room(std::vector<T>& vector, std::size_t size) {
+  if (size > vector.capacity()) vector.reserve(size + size / 8 + 16);
+}
+
+/// Nothing is proven of a pair.
+inline constexpr float kNeverApart = -std::numeric_limits<float>::infinity();
+
+/// Two bodies whose fattened boxes overlap, in the row of the one of lower index, A.
+struct Candidate {
+  std::uint32_t b = kNone;          ///< the other body
+  std::uint32_t contact = kNone;    ///< its index, where they touch
+  float apart_until = kNeverApart;  ///< what both bodies' paths sum up to when they may touch
+};
+
+/// The candidate pairs: those of a body with bodies of higher index lie together, rows in one
+/// array.
+class Candidates {
+ public:
+  /// How many pairs there are.
+  std::size_t size() const { return count_; }
+
+  /// Bodies from this one on have no row.
+  std::uint32_t rows() const { return static_cast<std::uint32_t>(rows_.size()); }
+
+  /// A body's row; valid until a pair is added.
+  std::span<Candidate> row(std::uint32_t a) {
+    if (a >= rows_.size()) return {};
+    return {all_.data() + rows_[a].first, rows_[a].count};
+  }
+
+  /// Of two bodies, a < b; null if they are no candidates.
+  Candidate* find(std::uint32_t a, std::uint32_t b) {
+    for (Candidate& candidate : row(a)) {
+      if (candidate.b == b) return &candidate;
+    }
+    return nullptr;
+  }
+
+  /// Adds two bodies, a < b, that are none.
+  void add(std::uint32_t a, std::uint32_t b);
+
+  /// Takes one out of A's row; the last of that row takes its place.
+  void drop(std::uint32_t a, Candidate& candidate) {
+    candidate = row(a).back();
+    keep(a, rows_[a].count - 1);
+  }
+
+  /// Leaves so many in A's row.
+  void keep(std::uint32_t a, std::size_t count) {
+    if (a >= rows_.size()) return;
+    count_ -= rows_[a].count - count;
+    rows_[a].count = static_cast<std::uint32_t>(count);
+  }
+
+  /// The memory that grows with the number of bodies, and with that of pairs.
+  std::size_t bytes_by_body() const { return rows_.capacity() * sizeof(Row); }
+  std::size_t bytes_by_pair() const { return all_.capacity() * sizeof(Candidate); }
+
+ private:
+  struct Row {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t room = 0;
+  };
+
+  void pack();
+
+  std::vector<Row> rows_;  // by body
+  std::vector<Candidate> all_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace manifuzz::scene

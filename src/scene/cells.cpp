@@ -1,0 +1,306 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "scene/cells.cpp"
+#include <hwy/foreach_target.h>  // includes this file once more for every other target
+// after foreach_target
+#include <array>
+#include <bit>
+#include <cassert>
+#include <hwy/highway.h>
+#include <limits>
+
+#include "scene/cells.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace manifuzz::scene::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::ScalableTag<float>;
+using Indices = hn::ScalableTag<std::uint32_t>;
+
+/// Bodies found, with room behind them for whole vectors.
+class Found {
+ public:
+  explicit Found(std::vector<std::uint32_t>& bodies) : bodies_(bodies) {}
+  ~Found() { bodies_.resize(count_); }
+
+  std::uint32_t* room_for(std::size_t more) {
+    const std::size_t needed = count_ + more + hn::Lanes(Indices());
+    if (needed > bodies_.size()) bodies_.resize(std::max(2 * bodies_.size(), needed));
+    return bodies_.data() + count_;
+  }
+  void add(std::size_t count) { count_ += count; }
+
+  std::size_t count() const { return count_; }
+  std::uint32_t operator[](std::size_t i) const { return bodies_[i]; }
+  void clear() { count_ = 0; }
+
+ private:
+  std::vector<std::uint32_t>& bodies_;
+  std::size_t count_ = 0;
+};
+
+/// The bodies among the entries from first to before last whose boxes overlap this one; of those
+/// `also(entry)` says, which gives a mask.
+template <class Also>
+HWY_INLINE void scan(const BoxColumns& entries, std::uint32_t first, std::uint32_t last,
+                     const Box& box, const Also& also, Found& found) {
+  const Floats d;
+  const Indices di;
+  const auto x_min = hn::Set(d, box.x_min);
+  const auto y_min = hn::Set(d, box.y_min);
+  const auto x_max = hn::Set(d, box.x_max);
+  const auto y_max = hn::Set(d, box.y_max);
+  std::uint32_t* const begin = found.room_for(last - first);
+  std::uint32_t* out = begin;
+  for (std::size_t i = first; i < last; i += hn::Lanes(d)) {
+    const auto from = [&](const std::vector<float>& column) {
+      return hn::LoadU(d, column.data() + i);
+    };
+    auto hit = hn::And(hn::Le(from(entries.x_min), x_max), hn::Ge(from(entries.x_max), x_min));
+    hit = hn::And(hit,
+                  hn::And(hn::Le(from(entries.y_min), y_max), hn::Ge(from(entries.y_max), y_min)));
+    hit = hn::And(hit, hn::And(also(i), hn::FirstN(d, last - i)));
+    // Not CompressStore: AMD's processors take a hundred cycles for one.
+    hn::StoreU(hn::Compress(hn::LoadU(di, entries.body.data() + i), hn::RebindMask(di, hit)), di,
+               out);
+    out += hn::CountTrue(d, hit);
+  }
+  found.add(static_cast<std::size_t>(out - begin));
+}
+
+HWY_INLINE void scan_near(const CellLevel& level, const Box& box, Found& found) {
+  const Floats d;
+  const auto all = [d](std::size_t) { return hn::FirstN(d, hn::Lanes(d)); };
+  level.each_run(level.near(box), [&](std::uint32_t first, std::uint32_t last) {
+    scan(level.entries, first, last, box, all, found);
+  });
+}
+
+void near(std::span<const CellLevel> levels, const Box& box, std::vector<std::uint32_t>& bodies) {
+  Found found(bodies);
+  for (const CellLevel& level : levels) scan_near(level, box, found);
+}
+
+/// Of two boxes of a level the left one finds the other; of two that begin at one x, that of the
+/// lower entry.
+HWY_INLINE void scan_right(const CellLevel& level, std::size_t entry, const Box& box,
+                           Found& found) {
+  const Floats d;
+  const Indices di;
+  const auto x_min = hn::Set(d, box.x_min);
+  const auto is_later = [&](std::size_t i) {
+    const auto other = hn::LoadU(d, level.entries.x_min.data() + i);
+    const auto place = hn::Iota(di, static_cast<std::uint32_t>(i));
+    const auto behind = hn::Gt(place, hn::Set(di, static_cast<std::uint32_t>(entry)));
+    return hn::Or(hn::Gt(other, x_min), hn::And(hn::Eq(other, x_min), hn::RebindMask(d, behind)));
+  };
+  level.each_run(level.right_of(box), [&](std::uint32_t first, std::uint32_t last) {
+    scan(level.entries, first, last, box, is_later, found);
+  });
+}
+
+void pairs(std::span<const CellLevel> levels, std::vector<std::uint32_t>& bodies,
+           std::vector<kernel::BodyPair>& pairs) {
+  pairs.clear();
+  Found found(bodies);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const BoxColumns& entries = levels[i].entries;
+    const std::uint32_t count = levels[i].begin().back();
+    for (std::uint32_t entry = 0; entry < count; ++entry) {
+      const std::uint32_t body = entries.body[entry];
+      if (body == kNone) continue;
+      const Box box = entries.box(entry);
+      found.clear();
+      scan_right(levels[i], entry, box, found);
+      for (std::size_t finer = 0; finer < i; ++finer) scan_near(levels[finer], box, found);
+      for (std::size_t k = 0; k < found.count(); ++k) {
+        pairs.push_back({std::min(body, found[k]), std::max(body, found[k])});
+      }
+    }
+  }
+}
+
+}  // namespace manifuzz::scene::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace manifuzz::scene {
+
+HWY_EXPORT(near);
+HWY_EXPORT(pairs);
+
+void BoxColumns::clear_to(std::size_t size) {
+  // Vectors are read past the last entry.
+  const std::size_t padded = size + kEntriesPastLast;
+  x_min.assign(padded, std::numeric_limits<float>::infinity());
+  for (auto* const column : {&y_min, &x_max, &y_max}) column->resize(padded);
+  body.assign(padded, kNone);
+}
+
+void BoxColumns::set(std::size_t entry, std::uint32_t of_body, const Box& box) {
+  x_min[entry] = box.x_min;
+  y_min[entry] = box.y_min;
+  x_max[entry] = box.x_max;
+  y_max[entry] = box.y_max;
+  body[entry] = of_body;
+}
+
+void BoxColumns::clear(std::size_t entry) {
+  x_min[entry] = std::numeric_limits<float>::infinity();
+  body[entry] = kNone;
+}
+
+namespace {
+
+/// The greater of both sides, rounded up.
+float extent_of(const Box& box) {
+  return std::max(box.x_max - box.x_min, box.y_max - box.y_min) * (1 + 4 * kRoundoff);
+}
+
+/// A cell's sides, as multiples of the largest box of its level.
+constexpr float kCellWidth = 0.5F;
+constexpr float kCellHeight = 2;
+
+}  // namespace
+
+void CellLevel::lay_out(float extent_max, const Box& span, std::size_t count) {
+  extent_max_ = extent_max;
+  x_origin_ = span.x_min;
+  y_origin_ = span.y_min;
+  x_inverse_ = 1 / (kCellWidth * extent_max);
+  y_inverse_ = 1 / (kCellHeight * extent_max);
+  const auto cells = [](int last) { return std::bit_ceil(static_cast<std::uint32_t>(last) + 1); };
+  std::uint64_t columns = cells(column(span.x_max));
+  std::uint64_t rows = cells(row(span.y_max));
+  const std::uint64_t places_max = std::bit_floor(2 * count);
+  while (columns * rows > places_max) (columns > rows ? columns : rows) /= 2;
+  column_mask_ = static_cast<std::uint32_t>(columns) - 1;
+  row_mask_ = static_cast<std::uint32_t>(rows) - 1;
+}
+
+namespace {
+
+/// Sizes by exponent and two bits behind it: four steps to an octave.
+constexpr int kSizeShift = 21;
+constexpr std::size_t kSizes = 1 << (32 - 1 - kSizeShift);
+
+std::size_t size_of(float extent) {
+  return std::bit_cast<std::uint32_t>(extent) >> kSizeShift;
+}
+
+constexpr std::size_t kSizesALevel = 8;  // down to a quarter of the largest
+
+struct Size {
+  std::uint32_t count = 0;
+  float extent_max = 0;
+};
+
+}  // namespace
+
+void Cells::make_levels(std::span<const std::uint32_t> bodies, std::span<const Box> boxes) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  std::array<Size, kSizes> sizes{};
+  Box span{kInfinity, kInfinity, -kInfinity, -kInfinity};
+  for (const std::uint32_t body : bodies) {
+    const Box& box = boxes[body];
+    const float extent = extent_of(box);
+    Size& size = sizes[size_of(extent)];
+    ++size.count;
+    size.extent_max = std::max(size.extent_max, extent);
+    span = {std::min(span.x_min, box.x_min), std::min(span.y_min, box.y_min),
+            std::max(span.x_max, box.x_min), std::max(span.y_max, box.y_min)};
+  }
+  used_ = 0;
+  for (std::size_t size = kSizes; size-- > 0;) {
+    if (sizes[size].count == 0) continue;
+    const float extent_max = sizes[size].extent_max;
+    std::size_t count = sizes[size].count;
+    for (std::size_t k = 1; k < kSizesALevel && size > 0; ++k) count += sizes[--size].count;
+    if (used_ == levels_.size()) levels_.emplace_back();
+    levels_[used_++].lay_out(extent_max, span, count);
+  }
+  std::ranges::reverse(levels());
+}
+
+std::size_t Cells::level_of(const Box& box) const {
+  const float extent = extent_of(box);
+  std::size_t level = 0;
+  while (level < used_ && levels_[level].extent_max() < extent) ++level;
+  return level;
+}
+
+void Cells::file(std::span<const std::uint32_t> bodies, std::span<const Box> boxes,
+                 std::uint32_t room) {
+  make_levels(bodies, boxes);
+  for (CellLevel& level : levels()) level.begin().assign(level.places() + 1, 0);
+  level_.resize(bodies.size());
+  place_.resize(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Box& box = boxes[bodies[i]];
+    level_[i] = static_cast<std::uint8_t>(level_of(box));
+    place_[i] = levels_[level_[i]].place_of(box);
+    ++levels_[level_[i]].begin()[place_[i]];
+  }
+  for (CellLevel& level : levels()) {
+    // Behind its place's last entry at first, each begin goes back as they are filed.
+    std::uint32_t end = 0;
+    for (std::uint32_t& begin : level.begin()) {
+      const std::uint32_t behind = end + begin;
+      end = std::exchange(begin, behind) + room + end;
+    }
+    level.entries.clear_to(end);
+  }
+  for (std::size_t i = bodies.size(); i-- > 0;) {
+    CellLevel& level = levels_[level_[i]];
+    level.entries.set(--level.begin()[place_[i]], bodies[i], boxes[bodies[i]]);
+  }
+}
+
+bool Cells::refile(std::uint32_t body, const Box* before, const Box& box) {
+  const std::size_t index = level_of(box);
+  if (index == used_) return false;
+  CellLevel& level = levels_[index];
+  const std::uint32_t place = level.place_of(box);
+  if (before != nullptr) {
+    if (level_of(*before) == index && level.place_of(*before) == place) {
+      level.entries.set(*entry_of(level, place, body), body, box);
+      return true;
+    }
+    remove(body, *before);
+  }
+  const auto entry = entry_of(level, place, kNone);
+  if (entry) level.entries.set(*entry, body, box);
+  return entry.has_value();
+}
+
+void Cells::remove(std::uint32_t body, const Box& box) {
+  CellLevel& level = levels_[level_of(box)];
+  level.entries.clear(*entry_of(level, level.place_of(box), body));
+}
+
+std::optional<std::size_t> Cells::entry_of(const CellLevel& level, std::uint32_t place,
+                                           std::uint32_t body) {
+  for (std::size_t entry = level.begin()[place]; entry < level.begin()[place + 1]; ++entry) {
+    if (level.entries.body[entry] == body) return entry;
+  }
+  return std::nullopt;
+}
+
+void Cells::near(const Box& box, std::vector<std::uint32_t>& found) const {
+  HWY_DYNAMIC_DISPATCH(near)(levels(), box, found);
+}
+
+void Cells::pairs(std::vector<kernel::BodyPair>& found) {
+  HWY_DYNAMIC_DISPATCH(pairs)(levels(), found_, found);
+}
+
+std::size_t Cells::bytes() const {
+  std::size_t bytes = level_.capacity() + 4 * (place_.capacity() + found_.capacity());
+  for (const CellLevel& level : levels_) {
+    bytes += 4 * (5 * level.entries.body.capacity() + level.begin().capacity());
+  }
+  return bytes;
+}
+
+}  // namespace manifuzz::scene
+#endif

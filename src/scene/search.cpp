@@ -1,0 +1,148 @@
+#include <cmath>
+
+#include "scene/boxes.hpp"
+#include "scene/scene.hpp"
+
+namespace manifuzz::scene {
+namespace {
+
+/// How far a box is fattened.
+struct Fatness {
+  float all_round;  ///< on each side, a share of its body's reach
+  float ahead_max;  ///< in the direction of its motion, no farther than this share,
+  float ahead;      ///< and a multiple of how far the body went in this step
+};
+constexpr Fatness kAmongOthers{0.1F, 2, 8};
+/// A box without partners may be fat: it costs nothing there.
+constexpr Fatness kByItself{0.8F, 4, 12};
+
+/// Paths are no longer than this multiple of a reach: sums of two are rounded little then.
+constexpr float kPathMax = 64;
+
+/// Once one body in so many has left its box, all are filed anew.
+constexpr std::size_t kFileShare = 8;
+
+/// So many more find room in a cell.
+constexpr std::uint32_t kRoom = 1;
+
+Box fattened(const Box& box, const Vector2<float>& motion, float reach, const Fatness& fatness) {
+  const auto ahead = [&](float along) {
+    const float most = fatness.ahead_max * reach;
+    return std::clamp(fatness.ahead * along, -most, most);
+  };
+  const float x = ahead(motion.x());
+  const float y = ahead(motion.y());
+  Box fat = grown(box, fatness.all_round * reach);
+  (x < 0 ? fat.x_min : fat.x_max) += x;
+  (y < 0 ? fat.y_min : fat.y_max) += y;
+  return fat;
+}
+
+}  // namespace
+
+void Scene::find_candidates() {
+  std::erase_if(movers_, [&](const Mover& mover) {
+    const bool is_gone = generations_[mover.body] % 2 == 0;
+    if (is_gone) states_[mover.body] = 0;
+    return is_gone;
+  });
+  counts_.moved = movers_.size();
+  find_leavers();
+  counts_.left_boxes = left_.size();
+  if (left_.empty()) return;
+  if (few_moved()) drop_left();
+  refile();
+  for (const Leaver& leaver : left_) add_partners(leaver.body);
+}
+
+void Scene::find_leavers() {
+  bodies_.clear();
+  left_.clear();
+  for (const Mover& mover : movers_) {
+    if (paths_[mover.body] > leave_at_[mover.body]) bodies_.push_back(mover.body);
+  }
+  draw_tight_boxes();
+  for (const Mover& mover : movers_) {
+    if (paths_[mover.body] > leave_at_[mover.body]) leave(mover);
+  }
+}
+
+/// Of `bodies_`.
+void Scene::draw_tight_boxes() {
+  drawn_.resize(bodies_.size());
+  padded_boxes(shapes_, placements_, bodies_, drawn_);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    tight_[bodies_[i]] = drawn_[i];
+    states_[bodies_[i]] |= kBoxed;
+  }
+}
+
+/// It is not sure to be in its fattened box any more: where it is, it may go on from here; where it
+/// is not, it gets another.
+void Scene::leave(const Mover& mover) {
+  const std::uint32_t body = mover.body;
+  const Box& box = tight_[body];
+  float& path = paths_[body];
+  Box& fat = boxes_[body];
+  const float reach = facts(body).reach;
+  const bool goes_on = path < kNoPath && contains(fat, box);
+  if (!goes_on) {
+    left_at_[body] = static_cast<std::uint32_t>(left_.size());
+    left_.push_back({body, fat});
+    const Vector2<float> motion = placements_[body].pose.position - mover.from;
+    fat = fattened(box, motion, reach, is(body, kAlone) ? kByItself : kAmongOthers);
+    states_[body] |= kLeft;
+    if (path > kPathMax * reach) {
+      path = 0;
+      states_[body] |= kUnproven;
+    }
+  }
+  leave_at_[body] = (path + slack(fat, box)) * (1 - 4 * kRoundoff);
+}
+
+/// Of those that left, the pairs whose boxes overlap no longer.
+void Scene::drop_left() {
+  for (const Leaver& leaver : left_) {
+    if (!is(leaver.body, kFiled)) continue;
+    cells_.near(leaver.before, found_);
+    for (const std::uint32_t other : found_) {
+      if (other == leaver.body || overlap(leaver.body, other)) continue;
+      const auto [a, b] = std::minmax(leaver.body, other);
+      if (Candidate* const candidate = candidates_.find(a, b)) drop(a, *candidate);
+    }
+  }
+}
+
+void Scene::refile() {
+  bool is_filed = kFileShare * left_.size() < body_count_;
+  for (const Leaver& leaver : left_) {
+    if (!is_filed) break;
+    const bool was_filed = is(leaver.body, kFiled);
+    is_filed =
+        cells_.refile(leaver.body, was_filed ? &leaver.before : nullptr, boxes_[leaver.body]);
+  }
+  for (const Leaver& leaver : left_) states_[leaver.body] |= kFiled;
+  if (is_filed) return;
+  bodies_.clear();
+  for (std::uint32_t body = 0; body < states_.size(); ++body) {
+    if (is(body, kFiled)) bodies_.push_back(body);
+  }
+  cells_.file(bodies_, boxes_, kRoom);
+}
+
+/// Two that left are found by the lower one.
+void Scene::add_partners(std::uint32_t body) {
+  cells_.near(boxes_[body], found_);
+  const bool is_alone = found_.size() == 1;
+  states_[body] =
+      static_cast<std::uint8_t>(is_alone ? states_[body] | kAlone : states_[body] & ~kAlone);
+  for (const std::uint32_t other : found_) {
+    if (other == body || (is(other, kLeft) && other < body)) continue;
+    if (scene::overlap(box_before(body), box_before(other))) continue;
+    const auto [a, b] = std::minmax(body, other);
+    candidates_.add(a, b);
+    ++counts_.pairs_added;
+  }
+}
+
+}  // namespace manifuzz::scene
