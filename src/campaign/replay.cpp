@@ -33,10 +33,9 @@ struct OutcomeSlot {
 /// Of a failure that may be accepted by that key.
 Replayed failed_unless_accepted(const std::string& key, double magnitude, const Known& known,
                                 const std::string& expected, const std::string& got) {
-  const auto accepted = known.accepted.find(key);
-  if (accepted == known.accepted.end()) return {false, expected, got};
-  const std::string why = objection(accepted->second.acceptance, magnitude, known.today);
-  if (!why.empty()) return {false, expected, fmt::format("{}: {}", got, why)};
+  const KnownAs as = known_as(key, magnitude, known);
+  if (as.acceptance == nullptr) return {false, expected, got};
+  if (!as.is_accepted()) return {false, expected, fmt::format("{}: {}", got, as.objection)};
   return {.passed = true, .expected = got, .got = got, .is_accepted = true};
 }
 
@@ -197,12 +196,11 @@ std::vector<CheckedProperty> check_properties(
     in_turn.interruption = &interruption;
     CheckedProperty checked{property, run_property(*property, subject, in_turn)};
     checked.seconds = seconds_since(start);
-    const auto accepted =
-        known.accepted.find(finding_key(property->name, subject.declaration.name));
-    if (!checked.result.passed && accepted != known.accepted.end()) {
-      checked.objection =
-          objection(accepted->second.acceptance, checked.result.magnitude, known.today);
-      checked.is_accepted = checked.objection.empty();
+    if (!checked.result.passed) {
+      const KnownAs as = known_as(finding_key(property->name, subject.declaration.name),
+                                  checked.result.magnitude, known);
+      checked.objection = as.objection;
+      checked.is_accepted = as.is_accepted();
     }
     try {
       if (checked.result.failing && !checked.is_accepted && !save_to.empty()) {
