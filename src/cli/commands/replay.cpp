@@ -58,9 +58,7 @@ int replay(ReplayArguments& options) {
       replay_cases(corpus.cases, colliders, known_of(corpus.cases, options.today), interruption);
   Outputs outputs;
   if (run.left_out > 0) outputs.add_error("replay: interrupted before it was done");
-  outputs.write(!options.ci.stdout_is_data, [&] {
-    write_to_reader(replay_failures(run) + (is_quiet() ? "" : replay_counts(run) + '\n'));
-  });
+  outputs.write(!options.ci.stdout_is_data, [&] { write_to_reader(replay_text(run)); });
   outputs.write(!options.json.empty(), [&] {
     auto json = provenance(0, declarations_of(run));
     append_replay_json(json, run, unread);

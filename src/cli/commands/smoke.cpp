@@ -67,9 +67,7 @@ SmokeListener printer(const SmokeArguments& options, const ProgressLine& line, O
   const auto print = [&](const std::string& text) {
     outputs.write(!options.ci.stdout_is_data, [&] { write_to_reader(text); });
   };
-  return {[print](const ReplayRun& run) {
-            print(replay_failures(run) + (is_quiet() ? "" : replay_counts(run) + "\n\n"));
-          },
+  return {[print](const ReplayRun& run) { print(replay_text(run) + (is_quiet() ? "" : "\n")); },
           [print, &outputs](const CheckedProperty& one) {
             if (!one.holds()) print(property_text(one));
             if (one.holds() && !is_quiet()) print(property_line(one));

@@ -63,6 +63,8 @@ TEST_CASE("a file whose subject is not at hand is not asked, which is status 2, 
   }
   const Outcome told = run_manifuzz({"replay", files.front()});
   CHECK_THAT(told.out, Contains("NOT ASKED " + files.front() + ": there is no collider one_eyed"));
+  CHECK(lines_of(told.out).size() == 2);
+  CHECK(lines_of(told.out).back() == "1 not asked");
   const Outcome junit = run_manifuzz({"replay", files.front(), "--junit", "-"});
   CHECK_THAT(junit.out, Contains("errors=\"1\"") && Contains("there is no collider one_eyed"));
 }
