@@ -223,7 +223,7 @@ constexpr double kReplayShare = 0.25;
 constexpr double kPropertyShare = 0.5;
 constexpr double kCampaignShare = 0.75;
 constexpr double kSavingShare = 0.95;
-/// Where a collider took all of its time to start.
+/// Where a collider took nearly all of its time to start.
 constexpr double kCampaignSecondsMin = 0.5;
 constexpr int kPropertyCases = 200;
 
@@ -231,7 +231,7 @@ std::vector<CheckedProperty> check_all(const SmokePlan& plan, const std::vector<
                                        const SmokeListener& listener) {
   const PropertyPlan each{plan.seed, kPropertyCases, pairs, {}};
   return check_properties(chosen_by_name(properties(), {}, "property", "property"), plan.subject,
-                          each, plan.known, plan.at(kPropertyShare), plan.save_to,
+                          each, plan.known, plan.at(kPropertyShare, 1), plan.save_to,
                           listener.on_checked);
 }
 
@@ -243,17 +243,20 @@ Plan campaign_plan(const SmokePlan& smoke, const std::vector<PairCase>& pairs) {
   narrow_to_colliders(plan);
   plan.context.corpus = pairs;
   plan.seed = smoke.seed;
-  const std::chrono::duration<double> left = *smoke.at(kCampaignShare) - Clock::now();
-  plan.seconds = std::max(kCampaignSecondsMin, left.count());
+  const std::chrono::duration<double> left = *smoke.at(kCampaignShare, 2) - Clock::now();
+  plan.seconds = std::max(kCampaignSecondsMin, left.count() - smoke.start_seconds);
+  plan.latest = smoke.at(kSavingShare, 2);
   plan.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   return plan;
 }
 
 }  // namespace
 
-Deadline SmokePlan::at(double share) const {
-  return start + std::chrono::duration_cast<Clock::duration>(
-                     std::chrono::duration<double>(share * seconds));
+Deadline SmokePlan::at(double share, int starts) const {
+  const double work = std::max(0.0, seconds - 2 * start_seconds);
+  const std::chrono::duration<double> until(
+      std::min(seconds, starts * start_seconds + share * work));
+  return start + std::chrono::duration_cast<Clock::duration>(until);
 }
 
 bool SmokeRun::is_well() const {
@@ -266,7 +269,7 @@ SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interru
   SmokeRun run;
   {
     Interruption in_time(
-        {.first_signal = Interruption::State::stopped, .stopped_at = plan.at(kReplayShare)});
+        {.first_signal = Interruption::State::stopped, .stopped_at = plan.at(kReplayShare, 1)});
     run.asked = std::make_shared<NamedColliders>([](const auto&) { return std::nullopt; },
                                                  plan.subject, plan.oracle);
     run.replayed = replay_cases(plan.corpus.cases, *run.asked, plan.known, in_time);
@@ -276,7 +279,7 @@ SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interru
   if (all.is_stopped()) return run;
   const Plan campaign = campaign_plan(plan, pairs);
   run.campaign =
-      run_campaign(campaign, plan.known, {plan.save_to, plan.at(kSavingShare)}, plan.origin,
+      run_campaign(campaign, plan.known, {plan.save_to, plan.at(kSavingShare, 2)}, plan.origin,
                    [&](const Progress& progress) { listener.on_progress(campaign, progress); });
   listener.on_campaign(*run.campaign);
   return run;

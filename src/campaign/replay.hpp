@@ -119,11 +119,13 @@ struct SmokePlan {
   Origin origin{};
   Clock::time_point start{};
   double seconds = 0;
+  /// So long the colliders took to start, after `start`; the campaign's jobs start them once more.
+  double start_seconds = 0;
 
-  /// When this share of the time is over.
-  Deadline at(double share) const;
+  /// When the part must be done that has what is left, both starts aside, up to this share of it.
+  Deadline at(double share, int starts) const;
   /// When the last picture must be drawn.
-  Deadline end() const { return at(1); }
+  Deadline end() const { return at(1, 2); }
 };
 
 /// What was done of it: where somebody asks to stop, no part is begun after that.

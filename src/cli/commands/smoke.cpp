@@ -46,8 +46,10 @@ SmokePlan plan_of(const SmokeArguments& options) {
   ExternalOptions external = options.colliders.external;
   const bool are_programs = !subject.command.empty() && !oracle.command.empty();
   if (are_programs) external.start_seconds = kStartSecondsMax / 2;
+  const Clock::time_point before = Clock::now();
   plan.subject = find_collider(subject, external);
   plan.oracle = find_collider(oracle, external);
+  plan.start_seconds = seconds_since(before);
   plan.seed = seed_or_draw(options.seed);
   plan.origin = {fmt::format("{} fuzz {}{}", this_program(), options_again(options.colliders),
                              corpus_again(options.corpus)),
