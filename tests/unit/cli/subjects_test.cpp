@@ -79,6 +79,27 @@ TEST_CASE("a subject that is given is asked of every file, whoever that names") 
   CHECK(json_of(outcome)["passed"] == files.size());
 }
 
+TEST_CASE("show asks whom a file names, by subjects.json, and says where it cannot be asked") {
+  const TemporaryFolder folder;
+  const std::string file = save_findings(folder, one_eyed(folder)).front();
+  const std::string subjects = folder.write("subjects.json", named("one_eyed", one_eyed(folder)));
+  const Outcome shown = run_manifuzz({"show", file});
+  CHECK(shown.status == 0);
+  CHECK_THAT(shown.out, Contains("subject: one_eyed 1") && Contains("oracle: box2d "));
+  CHECK_THAT(run_manifuzz({"show", file, "--subject", "clip64"}).out, Contains("subject: clip64 "));
+  const auto refused = [&](const std::string& complaint) {
+    const Outcome outcome = run_manifuzz({"show", file});
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+    CHECK_THAT(outcome.err, Contains(complaint));
+  };
+  folder.write("subjects.json",
+               named("one_eyed", clip_but(folder, "another", "nothing", "exit 3")));
+  refused("is called 'one_eyed' there, and declares the name 'another'");
+  fs::remove(subjects);
+  refused("was found with 'one_eyed' from outside; say where that is: --subject ./LIBRARY.so");
+}
+
 TEST_CASE("bad subjects.json are refused, by their name and the place", "[bad-input]") {
   const TemporaryFolder folder;
   save_findings(folder, one_eyed(folder));
