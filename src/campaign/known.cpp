@@ -138,52 +138,6 @@ std::string objection(const Acceptance& acceptance, double magnitude, const std:
                      *acceptance.up_to);
 }
 
-Acceptance acceptance_of(const CorpusCase& known, Acceptance asked) {
-  const Expectation expect = known.expect.value_or(Expectation{});
-  const auto bucket = find_bucket(expect.bucket);
-  const bool is_mistake = !known.property.empty() || (bucket && is_unexplained(bucket->verdict));
-  if (!is_mistake || expect.subject.empty()) {
-    throw UserError(
-        fmt::format("{}: shows nobody's mistake; a finding that a campaign or a property "
-                    "saved is expected",
-                    printable(known.path, 200)));
-  }
-  const std::optional<Seen> seen = known.found ? known.found->seen : std::nullopt;
-  if (!asked.up_to && !seen && !expect.magnitude) {
-    throw UserError(
-        fmt::format("{}: does not record how bad it is; say with --up-to how bad it may be",
-                    printable(known.path, 200)));
-  }
-  if (!asked.up_to) {
-    const double as_saved = expect.magnitude.value_or(0);
-    const double worst = seen ? seen->magnitude : as_saved;
-    // Shrinking again and again may have made it worse than any case that the campaign met.
-    asked.up_to = std::max(kAcceptedTimesWorst * worst, as_saved);
-  }
-  if (!seen) return asked;
-  for (const auto& [regime, count] : seen->regimes) {
-    asked.per_million[regime] = accepted_per_million(count, seen->cases);
-  }
-  return asked;
-}
-
-std::string acceptance_in_words(const CorpusCase& accepted, const std::string& today) {
-  const Acceptance& acceptance = *accepted.accepted;
-  const Expectation expect = accepted.expect.value_or(Expectation{});
-  const std::string what =
-      accepted.property.empty() ? expect.bucket : fmt::format("property {}", accepted.property);
-  std::string text = fmt::format("accepted {}: {} of {}", printable(accepted.path, 200), what,
-                                 printable(expect.subject));
-  if (acceptance.up_to) text += fmt::format(", up to {:.3g} of the size", *acceptance.up_to);
-  if (!acceptance.until.empty()) {
-    const bool is_past = acceptance.until < today;
-    text += fmt::format(", until {}{}", acceptance.until, is_past ? ", which is past" : "");
-  }
-  text += ": " + printable(acceptance.because, 400);
-  if (!acceptance.link.empty()) text += fmt::format(" ({})", printable(acceptance.link, 400));
-  return text;
-}
-
 bool is_stale(const CorpusCase& known, const std::string& got, const Collider& subject,
               const Collider& oracle) {
   if (!known.accepted || !known.expect || !known.property.empty()) return false;

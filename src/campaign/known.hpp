@@ -58,13 +58,6 @@ bool is_bucket(const std::string& got, const std::string& recorded);
 /// empty where nothing does.
 std::string objection(const Acceptance& acceptance, double magnitude, const std::string& today);
 
-/// What is asked for, completed from the case: its rates, and how much worse it may become. Throws
-/// UserError where it is nobody's mistake.
-Acceptance acceptance_of(const CorpusCase& known, Acceptance asked);
-
-/// "FILE: BUCKET of SUBJECT, up to ..., until ...: because ... (link)".
-std::string acceptance_in_words(const CorpusCase& accepted, const std::string& today);
-
 /// Whether the case is accepted of these colliders, and another bucket came than was accepted.
 bool is_stale(const CorpusCase& known, const std::string& got, const Collider& subject,
               const Collider& oracle);

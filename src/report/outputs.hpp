@@ -122,6 +122,7 @@ std::string property_text(const CheckedProperty& checked);
 std::string property_line(const CheckedProperty& checked);
 
 /// What there is, a line each, with its description.
+std::string collider_line(const Declaration& declaration);
 std::string list_regimes();
 std::string list_sweeps();
 std::string list_scenes();

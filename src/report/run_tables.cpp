@@ -179,6 +179,14 @@ std::string merged_text(const MergedRuns& runs, std::size_t cases, const std::st
   return text + fmt::format("{:<18}{:>14}\n", "cases", runs.result->cases());
 }
 
+std::string collider_line(const Declaration& declaration) {
+  return fmt::format("{:<13} {} ({}, {}, rounds in the {} frame, tie bias {}, up to {} vertices)\n",
+                     declaration.name, declaration.description, declaration.version,
+                     declaration.scalar == ScalarType::float32 ? "float" : "double",
+                     declaration.frame == RoundingFrame::local ? "pair's" : "world's",
+                     in_words(declaration.tie_bias), declaration.max_vertices);
+}
+
 std::string list_regimes() {
   return lines_of(regimes(), [](const Regime& regime) {
     return fmt::format("{:<16} {}\n", regime.name, regime.description);

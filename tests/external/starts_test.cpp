@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "campaign/in_child.hpp"
-#include "campaign/replay.hpp"
+#include "campaign/smoke.hpp"
 #include "external/behaviour.hpp"
 #include "external/campaigns.hpp"
 #include "generating/regime.hpp"

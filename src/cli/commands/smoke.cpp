@@ -1,3 +1,5 @@
+#include "campaign/smoke.hpp"
+
 #include <optional>
 #include <string>
 
@@ -5,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "campaign/replay.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"

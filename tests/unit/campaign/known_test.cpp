@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/text.hpp"
+#include "campaign/accept.hpp"
 #include "campaign/result.hpp"
 #include "cli/colliders.hpp"
 #include "generating/regime.hpp"

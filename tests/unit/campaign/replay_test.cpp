@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "campaign/smoke.hpp"
 #include "cli/colliders.hpp"
 
 using namespace manifuzz;
