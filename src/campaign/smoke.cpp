@@ -15,7 +15,7 @@ constexpr double kReplayShare = 0.25;
 constexpr double kPropertyShare = 0.5;
 constexpr double kCampaignShare = 0.75;
 constexpr double kSavingShare = 0.95;
-/// Where a collider took nearly all of its time to start.
+/// Where there is hardly any time, or a collider took nearly all of it to start.
 constexpr double kCampaignSecondsMin = 0.5;
 constexpr int kPropertyCases = 200;
 
@@ -37,7 +37,7 @@ Plan campaign_plan(const SmokePlan& smoke, const std::vector<PairCase>& pairs) {
   plan.seed = smoke.seed;
   const std::chrono::duration<double> left = *smoke.at(kCampaignShare, 2) - Clock::now();
   plan.seconds = std::max(kCampaignSecondsMin, left.count() - smoke.start_seconds);
-  plan.latest = smoke.at(kSavingShare, 2);
+  plan.latest = std::max(*smoke.at(kSavingShare, 2), after(kCampaignSecondsMin));
   plan.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   return plan;
 }
