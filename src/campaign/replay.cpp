@@ -141,6 +141,7 @@ std::vector<Declaration> ReplayRun::declarations() const {
     }
   }
   std::vector<Declaration> all;
+  all.reserve(by_name.size());
   for (const auto& [name, declaration] : by_name) all.push_back(declaration);
   return all;
 }
