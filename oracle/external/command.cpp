@@ -107,14 +107,14 @@ class CommandCollider {
   CommandCollider(const std::string& command, double start_seconds, double case_seconds)
       : command_(command), program_(command, start_seconds, case_seconds) {}
 
-  /// Asks one case, before whose answer it may declare itself. One that dies over it or answers
-  /// nothing is left to the campaign.
+  /// Asks one case, before whose answer it may declare itself. One that answers goes on running;
+  /// one that dies over it or answers nothing is left to the campaign.
   Declaration ask_declaration() {
     const PairCase pair = overlapping_boxes();
     Answer answer;
     const BatchResult result = program_.ask({&pair, 1}, {&answer, 1}, [] { return true; });
     const std::string declaration = program_.declaration();
-    const std::string death = program_.stop();
+    const std::string death = result.end == BatchEnd::answered ? "" : program_.stop();
     const bool cannot_run = death.ends_with("status 127") || death.ends_with("status 126");
     if (result.end == BatchEnd::exited && cannot_run) {
       throw UserError(fmt::format("'{}' cannot be run: it {}", command_, death));

@@ -76,6 +76,10 @@ CampaignResult read_baseline(const std::string& path) {
   }
 }
 
+bool is_of(const Settings& settings, const std::string& subject, const std::string& oracle) {
+  return settings.subject == subject && settings.oracle == oracle;
+}
+
 std::string differences_in_words(const CampaignResult& earlier, const CampaignResult& now) {
   std::vector<std::string> differences;
   const auto before = terms_of(earlier);
@@ -113,9 +117,7 @@ BucketComparison compared(const CampaignResult& earlier, const CampaignResult& n
 }
 
 void hold_against(const CampaignResult& earlier, CampaignResult& now) {
-  const bool is_of_these = earlier.settings.subject == now.settings.subject &&
-                           earlier.settings.oracle == now.settings.oracle;
-  if (!is_of_these) return;  // another's mistakes excuse nobody
+  if (!is_of(earlier.settings, now.settings.subject, now.settings.oracle)) return;
   const BucketComparison comparison = compared(earlier, now);
   for (BucketResult& found : now.buckets) {
     found.is_in_baseline = !found.is_new && std::ranges::count(comparison.worse, found.bucket) == 0;

@@ -20,33 +20,6 @@ struct JudgementSlot {
   Judgement judgement;
 };
 
-/// An answer without pointers, for shared memory.
-struct AnswerSlot {
-  std::size_t kind = 0;  ///< its place among the kinds of an Answer
-  PartialManifold manifold;
-  Penetration penetration;
-  Lost::How how = Lost::How::crashed;
-  SharedText<512> why;
-
-  void put(const Answer& answer) {
-    kind = answer.index();
-    if (const auto* const whole = std::get_if<Manifold<double>>(&answer)) manifold = {*whole};
-    if (const auto* const partial = std::get_if<PartialManifold>(&answer)) manifold = *partial;
-    if (const auto* const less = std::get_if<Penetration>(&answer)) penetration = *less;
-    if (const auto* const declined = std::get_if<Unsupported>(&answer)) why.set(declined->why);
-    if (const auto* const lost = std::get_if<Lost>(&answer)) {
-      how = lost->how;
-      why.set(lost->why);
-    }
-  }
-
-  Answer answer() const {
-    const std::array<Answer, std::variant_size_v<Answer>> kinds{
-        manifold.manifold, Unsupported{why.str()}, manifold, Lost{how, why.str()}, penetration};
-    return kinds[kind];
-  }
-};
-
 /// What one in a process of its own answers.
 Answer ask_isolated(const Collider& collider, const PairCase& pair, Interruption& interruption) {
   Answer answer;
@@ -95,18 +68,31 @@ Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Co
 }
 
 Answer ask_in_child(const Collider& collider, const PairCase& pair, Interruption& interruption) {
-  if (collider.is_isolated()) {
-    return whole(ask_isolated(collider, pair, interruption), pair, collider.declaration);
-  }
-  const Shared<AnswerSlot> slot;
-  const Ending ending = run_in_child([&] { slot->put(collider.collide(pair)); },
-                                     case_seconds_max(collider, collider), interruption);
-  if (ending == Ending::stopped) throw Interrupted();
-  if (ending != Ending::done) return lost_by(ending);
-  return whole(slot->answer(), pair, collider.declaration);
+  return whole(ask_isolated(hosted(collider), pair, interruption), pair, collider.declaration);
 }
 
 namespace {
+
+/// Both as they are asked again and again: from here, where one of them runs in a process of its
+/// own already, for in another child that would have to be started anew.
+struct AskedOften {
+  AskedOften(const Collider& first, const Collider& second)
+      : is_here(first.is_isolated() || second.is_isolated()),
+        subject(is_here ? hosted(first) : first),
+        oracle(is_here ? hosted(second) : second) {}
+
+  bool is_here;
+  Collider subject;
+  Collider oracle;
+};
+
+void unless_interrupted(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Interrupted&) {
+    // What is done until then is kept.
+  }
+}
 
 /// What a shrinking child has found so far, where its parent can see it even if it dies.
 struct ShrinkSlot {
@@ -120,7 +106,8 @@ struct ShrinkSlot {
 
 Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
                       Interruption& interruption, const Deadline& deadline) {
-  const Judgement root = judge_in_child(pair, subject, oracle, interruption);
+  const AskedOften asked(subject, oracle);
+  const Judgement root = judge_in_child(pair, asked.subject, asked.oracle, interruption);
   const bool is_lost =
       root.bucket.verdict == Verdict::crashed || root.bucket.verdict == Verdict::timed_out;
   Interruption::Limits limits = interruption.until_signal();
@@ -130,16 +117,21 @@ Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Colli
   slot->best[0] = pair;
   const auto like_root = [&](const PairCase& candidate) {
     ++slot->evaluations;
-    const Judgement judgement = is_lost ? judge_in_child(candidate, subject, oracle, shrinking)
-                                        : judge(candidate, subject, oracle);
+    const Judgement judgement =
+        is_lost || asked.is_here ? judge_in_child(candidate, asked.subject, asked.oracle, shrinking)
+                                 : judge(candidate, subject, oracle);
     if (!is_alike(judgement, root)) return false;
     slot->best[static_cast<std::size_t>(slot->accepted + 1) % 2] = candidate;
     ++slot->accepted;
     return true;
   };
-  run_in_child([&] { slot->complete = shrink(pair, like_root).complete; },
-               case_seconds_max(subject, oracle), shrinking,
-               [&] { return static_cast<std::uint64_t>(slot->evaluations); });
+  const auto shrink_it = [&] { slot->complete = shrink(pair, like_root).complete; };
+  if (asked.is_here) {
+    unless_interrupted(shrink_it);
+  } else {
+    run_in_child(shrink_it, case_seconds_max(subject, oracle), shrinking,
+                 [&] { return static_cast<std::uint64_t>(slot->evaluations); });
+  }
   return {slot->best[static_cast<std::size_t>(slot->accepted) % 2], slot->evaluations,
           slot->complete};
 }
@@ -171,19 +163,24 @@ int stride_over(int cells) {
   return stride;
 }
 
-void judge_cell(const PairCase& pair, const Collider& subject, const Collider& oracle,
+void judge_cell(const PairCase& pair, const AskedOften& asked, Interruption& interruption,
                 ChildState& place, Cell& cell) {
+  const auto ask = [&](const Collider& collider) {
+    return asked.is_here ? ask_in_child(collider, pair, interruption)
+                         : manifuzz::ask(collider, pair);
+  };
   const auto truth = std::make_shared<const exact::Truth>(pair);
   cell.truth = summary_of(*truth);
   place.at_work = Fault::subject;
-  const Answer of_subject = manifuzz::ask(subject, pair);
+  const Answer of_subject = ask(asked.subject);
   cell.subject = summary_of(of_subject);
   place.at_work = Fault::oracle;
-  const Answer of_oracle = manifuzz::ask(oracle, pair);
+  const Answer of_oracle = ask(asked.oracle);
   place.at_work = Fault::none;
   cell.oracle = summary_of(of_oracle);
   cell.bucket =
-      judge(truth, {subject.declaration, of_subject}, {oracle.declaration, of_oracle}).bucket;
+      judge(truth, {asked.subject.declaration, of_subject}, {asked.oracle.declaration, of_oracle})
+          .bucket;
   cell.state = Cell::State::judged;
 }
 
@@ -193,6 +190,7 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
                                 const Collider& oracle, const Grid& grid, int cells_max,
                                 Interruption& interruption) {
   static_assert(std::is_trivially_copyable_v<Cell>);
+  const AskedOften asked(subject, oracle);
   const int count = grid.cell_count();
   const Shared<ChildState> place;
   const Shared<Cell> cells(count);
@@ -208,9 +206,11 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
       const int at = cell_in_turn();
       Cell& cell = cells[at];
       const auto moved = neighbour(pair, grid, at);
-      cell.state = Cell::State::invalid;
-      if (!moved) continue;
-      judge_cell(*moved, subject, oracle, *place, cell);
+      if (!moved) {
+        cell.state = Cell::State::invalid;
+        continue;
+      }
+      judge_cell(*moved, asked, interruption, *place, cell);
       place->lose(cell.bucket.verdict);
     }
   };
@@ -222,11 +222,15 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
     ++place->turn;
     return place->losses_left > 0;
   };
-  run_pool({.body = ask_the_rest,
-            .progress = [&](int) { return static_cast<std::uint64_t>(place->turn); },
-            .seconds_max = case_seconds_max(subject, oracle),
-            .on_lost = lose_cell},
-           interruption);
+  if (asked.is_here) {
+    unless_interrupted([&] { ask_the_rest(0); });
+  } else {
+    run_pool({.body = ask_the_rest,
+              .progress = [&](int) { return static_cast<std::uint64_t>(place->turn); },
+              .seconds_max = case_seconds_max(subject, oracle),
+              .on_lost = lose_cell},
+             interruption);
+  }
   return {grid, {cells.all().begin(), cells.all().end()}};
 }
 

@@ -10,10 +10,12 @@
 
 namespace manifuzz {
 
-/// A case that takes longer than this has hung: 5 s, and what those in processes of their own may
-/// take, which see to it themselves.
+/// What a collider in this process or a fork of it may take over a case: then it has hung.
+inline constexpr double kCaseSeconds = 5;
+
+/// The same of two, and what those in processes of their own may take, which see to it themselves.
 inline double case_seconds_max(const Collider& subject, const Collider& oracle) {
-  return 5 + subject.seconds_max + oracle.seconds_max;
+  return kCaseSeconds + subject.seconds_max + oracle.seconds_max;
 }
 
 /// Thrown where work was stopped before there was an answer.
@@ -25,6 +27,10 @@ struct Interrupted : std::runtime_error {
 Lost lost_by(Ending ending);
 Bucket bucket_of_lost(Ending ending, Fault at_work);
 
+/// The collider in a process of its own, which runs from case to case and is begun anew where it
+/// dies or hangs; as it is where it has one already.
+Collider hosted(const Collider& collider);
+
 /// `judge` on what the two answer in a child process: a collider that dies or hangs is a verdict.
 /// Throws Interrupted.
 Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Collider& oracle,
@@ -34,16 +40,16 @@ Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Co
 /// hangs. Throws Interrupted.
 Answer ask_in_child(const Collider& collider, const PairCase& pair, Interruption& interruption);
 
-/// The smallest case that is the same finding. Runs in a child process, so that a collider may die;
-/// ends early, with the smallest so far, at the deadline, and at the first signal from now on.
-/// Throws Interrupted where it had not begun.
+/// The smallest case that is the same finding. Colliders may die; those in processes of their own
+/// are not started anew for it. Ends early, with the smallest so far, at the deadline, and at the
+/// first signal from now on. Throws Interrupted where it had not begun.
 Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
                       Interruption& interruption, const Deadline& deadline = {});
 
-/// Asks both colliders for the cells of the grid, in child processes: a cell on which one of them
-/// dies is judged as crashed. Begins with the case itself and goes on evenly spread, so that the
-/// cells asked are a fair sample where it ends early: after `cells_max` cells, after as many
-/// crashes as take no longer than that, after the first hang, or when interrupted.
+/// Asks both colliders for the cells of the grid, so too: a cell on which one of them dies is
+/// judged as crashed. Begins with the case itself and goes on evenly spread, so that the cells
+/// asked are a fair sample where it ends early: after `cells_max` cells, after as many crashes as
+/// take no longer than that, after the first hang, or when interrupted.
 Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
                                 const Collider& oracle, const Grid& grid, int cells_max,
                                 Interruption& interruption);

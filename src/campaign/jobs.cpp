@@ -32,13 +32,33 @@ struct JobState {
 
 constexpr CaseNumber kNoCase = std::numeric_limits<CaseNumber>::max();
 
+/// A run's time, which begins with its first answer: until then programs start.
+struct RunClock {
+  std::atomic<Clock::rep> began_at{0};  ///< 0: it has not begun
+
+  void begin() {
+    Clock::rep not_yet = 0;
+    began_at.compare_exchange_strong(not_yet, Clock::now().time_since_epoch().count());
+  }
+  double seconds() const {
+    const Clock::rep began = began_at;
+    return began == 0 ? 0 : seconds_since(Clock::time_point(Clock::duration(began)));
+  }
+};
+
 /// What all jobs share.
 struct RunState {
   SharedQueue cases;
+  RunClock clock;
+  double seconds_max = std::numeric_limits<double>::infinity();
   std::atomic<CaseNumber> sought{kNoCase};  ///< the least that ends the run
   std::atomic<Fault> given_up{Fault::none};
   SharedText<256> why_given_up;  ///< of the first that was given up
 
+  bool is_open() {
+    if (clock.seconds() > seconds_max) cases.is_closed = true;
+    return cases.is_open();
+  }
   void find(CaseNumber number) {
     CaseNumber least = sought;
     while (number < least && !sought.compare_exchange_weak(least, number)) {
@@ -73,7 +93,7 @@ std::size_t ask_block(std::span<const PairCase> pairs, RunState& run, JobState& 
   if (!of.collider.is_isolated()) return pairs.size();
   const std::size_t answered = of.collider.collide_many(pairs, of.answers, [&] {
     ++job.waits;
-    return run.cases.is_open();
+    return run.is_open();
   });
   for (std::size_t i = 0; i < answered; ++i) {
     if (std::holds_alternative<Unsupported>(of.answers[i])) continue;
@@ -163,14 +183,17 @@ void run_block(const Plan& plan, RunState& run, JobState& job, BlockAnswers& of_
 void run_job(const Plan& plan, RunState& run, JobState& job) {
   BlockAnswers of_subject{plan.subject, Fault::subject};
   BlockAnswers of_oracle{plan.oracle, Fault::oracle};
-  while (run.cases.is_open()) {
+  std::uint64_t length = 1;  // the first answer is there the sooner
+  while (run.is_open()) {
     if (job.next >= job.end) {
-      const SharedQueue::Block block = run.cases.take(kBlock);
+      const SharedQueue::Block block = run.cases.take(length);
+      length = kBlock;
       if (block.begin >= block.end || block.begin > run.sought) return;
       job.end = block.end;
       job.next = block.begin;
     }
     run_block(plan, run, job, of_subject, of_oracle);
+    run.clock.begin();
     if (job.next >= run.sought) return;
   }
 }
@@ -196,13 +219,6 @@ std::unique_ptr<Tally> added(const Shared<JobState>& jobs) {
   return total;
 }
 
-/// The state it begins with, and hurry once the plan's time is up.
-Interruption::Limits limits_of(const Plan& plan, Interruption& interruption) {
-  Interruption::Limits limits{.begins = interruption.state()};
-  if (plan.seconds) limits.hurried_at = after(*plan.seconds);
-  return limits;
-}
-
 }  // namespace
 
 JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& interruption,
@@ -210,6 +226,7 @@ JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& in
   const Shared<RunState> run;
   run->cases.next = cases.begin;
   run->cases.end = cases.end;
+  run->seconds_max = plan.seconds.value_or(run->seconds_max);
   const Shared<JobState> jobs(plan.jobs);
   const Pool pool{.jobs = plan.jobs,
                   .body = [&](int job) { run_job(plan, *run, jobs[job]); },
@@ -218,17 +235,17 @@ JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& in
                   .on_lost =
                       [&](int job, Ending ending) {
                         lose_case(plan, *run, jobs[job], ending);
-                        return run->cases.is_open();
+                        return run->is_open();
                       },
                   .hurry = &run->cases.is_closed,
                   .on_tick =
-                      [&](double seconds) {
-                        on_progress({*added(jobs), seconds});
+                      [&](double) {
+                        on_progress({*added(jobs), run->clock.seconds()});
                       }};
-  Interruption until_time_is_up(limits_of(plan, interruption));
-  const PoolResult result = run_pool(pool, until_time_is_up);
+  Interruption until_time_is_up({.begins = interruption.state(), .hurried_at = plan.latest});
+  run_pool(pool, until_time_is_up);
   return {.tally = added(jobs),
-          .seconds = result.seconds,
+          .seconds = run->clock.seconds(),
           .interrupted = interruption.state() != Interruption::State::running,
           .sought = run->sought == kNoCase ? std::nullopt : std::optional(run->sought.load()),
           .given_up = run->given_up,

@@ -52,9 +52,9 @@ double worst_of(const CorpusCase& known) {
                                           : of_case;
 }
 
-/// The regimes in which it was met more often than is accepted.
-std::vector<std::string_view> too_frequent(const Acceptance& acceptance, const Finding& finding,
-                                           const Tally& tally, const Plan& plan) {
+/// That it was met more often than is accepted in some regimes; empty where in none.
+std::string objection_to_frequency(const Acceptance& acceptance, const Finding& finding,
+                                   const Tally& tally, const Plan& plan) {
   std::vector<std::string_view> regimes;
   for (std::size_t r = 0; r < plan.regimes.size(); ++r) {
     const auto budget = acceptance.per_million.find(std::string(plan.regimes[r]->name));
@@ -64,18 +64,13 @@ std::vector<std::string_view> too_frequent(const Acceptance& acceptance, const F
       regimes.push_back(plan.regimes[r]->name);
     }
   }
-  return regimes;
+  if (regimes.empty()) return "";
+  return fmt::format("more frequent than is accepted in {}", fmt::join(regimes, ", "));
 }
 
-void hold_against(const Accepted& accepted, const Tally& tally, const Plan& plan,
-                  const std::string& today, Finding& finding) {
-  finding.objection = objection(accepted.acceptance, finding.tally.magnitude, today);
-  const auto regimes = too_frequent(accepted.acceptance, finding, tally, plan);
-  if (finding.objection.empty() && !regimes.empty()) {
-    finding.objection =
-        fmt::format("more frequent than is accepted in {}", fmt::join(regimes, ", "));
-  }
-  finding.is_accepted = finding.objection.empty();
+/// Of a plan's colliders.
+std::string finding_key(const Bucket& bucket, const Plan& plan) {
+  return key_of(to_string(bucket), plan.subject.declaration.name, plan.oracle.declaration.name);
 }
 
 }  // namespace
@@ -107,6 +102,29 @@ Known known_of(std::span<const CorpusCase> corpus, const std::string& today) {
   return known;
 }
 
+void add_baseline(const CampaignResult& baseline, const Plan& plan, Known& known) {
+  const std::string& subject = plan.subject.declaration.name;
+  const std::string& oracle = plan.oracle.declaration.name;
+  if (!is_of(baseline.settings, subject, oracle)) return;
+  for (const BucketResult& found : baseline.buckets) {
+    known.baseline.insert(key_of(found.bucket, subject, oracle));
+  }
+}
+
+KnownAs known_as(const std::string& key, double magnitude, const Known& known) {
+  KnownAs as;
+  const auto shown = known.files.find(key);
+  if (shown != known.files.end()) as.file = shown->second;
+  as.is_in_baseline = known.baseline.contains(key);
+  const auto accepted = known.accepted.find(key);
+  if (accepted == known.accepted.end()) return as;
+  as.acceptance = &accepted->second.acceptance;
+  as.objection = objection(*as.acceptance, magnitude, known.today);
+  as.is_worst =
+      as.acceptance->up_to && magnitude > *as.acceptance->up_to && magnitude > known.worst.at(key);
+  return as;
+}
+
 bool is_bucket(const std::string& got, const std::string& recorded) {
   return recorded.empty() || got == recorded || got.starts_with(recorded + '/');
 }
@@ -118,52 +136,6 @@ std::string objection(const Acceptance& acceptance, double magnitude, const std:
   if (!acceptance.up_to || magnitude <= *acceptance.up_to) return "";
   return fmt::format("worse than is accepted: {:.3g} of the size, above {:.3g}", magnitude,
                      *acceptance.up_to);
-}
-
-Acceptance acceptance_of(const CorpusCase& known, Acceptance asked) {
-  const Expectation expect = known.expect.value_or(Expectation{});
-  const auto bucket = find_bucket(expect.bucket);
-  const bool is_mistake = !known.property.empty() || (bucket && is_unexplained(bucket->verdict));
-  if (!is_mistake || expect.subject.empty()) {
-    throw UserError(
-        fmt::format("{}: shows nobody's mistake; a finding that a campaign or a property "
-                    "saved is expected",
-                    printable(known.path, 200)));
-  }
-  const std::optional<Seen> seen = known.found ? known.found->seen : std::nullopt;
-  if (!asked.up_to && !seen && !expect.magnitude) {
-    throw UserError(
-        fmt::format("{}: does not record how bad it is; say with --up-to how bad it may be",
-                    printable(known.path, 200)));
-  }
-  if (!asked.up_to) {
-    const double as_saved = expect.magnitude.value_or(0);
-    const double worst = seen ? seen->magnitude : as_saved;
-    // Shrinking again and again may have made it worse than any case that the campaign met.
-    asked.up_to = std::max(kAcceptedTimesWorst * worst, as_saved);
-  }
-  if (!seen) return asked;
-  for (const auto& [regime, count] : seen->regimes) {
-    asked.per_million[regime] = accepted_per_million(count, seen->cases);
-  }
-  return asked;
-}
-
-std::string acceptance_in_words(const CorpusCase& accepted, const std::string& today) {
-  const Acceptance& acceptance = *accepted.accepted;
-  const Expectation expect = accepted.expect.value_or(Expectation{});
-  const std::string what =
-      accepted.property.empty() ? expect.bucket : fmt::format("property {}", accepted.property);
-  std::string text = fmt::format("accepted {}: {} of {}", printable(accepted.path, 200), what,
-                                 printable(expect.subject));
-  if (acceptance.up_to) text += fmt::format(", up to {:.3g} of the size", *acceptance.up_to);
-  if (!acceptance.until.empty()) {
-    const bool is_past = acceptance.until < today;
-    text += fmt::format(", until {}{}", acceptance.until, is_past ? ", which is past" : "");
-  }
-  text += ": " + printable(acceptance.because, 400);
-  if (!acceptance.link.empty()) text += fmt::format(" ({})", printable(acceptance.link, 400));
-  return text;
 }
 
 bool is_stale(const CorpusCase& known, const std::string& got, const Collider& subject,
@@ -179,21 +151,17 @@ bool is_stale(const CorpusCase& known, const std::string& got, const Collider& s
 std::vector<Finding> findings(const Tally& tally, const Plan& plan, const Known& known) {
   std::vector<Finding> found;
   for (const auto& [bucket, met] : tally.buckets.all()) {
-    Finding finding{bucket, *met, false, {}};
-    const std::string name = to_string(bucket);
-    const std::string key =
-        key_of(name, plan.subject.declaration.name, plan.oracle.declaration.name);
-    const auto shown = known.files.find(key);
-    if (shown != known.files.end()) finding.file = shown->second;
-    finding.is_new = finding.file.empty() && !known.baseline.contains(name) &&
-                     (plan.has_ties || bucket.verdict != Verdict::tie);
-    const auto accepted = known.accepted.find(key);
-    if (accepted != known.accepted.end()) {
-      hold_against(accepted->second, tally, plan, known.today, finding);
-      // Worse than all that was seen: a case to look at, and to accept or not.
-      const double magnitude = finding.tally.magnitude;
-      const auto& up_to = accepted->second.acceptance.up_to;
-      if (up_to && magnitude > *up_to && magnitude > known.worst.at(key)) finding.is_new = true;
+    const KnownAs as = known_as(finding_key(bucket, plan), met->magnitude, known);
+    Finding finding{bucket, *met, false, as.file};
+    const bool is_unknown = finding.file.empty() && !as.is_in_baseline &&
+                            (plan.has_ties || bucket.verdict != Verdict::tie);
+    // Worse than all that was seen: a case to look at, and to accept or not.
+    finding.is_new = is_unknown || as.is_worst;
+    if (as.acceptance != nullptr) {
+      finding.objection = as.objection.empty()
+                              ? objection_to_frequency(*as.acceptance, finding, tally, plan)
+                              : as.objection;
+      finding.is_accepted = finding.objection.empty();
     }
     found.push_back(finding);
   }
@@ -211,13 +179,9 @@ bool is_new_and_wrong(const Judgement& judgement, const Plan& plan, const Known&
   const bool is_wanted =
       is_unexplained(bucket.verdict) || (plan.has_ties && bucket.verdict == Verdict::tie);
   if (!is_wanted) return false;
-  const std::string name = to_string(bucket);
-  const std::string key = key_of(name, plan.subject.declaration.name, plan.oracle.declaration.name);
-  const auto accepted = known.accepted.find(key);
-  if (accepted != known.accepted.end()) {
-    return !objection(accepted->second.acceptance, judgement.magnitude, known.today).empty();
-  }
-  return !known.files.contains(key) && !known.baseline.contains(name);
+  const KnownAs as = known_as(finding_key(bucket, plan), judgement.magnitude, known);
+  if (as.acceptance != nullptr) return !as.is_accepted();
+  return as.file.empty() && !as.is_in_baseline;
 }
 
 Seen seen_of(const Finding& finding, const Tally& tally, const Plan& plan) {

@@ -11,6 +11,8 @@
 
 namespace manifuzz {
 
+struct CampaignResult;
+
 /// What a finding is one of: its bucket and who is at fault, or the property that failed and whose
 /// it was. Ties count whoever the colliders were.
 std::string finding_key(const Expectation& expect);
@@ -28,10 +30,26 @@ struct Known {
   std::map<std::string, std::string> files;
   std::map<std::string, Accepted> accepted;  ///< of several, the one that accepts most
   std::map<std::string, double> worst;       ///< the greatest magnitude that a file tells of
-  std::set<std::string> baseline;
-  std::string today;  ///< until which days acceptances hold
+  std::set<std::string> baseline;            ///< the keys of its buckets
+  std::string today;                         ///< until which days acceptances hold
 };
 Known known_of(std::span<const CorpusCase> corpus, const std::string& today);
+
+/// Adds an earlier run's buckets, if it was one of the plan's colliders: another's mistakes excuse
+/// nobody.
+void add_baseline(const CampaignResult& baseline, const Plan& plan, Known& known);
+
+/// A finding of some magnitude beside what is known.
+struct KnownAs {
+  std::string file;  ///< of the corpus, where one shows it; else empty
+  bool is_in_baseline = false;
+  const Acceptance* acceptance = nullptr;  ///< what the corpus accepts of it, if anything
+  std::string objection;                   ///< why it accepts less than that; else empty
+  bool is_worst = false;                   ///< worse than is accepted and than any file tells of
+
+  bool is_accepted() const { return acceptance != nullptr && objection.empty(); }
+};
+KnownAs known_as(const std::string& key, double magnitude, const Known& known);
 
 /// Whether it is the recorded bucket, or one of its classes: older files name none, or no bucket.
 bool is_bucket(const std::string& got, const std::string& recorded);
@@ -39,13 +57,6 @@ bool is_bucket(const std::string& got, const std::string& recorded);
 /// What keeps a finding of this magnitude from being accepted: it is worse, or the day is past;
 /// empty where nothing does.
 std::string objection(const Acceptance& acceptance, double magnitude, const std::string& today);
-
-/// What is asked for, completed from the case: its rates, and how much worse it may become. Throws
-/// UserError where it is nobody's mistake.
-Acceptance acceptance_of(const CorpusCase& known, Acceptance asked);
-
-/// "FILE: BUCKET of SUBJECT, up to ..., until ...: because ... (link)".
-std::string acceptance_in_words(const CorpusCase& accepted, const std::string& today);
 
 /// Whether the case is accepted of these colliders, and another bucket came than was accepted.
 bool is_stale(const CorpusCase& known, const std::string& got, const Collider& subject,

@@ -138,8 +138,9 @@ struct Plan {
   std::uint64_t seed = 0;
   std::uint64_t first = 0;             ///< index in each regime of its first case
   std::optional<std::uint64_t> cases;  ///< of all regimes together; none: until time is up
-  std::optional<double> seconds;
-  bool until_new = false;  ///< it ends with the first case of something new and wrong
+  std::optional<double> seconds;       ///< from the first answer on: a program's start is extra
+  Deadline latest{};                   ///< when it ends at the latest, whatever was answered
+  bool until_new = false;              ///< it ends with the first case of something new and wrong
   /// The run ends with the first such case; those behind it are counted in part.
   std::function<bool(const Judgement&)> ends_with{};
   bool has_ties = false;  ///< new ties are findings to save, too

@@ -1,10 +1,9 @@
 #include "campaign/replay.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
+#include <map>
 #include <set>
-#include <thread>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -33,10 +32,9 @@ struct OutcomeSlot {
 /// Of a failure that may be accepted by that key.
 Replayed failed_unless_accepted(const std::string& key, double magnitude, const Known& known,
                                 const std::string& expected, const std::string& got) {
-  const auto accepted = known.accepted.find(key);
-  if (accepted == known.accepted.end()) return {false, expected, got};
-  const std::string why = objection(accepted->second.acceptance, magnitude, known.today);
-  if (!why.empty()) return {false, expected, fmt::format("{}: {}", got, why)};
+  const KnownAs as = known_as(key, magnitude, known);
+  if (as.acceptance == nullptr) return {false, expected, got};
+  if (!as.is_accepted()) return {false, expected, fmt::format("{}: {}", got, as.objection)};
   return {.passed = true, .expected = got, .got = got, .is_accepted = true};
 }
 
@@ -135,6 +133,19 @@ std::vector<std::string> ReplayRun::stale() const {
   return files;
 }
 
+std::vector<Declaration> ReplayRun::declarations() const {
+  std::map<std::string, Declaration> by_name;
+  for (const ReplayedCase& one : cases) {
+    for (const Collider* const asked : {one.subject, one.oracle}) {
+      by_name.emplace(asked->declaration.name, asked->declaration);
+    }
+  }
+  std::vector<Declaration> all;
+  all.reserve(by_name.size());
+  for (const auto& [name, declaration] : by_name) all.push_back(declaration);
+  return all;
+}
+
 ReplayRun replay_cases(const std::vector<CorpusCase>& cases, NamedColliders& colliders,
                        const Known& known, Interruption& interruption) {
   ReplayRun run;
@@ -197,12 +208,11 @@ std::vector<CheckedProperty> check_properties(
     in_turn.interruption = &interruption;
     CheckedProperty checked{property, run_property(*property, subject, in_turn)};
     checked.seconds = seconds_since(start);
-    const auto accepted =
-        known.accepted.find(finding_key(property->name, subject.declaration.name));
-    if (!checked.result.passed && accepted != known.accepted.end()) {
-      checked.objection =
-          objection(accepted->second.acceptance, checked.result.magnitude, known.today);
-      checked.is_accepted = checked.objection.empty();
+    if (!checked.result.passed) {
+      const KnownAs as = known_as(finding_key(property->name, subject.declaration.name),
+                                  checked.result.magnitude, known);
+      checked.objection = as.objection;
+      checked.is_accepted = as.is_accepted();
     }
     try {
       if (checked.result.failing && !checked.is_accepted && !save_to.empty()) {
@@ -216,72 +226,6 @@ std::vector<CheckedProperty> check_properties(
     if (signals.is_stopped()) break;
   }
   return all;
-}
-
-namespace {
-
-/// When each part must be done, as shares of the time; what is left is for pictures.
-constexpr double kReplayShare = 0.25;
-constexpr double kPropertyShare = 0.5;
-constexpr double kCampaignShare = 0.75;
-constexpr double kSavingShare = 0.95;
-/// Where a collider took all of its time to start.
-constexpr double kCampaignSecondsMin = 0.5;
-constexpr int kPropertyCases = 200;
-
-std::vector<CheckedProperty> check_all(const SmokePlan& plan, const std::vector<PairCase>& pairs,
-                                       const SmokeListener& listener) {
-  const PropertyPlan each{plan.seed, kPropertyCases, pairs, {}};
-  return check_properties(chosen_by_name(properties(), {}, "property", "property"), plan.subject,
-                          each, plan.known, plan.at(kPropertyShare), plan.save_to,
-                          listener.on_checked);
-}
-
-Plan campaign_plan(const SmokePlan& smoke, const std::vector<PairCase>& pairs) {
-  Plan plan;
-  plan.subject = smoke.subject;
-  plan.oracle = smoke.oracle;
-  plan.regimes = chosen_by_name(regimes(), {}, "regime", "regime");
-  narrow_to_colliders(plan);
-  plan.context.corpus = pairs;
-  plan.seed = smoke.seed;
-  const std::chrono::duration<double> left = *smoke.at(kCampaignShare) - Clock::now();
-  plan.seconds = std::max(kCampaignSecondsMin, left.count());
-  plan.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return plan;
-}
-
-}  // namespace
-
-Deadline SmokePlan::at(double share) const {
-  return start + std::chrono::duration_cast<Clock::duration>(
-                     std::chrono::duration<double>(share * seconds));
-}
-
-bool SmokeRun::is_well() const {
-  return replayed.failed() == 0 && std::ranges::all_of(checked, &CheckedProperty::holds) &&
-         !(campaign && has_failed(campaign->result));
-}
-
-SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interruption& all) {
-  const std::vector<PairCase> pairs = pairs_of(plan.corpus, plan.seed);
-  SmokeRun run;
-  {
-    Interruption in_time(
-        {.first_signal = Interruption::State::stopped, .stopped_at = plan.at(kReplayShare)});
-    run.asked = std::make_shared<NamedColliders>([](const auto&) { return std::nullopt; },
-                                                 plan.subject, plan.oracle);
-    run.replayed = replay_cases(plan.corpus.cases, *run.asked, plan.known, in_time);
-  }
-  listener.on_replayed(run.replayed);
-  if (!all.is_stopped()) run.checked = check_all(plan, pairs, listener);
-  if (all.is_stopped()) return run;
-  const Plan campaign = campaign_plan(plan, pairs);
-  run.campaign =
-      run_campaign(campaign, plan.known, {plan.save_to, plan.at(kSavingShare)}, plan.origin,
-                   [&](const Progress& progress) { listener.on_progress(campaign, progress); });
-  listener.on_campaign(*run.campaign);
-  return run;
 }
 
 }  // namespace manifuzz

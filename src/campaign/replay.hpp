@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,7 +9,6 @@
 
 #include "campaign/known.hpp"
 #include "campaign/named_colliders.hpp"
-#include "campaign/run.hpp"
 #include "collider/collider.hpp"
 #include "corpus/corpus.hpp"
 #include "judging/properties.hpp"
@@ -78,6 +76,7 @@ struct ReplayRun {
   std::size_t passed() const { return cases.size() - failed(); }
   std::size_t accepted() const;
   std::vector<std::string> stale() const;
+  std::vector<Declaration> declarations() const;  ///< of all that were asked, each once, by name
 };
 
 /// Every case again, as far as there is time; the run refers to the cases and to the colliders.
@@ -106,45 +105,5 @@ std::vector<CheckedProperty> check_properties(
     const std::vector<const Property*>& chosen, const Collider& subject, const PropertyPlan& plan,
     const Known& known, const Deadline& deadline, const std::string& save_to,
     const std::function<void(const CheckedProperty&)>& on_checked);
-
-/// A corpus again, every property and a campaign, within so many seconds, however slow the
-/// colliders.
-struct SmokePlan {
-  Collider subject;
-  Collider oracle;
-  Corpus corpus;
-  Known known{};  ///< of the corpus
-  std::uint64_t seed = 0;
-  std::string save_to{};  ///< a corpus folder; empty: nowhere
-  Origin origin{};
-  Clock::time_point start{};
-  double seconds = 0;
-
-  /// When this share of the time is over.
-  Deadline at(double share) const;
-  /// When the last picture must be drawn.
-  Deadline end() const { return at(1); }
-};
-
-/// What was done of it: where somebody asks to stop, no part is begun after that.
-struct SmokeRun {
-  std::shared_ptr<NamedColliders> asked;  ///< to which the replay refers
-  ReplayRun replayed;
-  std::vector<CheckedProperty> checked{};
-  std::optional<Campaign> campaign{};
-
-  bool is_well() const;
-};
-
-/// Whoever is told of each part once it is done.
-struct SmokeListener {
-  std::function<void(const ReplayRun&)> on_replayed;
-  std::function<void(const CheckedProperty&)> on_checked;
-  std::function<void(const Campaign&)> on_campaign;
-  std::function<void(const Plan&, const Progress&)> on_progress;
-};
-
-/// `all` is stopped by a signal in any part. The run refers to the plan's corpus.
-SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interruption& all);
 
 }  // namespace manifuzz

@@ -80,6 +80,9 @@ struct Settings {
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
+/// Whether it was these two that ran.
+bool is_of(const Settings& settings, const std::string& subject, const std::string& oracle);
+
 /// Whether both count some case.
 bool overlap(const CasesRun& part, const CasesRun& with);
 

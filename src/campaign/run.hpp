@@ -15,7 +15,7 @@ namespace manifuzz {
 /// What a campaign looks like while it runs.
 struct Progress {
   const Tally& tally;
-  double seconds = 0;
+  double seconds = 0;    ///< since the first answer
   std::string saving{};  ///< once it has run: what is being done about a finding, for people
 };
 
@@ -23,7 +23,7 @@ using OnProgress = std::function<void(const Progress&)>;
 
 struct JobsResult {
   std::unique_ptr<Tally> tally;
-  double seconds = 0;
+  double seconds = 0;                  ///< since the first answer
   bool interrupted = false;            ///< somebody asked to stop before the plan was done
   std::optional<CaseNumber> sought{};  ///< the first with which the plan is to end
   /// Who gave no answer again and again, which ended it.

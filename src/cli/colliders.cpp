@@ -140,24 +140,36 @@ std::string option_again(const ColliderChoice& choice) {
 
 }  // namespace
 
+std::optional<ColliderChoice> named_choice(const ColliderChoice& by_name,
+                                           const NamedSubjects& subjects) {
+  const auto named = subjects.find(by_name.name);
+  if (named == subjects.end()) return std::nullopt;
+  return ColliderChoice{by_name.role, named->second.library, named->second.command};
+}
+
+Collider find_named(const ColliderChoice& choice, const std::string& name,
+                    const ExternalOptions& external) {
+  try {
+    Collider found = find_collider(choice, external);
+    if (found.declaration.name == name) return found;
+    throw UserError(fmt::format("is called '{}' there, and declares the name '{}'", printable(name),
+                                printable(found.declaration.name)));
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("subjects.json: {}: {}", printable(name), error.what()));
+  }
+}
+
 NamedColliders::Find find_installed_or_named(std::vector<std::filesystem::path> corpora) {
   return [subjects = read_subjects(corpora)](const std::string& name) -> std::optional<Collider> {
-    const auto named = subjects.find(name);
-    if (named == subjects.end()) return find_installed(name);
+    const auto choice = named_choice({"subject", name, ""}, subjects);
+    if (!choice) return find_installed(name);
     try {
-      Collider found = find_collider({"subject", named->second.library, named->second.command}, {});
-      if (found.declaration.name == name) return found;
-      throw UserError(fmt::format("is called '{}' there, and declares the name '{}'",
-                                  printable(name), printable(found.declaration.name)));
+      return find_named(*choice, name, {});
     } catch (const UserError& error) {
-      write_complaint(fmt::format("subjects.json: {}: {}", printable(name), error.what()));
+      write_complaint(error.what());
       return std::nullopt;
     }
   };
-}
-
-bool is_findable(const std::string& name) {
-  return is_library(name) || find_entry(name) != nullptr;
 }
 
 void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& description) {

@@ -75,8 +75,13 @@ Collider find_collider(const ColliderChoice& choice, const ExternalOptions& exte
 std::optional<Collider> given_collider(const ColliderChoice& choice,
                                        const ExternalOptions& external);
 
-/// Whether that names a collider in `list colliders` or a shared library.
-bool is_findable(const std::string& name);
+/// How the collider of that name is asked, as a file subjects.json says; nothing where none does.
+std::optional<ColliderChoice> named_choice(const ColliderChoice& by_name,
+                                           const NamedSubjects& subjects);
+/// That collider. Throws UserError that begins with subjects.json; also where it declares another
+/// name.
+Collider find_named(const ColliderChoice& choice, const std::string& name,
+                    const ExternalOptions& external);
 
 /// The options that choose the same colliders, or one collider, again, for a shell.
 std::string options_again(const SubjectAndOracle& colliders);

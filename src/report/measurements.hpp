@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "measure/bench/bench.hpp"
+#include "measure/digest.hpp"
 #include "measure/scene/scene_run.hpp"
 #include "measure/stress/stress.hpp"
 
@@ -125,6 +126,10 @@ void write_skipped_plot(const std::string& path, const std::vector<SceneRun>& ru
 
 /// The error that recycling adds against the share of pairs that it skips, a line a scene.
 LinePlot recycling_plot(const std::vector<RecyclingCurve>& curves);
+
+/// A hash for each regime and one over all, for people and as JSON beside where it was measured.
+std::string digest_table(const DigestPlan& plan, const Digest& digest);
+nlohmann::ordered_json digest_json(const DigestPlan& plan, const Digest& digest);
 
 /// The last step of the first scene, at its least number of bodies, as an SVG document.
 std::string scene_frame(const ScenePlan& plan);

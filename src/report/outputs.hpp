@@ -3,6 +3,7 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -106,10 +107,12 @@ std::string merged_text(const MergedRuns& runs, std::size_t cases, const std::st
 
 /// "FILE: there is no collider ...", of a case whose subject is not at hand.
 std::string why_unasked(const CorpusCase& unasked);
-/// What failed, a line each.
-std::string replay_failures(const ReplayRun& run);
-/// A line that counts.
+/// Whose finding is accepted and comes no more, a line each.
+std::string stale_in_words(std::span<const std::string> files);
+/// A line that counts; empty where there was no case.
 std::string replay_counts(const ReplayRun& run);
+/// What failed, a line each, and that line.
+std::string replay_text(const ReplayRun& run);
 /// What `replay --json` writes beside where it ran; `unread` files could not be read.
 void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std::size_t unread);
 
@@ -119,6 +122,7 @@ std::string property_text(const CheckedProperty& checked);
 std::string property_line(const CheckedProperty& checked);
 
 /// What there is, a line each, with its description.
+std::string collider_line(const Declaration& declaration);
 std::string list_regimes();
 std::string list_sweeps();
 std::string list_scenes();

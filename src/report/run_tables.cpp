@@ -70,13 +70,6 @@ std::string ledger_rows(const CampaignResult& result) {
   });
 }
 
-std::string stale_in_words(const std::vector<std::string>& files) {
-  return lines_of(files, [](const std::string& file) {
-    return fmt::format("stale {}: what was accepted comes no more; manifuzz accept --drop {}\n",
-                       printable(file, 200), quoted_for_shell(file));
-  });
-}
-
 /// What became of the run as a whole, where it is not what was asked for.
 std::string state_in_words(const Campaign& campaign) {
   std::string text;
@@ -186,81 +179,12 @@ std::string merged_text(const MergedRuns& runs, std::size_t cases, const std::st
   return text + fmt::format("{:<18}{:>14}\n", "cases", runs.result->cases());
 }
 
-std::string why_unasked(const CorpusCase& unasked) {
-  return fmt::format(
-      "{}: there is no collider {}; name one with --subject, or in a file subjects.json beside the "
-      "corpus",
-      printable(unasked.path, 200), printable(unasked.expect->subject));
-}
-
-std::string replay_failures(const ReplayRun& run) {
-  std::string text;
-  for (const ReplayedCase& one : run.cases) {
-    if (one.result.passed) continue;
-    text += fmt::format("{} {}: expected {}, got {}\n", bad("FAIL"),
-                        printable(one.recorded->path, 200), one.result.expected, one.result.got);
-  }
-  for (const CorpusCase* const unasked : run.unasked) {
-    text += fmt::format("{} {}\n", bad("NOT ASKED"), why_unasked(*unasked));
-  }
-  return text + stale_in_words(run.stale());
-}
-
-std::string replay_counts(const ReplayRun& run) {
-  std::string text =
-      fmt::format("{} against {}: {} cases, {} passed, {} failed, in {:.2f} s", run.subject,
-                  run.oracle, run.cases.size(), run.passed(), run.failed(), run.seconds);
-  if (run.accepted() > 0) text += fmt::format("; {} of them accepted", run.accepted());
-  if (!run.unasked.empty()) text += fmt::format("; {} not asked", run.unasked.size());
-  if (run.left_out > 0) text += fmt::format("; {} left out, for time was up", run.left_out);
-  return text;
-}
-
-void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std::size_t unread) {
-  json["subject"] = run.subject;
-  json["oracle"] = run.oracle;
-  json["cases"] = run.cases.size();
-  json["passed"] = run.passed();
-  json["failed"] = run.failed();
-  json["accepted"] = run.accepted();
-  json["stale"] = run.stale();
-  json["left_out"] = run.left_out;
-  json["unread"] = unread;
-  json["seconds"] = run.seconds;
-  json["failures"] = nlohmann::ordered_json::array();
-  for (const ReplayedCase& one : run.cases) {
-    if (one.result.passed) continue;
-    json["failures"].push_back(
-        {{"file", one.recorded->path}, {"expected", one.result.expected}, {"got", one.result.got}});
-  }
-  json["unasked"] = nlohmann::ordered_json::array();
-  for (const CorpusCase* const one : run.unasked) {
-    json["unasked"].push_back({{"file", one->path}, {"subject", one->expect->subject}});
-  }
-}
-
-std::string property_text(const CheckedProperty& checked) {
-  const PropertyResult& result = checked.result;
-  const std::string how = result.passed         ? good("ok  ")
-                          : checked.is_accepted ? "accepted"
-                                                : bad("FAIL");
-  std::string text = fmt::format("{} {}: {}\n{}\n", how, checked.property->name,
-                                 checked.property->sentence, result.report);
-  if (!checked.objection.empty()) text += fmt::format("{}\n", bad(checked.objection));
-  if (!result.reproduce.empty()) {
-    text += fmt::format("repeat with RC_PARAMS=\"{}\"\n", result.reproduce);
-  }
-  if (!checked.saved.empty()) text += fmt::format("saved {}\n", checked.saved);
-  return text;
-}
-
-std::string property_line(const CheckedProperty& checked) {
-  const Property& property = *checked.property;
-  if (checked.is_left_out()) {
-    return fmt::format("--   {}: left out, for time was up\n", property.name);
-  }
-  return fmt::format("{} {}: {}, {} cases\n", checked.is_accepted ? "accepted" : good("ok  "),
-                     property.name, property.sentence, checked.result.cases);
+std::string collider_line(const Declaration& declaration) {
+  return fmt::format("{:<13} {} ({}, {}, rounds in the {} frame, tie bias {}, up to {} vertices)\n",
+                     declaration.name, declaration.description, declaration.version,
+                     declaration.scalar == ScalarType::float32 ? "float" : "double",
+                     declaration.frame == RoundingFrame::local ? "pair's" : "world's",
+                     in_words(declaration.tie_bias), declaration.max_vertices);
 }
 
 std::string list_regimes() {

@@ -1,3 +1,5 @@
+#include "campaign/accept.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -5,10 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/file.hpp"
 #include "base/text.hpp"
-#include "campaign/known.hpp"
-#include "campaign/save.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
@@ -35,16 +34,6 @@ std::string file_of(const std::string& name, const AcceptArguments& options) {
   return shrunk_beside(case_file({name, options.corpus}));
 }
 
-/// The case, with what is to be accepted of it. Throws UserError where it is nobody's mistake.
-CorpusCase accepted_case(const std::string& file, const AcceptArguments& options) {
-  CorpusCase known = read_case_file(file);
-  known.accepted = acceptance_of(known, {.because = options.because,
-                                         .link = options.link,
-                                         .until = options.until,
-                                         .up_to = options.up_to});
-  return known;
-}
-
 /// The case as `show` shows it, or as it is recorded where its colliders are not at hand.
 std::string shown(const CorpusCase& known, NamedColliders& colliders, Interruption& interruption) {
   const Collider* const subject = colliders.subject_of(known);
@@ -53,48 +42,37 @@ std::string shown(const CorpusCase& known, NamedColliders& colliders, Interrupti
   return case_text(judged_case(known, *subject, *oracle, interruption));
 }
 
-int list_accepted(const AcceptArguments& options) {
-  std::string text;
-  for (const CorpusCase& known : read_corpus_folder(options.corpus).cases) {
-    if (known.accepted) text += acceptance_in_words(known, options.today) + '\n';
-  }
-  write_output(text);
-  return 0;
-}
-
 int drop(const AcceptArguments& options) {
   const std::string file = file_of(options.drop, options);
-  if (!read_case_file(file).accepted) {
-    throw UserError(fmt::format("--drop: {} is not accepted", printable(file, 200)));
-  }
-  write_acceptance(file, {});
+  drop_acceptance(file);
   write_output(fmt::format("dropped {}\n", printable(file, 200)));
   return 0;
 }
 
 int accept_files(const AcceptArguments& options) {
+  const Acceptance asked{.because = options.because,
+                         .link = options.link,
+                         .until = options.until,
+                         .up_to = options.up_to};
   std::vector<CorpusCase> all;  // read before anything is written
   for (const std::string& name : options.files) {
-    all.push_back(accepted_case(file_of(name, options), options));
+    all.push_back(accepted_case(file_of(name, options), asked));
   }
   NamedColliders colliders(find_installed_or_named({options.corpus}), {}, {});
   Interruption interruption(kUntilSignal);
   for (CorpusCase& known : all) {
     write_output(shown(known, colliders, interruption) + '\n');
-    const bool is_of_corpus =
-        known.path.ends_with(".json") && Place(known.path).is_within(Place(options.corpus));
-    if (!is_of_corpus) {
-      const auto folder = std::filesystem::path(options.corpus) / corpus_folder(known);
-      known.path = write_corpus_case(folder, known).string();
-    }
-    write_acceptance(known.path, known.accepted);
+    accept_in(options.corpus, known);
     write_output(acceptance_in_words(known, options.today) + '\n');
   }
   return 0;
 }
 
 int accept(const AcceptArguments& options) {
-  if (options.list) return list_accepted(options);
+  if (options.list) {
+    write_output(list_accepted(options.corpus, options.today));
+    return 0;
+  }
   if (!options.drop.empty()) return drop(options);
   if (options.files.empty()) {
     throw UserError("accept: name the files of findings, or --list, or --drop FILE");

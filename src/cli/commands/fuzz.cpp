@@ -152,9 +152,7 @@ int fuzz(FuzzArguments& options) {
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
   Known known = known_of(corpus.cases, options.today);
-  if (baseline) {
-    for (const BucketResult& found : baseline->buckets) known.baseline.insert(found.bucket);
-  }
+  if (baseline) add_baseline(*baseline, plan, known);
   Campaign campaign = run_with_progress(plan, known, options);
   if (baseline) hold_against(*baseline, campaign.result);
   if (!write_all(campaign, baseline, options).are_written()) return 2;

@@ -17,12 +17,7 @@ std::string list_colliders() {
   std::string lines;
   for (const auto& entry : colliders()) {
     try {
-      const Declaration says = entry.make().declaration;
-      lines += fmt::format(
-          "{:<13} {} ({}, {}, rounds in the {} frame, tie bias {}, up to {} vertices)\n", says.name,
-          says.description, says.version, says.scalar == ScalarType::float32 ? "float" : "double",
-          says.frame == RoundingFrame::local ? "pair's" : "world's", in_words(says.tie_bias),
-          says.max_vertices);
+      lines += collider_line(entry.make().declaration);
     } catch (const UserError& error) {
       lines += fmt::format("{:<13} not there: {}\n", entry.name, error.what());
     }

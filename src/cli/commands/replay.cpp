@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -25,19 +24,6 @@ struct ReplayArguments {
   CiOutput ci;
 };
 
-/// Of all that were asked, each once.
-std::vector<Declaration> declarations_of(const ReplayRun& run) {
-  std::map<std::string, Declaration> by_name;
-  for (const ReplayedCase& one : run.cases) {
-    for (const Collider* const asked : {one.subject, one.oracle}) {
-      by_name.emplace(asked->declaration.name, asked->declaration);
-    }
-  }
-  std::vector<Declaration> all;
-  for (const auto& [name, declaration] : by_name) all.push_back(declaration);
-  return all;
-}
-
 int replay(ReplayArguments& options) {
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   if (paths.empty()) paths.emplace_back("corpus");
@@ -58,11 +44,9 @@ int replay(ReplayArguments& options) {
       replay_cases(corpus.cases, colliders, known_of(corpus.cases, options.today), interruption);
   Outputs outputs;
   if (run.left_out > 0) outputs.add_error("replay: interrupted before it was done");
-  outputs.write(!options.ci.stdout_is_data, [&] {
-    write_to_reader(replay_failures(run) + (is_quiet() ? "" : replay_counts(run) + '\n'));
-  });
+  outputs.write(!options.ci.stdout_is_data, [&] { write_to_reader(replay_text(run)); });
   outputs.write(!options.json.empty(), [&] {
-    auto json = provenance(0, declarations_of(run));
+    auto json = provenance(0, run.declarations());
     append_replay_json(json, run, unread);
     write_data(options.json, json_text(json));
   });

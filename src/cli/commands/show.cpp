@@ -32,15 +32,20 @@ struct ShowArguments {
   std::optional<std::uint64_t> map_step;
 };
 
-/// The collider that was asked for, else the one that the case names, else the usual one.
-ColliderChoice chosen(const std::string& file, ColliderChoice asked, const std::string& recorded,
-                      const char* usual) {
-  if (asked.is_given()) return asked;
+/// The collider that was asked for, else the one that the case names, built in or in subjects.json,
+/// else the usual one; `asked` is how it is asked for then.
+Collider chosen(const std::string& file, ColliderChoice& asked, const ExternalOptions& external,
+                const std::string& recorded, const char* usual) {
+  if (asked.is_given()) return find_collider(asked, external);
   asked.name = recorded.empty() ? usual : recorded;
-  if (is_findable(asked.name)) return asked;
+  const std::filesystem::path path = file;
+  if (const auto named = named_choice(asked, read_subjects({&path, 1}))) {
+    return find_named(asked = *named, recorded, external);
+  }
+  if (find_entry(asked.name) != nullptr) return find_collider(asked, external);
   throw UserError(
-      fmt::format("{}: was found with '{}' from outside; say where that is: --{} ./LIBRARY.so or "
-                  "--{}-command PROGRAM",
+      fmt::format("{}: was found with '{}' from outside; say where that is: --{} ./LIBRARY.so, "
+                  "--{}-command PROGRAM, or a file subjects.json beside the corpus",
                   file, printable(asked.name), asked.role, asked.role));
 }
 
@@ -56,10 +61,8 @@ int show(const ShowArguments& options) {
   const CorpusCase given = read_case_file(file);
   const Expectation recorded = given.expect.value_or(Expectation{});
   SubjectAndOracle asked = options.colliders;
-  asked.subject = chosen(file, asked.subject, recorded.subject, "clip");
-  asked.oracle = chosen(file, asked.oracle, recorded.oracle, "box2d");
-  const Collider subject = find_collider(asked.subject, asked.external);
-  const Collider oracle = find_collider(asked.oracle, asked.external);
+  const Collider subject = chosen(file, asked.subject, asked.external, recorded.subject, "clip");
+  const Collider oracle = chosen(file, asked.oracle, asked.external, recorded.oracle, "box2d");
   Interruption interruption(kUntilSignal);
   const JudgedCase judged = judged_case(given, subject, oracle, interruption);
   const bool is_picture_alone = options.svg == "-";

@@ -1,3 +1,5 @@
+#include "campaign/smoke.hpp"
+
 #include <optional>
 #include <string>
 
@@ -5,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "campaign/replay.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
@@ -46,8 +47,10 @@ SmokePlan plan_of(const SmokeArguments& options) {
   ExternalOptions external = options.colliders.external;
   const bool are_programs = !subject.command.empty() && !oracle.command.empty();
   if (are_programs) external.start_seconds = kStartSecondsMax / 2;
+  const Clock::time_point before = Clock::now();
   plan.subject = find_collider(subject, external);
   plan.oracle = find_collider(oracle, external);
+  plan.start_seconds = seconds_since(before);
   plan.seed = seed_or_draw(options.seed);
   plan.origin = {fmt::format("{} fuzz {}{}", this_program(), options_again(options.colliders),
                              corpus_again(options.corpus)),
@@ -67,9 +70,7 @@ SmokeListener printer(const SmokeArguments& options, const ProgressLine& line, O
   const auto print = [&](const std::string& text) {
     outputs.write(!options.ci.stdout_is_data, [&] { write_to_reader(text); });
   };
-  return {[print](const ReplayRun& run) {
-            print(replay_failures(run) + (is_quiet() ? "" : replay_counts(run) + "\n\n"));
-          },
+  return {[print](const ReplayRun& run) { print(replay_text(run) + (is_quiet() ? "" : "\n")); },
           [print, &outputs](const CheckedProperty& one) {
             if (!one.holds()) print(property_text(one));
             if (one.holds() && !is_quiet()) print(property_line(one));

@@ -11,6 +11,7 @@
 
 #include "campaign/replay.hpp"
 #include "campaign/run.hpp"
+#include "campaign/smoke.hpp"
 #include "corpus/corpus.hpp"
 #include "report/outputs.hpp"
 

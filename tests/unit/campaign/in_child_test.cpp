@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "campaign/replay.hpp"
 #include "generating/regime.hpp"
+#include "judging/manifold_error.hpp"
 #include "own_colliders/own_colliders.hpp"
 #include "process/pool.hpp"
 
@@ -47,6 +48,19 @@ TEST_CASE("one that dies on every second call takes nobody along, and is asked o
   CHECK(std::get<Lost>(second).how == Lost::How::crashed);
   CHECK(
       std::holds_alternative<Manifold<double>>(ask_in_child(collider, some_case(), interruption)));
+}
+
+TEST_CASE("a hosted collider dies alone, and answers the next case again") {
+  const Collider collider = hosted(spoilt([](int call) {
+    if (call == 2) _exit(kDeath);
+  }));
+  CHECK(collider.is_isolated());
+  const Answer right = make_clip().collide(some_case());
+  for (const bool is_there : {true, false, true, true}) {
+    const Answer answer = collider.collide(some_case());
+    CHECK(std::holds_alternative<Lost>(answer) != is_there);
+    if (is_there) CHECK(is_same(answer, right));
+  }
 }
 
 TEST_CASE("every kind of answer comes back from a child") {

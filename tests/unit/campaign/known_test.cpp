@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/text.hpp"
+#include "campaign/accept.hpp"
 #include "campaign/result.hpp"
 #include "cli/colliders.hpp"
 #include "generating/regime.hpp"
@@ -235,6 +236,29 @@ TEST_CASE("a campaign waits for mistakes that nothing shows, or that are worse t
   CHECK_FALSE(is_waited_for("none/tie/depth/none/a", 0.5, shown));
   CHECK(is_waited_for("none/tie/depth/none/a", 0.5, shown, true));
   CHECK_FALSE(is_waited_for("none/agree/none/none/a", 0, shown, true));
+}
+
+TEST_CASE("what a baseline has is not new, unless other colliders ran then") {
+  CampaignResult baseline;
+  baseline.settings.subject = "mine";
+  baseline.settings.oracle = "box2d";
+  baseline.buckets = {{.bucket = kGross}};
+  const auto is_new = [&](const std::string& bucket) {
+    const Plan plan = plan_of_boxes();
+    Known known = known_of({}, kToday);
+    add_baseline(baseline, plan, known);
+    const bool is_waited_for =
+        is_new_and_wrong({.bucket = *find_bucket(bucket), .magnitude = 0.5}, plan, known);
+    CHECK(findings(tally_of(bucket, 1, 0.5), plan, known).front().is_new == is_waited_for);
+    return is_waited_for;
+  };
+  CHECK_FALSE(is_new(kGross));
+  CHECK(is_new(kOlder + "/fine"));
+  baseline.settings.subject = "another";
+  CHECK(is_new(kGross));
+  baseline.settings.subject = "mine";
+  baseline.settings.oracle = "chipmunk";
+  CHECK(is_new(kGross));
 }
 
 TEST_CASE("what was seen counts each regime that ran, zeros too, and the fewest cases") {

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "campaign/smoke.hpp"
 #include "cli/colliders.hpp"
 
 using namespace manifuzz;
@@ -118,4 +119,22 @@ TEST_CASE("a property that fails passes where that is accepted, and is stale onc
   CHECK(replay(recorded, find_collider("clip")).is_stale);
   recorded.accepted->up_to = 1e-3;
   CHECK_FALSE(replay(recorded, blind()).passed);
+}
+
+TEST_CASE("smoke's parts share what two starts of the colliders leave of its time") {
+  SmokePlan plan;
+  plan.start = Clock::now();
+  plan.seconds = 18;
+  const auto seconds_at = [&](double share, int starts) {
+    return std::chrono::duration<double>(*plan.at(share, starts) - plan.start).count();
+  };
+  CHECK(seconds_at(0.25, 1) == Approx(4.5));
+  CHECK(seconds_at(0.75, 2) == Approx(13.5));
+  plan.start_seconds = 5;
+  CHECK(seconds_at(0.25, 1) == Approx(7));
+  CHECK(seconds_at(0.75, 2) == Approx(16));
+  for (const double start : {0.0, 5.0, 9.0, 10.0}) {
+    plan.start_seconds = start;
+    CHECK(seconds_at(1, 2) == Approx(18));
+  }
 }

@@ -63,6 +63,8 @@ TEST_CASE("a file whose subject is not at hand is not asked, which is status 2, 
   }
   const Outcome told = run_manifuzz({"replay", files.front()});
   CHECK_THAT(told.out, Contains("NOT ASKED " + files.front() + ": there is no collider one_eyed"));
+  CHECK(lines_of(told.out).size() == 2);
+  CHECK(lines_of(told.out).back() == "1 not asked");
   const Outcome junit = run_manifuzz({"replay", files.front(), "--junit", "-"});
   CHECK_THAT(junit.out, Contains("errors=\"1\"") && Contains("there is no collider one_eyed"));
 }
@@ -75,6 +77,27 @@ TEST_CASE("a subject that is given is asked of every file, whoever that names") 
       run_manifuzz({"replay", corpus_in(folder), "--subject", "clip", "--json", "-"});
   CHECK(outcome.status == 0);
   CHECK(json_of(outcome)["passed"] == files.size());
+}
+
+TEST_CASE("show asks whom a file names, by subjects.json, and says where it cannot be asked") {
+  const TemporaryFolder folder;
+  const std::string file = save_findings(folder, one_eyed(folder)).front();
+  const std::string subjects = folder.write("subjects.json", named("one_eyed", one_eyed(folder)));
+  const Outcome shown = run_manifuzz({"show", file});
+  CHECK(shown.status == 0);
+  CHECK_THAT(shown.out, Contains("subject: one_eyed 1") && Contains("oracle: box2d "));
+  CHECK_THAT(run_manifuzz({"show", file, "--subject", "clip64"}).out, Contains("subject: clip64 "));
+  const auto refused = [&](const std::string& complaint) {
+    const Outcome outcome = run_manifuzz({"show", file});
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+    CHECK_THAT(outcome.err, Contains(complaint));
+  };
+  folder.write("subjects.json",
+               named("one_eyed", clip_but(folder, "another", "nothing", "exit 3")));
+  refused("is called 'one_eyed' there, and declares the name 'another'");
+  fs::remove(subjects);
+  refused("was found with 'one_eyed' from outside; say where that is: --subject ./LIBRARY.so");
 }
 
 TEST_CASE("bad subjects.json are refused, by their name and the place", "[bad-input]") {

@@ -1,0 +1,91 @@
+#include "campaign/accept.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "campaign/save.hpp"
+#include "judging/bucket.hpp"
+
+namespace manifuzz {
+
+Acceptance acceptance_of(const CorpusCase& known, Acceptance asked) {
+  const Expectation expect = known.expect.value_or(Expectation{});
+  const auto bucket = find_bucket(expect.bucket);
+  const bool is_mistake = !known.property.empty() || (bucket && is_unexplained(bucket->verdict));
+  if (!is_mistake || expect.subject.empty()) {
+    throw UserError(
+        fmt::format("{}: shows nobody's mistake; a finding that a campaign or a property "
+                    "saved is expected",
+                    printable(known.path, 200)));
+  }
+  const std::optional<Seen> seen = known.found ? known.found->seen : std::nullopt;
+  if (!asked.up_to && !seen && !expect.magnitude) {
+    throw UserError(
+        fmt::format("{}: does not record how bad it is; say with --up-to how bad it may be",
+                    printable(known.path, 200)));
+  }
+  if (!asked.up_to) {
+    const double as_saved = expect.magnitude.value_or(0);
+    const double worst = seen ? seen->magnitude : as_saved;
+    // Shrinking again and again may have made it worse than any case that the campaign met.
+    asked.up_to = std::max(kAcceptedTimesWorst * worst, as_saved);
+  }
+  if (!seen) return asked;
+  for (const auto& [regime, count] : seen->regimes) {
+    asked.per_million[regime] = accepted_per_million(count, seen->cases);
+  }
+  return asked;
+}
+
+CorpusCase accepted_case(const std::string& file, const Acceptance& asked) {
+  CorpusCase known = read_case_file(file);
+  known.accepted = acceptance_of(known, asked);
+  return known;
+}
+
+void accept_in(const std::filesystem::path& corpus, CorpusCase& accepted) {
+  const bool is_of_corpus =
+      accepted.path.ends_with(".json") && Place(accepted.path).is_within(Place(corpus));
+  if (!is_of_corpus) {
+    accepted.path = write_corpus_case(corpus / corpus_folder(accepted), accepted).string();
+  }
+  write_acceptance(accepted.path, accepted.accepted);
+}
+
+void drop_acceptance(const std::string& file) {
+  if (!read_case_file(file).accepted) {
+    throw UserError(fmt::format("--drop: {} is not accepted", printable(file, 200)));
+  }
+  write_acceptance(file, {});
+}
+
+std::string acceptance_in_words(const CorpusCase& accepted, const std::string& today) {
+  const Acceptance& acceptance = *accepted.accepted;
+  const Expectation expect = accepted.expect.value_or(Expectation{});
+  const std::string what =
+      accepted.property.empty() ? expect.bucket : fmt::format("property {}", accepted.property);
+  std::string text = fmt::format("accepted {}: {} of {}", printable(accepted.path, 200), what,
+                                 printable(expect.subject));
+  if (acceptance.up_to) text += fmt::format(", up to {:.3g} of the size", *acceptance.up_to);
+  if (!acceptance.until.empty()) {
+    const bool is_past = acceptance.until < today;
+    text += fmt::format(", until {}{}", acceptance.until, is_past ? ", which is past" : "");
+  }
+  text += ": " + printable(acceptance.because, 400);
+  if (!acceptance.link.empty()) text += fmt::format(" ({})", printable(acceptance.link, 400));
+  return text;
+}
+
+std::string list_accepted(const std::filesystem::path& corpus, const std::string& today) {
+  std::string text;
+  for (const CorpusCase& known : read_corpus_folder(corpus).cases) {
+    if (known.accepted) text += acceptance_in_words(known, today) + '\n';
+  }
+  return text;
+}
+
+}  // namespace manifuzz

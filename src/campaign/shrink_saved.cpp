@@ -1,0 +1,107 @@
+#include "campaign/shrink_saved.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "campaign/in_child.hpp"
+#include "campaign/known.hpp"
+#include "campaign/save.hpp"
+
+namespace manifuzz {
+
+CorpusCase shrunk_case(const CorpusCase& given, const Collider& subject, const Collider& oracle,
+                       Interruption& interruption) {
+  const Judgement root = judge_in_child(given.pair, subject, oracle, interruption);
+  if (root.bucket.verdict == Verdict::agree) {
+    throw UserError(
+        fmt::format("{}: {} and {} agree on it; a case on which they differ is expected",
+                    given.path, subject.declaration.name, oracle.declaration.name));
+  }
+  const Shrunk smallest = shrink_finding(given.pair, subject, oracle, interruption);
+  const Judgement judgement = judge_in_child(smallest.pair, subject, oracle, interruption);
+  CorpusCase result = recorded_case(smallest.pair, judgement, subject, oracle, interruption);
+  result.found = given.found;
+  if (result.found) result.found->is_unshrunk = !smallest.complete;
+  // What is another mistake by now is not what was accepted.
+  const bool is_again = given.expect && is_bucket(result.expect->bucket, given.expect->bucket);
+  if (is_again) result.accepted = given.accepted;
+  return result;
+}
+
+namespace {
+
+double magnitude_of(const CorpusCase& known) {
+  return known.expect ? known.expect->magnitude.value_or(0) : 0;
+}
+
+/// Puts the worst seen beside the file, unless a worse one lies there already.
+void keep_worst(const std::filesystem::path& file, CorpusCase worst) {
+  std::error_code unknown;
+  const std::filesystem::path beside = worst_beside(file);
+  const bool has_worse = std::filesystem::exists(beside, unknown) &&
+                         magnitude_of(read_case_file(beside.string())) >= magnitude_of(worst);
+  if (has_worse) return;
+  if (worst.found) worst.found->is_unshrunk = false;
+  worst.accepted.reset();  // that stands in the file of the smallest
+  write_worst_case(file, worst);
+}
+
+/// Writes it in the place of the case that it was shrunk from, which is the worst seen then.
+std::string replace(const CorpusCase& given, const CorpusCase& smallest) {
+  const std::filesystem::path old = given.path;
+  const std::filesystem::path file = write_corpus_case(old.parent_path(), smallest);
+  if (file == old) {
+    write_file(file, format_case(smallest));
+    return file.string();
+  }
+  std::error_code unknown;
+  const bool has_worst = std::filesystem::exists(worst_beside(old), unknown);
+  keep_worst(file, has_worst ? read_case_file(worst_beside(old).string()) : given);
+  // Another case may have been shrunk to the same one before.
+  const bool is_to_be_accepted = smallest.accepted && !read_case_file(file.string()).accepted;
+  if (is_to_be_accepted) write_acceptance(file.string(), smallest.accepted);
+  std::filesystem::remove(old, unknown);
+  std::filesystem::remove(worst_beside(old), unknown);
+  return file.string();
+}
+
+/// Whether it is a finding's own file for which there was no time.
+bool is_left_unshrunk(const CorpusCase& known) {
+  return known.found && known.found->is_unshrunk && known.property.empty() &&
+         known.path.ends_with(".json") && !is_worst(known.path);
+}
+
+/// The file of the smallest. Throws UserError and Interrupted.
+std::string shrink_in_place(const CorpusCase& known, NamedColliders& colliders,
+                            Interruption& interruption) {
+  const Collider* const subject = colliders.subject_of(known);
+  const Collider* const oracle = colliders.oracle_of(known);
+  if (subject == nullptr || oracle == nullptr) {
+    throw UserError(fmt::format("{}: its subject '{}' is not at hand; name it with --subject",
+                                printable(known.path, 200), printable(known.expect->subject)));
+  }
+  return replace(known, shrunk_case(known, *subject, *oracle, interruption));
+}
+
+}  // namespace
+
+ShrunkInPlace shrink_in_place(std::span<const CorpusCase> cases, NamedColliders& colliders,
+                              Interruption& interruption,
+                              const std::function<void(const std::string& file)>& on_shrunk) {
+  ShrunkInPlace shrunk;
+  for (const CorpusCase& known : cases) {
+    if (!is_left_unshrunk(known)) continue;
+    try {
+      shrunk.files.push_back(shrink_in_place(known, colliders, interruption));
+      on_shrunk(shrunk.files.back());
+    } catch (const UserError& error) {
+      shrunk.errors.emplace_back(error.what());  // the others can be shrunk all the same
+    }
+  }
+  return shrunk;
+}
+
+}  // namespace manifuzz

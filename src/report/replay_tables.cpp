@@ -1,0 +1,112 @@
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/text.hpp"
+#include "campaign/replay.hpp"
+#include "report/outputs.hpp"
+
+namespace manifuzz {
+
+std::string why_unasked(const CorpusCase& unasked) {
+  return fmt::format(
+      "{}: there is no collider {}; name one with --subject, or in a file subjects.json beside the "
+      "corpus",
+      printable(unasked.path, 200), printable(unasked.expect->subject));
+}
+
+std::string stale_in_words(std::span<const std::string> files) {
+  std::string lines;
+  for (const std::string& file : files) {
+    lines += fmt::format("stale {}: what was accepted comes no more; manifuzz accept --drop {}\n",
+                         printable(file, 200), quoted_for_shell(file));
+  }
+  return lines;
+}
+
+namespace {
+
+/// What failed, a line each.
+std::string replay_failures(const ReplayRun& run) {
+  std::string text;
+  for (const ReplayedCase& one : run.cases) {
+    if (one.result.passed) continue;
+    text += fmt::format("{} {}: expected {}, got {}\n", bad("FAIL"),
+                        printable(one.recorded->path, 200), one.result.expected, one.result.got);
+  }
+  for (const CorpusCase* const unasked : run.unasked) {
+    text += fmt::format("{} {}\n", bad("NOT ASKED"), why_unasked(*unasked));
+  }
+  return text + stale_in_words(run.stale());
+}
+
+}  // namespace
+
+std::string replay_counts(const ReplayRun& run) {
+  std::vector<std::string> counts;
+  if (!run.cases.empty()) {
+    counts.push_back(fmt::format("{} against {}: {} cases, {} passed, {} failed, in {:.2f} s",
+                                 run.subject, run.oracle, run.cases.size(), run.passed(),
+                                 run.failed(), run.seconds));
+  }
+  if (run.accepted() > 0) counts.push_back(fmt::format("{} of them accepted", run.accepted()));
+  if (!run.unasked.empty()) counts.push_back(fmt::format("{} not asked", run.unasked.size()));
+  if (run.left_out > 0) counts.push_back(fmt::format("{} left out, for time was up", run.left_out));
+  return fmt::format("{}", fmt::join(counts, "; "));
+}
+
+std::string replay_text(const ReplayRun& run) {
+  const std::string counts = is_quiet() ? "" : replay_counts(run);
+  return replay_failures(run) + counts + (counts.empty() ? "" : "\n");
+}
+
+void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std::size_t unread) {
+  json["subject"] = run.subject;
+  json["oracle"] = run.oracle;
+  json["cases"] = run.cases.size();
+  json["passed"] = run.passed();
+  json["failed"] = run.failed();
+  json["accepted"] = run.accepted();
+  json["stale"] = run.stale();
+  json["left_out"] = run.left_out;
+  json["unread"] = unread;
+  json["seconds"] = run.seconds;
+  json["failures"] = nlohmann::ordered_json::array();
+  for (const ReplayedCase& one : run.cases) {
+    if (one.result.passed) continue;
+    json["failures"].push_back(
+        {{"file", one.recorded->path}, {"expected", one.result.expected}, {"got", one.result.got}});
+  }
+  json["unasked"] = nlohmann::ordered_json::array();
+  for (const CorpusCase* const one : run.unasked) {
+    json["unasked"].push_back({{"file", one->path}, {"subject", one->expect->subject}});
+  }
+}
+
+std::string property_text(const CheckedProperty& checked) {
+  const PropertyResult& result = checked.result;
+  const std::string how = result.passed         ? good("ok  ")
+                          : checked.is_accepted ? "accepted"
+                                                : bad("FAIL");
+  std::string text = fmt::format("{} {}: {}\n{}\n", how, checked.property->name,
+                                 checked.property->sentence, result.report);
+  if (!checked.objection.empty()) text += fmt::format("{}\n", bad(checked.objection));
+  if (!result.reproduce.empty()) {
+    text += fmt::format("repeat with RC_PARAMS=\"{}\"\n", result.reproduce);
+  }
+  if (!checked.saved.empty()) text += fmt::format("saved {}\n", checked.saved);
+  return text;
+}
+
+std::string property_line(const CheckedProperty& checked) {
+  const Property& property = *checked.property;
+  if (checked.is_left_out()) {
+    return fmt::format("--   {}: left out, for time was up\n", property.name);
+  }
+  return fmt::format("{} {}: {}, {} cases\n", checked.is_accepted ? "accepted" : good("ok  "),
+                     property.name, property.sentence, checked.result.cases);
+}
+
+}  // namespace manifuzz
