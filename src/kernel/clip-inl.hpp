@@ -29,71 +29,94 @@ HWY_INLINE LaneEdge<D> select(hn::Mask<D> mask, const LaneEdge<D>& there, const 
 }
 
 template <class D>
-struct FaceSeparations {
-  hn::Vec<D> separation;
-  Lanes2<D> normal;
-  LaneEdge<D> edge;
-};
-
-template <class D>
 HWY_INLINE LaneEdge<D> first_edge(const Strip<D>& s, int polygon) {
   const auto* const corner = s.corner(polygon, 0);
   return {hn::Zero(DInt<D>()), s.load2(corner), s.load2(corner + kCornerRows)};
 }
 
+/// A face of each lane, its edge and its outward normal.
+template <class D>
+struct LaneFace {
+  LaneEdge<D> edge;
+  Lanes2<D> normal;
+};
+
 /// Takes face `index` of a polygon where it lies farther in front: of equals, the first stays.
 template <class D>
 HWY_INLINE void consider(const Strip<D>& s, int polygon, int index, hn::Vec<D> separation,
-                         FaceSeparations<D>& greatest) {
-  const auto is_greater = hn::Gt(separation, greatest.separation);
+                         hn::Vec<D>& greatest, LaneFace<D>& face) {
+  const auto is_greater = hn::Gt(separation, greatest);
   const auto* const corner = s.corner(polygon, index);
   const LaneEdge<D> edge{hn::Set(DInt<D>(), index), s.load2(corner), s.load2(corner + kCornerRows)};
-  greatest.separation = hn::IfThenElse(is_greater, separation, greatest.separation);
-  greatest.normal = select<D>(is_greater, s.load2(corner + 2), greatest.normal);
-  greatest.edge = select<D>(is_greater, edge, greatest.edge);
+  greatest = hn::IfThenElse(is_greater, separation, greatest);
+  face.normal = select<D>(is_greater, s.load2(corner + 2), face.normal);
+  face.edge = select<D>(is_greater, edge, face.edge);
 }
 
-/// What the search starts from: face 0 stays where no separation is greater than -infinity.
+/// The greatest separations and the reference, A's face unless B's leads by more than the bias.
 template <class D>
-HWY_INLINE FaceSeparations<D> first_face(D d, const Strip<D>& s, int polygon) {
-  return {hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity()),
-          s.load2(s.corner(polygon, 0) + 2), first_edge(s, polygon)};
-}
-
-template <class D>
-struct BothSeparations {
-  FaceSeparations<D> of_a;
-  FaceSeparations<D> of_b;
+struct LaneSearch {
+  hn::Vec<D> of_a;
+  hn::Vec<D> of_b;
+  hn::Mask<D> take_b;
+  LaneFace<D> reference;
 };
 
-/// Both at once: a face of A looks along v_b - v_a, a face of B along its exact opposite, so that
-/// each difference serves two faces, and B's separation is minus the greatest product.
-template <class D>
-HWY_INLINE BothSeparations<D> greatest_separations(D d, const Strip<D>& s) {
-  using T = hn::TFromD<D>;
-  const auto infinity = hn::Set(d, std::numeric_limits<T>::infinity());
-  alignas(64) T most_opposed[kMaxVertices][hn::MaxLanes(D())];
-  for (int j = 0; j < s.count_max[1]; ++j) hn::Store(hn::Neg(infinity), d, most_opposed[j]);
+/// Both polygons' faces at once: a face of B looks along v_a - v_b, a face of A along its exact
+/// opposite, so that each difference serves two faces, and A's separation is minus the greatest
+/// product. B's count is a constant, so that its faces' separations stay in registers; and its
+/// faces go on with the reference where A's have left it, so that it is carried along once.
+template <int kCountB, class D>
+HWY_INLINE void search_faces(D d, const Strip<D>& s, hn::TFromD<D> tie_bias, LaneSearch<D>& found) {
+  const auto infinity = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::infinity());
+  hn::Vec<D> of_face_b[kCountB];
+  for (int j = 0; j < kCountB; ++j) of_face_b[j] = infinity;
 
-  BothSeparations<D> both{first_face(d, s, 0), first_face(d, s, 1)};
+  found.of_a = hn::Neg(infinity);  // face 0 stays where no separation is greater
+  found.reference = {first_edge(s, 0), s.load2(s.corner(0, 0) + 2)};
   for (int i = 0; i < s.count_max[0]; ++i) {
     const auto* const face = s.corner(0, i);
+    const auto* const corners_b = reloaded(s.corners[1]);
     const Lanes2<D> origin = s.load2(face);
     const Lanes2<D> normal = s.load2(face + 2);
-    auto least = infinity;
-    for (int j = 0; j < s.count_max[1]; ++j) {
-      const auto* const other = s.corner(1, j);
-      const Lanes2<D> between = subtract(s.load2(other), origin);
-      least = hn::Min(dot(normal, between), least);
-      const auto opposed = dot(s.load2(other + 2), between);
-      hn::Store(hn::Max(opposed, hn::Load(d, most_opposed[j])), d, most_opposed[j]);
+    auto most_opposed = hn::Neg(infinity);
+    HWY_UNROLL(kMaxVertices)
+    for (int j = 0; j < kCountB; ++j) {
+      const auto* const other = corners_b + kCornerRows * j;
+      const Lanes2<D> back = subtract(origin, s.load2(other));
+      most_opposed = hn::Max(dot(normal, back), most_opposed);
+      of_face_b[j] = hn::Min(dot(s.load2(other + 2), back), of_face_b[j]);
     }
-    consider(s, 0, i, least, both.of_a);
+    consider(s, 0, i, hn::Neg(most_opposed), found.of_a, found.reference);
   }
-  for (int j = 0; j < s.count_max[1]; ++j) {
-    consider(s, 1, j, hn::Neg(hn::Load(d, most_opposed[j])), both.of_b);
+
+  const auto lead = hn::Add(found.of_a, hn::Set(d, tie_bias));
+  auto greatest = lead;
+  found.of_b = hn::Neg(infinity);
+  HWY_UNROLL(kMaxVertices)
+  for (int j = 0; j < kCountB; ++j) {
+    consider(s, 1, j, of_face_b[j], greatest, found.reference);
+    found.of_b = hn::Max(of_face_b[j], found.of_b);
   }
-  return both;
+  found.take_b = hn::Gt(found.of_b, lead);
+}
+
+template <class D>
+HWY_INLINE void search_faces(D d, const Strip<D>& s, hn::TFromD<D> tie_bias, LaneSearch<D>& found) {
+  switch (s.count_max[1]) {
+    case 3:
+      return search_faces<3>(d, s, tie_bias, found);
+    case 4:
+      return search_faces<4>(d, s, tie_bias, found);
+    case 5:
+      return search_faces<5>(d, s, tie_bias, found);
+    case 6:
+      return search_faces<6>(d, s, tie_bias, found);
+    case 7:
+      return search_faces<7>(d, s, tie_bias, found);
+    default:
+      return search_faces<kMaxVertices>(d, s, tie_bias, found);
+  }
 }
 
 /// The edge of each lane's incident polygon whose normal is most opposed, the first of equals.

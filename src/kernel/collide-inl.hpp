@@ -26,10 +26,9 @@ struct LaneFeatures {
 };
 
 template <class D>
-HWY_INLINE LaneFeatures<D> choose_features(D d, const Strip<D>& s, const BothSeparations<D>& found,
-                                           hn::Mask<D> take_b) {
+HWY_INLINE LaneFeatures<D> choose_features(D d, const Strip<D>& s, const LaneSearch<D>& found) {
   const DInt<D> di;
-  const auto take_b_int = hn::RebindMask(di, take_b);
+  const auto take_b_int = hn::RebindMask(di, found.take_b);
   const auto count_a = s.count(0);
   const auto count_b = s.count(1);
   const auto next = [&](auto index, auto count) {
@@ -37,10 +36,13 @@ HWY_INLINE LaneFeatures<D> choose_features(D d, const Strip<D>& s, const BothSep
     return hn::IfThenZeroElse(hn::Eq(after, count), after);
   };
   LaneFeatures<D> f;
-  f.take_b = take_b;
-  f.face = select<D>(take_b, found.of_b.edge, found.of_a.edge);
-  f.normal = select<D>(take_b, found.of_b.normal, found.of_a.normal);
-  f.incident = incident_edge(d, s, take_b, f.normal);
+  f.take_b = found.take_b;
+  // One by one: g++ 12 copies structures of vectors in parts too small to be read back at once.
+  f.face = {found.reference.edge.index,
+            {found.reference.edge.first.x, found.reference.edge.first.y},
+            {found.reference.edge.second.x, found.reference.edge.second.y}};
+  f.normal = {found.reference.normal.x, found.reference.normal.y};
+  f.incident = incident_edge(d, s, f.take_b, f.normal);
   f.face_second = next(f.face.index, hn::IfThenElse(take_b_int, count_b, count_a));
   f.incident_second = next(f.incident.index, hn::IfThenElse(take_b_int, count_a, count_b));
   return f;
@@ -139,8 +141,8 @@ HWY_INLINE hn::Vec<D> reach_of_both(D d, const Strip<D>& s) {
 /// The lanes whose manifold misses the overlap (`clipping::misses_deepest`).
 template <class D>
 HWY_INLINE hn::Mask<D> misses_deepest(D d, const Strip<D>& s, const LaneManifolds<D>& m,
-                                      const BothSeparations<D>& found, hn::Mask<D> take_b,
-                                      hn::Vec<D> total_radius, hn::Mask<D> among) {
+                                      const LaneSearch<D>& found, hn::Vec<D> total_radius,
+                                      hn::Mask<D> among) {
   using T = hn::TFromD<D>;
   const DInt<D> di;
   const auto has = [&](int count) {
@@ -148,8 +150,8 @@ HWY_INLINE hn::Mask<D> misses_deepest(D d, const Strip<D>& s, const LaneManifold
   };
   auto deepest = hn::IfThenElse(has(1), m.depth[0], total_radius);
   deepest = hn::IfThenElse(has(2), hn::Max(m.depth[1], deepest), deepest);
-  const auto separation = hn::IfThenElse(take_b, found.of_b.separation, found.of_a.separation);
-  const auto greatest = hn::Max(found.of_a.separation, found.of_b.separation);
+  const auto separation = hn::IfThenElse(found.take_b, found.of_b, found.of_a);
+  const auto greatest = hn::Max(found.of_a, found.of_b);
   const auto missing = hn::Sub(hn::Sub(total_radius, separation), deepest);
   const auto least = hn::Min(hn::Neg(greatest), missing);
   const auto might = hn::And(among, hn::Gt(least, hn::Zero(d)));
@@ -199,18 +201,16 @@ HWY_INLINE void collide_placed(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
                                ManifoldBlock<hn::TFromD<D>>& out) {
   const DInt<D> di;
   const auto total_radius = s.load(s.rows[kTotalRadius]);
-  const BothSeparations<D> found = greatest_separations(d, s);
-  const auto separated = hn::Or(hn::Gt(found.of_a.separation, total_radius),
-                                hn::Gt(found.of_b.separation, total_radius));
-  const auto gap = hn::Sub(hn::Max(found.of_a.separation, found.of_b.separation), total_radius);
+  LaneSearch<D> found;
+  search_faces(d, s, tie_bias, found);
+  const auto separated = hn::Or(hn::Gt(found.of_a, total_radius), hn::Gt(found.of_b, total_radius));
+  const auto gap = hn::Sub(hn::Max(found.of_a, found.of_b), total_radius);
   if (hn::AllTrue(d, separated)) {
     hn::Store(hn::Zero(di), di, out.count.column + s.column);
     hn::Store(hn::Neg(gap), d, out.depth[0].column + s.column);
     return;
   }
-  const auto take_b =
-      hn::Gt(found.of_b.separation, hn::Add(found.of_a.separation, hn::Set(d, tie_bias)));
-  const LaneFeatures<D> features = choose_features(d, s, found, take_b);
+  const LaneFeatures<D> features = choose_features(d, s, found);
   const auto touching = hn::Not(separated);
   auto kept = touching;
   ClipEnds<D> edge[2];
@@ -220,7 +220,7 @@ HWY_INLINE void collide_placed(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   m.depth[0] = hn::IfThenElse(empty, hn::Min(hn::Neg(gap), hn::Zero(d)), m.depth[0]);
   store(d, m, s.column, out);
   const auto among = tie_bias > 0 ? hn::And(touching, empty) : touching;
-  const auto needs = misses_deepest(d, s, m, found, take_b, total_radius, among);
+  const auto needs = misses_deepest(d, s, m, found, total_radius, among);
   if (HWY_UNLIKELY(!hn::AllFalse(d, needs))) put_deepest_contacts(d, s, needs, out);
 }
 

@@ -71,27 +71,54 @@ struct Strip {
   }
 };
 
-/// Puts B's rows into A's frame: `relative_pose`, then `transform`.
+/// A frame's place in another, or in the world.
+template <class D>
+struct LanePose {
+  Lanes2<D> position;
+  Lanes2<D> rotation;  ///< (cos, sin)
+};
+
+/// `relative_pose` of geometry/pose.hpp.
+template <class D>
+HWY_INLINE LanePose<D> relative_pose(const LanePose<D>& a, const LanePose<D>& b) {
+  const auto rotate_back = [&](const Lanes2<D>& v) -> Lanes2<D> {
+    return {dot(a.rotation, v), hn::Sub(hn::Mul(a.rotation.x, v.y), hn::Mul(a.rotation.y, v.x))};
+  };
+  return {rotate_back(subtract(b.position, a.position)), rotate_back(b.rotation)};
+}
+
+/// `transform` of geometry/pose.hpp.
+template <class D>
+HWY_INLINE Lanes2<D> transformed(const LanePose<D>& pose, const Lanes2<D>& v) {
+  const Lanes2<D> turned_v = turned(pose.rotation, v);
+  return {hn::Add(turned_v.x, pose.position.x), hn::Add(turned_v.y, pose.position.y)};
+}
+
+/// Puts B's rows into A's frame.
 template <class D>
 HWY_INLINE void place(D d, const Strip<D>& s, Row<hn::TFromD<D>>* placed) {
-  const Lanes2<D> rotation_a = s.load2(s.rows + kPoseA + 2);
-  const auto rotate_back = [&](const Lanes2<D>& v) -> Lanes2<D> {
-    return {dot(rotation_a, v), hn::Sub(hn::Mul(rotation_a.x, v.y), hn::Mul(rotation_a.y, v.x))};
+  const auto pose = [&](int row) -> LanePose<D> {
+    return {s.load2(s.rows + row), s.load2(s.rows + row + 2)};
   };
-  const Lanes2<D> position =
-      rotate_back(subtract(s.load2(s.rows + kPoseB), s.load2(s.rows + kPoseA)));
-  const Lanes2<D> rotation = rotate_back(s.load2(s.rows + kPoseB + 2));
+  const LanePose<D> b_in_a = relative_pose(pose(kPoseA), pose(kPoseB));
   const auto store = [&](const Lanes2<D>& v, Row<hn::TFromD<D>>* row) {
     hn::Store(v.x, d, row[0].column + s.column);
     hn::Store(v.y, d, row[1].column + s.column);
   };
   Row<hn::TFromD<D>>* row = placed;
   for (int j = 0; j < s.count_max[1]; ++j, row += kCornerRows) {
-    const Lanes2<D> vertex = turned(rotation, s.load2(s.corner(1, j)));
-    store({hn::Add(vertex.x, position.x), hn::Add(vertex.y, position.y)}, row);
-    store(turned(rotation, s.load2(s.corner(1, j) + 2)), row + 2);
+    store(transformed(b_in_a, s.load2(s.corner(1, j))), row);
+    store(turned(b_in_a.rotation, s.load2(s.corner(1, j) + 2)), row + 2);
   }
   store(s.load2(placed), row);
+}
+
+/// The same address, of which the compiler does not know that: what lies there is read again rather
+/// than kept in registers, of which there are too few.
+template <class T>
+HWY_INLINE const T* reloaded(const T* rows) {
+  asm volatile("" : "+r"(rows));
+  return rows;
 }
 
 /// How many scalars sixteen bytes hold.

@@ -37,24 +37,13 @@ HWY_INLINE FaceLanes2 in_every_lane(float x, float y) {
   return {hn::Set(Faces(), x), hn::Set(Faces(), y)};
 }
 
-/// A frame's place in another, in every lane.
-struct LanePose {
-  FaceLanes2 position;
-  FaceLanes2 rotation;
-};
-
-/// `memory`: position x, y; cos, sin.
-HWY_INLINE LanePose lane_pose(const float* memory) {
+/// A pose in every lane. `memory`: position x, y; cos, sin.
+HWY_INLINE LanePose<Faces> lane_pose(const float* memory) {
   return {in_every_lane(memory[0], memory[1]), in_every_lane(memory[2], memory[3])};
 }
 
-HWY_INLINE FaceLanes2 transformed(const LanePose& pose, const FaceLanes2& v) {
-  const FaceLanes2 turned_v = turned<Faces>(pose.rotation, v);
-  return {hn::Add(turned_v.x, pose.position.x), hn::Add(turned_v.y, pose.position.y)};
-}
-
 /// `placed` becomes the shape as seen from the frame in which `pose` places it.
-HWY_INLINE void place(const ShapeRows& shape, const LanePose& pose, ShapeRows& placed) {
+HWY_INLINE void place(const ShapeRows& shape, const LanePose<Faces>& pose, ShapeRows& placed) {
   for (int k = 0; k < kMaxVertices; k += kPart) {
     const FaceLanes2 vertex = transformed(pose, vertices(shape, k));
     const FaceLanes2 normal = turned<Faces>(pose.rotation, normals(shape, k));

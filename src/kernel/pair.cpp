@@ -30,8 +30,8 @@ HWY_INLINE HintedFace try_hint(const ShapeRows& a, const ShapeRows& b, const Pos
   const ShapeRows& other = is_a ? b : a;
   if (hint->face >= shape.count) return result;
   const float* const of_b = b_in_a.position.data();
-  const LanePose pose = lane_pose(is_a ? kAtHome : of_b);
-  const LanePose pose_of_other = lane_pose(is_a ? of_b : kAtHome);
+  const LanePose<Faces> pose = lane_pose(is_a ? kAtHome : of_b);
+  const LanePose<Faces> pose_of_other = lane_pose(is_a ? of_b : kAtHome);
   const int k = hint->face;
   const FaceLanes2 origin = transformed(pose, in_every_lane(shape.x[k], shape.y[k]));
   const FaceLanes2 normal =

@@ -1,12 +1,14 @@
 // Copied with the bugs planted into the kernels for many pairs, and compiled under a namespace of
 // theirs.
 #include <memory>
+#include <utility>
 
 #include "canary/one_target.hpp"
 #include "canary/planted.hpp"
 #include "kernel/batch.cpp"
 #include "kernel/deepest_contact.cpp"
 #include "kernel/packed.cpp"
+#include "kernel/pair_stream.cpp"
 #include "kernel/shapes.cpp"
 
 namespace manifuzz {

@@ -7,6 +7,7 @@
 
 #include "clipping/collide.hpp"
 #include "generating/regime.hpp"
+#include "kernel/pair_stream.hpp"
 #include "own_colliders/own_colliders.hpp"
 #include "unit/kernel/every_target.hpp"
 
@@ -143,4 +144,23 @@ TEST_CASE("any number of pairs, of any bodies, is answered in order") {
       CHECK(wrong_packed(scene, 0.0F) == 0);
     });
   }
+}
+
+TEST_CASE("pairs are answered as they are pushed, a few or many before each finish") {
+  Scene<float> scene = scene_of<float>(*find_regime("generic"));
+  scene.expect(0);
+  on_every_target([&] {
+    kernel::PairStream<float> stream(scene.shapes, scene.bodies, 0.0F);
+    std::size_t next = 0;
+    std::size_t wrong = 0;
+    for (const std::size_t count : {0, 1, 0, 5, 400, 597}) {
+      std::vector<Manifold<float>> manifolds(count);
+      for (std::size_t i = 0; i < count; ++i) stream.push(scene.pairs[next + i], manifolds[i]);
+      stream.finish();
+      for (std::size_t i = 0; i < count; ++i) wrong += manifolds[i] != scene.expected[next + i];
+      next += count;
+    }
+    CHECK(next == scene.pairs.size());
+    CHECK(wrong == 0);
+  });
 }

@@ -1,0 +1,164 @@
+// A batch of pairs on its way into rows, and its manifolds on their way out. Shapes, poses and
+// manifolds lie anywhere in memory.
+
+#if defined(MANIFUZZ_KERNEL_FETCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef MANIFUZZ_KERNEL_FETCH_INL
+#undef MANIFUZZ_KERNEL_FETCH_INL
+#else
+#define MANIFUZZ_KERNEL_FETCH_INL
+#endif
+
+#include <algorithm>
+#include <bit>
+
+#include "kernel/lanes-inl.hpp"
+#include "kernel/pair_stream.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace manifuzz::kernel::HWY_NAMESPACE {
+
+/// The rows of a batch. Those of the poses stay unwritten: B is placed on the way.
+template <class T>
+struct BatchRows {
+  Row<T> of_block[kCorners];
+  Row<T> corners[2][kCornerRows * (kMaxVertices + 1)];  ///< both in A's frame
+};
+
+/// Reads `kScalars` of every lane's pair, from `address(lane)` on, as that many rows.
+template <std::size_t kScalars, class D, class Address, class V = hn::Vec<D>>
+HWY_INLINE void load_scalars(D d, const Address& address, V (&rows)[kScalars]) {
+  for (std::size_t i = 0; i < kScalars; i += kQuad<D>) {
+    V quad[kQuad<D>];
+    load_rows(
+        d, [&](std::size_t lane) { return address(lane) + i; }, quad);
+    for (std::size_t r = 0; r < kQuad<D>; ++r) rows[i + r] = quad[r];
+  }
+}
+
+/// Fetches a polygon's corners for some columns and closes the polygon. `place` may move what has
+/// been fetched of a corner. Two corners are read before either is written: their addresses are
+/// read once.
+template <class D, class T, class Place>
+HWY_INLINE void fetch_corners(D d, const T* const* shape, int count_max, const Place& place,
+                              Row<T>* rows, int column) {
+  const auto store = [&](const hn::Vec<D>(&corner)[kCornerRows], Row<T>* row) {
+    for (int r = 0; r < kCornerRows; ++r) hn::Store(corner[r], d, row[r].column + column);
+  };
+  for (int k = 0; k < count_max; k += 2) {
+    const T* const* const from = reloaded(shape);
+    const auto load = [&](int corner, hn::Vec<D>(&into)[kCornerRows]) {
+      load_scalars(
+          d, [&](std::size_t lane) { return from[lane] + kCornerRows * corner; }, into);
+    };
+    hn::Vec<D> even[kCornerRows];
+    hn::Vec<D> odd[kCornerRows];
+    load(k, even);
+    load(k + 1, odd);
+    place(even);
+    place(odd);
+    store(even, rows + kCornerRows * k);
+    store(odd, rows + kCornerRows * (k + 1));
+  }
+  for (const int axis : {0, 1}) {
+    hn::Store(hn::Load(d, rows[axis].column + column), d,
+              rows[kCornerRows * count_max + axis].column + column);
+  }
+}
+
+/// Fetches both polygons and poses for some columns, B's polygon into A's frame.
+template <class D, class T>
+HWY_INLINE void fetch_strip(D d, const PairBatch<T>& batch, const T* const (&shape)[2][kBlockPairs],
+                            const int (&count_max)[2], int column, BatchRows<T>& rows) {
+  const auto pose = [&](int p) -> LanePose<D> {
+    hn::Vec<D> scalars[4];
+    load_scalars(
+        d, [&](std::size_t lane) { return batch.body[p][column + lane]->pose.position.data(); },
+        scalars);
+    return {{scalars[0], scalars[1]}, {scalars[2], scalars[3]}};
+  };
+  const auto stay = [](const auto&) {};
+  fetch_corners(d, shape[0] + column, count_max[0], stay, rows.corners[0], column);
+  const LanePose<D> b_in_a = relative_pose(pose(0), pose(1));
+  const auto place = [&](hn::Vec<D>(&corner)[kCornerRows]) {
+    const Lanes2<D> vertex = transformed<D>(b_in_a, {corner[0], corner[1]});
+    const Lanes2<D> normal = turned<D>(b_in_a.rotation, {corner[2], corner[3]});
+    corner[0] = vertex.x;
+    corner[1] = vertex.y;
+    corner[2] = normal.x;
+    corner[3] = normal.y;
+  };
+  fetch_corners(d, shape[1] + column, count_max[1], place, rows.corners[1], column);
+}
+
+/// Fetches all that the kernel asks of a batch; `count_max` becomes the most corners of any A and
+/// of any B.
+template <class T>
+HWY_INLINE void fetch(const Shapes<T>& shapes, const PairBatch<T>& batch, BatchRows<T>& rows,
+                      int (&count_max)[2]) {
+  const T* shape[2][kBlockPairs];
+  for (const int p : {0, 1}) {
+    for (int column = 0; column < kBlockPairs; ++column) {
+      shape[p][column] = shapes.corners(batch.body[p][column]->shape).scalars.data();
+    }
+    count_max[p] = batch.count[p];
+    if (count_max[p] > 0) {
+      std::fill_n(rows.of_block[kCountA + p].column, kBlockPairs, static_cast<T>(count_max[p]));
+      continue;
+    }
+    for (int column = 0; column < kBlockPairs; ++column) {
+      const auto count = static_cast<int>(shapes.count(batch.body[p][column]->shape));
+      rows.of_block[kCountA + p].column[column] = static_cast<T>(count);
+      count_max[p] = std::max(count_max[p], count);
+    }
+  }
+  Row<T>& total_radius = rows.of_block[kTotalRadius];
+  std::fill_n(total_radius.column, kBlockPairs, T{0});
+  for (int column = 0; shapes.has_radius() && column < kBlockPairs; ++column) {
+    total_radius.column[column] =
+        shapes.radius(batch.body[0][column]->shape) + shapes.radius(batch.body[1][column]->shape);
+  }
+  const hn::CappedTag<T, kBlockPairs> d;
+  for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
+    fetch_strip(d, batch, shape, count_max, column, rows);
+  }
+}
+
+/// Hands a block's columns out to the batch's manifolds.
+HWY_INLINE void hand_out(const ManifoldBlock<float>& block, const PairBatch<float>& batch) {
+  static_assert(std::endian::native == std::endian::little);
+  static_assert(sizeof(Manifold<float>) == 48 && offsetof(Manifold<float>, normal) == 8 &&
+                offsetof(Manifold<float>, points) == 16);
+  using D = hn::CappedTag<float, kBlockPairs>;
+  const D d;
+  const DInt<D> di;
+  for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
+    const auto from = [&](const Row<float>& row) { return hn::Load(d, row.column + column); };
+    const auto from_int = [&](const Row<std::int32_t>& row) {
+      return hn::BitCast(d, hn::Load(di, row.column + column));
+    };
+    const auto to = [&](std::size_t offset) {
+      return [&batch, column, offset](std::size_t lane) {
+        return reinterpret_cast<std::uint8_t*>(batch.out[column + lane]) + offset;
+      };
+    };
+    hn::Vec<D> head[4] = {from_int(block.count), from_int(block.reference), from(block.normal[0]),
+                          from(block.normal[1])};
+    store_rows(d, head, to(0));
+    for (const int i : {0, 1}) {
+      hn::Vec<D> point[4] = {from(block.position[i][0]), from(block.position[i][1]),
+                             from(block.depth[i]), from_int(block.features[i])};
+      store_rows(d, point, to(16 + 16 * std::size_t(i)));
+    }
+  }
+}
+
+HWY_INLINE void hand_out(const ManifoldBlock<double>& block, const PairBatch<double>& batch) {
+  for (int column = 0; column < kBlockPairs; ++column) {
+    *batch.out[column] = manifold(block, column);
+  }
+}
+
+}  // namespace manifuzz::kernel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

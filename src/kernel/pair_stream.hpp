@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+
+#include "kernel/packed.hpp"
+
+// Pairs as they are found, one after another. Each goes to the batch of its vertex counts, and a
+// full batch is collided.
+
+namespace manifuzz::kernel {
+
+/// Up to sixteen pairs of bodies, and where their manifolds go.
+template <class Scalar>
+struct PairBatch {
+  const Placement<Scalar>* body[2][kBlockPairs];  ///< A's, B's
+  Manifold<Scalar>* out[kBlockPairs];
+  int count[2];  ///< every A's corners and every B's; 0 where they differ
+};
+
+/// Collides sixteen pairs, equal to `clipping::collide` of each, bit for bit. `tie_bias` is a
+/// length >= 0.
+void collide_batch(const Shapes<float>& shapes, const PairBatch<float>& batch, float tie_bias);
+/// The same in double.
+void collide_batch(const Shapes<double>& shapes, const PairBatch<double>& batch, double tie_bias);
+
+/// A scene's pairs on their way to the kernel for many. Shapes and bodies stay where and as they
+/// are until `finish`, and so do the manifolds: they may be written at any `push`, in any order.
+template <class Scalar>
+class PairStream {
+ public:
+  /// Shapes and poses, which are in the world, are fetched by index, unchecked. `tie_bias` is a
+  /// length >= 0.
+  PairStream(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
+             Scalar tie_bias)
+      : shapes_(shapes), bodies_(bodies), tie_bias_(tie_bias) {}
+
+  /// `out` becomes the manifold of the pair, as `collide_pairs` gives it, until `finish` returns.
+  void push(const BodyPair& pair, Manifold<Scalar>& out) {
+    const Placement<Scalar>& a = bodies_[pair.a];
+    const Placement<Scalar>& b = bodies_[pair.b];
+    const unsigned key = key_of(shapes_.count(a.shape), shapes_.count(b.shape));
+    for (const Placement<Scalar>* const body : {&a, &b}) {
+      const ShapeCorners<Scalar>& corners = shapes_.corners(body->shape);
+      __builtin_prefetch(&corners);
+      __builtin_prefetch(&corners.scalars[corners.scalars.size() / 2]);
+    }
+    PairBatch<Scalar>& batch = batches_[key];
+    const unsigned column = sizes_[key]++;
+    batch.body[0][column] = &a;
+    batch.body[1][column] = &b;
+    batch.out[column] = &out;
+    if (column + 1 < kBlockPairs) return;
+    sizes_[key] = 0;
+    batch.count[0] = static_cast<int>(shapes_.count(a.shape));
+    batch.count[1] = static_cast<int>(shapes_.count(b.shape));
+    collide_batch(shapes_, batch, tie_bias_);
+  }
+
+  /// Collides what is left in batches that are not full; the stream is empty then.
+  void finish();
+
+ private:
+  static constexpr unsigned kCounts = kMaxVertices - kMinVertices + 1;
+
+  static unsigned key_of(unsigned count_a, unsigned count_b) {
+    return (count_a - kMinVertices) * kCounts + count_b - kMinVertices;
+  }
+
+  const Shapes<Scalar>& shapes_;
+  std::span<const Placement<Scalar>> bodies_;
+  Scalar tie_bias_;
+  std::array<std::uint8_t, std::size_t{kCounts} * kCounts> sizes_{};
+  std::array<PairBatch<Scalar>, std::size_t{kCounts} * kCounts> batches_;  // by counts
+};
+
+}  // namespace manifuzz::kernel
