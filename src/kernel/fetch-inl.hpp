@@ -35,20 +35,21 @@ HWY_INLINE void load_scalars(D d, const Address& address, V (&rows)[kScalars]) {
   }
 }
 
-/// Fetches a polygon's corners for some columns and closes the polygon. `place` may move what has
-/// been fetched of a corner. Two corners are read before either is written: their addresses are
-/// read once.
+/// Fetches the corners of the A or the B of some columns and closes the polygon. `place` may move
+/// what has been fetched of a corner. Two corners are read before either is written: their
+/// addresses are read once.
 template <class D, class T, class Place>
-HWY_INLINE void fetch_corners(D d, const T* const* shape, int count_max, const Place& place,
-                              Row<T>* rows, int column) {
+HWY_INLINE void fetch_corners(D d, const PairBatch<T>& batch, int polygon, int count_max,
+                              const Place& place, Row<T>* rows, int column) {
   const auto store = [&](const hn::Vec<D>(&corner)[kCornerRows], Row<T>* row) {
     for (int r = 0; r < kCornerRows; ++r) hn::Store(corner[r], d, row[r].column + column);
   };
   for (int k = 0; k < count_max; k += 2) {
-    const T* const* const from = reloaded(shape);
+    const auto* const pair = reloaded(batch.pair + column);
     const auto load = [&](int corner, hn::Vec<D>(&into)[kCornerRows]) {
       load_scalars(
-          d, [&](std::size_t lane) { return from[lane] + kCornerRows * corner; }, into);
+          d, [&](std::size_t lane) { return pair[lane].corners[polygon] + kCornerRows * corner; },
+          into);
     };
     hn::Vec<D> even[kCornerRows];
     hn::Vec<D> odd[kCornerRows];
@@ -67,17 +68,18 @@ HWY_INLINE void fetch_corners(D d, const T* const* shape, int count_max, const P
 
 /// Fetches both polygons and poses for some columns, B's polygon into A's frame.
 template <class D, class T>
-HWY_INLINE void fetch_strip(D d, const PairBatch<T>& batch, const T* const (&shape)[2][kBlockPairs],
-                            const int (&count_max)[2], int column, BatchRows<T>& rows) {
+HWY_INLINE void fetch_strip(D d, const PairBatch<T>& batch, const int (&count_max)[2], int column,
+                            BatchRows<T>& rows) {
   const auto pose = [&](int p) -> LanePose<D> {
     hn::Vec<D> scalars[4];
     load_scalars(
-        d, [&](std::size_t lane) { return batch.body[p][column + lane]->pose.position.data(); },
+        d,
+        [&](std::size_t lane) { return batch.pair[column + lane].body[p]->pose.position.data(); },
         scalars);
     return {{scalars[0], scalars[1]}, {scalars[2], scalars[3]}};
   };
   const auto stay = [](const auto&) {};
-  fetch_corners(d, shape[0] + column, count_max[0], stay, rows.corners[0], column);
+  fetch_corners(d, batch, 0, count_max[0], stay, rows.corners[0], column);
   const LanePose<D> b_in_a = relative_pose(pose(0), pose(1));
   const auto place = [&](hn::Vec<D>(&corner)[kCornerRows]) {
     const Lanes2<D> vertex = transformed<D>(b_in_a, {corner[0], corner[1]});
@@ -87,7 +89,7 @@ HWY_INLINE void fetch_strip(D d, const PairBatch<T>& batch, const T* const (&sha
     corner[2] = normal.x;
     corner[3] = normal.y;
   };
-  fetch_corners(d, shape[1] + column, count_max[1], place, rows.corners[1], column);
+  fetch_corners(d, batch, 1, count_max[1], place, rows.corners[1], column);
 }
 
 /// Fetches all that the kernel asks of a batch; `count_max` becomes the most corners of any A and
@@ -95,18 +97,14 @@ HWY_INLINE void fetch_strip(D d, const PairBatch<T>& batch, const T* const (&sha
 template <class T>
 HWY_INLINE void fetch(const Shapes<T>& shapes, const PairBatch<T>& batch, BatchRows<T>& rows,
                       int (&count_max)[2]) {
-  const T* shape[2][kBlockPairs];
   for (const int p : {0, 1}) {
-    for (int column = 0; column < kBlockPairs; ++column) {
-      shape[p][column] = shapes.corners(batch.body[p][column]->shape).scalars.data();
-    }
     count_max[p] = batch.count[p];
     if (count_max[p] > 0) {
       std::fill_n(rows.of_block[kCountA + p].column, kBlockPairs, static_cast<T>(count_max[p]));
       continue;
     }
     for (int column = 0; column < kBlockPairs; ++column) {
-      const auto count = static_cast<int>(shapes.count(batch.body[p][column]->shape));
+      const auto count = static_cast<int>(shapes.count(batch.pair[column].body[p]->shape));
       rows.of_block[kCountA + p].column[column] = static_cast<T>(count);
       count_max[p] = std::max(count_max[p], count);
     }
@@ -114,12 +112,12 @@ HWY_INLINE void fetch(const Shapes<T>& shapes, const PairBatch<T>& batch, BatchR
   Row<T>& total_radius = rows.of_block[kTotalRadius];
   std::fill_n(total_radius.column, kBlockPairs, T{0});
   for (int column = 0; shapes.has_radius() && column < kBlockPairs; ++column) {
-    total_radius.column[column] =
-        shapes.radius(batch.body[0][column]->shape) + shapes.radius(batch.body[1][column]->shape);
+    total_radius.column[column] = shapes.radius(batch.pair[column].body[0]->shape) +
+                                  shapes.radius(batch.pair[column].body[1]->shape);
   }
-  const hn::CappedTag<T, kBlockPairs> d;
+  const hn::CappedTag<T, 32 / sizeof(T)> d;  // wider ones cost more to put together than they save
   for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
-    fetch_strip(d, batch, shape, count_max, column, rows);
+    fetch_strip(d, batch, count_max, column, rows);
   }
 }
 
@@ -138,7 +136,7 @@ HWY_INLINE void hand_out(const ManifoldBlock<float>& block, const PairBatch<floa
     };
     const auto to = [&](std::size_t offset) {
       return [&batch, column, offset](std::size_t lane) {
-        return reinterpret_cast<std::uint8_t*>(batch.out[column + lane]) + offset;
+        return reinterpret_cast<std::uint8_t*>(batch.pair[column + lane].out) + offset;
       };
     };
     hn::Vec<D> head[4] = {from_int(block.count), from_int(block.reference), from(block.normal[0]),
@@ -154,7 +152,7 @@ HWY_INLINE void hand_out(const ManifoldBlock<float>& block, const PairBatch<floa
 
 HWY_INLINE void hand_out(const ManifoldBlock<double>& block, const PairBatch<double>& batch) {
   for (int column = 0; column < kBlockPairs; ++column) {
-    *batch.out[column] = manifold(block, column);
+    *batch.pair[column].out = manifold(block, column);
   }
 }
 

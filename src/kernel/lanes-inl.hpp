@@ -116,9 +116,9 @@ HWY_INLINE void place(D d, const Strip<D>& s, Row<hn::TFromD<D>>* placed) {
 /// The same address, of which the compiler does not know that: what lies there is read again rather
 /// than kept in registers, of which there are too few.
 template <class T>
-HWY_INLINE const T* reloaded(const T* rows) {
-  asm volatile("" : "+r"(rows));
-  return rows;
+HWY_INLINE const T* reloaded(const T* address) {
+  asm volatile("" : "+r"(address));
+  return address;
 }
 
 /// How many scalars sixteen bytes hold.

@@ -14,8 +14,7 @@ void PairStream<Scalar>::finish() {
   for (std::size_t key = 0; key < batches_.size(); ++key) {
     const PairBatch<Scalar>& batch = batches_[key];
     for (int column = 0; column < sizes_[key]; ++column) {
-      for (const int p : {0, 1}) rest.body[p][size] = batch.body[p][column];
-      rest.out[size++] = batch.out[column];
+      rest.pair[size++] = batch.pair[column];
       if (size < kBlockPairs) continue;
       collide_batch(shapes_, rest, tie_bias_);
       size = 0;
@@ -23,10 +22,7 @@ void PairStream<Scalar>::finish() {
     sizes_[key] = 0;
   }
   if (size == 0) return;
-  for (const int p : {0, 1}) {
-    std::fill(rest.body[p] + size, rest.body[p] + kBlockPairs, rest.body[p][size - 1]);
-  }
-  std::fill(rest.out + size, rest.out + kBlockPairs, rest.out[size - 1]);
+  std::fill(rest.pair + size, rest.pair + kBlockPairs, rest.pair[size - 1]);
   collide_batch(shapes_, rest, tie_bias_);
 }
 

@@ -12,8 +12,14 @@ namespace manifuzz::kernel {
 /// Up to sixteen pairs of bodies, and where their manifolds go.
 template <class Scalar>
 struct PairBatch {
-  const Placement<Scalar>* body[2][kBlockPairs];  ///< A's, B's
-  Manifold<Scalar>* out[kBlockPairs];
+  /// One of them.
+  struct Pair {
+    const Placement<Scalar>* body[2];  ///< A, B
+    const Scalar* corners[2];          ///< of their shapes, corner by corner
+    Manifold<Scalar>* out;
+  };
+
+  Pair pair[kBlockPairs];
   int count[2];  ///< every A's corners and every B's; 0 where they differ
 };
 
@@ -39,16 +45,15 @@ class PairStream {
     const Placement<Scalar>& a = bodies_[pair.a];
     const Placement<Scalar>& b = bodies_[pair.b];
     const unsigned key = key_of(shapes_.count(a.shape), shapes_.count(b.shape));
-    for (const Placement<Scalar>* const body : {&a, &b}) {
-      const ShapeCorners<Scalar>& corners = shapes_.corners(body->shape);
-      __builtin_prefetch(&corners);
-      __builtin_prefetch(&corners.scalars[corners.scalars.size() / 2]);
-    }
+    const auto corners = [&](const Placement<Scalar>& body) {
+      const ShapeCorners<Scalar>& fetched = shapes_.corners(body.shape);
+      __builtin_prefetch(&fetched);
+      __builtin_prefetch(&fetched.scalars[fetched.scalars.size() / 2]);
+      return fetched.scalars.data();
+    };
     PairBatch<Scalar>& batch = batches_[key];
     const unsigned column = sizes_[key]++;
-    batch.body[0][column] = &a;
-    batch.body[1][column] = &b;
-    batch.out[column] = &out;
+    batch.pair[column] = {{&a, &b}, {corners(a), corners(b)}, &out};
     if (column + 1 < kBlockPairs) return;
     sizes_[key] = 0;
     batch.count[0] = static_cast<int>(shapes_.count(a.shape));
