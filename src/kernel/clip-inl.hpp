@@ -41,16 +41,23 @@ struct LaneFace {
   Lanes2<D> normal;
 };
 
+/// Takes face `index` of a polygon in some lanes.
+template <class D>
+HWY_INLINE void take(const Strip<D>& s, int polygon, int index, hn::Mask<D> where,
+                     LaneFace<D>& face) {
+  const auto* const corner = s.corner(polygon, index);
+  const LaneEdge<D> edge{hn::Set(DInt<D>(), index), s.load2(corner), s.load2(corner + kCornerRows)};
+  face.normal = select<D>(where, s.load2(corner + 2), face.normal);
+  face.edge = select<D>(where, edge, face.edge);
+}
+
 /// Takes face `index` of a polygon where it lies farther in front: of equals, the first stays.
 template <class D>
 HWY_INLINE void consider(const Strip<D>& s, int polygon, int index, hn::Vec<D> separation,
                          hn::Vec<D>& greatest, LaneFace<D>& face) {
   const auto is_greater = hn::Gt(separation, greatest);
-  const auto* const corner = s.corner(polygon, index);
-  const LaneEdge<D> edge{hn::Set(DInt<D>(), index), s.load2(corner), s.load2(corner + kCornerRows)};
   greatest = hn::IfThenElse(is_greater, separation, greatest);
-  face.normal = select<D>(is_greater, s.load2(corner + 2), face.normal);
-  face.edge = select<D>(is_greater, edge, face.edge);
+  take(s, polygon, index, is_greater, face);
 }
 
 /// The greatest separations and the reference, A's face unless B's leads by more than the bias.
@@ -64,8 +71,8 @@ struct LaneSearch {
 
 /// Both polygons' faces at once: a face of B looks along v_a - v_b, a face of A along its exact
 /// opposite, so that each difference serves two faces, and A's separation is minus the greatest
-/// product. B's count is a constant, so that its faces' separations stay in registers; and its
-/// faces go on with the reference where A's have left it, so that it is carried along once.
+/// product. B's count is a constant, so that its faces' separations stay in registers; and
+/// where one of them leads, it replaces A's as the reference, which is carried along once.
 template <int kCountB, class D>
 HWY_INLINE void search_faces(D d, const Strip<D>& s, hn::TFromD<D> tie_bias, LaneSearch<D>& found) {
   const auto infinity = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::infinity());
@@ -90,15 +97,15 @@ HWY_INLINE void search_faces(D d, const Strip<D>& s, hn::TFromD<D> tie_bias, Lan
     consider(s, 0, i, hn::Neg(most_opposed), found.of_a, found.reference);
   }
 
-  const auto lead = hn::Add(found.of_a, hn::Set(d, tie_bias));
-  auto greatest = lead;
-  found.of_b = hn::Neg(infinity);
+  found.of_b = of_face_b[0];
+  for (int j = 1; j < kCountB; ++j) found.of_b = hn::Max(of_face_b[j], found.of_b);
+  found.take_b = hn::Gt(found.of_b, hn::Add(found.of_a, hn::Set(d, tie_bias)));
+  const auto none = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::quiet_NaN());
+  const auto sought = hn::IfThenElse(found.take_b, found.of_b, none);
   HWY_UNROLL(kMaxVertices)
-  for (int j = 0; j < kCountB; ++j) {
-    consider(s, 1, j, of_face_b[j], greatest, found.reference);
-    found.of_b = hn::Max(of_face_b[j], found.of_b);
+  for (int j = kCountB - 1; j >= 0; --j) {  // the first of equals last
+    take(s, 1, j, hn::Eq(of_face_b[j], sought), found.reference);
   }
-  found.take_b = hn::Gt(found.of_b, lead);
 }
 
 template <class D>
