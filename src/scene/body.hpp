@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "geometry/manifold.hpp"
 #include "geometry/pose.hpp"
@@ -99,5 +100,18 @@ struct StepResult {
   std::size_t stayed = 0;                ///< all contacts but those that began
   StepCounts counts;                     ///< what was done, and what was skipped
 };
+
+/// Room for so many, in steps that leave little memory unused.
+template <class T>
+void make_room(std::vector<T>& vector, std::size_t size) {
+  if (size > vector.capacity()) vector.reserve(size + size / 8 + 16);
+}
+
+/// The same, and that many there.
+template <class T>
+void resize(std::vector<T>& vector, std::size_t size) {
+  make_room(vector, size);
+  vector.resize(size);
+}
 
 }  // namespace manifuzz::scene

@@ -14,8 +14,7 @@ std::uint32_t room_for(std::uint32_t count) {
 
 void Candidates::add(std::uint32_t a, std::uint32_t b) {
   if (a >= rows_.size()) {
-    make_room(rows_, a + 1);
-    rows_.resize(a + 1);
+    resize(rows_, a + 1);
   }
   if (rows_[a].count == rows_[a].room) {
     if (all_.size() > 3 * count_ + rows_.size()) pack();
@@ -24,8 +23,7 @@ void Candidates::add(std::uint32_t a, std::uint32_t b) {
   if (row.count == row.room) {
     const auto first = static_cast<std::uint32_t>(all_.size());
     const std::uint32_t room = room_for(row.count);
-    make_room(all_, first + room);
-    all_.resize(first + room);
+    resize(all_, first + room);
     std::copy_n(all_.begin() + row.first, row.count, all_.begin() + first);
     row = {first, row.count, room};
   }

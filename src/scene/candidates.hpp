@@ -9,12 +9,6 @@
 
 namespace manifuzz::scene {
 
-/// Room for so many, in steps that leave little memory unused.
-template <class T>
-void make_room(std::vector<T>& vector, std::size_t size) {
-  if (size > vector.capacity()) vector.reserve(size + size / 8 + 16);
-}
-
 /// Nothing is proven of a pair.
 inline constexpr float kNeverApart = -std::numeric_limits<float>::infinity();
 

@@ -130,11 +130,11 @@ HWY_EXPORT(near);
 HWY_EXPORT(pairs);
 
 void BoxColumns::clear_to(std::size_t size) {
-  // Vectors are read past the last entry.
   const std::size_t padded = size + kEntriesPastLast;
-  x_min.assign(padded, std::numeric_limits<float>::infinity());
-  for (auto* const column : {&y_min, &x_max, &y_max}) column->resize(padded);
-  body.assign(padded, kNone);
+  for (auto* const column : {&x_min, &y_min, &x_max, &y_max}) resize(*column, padded);
+  resize(body, padded);
+  std::ranges::fill(x_min, std::numeric_limits<float>::infinity());
+  std::ranges::fill(body, kNone);
 }
 
 void BoxColumns::set(std::size_t entry, std::uint32_t of_body, const Box& box) {
@@ -172,7 +172,7 @@ void CellLevel::lay_out(float extent_max, const Box& span, std::size_t count) {
   const auto cells = [](int last) { return std::bit_ceil(static_cast<std::uint32_t>(last) + 1); };
   std::uint64_t columns = cells(column(span.x_max));
   std::uint64_t rows = cells(row(span.y_max));
-  const std::uint64_t places_max = std::bit_floor(2 * count);
+  const std::uint64_t places_max = std::bit_floor(count);
   while (columns * rows > places_max) (columns > rows ? columns : rows) /= 2;
   column_mask_ = static_cast<std::uint32_t>(columns) - 1;
   row_mask_ = static_cast<std::uint32_t>(rows) - 1;
@@ -210,16 +210,18 @@ void Cells::make_levels(std::span<const std::uint32_t> bodies, std::span<const B
     span = {std::min(span.x_min, box.x_min), std::min(span.y_min, box.y_min),
             std::max(span.x_max, box.x_min), std::max(span.y_max, box.y_min)};
   }
+  std::array<Size, kSizes> large_first;
   used_ = 0;
   for (std::size_t size = kSizes; size-- > 0;) {
     if (sizes[size].count == 0) continue;
-    const float extent_max = sizes[size].extent_max;
-    std::size_t count = sizes[size].count;
-    for (std::size_t k = 1; k < kSizesALevel && size > 0; ++k) count += sizes[--size].count;
-    if (used_ == levels_.size()) levels_.emplace_back();
-    levels_[used_++].lay_out(extent_max, span, count);
+    Size& level = large_first[used_++] = sizes[size];
+    for (std::size_t k = 1; k < kSizesALevel && size > 0; ++k) level.count += sizes[--size].count;
   }
-  std::ranges::reverse(levels());
+  if (used_ > levels_.size()) levels_.resize(used_);
+  for (std::size_t i = 0; i < used_; ++i) {
+    const Size& level = large_first[used_ - 1 - i];
+    levels_[i].lay_out(level.extent_max, span, level.count);
+  }
 }
 
 std::size_t Cells::level_of(const Box& box) const {
@@ -232,9 +234,12 @@ std::size_t Cells::level_of(const Box& box) const {
 void Cells::file(std::span<const std::uint32_t> bodies, std::span<const Box> boxes,
                  std::uint32_t room) {
   make_levels(bodies, boxes);
-  for (CellLevel& level : levels()) level.begin().assign(level.places() + 1, 0);
-  level_.resize(bodies.size());
-  place_.resize(bodies.size());
+  for (CellLevel& level : levels()) {
+    resize(level.begin(), level.places() + 1);
+    std::ranges::fill(level.begin(), 0U);
+  }
+  resize(level_, bodies.size());
+  resize(place_, bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Box& box = boxes[bodies[i]];
     level_[i] = static_cast<std::uint8_t>(level_of(box));

@@ -81,6 +81,7 @@ void Scene::mark_moved(std::uint32_t body) {
   states_[body] &= static_cast<std::uint8_t>(~kBoxed);
   if (is(body, kMoved)) return;
   states_[body] |= kMoved;
+  make_room(movers_, movers_.size() + 1);
   movers_.push_back({body, placements_[body].pose.position});
 }
 
@@ -131,7 +132,7 @@ Memory Scene::memory() const {
   return {of(free_) + of(placements_) + of(generations_) + of(states_) + of(paths_) +
               of(leave_at_) + of(boxes_) + of(left_at_) + cells_.bytes() +
               candidates_.bytes_by_body() + of(movers_) + of(left_) + of(bodies_) + of(tight_) +
-              of(drawn_) + of(found_),
+              of(found_),
           candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + of(touching_.bodies) +
               of(touching_.candidates) + of(apart_.bodies) + of(apart_.candidates) +
               of(manifolds_) + of(beginning_) + of(began_) + of(ended_)};

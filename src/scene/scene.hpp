@@ -225,7 +225,6 @@ class Scene {
   std::vector<Mover> movers_;
   std::vector<Leaver> left_;
   std::vector<std::uint32_t> bodies_;
-  std::vector<Box> drawn_;
   std::vector<std::uint32_t> found_;
   Queue touching_;
   Queue apart_;

@@ -1,4 +1,5 @@
-#include <cmath>
+#include <algorithm>
+#include <array>
 
 #include "scene/boxes.hpp"
 #include "scene/scene.hpp"
@@ -38,6 +39,14 @@ Box fattened(const Box& box, const Vector2<float>& motion, float reach, const Fa
   return fat;
 }
 
+/// Empties a list of bodies; where it once held most of them, and does no more, its memory goes.
+template <class T>
+void clear_for(std::vector<T>& list, std::size_t bodies) {
+  const bool is_large = list.capacity() > bodies / 8 + 256;
+  if (is_large && list.size() < list.capacity() / 4) list = std::vector<T>();
+  list.clear();
+}
+
 }  // namespace
 
 void Scene::find_candidates() {
@@ -56,8 +65,8 @@ void Scene::find_candidates() {
 }
 
 void Scene::find_leavers() {
-  bodies_.clear();
-  left_.clear();
+  clear_for(bodies_, body_count_);
+  clear_for(left_, body_count_);
   for (const Mover& mover : movers_) {
     if (paths_[mover.body] > leave_at_[mover.body]) bodies_.push_back(mover.body);
   }
@@ -69,11 +78,15 @@ void Scene::find_leavers() {
 
 /// Of `bodies_`.
 void Scene::draw_tight_boxes() {
-  drawn_.resize(bodies_.size());
-  padded_boxes(shapes_, placements_, bodies_, drawn_);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    tight_[bodies_[i]] = drawn_[i];
-    states_[bodies_[i]] |= kBoxed;
+  std::array<Box, 256> drawn;
+  for (std::size_t first = 0; first < bodies_.size(); first += drawn.size()) {
+    const auto some = std::span<const std::uint32_t>(bodies_).subspan(
+        first, std::min(drawn.size(), bodies_.size() - first));
+    padded_boxes(shapes_, placements_, some, drawn);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      tight_[some[i]] = drawn[i];
+      states_[some[i]] |= kBoxed;
+    }
   }
 }
 
