@@ -7,7 +7,7 @@ namespace {
 
 /// For a row that has outgrown its place, or is packed.
 std::uint32_t room_for(std::uint32_t count) {
-  return count + count / 2 + 2;
+  return count + count / 4 + 1;
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ void Candidates::add(std::uint32_t a, std::uint32_t b) {
     std::copy_n(all_.begin() + row.first, row.count, all_.begin() + first);
     row = {first, row.count, room};
   }
-  all_[row.first + row.count++] = {.b = b};
+  all_[row.first + row.count++] = Candidate(b);
   ++count_;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -9,14 +9,31 @@
 
 namespace manifuzz::scene {
 
-/// Nothing is proven of a pair.
-inline constexpr float kNeverApart = -std::numeric_limits<float>::infinity();
+/// Two bodies whose fattened boxes overlap, in the row of the one of lower index, A. They touch, or
+/// are apart for as long as their paths are together no longer than proven; one number holds
+/// either, since as a length a contact's index is below 0 or none.
+class Candidate {
+ public:
+  Candidate() = default;
+  explicit Candidate(std::uint32_t body) : b(body) {}
 
-/// Two bodies whose fattened boxes overlap, in the row of the one of lower index, A.
-struct Candidate {
-  std::uint32_t b = kNone;          ///< the other body
-  std::uint32_t contact = kNone;    ///< its index, where they touch
-  float apart_until = kNeverApart;  ///< what both bodies' paths sum up to when they may touch
+  /// Whether the bodies touched when they were last collided.
+  bool touches() const { return (known_ & kTouches) != 0; }
+  /// The contact's index, of bodies that touch.
+  std::uint32_t contact() const { return known_ & ~kTouches; }
+  /// Whether bodies whose paths sum up to this length are apart for certain.
+  bool is_apart(float paths) const { return paths < std::bit_cast<float>(known_); }
+
+  void touch(std::uint32_t contact) { known_ = kTouches | contact; }
+  /// From here on; 0 proves nothing.
+  void be_apart_until(float paths) { known_ = std::bit_cast<std::uint32_t>(paths); }
+
+  std::uint32_t b = kNone;  ///< the other body
+
+ private:
+  static constexpr std::uint32_t kTouches = std::uint32_t{1} << 31;
+
+  std::uint32_t known_ = 0;
 };
 
 /// The candidate pairs: those of a body with bodies of higher index lie together, rows in one

@@ -96,7 +96,7 @@ void Scene::place(const Move& move) {
 
 void Scene::drop_all(std::uint32_t body) {
   for (Candidate& candidate : candidates_.row(body)) {
-    if (candidate.contact != kNone) end_contact(candidate);
+    if (candidate.touches()) end_contact(candidate);
   }
   counts_.pairs_dropped += candidates_.row(body).size();
   candidates_.keep(body, 0);
@@ -108,18 +108,18 @@ void Scene::drop_all(std::uint32_t body) {
 }
 
 void Scene::drop(std::uint32_t a, Candidate& candidate) {
-  if (candidate.contact != kNone) end_contact(candidate);
+  if (candidate.touches()) end_contact(candidate);
   candidates_.drop(a, candidate);
   ++counts_.pairs_dropped;
 }
 
 void Scene::end_contact(Candidate& candidate) {
-  const std::uint32_t contact = candidate.contact;
-  candidate.contact = kNone;
+  const std::uint32_t contact = candidate.contact();
+  candidate.be_apart_until(0);
   ended_.push_back({contacts_[contact].a, contacts_[contact].b});
   const Contact& last = contacts_.back();
   if (contact + 1 < contacts_.size()) {
-    candidates_.find(last.a.index, last.b.index)->contact = contact;
+    candidates_.find(last.a.index, last.b.index)->touch(contact);
     contacts_[contact] = last;
     if (!kept_.empty()) kept_[contact] = kept_.back();
   }

@@ -182,6 +182,8 @@ class Scene {
   void collide(Queue& queue);
   void conclude(const kernel::BodyPair& bodies, Candidate& candidate,
                 const Manifold<float>& manifold);
+  void conclude_touching(const kernel::BodyPair& bodies, Candidate& candidate,
+                         const Manifold<float>& manifold);
   /// Proves two bodies to be apart until a vertex has moved by `margin`, a length; nothing where it
   /// is not above 0.
   void prove_apart(const kernel::BodyPair& bodies, float margin, Candidate& candidate);

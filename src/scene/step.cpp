@@ -2,7 +2,7 @@
 #include <hwy/cache_control.h>
 #include <utility>
 
-#include "kernel/batch.hpp"
+#include "kernel/pair_stream.hpp"
 #include "scene/recycled.hpp"
 #include "scene/scene.hpp"
 
@@ -60,7 +60,7 @@ void Scene::look_at_row(std::uint32_t a) {
   std::size_t kept = 0;
   for (Candidate& candidate : row) {
     if (((states_[a] | states_[candidate.b]) & kLeft) != 0 && !overlap(a, candidate.b)) {
-      if (candidate.contact != kNone) end_contact(candidate);
+      if (candidate.touches()) end_contact(candidate);
       ++counts_.pairs_dropped;
       continue;
     }
@@ -95,8 +95,8 @@ void Scene::look_at_all_rows() {
     for (Candidate& candidate : row) {
       const std::uint32_t b = candidate.b;
       const bool moved = ((states_a | states[b]) & kMoved) != 0;
-      const bool touches = candidate.contact != kNone;
-      const bool is_apart = path_a + paths[b] < candidate.apart_until;
+      const bool touches = candidate.touches();
+      const bool is_apart = candidate.is_apart(path_a + paths[b]);
       touching.add({a, b}, candidate, moved & touches);
       apart.add({a, b}, candidate, moved & !touches & !is_apart);
       separated += static_cast<std::size_t>(moved & is_apart);
@@ -120,13 +120,13 @@ void Scene::look_at(std::uint32_t a, Candidate& candidate) {
   const std::uint32_t b = candidate.b;
   const int states = states_[a] | states_[b];
   const bool moved = (states & kMoved) != 0;
-  const bool touches = candidate.contact != kNone;
+  const bool touches = candidate.touches();
   if ((states & kUnproven) != 0) {
-    candidate.apart_until = kNeverApart;
+    if (!touches) candidate.be_apart_until(0);
   } else if (settings_.recycled_motion > 0 && moved && touches && recycle(a, candidate)) {
     return;
   }
-  const bool is_apart = paths_[a] + paths_[b] < candidate.apart_until;
+  const bool is_apart = candidate.is_apart(paths_[a] + paths_[b]);
   if (!touching_.has_room(1)) collide(touching_);
   if (!apart_.has_room(1)) collide_apart();
   if (moved && touches) touching_.add({a, b}, candidate);
@@ -166,32 +166,48 @@ void Scene::leave_out_apart() {
   apart_.count = kept;
 }
 
+/// Manifolds of pairs that touched go straight to their contacts.
 void Scene::collide(Queue& queue) {
   manifolds_.resize(kQueueMax);
-  kernel::collide_pairs(shapes_.for_pairs(), placements_, queue.waiting(), settings_.tie_bias,
-                        manifolds_);
+  kernel::PairStream<float> stream(shapes_.for_pairs(), placements_, settings_.tie_bias);
   for (std::size_t i = 0; i < queue.count; ++i) {
     const Candidate& soon = *queue.candidates[std::min(i + kAhead, queue.count - 1)];
-    if (soon.contact != kNone) hwy::Prefetch(&contacts_[soon.contact]);
-    conclude(queue.bodies[i], *queue.candidates[i], manifolds_[i]);
+    if (soon.touches()) hwy::Prefetch(&contacts_[soon.contact()]);
+    const Candidate& candidate = *queue.candidates[i];
+    stream.push(queue.bodies[i],
+                candidate.touches() ? contacts_[candidate.contact()].manifold : manifolds_[i]);
+  }
+  stream.finish();
+  for (std::size_t i = 0; i < queue.count; ++i) {
+    Candidate& candidate = *queue.candidates[i];
+    if (candidate.touches()) {
+      conclude_touching(queue.bodies[i], candidate, contacts_[candidate.contact()].manifold);
+    } else {
+      conclude(queue.bodies[i], candidate, manifolds_[i]);
+    }
   }
   counts_.pairs.collided += queue.count;
   queue.count = 0;
+}
+
+void Scene::conclude_touching(const kernel::BodyPair& bodies, Candidate& candidate,
+                              const Manifold<float>& manifold) {
+  if (manifold.count > 0) {
+    if (settings_.recycled_motion > 0) kept_[candidate.contact()] = {b_in_a(bodies), manifold};
+    return;
+  }
+  const float gap = -manifold.points[0].depth;
+  end_contact(candidate);
+  prove_apart(bodies, margin_of(bodies, gap), candidate);
 }
 
 /// Contacts begin at the end of the step: until then those that end leave no gaps in what began.
 void Scene::conclude(const kernel::BodyPair& bodies, Candidate& candidate,
                      const Manifold<float>& manifold) {
   if (manifold.count > 0) {
-    if (candidate.contact == kNone) {
-      beginning_.push_back({bodies, &candidate, manifold});
-      return;
-    }
-    contacts_[candidate.contact].manifold = manifold;
-    if (settings_.recycled_motion > 0) kept_[candidate.contact] = {b_in_a(bodies), manifold};
+    beginning_.push_back({bodies, &candidate, manifold});
     return;
   }
-  if (candidate.contact != kNone) end_contact(candidate);
   prove_apart(bodies, margin_of(bodies, -manifold.points[0].depth), candidate);
 }
 
@@ -207,17 +223,17 @@ float Scene::margin_of(const kernel::BodyPair& bodies, float gap) const {
 }
 
 void Scene::prove_apart(const kernel::BodyPair& bodies, float margin, Candidate& candidate) {
-  candidate.apart_until = kNeverApart;
+  candidate.be_apart_until(0);
   if (!settings_.certificates || !(margin > 0)) return;
-  candidate.apart_until = (paths_[bodies.a] + paths_[bodies.b] + margin) * (1 - 8 * kRoundoff);
+  candidate.be_apart_until((paths_[bodies.a] + paths_[bodies.b] + margin) * (1 - 8 * kRoundoff));
   ++counts_.proofs;
 }
 
 void Scene::begin_contacts() {
   for (const auto& [bodies, candidate, manifold] : beginning_) {
-    candidate->contact = static_cast<std::uint32_t>(contacts_.size());
-    candidate->apart_until = kNeverApart;
-    began_.push_back(candidate->contact);
+    const auto contact = static_cast<std::uint32_t>(contacts_.size());
+    candidate->touch(contact);
+    began_.push_back(contact);
     make_room(contacts_, contacts_.size() + 1);
     contacts_.push_back({handle(bodies.a), handle(bodies.b), manifold});
     if (settings_.recycled_motion > 0) kept_.push_back({b_in_a(bodies), manifold});
@@ -230,12 +246,12 @@ void Scene::begin_contacts() {
 /// From what the kernel gave, whenever that was: nothing accumulates.
 bool Scene::recycle(std::uint32_t a, const Candidate& candidate) {
   if (settings_.recycled_motion == 0) return false;
-  const Kept& kept = kept_[candidate.contact];
+  const Kept& kept = kept_[candidate.contact()];
   const Pose<float> now = b_in_a({a, candidate.b});
   if (!(displacement(kept.b_in_a, now, facts(candidate.b).reach) < settings_.recycled_motion)) {
     return false;
   }
-  contacts_[candidate.contact].manifold = recycled(kept.manifold, kept.b_in_a, now);
+  contacts_[candidate.contact()].manifold = recycled(kept.manifold, kept.b_in_a, now);
   ++counts_.pairs.recycled;
   return true;
 }
