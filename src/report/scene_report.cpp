@@ -55,6 +55,9 @@ Json row_json(const SceneRun& run) {
             {"ns_per_step", run.ns_per_step},
             {"speedup_over_box2d", run.speedup_over_all},
             {"speedup_over_box2d_moved", run.speedup_over_moved},
+            {"speedup_over_afresh", run.speedup_over_afresh},
+            {"afresh_ns_per_step", run.afresh_ns_per_step},
+            {"afresh_speedup_over_box2d", run.afresh_over_all},
             {"mismatches", nullptr},
             {"steps_held_against_afresh", run.afresh.steps},
             {"candidates", counts.pairs.candidates},
@@ -188,17 +191,21 @@ void write_skipped_plot(const std::string& path, const std::vector<SceneRun>& ru
 
 std::string scene_table(const SceneResult& result) {
   std::string text = fmt::format(
-      "{:<14} {:>7} {:>10} {:>7} {:>8} {:>9} {:>7} {:>7} {:>10} {:>10} {:>9} {:>7} {:>7} {:>10}\n",
-      "scene", "bodies", "us a step", "x all", "x moved", "pairs", "% rest", "% apart",
-      "% recycled", "% collided", "contacts", "B/body", "B/pair", "mismatches");
+      "{:<14} {:>7} {:>10} {:>7} {:>8} {:>9} {:>10} {:>9} {:>7} {:>7} {:>10} {:>10} {:>9} {:>7} "
+      "{:>7} {:>10}\n",
+      "scene", "bodies", "us a step", "x all", "x moved", "x afresh", "us afresh", "pairs",
+      "% rest", "% apart", "% recycled", "% collided", "contacts", "B/body", "B/pair",
+      "mismatches");
   for (const SceneRun& run : result.runs) {
     const auto [at_rest, separated, recycled, collided] = shares_of(run.counts.pairs);
     text += fmt::format(
-        "{:<14} {:>7} {:>10.2f} {:>7.2f} {:>8.2f} {:>9} {:>7.1f} {:>7.1f} {:>10.1f} {:>10.1f} "
+        "{:<14} {:>7} {:>10.2f} {:>7.2f} {:>8.2f} {:>9.2f} {:>10.2f} {:>9} {:>7.1f} {:>7.1f} "
+        "{:>10.1f} {:>10.1f} "
         "{:>9} {:>7.0f} {:>7.0f} {:>10}\n",
         run.scene, run.bodies, run.ns_per_step / 1000, run.speedup_over_all, run.speedup_over_moved,
-        run.pairs, at_rest, separated, recycled, collided, run.contacts,
-        ratio(run.memory.bodies, run.bodies), ratio(run.memory.pairs, run.pairs),
+        run.speedup_over_afresh, run.afresh_ns_per_step / 1000, run.pairs, at_rest, separated,
+        recycled, collided, run.contacts, ratio(run.memory.bodies, run.bodies),
+        ratio(run.memory.pairs, run.pairs),
         run.afresh.steps > 0 ? std::to_string(run.afresh.mismatches) : "-");
   }
   if (!result.curves.empty()) text += '\n' + curves_table(result.curves);

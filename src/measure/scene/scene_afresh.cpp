@@ -34,17 +34,25 @@ std::map<Bodies, Manifold<float>> contacts_of_all_pairs(
   return contacts;
 }
 
-/// Holds the scene's contacts against the right ones of these bodies.
-void compare(std::span<const scene::Contact> contacts, std::map<Bodies, Manifold<float>> right,
+Bodies bodies_of(const scene::Contact& contact) {
+  return {contact.a.index, contact.b.index};
+}
+
+Bodies bodies_of(const scene::Touching& touching) {
+  return {touching.bodies.a, touching.bodies.b};
+}
+
+/// Holds contacts against the right ones of these bodies.
+template <class Contacts>
+void compare(const Contacts& contacts, std::map<Bodies, Manifold<float>> right,
              std::span<const Body> where, AfreshCheck& check) {
-  ++check.steps;
   const auto note = [&](const Bodies& bodies) {
     ++check.mismatches;
     if (check.findings.size() == kFindingsMax) return;
     check.findings.push_back({where[bodies.first], where[bodies.second]});
   };
-  for (const scene::Contact& contact : contacts) {
-    const Bodies bodies{contact.a.index, contact.b.index};
+  for (const auto& contact : contacts) {
+    const Bodies bodies = bodies_of(contact);
     const auto found = right.find(bodies);
     if (found == right.end() || !same_bits(found->second, contact.manifold)) note(bodies);
     if (found != right.end()) right.erase(found);
@@ -62,6 +70,7 @@ AfreshCheck check_afresh(const Trajectory& trajectory, const scene::Settings& se
   if (affordable == 0) return check;
   const std::size_t every = (steps + affordable - 1) / affordable;
   ScenePlayer player(trajectory, settings);
+  AfreshPlayer afresh(trajectory, settings);
   kernel::Shapes<float> shapes;
   for (const auto& shape : trajectory.shapes) shapes.add(shape);
   auto placements = trajectory.start;
@@ -72,11 +81,14 @@ AfreshCheck check_afresh(const Trajectory& trajectory, const scene::Settings& se
       for (const BodyMove& move : moves) placements[move.body].pose = move.pose;
       move_bodies(moves, where);
       player.step(moves);
+      afresh.step(moves);
     }
     const bool is_last_of_its_share = (steps - 1 - step) % every == 0;
     if (!is_last_of_its_share) continue;
-    compare(player.result().contacts, contacts_of_all_pairs(shapes, placements, settings.tie_bias),
-            where, check);
+    const auto right = contacts_of_all_pairs(shapes, placements, settings.tie_bias);
+    compare(player.result().contacts, right, where, check);
+    compare(afresh.step({}), right, where, check);
+    ++check.steps;
   }
   return check;
 }

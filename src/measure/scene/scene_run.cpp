@@ -63,17 +63,24 @@ double ns_of(const Work& work) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
-/// The times of a step: of the scene, of all pairs and of the moved ones; who begins changes by
-/// step.
-std::array<double, 3> times_of(std::span<const BodyMove> moves, std::size_t step, ScenePlayer& ours,
-                               Box2dPairs& all, Box2dPairs& moved) {
+/// The times of a step; who begins changes by step.
+struct StepTimes {
+  double ours = 0;
+  double all = 0;
+  double moved = 0;
+  double afresh = 0;
+};
+
+StepTimes times_of(std::span<const BodyMove> moves, std::size_t step, ScenePlayer& ours,
+                   Box2dPairs& all, Box2dPairs& moved, AfreshPlayer& afresh) {
   ours.prepare(moves);
-  std::array<double, 3> ns{};
-  for (std::size_t i = 0; i < ns.size(); ++i) {
-    const std::size_t turn = (step + i) % ns.size();
-    if (turn == 0) ns[0] = ns_of([&] { ours.step_prepared(); });
-    if (turn == 1) ns[1] = ns_of([&] { all.step(moves, false); });
-    if (turn == 2) ns[2] = ns_of([&] { moved.step(moves, true); });
+  StepTimes ns;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t turn = (step + i) % 4;
+    if (turn == 0) ns.ours = ns_of([&] { ours.step_prepared(); });
+    if (turn == 1) ns.all = ns_of([&] { all.step(moves, false); });
+    if (turn == 2) ns.moved = ns_of([&] { moved.step(moves, true); });
+    if (turn == 3) ns.afresh = ns_of([&] { afresh.step(moves); });
   }
   return ns;
 }
@@ -105,19 +112,23 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
   Box2dPairs moved(trajectory.bodies());
   all.step({}, false);
   moved.step({}, true);
-  std::vector<double> ns;
-  std::vector<double> over_all;
-  std::vector<double> over_moved;
+  AfreshPlayer afresh(trajectory, settings);
+  std::vector<StepTimes> times;
   for (std::size_t step = 0; step < run.steps; ++step) {
-    const auto times = times_of(trajectory.steps[step], step, ours, all, moved);
-    ns.push_back(times[0]);
-    over_all.push_back(times[1] / times[0]);
-    over_moved.push_back(times[2] / times[0]);
+    times.push_back(times_of(trajectory.steps[step], step, ours, all, moved, afresh));
     add_to(run.counts, ours.result().counts);
   }
-  run.ns_per_step = median(ns);
-  run.speedup_over_all = median(over_all);
-  run.speedup_over_moved = median(over_moved);
+  const auto median_of = [&](auto&& value) {
+    std::vector<double> values;
+    for (const StepTimes& ns : times) values.push_back(value(ns));
+    return median(values);
+  };
+  run.ns_per_step = median_of([](const StepTimes& ns) { return ns.ours; });
+  run.afresh_ns_per_step = median_of([](const StepTimes& ns) { return ns.afresh; });
+  run.speedup_over_all = median_of([](const StepTimes& ns) { return ns.all / ns.ours; });
+  run.speedup_over_moved = median_of([](const StepTimes& ns) { return ns.moved / ns.ours; });
+  run.speedup_over_afresh = median_of([](const StepTimes& ns) { return ns.afresh / ns.ours; });
+  run.afresh_over_all = median_of([](const StepTimes& ns) { return ns.all / ns.afresh; });
   run.contacts = ours.result().contacts.size();
   run.pairs = ours.scene().pair_count();
   run.memory = ours.scene().memory();

@@ -11,6 +11,7 @@
 #include "kernel/packed.hpp"
 #include "measure/referee.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "scene/afresh.hpp"
 #include "scene/scene.hpp"
 
 namespace manifuzz {
@@ -81,6 +82,26 @@ class ScenePlayer {
   scene::StepResult result_;
 };
 
+/// A trajectory's bodies, all pairs afresh in each step.
+class AfreshPlayer {
+ public:
+  AfreshPlayer(const Trajectory& trajectory, const scene::Settings& settings)
+      : afresh_(settings.tie_bias), bodies_(trajectory.start) {
+    for (const auto& shape : trajectory.shapes) afresh_.add_shape(shape);
+    step({});
+  }
+
+  /// Valid until the next one.
+  std::span<const scene::Touching> step(std::span<const BodyMove> moves) {
+    for (const BodyMove& move : moves) bodies_[move.body].pose = move.pose;
+    return afresh_.collide(bodies_);
+  }
+
+ private:
+  scene::Afresh afresh_;
+  std::vector<kernel::Placement<float>> bodies_;
+};
+
 /// What recycling up to a motion skips in a scene, and how good the contacts are then.
 struct RecyclingRun {
   float motion = 0;        ///< scene::Settings::recycled_motion; 0 is strict
@@ -102,7 +123,8 @@ inline constexpr std::array<float, 8> kRecyclingMotions{0,     0.0003F, 0.001F, 
 /// A run a motion.
 std::vector<RecyclingRun> run_recycling(const Trajectory& trajectory);
 
-/// What a strict scene's contacts were held against: every pair of bodies, collided afresh.
+/// What a strict scene's contacts, and those of `scene::Afresh`, were held against: every pair of
+/// bodies, collided.
 struct AfreshCheck {
   std::size_t steps = 0;           ///< those that were held against it, spread over the trajectory
   std::size_t mismatches = 0;      ///< contacts that differ by a bit, are missing or too many
@@ -113,22 +135,25 @@ struct AfreshCheck {
 /// none for more.
 AfreshCheck check_afresh(const Trajectory& trajectory, const scene::Settings& settings);
 
-/// A trajectory gone through by a scene and by both baselines, step by step in turn: Box2D's broad
+/// A trajectory gone through by a scene and by three baselines, step by step in turn: Box2D's broad
 /// phase and its `b2CollidePolygons` on every pair (all), or on those of which a body moved
-/// (moved).
+/// (moved), and `scene::Afresh`.
 struct SceneRun {
   std::string scene;
   std::size_t bodies = 0;
   std::size_t steps = 0;
-  float recycled_motion = 0;      ///< 0 is strict
-  double ns_per_step = 0;         ///< the median of the steps
-  double speedup_over_all = 0;    ///< the median of the steps' ratios
-  double speedup_over_moved = 0;  ///< likewise
-  scene::StepCounts counts;       ///< sums over the steps
-  std::size_t contacts = 0;       ///< after the last step
-  std::size_t pairs = 0;          ///< candidates after the last step
-  scene::Memory memory;           ///< after the last step
-  AfreshCheck afresh;             ///< of no step where contacts are recycled
+  float recycled_motion = 0;       ///< 0 is strict
+  double ns_per_step = 0;          ///< the median of the steps
+  double speedup_over_all = 0;     ///< the median of the steps' ratios
+  double speedup_over_moved = 0;   ///< likewise
+  double speedup_over_afresh = 0;  ///< likewise
+  double afresh_over_all = 0;      ///< how many times as fast as Box2D that is, likewise
+  double afresh_ns_per_step = 0;   ///< the median of the steps
+  scene::StepCounts counts;        ///< sums over the steps
+  std::size_t contacts = 0;        ///< after the last step
+  std::size_t pairs = 0;           ///< candidates after the last step
+  scene::Memory memory;            ///< after the last step
+  AfreshCheck afresh;              ///< of no step where contacts are recycled
 };
 
 /// The first step, in which everything is new, is not counted.

@@ -1,0 +1,156 @@
+#include "scene/afresh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "base/random.hpp"
+#include "generating/drafts.hpp"
+#include "geometry/manifold.hpp"
+#include "kernel/batch.hpp"
+#include "scene/boxes.hpp"
+#include "unit/scene/motion.hpp"
+
+using namespace manifuzz;
+
+namespace {
+
+/// Bodies of two to the power of up to `octaves`, as often of each size, in a square `across` wide.
+struct Crowd {
+  std::vector<ConvexPolygon<float>> shapes;
+  std::vector<kernel::Placement<float>> bodies;
+
+  Crowd(std::uint64_t seed, int count, int octaves, double across) {
+    Random random = test::motion(seed);
+    for (int i = 0; i < count; ++i) {
+      const double scale = std::ldexp(1.0, random.integer(0, octaves));
+      const auto polygon = rounded(stretched(random_outline(random), scale, scale), 0.01F);
+      if (!polygon) continue;
+      const Vector2<double> at(random.uniform(0, across), random.uniform(0, across));
+      bodies.push_back({static_cast<std::uint32_t>(shapes.size()),
+                        {at.cast<float>(), random_direction(random).cast<float>()}});
+      shapes.push_back(*polygon);
+    }
+  }
+};
+
+using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// Every pair of bodies collided: those that touch, and whether each is there with the same bits.
+void check_all_pairs(const Crowd& crowd) {
+  scene::Afresh afresh;
+  kernel::Shapes<float> shapes;
+  for (const auto& shape : crowd.shapes) {
+    REQUIRE(std::holds_alternative<std::uint32_t>(afresh.add_shape(shape)));
+    shapes.add(shape);
+  }
+  std::vector<kernel::BodyPair> pairs;
+  for (std::uint32_t a = 0; a < crowd.bodies.size(); ++a) {
+    for (std::uint32_t b = a + 1; b < crowd.bodies.size(); ++b) pairs.push_back({a, b});
+  }
+  std::vector<Manifold<float>> right(pairs.size());
+  kernel::collide_pairs(shapes, crowd.bodies, pairs, 0, right);
+  const auto touching = afresh.collide(crowd.bodies);
+  Pairs found;
+  std::size_t expected = 0;
+  std::size_t same = 0;
+  std::size_t at = 0;
+  std::vector<std::size_t> place(crowd.bodies.size() * crowd.bodies.size());
+  for (const auto& [a, b] : pairs) place[a * crowd.bodies.size() + b] = at++;
+  for (const auto& manifold : right) expected += manifold.count > 0 ? 1 : 0;
+  for (const scene::Touching& contact : touching) {
+    const auto [a, b] = contact.bodies;
+    REQUIRE(a < b);
+    CHECK(found.insert({a, b}).second);
+    same += same_bits(right[place[a * crowd.bodies.size() + b]], contact.manifold) ? 1 : 0;
+  }
+  CHECK(same == expected);
+  CHECK(touching.size() == expected);
+}
+
+}  // namespace
+
+TEST_CASE("all pairs afresh are all pairs, whatever the sizes: one to a thousand times") {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    CAPTURE(seed);
+    check_all_pairs(Crowd(seed, 300, 0, 30));
+    check_all_pairs(Crowd(seed, 300, 3, 100));
+    check_all_pairs(Crowd(seed, 300, 10, 3000));
+  }
+}
+
+TEST_CASE("all pairs afresh are all pairs, wherever the bodies lie") {
+  check_all_pairs(Crowd(1, 1, 0, 1));
+  check_all_pairs(Crowd(2, 200, 0, 1));    // on one heap
+  check_all_pairs(Crowd(3, 300, 0, 1e6));  // cells that share a place
+  Crowd line(4, 300, 1, 40);
+  for (auto& body : line.bodies) body.pose.position.y() = 1e-3F * body.pose.position.y();
+  check_all_pairs(line);
+  for (auto& body : line.bodies) std::swap(body.pose.position.x(), body.pose.position.y());
+  check_all_pairs(line);
+  Crowd two_places(5, 300, 1, 10);
+  for (std::size_t i = 0; i < two_places.bodies.size(); i += 2) {
+    two_places.bodies[i].pose.position.x() += 1e12F;
+  }
+  check_all_pairs(two_places);
+}
+
+TEST_CASE("cells know all bodies whose boxes overlap one, of any size") {
+  const Crowd crowd(7, 400, 6, 200);
+  scene::ShapeTable shapes(0);
+  for (const auto& shape : crowd.shapes) shapes.add(shape);
+  std::vector<std::uint32_t> bodies(crowd.bodies.size());
+  std::iota(bodies.begin(), bodies.end(), 0U);
+  std::vector<scene::Box> boxes(bodies.size());
+  scene::padded_boxes(shapes, crowd.bodies, bodies, boxes);
+  scene::Cells cells;
+  cells.file(bodies, boxes, 1);
+  std::vector<std::uint32_t> found;
+  for (const std::uint32_t body : bodies) {
+    std::vector<std::uint32_t> right;
+    for (const std::uint32_t other : bodies) {
+      if (overlap(boxes[body], boxes[other])) right.push_back(other);
+    }
+    cells.near(boxes[body], found);
+    std::ranges::sort(found);
+    CHECK(found == right);
+  }
+}
+
+TEST_CASE("boxes that move from cell to cell are near what they overlap, until there is no room") {
+  Crowd crowd(8, 300, 2, 60);
+  scene::ShapeTable shapes(0);
+  for (const auto& shape : crowd.shapes) shapes.add(shape);
+  std::vector<std::uint32_t> bodies(crowd.bodies.size());
+  std::iota(bodies.begin(), bodies.end(), 0U);
+  std::vector<scene::Box> boxes(bodies.size());
+  scene::padded_boxes(shapes, crowd.bodies, bodies, boxes);
+  scene::Cells cells;
+  cells.file(bodies, boxes, 1);
+  Random random = test::motion(9);
+  int refiled = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto body =
+        static_cast<std::uint32_t>(random.integer(0, static_cast<int>(bodies.size()) - 1));
+    const scene::Box before = boxes[body];
+    const auto x = static_cast<float>(random.uniform(-3, 3));
+    boxes[body] = {before.x_min + x, before.y_min - x, before.x_max + x, before.y_max - x};
+    if (cells.refile(body, &before, boxes[body])) {
+      ++refiled;
+    } else {
+      cells.file(bodies, boxes, 1);
+    }
+    std::vector<std::uint32_t> found;
+    cells.near(boxes[body], found);
+    std::ranges::sort(found);
+    std::vector<std::uint32_t> right;
+    for (const std::uint32_t other : bodies) {
+      if (overlap(boxes[body], boxes[other])) right.push_back(other);
+    }
+    REQUIRE(found == right);
+  }
+  CHECK(refiled > 1000);
+}
