@@ -124,6 +124,11 @@ class Scene {
       candidates[count++] = &candidate;
     }
     End end() { return {bodies.data(), candidates.data(), count}; }
+    void make_room(std::size_t size) {
+      if (size <= bodies.size()) return;
+      resize(bodies, size);
+      resize(candidates, size);
+    }
     bool has_room(std::size_t more) const { return count + more < bodies.size(); }
     std::span<const kernel::BodyPair> waiting() const { return std::span(bodies).first(count); }
   };
@@ -174,7 +179,7 @@ class Scene {
 
   void look_at_candidates();
   void look_at_all_rows();
-  void look_at_row(std::uint32_t a);
+  void prune_row(std::uint32_t a);
   void look_at_partners(std::uint32_t body);
   void look_at(std::uint32_t a, Candidate& candidate);
   void collide_apart();

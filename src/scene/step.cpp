@@ -38,13 +38,13 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves) {
 }
 
 void Scene::look_at_candidates() {
-  for (Queue* const queue : {&touching_, &apart_}) {
-    queue->bodies.resize(kQueueMax);
-    queue->candidates.resize(kQueueMax);
-  }
+  const std::size_t room = std::min(kQueueMax, candidates_.size() + 2);
+  for (Queue* const queue : {&touching_, &apart_}) queue->make_room(room);
+  if (manifolds_.size() < room) resize(manifolds_, room);
   if (few_moved()) {
     for (const Mover& mover : movers_) {
-      look_at_row(mover.body);
+      prune_row(mover.body);
+      for (Candidate& candidate : candidates_.row(mover.body)) look_at(mover.body, candidate);
       look_at_partners(mover.body);
     }
   } else {
@@ -54,35 +54,34 @@ void Scene::look_at_candidates() {
   collide_apart();
 }
 
-/// Those whose boxes overlap no longer are dropped on the way.
-void Scene::look_at_row(std::uint32_t a) {
+/// Drops the pairs whose boxes overlap no longer, and proofs that do not hold.
+void Scene::prune_row(std::uint32_t a) {
   const std::span<Candidate> row = candidates_.row(a);
   std::size_t kept = 0;
   for (Candidate& candidate : row) {
-    if (((states_[a] | states_[candidate.b]) & kLeft) != 0 && !overlap(a, candidate.b)) {
+    const int states = states_[a] | states_[candidate.b];
+    if ((states & kLeft) != 0 && !overlap(a, candidate.b)) {
       if (candidate.touches()) end_contact(candidate);
       ++counts_.pairs_dropped;
       continue;
     }
-    row[kept] = candidate;
-    look_at(a, row[kept++]);
+    if ((states & kUnproven) != 0 && !candidate.touches()) candidate.be_apart_until(0);
+    row[kept++] = candidate;
   }
   candidates_.keep(a, kept);
 }
 
-/// The same of all rows, most of which need no more than to be compared: nothing in them left its
-/// box, and nothing is recycled. Without branches that depend on a pair.
+/// All rows: without branches that depend on a pair, where nothing is recycled.
 void Scene::look_at_all_rows() {
-  constexpr int kRare = kLeft | kUnproven;
   const std::uint8_t* const states = states_.data();
   const float* const paths = paths_.data();
-  const bool recycles = settings_.recycled_motion > 0;
   for (std::uint32_t a = 0; a < candidates_.rows(); ++a) {
+    int of_row = states[a];
+    for (const Candidate& candidate : candidates_.row(a)) of_row |= states[candidate.b];
+    if ((of_row & kLeft) != 0) prune_row(a);
     const std::span<Candidate> row = candidates_.row(a);
-    int rare = states[a];
-    for (const Candidate& candidate : row) rare |= states[candidate.b];
-    if (recycles || (rare & kRare) != 0 || row.size() >= kQueueMax) {
-      look_at_row(a);
+    if (settings_.recycled_motion > 0 || row.size() >= kQueueMax) {
+      for (Candidate& candidate : row) look_at(a, candidate);
       continue;
     }
     if (!touching_.has_room(row.size())) collide(touching_);
@@ -112,26 +111,29 @@ void Scene::look_at_partners(std::uint32_t body) {
   cells_.near(boxes_[body], found_);
   for (const std::uint32_t other : found_) {
     if (other > body || is(other, kMoved)) continue;
-    if (Candidate* const candidate = candidates_.find(other, body)) look_at(other, *candidate);
+    Candidate* const candidate = candidates_.find(other, body);
+    if (candidate == nullptr) continue;
+    if (is(body, kUnproven) && !candidate->touches()) candidate->be_apart_until(0);
+    look_at(other, *candidate);
   }
 }
 
 void Scene::look_at(std::uint32_t a, Candidate& candidate) {
   const std::uint32_t b = candidate.b;
   const int states = states_[a] | states_[b];
-  const bool moved = (states & kMoved) != 0;
+  if ((states & kMoved) == 0) return;
   const bool touches = candidate.touches();
-  if ((states & kUnproven) != 0) {
-    if (!touches) candidate.be_apart_until(0);
-  } else if (settings_.recycled_motion > 0 && moved && touches && recycle(a, candidate)) {
-    return;
-  }
+  if (touches && (states & kUnproven) == 0 && recycle(a, candidate)) return;
   const bool is_apart = candidate.is_apart(paths_[a] + paths_[b]);
   if (!touching_.has_room(1)) collide(touching_);
   if (!apart_.has_room(1)) collide_apart();
-  if (moved && touches) touching_.add({a, b}, candidate);
-  if (moved && !touches && !is_apart) apart_.add({a, b}, candidate);
-  counts_.pairs.separated += static_cast<std::size_t>(moved && is_apart);
+  if (touches) {
+    touching_.add({a, b}, candidate);
+  } else if (is_apart) {
+    ++counts_.pairs.separated;
+  } else {
+    apart_.add({a, b}, candidate);
+  }
 }
 
 void Scene::collide_apart() {
@@ -168,7 +170,6 @@ void Scene::leave_out_apart() {
 
 /// Manifolds of pairs that touched go straight to their contacts.
 void Scene::collide(Queue& queue) {
-  manifolds_.resize(kQueueMax);
   kernel::PairStream<float> stream(shapes_.for_pairs(), placements_, settings_.tie_bias);
   for (std::size_t i = 0; i < queue.count; ++i) {
     const Candidate& soon = *queue.candidates[std::min(i + kAhead, queue.count - 1)];
