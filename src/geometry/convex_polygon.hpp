@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 
 #include "geometry/pose.hpp"
 #include "geometry/vector.hpp"
@@ -76,7 +77,11 @@ std::string_view describe(PolygonDefect defect);
 template <class Scalar>
 Vector2<Scalar> outward_normal(const Vector2<Scalar>& from, const Vector2<Scalar>& to) {
   const Vector2<double> edge = to.template cast<double>() - from.template cast<double>();
-  return clockwise_quarter(unit_direction(edge)).template cast<Scalar>();
+  if constexpr (std::is_same_v<Scalar, float>) {
+    return clockwise_quarter(unit_direction_of_floats(edge));
+  } else {
+    return clockwise_quarter(unit_direction(edge));
+  }
 }
 
 /// The polygon with these vertices, which must be free of defects (asserted in part, in debug
