@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "generating/drafts.hpp"
+#include "geometry/lanes.hpp"
 
 namespace manifuzz {
 namespace {
@@ -22,40 +23,49 @@ Outline standing(const Body& body) {
 }
 
 /// Appends the faces of one polygon; `sign` is -1 for B's, whose outward is towards A. All faces at
-/// once meet each vertex of the other, at a fixed length, so that compilers vectorise it.
+/// once meet each vertex of the other.
 void append_faces(Faces& faces, const Outline& from, const Outline& to, double sign) {
-  std::array<double, kMaxVertices> x{};
-  std::array<double, kMaxVertices> y{};
+  LaneArray x{};
+  LaneArray y{};
   for (int i = 0; i < from.count; ++i) {
     const Vector2<double> normal = clockwise_quarter(unit(from.face(i)));
     x[i] = normal.x();
     y[i] = normal.y();
   }
-  std::array<double, kMaxVertices> least;
-  least.fill(std::numeric_limits<double>::infinity());
+  const Lanes normals_x(x);
+  const Lanes normals_y(y);
+  Lanes least(std::numeric_limits<double>::infinity());
   for (int j = 0; j < to.count; ++j) {
     const Vector2<double>& vertex = to.vertices[j];
-    for (int i = 0; i < kMaxVertices; ++i) {
-      least[i] = std::min(least[i], x[i] * vertex.x() + y[i] * vertex.y());
-    }
+    least = min(least, normals_x * Lanes(vertex.x()) + normals_y * Lanes(vertex.y()));
   }
+  const LaneArray nearest = least.array();
   for (int i = 0; i < from.count; ++i) {
     const Vector2<double> normal{x[i], y[i]};
     faces.normals[faces.count] = sign * normal;
-    faces.offsets[faces.count] = normal.dot(from.vertices[i]) - least[i];
+    faces.offsets[faces.count] = normal.dot(from.vertices[i]) - nearest[i];
     ++faces.count;
   }
 }
 
-std::optional<Body> embodied(const Sketch& sketch, float radius, const Pose<double>& world) {
+/// Makes a body of the sketch; false where rounding spoils its polygon or its rotation.
+bool embody(const Sketch& sketch, float radius, const Pose<double>& world, Body& body) {
   const auto polygon = rounded(sketch.outline, radius);
-  if (!polygon) return std::nullopt;
-  Body body;
+  if (!polygon) return false;
   body.polygon = *polygon;
   body.pose.rotation = rotate(world.rotation, sketch.pose.rotation).cast<float>();
   body.pose.position = transform(world, sketch.pose.position).cast<float>();
-  if (!is_unit_rotation(body.pose.rotation)) return std::nullopt;
-  return body;
+  return is_unit_rotation(body.pose.rotation);
+}
+
+/// B's place from A as the draft has it.
+Vector2<double> place_of_b(const Draft& draft, const PairCase& pair) {
+  const Vector2<double> origin =
+      transform(draft.world, Vector2<double>(draft.b.pose.position + draft.start));
+  const Vector2<double> start = origin - pair.a.pose.position.cast<double>();
+  if (!draft.gap) return start;
+  return slide(faces_of(pair), start, rotate(draft.world.rotation, draft.direction),
+               total_radius(pair) + *draft.gap);
 }
 
 }  // namespace
@@ -138,20 +148,13 @@ void put_off_unit(Sketch& sketch, double defect) {
 }
 
 std::optional<PairCase> settle(const Draft& draft) {
-  const auto a = embodied(draft.a, draft.radius_a, draft.world);
-  if (!a) return std::nullopt;
-  const auto b = embodied(draft.b, draft.radius_b, draft.world);
-  if (!b) return std::nullopt;
-  PairCase pair{*a, *b};
-  const Vector2<double> origin =
-      transform(draft.world, Vector2<double>(draft.b.pose.position + draft.start));
-  Vector2<double> place = origin - a->pose.position.cast<double>();
-  if (draft.gap) {
-    place = slide(faces_of(pair), place, rotate(draft.world.rotation, draft.direction),
-                  total_radius(pair) + *draft.gap);
-  }
-  put_apart(pair, place);
-  if (draft.exact_gap && !shift_vertices(pair.b, place - apart(pair))) return std::nullopt;
+  std::optional<PairCase> pair(std::in_place);
+  const bool is_valid = embody(draft.a, draft.radius_a, draft.world, pair->a) &&
+                        embody(draft.b, draft.radius_b, draft.world, pair->b);
+  if (!is_valid) return std::nullopt;
+  const Vector2<double> place = place_of_b(draft, *pair);
+  put_apart(*pair, place);
+  if (draft.exact_gap && !shift_vertices(pair->b, place - apart(*pair))) return std::nullopt;
   return pair;
 }
 

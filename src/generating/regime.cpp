@@ -26,14 +26,15 @@ PairCase plain_pair() {
   return pair;
 }
 
-/// With large radii bodies are put so far away that float ends.
+/// With large radii bodies are put so far away that float ends; the polygons are free of defects.
 bool is_finite(const PairCase& pair) {
-  const auto body_is_finite = [](const Body& body) {
-    return body.pose.position.allFinite() &&
-           std::ranges::all_of(body.polygon.corners(),
-                               [](const auto& vertex) { return vertex.allFinite(); });
-  };
-  return body_is_finite(pair.a) && body_is_finite(pair.b);
+  return pair.a.pose.position.allFinite() && pair.b.pose.position.allFinite();
+}
+
+/// With the context's radius, where it has one.
+PairCase with_radius(PairCase pair, const GenerationContext& context) {
+  if (context.radius) pair.a.polygon.radius = pair.b.polygon.radius = *context.radius;
+  return pair;
 }
 
 }  // namespace
@@ -50,14 +51,11 @@ PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,
                   const GenerationContext& context) {
   constexpr int attempts = 32;
   Random random(seed, regime.name, index);
-  std::optional<PairCase> pair;
-  for (int i = 0; i < attempts && !pair; ++i) {
-    pair = regime.attempt(random, context);
-    if (pair && !is_finite(*pair)) pair.reset();
+  for (int i = 0; i < attempts; ++i) {
+    const std::optional<PairCase> pair = regime.attempt(random, context);
+    if (pair && is_finite(*pair)) return with_radius(*pair, context);
   }
-  if (!pair) pair = plain_pair();
-  if (context.radius) pair->a.polygon.radius = pair->b.polygon.radius = *context.radius;
-  return *pair;
+  return with_radius(plain_pair(), context);
 }
 
 }  // namespace manifuzz
