@@ -89,7 +89,7 @@ struct BlockAnswers {
 /// them one by one: all but those behind an end of the run.
 std::size_t ask_block(std::span<const PairCase> pairs, RunState& run, JobState& job,
                       BlockAnswers& of) {
-  of.answers.assign(pairs.size(), Answer());
+  of.answers.resize(pairs.size());
   if (!of.collider.is_isolated()) return pairs.size();
   const std::size_t answered = of.collider.collide_many(pairs, of.answers, [&] {
     ++job.waits;

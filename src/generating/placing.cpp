@@ -19,7 +19,13 @@ Outline outline_of(const Body& body) {
 
 /// The polygon's vertices turned as in the world, about its own origin.
 Outline standing(const Body& body) {
-  return turned(outline_of(body), body.pose.rotation.cast<double>());
+  const Vector2<double> rotation = body.pose.rotation.cast<double>();
+  Outline outline;
+  outline.count = body.polygon.count;
+  for (int i = 0; i < outline.count; ++i) {
+    outline.vertices[i] = rotate<double>(rotation, body.polygon.vertices[i].cast<double>());
+  }
+  return outline;
 }
 
 /// Appends the faces of one polygon; `sign` is -1 for B's, whose outward is towards A. All faces at
@@ -58,14 +64,17 @@ bool embody(const Sketch& sketch, float radius, const Pose<double>& world, Body&
   return is_unit_rotation(body.pose.rotation);
 }
 
-/// B's place from A as the draft has it.
-Vector2<double> place_of_b(const Draft& draft, const PairCase& pair) {
+/// Puts B where the draft has it; false where its vertices cannot take up what is left.
+bool place_b(const Draft& draft, PairCase& pair) {
   const Vector2<double> origin =
       transform(draft.world, Vector2<double>(draft.b.pose.position + draft.start));
-  const Vector2<double> start = origin - pair.a.pose.position.cast<double>();
-  if (!draft.gap) return start;
-  return slide(faces_of(pair), start, rotate(draft.world.rotation, draft.direction),
-               total_radius(pair) + *draft.gap);
+  Vector2<double> place = origin - pair.a.pose.position.cast<double>();
+  if (draft.gap) {
+    place = slide(faces_of(pair), place, rotate(draft.world.rotation, draft.direction),
+                  total_radius(pair) + *draft.gap);
+  }
+  put_apart(pair, place);
+  return !draft.exact_gap || shift_vertices(pair.b, place - apart(pair));
 }
 
 }  // namespace
@@ -149,12 +158,10 @@ void put_off_unit(Sketch& sketch, double defect) {
 
 std::optional<PairCase> settle(const Draft& draft) {
   std::optional<PairCase> pair(std::in_place);
-  const bool is_valid = embody(draft.a, draft.radius_a, draft.world, pair->a) &&
-                        embody(draft.b, draft.radius_b, draft.world, pair->b);
-  if (!is_valid) return std::nullopt;
-  const Vector2<double> place = place_of_b(draft, *pair);
-  put_apart(*pair, place);
-  if (draft.exact_gap && !shift_vertices(pair->b, place - apart(*pair))) return std::nullopt;
+  if (!embody(draft.a, draft.radius_a, draft.world, pair->a) ||
+      !embody(draft.b, draft.radius_b, draft.world, pair->b) || !place_b(draft, *pair)) {
+    pair.reset();
+  }
   return pair;
 }
 

@@ -26,15 +26,10 @@ PairCase plain_pair() {
   return pair;
 }
 
-/// With large radii bodies are put so far away that float ends; the polygons are free of defects.
-bool is_finite(const PairCase& pair) {
-  return pair.a.pose.position.allFinite() && pair.b.pose.position.allFinite();
-}
-
-/// With the context's radius, where it has one.
-PairCase with_radius(PairCase pair, const GenerationContext& context) {
-  if (context.radius) pair.a.polygon.radius = pair.b.polygon.radius = *context.radius;
-  return pair;
+/// Whether an attempt gave a case. With large radii bodies are put so far away that float ends;
+/// what polygons there are have no defects.
+bool is_case(const std::optional<PairCase>& pair) {
+  return pair && pair->a.pose.position.allFinite() && pair->b.pose.position.allFinite();
 }
 
 }  // namespace
@@ -51,11 +46,13 @@ PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,
                   const GenerationContext& context) {
   constexpr int attempts = 32;
   Random random(seed, regime.name, index);
-  for (int i = 0; i < attempts; ++i) {
-    const std::optional<PairCase> pair = regime.attempt(random, context);
-    if (pair && is_finite(*pair)) return with_radius(*pair, context);
+  std::optional<PairCase> pair = regime.attempt(random, context);
+  for (int i = 1; i < attempts && !is_case(pair); ++i) {
+    pair = regime.attempt(random, context);
   }
-  return with_radius(plain_pair(), context);
+  if (!is_case(pair)) pair = plain_pair();
+  if (context.radius) pair->a.polygon.radius = pair->b.polygon.radius = *context.radius;
+  return *pair;
 }
 
 }  // namespace manifuzz

@@ -137,6 +137,8 @@ bool operator==(const ConvexPolygon<Scalar>& p, const ConvexPolygon<Scalar>& q) 
 
 /// The largest distance between two vertices, a length, the radius left out.
 double diameter(const ConvexPolygon<float>& polygon);
+/// The diameter of the polygon whose diameter is smaller, cheaper than both.
+double smaller_diameter(const ConvexPolygon<float>& p, const ConvexPolygon<float>& q);
 
 /// The largest distance of a vertex from the polygon's own origin, a length, the radius left out.
 double reach(const ConvexPolygon<float>& polygon);
