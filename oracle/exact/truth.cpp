@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/lanes.hpp"
+
 namespace manifuzz::exact {
 namespace {
 
@@ -79,20 +81,38 @@ RoughPair place_roughly(const StoredPair& pair) {
           place(pair.b, pair.b.pose.position.cast<double>() - pair.a.pose.position.cast<double>())};
 }
 
+namespace {
+
+/// Of each face of a polygon; all of them at once meet each vertex of the other.
+LaneArray separations(const RoughPolygon& polygon, const RoughPolygon& opposing) {
+  LaneArray corner_x{};
+  LaneArray corner_y{};
+  LaneArray normal_x{};
+  LaneArray normal_y{};
+  for (int i = 0; i < polygon.count; ++i) {
+    corner_x[i] = polygon.vertices[i].x();
+    corner_y[i] = polygon.vertices[i].y();
+    normal_x[i] = polygon.normals[i].x();
+    normal_y[i] = polygon.normals[i].y();
+  }
+  Lanes least(std::numeric_limits<double>::infinity());
+  for (int j = 0; j < opposing.count; ++j) {
+    const Lanes apart_x = Lanes(opposing.vertices[j].x()) - Lanes(corner_x);
+    const Lanes apart_y = Lanes(opposing.vertices[j].y()) - Lanes(corner_y);
+    least = min(least, Lanes(normal_x) * apart_x + Lanes(normal_y) * apart_y);
+  }
+  return least.array();
+}
+
+}  // namespace
+
 Separations separations(const RoughPair& placed, double extent) {
   Separations result;
   result.error = kErrorOfSeparation * extent;
   for (const Side side : {Side::a, Side::b}) {
     const RoughPolygon& polygon = placed[side];
-    const RoughPolygon& opposing = placed[other(side)];
     auto& of_face = result.of_face[static_cast<std::size_t>(side)];
-    for (int i = 0; i < polygon.count; ++i) {
-      of_face[i] = std::numeric_limits<double>::infinity();
-      for (int j = 0; j < opposing.count; ++j) {
-        const Vector2<double> apart = opposing.vertices[j] - polygon.vertices[i];
-        of_face[i] = std::min(of_face[i], polygon.normals[i].dot(apart));
-      }
-    }
+    of_face = separations(polygon, placed[other(side)]);
     result.greatest[static_cast<std::size_t>(side)] =
         *std::max_element(of_face.begin(), of_face.begin() + polygon.count);
   }

@@ -21,6 +21,11 @@ constexpr std::uint64_t hash_of(std::string_view text) {
   return hash;
 }
 
+/// 2^exponent, which is to be above -1023 and below 1024.
+inline double power_of_two(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+}
+
 /// Counter-based random numbers: draw n of a stream is a function of (key, n) alone. Everything is
 /// exact IEEE arithmetic, so the same draws come out of every compiler and processor. One
 /// expression may hold one draw, or nested ones: C++ leaves the order of operands and arguments to
@@ -49,7 +54,7 @@ class Random {
   /// 2^k times [1, 2), k in {low, ..., high - 1}: spread over magnitudes without a logarithm.
   double magnitude(int low, int high) {
     const int exponent = integer(low, high - 1);
-    return std::ldexp(uniform(1, 2), exponent);
+    return uniform(1, 2) * power_of_two(exponent);
   }
 
   /// x or -x.

@@ -89,7 +89,7 @@ struct BlockAnswers {
 /// them one by one: all but those behind an end of the run.
 std::size_t ask_block(std::span<const PairCase> pairs, RunState& run, JobState& job,
                       BlockAnswers& of) {
-  of.answers.assign(pairs.size(), Answer());
+  of.answers.resize(pairs.size());
   if (!of.collider.is_isolated()) return pairs.size();
   const std::size_t answered = of.collider.collide_many(pairs, of.answers, [&] {
     ++job.waits;
@@ -112,13 +112,6 @@ ColliderAnswer ask_case(const PairCase& pair, std::size_t i, BlockAnswers& of) {
   return {of.collider.declaration, of.answers[i]};
 }
 
-/// One agreeing case in `judge_every`, by what the case is and not by its place in the campaign:
-/// alone it is sampled too.
-bool is_sampled(const Plan& plan, CaseNumber number) {
-  const std::uint64_t stream = hash_of(plan.regimes[plan.regime_of(number)]->name);
-  return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
-}
-
 /// Asks one that is blamed for its answer the case alone: what went wrong may lie in the asking, of
 /// those who are asked for many cases at once. Whether its answer is another, or none, then.
 bool is_unsteady(const Bucket& bucket, const PairCase& pair, std::size_t i, JobState& job,
@@ -139,26 +132,21 @@ bool is_unsteady(const Bucket& bucket, const PairCase& pair, std::size_t i, JobS
   return true;
 }
 
-/// A case's way: two answers are compared, and judged where they do not plainly agree; the tally
-/// has it.
+/// A case's way: two answers are compared, and judged where need be; the tally has it.
 void run_case(const Plan& plan, const PairCase& pair, std::size_t i, RunState& run,
               BlockAnswers& of_subject, BlockAnswers& of_oracle, JobState& job) {
   const CaseNumber number = job.next;
-  const auto truth = std::make_shared<const exact::Truth>(pair);
+  const exact::Truth truth(pair);
   job.begin(Step::asking_subject);
   const ColliderAnswer subject = ask_case(pair, i, of_subject);
   job.begin(Step::asking_oracle);
   const ColliderAnswer oracle = ask_case(pair, i, of_oracle);
   job.begin(Step::judging);
-  Judgement judgement;
-  if (is_sampled(plan, number) || !plainly_agree(*truth, subject, oracle)) {
-    judgement = judge(truth, subject, oracle);
-    for (BlockAnswers* const of : {&of_subject, &of_oracle}) {
-      if (is_unsteady(judgement.bucket, pair, i, job, *of))
-        judgement = judge(truth, subject, oracle);
-    }
+  Judgement judgement = judgement_on(plan, number, truth, subject, oracle);
+  for (BlockAnswers* const of : {&of_subject, &of_oracle}) {
+    if (is_unsteady(judgement.bucket, pair, i, job, *of)) judgement = judge(pair, subject, oracle);
   }
-  job.tally.add(plan.regime_of(number), number, standing(*truth), judgement);
+  job.tally.add(plan.regime_of(number), number, standing(truth), judgement);
   if (plan.ends_with && plan.ends_with(judgement)) run.find(number);
 }
 
@@ -167,6 +155,7 @@ void run_block(const Plan& plan, RunState& run, JobState& job, BlockAnswers& of_
                BlockAnswers& of_oracle) {
   job.begin(Step::generating);
   std::vector<PairCase> pairs;
+  pairs.reserve(job.end - job.next);
   for (CaseNumber number = job.next; number < job.end; ++number) pairs.push_back(plan.pair(number));
   const std::size_t answered =
       std::min({ask_block(pairs, run, job, of_subject), ask_block(pairs, run, job, of_oracle)});
@@ -219,7 +208,20 @@ std::unique_ptr<Tally> added(const Shared<JobState>& jobs) {
   return total;
 }
 
+/// One agreeing case in `judge_every`, by what the case is and not by its place in the campaign:
+/// alone it is sampled too.
+bool is_sampled(const Plan& plan, CaseNumber number) {
+  const std::uint64_t stream = hash_of(plan.regimes[plan.regime_of(number)]->name);
+  return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
+}
+
 }  // namespace
+
+Judgement judgement_on(const Plan& plan, CaseNumber number, const exact::Truth& truth,
+                       const ColliderAnswer& subject, const ColliderAnswer& oracle) {
+  if (!is_sampled(plan, number) && plainly_agree(truth, subject, oracle)) return {};
+  return judge(truth.pair(), subject, oracle);
+}
 
 JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& interruption,
                     const OnProgress& on_progress) {

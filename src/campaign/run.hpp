@@ -31,6 +31,10 @@ struct JobsResult {
   std::string why_given_up{};  ///< what became of its last answer, in words
 };
 
+/// The verdict on a case. Where both plainly agree, only one case in `judge_every` is judged.
+Judgement judgement_on(const Plan& plan, CaseNumber number, const exact::Truth& truth,
+                       const ColliderAnswer& subject, const ColliderAnswer& oracle);
+
 /// Runs these cases of the plan, in as many child processes as it has jobs. A child that dies or
 /// hangs loses the case it was at, which becomes a finding, and another goes on behind it.
 /// `on_progress` runs a few times a second.

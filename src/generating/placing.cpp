@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "generating/drafts.hpp"
+#include "geometry/lanes.hpp"
 
 namespace manifuzz {
 namespace {
@@ -18,44 +19,62 @@ Outline outline_of(const Body& body) {
 
 /// The polygon's vertices turned as in the world, about its own origin.
 Outline standing(const Body& body) {
-  return turned(outline_of(body), body.pose.rotation.cast<double>());
+  const Vector2<double> rotation = body.pose.rotation.cast<double>();
+  Outline outline;
+  outline.count = body.polygon.count;
+  for (int i = 0; i < outline.count; ++i) {
+    outline.vertices[i] = rotate<double>(rotation, body.polygon.vertices[i].cast<double>());
+  }
+  return outline;
 }
 
 /// Appends the faces of one polygon; `sign` is -1 for B's, whose outward is towards A. All faces at
-/// once meet each vertex of the other, at a fixed length, so that compilers vectorise it.
+/// once meet each vertex of the other.
 void append_faces(Faces& faces, const Outline& from, const Outline& to, double sign) {
-  std::array<double, kMaxVertices> x{};
-  std::array<double, kMaxVertices> y{};
+  LaneArray x{};
+  LaneArray y{};
   for (int i = 0; i < from.count; ++i) {
     const Vector2<double> normal = clockwise_quarter(unit(from.face(i)));
     x[i] = normal.x();
     y[i] = normal.y();
   }
-  std::array<double, kMaxVertices> least;
-  least.fill(std::numeric_limits<double>::infinity());
+  const Lanes normals_x(x);
+  const Lanes normals_y(y);
+  Lanes least(std::numeric_limits<double>::infinity());
   for (int j = 0; j < to.count; ++j) {
     const Vector2<double>& vertex = to.vertices[j];
-    for (int i = 0; i < kMaxVertices; ++i) {
-      least[i] = std::min(least[i], x[i] * vertex.x() + y[i] * vertex.y());
-    }
+    least = min(least, normals_x * Lanes(vertex.x()) + normals_y * Lanes(vertex.y()));
   }
+  const LaneArray nearest = least.array();
   for (int i = 0; i < from.count; ++i) {
     const Vector2<double> normal{x[i], y[i]};
     faces.normals[faces.count] = sign * normal;
-    faces.offsets[faces.count] = normal.dot(from.vertices[i]) - least[i];
+    faces.offsets[faces.count] = normal.dot(from.vertices[i]) - nearest[i];
     ++faces.count;
   }
 }
 
-std::optional<Body> embodied(const Sketch& sketch, float radius, const Pose<double>& world) {
+/// Makes a body of the sketch; false where rounding spoils its polygon or its rotation.
+bool embody(const Sketch& sketch, float radius, const Pose<double>& world, Body& body) {
   const auto polygon = rounded(sketch.outline, radius);
-  if (!polygon) return std::nullopt;
-  Body body;
+  if (!polygon) return false;
   body.polygon = *polygon;
   body.pose.rotation = rotate(world.rotation, sketch.pose.rotation).cast<float>();
   body.pose.position = transform(world, sketch.pose.position).cast<float>();
-  if (!is_unit_rotation(body.pose.rotation)) return std::nullopt;
-  return body;
+  return is_unit_rotation(body.pose.rotation);
+}
+
+/// Puts B where the draft has it; false where its vertices cannot take up what is left.
+bool place_b(const Draft& draft, PairCase& pair) {
+  const Vector2<double> origin =
+      transform(draft.world, Vector2<double>(draft.b.pose.position + draft.start));
+  Vector2<double> place = origin - pair.a.pose.position.cast<double>();
+  if (draft.gap) {
+    place = slide(faces_of(pair), place, rotate(draft.world.rotation, draft.direction),
+                  total_radius(pair) + *draft.gap);
+  }
+  put_apart(pair, place);
+  return !draft.exact_gap || shift_vertices(pair.b, place - apart(pair));
 }
 
 }  // namespace
@@ -138,20 +157,11 @@ void put_off_unit(Sketch& sketch, double defect) {
 }
 
 std::optional<PairCase> settle(const Draft& draft) {
-  const auto a = embodied(draft.a, draft.radius_a, draft.world);
-  if (!a) return std::nullopt;
-  const auto b = embodied(draft.b, draft.radius_b, draft.world);
-  if (!b) return std::nullopt;
-  PairCase pair{*a, *b};
-  const Vector2<double> origin =
-      transform(draft.world, Vector2<double>(draft.b.pose.position + draft.start));
-  Vector2<double> place = origin - a->pose.position.cast<double>();
-  if (draft.gap) {
-    place = slide(faces_of(pair), place, rotate(draft.world.rotation, draft.direction),
-                  total_radius(pair) + *draft.gap);
+  std::optional<PairCase> pair(std::in_place);
+  if (!embody(draft.a, draft.radius_a, draft.world, pair->a) ||
+      !embody(draft.b, draft.radius_b, draft.world, pair->b) || !place_b(draft, *pair)) {
+    pair.reset();
   }
-  put_apart(pair, place);
-  if (draft.exact_gap && !shift_vertices(pair.b, place - apart(pair))) return std::nullopt;
   return pair;
 }
 

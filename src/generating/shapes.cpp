@@ -18,9 +18,10 @@ Vector2<double> circle_point(double turn) {
   const int quadrant = static_cast<int>(turn);
   const double t = turn - quadrant;
   const double scale = 1 / (1 + t * t);
-  Vector2<double> point((1 - t * t) * scale, 2 * t * scale);
-  for (int i = 0; i < quadrant; ++i) point = counter_clockwise_quarter(point);
-  return point;
+  const double x = (1 - t * t) * scale;
+  const double y = 2 * t * scale;
+  const Vector2<double> turned_by[] = {{x, y}, {-y, x}, {-x, -y}, {y, -x}};
+  return turned_by[quadrant];
 }
 
 Vector2<double> face_normal(const Outline& outline, int face) {
@@ -68,7 +69,10 @@ int random_count(Random& random, int most) {
 Outline random_outline(Random& random, int count) {
   const Outline outline = random.chance(0.6) ? inscribed(random, count) : carved(random, count);
   const double flat = random.uniform(0.4, 1);
-  return turned(stretched(outline, 1, flat), random_direction(random));
+  const Vector2<double> rotation = random_direction(random);
+  return mapped(outline, [&](const auto& v) {
+    return rotate<double>(rotation, {v.x(), flat * v.y()});
+  });
 }
 
 Outline random_outline(Random& random) {

@@ -50,15 +50,24 @@ int sign_by_expansion(const Vector2<double>& a, const Vector2<double>& b,
   return area.sign();
 }
 
+/// The area that two differences of points span: positive where the second turns left.
+struct Area {
+  double value = 0;
+  double error = 0;  ///< at most: Shewchuk's ccwerrboundA
+};
+
+Area area_of(const Vector2<double>& p, const Vector2<double>& q) {
+  constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+  const double left = p.x() * q.y();
+  const double right = p.y() * q.x();
+  return {left - right, (3 + 16 * u) * u * (std::abs(left) + std::abs(right))};
+}
+
 }  // namespace
 
 int orientation(const Vector2<double>& a, const Vector2<double>& b, const Vector2<double>& c) {
-  constexpr double u = std::numeric_limits<double>::epsilon() / 2;
-  constexpr double filter = (3 + 16 * u) * u;  // Shewchuk's ccwerrboundA
-  const double left = (a.x() - c.x()) * (b.y() - c.y());
-  const double right = (a.y() - c.y()) * (b.x() - c.x());
-  const double area = left - right;
-  if (std::abs(area) > filter * (std::abs(left) + std::abs(right))) return area > 0 ? 1 : -1;
+  const Area area = area_of(a - c, b - c);
+  if (std::abs(area.value) > area.error) return area.value > 0 ? 1 : -1;
   return sign_by_expansion(a, b, c);
 }
 
@@ -89,25 +98,40 @@ bool has_repeated_vertex(Vertices<Scalar> v) {
   return false;
 }
 
+/// How a closed chain of edges turns.
+struct Turns {
+  bool are_plainly_left =
+      true;        ///< every one, by more than rounding; never next to what is not finite
+  int rounds = 0;  ///< of a chain of left turns
+};
+
 /// A closed chain of left turns goes round as often as its edges start to climb: none of the turns
 /// is wide enough to pass over all the climbing directions. Without branches, which no processor
 /// could foretell here.
 template <class Scalar>
-int turns_round(Vertices<Scalar> v) {
-  int starts = 0;
-  bool before = v.front().y() > v.back().y();
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const bool after = cyclic(v, i + 1).y() > v[i].y();
-    starts += static_cast<int>(after) & static_cast<int>(!before);
+Turns turns_of(Vertices<Scalar> v) {
+  Turns turns;
+  Vector2<double> from = v.back().template cast<double>();
+  Vector2<double> before = from - v[v.size() - 2].template cast<double>();
+  for (const Vector2<Scalar>& vertex : v) {
+    const Vector2<double> to = vertex.template cast<double>();
+    const Vector2<double> after = to - from;
+    const Area area = area_of(before, after);
+    turns.are_plainly_left &= area.value > area.error;
+    turns.rounds += static_cast<int>(after.y() > 0) & static_cast<int>(!(before.y() > 0));
     before = after;
+    from = to;
   }
-  return starts;
+  return turns;
 }
 
 template <class Scalar>
 std::optional<PolygonDefect> defect_of(Vertices<Scalar> v) {
   if (v.size() < kMinVertices) return PolygonDefect::too_few;
   if (v.size() > kMaxVertices) return PolygonDefect::too_many;
+  const Turns turns = turns_of(v);
+  const bool winds_once = turns.rounds == 1;
+  if (winds_once && turns.are_plainly_left) return std::nullopt;
   if (!all_finite(v)) return PolygonDefect::not_finite;
   std::size_t left = 0;
   std::size_t right = 0;
@@ -116,7 +140,6 @@ std::optional<PolygonDefect> defect_of(Vertices<Scalar> v) {
     if (turn > 0) ++left;
     if (turn < 0) ++right;
   }
-  const bool winds_once = turns_round(v) == 1;
   if (left == v.size() && winds_once) return std::nullopt;
   if (has_repeated_vertex(v)) return PolygonDefect::repeated_vertex;
   if (right == v.size()) return PolygonDefect::clockwise;
@@ -154,16 +177,36 @@ std::string_view describe(PolygonDefect defect) {
   return {};
 }
 
-double diameter(const ConvexPolygon<float>& polygon) {
+namespace {
+
+/// The square of the diameter, or of the first distance found whose square is at least `enough`.
+double squared_diameter(const ConvexPolygon<float>& polygon, double enough) {
+  std::array<Vector2<double>, kMaxVertices> vertices;
   double squared = 0;
-  for (int i = 0; i < polygon.count; ++i) {
-    for (int j = i + 1; j < polygon.count; ++j) {
-      const Vector2<double> d =
-          polygon.vertices[i].cast<double>() - polygon.vertices[j].cast<double>();
+  for (int i = 0; i < polygon.count && squared < enough; ++i) {
+    vertices[i] = polygon.vertices[i].cast<double>();
+    for (int j = 0; j < i; ++j) {
+      const Vector2<double> d = vertices[i] - vertices[j];
       squared = std::max(squared, d.dot(d));
     }
   }
-  return std::sqrt(squared);
+  return squared;
+}
+
+}  // namespace
+
+double diameter(const ConvexPolygon<float>& polygon) {
+  return std::sqrt(squared_diameter(polygon, std::numeric_limits<double>::infinity()));
+}
+
+double smaller_diameter(const ConvexPolygon<float>& p, const ConvexPolygon<float>& q) {
+  const auto across = [](const ConvexPolygon<float>& polygon) {
+    const Vector2<float> d = polygon.vertices[polygon.count / 2] - polygon.vertices[0];
+    return d.dot(d);
+  };
+  const bool p_first = across(p) < across(q);  // a guess: the larger is soon found to be larger
+  const double squared = squared_diameter(p_first ? p : q, std::numeric_limits<double>::infinity());
+  return std::sqrt(std::min(squared, squared_diameter(p_first ? q : p, squared)));
 }
 
 double reach(const ConvexPolygon<float>& polygon) {

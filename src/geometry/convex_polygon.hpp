@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 
 #include "geometry/pose.hpp"
 #include "geometry/vector.hpp"
@@ -76,7 +77,11 @@ std::string_view describe(PolygonDefect defect);
 template <class Scalar>
 Vector2<Scalar> outward_normal(const Vector2<Scalar>& from, const Vector2<Scalar>& to) {
   const Vector2<double> edge = to.template cast<double>() - from.template cast<double>();
-  return clockwise_quarter(unit_direction(edge)).template cast<Scalar>();
+  if constexpr (std::is_same_v<Scalar, float>) {
+    return clockwise_quarter(unit_direction_of_floats(edge));
+  } else {
+    return clockwise_quarter(unit_direction(edge));
+  }
 }
 
 /// The polygon with these vertices, which must be free of defects (asserted in part, in debug
@@ -132,6 +137,8 @@ bool operator==(const ConvexPolygon<Scalar>& p, const ConvexPolygon<Scalar>& q) 
 
 /// The largest distance between two vertices, a length, the radius left out.
 double diameter(const ConvexPolygon<float>& polygon);
+/// The diameter of the polygon whose diameter is smaller, cheaper than both.
+double smaller_diameter(const ConvexPolygon<float>& p, const ConvexPolygon<float>& q);
 
 /// The largest distance of a vertex from the polygon's own origin, a length, the radius left out.
 double reach(const ConvexPolygon<float>& polygon);

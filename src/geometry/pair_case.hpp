@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "geometry/convex_polygon.hpp"
 #include "geometry/pose.hpp"
 
@@ -42,7 +40,7 @@ inline double total_radius(const PairCase& pair) {
 
 /// The smaller polygon's diameter, a length: the yardstick of errors.
 inline double size(const PairCase& pair) {
-  return std::min(diameter(pair.a.polygon), diameter(pair.b.polygon));
+  return smaller_diameter(pair.a.polygon, pair.b.polygon);
 }
 
 /// E of the error bounds, a length: the reach of both polygons plus the distance between their

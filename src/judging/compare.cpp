@@ -192,7 +192,9 @@ bool plainly_agree(const exact::Truth& truth, const Declaration& of_subject,
   if (is_ill_posed(truth.size(), for_subject) || is_ill_posed(truth.size(), for_oracle)) {
     return false;
   }
-  if (s.count == 0) return truth.compare_contact(for_subject.separation) > 0;
+  if (s.count == 0) {
+    return truth.compare_contact(-std::min(for_subject.separation, for_oracle.separation)) >= 0;
+  }
   if (s.count < 0 || s.count > 2 || s.reference != o.reference || truth.compare_contact(0) > 0) {
     return false;
   }

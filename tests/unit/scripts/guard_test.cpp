@@ -21,11 +21,14 @@ namespace {
 constexpr int kCounted = 1000;
 
 Json stored(int clip, int others = kCounted) {
-  return {
-      {"build", "a build"},
-      {"target", "a target"},
-      {"instructions",
-       {{"clip", clip}, {"pair", others}, {"batch packed", others}, {"batch indices", others}}}};
+  return {{"build", "a build"},
+          {"target", "a target"},
+          {"instructions",
+           {{"clip", clip},
+            {"pair", others},
+            {"batch packed", others},
+            {"batch indices", others},
+            {"campaign cases", others}}}};
 }
 
 struct GuardRun {
