@@ -89,7 +89,7 @@ struct StepCounts {
   std::size_t left_boxes = 0;     ///< of them, those that left their fattened box
   std::size_t pairs_added = 0;    ///< candidates that were none before
   std::size_t pairs_dropped = 0;  ///< candidates that are none any more
-  std::size_t proofs = 0;         ///< certificates made
+  std::size_t proofs = 0;         ///< made of pairs that are apart
 };
 
 /// Valid until the scene is next changed.

@@ -50,7 +50,7 @@ inline float next_float(float length) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(length) + 1);
 }
 
-/// What the broad phase and the certificates ask of a shape. Lengths, rounded up.
+/// What boxes and proofs ask of a shape. Lengths, rounded up.
 struct ShapeFacts {
   float reach = 0;   ///< the largest |vertex|
   float radius = 0;  ///< as given, not rounded

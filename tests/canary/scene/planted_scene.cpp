@@ -4,6 +4,7 @@
 #include "scene/body.cpp"
 #include "scene/boxes.cpp"
 #include "scene/candidates.cpp"
+#include "scene/cell_level.cpp"
 #include "scene/cells.cpp"
 #include "scene/recycled.cpp"
 #include "scene/scene.cpp"
