@@ -16,11 +16,11 @@ struct PairBatch {
   struct Pair {
     const Placement<Scalar>* body[2];  ///< A, B
     const Scalar* corners[2];          ///< of their shapes, corner by corner
-    Manifold<Scalar>* out;
+    Manifold<Scalar>* out;             ///< becomes theirs
   };
 
-  Pair pair[kBlockPairs];
-  int count[2];  ///< every A's corners and every B's; 0 where they differ
+  Pair pair[kBlockPairs];  ///< a column each
+  int count[2];            ///< every A's corners and every B's; 0 where they differ
 };
 
 /// Collides sixteen pairs, equal to `clipping::collide` of each, bit for bit. `tie_bias` is a

@@ -11,7 +11,7 @@ namespace manifuzz::scene {
 
 /// Two bodies that touch, by their indices, a < b.
 struct Touching {
-  kernel::BodyPair bodies;
+  kernel::BodyPair bodies;   ///< A and B
   Manifold<float> manifold;  ///< of 1 or 2 points, in A's frame; its normal points to B
 };
 

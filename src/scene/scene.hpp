@@ -108,9 +108,9 @@ class Scene {
 
     /// Behind the last pair, to add some more: as plain pointers, which a loop keeps in registers.
     struct End {
-      kernel::BodyPair* bodies;
-      Candidate** candidates;
-      std::size_t count;
+      kernel::BodyPair* bodies;  ///< of the queue
+      Candidate** candidates;    ///< of the queue
+      std::size_t count;         ///< so far
 
       /// Adds a pair if `is_waiting`, without a branch: no processor could foretell it.
       void add(const kernel::BodyPair& pair, Candidate& candidate, bool is_waiting) {
