@@ -13,6 +13,7 @@
 #include "oracle/exact/clip.cpp"
 #include "oracle/exact/curve.cpp"
 #include "oracle/exact/hausdorff.cpp"
+#include "oracle/exact/placed.cpp"
 #include "oracle/exact/truth.cpp"
 #include "oracle/exact/witness.cpp"
 

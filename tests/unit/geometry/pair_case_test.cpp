@@ -1,5 +1,6 @@
 #include "geometry/pair_case.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -49,6 +50,22 @@ TEST_CASE("the total radius is both polygons'") {
 
 TEST_CASE("the size is the smaller polygon's diameter") {
   CHECK(size(triangle_and_box()) == Approx(2 * std::sqrt(2.0)));
+}
+
+TEST_CASE("the size is that of the smaller polygon, on either side and however long it lies") {
+  const std::vector<Outline> outlines{
+      {{0, 0}, {3, 0}, {3, 4}},           {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
+      {{0, -1}, {9, 0}, {0, 1}, {-9, 0}}, {{-2, 0}, {0, -0.125F}, {2, 0}, {0, 0.125F}},
+      {{0, 0}, {1e-3F, 0}, {0, 1e-3F}},   {{12, 0}, {4, 12}, {-6, 11}, {-11, -3}, {1, -12}},
+  };
+  for (const Outline& a : outlines) {
+    for (const Outline& b : outlines) {
+      PairCase pair;
+      pair.a.polygon = make_polygon<float>(a);
+      pair.b.polygon = make_polygon<float>(b);
+      CHECK(size(pair) == std::min(diameter(pair.a.polygon), diameter(pair.b.polygon)));
+    }
+  }
 }
 
 TEST_CASE("the extent is both reaches and the distance between the origins") {

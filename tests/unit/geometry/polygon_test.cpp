@@ -74,6 +74,27 @@ TEST_CASE("normals are right to half a unit in the last place") {
   }
 }
 
+TEST_CASE("a float normal is the unit direction rounded, also next to where rounding turns over") {
+  std::mt19937_64 bits(3);
+  const auto high = [](double x) { return static_cast<float>(x); };
+  const auto low = [](double x) {
+    return static_cast<float>(static_cast<double>(static_cast<float>(x)) - x);
+  };
+  int near = 0;
+  for (int n = 0; n < 20'000; ++n) {
+    const auto mantissa = static_cast<double>((bits() >> 41) | (1U << 23U));
+    const double between = (mantissa + 0.5) * 0x1p-24;  // two floats
+    const double other = std::sqrt(1 - between * between);
+    const Vector2<float> from(low(between), low(other));
+    const Vector2<float> to(high(between), high(other));
+    const Vector2<double> edge = to.cast<double>() - from.cast<double>();
+    const Vector2<double> direction = clockwise_quarter(unit_direction(edge));
+    near += std::abs(-direction.y() - between) < 0x1p-50 ? 1 : 0;
+    REQUIRE(outward_normal(from, to) == direction.cast<float>());
+  }
+  CHECK(near > 1000);
+}
+
 TEST_CASE("a unit direction is within two roundoffs of the true one") {
   std::mt19937_64 bits(2);
   const auto draw = [&bits] { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1; };
