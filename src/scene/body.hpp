@@ -60,8 +60,8 @@ inline std::optional<Defect> find_defect(const Pose<float>& pose) {
 /// One clause for a person: what is wrong, and what would be right.
 std::string_view describe(Defect defect);
 
-/// Two bodies that touch. A is the one of lower index.
-struct Contact {
+/// Two bodies that touch, in a cache line. A is the one of lower index.
+struct alignas(64) Contact {
   BodyHandle a;              ///< the manifold is in its frame
   BodyHandle b;              ///< the normal points to it
   Manifold<float> manifold;  ///< of 1 or 2 points, in A's frame

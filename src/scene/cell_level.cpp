@@ -13,14 +13,6 @@ void BoxColumns::clear_to(std::size_t size) {
   std::ranges::fill(body, kNone);
 }
 
-void BoxColumns::set(std::size_t entry, std::uint32_t of_body, const Box& box) {
-  x_min[entry] = box.x_min;
-  y_min[entry] = box.y_min;
-  x_max[entry] = box.x_max;
-  y_max[entry] = box.y_max;
-  body[entry] = of_body;
-}
-
 void BoxColumns::clear(std::size_t entry) {
   x_min[entry] = std::numeric_limits<float>::infinity();
   body[entry] = kNone;

@@ -21,7 +21,13 @@ struct BoxColumns {
   std::size_t size() const { return body.size(); }
   /// All entries without a body.
   void clear_to(std::size_t size);
-  void set(std::size_t entry, std::uint32_t of_body, const Box& box);
+  void set(std::size_t entry, std::uint32_t of_body, const Box& box) {
+    x_min[entry] = box.x_min;
+    y_min[entry] = box.y_min;
+    x_max[entry] = box.x_max;
+    y_max[entry] = box.y_max;
+    body[entry] = of_body;
+  }
   void clear(std::size_t entry);
   Box box(std::size_t entry) const {
     return {x_min[entry], y_min[entry], x_max[entry], y_max[entry]};
