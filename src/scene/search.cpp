@@ -17,7 +17,7 @@ constexpr Fatness kAmongOthers{0.1F, 2, 8};
 /// A box without partners may be fat: it costs nothing there.
 constexpr Fatness kByItself{0.8F, 4, 12};
 
-/// Paths are no longer than this multiple of a reach: sums of two are rounded little then.
+/// Paths get little longer than this multiple of a reach: sums of two are rounded little then.
 constexpr float kPathMax = 64;
 
 /// Once one body in so many has left its box, all are filed anew.
@@ -91,21 +91,23 @@ void Scene::draw_tight_boxes() {
 }
 
 /// It is not sure to be in its fattened box any more: where it is, it may go on from here; where it
-/// is not, it gets another.
+/// is not, it gets another. After a long path it gets another in any case, and the path begins
+/// anew.
 void Scene::leave(const Mover& mover) {
   const std::uint32_t body = mover.body;
   const Box& box = tight_[body];
   float& path = paths_[body];
   Box& fat = boxes_[body];
   const float reach = facts(body).reach;
-  const bool goes_on = path < kNoPath && contains(fat, box);
+  const bool is_long = path > kPathMax * reach;
+  const bool goes_on = !is_long && contains(fat, box);
   if (!goes_on) {
     left_at_[body] = static_cast<std::uint32_t>(left_.size());
     left_.push_back({body, fat});
     const Vector2<float> motion = placements_[body].pose.position - mover.from;
     fat = fattened(box, motion, reach, is(body, kAlone) ? kByItself : kAmongOthers);
     states_[body] |= kLeft;
-    if (path > kPathMax * reach) {
+    if (is_long) {
       path = 0;
       states_[body] |= kUnproven;
     }

@@ -110,6 +110,24 @@ TEST_CASE("a pair proven separated is skipped until it has moved by its margin")
   CHECK(touching.contacts.size() == 1);
 }
 
+TEST_CASE("a body that shakes on the spot begins a new path now and then") {
+  Row row(0);
+  std::get<BodyHandle>(row.scene.add(row.shape, upright(0, 0)));
+  const auto b = std::get<BodyHandle>(row.scene.add(row.shape, upright(1.1F, 0)));
+  row.step();
+  std::size_t begun = 0;
+  std::size_t collided = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const StepResult result = row.step({{{b, upright(i % 2 == 0 ? 1.11F : 1.1F, 0)}}});
+    REQUIRE(result.contacts.empty());
+    begun += result.counts.left_boxes;
+    collided += result.counts.pairs.collided;
+  }
+  CHECK(begun > 0);
+  CHECK(begun < 20);
+  CHECK(collided <= 2 * begun);
+}
+
 TEST_CASE("without certificates every pair that moved is collided, to the same contacts") {
   scene::Scene with;
   scene::Scene without({.certificates = false});
