@@ -51,6 +51,7 @@ Json row_json(const SceneRun& run) {
             {"moving", static_cast<double>(counts.moved) / static_cast<double>(run.steps)},
             {"mode", run.recycled_motion > 0 ? "recycle" : "strict"},
             {"recycled_motion", run.recycled_motion},
+            {"certificates", run.certificates},
             {"steps", run.steps},
             {"ns_per_step", run.ns_per_step},
             {"speedup_over_box2d", run.speedup_over_all},

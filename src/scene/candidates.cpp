@@ -29,13 +29,18 @@ void Candidates::add(std::uint32_t a, std::uint32_t b) {
   }
   all_[row.first + row.count++] = Candidate(b);
   ++count_;
+  longest_row_ = std::max(longest_row_, row.count);
 }
 
 /// The rows one after another, as the bodies are.
 void Candidates::pack() {
   std::vector<Candidate> packed;
   std::size_t size = 0;
-  for (const Row& row : rows_) size += row.count == 0 ? 0 : room_for(row.count);
+  longest_row_ = 0;
+  for (const Row& row : rows_) {
+    size += row.count == 0 ? 0 : room_for(row.count);
+    longest_row_ = std::max(longest_row_, row.count);
+  }
   make_room(packed, size);
   for (Row& row : rows_) {
     const Row before = row;

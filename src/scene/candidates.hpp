@@ -42,6 +42,8 @@ class Candidates {
  public:
   /// How many pairs there are.
   std::size_t size() const { return count_; }
+  /// No row has had more of them since they were last packed.
+  std::size_t longest_row() const { return longest_row_; }
 
   /// Bodies from this one on have no row.
   std::uint32_t rows() const { return static_cast<std::uint32_t>(rows_.size()); }
@@ -92,6 +94,7 @@ class Candidates {
   std::vector<Row> rows_;  // by body
   std::vector<Candidate> all_;
   std::size_t count_ = 0;
+  std::uint32_t longest_row_ = 0;
 };
 
 }  // namespace manifuzz::scene

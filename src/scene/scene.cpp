@@ -95,11 +95,8 @@ void Scene::place(const Move& move) {
 }
 
 void Scene::drop_all(std::uint32_t body) {
-  for (Candidate& candidate : candidates_.row(body)) {
-    if (candidate.touches()) end_contact(candidate);
-  }
-  counts_.pairs_dropped += candidates_.row(body).size();
-  candidates_.keep(body, 0);
+  const std::span<Candidate> row = candidates_.row(body);
+  for (std::size_t i = row.size(); i-- > 0;) drop(body, row[i]);
   cells_.near(boxes_[body], found_);
   for (const std::uint32_t other : found_) {
     if (other > body) continue;

@@ -9,8 +9,8 @@
 // The manifolds of a whole scene, step after step. Of the bodies that moved, in this order:
 //
 //   cells          those that left their fattened boxes find their candidate pairs
-//   candidates     pairs proven to be apart for so long are skipped
-//   batch kernel   the rest is collided
+//   candidates     pairs proven to be apart for so long are skipped, and those whose boxes are
+//   kernel         the rest is collided
 //
 // A step's contacts are those of colliding every pair of bodies afresh, bit for bit, unless they
 // are asked to be recycled; what did not move is not even looked at.
@@ -165,7 +165,7 @@ class Scene {
   void start_path(std::uint32_t body);
   void mark_moved(std::uint32_t body);
   void place(const Move& move);
-  bool few_moved() const { return kFewShare * movers_.size() < body_count_; }
+  bool few_moved() const;
 
   void find_candidates();
   void find_leavers();
@@ -202,9 +202,6 @@ class Scene {
   }
   StepResult result();
 
-  /// Where fewer than one body in so many moved, only their pairs are looked at.
-  static constexpr std::size_t kFewShare = 16;
-
   /// The path of a body of which nothing is known: longer than any.
   static constexpr float kNoPath = 1e30F;
 
@@ -230,6 +227,7 @@ class Scene {
 
   // Of the step under way.
   std::vector<Mover> movers_;
+  bool few_moved_ = false;
   std::vector<Leaver> left_;
   std::vector<std::uint32_t> bodies_;
   std::vector<std::uint32_t> found_;

@@ -56,12 +56,21 @@ void Scene::find_candidates() {
     return is_gone;
   });
   counts_.moved = movers_.size();
+  few_moved_ = few_moved();
   find_leavers();
   counts_.left_boxes = left_.size();
   if (left_.empty()) return;
-  if (few_moved()) drop_left();
+  if (few_moved_) drop_left();
   refile();
   for (const Leaver& leaver : left_) add_partners(leaver.body);
+}
+
+/// Then only their pairs are looked at. Each is found by going along a row, and rows are long where
+/// one body lies under all.
+bool Scene::few_moved() const {
+  constexpr std::size_t kShare = 16;
+  return kShare * movers_.size() < body_count_ &&
+         movers_.size() * candidates_.longest_row() < body_count_ + candidates_.size();
 }
 
 void Scene::find_leavers() {

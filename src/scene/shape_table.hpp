@@ -32,7 +32,7 @@ inline float length_at_most(const Vector2<float>& v) {
   return std::max(x, y) + 0.41422F * std::min(x, y);
 }
 
-/// More than the roundings of a displacement, and than what the extent grows by meanwhile.
+/// More than the roundings of a displacement.
 inline constexpr float kRoundUp = 1.001F;
 
 /// Less than the roundings of a difference of two floats add.
@@ -128,9 +128,5 @@ inline float gap(const Box& p, const Box& q) {
 inline Box grown(const Box& box, float by) {
   return {box.x_min - by, box.y_min - by, box.x_max + by, box.y_max + by};
 }
-
-/// The box of a shape at a pose in the world, larger on each side by `padding` (a length) and by
-/// what rounding its position takes.
-Box padded_box(const kernel::ShapeRows& shape, const Pose<float>& pose, float padding);
 
 }  // namespace manifuzz::scene

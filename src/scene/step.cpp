@@ -22,7 +22,6 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves) {
     if (!is_known(moves[i].body)) return RefusedMove{i, Defect::unknown_body};
     if (const auto defect = find_defect(moves[i].pose)) return RefusedMove{i, *defect};
   }
-  counts_ = {};
   began_.clear();
   ended_.erase(ended_.begin(), ended_.begin() + std::exchange(ended_reported_, 0));
   for (const Move& move : moves) place(move);
@@ -41,7 +40,7 @@ void Scene::look_at_candidates() {
   const std::size_t room = std::min(kQueueMax, candidates_.size() + 2);
   for (Queue* const queue : {&touching_, &apart_}) queue->make_room(room);
   if (manifolds_.size() < room) resize(manifolds_, room);
-  if (few_moved()) {
+  if (few_moved_) {
     for (const Mover& mover : movers_) {
       prune_row(mover.body);
       for (Candidate& candidate : candidates_.row(mover.body)) look_at(mover.body, candidate);
@@ -54,19 +53,21 @@ void Scene::look_at_candidates() {
   collide_apart();
 }
 
-/// Drops the pairs whose boxes overlap no longer, and proofs that do not hold.
+/// Drops the pairs whose boxes overlap no longer, and proofs that do not hold. From the end, where
+/// the last contacts are: the last contact of all takes an ended one's place, and is looked for.
 void Scene::prune_row(std::uint32_t a) {
   const std::span<Candidate> row = candidates_.row(a);
-  std::size_t kept = 0;
-  for (Candidate& candidate : row) {
+  std::size_t kept = row.size();
+  for (std::size_t i = row.size(); i-- > 0;) {
+    Candidate& candidate = row[i];
     const int states = states_[a] | states_[candidate.b];
     if ((states & kLeft) != 0 && !overlap(a, candidate.b)) {
       if (candidate.touches()) end_contact(candidate);
       ++counts_.pairs_dropped;
+      candidate = row[--kept];
       continue;
     }
     if ((states & kUnproven) != 0 && !candidate.touches()) candidate.be_apart_until(0);
-    row[kept++] = candidate;
   }
   candidates_.keep(a, kept);
 }
@@ -179,7 +180,7 @@ void Scene::collide(Queue& queue) {
                 candidate.touches() ? contacts_[candidate.contact()].manifold : manifolds_[i]);
   }
   stream.finish();
-  for (std::size_t i = 0; i < queue.count; ++i) {
+  for (std::size_t i = queue.count; i-- > 0;) {
     Candidate& candidate = *queue.candidates[i];
     if (candidate.touches()) {
       conclude_touching(queue.bodies[i], candidate, contacts_[candidate.contact()].manifold);
@@ -263,7 +264,7 @@ StepResult Scene::result() {
   pairs.at_rest = pairs.candidates - pairs.separated - pairs.recycled - pairs.collided;
   ended_reported_ = std::ssize(ended_);
   const std::size_t stayed = contacts_.size() - began_.size();
-  return {contacts_, began_, ended_, stayed, counts_};
+  return {contacts_, began_, ended_, stayed, std::exchange(counts_, {})};
 }
 
 }  // namespace manifuzz::scene

@@ -64,7 +64,8 @@ void expect_possible(const SceneArguments& options, const ScenePlan& plan) {
   if (options.motion && options.mode != "recycle") {
     throw UserError("--recycled-motion: needs --mode recycle");
   }
-  if (options.motion && !(*options.motion > 0 && *options.motion <= kMotionMax)) {
+  if (options.motion &&
+      !(static_cast<float>(*options.motion) > 0 && *options.motion <= kMotionMax)) {
     throw UserError(fmt::format("--recycled-motion: {} is not above 0 and at most {}",
                                 *options.motion, kMotionMax));
   }

@@ -93,6 +93,8 @@ void add_to(scene::StepCounts& sum, const scene::StepCounts& counts) {
   sum.pairs.candidates += counts.pairs.candidates;
   sum.moved += counts.moved;
   sum.left_boxes += counts.left_boxes;
+  sum.pairs_added += counts.pairs_added;
+  sum.pairs_dropped += counts.pairs_dropped;
   sum.proofs += counts.proofs;
 }
 
@@ -105,6 +107,7 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
   run.bodies = trajectory.start.size();
   run.steps = trajectory.steps.size();
   run.recycled_motion = settings.recycled_motion;
+  run.certificates = settings.certificates;
   // Apart from what is timed: it would empty the caches.
   if (settings.recycled_motion == 0) run.afresh = check_afresh(trajectory, settings);
   ScenePlayer ours(trajectory, settings);

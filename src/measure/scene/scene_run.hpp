@@ -143,6 +143,7 @@ struct SceneRun {
   std::size_t bodies = 0;
   std::size_t steps = 0;
   float recycled_motion = 0;       ///< 0 is strict
+  bool certificates = true;        ///< scene::Settings::certificates
   double ns_per_step = 0;          ///< the median of the steps
   double speedup_over_all = 0;     ///< the median of the steps' ratios
   double speedup_over_moved = 0;   ///< likewise

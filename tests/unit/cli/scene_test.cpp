@@ -70,6 +70,8 @@ TEST_CASE("scene refuses what it does not know") {
   CHECK(test::run_manifuzz({"scene", "--frame", "frame.png"}).status == 2);
   CHECK(test::run_manifuzz({"scene", "--mode", "loose"}).status == 2);
   CHECK(test::run_manifuzz({"scene", "--recycled-motion", "0.1"}).status == 2);
+  CHECK(test::run_manifuzz({"scene", "--mode", "recycle", "--recycled-motion", "1e-50"}).status ==
+        2);
 }
 
 TEST_CASE("a scene has the bodies that were asked for, the same each time") {

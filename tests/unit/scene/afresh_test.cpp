@@ -71,6 +71,35 @@ void check_all_pairs(const Crowd& crowd) {
   CHECK(touching.size() == expected);
 }
 
+/// A crowd's boxes, filed.
+struct Filed {
+  std::vector<std::uint32_t> bodies;
+  std::vector<scene::Box> boxes;
+  scene::Cells cells;
+
+  explicit Filed(const Crowd& crowd) : bodies(crowd.bodies.size()), boxes(crowd.bodies.size()) {
+    scene::ShapeTable shapes(0);
+    for (const auto& shape : crowd.shapes) shapes.add(shape);
+    std::iota(bodies.begin(), bodies.end(), 0U);
+    scene::padded_boxes(shapes, crowd.bodies, bodies, boxes);
+    file();
+  }
+
+  void file() { cells.file(bodies, boxes, 1); }
+
+  /// Whether the cells find the bodies whose boxes overlap this one's.
+  void check_near(std::uint32_t body) const {
+    std::vector<std::uint32_t> right;
+    for (const std::uint32_t other : bodies) {
+      if (overlap(boxes[body], boxes[other])) right.push_back(other);
+    }
+    std::vector<std::uint32_t> found;
+    cells.near(boxes[body], found);
+    std::ranges::sort(found);
+    CHECK(found == right);
+  }
+};
+
 }  // namespace
 
 TEST_CASE("all pairs afresh are all pairs, whatever the sizes: one to a thousand times") {
@@ -99,58 +128,27 @@ TEST_CASE("all pairs afresh are all pairs, wherever the bodies lie") {
 }
 
 TEST_CASE("cells know all bodies whose boxes overlap one, of any size") {
-  const Crowd crowd(7, 400, 6, 200);
-  scene::ShapeTable shapes(0);
-  for (const auto& shape : crowd.shapes) shapes.add(shape);
-  std::vector<std::uint32_t> bodies(crowd.bodies.size());
-  std::iota(bodies.begin(), bodies.end(), 0U);
-  std::vector<scene::Box> boxes(bodies.size());
-  scene::padded_boxes(shapes, crowd.bodies, bodies, boxes);
-  scene::Cells cells;
-  cells.file(bodies, boxes, 1);
-  std::vector<std::uint32_t> found;
-  for (const std::uint32_t body : bodies) {
-    std::vector<std::uint32_t> right;
-    for (const std::uint32_t other : bodies) {
-      if (overlap(boxes[body], boxes[other])) right.push_back(other);
-    }
-    cells.near(boxes[body], found);
-    std::ranges::sort(found);
-    CHECK(found == right);
-  }
+  const Filed filed(Crowd(7, 400, 6, 200));
+  for (const std::uint32_t body : filed.bodies) filed.check_near(body);
 }
 
 TEST_CASE("boxes that move from cell to cell are near what they overlap, until there is no room") {
-  Crowd crowd(8, 300, 2, 60);
-  scene::ShapeTable shapes(0);
-  for (const auto& shape : crowd.shapes) shapes.add(shape);
-  std::vector<std::uint32_t> bodies(crowd.bodies.size());
-  std::iota(bodies.begin(), bodies.end(), 0U);
-  std::vector<scene::Box> boxes(bodies.size());
-  scene::padded_boxes(shapes, crowd.bodies, bodies, boxes);
-  scene::Cells cells;
-  cells.file(bodies, boxes, 1);
+  Filed filed(Crowd(8, 300, 2, 60));
   Random random = test::motion(9);
+  const auto last = static_cast<int>(filed.bodies.size()) - 1;
   int refiled = 0;
   for (int i = 0; i < 2000; ++i) {
-    const auto body =
-        static_cast<std::uint32_t>(random.integer(0, static_cast<int>(bodies.size()) - 1));
-    const scene::Box before = boxes[body];
-    const auto x = static_cast<float>(random.uniform(-3, 3));
-    boxes[body] = {before.x_min + x, before.y_min - x, before.x_max + x, before.y_max - x};
-    if (cells.refile(body, &before, boxes[body])) {
+    const auto body = static_cast<std::uint32_t>(random.integer(0, last));
+    const scene::Box before = filed.boxes[body];
+    const auto by = static_cast<float>(random.uniform(-3, 3));
+    filed.boxes[body] = {before.x_min + by, before.y_min - by, before.x_max + by,
+                         before.y_max - by};
+    if (filed.cells.refile(body, &before, filed.boxes[body])) {
       ++refiled;
     } else {
-      cells.file(bodies, boxes, 1);
+      filed.file();
     }
-    std::vector<std::uint32_t> found;
-    cells.near(boxes[body], found);
-    std::ranges::sort(found);
-    std::vector<std::uint32_t> right;
-    for (const std::uint32_t other : bodies) {
-      if (overlap(boxes[body], boxes[other])) right.push_back(other);
-    }
-    REQUIRE(found == right);
+    filed.check_near(body);
   }
   CHECK(refiled > 1000);
 }

@@ -70,12 +70,15 @@ TEST_CASE("contacts begin, stay and end") {
 TEST_CASE("a body's contacts end with it, and its place is used again") {
   Row row(3);
   row.step();
+  const std::size_t pairs = row.scene.pair_count();
   CHECK(row.scene.remove(row.bodies[1]) == std::nullopt);
+  const std::size_t dropped = pairs - row.scene.pair_count();
   const BodyHandle again = std::get<BodyHandle>(row.scene.add(row.shape, upright(0.99F, 0)));
   CHECK(again.index == row.bodies[1].index);
   CHECK(again != row.bodies[1]);
   const StepResult result = row.step();
   CHECK(result.ended.size() == 2);
+  CHECK(result.counts.pairs_dropped == dropped);
   for (const scene::EndedContact& ended : result.ended) {
     CHECK((ended.a == row.bodies[1] || ended.b == row.bodies[1]));
   }
@@ -108,6 +111,42 @@ TEST_CASE("a pair proven separated is skipped until it has moved by its margin")
   const StepResult touching = row.step({{{b, upright(1, 0)}}});
   CHECK(touching.counts.pairs.collided == 1);
   CHECK(touching.contacts.size() == 1);
+}
+
+TEST_CASE("a floor under all bodies comes and goes") {
+  constexpr int kBodies = 5000;
+  scene::Scene scene;
+  const auto add = [&](std::uint32_t shape, const Pose<float>& pose) {
+    return std::get<BodyHandle>(scene.add(shape, pose));
+  };
+  const auto step = [&](std::span<const scene::Move> moves) {
+    return std::get<StepResult>(scene.step(moves));
+  };
+  const auto small = std::get<std::uint32_t>(scene.add_shape(square(0.4F)));
+  const auto large = std::get<std::uint32_t>(scene.add_shape(square(kBodies)));
+  const BodyHandle floor = add(large, upright(kBodies / 2, 0.5F - kBodies));
+  std::vector<BodyHandle> bodies;
+  for (int i = 0; i < kBodies; ++i)
+    bodies.push_back(add(small, upright(static_cast<float>(i), 0.85F)));
+  CHECK(step({}).contacts.size() == kBodies);
+
+  const scene::Move away{floor, upright(kBodies / 2, -3 * kBodies)};
+  CHECK(step({{away}}).ended.size() == kBodies);
+  const scene::Move back{floor, upright(kBodies / 2, 0.5F - kBodies)};
+  CHECK(step({{back}}).began.size() == kBodies);
+
+  std::vector<scene::Move> nudges;
+  for (int i = 0; i < kBodies; i += 50) {
+    nudges.push_back({bodies[static_cast<std::size_t>(i)], upright(static_cast<float>(i), 0.86F)});
+  }
+  const StepResult nudged = step(nudges);
+  CHECK(nudged.contacts.size() == kBodies);
+  CHECK(nudged.counts.pairs.collided == nudges.size());
+
+  CHECK(scene.remove(floor) == std::nullopt);
+  const StepResult gone = step({});
+  CHECK(gone.contacts.empty());
+  CHECK(gone.ended.size() == kBodies);
 }
 
 TEST_CASE("a body that shakes on the spot begins a new path now and then") {
