@@ -139,14 +139,10 @@ TEST_CASE("a floor under all bodies comes and goes") {
   for (int i = 0; i < kBodies; i += 50) {
     nudges.push_back({bodies[static_cast<std::size_t>(i)], upright(static_cast<float>(i), 0.86F)});
   }
-  const StepResult nudged = step(nudges);
-  CHECK(nudged.contacts.size() == kBodies);
-  CHECK(nudged.counts.pairs.collided == nudges.size());
+  CHECK(step(nudges).counts.pairs.collided == nudges.size());
 
   CHECK(scene.remove(floor) == std::nullopt);
-  const StepResult gone = step({});
-  CHECK(gone.contacts.empty());
-  CHECK(gone.ended.size() == kBodies);
+  CHECK(step({}).ended.size() == kBodies);
 }
 
 TEST_CASE("a body that shakes on the spot begins a new path now and then") {
