@@ -35,15 +35,27 @@ HWY_INLINE void load_scalars(D d, const Address& address, V (&rows)[kScalars]) {
   }
 }
 
+template <class D, class T = hn::TFromD<D>>
+HWY_INLINE void store_corner(D d, const hn::Vec<D> (&corner)[kCornerRows], Row<T>* row,
+                             int column) {
+  for (int r = 0; r < kCornerRows; ++r) hn::Store(corner[r], d, row[r].column + column);
+}
+
+/// Writes a polygon's first vertex behind its last corner.
+template <class D, class T>
+HWY_INLINE void close_polygon(D d, int count_max, Row<T>* rows, int column) {
+  for (const int axis : {0, 1}) {
+    hn::Store(hn::Load(d, rows[axis].column + column), d,
+              rows[kCornerRows * count_max + axis].column + column);
+  }
+}
+
 /// Fetches the corners of the A or the B of some columns and closes the polygon. `place` may move
 /// what has been fetched of a corner. Two corners are read before either is written: their
 /// addresses are read once.
 template <class D, class T, class Place>
 HWY_INLINE void fetch_corners(D d, const PairBatch<T>& batch, int polygon, int count_max,
                               const Place& place, Row<T>* rows, int column) {
-  const auto store = [&](const hn::Vec<D>(&corner)[kCornerRows], Row<T>* row) {
-    for (int r = 0; r < kCornerRows; ++r) hn::Store(corner[r], d, row[r].column + column);
-  };
   for (int k = 0; k < count_max; k += 2) {
     const auto* const pair = reloaded(batch.pair + column);
     const auto load = [&](int corner, hn::Vec<D>(&into)[kCornerRows]) {
@@ -57,19 +69,40 @@ HWY_INLINE void fetch_corners(D d, const PairBatch<T>& batch, int polygon, int c
     load(k + 1, odd);
     place(even);
     place(odd);
-    store(even, rows + kCornerRows * k);
-    store(odd, rows + kCornerRows * (k + 1));
+    store_corner(d, even, rows + kCornerRows * k, column);
+    store_corner(d, odd, rows + kCornerRows * (k + 1), column);
   }
-  for (const int axis : {0, 1}) {
-    hn::Store(hn::Load(d, rows[axis].column + column), d,
-              rows[kCornerRows * count_max + axis].column + column);
-  }
+  close_polygon(d, count_max, rows, column);
 }
 
-/// Fetches both polygons and poses for some columns, B's polygon into A's frame.
+/// The same where every pair has the one shape: each of its scalars goes to every column.
+template <class D, class T, class Place>
+HWY_INLINE void spread_corners(D d, const T* corners, int count_max, const Place& place,
+                               Row<T>* rows, int column) {
+  for (int k = 0; k < count_max; ++k) {
+    hn::Vec<D> corner[kCornerRows];
+    for (int r = 0; r < kCornerRows; ++r) corner[r] = hn::Set(d, corners[kCornerRows * k + r]);
+    place(corner);
+    store_corner(d, corner, rows + kCornerRows * k, column);
+  }
+  close_polygon(d, count_max, rows, column);
+}
+
+/// Whether all A's, or all B's, of a full batch have the one shape.
+template <class T>
+HWY_INLINE bool shares_shape(const PairBatch<T>& batch, int polygon) {
+  if (batch.count[polygon] == 0) return false;
+  for (int column = 1; column < kBlockPairs; ++column) {
+    if (batch.pair[column].corners[polygon] != batch.pair[0].corners[polygon]) return false;
+  }
+  return true;
+}
+
+/// Fetches both polygons and poses for some columns, B's polygon into A's frame. An A that all
+/// pairs share is left to `fetch`.
 template <class D, class T>
-HWY_INLINE void fetch_strip(D d, const PairBatch<T>& batch, const int (&count_max)[2], int column,
-                            BatchRows<T>& rows) {
+HWY_INLINE void fetch_strip(D d, const PairBatch<T>& batch, const int (&count_max)[2],
+                            const bool (&shared)[2], int column, BatchRows<T>& rows) {
   const auto pose = [&](int p) -> LanePose<D> {
     hn::Vec<D> scalars[4];
     load_scalars(
@@ -78,8 +111,10 @@ HWY_INLINE void fetch_strip(D d, const PairBatch<T>& batch, const int (&count_ma
         scalars);
     return {{scalars[0], scalars[1]}, {scalars[2], scalars[3]}};
   };
-  const auto stay = [](const auto&) {};
-  fetch_corners(d, batch, 0, count_max[0], stay, rows.corners[0], column);
+  if (!shared[0]) {
+    const auto stay = [](const auto&) {};
+    fetch_corners(d, batch, 0, count_max[0], stay, rows.corners[0], column);
+  }
   const LanePose<D> b_in_a = relative_pose(pose(0), pose(1));
   const auto place = [&](hn::Vec<D>(&corner)[kCornerRows]) {
     const Lanes2<D> vertex = transformed<D>(b_in_a, {corner[0], corner[1]});
@@ -89,7 +124,11 @@ HWY_INLINE void fetch_strip(D d, const PairBatch<T>& batch, const int (&count_ma
     corner[2] = normal.x;
     corner[3] = normal.y;
   };
-  fetch_corners(d, batch, 1, count_max[1], place, rows.corners[1], column);
+  if (shared[1]) {
+    spread_corners(d, batch.pair[0].corners[1], count_max[1], place, rows.corners[1], column);
+  } else {
+    fetch_corners(d, batch, 1, count_max[1], place, rows.corners[1], column);
+  }
 }
 
 /// Fetches all that the kernel asks of a batch; `count_max` becomes the most corners of any A and
@@ -115,9 +154,16 @@ HWY_INLINE void fetch(const Shapes<T>& shapes, const PairBatch<T>& batch, BatchR
     total_radius.column[column] = shapes.radius(batch.pair[column].body[0]->shape) +
                                   shapes.radius(batch.pair[column].body[1]->shape);
   }
+  const bool shared[2] = {shares_shape(batch, 0), shares_shape(batch, 1)};
+  const hn::CappedTag<T, kBlockPairs> widest;
+  const auto lanes = static_cast<int>(hn::Lanes(widest));
+  for (int column = 0; shared[0] && column < kBlockPairs; column += lanes) {
+    const auto stay = [](const auto&) {};
+    spread_corners(widest, batch.pair[0].corners[0], count_max[0], stay, rows.corners[0], column);
+  }
   const hn::CappedTag<T, 32 / sizeof(T)> d;  // wider ones cost more to put together than they save
   for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
-    fetch_strip(d, batch, count_max, column, rows);
+    fetch_strip(d, batch, count_max, shared, column, rows);
   }
 }
 

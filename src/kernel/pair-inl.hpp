@@ -151,18 +151,24 @@ HWY_INLINE hn::Vec<hn::Rebind<T, Ends>> of_planes(T first, T second) {
   return hn::ConcatLowerLower(d, hn::Set(d, second), hn::Set(d, first));
 }
 
-/// The features that make a contact point, as a `FeaturePair`'s bytes: kinds are 0 for a vertex, 1
-/// for a face.
-struct FeatureBytes {
-  int reference_shift;
-  int incident_shift;
+/// Half of a `FeaturePair`'s bytes: kinds are 0 for a vertex, 1 for a face.
+constexpr std::uint64_t vertex_feature(int k) {
+  return static_cast<std::uint64_t>(k) << 8;
+}
 
-  HWY_INLINE std::int32_t operator()(int reference_kind, int reference, int incident_kind,
-                                     int incident) const {
-    return (reference_kind | reference << 8) << reference_shift | (incident_kind | incident << 8)
-                                                                      << incident_shift;
-  }
-};
+constexpr std::uint64_t face_feature(int k) {
+  return 1 | vertex_feature(k);
+}
+
+/// Two integers of 32 bits as one of 64: what is done to it, is done to both at once.
+constexpr std::uint64_t both(std::uint64_t first, std::uint64_t second) {
+  return first | second << 32;
+}
+
+/// The index of the corner after this one. Without a branch, which few polygons would take alike.
+constexpr int next(int k, int count) {
+  return (k + 1) & -static_cast<int>(k + 1 < count);
+}
 
 /// The incident edge as far as it has been clipped: lanes 0 and 1.
 struct ClippedEdge {
@@ -190,7 +196,8 @@ HWY_INLINE ClippedEdge clip_to_slab(const EndLanes2& whole, const EndLanes2& inw
   const EndLanes2 along = subtract<Ends>(to, from);
   const EndLanes2 crossing{hn::Add(from.x, hn::Mul(share, along.x)),
                            hn::Add(from.y, hn::Mul(share, along.y))};
-  const auto is_second_end = hn::RebindMask(d, hn::Eq(of_ends(0, 1), hn::Set(di, 1)));
+  alignas(16) static constexpr std::int32_t kSecondEnds[4] = {0, -1, 0, -1};
+  const auto is_second_end = hn::RebindMask(d, hn::MaskFromVec(hn::Load(di, kSecondEnds)));
   const auto is_cut = hn::AndNot(is_whole, hn::Xor(hn::Lt(offset0, zero), is_second_end));
 
   // The second plane's lanes are brought beside the first's: it cuts last.
@@ -204,24 +211,40 @@ HWY_INLINE ClippedEdge clip_to_slab(const EndLanes2& whole, const EndLanes2& inw
           hn::MaskFromVec(hn::Or(gone, second(gone)))};
 }
 
+/// The face's normal turned to the left at its first corner's side plane, to the right at the
+/// other.
+HWY_INLINE EndLanes2 inward(float normal_x, float normal_y) {
+  alignas(16) static constexpr float kTurn[2][4] = {{-0.0F, -0.0F, 0, 0}, {0, 0, -0.0F, -0.0F}};
+  const Ends d;
+  return {hn::Xor(hn::Load(d, kTurn[0]), hn::Set(d, normal_y)),
+          hn::Xor(hn::Load(d, kTurn[1]), hn::Set(d, normal_x))};
+}
+
 HWY_INLINE ClippedEdge clip_to_slab(const PairFeatures& f, float total_radius) {
   const auto& [reference, incident, reference_is_b, face, edge] = f;
-  const FeatureBytes bytes{reference_is_b ? 16 : 0, reference_is_b ? 0 : 16};
-  const auto next = [](int k, int count) { return k + 1 < count ? k + 1 : 0; };
-  const auto next_place = [](int k) { return (k + 1) % kMaxVertices; };  // past the last, the first
+  const DInt<Ends> di;
+  const hn::Repartition<std::uint64_t, DInt<Ends>> d_both;
+  const auto next_place = [](int k) { return (k + 1) & (kMaxVertices - 1); };  // from 7 to 0
   const int second = next_place(edge);
   const int side = next_place(face);
-  const float normal_x = reference.normal_x[face];
-  const float normal_y = reference.normal_y[face];
-  return clip_to_slab(
-      {of_ends(incident.x[edge], incident.x[second]),
-       of_ends(incident.y[edge], incident.y[second])},
-      {of_planes(-normal_y, normal_y), of_planes(normal_x, -normal_x)},
-      {of_planes(reference.x[face], reference.x[side]),
-       of_planes(reference.y[face], reference.y[side])},
-      hn::Set(Ends(), total_radius),
-      of_ends(bytes(1, face, 0, edge), bytes(1, face, 0, next(edge, incident.count))),
-      of_planes(bytes(0, face, 1, edge), bytes(0, next(face, reference.count), 1, edge)));
+  const auto vertices = [&](const ShapeRows& shape, int k) {
+    return both(vertex_feature(k), vertex_feature(next(k, shape.count)));
+  };
+  const auto same = [](std::uint64_t feature) { return both(feature, feature); };
+  const int shift = 16 * static_cast<int>(reference_is_b);
+  const auto features = [&](std::uint64_t of_reference, std::uint64_t of_incident) {
+    const auto pairs = of_reference << shift | of_incident << (16 - shift);
+    return hn::BitCast(di, hn::Set(d_both, pairs));
+  };
+  const EndInts of_crossings = features(vertices(reference, face), same(face_feature(edge)));
+  return clip_to_slab({of_ends(incident.x[edge], incident.x[second]),
+                       of_ends(incident.y[edge], incident.y[second])},
+                      inward(reference.normal_x[face], reference.normal_y[face]),
+                      {of_planes(reference.x[face], reference.x[side]),
+                       of_planes(reference.y[face], reference.y[side])},
+                      hn::Set(Ends(), total_radius),
+                      features(same(face_feature(face)), vertices(incident, edge)),
+                      hn::InterleaveLower(di, of_crossings, of_crossings));
 }
 
 /// Writes the manifold of the ends behind the face; returns its greatest depth, the total radius
@@ -240,26 +263,29 @@ HWY_INLINE float keep_behind_face(const PairFeatures& f, const ClippedEdge& edge
   const EndLanes depth = hn::Sub(margin, separation);
   const auto is_kept = hn::Not(hn::Or(edge.is_gone, hn::Gt(separation, margin)));
   const EndInts kept = hn::VecFromMask(di, hn::RebindMask(di, is_kept));  // -1 or 0
-  const int keeps_first = -hn::GetLane(kept);
-  const int keeps_second = -hn::GetLane(hn::DupOdd(kept));
+  const EndInts kept_second = hn::DupOdd(kept);
 
   float* const memory = reinterpret_cast<float*>(&manifold);
-  const EndInts head = of_ends(keeps_first + keeps_second, std::int32_t{f.reference_is_b});
-  const EndInts turn = hn::Set(di, f.reference_is_b ? std::numeric_limits<std::int32_t>::min() : 0);
+  const EndInts count = hn::Neg(hn::Add(kept, kept_second));
+  const EndInts side = hn::Set(di, std::int32_t{f.reference_is_b});
+  const EndInts head = hn::InterleaveLower(di, count, side);
+  const EndInts turn = hn::ShiftLeft<31>(side);
   const EndLanes facing_b =
       hn::Xor(hn::InterleaveLower(d, normal.x, normal.y), hn::BitCast(d, turn));
   hn::StoreU(hn::ConcatLowerLower(d, facing_b, hn::BitCast(d, head)), d, memory);
   const EndLanes position = hn::InterleaveLower(d, edge.position.x, edge.position.y);
   const EndLanes rest = hn::InterleaveLower(d, depth, hn::BitCast(d, edge.features));
   const EndLanes first = hn::ConcatLowerLower(d, rest, position);
-  hn::StoreU(hn::ConcatUpperUpper(d, rest, position), d, memory + 4);  // the second end leads
+  const EndLanes second = hn::ConcatUpperUpper(d, rest, position);
+  const auto leads = hn::RebindMask(d, hn::MaskFromVec(hn::Broadcast<1>(kept)));
+  hn::StoreU(hn::IfThenElse(leads, second, first), d, memory + 4);  // the second end leads
   hn::StoreU(first, d, memory + 8);
-  hn::StoreU(first, d, memory + 4 + std::ptrdiff_t{4} * keeps_second);  // unless it is not kept
 
   const EndLanes none = hn::Set(d, -std::numeric_limits<float>::infinity());
   const EndLanes kept_depth = hn::IfThenElse(is_kept, depth, none);
-  const float deepest = hn::GetLane(hn::Max(kept_depth, hn::DupOdd(kept_depth)));
-  return keeps_first + keeps_second > 0 ? deepest : total_radius;
+  const EndLanes deepest = hn::Max(kept_depth, hn::DupOdd(kept_depth));
+  return hn::GetLane(
+      hn::IfThenElse(hn::RebindMask(d, hn::Eq(count, hn::Zero(di))), margin, deepest));
 }
 
 #endif  // HWY_TARGET != HWY_SCALAR

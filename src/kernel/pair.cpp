@@ -3,6 +3,7 @@
 #include <hwy/foreach_target.h>  // includes this file once more for every other target
 // after foreach_target
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <hwy/highway.h>
 
@@ -47,6 +48,16 @@ HWY_INLINE HintedFace try_hint(const ShapeRows& a, const ShapeRows& b, const Pos
   return result;
 }
 
+/// A's or B's, without a branch: it would go either way at random.
+HWY_INLINE int chosen(bool is_b, int of_a, int of_b) {
+  return of_a ^ ((of_a ^ of_b) & -static_cast<int>(is_b));
+}
+
+HWY_INLINE float chosen(bool is_b, float of_a, float of_b) {
+  return std::bit_cast<float>(
+      chosen(is_b, std::bit_cast<std::int32_t>(of_a), std::bit_cast<std::int32_t>(of_b)));
+}
+
 /// Both polygons' faces of greatest separation; `of_b` is set where A's does not separate.
 struct Separations {
   Extreme of_a;
@@ -64,10 +75,10 @@ HWY_INLINE Separations separate(const ShapeRows& a, const ShapeRows& b, const Po
   s.found = {false, s.of_a.value, {Side::a, s.of_a.face}};
   if (s.of_a.value > total_radius) return s;
   s.of_b = greatest(face_separations(placed, a));
-  if (s.of_b.value > s.of_a.value) {
-    s.found = {false, s.of_b.value, {Side::b, s.of_b.face}};
-  }
+  const bool b_leads = s.of_b.value > s.of_a.value;
   s.found.touches = !(s.of_b.value > total_radius);
+  s.found.separation = std::max(s.of_a.value, s.of_b.value);
+  s.found.face = {static_cast<Side>(b_leads), chosen(b_leads, s.of_a.face, s.of_b.face)};
   return s;
 }
 
@@ -122,7 +133,12 @@ HWY_INLINE bool might_miss_deepest(const PairFeatures& f, float missing, float g
   const float reach = reach_of(f.reference, f.face) + reach_of(f.incident, f.edge);
   constexpr float u = std::numeric_limits<float>::epsilon() / 2;
   const float lacking = std::min(missing, -greatest);
-  return lacking > 0 && lacking > 4 * u * reach;
+  return lacking > 4 * u * reach;
+}
+
+/// The edge of `incident` whose normal is most opposed to that of the reference face.
+HWY_INLINE int incident_edge(const ShapeRows& reference, int face, const ShapeRows& incident) {
+  return least(dots(incident, reference.normal_x[face], reference.normal_y[face])).face;
 }
 
 /// The manifold of polygons that no face separates.
@@ -130,18 +146,21 @@ HWY_INLINE void clip_touching(const ShapeRows& a, const ShapeRows& placed, const
                               float tie_bias, Manifold<float>& manifold) {
   const float total_radius = a.radius + placed.radius;
   const bool take_b = s.of_b.value > s.of_a.value + tie_bias;
-  const ShapeRows& reference = take_b ? placed : a;
-  const ShapeRows& incident = take_b ? a : placed;
-  const Extreme& chosen = take_b ? s.of_b : s.of_a;
+  const ShapeRows* const polygons[2] = {&a, &placed};
+  const ShapeRows& reference = *polygons[take_b];
+  const ShapeRows& incident = *polygons[!take_b];
+  // Both polygons' edges are sought: the first of them before B's faces are compared.
+  const int face = chosen(take_b, s.of_a.face, s.of_b.face);
   const int edge =
-      least(dots(incident, reference.normal_x[chosen.face], reference.normal_y[chosen.face])).face;
-  const PairFeatures features{reference, incident, take_b, chosen.face, edge};
+      chosen(take_b, incident_edge(a, s.of_a.face, placed), incident_edge(placed, s.of_b.face, a));
+  const float separation = chosen(take_b, s.of_a.value, s.of_b.value);
+  const PairFeatures features{reference, incident, take_b, face, edge};
   const ClippedEdge clipped = clip_to_slab(features, total_radius);
   const float deepest = keep_behind_face(features, clipped, total_radius, manifold);
   if (tie_bias > 0 && manifold.count > 0) return;
-  const float missing = total_radius - chosen.value - deepest;
+  const float missing = total_radius - separation - deepest;
   if (HWY_LIKELY(!might_miss_deepest(features, missing, s.found.separation))) return;
-  manifold = with_deepest_contact(a, placed, manifold, chosen.value, s.found.separation);
+  manifold = with_deepest_contact(a, placed, manifold, separation, s.found.separation);
 }
 
 #endif  // HWY_TARGET == HWY_SCALAR

@@ -131,6 +131,32 @@ TEST_CASE("where separations overflow, face 0 stands in, as in the clean code") 
   });
 }
 
+namespace {
+
+/// Every pair's A, B or both are given the first one's shape.
+template <class Scalar>
+void check_shared(const std::vector<int>& sides) {
+  Scene<Scalar> scene = scene_of<Scalar>(*find_regime("generic"));
+  for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
+    for (const int side : sides) {
+      scene.polygons[2 * i + side] = scene.polygons[side];
+      scene.bodies[2 * i + side].shape = scene.bodies[side].shape;
+    }
+  }
+  scene.expect(0);
+  on_every_target([&] { CHECK(wrong_from_indices(scene, Scalar{0}) == 0); });
+}
+
+}  // namespace
+
+TEST_CASE("pairs that share a shape on either side are answered as others") {
+  for (const auto& sides : std::vector<std::vector<int>>{{0}, {1}, {0, 1}}) {
+    INFO("sides from " << sides.front() << " to " << sides.back());
+    check_shared<float>(sides);
+    check_shared<double>(sides);
+  }
+}
+
 TEST_CASE("any number of pairs, of any bodies, is answered in order") {
   Scene<float> scene = scene_of<float>(*find_regime("generic"));
   const auto all = scene.pairs;
