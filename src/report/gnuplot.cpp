@@ -81,7 +81,8 @@ void draw_plot(const std::string& path, const std::string& commands) {
   const DrawnFile drawn;
   const std::string script = fmt::format("set terminal {}\nset output '{}'\n{}", terminal_of(path),
                                          drawn.path(), commands);
-  std::FILE* const gnuplot = popen("gnuplot -d", "w");  // no settings of the user's own
+  // No settings of the user's own, and no warnings: of a range of one value, which it widens.
+  std::FILE* const gnuplot = popen("gnuplot -d 2>/dev/null", "w");
   if (gnuplot != nullptr) std::fwrite(script.data(), 1, script.size(), gnuplot);
   const bool is_drawn = gnuplot != nullptr && pclose(gnuplot) == 0;
   const std::string picture = InputFile(drawn.path()).read_all();

@@ -1,6 +1,7 @@
 #include "scene/candidates.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace manifuzz::scene {
 namespace {
@@ -23,6 +24,7 @@ void Candidates::add(std::uint32_t a, std::uint32_t b) {
   if (row.count == row.room) {
     const auto first = static_cast<std::uint32_t>(all_.size());
     const std::uint32_t room = room_for(row.count);
+    assert(all_.size() + room < kNone);  // places are 32 bits: 34 GB of candidates
     resize(all_, first + room);
     std::copy_n(all_.begin() + row.first, row.count, all_.begin() + first);
     row = {first, row.count, room};

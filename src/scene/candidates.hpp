@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,7 +25,10 @@ class Candidate {
   /// Whether bodies whose paths sum up to this length are apart for certain.
   bool is_apart(float paths) const { return paths < std::bit_cast<float>(known_); }
 
-  void touch(std::uint32_t contact) { known_ = kTouches | contact; }
+  void touch(std::uint32_t contact) {
+    assert((contact & kTouches) == 0);
+    known_ = kTouches | contact;
+  }
   /// From here on; 0 proves nothing.
   void be_apart_until(float paths) { known_ = std::bit_cast<std::uint32_t>(paths); }
 
@@ -52,6 +56,20 @@ class Candidates {
   std::span<Candidate> row(std::uint32_t a) {
     if (a >= rows_.size()) return {};
     return {all_.data() + rows_[a].first, rows_[a].count};
+  }
+
+  /// Asks for a body's row ahead of its use; most are no longer than two cache lines.
+  void prefetch(std::uint32_t a) {
+    const std::span<Candidate> soon = row(a);
+    if (soon.empty()) return;
+    __builtin_prefetch(&soon.front());
+    __builtin_prefetch(&soon.back());
+  }
+
+  /// A candidate by its place, which it keeps until a pair is added or dropped.
+  Candidate& at(std::uint32_t place) { return all_[place]; }
+  std::uint32_t place_of(const Candidate& candidate) const {
+    return static_cast<std::uint32_t>(&candidate - all_.data());
   }
 
   /// Of two bodies, a < b; null if they are no candidates.

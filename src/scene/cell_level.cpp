@@ -5,7 +5,8 @@
 
 namespace manifuzz::scene {
 
-void BoxColumns::clear_to(std::size_t size) {
+void BoxColumns::clear_to(std::size_t entries) {
+  size = entries;
   const std::size_t padded = size + kEntriesPastLast;
   for (auto* const column : {&x_min, &y_min, &x_max, &y_max}) resize(*column, padded);
   resize(body, padded);

@@ -17,10 +17,10 @@ inline constexpr std::size_t kEntriesPastLast = 64;
 struct BoxColumns {
   std::vector<float> x_min, y_min, x_max, y_max;
   std::vector<std::uint32_t> body;
+  std::size_t size = 0;  ///< of them; the arrays are longer
 
-  std::size_t size() const { return body.size(); }
   /// All entries without a body.
-  void clear_to(std::size_t size);
+  void clear_to(std::size_t entries);
   void set(std::size_t entry, std::uint32_t of_body, const Box& box) {
     x_min[entry] = box.x_min;
     y_min[entry] = box.y_min;
@@ -89,8 +89,6 @@ class CellLevel {
       }
     }
   }
-
-  BoxColumns entries;
 
   /// Where each place's entries begin, and where the last one's end.
   std::vector<std::uint32_t>& begin() { return begin_; }

@@ -68,51 +68,58 @@ HWY_INLINE void scan(const BoxColumns& entries, std::uint32_t first, std::uint32
   found.add(static_cast<std::size_t>(out - begin));
 }
 
-HWY_INLINE void scan_near(const CellLevel& level, const Box& box, Found& found) {
+HWY_INLINE void scan(const BoxColumns& entries, std::uint32_t first, std::uint32_t last,
+                     const Box& box, Found& found) {
   const Floats d;
   const auto all = [d](std::size_t) { return hn::FirstN(d, hn::Lanes(d)); };
+  scan(entries, first, last, box, all, found);
+}
+
+HWY_INLINE void scan_near(const CellLevel& level, const BoxColumns& entries, const Box& box,
+                          Found& found) {
   level.each_run(level.near(box), [&](std::uint32_t first, std::uint32_t last) {
-    scan(level.entries, first, last, box, all, found);
+    scan(entries, first, last, box, found);
   });
 }
 
-void near(std::span<const CellLevel> levels, const Box& box, std::vector<std::uint32_t>& bodies) {
+void near(std::span<const CellLevel> levels, const BoxColumns& entries, std::uint32_t overflow,
+          std::uint32_t overflow_end, const Box& box, std::vector<std::uint32_t>& bodies) {
   Found found(bodies);
-  for (const CellLevel& level : levels) scan_near(level, box, found);
+  for (const CellLevel& level : levels) scan_near(level, entries, box, found);
+  scan(entries, overflow, overflow_end, box, found);
 }
 
 /// Of two boxes of a level the left one finds the other; of two that begin at one x, that of the
 /// lower entry.
-HWY_INLINE void scan_right(const CellLevel& level, std::size_t entry, const Box& box,
-                           Found& found) {
+HWY_INLINE void scan_right(const CellLevel& level, const BoxColumns& entries, std::size_t entry,
+                           const Box& box, Found& found) {
   const Floats d;
   const Indices di;
   const auto x_min = hn::Set(d, box.x_min);
   const auto is_later = [&](std::size_t i) {
-    const auto other = hn::LoadU(d, level.entries.x_min.data() + i);
+    const auto other = hn::LoadU(d, entries.x_min.data() + i);
     const auto place = hn::Iota(di, static_cast<std::uint32_t>(i));
     const auto behind = hn::Gt(place, hn::Set(di, static_cast<std::uint32_t>(entry)));
     return hn::Or(hn::Gt(other, x_min), hn::And(hn::Eq(other, x_min), hn::RebindMask(d, behind)));
   };
   level.each_run(level.right_of(box), [&](std::uint32_t first, std::uint32_t last) {
-    scan(level.entries, first, last, box, is_later, found);
+    scan(entries, first, last, box, is_later, found);
   });
 }
 
-void pairs(std::span<const CellLevel> levels, std::vector<std::uint32_t>& bodies,
-           std::vector<kernel::BodyPair>& pairs) {
+void pairs(std::span<const CellLevel> levels, const BoxColumns& entries,
+           std::vector<std::uint32_t>& bodies, std::vector<kernel::BodyPair>& pairs) {
   pairs.clear();
   Found found(bodies);
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    const BoxColumns& entries = levels[i].entries;
-    const std::uint32_t count = levels[i].begin().back();
-    for (std::uint32_t entry = 0; entry < count; ++entry) {
+    const std::vector<std::uint32_t>& begin = levels[i].begin();
+    for (std::uint32_t entry = begin.front(); entry < begin.back(); ++entry) {
       const std::uint32_t body = entries.body[entry];
       if (body == kNone) continue;
       const Box box = entries.box(entry);
       found.clear();
-      scan_right(levels[i], entry, box, found);
-      for (std::size_t finer = 0; finer < i; ++finer) scan_near(levels[finer], box, found);
+      scan_right(levels[i], entries, entry, box, found);
+      for (std::size_t finer = 0; finer < i; ++finer) scan_near(levels[finer], entries, box, found);
       for (std::size_t k = 0; k < found.count(); ++k) {
         pairs.push_back({std::min(body, found[k]), std::max(body, found[k])});
       }
@@ -145,6 +152,11 @@ std::size_t size_of(float extent) {
 }
 
 constexpr std::size_t kSizesALevel = 8;  // down to a quarter of the largest
+
+/// How many boxes may lie in no cell: every search goes through them, in eight steps of sixteen.
+std::uint32_t overflow_max(std::size_t bodies) {
+  return static_cast<std::uint32_t>(std::min<std::size_t>(bodies / 16, 128));
+}
 
 struct Size {
   std::uint32_t count = 0;
@@ -202,65 +214,69 @@ void Cells::file(std::span<const std::uint32_t> bodies, std::span<const Box> box
     place_[i] = levels_[level_[i]].place_of(box);
     ++levels_[level_[i]].begin()[place_[i]];
   }
+  std::uint32_t end = 0;
   for (CellLevel& level : levels()) {
     // Behind its place's last entry at first, each begin goes back as they are filed.
-    std::uint32_t end = 0;
     for (std::uint32_t& begin : level.begin()) {
       const std::uint32_t behind = end + begin;
       end = std::exchange(begin, behind) + room + end;
     }
-    level.entries.clear_to(end);
   }
+  overflow_ = overflow_end_ = end;
+  entries_.clear_to(end + room * overflow_max(bodies.size()));
   for (std::size_t i = bodies.size(); i-- > 0;) {
-    CellLevel& level = levels_[level_[i]];
-    level.entries.set(--level.begin()[place_[i]], bodies[i], boxes[bodies[i]]);
+    entries_.set(--levels_[level_[i]].begin()[place_[i]], bodies[i], boxes[bodies[i]]);
   }
 }
 
 bool Cells::refile(std::uint32_t body, const Box* before, const Box& box) {
-  const std::size_t index = level_of(box);
-  if (index == used_) return false;
-  CellLevel& level = levels_[index];
-  const std::uint32_t place = level.place_of(box);
+  const Run place = place_of(box);
   if (before != nullptr) {
-    if (level_of(*before) == index && level.place_of(*before) == place) {
-      level.entries.set(*entry_of(level, place, body), body, box);
+    if (place_of(*before) == place) {
+      entries_.set(entry_of(place, body), body, box);
       return true;
     }
     remove(body, *before);
   }
-  const auto entry = entry_of(level, place, kNone);
-  if (entry) level.entries.set(*entry, body, box);
-  return entry.has_value();
+  std::uint32_t entry = entry_of(place, kNone);
+  if (entry == overflow_end_) {
+    if (entry == entries_.size) return false;
+    ++overflow_end_;
+  }
+  entries_.set(entry, body, box);
+  return true;
 }
 
 void Cells::remove(std::uint32_t body, const Box& box) {
-  CellLevel& level = levels_[level_of(box)];
-  level.entries.clear(*entry_of(level, level.place_of(box), body));
+  entries_.clear(entry_of(place_of(box), body));
 }
 
-std::optional<std::size_t> Cells::entry_of(const CellLevel& level, std::uint32_t place,
-                                           std::uint32_t body) {
-  for (std::size_t entry = level.begin()[place]; entry < level.begin()[place + 1]; ++entry) {
-    if (level.entries.body[entry] == body) return entry;
-  }
-  return std::nullopt;
+Cells::Run Cells::place_of(const Box& box) const {
+  const std::size_t level = level_of(box);
+  if (level == used_) return {overflow_, overflow_};
+  const std::uint32_t* const begin = &levels_[level].begin()[levels_[level].place_of(box)];
+  return {begin[0], begin[1]};
+}
+
+std::uint32_t Cells::entry_of(const Run& place, std::uint32_t body) const {
+  const auto of = entries_.body.begin();
+  const auto found = std::find(of + place.first, of + place.last, body);
+  if (found != of + place.last) return static_cast<std::uint32_t>(found - of);
+  return static_cast<std::uint32_t>(std::find(of + overflow_, of + overflow_end_, body) - of);
 }
 
 void Cells::near(const Box& box, std::vector<std::uint32_t>& found) const {
-  HWY_DYNAMIC_DISPATCH(near)(levels(), box, found);
+  HWY_DYNAMIC_DISPATCH(near)(levels(), entries_, overflow_, overflow_end_, box, found);
 }
 
 void Cells::pairs(std::vector<kernel::BodyPair>& found) {
-  HWY_DYNAMIC_DISPATCH(pairs)(levels(), found_, found);
+  HWY_DYNAMIC_DISPATCH(pairs)(levels(), entries_, found_, found);
 }
 
 std::size_t Cells::bytes() const {
-  std::size_t bytes = level_.capacity() + 4 * (place_.capacity() + found_.capacity());
-  for (const CellLevel& level : levels_) {
-    bytes += 4 * (5 * level.entries.body.capacity() + level.begin().capacity());
-  }
-  return bytes;
+  std::size_t indices = 5 * entries_.body.capacity() + place_.capacity() + found_.capacity();
+  for (const CellLevel& level : levels_) indices += level.begin().capacity();
+  return level_.capacity() + 4 * indices;
 }
 
 }  // namespace manifuzz::scene

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,11 +13,13 @@ namespace manifuzz::scene {
 /// largest, filed by counting.
 class Cells {
  public:
-  /// Files these bodies anew; `boxes` is by body. Each cell has room for so many more.
+  /// Files these bodies anew; `boxes` is by body. Each cell has room for so many more, and where
+  /// that is not 0 some find room in no cell.
   void file(std::span<const std::uint32_t> bodies, std::span<const Box> boxes, std::uint32_t room);
 
-  /// Files a body whose box was another one, or that was not there (`before` is null); false where
-  /// it finds no room, and all must be filed anew.
+  /// Files a body whose box was another one, or that was not there (`before` is null): in its cell,
+  /// or where there is no room, or the box is larger than all, in none. False where that is full
+  /// too, and all must be filed anew.
   bool refile(std::uint32_t body, const Box* before, const Box& box);
 
   /// Of a body that is filed with this box.
@@ -34,17 +35,26 @@ class Cells {
   std::size_t bytes() const;
 
  private:
+  /// The entries of a place, from the first to before the last.
+  struct Run {
+    std::uint32_t first, last;
+    friend bool operator==(const Run&, const Run&) = default;
+  };
+
   void make_levels(std::span<const std::uint32_t> bodies, std::span<const Box> boxes);
   std::size_t level_of(const Box& box) const;
-  /// Of a body, or of kNone, in a place; none if there is none.
-  static std::optional<std::size_t> entry_of(const CellLevel& level, std::uint32_t place,
-                                             std::uint32_t body);
+  Run place_of(const Box& box) const;
+  /// Of a body, or of kNone, in a place or in the overflow; the overflow's end if there is none.
+  std::uint32_t entry_of(const Run& place, std::uint32_t body) const;
 
   std::span<CellLevel> levels() { return std::span(levels_).first(used_); }
   std::span<const CellLevel> levels() const { return std::span(levels_).first(used_); }
 
-  std::vector<CellLevel> levels_;  // the finest first
-  std::size_t used_ = 0;           // of them
+  std::vector<CellLevel> levels_;   // the finest first
+  std::size_t used_ = 0;            // of them
+  BoxColumns entries_;              // of all levels, and behind them the overflow:
+  std::uint32_t overflow_ = 0;      // those in no cell, from this one
+  std::uint32_t overflow_end_ = 0;  // to before this one
 
   // Of the filing under way: of each body its level and its place there.
   std::vector<std::uint8_t> level_;

@@ -100,37 +100,18 @@ class Scene {
     Box before;
   };
 
-  /// Pairs that wait for the kernel; the arrays are longer than that.
+  /// A candidate that waits for the kernel.
+  struct Waiting {
+    std::uint32_t a;
+    std::uint32_t place;  ///< among the candidates
+  };
+
+  /// They wait together; the array is longer than that.
   struct Queue {
-    std::vector<kernel::BodyPair> bodies;
-    std::vector<Candidate*> candidates;
+    std::vector<Waiting> pairs;
     std::size_t count = 0;
 
-    /// Behind the last pair, to add some more: as plain pointers, which a loop keeps in registers.
-    struct End {
-      kernel::BodyPair* bodies;  ///< of the queue
-      Candidate** candidates;    ///< of the queue
-      std::size_t count;         ///< so far
-
-      /// Adds a pair if `is_waiting`, without a branch: no processor could foretell it.
-      void add(const kernel::BodyPair& pair, Candidate& candidate, bool is_waiting) {
-        bodies[count] = pair;
-        candidates[count] = &candidate;
-        count += static_cast<std::size_t>(is_waiting);
-      }
-    };
-    void add(const kernel::BodyPair& pair, Candidate& candidate) {
-      bodies[count] = pair;
-      candidates[count++] = &candidate;
-    }
-    End end() { return {bodies.data(), candidates.data(), count}; }
-    void make_room(std::size_t size) {
-      if (size <= bodies.size()) return;
-      resize(bodies, size);
-      resize(candidates, size);
-    }
-    bool has_room(std::size_t more) const { return count + more < bodies.size(); }
-    std::span<const kernel::BodyPair> waiting() const { return std::span(bodies).first(count); }
+    bool has_room(std::size_t more) const { return count + more < pairs.size(); }
   };
 
   struct Beginning {
@@ -157,6 +138,7 @@ class Scene {
   bool overlap(std::uint32_t a, std::uint32_t b) const {
     return scene::overlap(boxes_[a], boxes_[b]);
   }
+  kernel::BodyPair bodies_of(const Waiting& pair) { return {pair.a, candidates_.at(pair.place).b}; }
   /// Where a body's fattened box was before this step.
   const Box& box_before(std::uint32_t body) const {
     return is(body, kLeft) ? left_[left_at_[body]].before : boxes_[body];

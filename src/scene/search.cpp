@@ -13,7 +13,7 @@ struct Fatness {
   float ahead_max;  ///< in the direction of its motion, no farther than this share,
   float ahead;      ///< and a multiple of how far the body went in this step
 };
-constexpr Fatness kAmongOthers{0.1F, 2, 8};
+constexpr Fatness kAmongOthers{0.125F, 2, 6};
 /// A box without partners may be fat: it costs nothing there.
 constexpr Fatness kByItself{0.8F, 4, 12};
 

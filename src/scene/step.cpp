@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <hwy/cache_control.h>
 #include <utility>
 
 #include "kernel/pair_stream.hpp"
@@ -12,7 +11,8 @@ namespace {
 /// Pairs that are collided together: enough for the kernel to sort, few enough for the cache.
 constexpr std::size_t kQueueMax = 4096;
 
-/// So many pairs ahead, contacts are asked for: they lie anywhere in memory.
+/// So many pairs ahead, contacts are asked for, and so many bodies ahead their rows: they lie
+/// anywhere in memory.
 constexpr std::size_t kAhead = 16;
 
 }  // namespace
@@ -38,7 +38,9 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves) {
 
 void Scene::look_at_candidates() {
   const std::size_t room = std::min(kQueueMax, candidates_.size() + 2);
-  for (Queue* const queue : {&touching_, &apart_}) queue->make_room(room);
+  for (Queue* const queue : {&touching_, &apart_}) {
+    if (queue->pairs.size() < room) resize(queue->pairs, room);
+  }
   if (manifolds_.size() < room) resize(manifolds_, room);
   if (few_moved_) {
     for (const Mover& mover : movers_) {
@@ -77,9 +79,12 @@ void Scene::look_at_all_rows() {
   const std::uint8_t* const states = states_.data();
   const float* const paths = paths_.data();
   for (std::uint32_t a = 0; a < candidates_.rows(); ++a) {
-    int of_row = states[a];
-    for (const Candidate& candidate : candidates_.row(a)) of_row |= states[candidate.b];
-    if ((of_row & kLeft) != 0) prune_row(a);
+    candidates_.prefetch(a + kAhead);
+    if (!left_.empty()) {
+      int of_row = states[a];
+      for (const Candidate& candidate : candidates_.row(a)) of_row |= states[candidate.b];
+      if ((of_row & kLeft) != 0) prune_row(a);
+    }
     const std::span<Candidate> row = candidates_.row(a);
     if (settings_.recycled_motion > 0 || row.size() >= kQueueMax) {
       for (Candidate& candidate : row) look_at(a, candidate);
@@ -89,20 +94,25 @@ void Scene::look_at_all_rows() {
     if (!apart_.has_room(row.size())) collide_apart();
     const int states_a = states[a];
     const float path_a = paths[a];
-    auto touching = touching_.end();
-    auto apart = apart_.end();
+    Waiting* const touching = touching_.pairs.data();
+    Waiting* const apart = apart_.pairs.data();
+    std::size_t touching_count = touching_.count;
+    std::size_t apart_count = apart_.count;
     std::size_t separated = 0;
-    for (Candidate& candidate : row) {
+    std::uint32_t place = row.empty() ? 0 : candidates_.place_of(row.front());
+    for (const Candidate& candidate : row) {
       const std::uint32_t b = candidate.b;
       const bool moved = ((states_a | states[b]) & kMoved) != 0;
       const bool touches = candidate.touches();
       const bool is_apart = candidate.is_apart(path_a + paths[b]);
-      touching.add({a, b}, candidate, moved & touches);
-      apart.add({a, b}, candidate, moved & !touches & !is_apart);
+      touching[touching_count] = {a, place};
+      touching_count += static_cast<std::size_t>(moved & touches);
+      apart[apart_count] = {a, place++};
+      apart_count += static_cast<std::size_t>(moved & !touches & !is_apart);
       separated += static_cast<std::size_t>(moved & is_apart);
     }
-    touching_.count = touching.count;
-    apart_.count = apart.count;
+    touching_.count = touching_count;
+    apart_.count = apart_count;
     counts_.pairs.separated += separated;
   }
 }
@@ -128,13 +138,12 @@ void Scene::look_at(std::uint32_t a, Candidate& candidate) {
   const bool is_apart = candidate.is_apart(paths_[a] + paths_[b]);
   if (!touching_.has_room(1)) collide(touching_);
   if (!apart_.has_room(1)) collide_apart();
-  if (touches) {
-    touching_.add({a, b}, candidate);
-  } else if (is_apart) {
+  if (is_apart) {
     ++counts_.pairs.separated;
-  } else {
-    apart_.add({a, b}, candidate);
+    return;
   }
+  Queue& queue = touches ? touching_ : apart_;
+  queue.pairs[queue.count++] = {a, candidates_.place_of(candidate)};
 }
 
 void Scene::collide_apart() {
@@ -145,26 +154,28 @@ void Scene::collide_apart() {
 /// Of the pairs that wait and did not touch, those whose tight boxes do not overlap.
 void Scene::leave_out_apart() {
   if (!settings_.certificates) return;
-  bodies_.clear();
-  for (const auto& [a, b] : apart_.waiting()) {
+  std::size_t undrawn = 0;
+  resize(bodies_, std::min(2 * apart_.count, states_.size()) + 1);
+  for (const Waiting& pair : std::span(apart_.pairs).first(apart_.count)) {
+    const auto [a, b] = bodies_of(pair);
     for (const std::uint32_t body : {a, b}) {
-      if (is(body, kBoxed)) continue;
+      bodies_[undrawn] = body;
+      undrawn += static_cast<std::size_t>(!is(body, kBoxed));
       states_[body] |= kBoxed;
-      bodies_.push_back(body);
     }
   }
+  bodies_.resize(undrawn);
   draw_tight_boxes();
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < apart_.count; ++i) {
-    const auto [a, b] = apart_.bodies[i];
-    const float apart = gap(tight_[a], tight_[b]);
+  for (const Waiting& pair : std::span(apart_.pairs).first(apart_.count)) {
+    const kernel::BodyPair bodies = bodies_of(pair);
+    const float apart = gap(tight_[bodies.a], tight_[bodies.b]);
     if (apart > 0) {
-      prove_apart(apart_.bodies[i], apart, *apart_.candidates[i]);
+      prove_apart(bodies, apart, candidates_.at(pair.place));
       ++counts_.pairs.separated;
       continue;
     }
-    apart_.bodies[kept] = apart_.bodies[i];
-    apart_.candidates[kept++] = apart_.candidates[i];
+    apart_.pairs[kept++] = pair;
   }
   apart_.count = kept;
 }
@@ -173,19 +184,21 @@ void Scene::leave_out_apart() {
 void Scene::collide(Queue& queue) {
   kernel::PairStream<float> stream(shapes_.for_pairs(), placements_, settings_.tie_bias);
   for (std::size_t i = 0; i < queue.count; ++i) {
-    const Candidate& soon = *queue.candidates[std::min(i + kAhead, queue.count - 1)];
-    if (soon.touches()) hwy::Prefetch(&contacts_[soon.contact()]);
-    const Candidate& candidate = *queue.candidates[i];
-    stream.push(queue.bodies[i],
+    const Candidate& soon =
+        candidates_.at(queue.pairs[std::min(i + kAhead, queue.count - 1)].place);
+    if (soon.touches()) __builtin_prefetch(&contacts_[soon.contact()]);
+    const Candidate& candidate = candidates_.at(queue.pairs[i].place);
+    stream.push(bodies_of(queue.pairs[i]),
                 candidate.touches() ? contacts_[candidate.contact()].manifold : manifolds_[i]);
   }
   stream.finish();
   for (std::size_t i = queue.count; i-- > 0;) {
-    Candidate& candidate = *queue.candidates[i];
+    Candidate& candidate = candidates_.at(queue.pairs[i].place);
+    const kernel::BodyPair bodies = bodies_of(queue.pairs[i]);
     if (candidate.touches()) {
-      conclude_touching(queue.bodies[i], candidate, contacts_[candidate.contact()].manifold);
+      conclude_touching(bodies, candidate, contacts_[candidate.contact()].manifold);
     } else {
-      conclude(queue.bodies[i], candidate, manifolds_[i]);
+      conclude(bodies, candidate, manifolds_[i]);
     }
   }
   counts_.pairs.collided += queue.count;

@@ -123,7 +123,7 @@ Trajectory make_slivers(std::size_t bodies, int steps) {
                 steps);
 }
 
-/// A field in which all touch and nothing moves.
+/// A dense field in which nothing moves.
 Trajectory make_still(std::size_t bodies, int steps) {
   Random random(1, "still", 0);
   return moving(mixed_shapes(), field(bodies, 0.8, 0.05, random), {}, steps);
@@ -266,7 +266,7 @@ constexpr SceneSpec kSpecs[] = {
     {"spinning_grid", "boxes in a grid, each turning on the spot", make_spinning_grid},
     {"one_mover", "one polygon on its way through a field that rests", make_one_mover},
     {"slivers", "a crowd of needles, all moving", make_slivers},
-    {"still", "a field in which all touch and nothing moves", make_still},
+    {"still", "a dense field in which nothing moves", make_still},
 };
 
 }  // namespace

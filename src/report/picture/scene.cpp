@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "oracle/exact/curve.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/words.hpp"
 
@@ -58,6 +59,20 @@ DepthBar deepest_bar(const Scene& scene, const PairCase& pair, const exact::Clip
   const Point deepest = farthest_against(scene.polygons[other(side)], scene.outward);
   const double separation = scene.outward.dot(deepest - scene.reference.segment.first);
   return bar_at(scene, deepest, total_radius(pair) - separation, side, scene.outward);
+}
+
+/// Of round shapes: A's edge or point that faces B most, and the depth from B's nearest place.
+void show_nearest(Scene& scene, const PairCase& pair, const exact::Truth& truth) {
+  const exact::PenetrationCurve curve(truth, exact::Skin::round);
+  scene.outward = world_normal(pair, curve.minima(0).front());
+  const exact::RoughPolygon& a = scene.polygons.a;
+  const auto* const first = a.normals.data();
+  const auto* const facing = std::max_element(
+      first, first + a.count,
+      [&](const Point& p, const Point& q) { return scene.outward.dot(p) < scene.outward.dot(q); });
+  scene.reference = placed_face(scene.polygons, Side::a, static_cast<int>(facing - first));
+  const Point deepest = farthest_against(scene.polygons.b, scene.outward);
+  scene.deepest = bar_at(scene, deepest, curve.least(), Side::a, scene.outward);
 }
 
 void add_points(Scene& scene, const PairCase& pair, const DeclaredAnswer& asked, bool is_subject) {
@@ -166,14 +181,19 @@ Scene make_scene(const PairCase& pair, std::span<const DeclaredAnswer> answers) 
   scene.polygons = exact::place_roughly(pair);
   scene.radii = {pair.a.polygon.radius, pair.b.polygon.radius};
   const exact::Truth& truth = *admitted.truth;
-  scene.depth = std::abs(leading(truth.fine_separation(truth.greatest())) - total_radius(pair));
+  scene.depth = std::abs(exact::separation_of(truth) - total_radius(pair));
   scene.rounding = admitted.bounds.separation;
-  const auto [side, face] = candidate ? candidate->reference : truth.greatest();
-  scene.reference = placed_face(scene.polygons, side, face);
-  scene.outward = scene.polygons[side].normals[face];
-  scene.deepest = deepest_bar(scene, pair, candidate);
+  if (is_round(pair)) {
+    show_nearest(scene, pair, truth);
+  } else {
+    const auto [side, face] = candidate ? candidate->reference : truth.greatest();
+    scene.reference = placed_face(scene.polygons, side, face);
+    scene.outward = scene.polygons[side].normals[face];
+    scene.deepest = deepest_bar(scene, pair, candidate);
+  }
   if (candidate) {
-    scene.incident = placed_face(scene.polygons, other(side), candidate->incident);
+    scene.incident =
+        placed_face(scene.polygons, other(candidate->reference.side), candidate->incident);
     const Manifold<double> manifold = true_manifold(*candidate);
     for (int i = 0; i < manifold.count; ++i) {
       scene.right.push_back(seen_from_a(pair, manifold.points[i].position));

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kRuns = 1500;
 constexpr int kRunsUnedited = 200;
-constexpr std::uint64_t kCrowds = 10;
+constexpr std::uint64_t kCrowds = 20;
 
 class Silence : public rc::detail::TestListener {
  public:

@@ -60,6 +60,16 @@ TEST_CASE("scene recycles on request, and says what that skips and costs") {
   CHECK(std::filesystem::exists(plot));
 }
 
+TEST_CASE("what recycling costs is drawn without a warning where it skips nothing") {
+  const test::TemporaryFolder folder;
+  const std::string plot = (folder.path() / "recycling.svg").string();
+  const auto outcome = test::run_manifuzz(
+      {"scene", "--scene", "still", "--bodies", "100", "--steps", "2", "--recycling", plot});
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  CHECK(std::filesystem::exists(plot));
+}
+
 TEST_CASE("scene refuses what it does not know") {
   const auto unknown = test::run_manifuzz({"scene", "--scene", "avalanche"});
   CHECK(unknown.status == 2);

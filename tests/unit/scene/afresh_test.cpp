@@ -132,8 +132,9 @@ TEST_CASE("cells know all bodies whose boxes overlap one, of any size") {
   for (const std::uint32_t body : filed.bodies) filed.check_near(body);
 }
 
-TEST_CASE("boxes that move from cell to cell are near what they overlap, until there is no room") {
+TEST_CASE("boxes that move and grow are near what they overlap, until there is no room") {
   Filed filed(Crowd(8, 300, 2, 60));
+  const std::vector<scene::Box> start = filed.boxes;
   Random random = test::motion(9);
   const auto last = static_cast<int>(filed.bodies.size()) - 1;
   int refiled = 0;
@@ -141,8 +142,10 @@ TEST_CASE("boxes that move from cell to cell are near what they overlap, until t
     const auto body = static_cast<std::uint32_t>(random.integer(0, last));
     const scene::Box before = filed.boxes[body];
     const auto by = static_cast<float>(random.uniform(-3, 3));
-    filed.boxes[body] = {before.x_min + by, before.y_min - by, before.x_max + by,
-                         before.y_max - by};
+    const float larger = i % 50 == 0 ? 100 : 0;  // than all that were filed
+    const scene::Box& from = start[body];
+    filed.boxes[body] = {from.x_min + by, from.y_min - by, from.x_max + by + larger,
+                         from.y_max - by};
     if (filed.cells.refile(body, &before, filed.boxes[body])) {
       ++refiled;
     } else {
