@@ -196,6 +196,10 @@ bool JsonView::is_object() const {
   return value_->is_object();
 }
 
+bool JsonView::is_string() const {
+  return value_->is_string();
+}
+
 void JsonView::expect_keys(std::initializer_list<std::string_view> allowed) const {
   for (const std::string_view key : keys()) {
     if (std::ranges::find(allowed, key) != allowed.end()) continue;

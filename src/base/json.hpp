@@ -31,6 +31,7 @@ class JsonView {
 
   bool is_null() const;
   bool is_object() const;
+  bool is_string() const;
 
   /// Fails unless this is an object whose keys are all among `allowed`.
   void expect_keys(std::initializer_list<std::string_view> allowed) const;

@@ -13,10 +13,18 @@ void check_format(const JsonView& root, FormatKey format_key) {
   const auto format = root.find("format");
   if (!format && format_key == FormatKey::optional) return;
   if (!format) root.fail(fmt::format("the key \"format\" is missing; it is \"{}\"", kCaseFormat));
-  if (format->string() != kCaseFormat) {
+  if (format->string() != kCaseFormat && format->string() != kCurvedCaseFormat) {
     format->fail(fmt::format("unknown format \"{}\"; \"{}\" is expected",
                              printable(format->string()), kCaseFormat));
   }
+}
+
+/// The first format has no round shapes.
+void check_can_say(const JsonView& root, const PairCase& pair) {
+  const auto format = root.find("format");
+  if (!format || format->string() == kCurvedCaseFormat || !is_round(pair)) return;
+  format->fail(
+      fmt::format("\"{}\" has no round shapes; \"{}\" has", kCaseFormat, kCurvedCaseFormat));
 }
 
 Found read_found(const JsonView& object) {
@@ -128,6 +136,7 @@ CorpusCase read_case(const JsonView& root, FormatKey format_key) {
   check_format(root, format_key);
   CorpusCase corpus_case;
   corpus_case.pair = {read_body(root.at("a")), read_body(root.at("b"))};
+  check_can_say(root, corpus_case.pair);
   if (const auto found = root.find("found")) corpus_case.found = read_found(*found);
   if (const auto expect = root.find("expect")) {
     corpus_case.expect = read_expectation(*expect, corpus_case.pair);

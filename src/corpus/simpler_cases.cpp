@@ -31,7 +31,8 @@ Cases without_a_vertex(const PairCase& pair) {
   return each(count_a + pair.b.polygon.count, [pair, count_a](int i) -> MaybeCase {
     PairCase smaller = pair;
     const Side side = i < count_a ? Side::a : Side::b;
-    if (smaller[side].polygon.count == kMinVertices) return std::nullopt;
+    const int least = smaller[side].polygon.is_round() ? 1 : kMinVertices;
+    if (smaller[side].polygon.count == least) return std::nullopt;
     remove_vertex(smaller[side].polygon, side == Side::a ? i : i - count_a);
     return smaller;
   });

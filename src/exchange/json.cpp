@@ -16,15 +16,29 @@ Vector2<float> read_vector(const JsonView& array) {
   return {array[0].number_as_float(), array[1].number_as_float()};
 }
 
-ConvexPolygon<float> read_polygon(const JsonView& array, float radius) {
+Rounding read_rounding(const JsonView& name, std::size_t vertices) {
+  const std::string_view rounding = name.string();
+  if (rounding != "round" && rounding != "mitre") {
+    name.fail(
+        fmt::format("unknown rounding \"{}\"; \"round\" or \"mitre\" is", printable(rounding)));
+  }
+  if (rounding == "mitre" && vertices < kMinVertices) {
+    name.fail("a polygon of 3 to 8 vertices may be mitred; circles and capsules are \"round\"");
+  }
+  return rounding == "round" ? Rounding::round : Rounding::mitre;
+}
+
+ConvexPolygon<float> read_shape(const JsonView& array, float radius,
+                                const std::optional<JsonView>& rounding) {
   std::array<Vector2<float>, kMaxVertices> vertices;
-  const std::size_t count = array.length("an array of 3 to 8 vertices");
+  const std::size_t count = array.length("an array of 1 to 8 vertices");
   if (count > kMaxVertices) array.fail(describe(PolygonDefect::too_many));
   for (std::size_t i = 0; i < count; ++i) vertices[i] = read_vector(array[i]);
   const std::span<const Vector2<float>> corners(vertices.data(), count);
-  const auto defect = find_defect(corners);
+  const auto defect = find_shape_defect(corners, radius);
   if (defect) array.fail(describe(*defect));
-  return make_polygon(corners, radius);
+  return make_polygon(corners, radius,
+                      rounding ? read_rounding(*rounding, count) : Rounding::mitre);
 }
 
 float read_radius(const JsonView& number) {
@@ -65,6 +79,10 @@ void append_body(std::string& out, const Body& body, const LineBreaks& breaks) {
   out += ']';
   append_key(out, breaks.in_body, "radius");
   append_number(out, body.polygon.radius);
+  if (body.polygon.is_round()) {
+    append_key(out, breaks.in_body, "rounding");
+    out += "\"round\"";
+  }
   append_key(out, breaks.in_body, "position");
   append_vector(out, body.pose.position);
   append_key(out, breaks.in_body, "rotation");
@@ -75,7 +93,7 @@ void append_body(std::string& out, const Body& body, const LineBreaks& breaks) {
 /// Without the closing brace.
 void append_case(std::string& out, const PairCase& pair, const LineBreaks& breaks) {
   out.append("{").append(breaks.in_case) += "\"format\": \"";
-  out.append(kCaseFormat) += '"';
+  out.append(format_of(pair)) += '"';
   append_key(out, breaks.in_case, "a");
   append_body(out, pair.a, breaks);
   append_key(out, breaks.in_case, "b");
@@ -84,6 +102,10 @@ void append_case(std::string& out, const PairCase& pair, const LineBreaks& break
 
 }  // namespace
 
+std::string_view format_of(const PairCase& pair) {
+  return is_round(pair) ? kCurvedCaseFormat : kCaseFormat;
+}
+
 void expect_two(const JsonView& array, std::string_view expected) {
   if (array.length(expected) != 2) {
     array.fail(fmt::format("has {} elements; {} is expected", array.length(), expected));
@@ -91,10 +113,11 @@ void expect_two(const JsonView& array, std::string_view expected) {
 }
 
 Body read_body(const JsonView& object) {
-  object.expect_keys({"vertices", "radius", "position", "rotation"});
+  object.expect_keys({"vertices", "radius", "rounding", "position", "rotation"});
   Body body;
   const auto radius = object.find("radius");
-  body.polygon = read_polygon(object.at("vertices"), radius ? read_radius(*radius) : 0);
+  body.polygon =
+      read_shape(object.at("vertices"), radius ? read_radius(*radius) : 0, object.find("rounding"));
   if (const auto position = object.find("position")) body.pose.position = read_vector(*position);
   if (const auto rotation = object.find("rotation")) body.pose.rotation = read_rotation(*rotation);
   return body;

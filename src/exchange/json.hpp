@@ -14,8 +14,12 @@ namespace manifuzz {
 
 class JsonView;
 
-/// The value of the key "format" in a pair case.
+/// The value of the key "format" in a pair case of polygons, rounded by mitres if at all.
 inline constexpr std::string_view kCaseFormat = "manifuzz/case/1";
+/// The same of one with round shapes, which the first cannot say.
+inline constexpr std::string_view kCurvedCaseFormat = "manifuzz/case/2";
+/// The first of these that can say the case.
+std::string_view format_of(const PairCase& pair);
 
 /// How a file, a program or a library gives its manifolds where the contract of `Manifold` is
 /// another; the defaults are a program's.
@@ -96,8 +100,9 @@ inline constexpr std::string_view kJudgeName = "judge";
 /// Fails, saying what is expected, unless the array has two elements.
 void expect_two(const JsonView& array, std::string_view expected);
 
-/// One body, validated: {"vertices": [[x, y], ...], "radius": 0, "position": [x, y], "rotation":
-/// [cos, sin]}; all but the vertices may be left out. Throws UserError that begins with a path.
+/// One body, validated: {"vertices": [[x, y], ...], "radius": 0, "rounding": "round" or "mitre",
+/// "position": [x, y], "rotation": [cos, sin]}; all but the vertices may be left out. Throws
+/// UserError that begins with a path.
 Body read_body(const JsonView& object);
 
 /// "f2" for face 2, "v0" for vertex 0.

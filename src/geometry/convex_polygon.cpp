@@ -157,10 +157,20 @@ std::optional<PolygonDefect> find_defect_in_doubles(std::span<const Vector2<doub
   return defect_of<double>(vertices);
 }
 
+std::optional<PolygonDefect> find_shape_defect(std::span<const Vector2<float>> vertices,
+                                               float radius) {
+  if (vertices.empty()) return PolygonDefect::too_few;
+  if (vertices.size() >= kMinVertices) return find_defect(vertices);
+  if (!all_finite(vertices)) return PolygonDefect::not_finite;
+  if (has_repeated_vertex(vertices)) return PolygonDefect::repeated_vertex;
+  if (vertices.size() == 1 && !(radius > 0)) return PolygonDefect::no_radius;
+  return std::nullopt;
+}
+
 std::string_view describe(PolygonDefect defect) {
   switch (defect) {
     case PolygonDefect::too_few:
-      return "too few vertices: a polygon has 3 to 8";
+      return "too few vertices: a polygon has 3 to 8, a capsule 2, a circle 1";
     case PolygonDefect::too_many:
       return "too many vertices: a polygon has 3 to 8";
     case PolygonDefect::not_finite:
@@ -173,6 +183,8 @@ std::string_view describe(PolygonDefect defect) {
       return "not strictly convex as floats: every corner must turn left";
     case PolygonDefect::winds_twice:
       return "the vertices go round more than once: the outline must not cross itself";
+    case PolygonDefect::no_radius:
+      return "one vertex without a radius: a circle's is above 0";
   }
   return {};
 }
@@ -207,6 +219,11 @@ double smaller_diameter(const ConvexPolygon<float>& p, const ConvexPolygon<float
   const bool p_first = across(p) < across(q);  // a guess: the larger is soon found to be larger
   const double squared = squared_diameter(p_first ? p : q, std::numeric_limits<double>::infinity());
   return std::sqrt(std::min(squared, squared_diameter(p_first ? q : p, squared)));
+}
+
+double size(const ConvexPolygon<float>& polygon) {
+  const double around = polygon.is_round() ? 2 * static_cast<double>(polygon.radius) : 0;
+  return diameter(polygon) + around;
 }
 
 double reach(const ConvexPolygon<float>& polygon) {

@@ -30,17 +30,29 @@ inline constexpr int kMinVertices = 3;
 /// A polygon has at most so many vertices.
 inline constexpr int kMaxVertices = 8;
 
-/// A convex polygon in its own frame: 3 to 8 vertices in counter-clockwise order, strictly convex;
-/// coordinates are lengths in the unit of the world.
-/// Face i runs from vertex i to vertex i + 1; `normals[i]` is its outward unit normal. The polygon
-/// is rounded by `radius` (a length, >= 0), as Box2D's skin is. Plain data: build it with
-/// `make_polygon`, or through `find_defect` first where the vertices are not trusted.
+/// What a radius adds to a core: a skin whose corners are as sharp as the core's (Box2D 2.4's
+/// polygon radius), or one that is round at corners.
+enum class Rounding : unsigned char { mitre, round };
+
+/// A convex shape in its own frame: a core of 1 to 8 vertices, and a radius around it.
+/// 3 to 8 vertices are a polygon, in counter-clockwise order, strictly convex, its corners mitred
+/// or round. 2 are a segment, or with a radius a capsule; 1 is a circle's centre; both are always
+/// round. Coordinates are lengths in the unit of the world.
+/// Face i runs from vertex i to vertex i + 1; `normals[i]` is its outward unit normal. A segment
+/// has two faces, one a side; a point has none. Plain data: build it with `make_polygon`, or
+/// through `find_shape_defect` first where the numbers are not trusted.
 template <class Scalar>
 struct ConvexPolygon {
   std::array<Vector2<Scalar>, kMaxVertices> vertices;  ///< `count` of them, counter-clockwise
   std::array<Vector2<Scalar>, kMaxVertices> normals;   ///< of each face, outward, unit
-  int count = 0;                                       ///< kMinVertices to kMaxVertices
+  int count = 0;                                       ///< 1 to kMaxVertices
   Scalar radius = 0;                                   ///< a length, >= 0
+  Rounding rounding = Rounding::mitre;                 ///< of corners
+
+  /// How many faces there are.
+  int face_count() const { return count > 1 ? count : 0; }
+  /// Whether corners are round: a circle, a segment, a capsule, or a polygon that says so.
+  bool is_round() const { return rounding == Rounding::round; }
 
   /// The index of the vertex, or face, after this one, counted round.
   int next(int i) const { return i + 1 < count ? i + 1 : 0; }
@@ -52,6 +64,13 @@ struct ConvexPolygon {
   }
 };
 
+/// Whether two shapes touch as round ones do; where both are mitred polygons, faces alone say how
+/// deep they overlap.
+template <class Scalar>
+bool are_round(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
+  return a.is_round() || b.is_round();
+}
+
 /// What can be wrong with vertices, in the order in which it is looked for.
 enum class PolygonDefect {
   too_few,              ///< less than kMinVertices
@@ -61,6 +80,7 @@ enum class PolygonDefect {
   clockwise,            ///< they turn the other way round
   not_strictly_convex,  ///< some corner turns clockwise, or not at all
   winds_twice,          ///< every corner turns the right way, and they go round more than once
+  no_radius,            ///< one vertex, and nothing around it
 };
 
 /// The first defect, or none. Decided exactly on the floats, without a tolerance: see
@@ -68,6 +88,10 @@ enum class PolygonDefect {
 std::optional<PolygonDefect> find_defect(std::span<const Vector2<float>> vertices);
 /// The same of doubles, as far as `orientation` is exact.
 std::optional<PolygonDefect> find_defect_in_doubles(std::span<const Vector2<double>> vertices);
+
+/// The first defect of a shape that may have less than 3 vertices, or none.
+std::optional<PolygonDefect> find_shape_defect(std::span<const Vector2<float>> vertices,
+                                               float radius);
 
 /// One clause for a person: what is wrong, and what would be right.
 std::string_view describe(PolygonDefect defect);
@@ -84,18 +108,21 @@ Vector2<Scalar> outward_normal(const Vector2<Scalar>& from, const Vector2<Scalar
   }
 }
 
-/// The polygon with these vertices, which must be free of defects (asserted in part, in debug
+/// The shape with these vertices, which must be free of defects (asserted in part, in debug
 /// builds only), rounded by `radius`, a length >= 0. Vertices are taken as they are, normals
-/// computed.
+/// computed. Fewer than 3 vertices are round, whatever `rounding` says.
 template <class Scalar>
-ConvexPolygon<Scalar> make_polygon(std::span<const Vector2<Scalar>> vertices, Scalar radius = 0) {
-  assert(vertices.size() >= kMinVertices && vertices.size() <= kMaxVertices);
+ConvexPolygon<Scalar> make_polygon(std::span<const Vector2<Scalar>> vertices, Scalar radius = 0,
+                                   Rounding rounding = Rounding::mitre) {
+  assert(!vertices.empty() && vertices.size() <= kMaxVertices);
   assert(radius >= 0);
   ConvexPolygon<Scalar> polygon;
   polygon.count = static_cast<int>(vertices.size());
   polygon.radius = radius;
+  polygon.rounding = polygon.count < kMinVertices ? Rounding::round : rounding;
+  polygon.normals[0] = {0, 0};  // a point has no face
   for (int i = 0; i < polygon.count; ++i) polygon.vertices[i] = vertices[i];
-  for (int i = 0; i < polygon.count; ++i) {
+  for (int i = 0; i < polygon.face_count(); ++i) {
     polygon.normals[i] = outward_normal(polygon.vertices[i], polygon.vertices[polygon.next(i)]);
   }
   return polygon;
@@ -107,7 +134,7 @@ ConvexPolygon<To> polygon_cast(const ConvexPolygon<From>& polygon) {
   std::array<Vector2<To>, kMaxVertices> vertices;
   for (int i = 0; i < polygon.count; ++i) vertices[i] = polygon.vertices[i].template cast<To>();
   return make_polygon<To>({vertices.data(), static_cast<std::size_t>(polygon.count)},
-                          static_cast<To>(polygon.radius));
+                          static_cast<To>(polygon.radius), polygon.rounding);
 }
 
 /// The polygon seen from the frame in which `pose` places it. The rotation is taken to be unit:
@@ -118,6 +145,7 @@ ConvexPolygon<Scalar> transform(const Pose<Scalar>& pose, const ConvexPolygon<Sc
   ConvexPolygon<Scalar> placed;
   placed.count = polygon.count;
   placed.radius = polygon.radius;
+  placed.rounding = polygon.rounding;
   for (int i = 0; i < polygon.count; ++i) {
     placed.vertices[i] = transform(pose, polygon.vertices[i]);
     placed.normals[i] = rotate(pose.rotation, polygon.normals[i]);
@@ -125,10 +153,10 @@ ConvexPolygon<Scalar> transform(const Pose<Scalar>& pose, const ConvexPolygon<Sc
   return placed;
 }
 
-/// Equal vertices in the same order, and equal radius.
+/// Equal vertices in the same order, and equal radius and rounding.
 template <class Scalar>
 bool operator==(const ConvexPolygon<Scalar>& p, const ConvexPolygon<Scalar>& q) {
-  if (p.count != q.count || p.radius != q.radius) return false;
+  if (p.count != q.count || p.radius != q.radius || p.rounding != q.rounding) return false;
   for (int i = 0; i < p.count; ++i) {
     if (p.vertices[i] != q.vertices[i]) return false;
   }
@@ -139,6 +167,9 @@ bool operator==(const ConvexPolygon<Scalar>& p, const ConvexPolygon<Scalar>& q) 
 double diameter(const ConvexPolygon<float>& polygon);
 /// The diameter of the polygon whose diameter is smaller, cheaper than both.
 double smaller_diameter(const ConvexPolygon<float>& p, const ConvexPolygon<float>& q);
+
+/// The shape's size, a length: the diameter of its core, and twice the radius where it is round.
+double size(const ConvexPolygon<float>& polygon);
 
 /// The largest distance of a vertex from the polygon's own origin, a length, the radius left out.
 double reach(const ConvexPolygon<float>& polygon);

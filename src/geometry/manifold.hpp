@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -33,7 +34,7 @@ struct FeaturePair {
 /// A point of a manifold.
 template <class Scalar>
 struct ContactPoint {
-  Vector2<Scalar> position{0, 0};  ///< on the incident edge, in A's frame
+  Vector2<Scalar> position{0, 0};  ///< on the incident edge, or round surface, in A's frame
   Scalar depth = 0;                ///< total radius - separation, a world length, >= 0
   FeaturePair features;            ///< what makes it, to know it again by
 
@@ -46,14 +47,30 @@ struct ContactPoint {
 /// Normal: unit, the reference face's, turned to point from A to B.
 /// Points: the ends of the incident edge after clipping to the reference face's slab, kept where
 /// the separation is at most the total radius; ordered along the reference face's direction, so
-/// that equal manifolds compare equal. Lengths are world lengths: a rotation (cos, sin) that is not
-/// quite unit scales A's frame, and `depth` is measured outside it.
+/// that equal manifolds compare equal. Of round pairs the points are on the incident shape's
+/// surface: a radius along the normal from its core. Lengths are world lengths: a rotation (cos,
+/// sin) that is not quite unit scales A's frame, and `depth` is measured outside it.
 template <class Scalar>
 struct Manifold {
   int count = 0;                               ///< of points: 0, 1 or 2
   Side reference = Side::a;                    ///< whose face it is that clips
   Vector2<Scalar> normal{0, 0};                ///< unit, from A to B, in A's frame
   std::array<ContactPoint<Scalar>, 2> points;  ///< `count` of them
+};
+
+/// When two round shapes that touch along edges get a second point: where both edges' normals are
+/// within an angle of the contact's, given by its cosine. The article says of a capsule that it
+/// gives an edge, or an end, and not by which angle: at 0, which is the default, edges are always
+/// clipped, and what the clip keeps decides; above 1, there is never a second point.
+struct SecondPoint {
+  double least_cosine = 0;  ///< of the angle between an edge's normal and the contact's
+
+  /// One point at most.
+  static constexpr SecondPoint never() { return {2}; }
+  /// Where edges are within an angle in radians, from 0 to a quarter turn.
+  static SecondPoint within(double angle) { return {std::cos(angle)}; }
+
+  friend bool operator==(const SecondPoint&, const SecondPoint&) = default;
 };
 
 /// Equal where it counts: manifolds without points are all equal.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/convex_polygon.hpp"
 #include "geometry/pose.hpp"
 
@@ -13,7 +16,7 @@ constexpr Side other(Side side) {
   return side == Side::a ? Side::b : Side::a;
 }
 
-/// A polygon and where it stands in the world. Floats, the very ones that every collider gets.
+/// A shape and where it stands in the world. Floats, the very ones that every collider gets.
 struct Body {
   ConvexPolygon<float> polygon;  ///< in the body's own frame
   Pose<float> pose;              ///< in the world
@@ -21,7 +24,7 @@ struct Body {
   friend bool operator==(const Body&, const Body&) = default;
 };
 
-/// Two convex polygons with a pose each: the unit everything passes around.
+/// Two convex shapes with a pose each: the unit everything passes around.
 struct PairCase {
   Body a;  ///< the manifold is in its frame
   Body b;  ///< the normal points to it
@@ -38,8 +41,14 @@ inline double total_radius(const PairCase& pair) {
   return static_cast<double>(pair.a.polygon.radius) + static_cast<double>(pair.b.polygon.radius);
 }
 
-/// The smaller polygon's diameter, a length: the yardstick of errors.
+/// Whether the shapes touch as round ones do.
+inline bool is_round(const PairCase& pair) {
+  return are_round(pair.a.polygon, pair.b.polygon);
+}
+
+/// The smaller shape's size, a length: the yardstick of errors.
 inline double size(const PairCase& pair) {
+  if (is_round(pair)) return std::min(size(pair.a.polygon), size(pair.b.polygon));
   return smaller_diameter(pair.a.polygon, pair.b.polygon);
 }
 
