@@ -75,10 +75,19 @@ class NearestVertices {
 
 PenetrationCurve::PenetrationCurve(const Truth& truth, Skin skin)
     : truth_(&truth),
-      face_(truth.greatest()),
-      is_apart_(skin == Skin::round && truth.compare_separation(0) > 0) {
-  // Cores that are apart are nearest at the face of the greatest separation, or at two vertices.
-  if (is_apart_) vertices_ = NearestVertices(truth).find();
+      face_(truth.has_faces() ? truth.greatest() : FaceOf{}),
+      is_apart_(skin == Skin::round && (!truth.has_faces() || truth.compare_separation(0) >= 0)) {
+  if (!is_apart_) return;
+  // Cores that are apart are nearest at the face of the greatest separation, or at two vertices:
+  // faces of segments on one line do not say how far these are apart.
+  vertices_ = NearestVertices(truth).find();
+  if (!vertices_) return;
+  are_at_one_place_ = decide_from_doubles([&]<class Number>() {
+                        const Point<Number> between = between_vertices<Number>();
+                        return sum_of(Root<Number>{dot(between, between)});
+                      }) == 0;
+  if (are_at_one_place_ && truth.has_faces()) vertices_.reset();
+  is_apart_ = vertices_ || truth.compare_separation(0) > 0;
 }
 
 template <class Number>
@@ -126,6 +135,10 @@ int PenetrationCurve::compare_excess(const Along& along, double bound) const {
 
 std::vector<Vector2<double>> PenetrationCurve::minima(double bound) const {
   std::vector<Vector2<double>> normals;
+  if (vertices_ && are_at_one_place_) {
+    normals.emplace_back(1, 0);
+    return normals;
+  }
   if (vertices_) {
     // Corners may be as near to each other as no pair of doubles tells.
     const Point<Rational> towards_b = turned_back(pair().a, between_vertices<Rational>());
@@ -147,6 +160,11 @@ std::vector<Vector2<double>> PenetrationCurve::minima(double bound) const {
     normals.push_back(unit_normal(face));
   }
   return normals;
+}
+
+double separation_of(const Truth& truth) {
+  if (skin_of(truth) == Skin::mitred) return leading(truth.fine_separation(truth.greatest()));
+  return total_radius(truth.pair()) - PenetrationCurve(truth, Skin::round).least();
 }
 
 Vector2<double> PenetrationCurve::unit_normal(FaceOf face) const {

@@ -21,12 +21,20 @@ namespace manifuzz::exact {
 /// alone tell how deep they overlap (Box2D 2.4), or one that is round at corners.
 enum class Skin { mitred, round };
 
+/// That of the pair: round where either shape is.
+inline Skin skin_of(const Truth& truth) {
+  return is_round(truth.pair()) ? Skin::round : Skin::mitred;
+}
+
 /// What the curve says at one normal.
 class Along {
  public:
   /// `normal` in A's frame; its direction alone counts. Finite, and not zero. The truth must
   /// outlive it.
   Along(const Truth& truth, const Vector2<double>& normal);
+
+  /// As it was given.
+  const Vector2<double>& local_normal() const { return normal_; }
 
   /// D(n), a world length, as near as double says it.
   double depth() const;
@@ -86,8 +94,17 @@ class PenetrationCurve {
   double excess(const Along& along) const { return along.depth() - least(); }
 
   /// The unit normals, in A's frame, of every least value of D that is within `bound` of D*; the
-  /// least of all is the first.
+  /// least of all is the first. Of two points at one place every normal is one: (1, 0).
   std::vector<Vector2<double>> minima(double bound) const;
+
+  /// Whether the skin is round and the cores do not overlap: D* is then the total radius less their
+  /// distance.
+  bool are_cores_apart() const { return is_apart_; }
+  /// The vertices of cores that are apart, A's and B's, where they are nearest; none where a face
+  /// and a vertex are.
+  std::optional<std::array<int, 2>> nearest_vertices() const { return vertices_; }
+  /// The face of the greatest separation, where there is one.
+  FaceOf face() const { return face_; }
 
  private:
   /// How far the cores are apart where they are nearest: root / divisor. Negative: how deep they
@@ -107,7 +124,11 @@ class PenetrationCurve {
   const Truth* truth_;
   FaceOf face_;  ///< of the greatest separation
   bool is_apart_;
+  bool are_at_one_place_ = false;               ///< the nearest vertices
   std::optional<std::array<int, 2>> vertices_;  ///< A's and B's nearest, where no face decides
 };
+
+/// S of the pair, to well past double; of round shapes whose cores are apart, their distance.
+double separation_of(const Truth& truth);
 
 }  // namespace manifuzz::exact

@@ -30,6 +30,7 @@ RoughPolygon place(const StoredBody& body, const Vector2<double>& position) {
     placed.vertices[i] = rotate<double>(rotation, corner) + position;
     placed.normals[i] = outward / std::sqrt(outward.dot(outward));
   }
+  if (placed.count == 1) placed.normals[0] = {0, 0};
   return placed;
 }
 
@@ -45,7 +46,7 @@ StoredBody stored(const Body& body) {
 }
 
 StoredBody stored(const Body& body, const UsedVertices& used) {
-  assert(used.count >= kMinVertices && used.count <= kMaxVertices);
+  assert(used.count >= 1 && used.count <= kMaxVertices);
   StoredBody result = stored(body);
   result.polygon.count = used.count;
   result.polygon.vertices = used.all;
@@ -100,7 +101,9 @@ Separations separations(const RoughPair& placed, double extent) {
     auto& of_face = result.of_face[static_cast<std::size_t>(side)];
     of_face = separations(polygon, placed[other(side)]);
     result.greatest[static_cast<std::size_t>(side)] =
-        *std::max_element(of_face.begin(), of_face.begin() + polygon.count);
+        polygon.face_count() > 0
+            ? *std::max_element(of_face.begin(), of_face.begin() + polygon.count)
+            : -std::numeric_limits<double>::infinity();
   }
   return result;
 }

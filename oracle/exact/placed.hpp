@@ -17,6 +17,7 @@ struct StoredPolygon {
   int count = 0;
   double radius = 0;
 
+  int face_count() const { return count > 1 ? count : 0; }
   int next(int i) const { return i + 1 < count ? i + 1 : 0; }
   int previous(int i) const { return i > 0 ? i - 1 : count - 1; }
 };
@@ -100,7 +101,7 @@ struct FaceOf {
 inline std::vector<FaceOf> all_faces(const StoredPair& pair) {
   std::vector<FaceOf> faces;
   for (const Side side : {Side::a, Side::b}) {
-    for (int i = 0; i < pair[side].polygon.count; ++i) faces.push_back({side, i});
+    for (int i = 0; i < pair[side].polygon.face_count(); ++i) faces.push_back({side, i});
   }
   return faces;
 }
@@ -157,12 +158,13 @@ Number total_radius(const AnyPair& pair) {
 
 // Where the polygons stand, in double: for pictures, and as the filter of exact decisions.
 
-/// A polygon in world directions, seen from A's position; unit outward normals.
+/// A polygon in world directions, seen from A's position; unit outward normals, (0, 0) of a point.
 struct RoughPolygon {
   std::array<Vector2<double>, kMaxVertices> vertices;
   std::array<Vector2<double>, kMaxVertices> normals;
   int count = 0;
 
+  int face_count() const { return count > 1 ? count : 0; }
   int next(int i) const { return i + 1 < count ? i + 1 : 0; }
 };
 
@@ -181,7 +183,7 @@ inline RoughPair place_roughly(const PairCase& pair) {
 /// The separation of every face of both polygons, within one proven error.
 struct Separations {
   std::array<std::array<double, kMaxVertices>, 2> of_face;
-  std::array<double, 2> greatest;  ///< per side
+  std::array<double, 2> greatest;  ///< per side; of a point minus infinity
   double error = 0;                ///< of each of them, a world length
 };
 

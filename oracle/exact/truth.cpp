@@ -129,8 +129,12 @@ FaceOf Truth::greatest(Side side) const {
 int Truth::compare_separation(int radii, double offset) const {
   const double length = radii * manifuzz::total_radius(pair_) + offset;
   if (const int s = rough_sign(separation() - length, length)) return s;
-  return std::max(compare_distance(stored_, deepest(greatest(Side::a)), radii, offset),
-                  compare_distance(stored_, deepest(greatest(Side::b)), radii, offset));
+  int greater = -1;
+  for (const Side side : {Side::a, Side::b}) {
+    if (!has_faces(side)) continue;
+    greater = std::max(greater, compare_distance(stored_, deepest(greatest(side)), radii, offset));
+  }
+  return greater;
 }
 
 int Truth::compare_separation(double offset) const {

@@ -48,10 +48,19 @@ class Truth {
   /// The vertex of the other polygon that decides a face's separation, the first of equals.
   int support(FaceOf face) const;
 
-  /// The face of a side's greatest separation, the first of equals.
+  /// Whether a side has faces: all but points do.
+  bool has_faces(Side side) const { return stored_[side].polygon.face_count() > 0; }
+  bool has_faces() const { return has_faces(Side::a) || has_faces(Side::b); }
+
+  /// The face of a side's greatest separation, the first of equals. The side has faces.
   FaceOf greatest(Side side) const;
-  /// The same of the pair, A's of equals.
-  FaceOf greatest() const { return greatest(compare_lead_of_b(0) > 0 ? Side::b : Side::a); }
+  /// The same of the pair, A's of equals. Some side has faces.
+  FaceOf greatest() const {
+    if (!has_faces(Side::a)) return greatest(Side::b);
+    return greatest(has_faces(Side::b) && compare_lead_of_b(0) > 0 ? Side::b : Side::a);
+  }
+
+  // Comparisons of a side's S are of sides that have faces; of two points, S is minus infinity.
 
   /// The sign of S - offset.
   int compare_separation(double offset) const;
