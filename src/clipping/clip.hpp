@@ -50,20 +50,37 @@ bool clip(ClipEdge<Scalar>& edge, const ClipEdge<Scalar>& whole, const Vector2<S
   return true;
 }
 
-/// The incident edge between the two side planes of the reference face, each widened by the total
-/// radius, as in Box2D 2.4 (b2CollidePolygons). Edge and reference stand in one frame. The planes
-/// are parallel: neither clip changes what the other cuts off. False where nothing is left.
+/// By how much side planes are widened, a length: the total radius where skins are mitred, for
+/// these reach past their cores' ends (Box2D 2.4, b2CollidePolygons); round ones end where cores
+/// do.
+template <class Scalar>
+Scalar slab_margin(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
+  return are_round(a, b) ? Scalar(0) : a.radius + b.radius;
+}
+
+/// The incident edge between the two side planes of the reference face, each widened by `margin`.
+/// `along` is unit and points from the face's first end to its second, perpendicular to the
+/// contact's normal. Edge and reference stand in one frame. The planes are parallel: neither clip
+/// changes what the other cuts off. False where nothing is left.
 template <class Scalar>
 bool clip_to_slab(ClipEdge<Scalar>& edge, const ConvexPolygon<Scalar>& reference, int face_index,
-                  int incident_index, Scalar total_radius) {
-  const Vector2<Scalar> along = counter_clockwise_quarter(reference.normals[face_index]);
+                  const Vector2<Scalar>& along, Scalar margin, int incident_index) {
   const ClipEdge<Scalar> whole = edge;
   const int first = face_index;
   const int second = reference.next(face_index);
-  return clip<Scalar>(edge, whole, along, reference.vertices[first], total_radius, first,
+  return clip<Scalar>(edge, whole, along, reference.vertices[first], margin, first,
                       incident_index) &&
-         clip<Scalar>(edge, whole, -along, reference.vertices[second], total_radius, second,
+         clip<Scalar>(edge, whole, -along, reference.vertices[second], margin, second,
                       incident_index);
+}
+
+/// The incident edge before it is clipped: its ends' features are the reference face and its own
+/// vertices.
+template <class Scalar>
+ClipEdge<Scalar> whole_edge(const ConvexPolygon<Scalar>& incident, int first, int reference_face) {
+  const int second = incident.next(first);
+  return {{{incident.vertices[first], face(reference_face), vertex(first)},
+           {incident.vertices[second], face(reference_face), vertex(second)}}};
 }
 
 /// Keeps the ends that lie behind the reference face, or no farther in front of it than the total
@@ -97,11 +114,12 @@ Manifold<Scalar> clip_features(const ConvexPolygon<Scalar>& a, const ConvexPolyg
   const ConvexPolygon<Scalar>& reference = from_a ? a : b;
   const ConvexPolygon<Scalar>& incident = from_a ? b : a;
   const Scalar total_radius = a.radius + b.radius;
-  const int first = features.incident;
-  const int second = incident.next(first);
-  ClipEdge<Scalar> edge{{{incident.vertices[first], face(features.reference), vertex(first)},
-                         {incident.vertices[second], face(features.reference), vertex(second)}}};
-  if (!clip_to_slab(edge, reference, features.reference, first, total_radius)) return {};
+  const Vector2<Scalar> along = counter_clockwise_quarter(reference.normals[features.reference]);
+  ClipEdge<Scalar> edge = whole_edge(incident, features.incident, features.reference);
+  if (!clip_to_slab<Scalar>(edge, reference, features.reference, along, slab_margin(a, b),
+                            features.incident)) {
+    return {};
+  }
   return keep_behind_face(edge, reference, features.reference, features.reference_side,
                           total_radius);
 }

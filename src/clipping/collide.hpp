@@ -1,6 +1,7 @@
 #pragma once
 
 #include "clipping/clip.hpp"
+#include "clipping/curved_shapes.hpp"
 #include "clipping/deepest_contact.hpp"
 #include "clipping/features.hpp"
 #include "clipping/separation.hpp"
@@ -12,29 +13,19 @@
 //   clip         the incident edge to the reference face's slab; keep what lies behind the face
 //
 // Everything happens in A's frame (geometry/manifold.hpp states the contract). Lengths are A's own:
-// rotations are taken to be unit. Rounded polygons touch up to the total radius, and side planes
-// are widened by it, as in Box2D 2.4 (b2_collide_polygon.cpp).
+// rotations are taken to be unit. Mitred polygons touch up to the total radius, and side planes
+// are widened by it, as in Box2D 2.4 (b2_collide_polygon.cpp). Round shapes take the same steps
+// where their cores overlap; where they are apart, the separation is along the nearest places.
 
 /// Contact points by clipping, step by step, in float and double.
 namespace manifuzz::clipping {
 
-/// The manifold of two polygons that stand in one frame, which is the manifold's too. Both are free
-/// of defects, and their coordinates within a quarter of the scalar's range. B's face becomes the
-/// reference only where its separation leads by more than `tie_bias` (a length, 0 in the article).
-/// Polygons that overlap by more than rounding always get a contact, and at bias 0 one of it is as
-/// deep as the overlap: a bias asks for its face even where that face's clip is shallower. In
-/// float, separation and depth are off by at most 15 u times the extent (u = 2^-24), at clipped
-/// ends times 1 + tan of the angle between both edges: src/judging/bounds.md derives it, and the
-/// rest.
+/// The manifold of the faces of greatest separation, of A's and of B's: the greater clips, B's only
+/// where it leads by more than `tie_bias`.
 template <class Scalar>
-Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                  Scalar tie_bias = 0) {
-  const Scalar total_radius = a.radius + b.radius;
-  const FaceSeparation<Scalar> of_a = greatest_separation(a, b, total_radius);
-  if (of_a.separation > total_radius) return {};
-  const FaceSeparation<Scalar> of_b = greatest_separation(b, a, total_radius);
-  if (of_b.separation > total_radius) return {};
-
+Manifold<Scalar> contact_of_faces(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                  const FaceSeparation<Scalar>& of_a,
+                                  const FaceSeparation<Scalar>& of_b, Scalar tie_bias) {
   const bool take_b = of_b.separation > of_a.separation + tie_bias;
   const FaceSeparation<Scalar>& chosen = take_b ? of_b : of_a;
   const ContactFeatures features =
@@ -47,12 +38,37 @@ Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPo
                                                                      : manifold;
 }
 
+/// The manifold of two shapes that stand in one frame, which is the manifold's too. Both are free
+/// of defects, and their coordinates within a quarter of the scalar's range. B's face becomes the
+/// reference only where its separation leads by more than `tie_bias` (a length, 0 in the article).
+/// Polygons that overlap by more than rounding always get a contact, and at bias 0 one of it is as
+/// deep as the overlap: a bias asks for its face even where that face's clip is shallower. In
+/// float, separation and depth are off by at most 15 u times the extent (u = 2^-24), at clipped
+/// ends times 1 + tan of the angle between both edges: src/judging/bounds.md derives it, and the
+/// rest.
+template <class Scalar>
+Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                  Scalar tie_bias = 0, SecondPoint second_point = {}) {
+  const Scalar total_radius = a.radius + b.radius;
+  const FaceSeparation<Scalar> of_a = greatest_separation(a, b, total_radius);
+  if (of_a.separation > total_radius) return {};
+  const FaceSeparation<Scalar> of_b = greatest_separation(b, a, total_radius);
+  if (of_b.separation > total_radius) return {};
+  if (!are_round(a, b)) return contact_of_faces(a, b, of_a, of_b, tie_bias);
+  const Scalar roundoff = separation_roundoff(a, b);
+  if (!do_cores_overlap(a, b, std::max(of_a.separation, of_b.separation), roundoff)) {
+    return nearest_contact(a, b, of_a, of_b, roundoff, second_point);
+  }
+  return overlapping_contact(a, b, contact_of_faces(a, b, of_a, of_b, tie_bias), second_point);
+}
+
 /// The manifold of A and B in A's frame, B standing at `b_in_a` in it (see `relative_pose`), whose
 /// rotation is taken to be unit.
 template <class Scalar>
 Manifold<Scalar> collide(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                         const Pose<Scalar>& b_in_a, Scalar tie_bias = 0) {
-  return collide_in_frame(a, transform(b_in_a, b), tie_bias);
+                         const Pose<Scalar>& b_in_a, Scalar tie_bias = 0,
+                         SecondPoint second_point = {}) {
+  return collide_in_frame(a, transform(b_in_a, b), tie_bias, second_point);
 }
 
 /// The manifold for those who have their own separation search (SAT, GJK, EPA): the article from

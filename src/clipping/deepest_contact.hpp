@@ -92,7 +92,7 @@ Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const Conve
   }
   const Vector2<Scalar>& deepest = opposing.vertices[found.deepest];
   const auto slab_holds_with = [&](Scalar margin) {
-    return slab_holds<Scalar>(reference, found.face, deepest, total_radius + margin);
+    return slab_holds<Scalar>(reference, found.face, deepest, slab_margin(a, b) + margin);
   };
   if (!slab_holds_with(roundoff)) return {};
   const bool clipped_off = deepest_clip.count > 0 && !slab_holds_with(0);
@@ -115,7 +115,7 @@ Manifold<Scalar> deepest_contact(const ConvexPolygon<Scalar>& a, const ConvexPol
   for (const Side side : {Side::a, Side::b}) {
     const ConvexPolygon<Scalar>& reference = side == Side::a ? a : b;
     const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
-    for (int i = 0; i < reference.count; ++i) {
+    for (int i = 0; i < reference.face_count(); ++i) {
       const FaceSeparation<Scalar> found = face_separation(reference, i, opposing);
       if (found.separation > greatest_of_all) {
         greatest_of_all = found.separation;

@@ -33,14 +33,15 @@ FaceSeparation<Scalar> face_separation(const ConvexPolygon<Scalar>& polygon, int
   return result;
 }
 
-/// The face of greatest separation, the first of equals. Stops at the first face that separates by
+/// The face of greatest separation, the first of equals; minus infinity of a point, which has none.
+/// Stops at the first face that separates by
 /// more than `limit`, a length, which need not be the greatest. (The article's separating axes,
 /// faces only; Box2D: b2FindMaxSeparation.)
 template <class Scalar>
 FaceSeparation<Scalar> greatest_separation(const ConvexPolygon<Scalar>& polygon,
                                            const ConvexPolygon<Scalar>& other, Scalar limit) {
   FaceSeparation<Scalar> greatest;
-  for (int i = 0; i < polygon.count; ++i) {
+  for (int i = 0; i < polygon.face_count(); ++i) {
     const FaceSeparation<Scalar> candidate = face_separation(polygon, i, other);
     if (candidate.separation > greatest.separation) greatest = candidate;
     if (candidate.separation > limit) break;

@@ -41,7 +41,9 @@ Collider make_clip(double tie_bias) {
        .version = MANIFUZZ_VERSION,
        .description =
            "the article's clipping in float, incident edge by least dot, no empty overlap",
-       .tie_bias = {tie_bias}},
+       .tie_bias = {tie_bias},
+       .min_vertices = 1,
+       .takes_round = true},
       make_clip);
 }
 
@@ -49,7 +51,9 @@ Collider make_clip64(double tie_bias) {
   return implemented<double>({.name = "clip64",
                               .version = MANIFUZZ_VERSION,
                               .description = "the same in double, on the same float input",
-                              .tie_bias = {tie_bias}},
+                              .tie_bias = {tie_bias},
+                              .min_vertices = 1,
+                              .takes_round = true},
                              make_clip64);
 }
 

@@ -78,7 +78,11 @@ Collider collider_of(const Declaration& declaration, CollideOne collide_one,
   collider.declaration.scalar =
       std::is_same_v<Scalar, float> ? ScalarType::float32 : ScalarType::float64;
   collider.declaration.tie_bias.absolute = static_cast<double>(bias);
-  collider.collide = [collide_one, bias](const PairCase& pair) { return collide_one(pair, bias); };
+  collider.collide = [collide_one, bias,
+                      takes_round = declaration.takes_round](const PairCase& pair) -> Answer {
+    if (is_round(pair) && !takes_round) return Unsupported{"takes no round shapes"};
+    return collide_one(pair, bias);
+  };
   collider.with_tie_bias = with_tie_bias;
   collider.in_double = [bias] { return make_clip64(static_cast<double>(bias)); };
   return collider;

@@ -1,0 +1,181 @@
+#pragma once
+
+#include <optional>
+
+#include "clipping/deepest_contact.hpp"
+#include "clipping/nearest.hpp"
+
+// The article's "Curved Shapes": circles, capsules, segments and polygons with round corners. Their
+// features are a point or an edge; a point on either side is the manifold, two edges are clipped.
+
+namespace manifuzz::clipping {
+
+/// Whether cores overlap by more than rounding, so that faces decide. `separation` is the greatest
+/// of all faces', minus infinity of two points. What overlaps has its outlines at least as near as
+/// the overlap is deep: segments on one line, end to end, do not, though no face separates them.
+template <class Scalar>
+bool do_cores_overlap(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                      Scalar separation, Scalar roundoff) {
+  return std::isfinite(separation) && separation < -roundoff &&
+         std::sqrt(squared_between_outlines(a, b)) <= static_cast<double>(roundoff - separation);
+}
+
+/// Whether a direction is among a vertex's outward normals: no neighbour is farther along it. Told
+/// relative to the direction's length, however short.
+template <class Scalar>
+bool is_normal_at(const ConvexPolygon<Scalar>& polygon, int corner,
+                  const Vector2<Scalar>& direction) {
+  const Vector2<Scalar>& at = polygon.vertices[corner];
+  return direction.dot(polygon.vertices[polygon.previous(corner)] - at) <= 0 &&
+         direction.dot(polygon.vertices[polygon.next(corner)] - at) <= 0;
+}
+
+/// The unit normal from A to B on which the places are nearest: from vertex to vertex where that is
+/// among the normals of both; else, since one of them is in front of a face or they have passed
+/// each other, that of the face which separates most; of two points at one place any, (1, 0).
+template <class Scalar>
+Vector2<Scalar> nearest_normal(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                               const FaceSeparation<Scalar>& of_a,
+                               const FaceSeparation<Scalar>& of_b,
+                               const NearestPlaces<Scalar>& nearest) {
+  const auto& [place_a, place_b] = nearest.features;
+  if (place_a.kind == Feature::Kind::face) return a.normals[place_a.index];
+  if (place_b.kind == Feature::Kind::face) return -b.normals[place_b.index];
+  const double distance = std::sqrt(squared_length(nearest.apart));
+  if (distance > 0 && is_normal_at<Scalar>(a, place_a.index, nearest.apart) &&
+      is_normal_at<Scalar>(b, place_b.index, -nearest.apart)) {
+    return (nearest.apart.template cast<double>() / distance).template cast<Scalar>();
+  }
+  if (a.face_count() + b.face_count() == 0) return {1, 0};
+  return of_a.separation >= of_b.separation ? a.normals[of_a.face]
+                                            : Vector2<Scalar>(-b.normals[of_b.face]);
+}
+
+/// The edge that a shape gives at its nearest place: the face itself, or of the two edges at the
+/// vertex the one more perpendicular to `outward`, which is unit; none of a point, or where its
+/// normal is further from `outward` than a second point may have it.
+template <class Scalar>
+std::optional<int> edge_at(const ConvexPolygon<Scalar>& polygon, Feature place,
+                           const Vector2<Scalar>& outward, SecondPoint second_point) {
+  if (polygon.face_count() == 0) return std::nullopt;
+  int edge = place.index;
+  if (place.kind == Feature::Kind::vertex) {
+    const int previous = polygon.previous(edge);
+    if (polygon.normals[previous].dot(outward) > polygon.normals[edge].dot(outward)) {
+      edge = previous;
+    }
+  }
+  const auto least = static_cast<Scalar>(second_point.least_cosine);
+  if (polygon.normals[edge].dot(outward) < least) return std::nullopt;
+  return edge;
+}
+
+/// Adds the other end of what the clip of two edges keeps: between the planes through the reference
+/// edge's ends, perpendicular to `along`, and no farther from the reference edge than the total
+/// radius, all measured along `outward`, which points out of the reference.
+template <class Scalar>
+void add_second_point(const ConvexPolygon<Scalar>& reference, int reference_edge,
+                      const ConvexPolygon<Scalar>& incident, int incident_edge,
+                      const Vector2<Scalar>& on_reference, const Vector2<Scalar>& on_incident,
+                      const Vector2<Scalar>& outward, Scalar roundoff, Manifold<Scalar>& manifold) {
+  const Vector2<Scalar> along = counter_clockwise_quarter(outward);
+  const Vector2<Scalar> whole =
+      reference.vertices[reference.next(reference_edge)] - reference.vertices[reference_edge];
+  const Scalar run = along.dot(whole);
+  ClipEdge<Scalar> edge = whole_edge(incident, incident_edge, reference_edge);
+  if (run <= roundoff ||
+      !clip_to_slab<Scalar>(edge, reference, reference_edge, along, Scalar(0), incident_edge)) {
+    return;
+  }
+  const auto distance = [&](const ClipEnd<Scalar>& end) {
+    return std::abs(along.dot(end.position - on_incident));
+  };
+  const ClipEnd<Scalar>& end = distance(edge[1]) > distance(edge[0]) ? edge[1] : edge[0];
+  if (distance(end) <= roundoff) return;
+  const Vector2<Scalar> from_reference = end.position - on_reference;
+  const Scalar slope = outward.dot(whole) / run;
+  const Scalar separation = outward.dot(from_reference) - slope * along.dot(from_reference);
+  const Scalar total_radius = reference.radius + incident.radius;
+  if (separation > total_radius) return;
+  FeaturePair features{end.reference, end.incident};
+  if (manifold.reference == Side::b) std::swap(features.a, features.b);
+  manifold.points[manifold.count++] = {end.position, total_radius - separation, features};
+}
+
+/// Puts the points on the incident shape's surface: a radius from its core, against the normal that
+/// points out of the reference.
+template <class Scalar>
+void put_on_surface(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                    Manifold<Scalar>& manifold) {
+  const Scalar towards_b = manifold.reference == Side::a ? -b.radius : a.radius;
+  for (int i = 0; i < manifold.count; ++i) {
+    manifold.points[i].position += towards_b * manifold.normal;
+  }
+}
+
+/// The manifold of round shapes whose cores do not overlap by more than rounding. The deepest point
+/// is where they are nearest; the second one, if both give an edge, the other end of their clip.
+template <class Scalar>
+Manifold<Scalar> nearest_contact(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                 const FaceSeparation<Scalar>& of_a,
+                                 const FaceSeparation<Scalar>& of_b, Scalar roundoff,
+                                 SecondPoint second_point) {
+  const NearestPlaces<Scalar> nearest = nearest_places(a, b, of_a, of_b, roundoff);
+  const Vector2<Scalar> normal = nearest_normal(a, b, of_a, of_b, nearest);
+  const Scalar total_radius = a.radius + b.radius;
+  const Scalar separation = normal.dot(nearest.apart);
+  if (separation > total_radius) return {};
+
+  const auto edge_a = edge_at<Scalar>(a, nearest.features.a, normal, second_point);
+  const auto edge_b = edge_at<Scalar>(b, nearest.features.b, -normal, second_point);
+  Manifold<Scalar> manifold;
+  manifold.count = 1;
+  manifold.normal = normal;
+  manifold.reference = edge_a ? Side::a : Side::b;  // a point is incident, A's before B's
+  if (edge_a && edge_b) {
+    const bool b_is_flatter = -b.normals[*edge_b].dot(normal) > a.normals[*edge_a].dot(normal);
+    if (b_is_flatter) manifold.reference = Side::b;
+  }
+  const bool from_a = manifold.reference == Side::a;
+  manifold.points[0] = {from_a ? nearest.on_b : nearest.on_a, total_radius - separation,
+                        nearest.features};
+  if (edge_a && edge_b) {
+    if (from_a) {
+      add_second_point<Scalar>(a, *edge_a, b, *edge_b, nearest.on_a, nearest.on_b, normal, roundoff,
+                               manifold);
+    } else {
+      add_second_point<Scalar>(b, *edge_b, a, *edge_a, nearest.on_b, nearest.on_a, -normal,
+                               roundoff, manifold);
+    }
+  }
+  put_on_surface(a, b, manifold);
+  order_points(manifold);
+  return manifold;
+}
+
+/// The manifold of round shapes whose cores overlap, from what the clip by a face kept: of a point,
+/// and of an edge that a second point may not have, the deepest alone.
+template <class Scalar>
+Manifold<Scalar> overlapping_contact(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                     const Manifold<Scalar>& clipped, SecondPoint second_point) {
+  Manifold<Scalar> manifold = clipped;
+  const bool from_a = manifold.reference == Side::a;
+  const ConvexPolygon<Scalar>& incident = from_a ? b : a;
+  const Vector2<Scalar> towards = from_a ? Vector2<Scalar>(-manifold.normal) : manifold.normal;
+  if (manifold.count == 2) {
+    const int edge = incident_edge<Scalar>(incident, -towards);
+    const bool is_edge =
+        incident.face_count() > 0 &&
+        incident.normals[edge].dot(towards) >= static_cast<Scalar>(second_point.least_cosine);
+    if (!is_edge) {
+      if (manifold.points[1].depth > manifold.points[0].depth) {
+        manifold.points[0] = manifold.points[1];
+      }
+      manifold.count = 1;
+    }
+  }
+  put_on_surface(a, b, manifold);
+  return manifold;
+}
+
+}  // namespace manifuzz::clipping
