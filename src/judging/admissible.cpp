@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "oracle/exact/curve.hpp"
+
 namespace manifuzz {
 namespace {
 
@@ -96,6 +98,8 @@ std::vector<const Clip*> clips_within(const exact::Truth& truth, Side side, cons
 }
 
 double Admissible::from_contact() const {
+  if (is_round(pair()))
+    return std::abs(exact::PenetrationCurve(*truth, exact::Skin::round).least());
   return std::abs(truth->separation() - total_radius(pair()));
 }
 
@@ -158,7 +162,7 @@ Admissible admissible(std::shared_ptr<const exact::Truth> truth, const TieBias& 
   Admissible result;
   result.bounds = bounds;
   const double bound = result.bounds.separation;
-  if (!std::isfinite(bound)) {
+  if (!std::isfinite(bound) || is_round(truth->pair())) {
     result.truth = std::move(truth);
     result.may_touch = result.may_be_apart = true;
     return result;
@@ -224,7 +228,7 @@ Mismatch mismatch(const Manifold<double>& manifold, const Admissible& right) {
 
 std::vector<Manifold<double>> right_manifolds(const Admissible& right) {
   std::vector<Manifold<double>> manifolds;
-  if (!std::isfinite(right.bounds.separation)) return manifolds;
+  if (!std::isfinite(right.bounds.separation) || is_round(right.pair())) return manifolds;
   const Manifold<double> apart;
   if (mismatch(apart, right).kind == Kind::none) manifolds.push_back(apart);
   for (const Clip* clip : right.candidates) {

@@ -44,6 +44,7 @@ struct Admissible {
 ///   to report the overlap.
 /// - With each, the incident edges whose normal's dot is within bound of the least.
 /// Where the scalar may overflow the bound is infinite, and nothing is decided: no candidates.
+/// Round shapes are judged by the penetration curve: nor have they any.
 Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declaration& declaration);
 Admissible admissible(const PairCase& pair, const Declaration& declaration);
 /// The same within these bounds.

@@ -47,11 +47,12 @@ enum class Kind {
   not_minimal,
   witness,
   altered_shape,
+  extent,  ///< points span less of the contact than the clip of two round shapes' edges
 };
-inline constexpr std::array<std::string_view, 13> kKindNames{
+inline constexpr std::array<std::string_view, 14> kKindNames{
     "none",        "missed_contact", "phantom_contact", "normal",   "position",
     "depth",       "count",          "features",        "reversed", "inconsistent",
-    "not_minimal", "witness",        "altered_shape"};
+    "not_minimal", "witness",        "altered_shape",   "extent"};
 
 /// Which decision of the case lies within bound, so that several manifolds are right.
 enum class TieClass { none, reference, incident, contact_boundary, clip_boundary };

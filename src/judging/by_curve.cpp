@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "judging/round_contact.hpp"
 #include "oracle/exact/witness.hpp"
 
 namespace manifuzz {
@@ -34,7 +35,8 @@ Said said_by(const Answer& answer) {
   return {true, manifold->normal, manifold->points[deepest_of(*manifold)].depth, manifold};
 }
 
-/// Where points lie that are claimed to lie there, as shares of A's top and B's bottom.
+/// Where points lie that are claimed to lie there, as shares of A's top and B's bottom. A clip's
+/// are on the incident core, of round shapes on the incident surface.
 std::vector<Height> heights_of(PointsAt points, const PairCase& pair) {
   const auto radius_a = static_cast<double>(pair.a.polygon.radius);
   const auto radius_b = static_cast<double>(pair.b.polygon.radius);
@@ -45,6 +47,9 @@ std::vector<Height> heights_of(PointsAt points, const PairCase& pair) {
       return {{1, 0, radius_a}};
     case PointsAt::surface_b:
       return {{0, 1, -radius_b}};
+    case PointsAt::clip:
+      if (is_round(pair)) return {{1, 0, radius_a}, {0, 1, -radius_b}};
+      [[fallthrough]];
     default:
       return {{1, 0, 0}, {0, 1, 0}};
   }
@@ -60,7 +65,8 @@ class ByCurve {
         said_(said),
         bounds_(curve_bounds(truth.pair(), declaration, truth.extent())),
         tolerance_(tolerance),
-        curve_(truth, exact::Skin::mitred) {}
+        curve_(truth, exact::skin_of(truth)),
+        nearest_(truth, curve_, bounds_.touching, bounds_.normal) {}
 
   bool is_reversed() const {
     if (!said_.normal || said_.normal->isZero(0)) return false;
@@ -79,6 +85,9 @@ class ByCurve {
     if (said_.touches && said_.depth >= 0) result_.minimal = is_minimal(along);
     const bool is_right = *result_.consistent && result_.minimal.value_or(true);
     if (!is_right && is_reversed()) return found(Kind::reversed, 2, bounds_.normal);
+    if (*result_.consistent && !is_right && is_excess_small(along)) {
+      return found(Kind::normal, nearest_.error(*said_.normal), nearest_.bound());
+    }
     if (!*result_.consistent) {
       return found(Kind::inconsistent, depth_error(along), bounds_.consistency);
     }
@@ -87,8 +96,11 @@ class ByCurve {
     }
     if (said_.manifold == nullptr) return result_;
     result_.witness = has_witnesses(along);
-    if (*result_.witness) return result_;
-    return found(Kind::witness, witness_error(along), bounds_.along);
+    if (!*result_.witness) return found(Kind::witness, witness_error(along), bounds_.along);
+    if (!is_round_ || declaration_.claims != Claims::manifold) return result_;
+    const Bounds of_clip = bounds(truth_.pair(), declaration_, truth_.extent());
+    const auto second = second_point_mismatch(truth_, declaration_, of_clip, *said_.manifold);
+    return second ? found(second->kind, second->magnitude, second->bound) : result_;
   }
 
  private:
@@ -111,11 +123,12 @@ class ByCurve {
   /// The overlap that a depth stands for: of a pair the depth along the normal, of points the
   /// deepest on any line along it.
   bool is_gap_claimed(const Along& along) const {
-    return said_.manifold != nullptr && along.meets(slide());
+    return !is_round_ && said_.manifold != nullptr && along.meets(slide());
   }
   /// How far two places that a point names may pass each other.
   double slide() const { return 2 * (bounds_.along + tolerance_); }
   double depth_error(const Along& along) const {
+    if (nearest_.decides()) return std::abs(said_.depth - curve_.least());
     return std::abs(said_.depth -
                     (is_gap_claimed(along) && along.meets() ? along.gap() : along.depth()));
   }
@@ -123,6 +136,8 @@ class ByCurve {
     // No tolerance excuses a depth that is too large.
     const double least = depth - bounds_.consistency;
     const double most = depth + bounds_.consistency + tolerance_;
+    if (is_distance(depth)) return true;
+    if (nearest_.decides()) return false;
     if (is_gap_claimed(along)) {
       const bool is_gap =
           along.compare_gap(least, slide()) >= 0 && along.compare_least_gap(most, slide()) <= 0;
@@ -136,7 +151,17 @@ class ByCurve {
     return curve.compare_excess(along, bounds_.minimality + tolerance_) <= 0 &&
            curve.compare_excess(along, -bounds_.minimality) >= 0;
   }
+  /// Of cores that do not overlap, the total radius less their distance, whatever the normal.
+  bool is_distance(double depth) const {
+    return curve_.are_cores_apart() && curve_.compare_least(depth - bounds_.touching) >= 0 &&
+           curve_.compare_least(depth + bounds_.touching + tolerance_) <= 0;
+  }
+
+  bool is_excess_small(const Along& along) const { return is_least(curve_, along); }
   bool is_minimal(const Along& along) const {
+    if (nearest_.may_be_near() && nearest_.error(along.local_normal()) <= nearest_.bound())
+      return true;
+    if (nearest_.must_be_near()) return false;
     if (is_least(curve_, along)) return true;
     // A bias lets a side's best face stand though one of the other's has less depth.
     const TieBias& bias = declaration_.tie_bias;
@@ -148,7 +173,9 @@ class ByCurve {
   }
 
   /// How far a place may be from a point's line: with radii, clips reach past cores by as much.
-  double reach() const { return bounds_.along + tolerance_ + total_radius(truth_.pair()); }
+  double reach() const {
+    return bounds_.along + tolerance_ + (is_round_ ? 0 : total_radius(truth_.pair()));
+  }
   /// How far a point is from where both are, at least, or a depth from the deepest overlap.
   double witness_error(const Along& along) const {
     const exact::RoughPair placed = exact::place_roughly(truth_.stored());
@@ -188,8 +215,8 @@ class ByCurve {
                               .across = bounds_.across + tolerance_,
                               .slack = bounds_.consistency + tolerance_};
       exact::PointClaim as_deepest = claim;
-      as_deepest.shortfall =
-          bounds_.minimality + tolerance_;  // two rounded depths say which is the deepest
+      // Two rounded depths say which is the deepest; of nearest places their distance has said it.
+      if (!nearest_.decides()) as_deepest.shortfall = bounds_.minimality + tolerance_;
       if (declaration_.shares_depth) {
         is_deepest_found = is_deepest_found || is_witness(truth_, along, as_deepest);
         claim.gap_least = std::min(point.depth, -declaration_.speculative);
@@ -208,6 +235,8 @@ class ByCurve {
   CurveBounds bounds_;
   double tolerance_;
   PenetrationCurve curve_;
+  NearestNormal nearest_;
+  bool is_round_ = is_round(truth_.pair());
   CurveJudgement result_;
 };
 
@@ -216,7 +245,7 @@ class ByCurve {
 double tolerance_of(const exact::Truth& truth, const Declaration& declaration) {
   const Tolerance& tolerance = declaration.tolerance;
   if (tolerance.is_none()) return 0;
-  const double least = PenetrationCurve(truth, exact::Skin::mitred).least();
+  const double least = PenetrationCurve(truth, exact::skin_of(truth)).least();
   return tolerance.absolute + tolerance.relative * std::abs(least);
 }
 

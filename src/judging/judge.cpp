@@ -127,7 +127,7 @@ struct Judged {
 Judged judged_on(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& given) {
   Judged result;
   result.right = admissible(truth, given.declaration);
-  result.by_curve = is_judged_by_curve(given.declaration);
+  result.by_curve = is_judged_by_curve(given.declaration, truth->pair());
   if (result.by_curve) {
     const CurveJudgement curve = judge_by_curve(*truth, given.declaration, given.answer);
     if (const auto* const manifold = manifold_in(given.answer)) result.manifold = *manifold;
@@ -243,12 +243,6 @@ bool is_alike(const Judgement& judgement, const Judgement& root) {
          (is_about(judgement.magnitude, root.magnitude) || are_within_bounds);
 }
 
-Standing standing(const exact::Truth& truth) {
-  const double above = truth.separation() - total_radius(truth.pair());
-  return {.touching = truth.compare_contact(0) <= 0,
-          .near = std::abs(above) <= kNearShare * truth.size()};
-}
-
 Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& subject,
                 const ColliderAnswer& oracle) {
   if (const auto bucket = without_judging(*truth, subject, oracle)) return {.bucket = *bucket};
@@ -258,7 +252,7 @@ Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const Collider
                    .of_oracle = error_of(of_oracle),
                    .is_by_tolerance = of_subject.is_by_tolerance || of_oracle.is_by_tolerance};
   Bucket& bucket = result.bucket;
-  bucket.reference = truth->greatest().side;
+  if (truth->has_faces()) bucket.reference = truth->greatest().side;
   bucket.fault = fault_of(of_subject, of_oracle);
   if (bucket.fault == Fault::none && (of_subject.is_unjudged || of_oracle.is_unjudged)) {
     return {.bucket = {.verdict = Verdict::ill_posed}};

@@ -94,7 +94,7 @@ ContactSummary summary_of(const Answer& answer);
 
 /// The clip of the first best incident edge by the first face of the greatest separation, decided
 /// exactly: one right manifold of perhaps several. `no_clip` where they touch and it keeps no
-/// point.
+/// point; of round shapes only whether they touch.
 ContactSummary summary_of(const exact::Truth& truth);
 
 struct Cell {

@@ -178,7 +178,8 @@ bool is_same(const Answer& one, const Answer& other) {
 Answer whole(Answer answer, const Admissible& right, const Declaration& declaration) {
   const auto* const given = std::get_if<PartialManifold>(&answer);
   if (given == nullptr || given->used) return answer;
-  if (is_judged_by_curve(declaration) || why_malformed(right.pair(), {declaration, answer})) {
+  if (is_judged_by_curve(declaration, right.pair()) ||
+      why_malformed(right.pair(), {declaration, answer})) {
     return Manifold<double>(given->manifold);
   }
   return completed(*given, right);

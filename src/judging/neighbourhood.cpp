@@ -2,6 +2,7 @@
 
 #include "generating/drafts.hpp"
 #include "judging/judge.hpp"
+#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 namespace {
@@ -17,7 +18,21 @@ ContactSummary summary_of(const Manifold<double>& manifold) {
 
 }  // namespace
 
+Standing standing(const exact::Truth& truth) {
+  const double near = kNearShare * truth.size();
+  if (!is_round(truth.pair())) {
+    const double above = truth.separation() - total_radius(truth.pair());
+    return {.touching = truth.compare_contact(0) <= 0, .near = std::abs(above) <= near};
+  }
+  const exact::PenetrationCurve curve(truth, exact::Skin::round);
+  return {.touching = curve.compare_least(0) >= 0, .near = std::abs(curve.least()) <= near};
+}
+
 VertexOf deciding_vertex(const exact::Truth& truth) {
+  if (is_round(truth.pair())) {
+    const exact::PenetrationCurve curve(truth, exact::Skin::round);
+    if (const auto nearest = curve.nearest_vertices()) return {Side::b, (*nearest)[1]};
+  }
   const exact::FaceOf face = truth.greatest();
   return {other(face.side), truth.support(face)};
 }
@@ -46,6 +61,10 @@ ContactSummary summary_of(const Answer& answer) {
 }
 
 ContactSummary summary_of(const exact::Truth& truth) {
+  if (is_round(truth.pair())) {
+    return {.kind = standing(truth).touching ? ContactSummary::Kind::contact
+                                             : ContactSummary::Kind::apart};
+  }
   if (truth.compare_contact(0) > 0) return {.kind = ContactSummary::Kind::apart};
   const exact::FaceOf face = truth.greatest();
   const exact::Clip& clip = truth.clip(face, truth.incident_edges(face, 0).front());

@@ -32,6 +32,7 @@ std::span<const Property> properties() {
 }
 
 Outcome check(const Property& property, const Collider& collider, const PairCase& pair) {
+  if (is_round(pair)) return not_applicable();
   if (is_ill_posed(size(pair), bounds(pair, collider.declaration))) return not_applicable();
   AskedCollider ask(collider);
   Outcome outcome = property.holds(ask, pair);

@@ -8,6 +8,7 @@
 #include "judging/ledger.cpp"
 #include "judging/malformed.cpp"
 #include "judging/manifold_error.cpp"
+#include "judging/round_contact.cpp"
 #include "judging/used_shapes.cpp"
 #include "oracle/exact/along.cpp"
 #include "oracle/exact/clip.cpp"

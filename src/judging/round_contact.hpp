@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+
+#include "judging/by_curve.hpp"
+
+namespace manifuzz {
+
+// What is right of round shapes beyond the penetration curve: their normal where cores are apart,
+// and the second of two points. bounds.md derives the bounds.
+
+/// How a normal stands to the direction in which cores that are apart are nearest.
+class NearestNormal {
+ public:
+  /// `separation` and `normal`: the collider's bounds of these, a world length and of unit vectors.
+  NearestNormal(const exact::Truth& truth, const exact::PenetrationCurve& curve, double separation,
+                double normal);
+
+  /// Whether cores are apart by more than rounding, so that their distance decides the depth.
+  bool decides() const { return is_apart_ && distance_ > bound_of_separation_; }
+  /// Whether a normal must be the nearest direction: not where a vertex is in front of the inside
+  /// of a face, or cores are about to touch, for there the excess of its depth says more.
+  bool must_be_near() const {
+    return decides() && !is_inside_face_ && distance_ > 2 * bound_of_separation_;
+  }
+  /// Whether a normal may be near the nearest direction, whatever its excess.
+  bool may_be_near() const { return decides() && !is_inside_face_; }
+  /// |n - n*|, the normal in A's frame.
+  double error(const Vector2<double>& normal) const;
+  /// How much of that is rounding.
+  double bound() const;
+
+ private:
+  const exact::Truth* truth_;
+  double bound_of_separation_;
+  double bound_of_normal_;
+  bool is_apart_;
+  double distance_ = 0;
+  bool is_inside_face_ = false;
+  exact::Point<exact::DoubleDouble> direction_{};  ///< in the world, unit
+};
+
+/// How the second point of a manifold of round shapes falls short: kind `count` where it is missing
+/// or there is one too many, `extent` where it spans less of the contact than the nearest right
+/// clip; none where it is right. Of an answer whose normal and points are right by the curve.
+std::optional<Mismatch> second_point_mismatch(const exact::Truth& truth,
+                                              const Declaration& declaration, const Bounds& bounds,
+                                              const Manifold<double>& manifold);
+
+}  // namespace manifuzz
