@@ -11,6 +11,8 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_world.h>
 
+#include "oracle/box2d/round_shapes.hpp"
+
 namespace manifuzz {
 namespace {
 
@@ -222,6 +224,7 @@ Vector2<double> point_in_a(const PairCase& pair, Side reference, const b2Vec2& l
 }
 
 Answer collide(const PairCase& pair) {
+  if (is_round(pair)) return box2d::collide_round(pair);
   const b2PolygonShape shape_a = to_box2d(pair.a.polygon);
   const b2PolygonShape shape_b = to_box2d(pair.b.polygon);
   const b2Transform transform_a = to_box2d(pair.a.pose);
@@ -254,14 +257,17 @@ Collider make_box2d() {
   collider.declaration = {
       .name = "box2d",
       .version = MANIFUZZ_BOX2D_VERSION,  // b2_version still says 2.4.0
-      .description = "Box2D's b2CollidePolygons on shapes filled from the stored floats",
+      .description = "Box2D's b2Collide functions on shapes filled from the stored floats",
       .scalar = ScalarType::float32,
       .frame = RoundingFrame::world,
       .tie_bias = {static_cast<double>(0.1f * b2_linearSlop)},
       .max_vertices = b2_maxPolygonVertices,
       .takes_radius = true,
+      .min_vertices = 1,
+      .takes_round = true,
       .snippet = kSnippet};
   collider.collide = collide;
+  collider.takes = box2d::takes_round;
   return collider;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -44,14 +45,43 @@ int vertices_max_in(const JsonView& object) {
   return static_cast<int>(std::min<std::uint64_t>(value->whole_number(), kMaxVertices));
 }
 
+/// "clip", "never", or an angle in radians.
+SecondPoint second_point_in(const JsonView& value) {
+  if (!value.is_string()) {
+    const double angle = value.number();
+    if (!(angle >= 0 && angle <= std::numbers::pi / 2)) {
+      value.fail(fmt::format("{} is no angle; one from 0 to pi / 2 is expected", angle));
+    }
+    return SecondPoint::within(angle);
+  }
+  const std::string_view word = value.string();
+  if (word != "clip" && word != "never") {
+    value.fail(fmt::format("'{}' is unknown; \"clip\", \"never\" or an angle is", printable(word)));
+  }
+  return word == "never" ? SecondPoint::never() : SecondPoint{};
+}
+
+/// 3 or more, unless it says what it does with curved shapes.
+int vertices_min_in(const JsonView& object) {
+  const auto value = object.find("vertices_min");
+  if (!value) return object.find("second_point") ? 1 : kMinVertices;
+  if (value->whole_number() < 1 || value->whole_number() > kMinVertices) {
+    value->fail("1, 2 or 3 is expected");
+  }
+  return static_cast<int>(value->whole_number());
+}
+
 /// What is left out is taken to be the least that a collider can promise: float, in the world.
 Declaration read_declaration(const JsonView& object, const std::string& usual_name) {
-  object.expect_keys({"name", "version", "scalar", "frame", "tie_bias", "vertices_max",
-                      "takes_radius", "points", "normal", "snippet", "claims", "clips", "depths",
-                      "one_point_enough", "speculative", "least_depth", "rotation", "alters_shapes",
-                      "tolerance"});
+  object.expect_keys({"name",        "version",          "scalar",       "frame",
+                      "tie_bias",    "vertices_max",     "takes_radius", "points",
+                      "normal",      "snippet",          "claims",       "clips",
+                      "depths",      "one_point_enough", "speculative",  "least_depth",
+                      "rotation",    "alters_shapes",    "tolerance",    "vertices_min",
+                      "takes_round", "second_point"});
   const auto bias = object.find("tie_bias");
   const auto tolerance = object.find("tolerance");
+  const auto second_point = object.find("second_point");
   if (tolerance) tolerance->expect_keys({"absolute", "relative", "source"});
   return {.name = object.string_or("name", usual_name),
           .version = object.string_or("version", "unknown"),
@@ -63,6 +93,9 @@ Declaration read_declaration(const JsonView& object, const std::string& usual_na
           .tie_bias = bias ? read_tie_bias(*bias) : TieBias{},
           .max_vertices = vertices_max_in(object),
           .takes_radius = flag_in(object, "takes_radius", true),
+          .min_vertices = vertices_min_in(object),
+          .takes_round = flag_in(object, "takes_round", second_point.has_value()),
+          .second_point = second_point ? second_point_in(*second_point) : SecondPoint{},
           .claims =
               choice_in<Claims>(object, "claims", {"manifold", "point", "separation", "touching"}),
           .clips = flag_in(object, "clips", true),

@@ -58,8 +58,14 @@ std::optional<Unsupported> beyond_limits(const Declaration& declaration, const P
   if (vertices > declaration.max_vertices) {
     return Unsupported{fmt::format("takes up to {} vertices", declaration.max_vertices)};
   }
-  if (!declaration.takes_radius && total_radius(pair) > 0) {
+  if (!declaration.takes_radius && total_radius(pair) > 0 && !is_round(pair)) {
     return Unsupported{"takes no rounded polygons"};
+  }
+  if (!takes_shapes(declaration, pair)) {
+    const int least = std::min(pair.a.polygon.count, pair.b.polygon.count);
+    return Unsupported{least >= declaration.min_vertices ? "takes no polygons with round corners"
+                       : least == 1                      ? "takes no circles"
+                                                         : "takes no segments or capsules"};
   }
   return std::nullopt;
 }

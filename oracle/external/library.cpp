@@ -1,3 +1,4 @@
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <dlfcn.h>
@@ -26,6 +27,7 @@ manifuzz_body to_c(const Body& body) {
   result.radius = body.polygon.radius;
   result.position = to_c(body.pose.position);
   result.rotation = to_c(body.pose.rotation);
+  result.round = body.polygon.is_round() ? 1 : 0;
   return result;
 }
 
@@ -43,7 +45,12 @@ Feature from_c(const manifuzz_feature& feature) {
           feature.index};
 }
 
-constexpr std::size_t kBytesOfInterface1 = offsetof(manifuzz_declaration, claims);
+/// How much of a declaration a library has, by its interface.
+constexpr std::array kBytesOfInterface{
+    offsetof(manifuzz_declaration, claims),
+    offsetof(manifuzz_declaration, claims) + offsetof(manifuzz_claims, vertices_min),
+    sizeof(manifuzz_declaration)};
+static_assert(kBytesOfInterface.size() == MANIFUZZ_INTERFACE);
 
 std::optional<UsedShapes> shapes_of(const manifuzz_manifold& manifold) {
   if (manifold.shapes[0].count == 0 && manifold.shapes[1].count == 0) return std::nullopt;
@@ -93,10 +100,10 @@ Library::Library(const std::string& path) {
     throw UserError(fmt::format("{}: has no {}; see manifuzz_collider.h", path,
                                 declared == nullptr ? "manifuzz_collider" : "manifuzz_collide"));
   }
-  // One of interface 1 ends before what interface 2 added.
-  std::memcpy(&declaration_, declared, kBytesOfInterface1);
-  if (declaration_.interface == MANIFUZZ_INTERFACE) {
-    std::memcpy(&declaration_, declared, sizeof(declaration_));
+  // An earlier one ends before what later ones added.
+  std::memcpy(&declaration_, declared, kBytesOfInterface[0]);
+  if (declaration_.interface > 1 && declaration_.interface <= MANIFUZZ_INTERFACE) {
+    std::memcpy(&declaration_, declared, kBytesOfInterface[declaration_.interface - 1]);
   }
 }
 
@@ -106,6 +113,21 @@ int Library::collide(const PairCase& pair, manifuzz_manifold& manifold) const {
   manifold = {};
   return collide_(&a, &b, &manifold);
 }
+
+namespace {
+
+SecondPoint second_point_of(const manifuzz_claims& claims) {
+  switch (claims.second_point) {
+    case MANIFUZZ_SECOND_POINT_NEVER:
+      return SecondPoint::never();
+    case MANIFUZZ_SECOND_POINT_WITHIN_ANGLE:
+      return SecondPoint::within(claims.second_point_angle);
+    default:
+      return {};
+  }
+}
+
+}  // namespace
 
 Declaration declaration_of(const manifuzz_declaration& declared) {
   expect_between(declared.interface, 1, MANIFUZZ_INTERFACE, "interface");
@@ -119,6 +141,9 @@ Declaration declaration_of(const manifuzz_declaration& declared) {
                  "claims.answers");
   expect_between(declared.claims.tie_bias_towards, MANIFUZZ_NO_REFERENCE, MANIFUZZ_B,
                  "claims.tie_bias_towards");
+  expect_between(declared.claims.vertices_min, 0, kMinVertices, "claims.vertices_min");
+  expect_between(declared.claims.second_point, MANIFUZZ_SECOND_POINT_BY_CLIP,
+                 MANIFUZZ_SECOND_POINT_WITHIN_ANGLE, "claims.second_point");
   Declaration declaration{
       .name = text_of(declared.name),
       .version = text_of(declared.version),
@@ -130,6 +155,10 @@ Declaration declaration_of(const manifuzz_declaration& declared) {
                    declared.claims.tie_bias_towards == MANIFUZZ_B ? Side::b : Side::a},
       .max_vertices = declared.vertices_max,
       .takes_radius = declared.takes_radius != 0,
+      .min_vertices =
+          declared.claims.vertices_min == 0 ? kMinVertices : declared.claims.vertices_min,
+      .takes_round = declared.claims.takes_round != 0,
+      .second_point = second_point_of(declared.claims),
       .claims = static_cast<Claims>(declared.claims.answers),
       .clips = declared.claims.does_not_clip == 0,
       .points = static_cast<PointsAt>(declared.points),

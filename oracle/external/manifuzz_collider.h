@@ -9,19 +9,22 @@
 extern "C" {
 #endif
 
-enum { MANIFUZZ_INTERFACE = 2, MANIFUZZ_VERTICES_MAX = 8 };
+enum { MANIFUZZ_INTERFACE = 3, MANIFUZZ_VERTICES_MAX = 8 };
 
 typedef struct { float x, y; } manifuzz_float2;
 typedef struct { double x, y; } manifuzz_double2;
 
-/* A strictly convex polygon, counter-clockwise, swept by a disc: world = R vertex + position. */
+/* A strictly convex polygon, counter-clockwise, or a segment (2 vertices) or a point (1), with a
+   radius around it: world = R vertex + position. A segment has two faces, one a side; a point none. */
 typedef struct {
-  int32_t count; /* 3 to 8 */
+  int32_t count; /* `vertices_min` to `vertices_max` of the declaration */
   manifuzz_float2 vertices[MANIFUZZ_VERTICES_MAX];
   manifuzz_float2 normals[MANIFUZZ_VERTICES_MAX]; /* of the face from vertex i to i + 1, outward */
   float radius;
   manifuzz_float2 position;
   manifuzz_float2 rotation; /* (cos, sin), R = {{cos, -sin}, {sin, cos}} */
+  /* From interface 3 on. */
+  int32_t round; /* 1: corners are round, as they are of segments and points; 0: mitred */
 } manifuzz_body;
 
 typedef enum { MANIFUZZ_UNSAID = 0, MANIFUZZ_VERTEX, MANIFUZZ_FACE } manifuzz_feature_kind;
@@ -70,6 +73,12 @@ typedef enum {
   MANIFUZZ_CLAIMS_TOUCHING    /* touching alone */
 } manifuzz_claim;
 
+typedef enum {
+  MANIFUZZ_SECOND_POINT_BY_CLIP = 0, /* where the clip of two edges keeps one */
+  MANIFUZZ_SECOND_POINT_NEVER,
+  MANIFUZZ_SECOND_POINT_WITHIN_ANGLE /* of both edges' normals and the contact's */
+} manifuzz_second_point;
+
 /* What its answers claim; README.md says what each means. All zero: manifolds that clips make. */
 typedef struct {
   int32_t answers;          /* manifuzz_claim */
@@ -85,11 +94,16 @@ typedef struct {
   double tolerance_absolute;
   double tolerance_relative;
   const char* tolerance_source; /* where it is documented, or NULL */
+  /* From interface 3 on. */
+  int32_t vertices_min; /* 1: circles too; 2: segments and capsules too; 3, or 0: polygons alone */
+  int32_t takes_round;  /* 1: polygons with round corners too */
+  int32_t second_point; /* of round shapes, a manifuzz_second_point */
+  double second_point_angle; /* in radians */
 } manifuzz_claims;
 
 /* What the collider says of itself; it is judged by this alone. */
 typedef struct {
-  int32_t interface;    /* MANIFUZZ_INTERFACE; of 1, nothing below `snippet` is read */
+  int32_t interface;    /* MANIFUZZ_INTERFACE; of 1 and 2, what later ones added is not read */
   const char* name;     /* as tables and the corpus have it */
   const char* version;
   int32_t scalar;       /* manifuzz_scalar: what it computes in */
@@ -99,7 +113,7 @@ typedef struct {
   int32_t normal;       /* manifuzz_direction */
   double tie_bias;      /* B's face is the reference only where it leads by more; a length */
   int32_t vertices_max; /* 3 to 8: with more it is not asked */
-  int32_t takes_radius; /* 0: rounded polygons are not asked */
+  int32_t takes_radius; /* 0: mitred polygons with radii are not asked */
   const char* snippet;  /* a program that shows one case (README.md), or NULL */
   manifuzz_claims claims; /* from interface 2 on */
 } manifuzz_declaration;

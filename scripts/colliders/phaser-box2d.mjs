@@ -1,5 +1,8 @@
-// phaser-box2d's b2CollidePolygons for manifuzz: `manifuzz fuzz --subject-command "node phaser-box2d.mjs"`.
-import { b2CollidePolygons, b2Manifold, b2Polygon } from "phaser-box2d/dist/PhaserBox2D.js";
+// phaser-box2d's b2Collide functions for manifuzz: `manifuzz fuzz --subject-command "node phaser-box2d.mjs"`.
+import {
+  b2Capsule, b2Circle, b2CollideCapsuleAndCircle, b2CollideCapsules, b2CollideCircles,
+  b2CollidePolygonAndCapsule, b2CollidePolygonAndCircle, b2CollidePolygons, b2Manifold, b2Polygon,
+} from "phaser-box2d/dist/PhaserBox2D.js";
 import { serve, versionOf } from "./protocol.mjs";
 
 const snippet = `import { b2CollidePolygons, b2Manifold, b2Polygon } from
@@ -33,7 +36,9 @@ const declaration = {
   frame: "world",
   tie_bias: 0,
   vertices_max: 8,
-  takes_radius: false, // its side planes are not widened by the radius
+  takes_radius: false, // its corners are round, its side planes not widened by the radius
+  vertices_min: 1,
+  takes_round: true,
   points: "midpoint",
   normal: "a_to_b",
   snippet,
@@ -49,15 +54,45 @@ function polygonOf(body) {
   return polygon;
 }
 
+function circleOf(body) {
+  const circle = new b2Circle();
+  circle.center = body.vertices[0];
+  circle.radius = body.radius;
+  return circle;
+}
+
+function capsuleOf(body) {
+  const capsule = new b2Capsule();
+  [capsule.center1, capsule.center2] = body.vertices;
+  capsule.radius = body.radius;
+  return capsule;
+}
+
+// In the order in which its functions take them: polygons, capsules, circles. A segment is a
+// capsule without radius: b2CollideSegmentAndCapsule makes it one, and drops the manifold.
+const rank = ({ count }) => (count === 1 ? 2 : count === 2 ? 1 : 0);
+const shapeBy = [polygonOf, capsuleOf, circleOf];
+const collideBy = [
+  [b2CollidePolygons, b2CollidePolygonAndCapsule, b2CollidePolygonAndCircle],
+  [null, b2CollideCapsules, b2CollideCapsuleAndCircle],
+  [null, null, b2CollideCircles],
+];
+
 // A point with a separation above 0 is there for the solver alone: the bodies may touch soon.
 function collide(a, b) {
+  const swapped = rank(a) > rank(b);
+  const [first, second] = swapped ? [b, a] : [a, b];
+  const shape = (body) => shapeBy[rank(body)](body);
   const manifold = new b2Manifold();
-  b2CollidePolygons(polygonOf(a), a.pose, polygonOf(b), b.pose, manifold);
+  collideBy[rank(first)][rank(second)](
+    shape(first), first.pose, shape(second), second.pose, manifold);
   const points = manifold.points
     .slice(0, manifold.pointCount)
     .filter(({ separation }) => !(separation > 0))
     .map(({ pointX, pointY, separation }) => ({ position: [pointX, pointY], depth: -separation }));
-  return points.length > 0 ? { points, normal: [manifold.normalX, manifold.normalY] } : { points };
+  const sign = swapped ? -1 : 1;
+  const normal = [sign * manifold.normalX, sign * manifold.normalY];
+  return points.length > 0 ? { points, normal } : { points };
 }
 
 serve(declaration, collide);

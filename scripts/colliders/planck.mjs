@@ -1,6 +1,7 @@
-// planck's CollidePolygons for manifuzz: `manifuzz fuzz --subject-command "node planck.mjs"`.
+// planck's Collide functions for manifuzz: `manifuzz fuzz --subject-command "node planck.mjs"`.
 import {
-  CollidePolygons, ContactFeatureType, Manifold, ManifoldType, PolygonShape, Settings,
+  CircleShape, CollideCircles, CollideEdgeCircle, CollideEdgePolygon, CollidePolygonCircle,
+  CollidePolygons, ContactFeatureType, EdgeShape, Manifold, ManifoldType, PolygonShape, Settings,
 } from "planck";
 import { serve, toWorld, versionOf } from "./protocol.mjs";
 
@@ -38,13 +39,15 @@ const declaration = {
   tie_bias: 0.1 * Settings.linearSlop,
   vertices_max: 8,
   takes_radius: true,
+  vertices_min: 1,
+  takes_round: true,
   points: "clip",
   normal: "a_to_b",
   snippet,
 };
 
 // Filled as it stands: PolygonShape(vertices) would weld and reorder.
-function shapeOf(body) {
+function polygonOf(body) {
   const shape = new PolygonShape();
   shape.m_vertices = body.vertices;
   shape.m_normals = body.normals;
@@ -57,7 +60,47 @@ function featureName(type, index) {
   return (type === ContactFeatureType.e_face ? "f" : "v") + index;
 }
 
+function shapeOf(body) {
+  if (body.count > 2) return polygonOf(body);
+  if (body.count === 1) return new CircleShape(body.vertices[0], body.radius);
+  const edge = new EdgeShape(...body.vertices);
+  edge.m_radius = body.radius;
+  return edge;
+}
+
+// In the order in which planck's functions take them: edges, polygons, circles.
+const rank = ({ count }) => (count === 1 ? 2 : count === 2 ? 0 : 1);
+const collideBy = [
+  [null, CollideEdgePolygon, CollideEdgeCircle],
+  [null, CollidePolygons, CollidePolygonCircle],
+  [null, null, CollideCircles],
+];
+
+// Points are midway between both surfaces; the second's is half of the separation farther.
+function collideRound(a, b) {
+  const swapped = rank(a) > rank(b);
+  const [first, second] = swapped ? [b, a] : [a, b];
+  const mitred = [a, b].some(({ count, round, radius }) => count > 2 && round && radius > 0);
+  if (rank(second) === 0) return { unsupported: "has no edge against edge" };
+  if (mitred && rank(second) !== 2) return { unsupported: "its polygons' corners are mitred" };
+  const manifold = new Manifold();
+  collideBy[rank(first)][rank(second)](
+    manifold, shapeOf(first), first.pose, shapeOf(second), second.pose);
+  if (manifold.pointCount === 0) return { points: [] };
+
+  const world = manifold.getWorldManifold(
+    null, first.pose, first.radius, second.pose, second.radius);
+  const { x, y } = world.normal;
+  const points = world.points.slice(0, manifold.pointCount).map((midpoint, i) => ({
+    position: [
+      midpoint.x + (world.separations[i] / 2) * x, midpoint.y + (world.separations[i] / 2) * y],
+    depth: Math.max(0, -world.separations[i]),
+  }));
+  return { points, normal: swapped ? [-x, -y] : [x, y] };
+}
+
 function collide(a, b) {
+  if (a.round || b.round) return collideRound(a, b);
   const manifold = new Manifold();
   CollidePolygons(manifold, shapeOf(a), a.pose, shapeOf(b), b.pose);
   if (manifold.pointCount === 0) return { points: [] };

@@ -3,12 +3,15 @@
 // that may be declared and answered; this is what most need.
 //
 // `collide(a, b)` is called for each case. A body has
-//   vertices  3 to 8 points {x, y} in its own frame: counter-clockwise, strictly convex, multiplied
+//   vertices  1 to 8 points {x, y} in its own frame: counter-clockwise, strictly convex, multiplied
 //             by the length of the stored rotation, which is not quite 1 (see readBody)
 //   normals   {x, y}, unit and outward, in that frame: normals[i] is that of the face from
 //             vertices[i] to vertices[i + 1]
-//   count     how many vertices there are
-//   radius    by which the polygon is rounded; always 0 where `takes_radius: false` is declared
+//   count     how many vertices there are; 2 of a segment or capsule, 1 of a circle, where
+//             `vertices_min` declares that these are taken
+//   radius    by which the shape is rounded; of two sharp polygons always 0 where
+//             `takes_radius: false` is declared
+//   round     whether corners are round; always so of circles, segments and capsules
 //   pose      {p: {x, y}, q: {c, s}}, the rotation unit to the bits of a double: vertex v stands at
 //             toWorld(pose, v) = [c v.x - s v.y + p.x, s v.x + c v.y + p.y] in the world
 // Every length, depths too, is in the world's unit. Both bodies are new for each call: the engine
@@ -57,7 +60,7 @@ function writeAnswers(lines, collide) {
 // Every number of a case is a float. The stored (cos, sin) is a unit vector to 32 bits only; these
 // engines compute in 64 and take the transpose of a rotation for its inverse. So what the rotation
 // lacks goes into the vertices: (R / length) (length v) + p is the same polygon.
-function readBody({ vertices, radius = 0, position = [0, 0], rotation = [1, 0] }) {
+function readBody({ vertices, radius = 0, rounding, position = [0, 0], rotation = [1, 0] }) {
   const stored = vertices.map(vectorOf);
   const { x: cos, y: sin } = vectorOf(rotation);
   const length = Math.sqrt(cos * cos + sin * sin);
@@ -66,6 +69,7 @@ function readBody({ vertices, radius = 0, position = [0, 0], rotation = [1, 0] }
     normals: stored.map((corner, i) => normalOf(corner, stored[(i + 1) % stored.length])),
     count: stored.length,
     radius: Math.fround(radius),
+    round: stored.length < 3 || rounding === "round",
     pose: { p: vectorOf(position), q: { c: cos / length, s: sin / length } },
   };
 }

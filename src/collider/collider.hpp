@@ -57,6 +57,9 @@ struct Declaration {
   TieBias tie_bias{};
   int max_vertices = kMaxVertices;  ///< of a polygon; with more it is not asked
   bool takes_radius = true;         ///< false: rounded polygons are not asked
+  int min_vertices = kMinVertices;  ///< 2: it takes segments and capsules too; 1: circles as well
+  bool takes_round = false;         ///< polygons with round corners
+  SecondPoint second_point{};       ///< of round shapes that touch along edges
   Claims claims = Claims::manifold;
   bool clips =
       true;  ///< a reference face clips an incident edge; else the penetration curve judges
@@ -125,6 +128,26 @@ inline bool is_judged_by_curve(const Declaration& declaration) {
   return !declaration.clips || declaration.claims != Claims::manifold;
 }
 
+/// The same of its answers to a case: round shapes touch where they are nearest, whatever clips.
+inline bool is_judged_by_curve(const Declaration& declaration, const PairCase& pair) {
+  return is_round(pair) || is_judged_by_curve(declaration);
+}
+
+/// Whether it may be asked a case with these shapes, by what it declares of vertices and rounding.
+inline bool takes_shapes(const Declaration& declaration, const PairCase& pair) {
+  const auto takes = [&](const ConvexPolygon<float>& shape) {
+    const bool has_round_corners = shape.count >= kMinVertices && shape.is_round();
+    return shape.count >= declaration.min_vertices && shape.count <= declaration.max_vertices &&
+           (!has_round_corners || declaration.takes_round);
+  };
+  return takes(pair.a.polygon) && takes(pair.b.polygon);
+}
+
+/// Whether it takes any round shapes.
+inline bool takes_round_shapes(const Declaration& declaration) {
+  return declaration.min_vertices < kMinVertices || declaration.takes_round;
+}
+
 /// Anything that turns a pair case into a manifold. All but the first two are empty where a
 /// collider does not offer them.
 struct Collider {
@@ -142,6 +165,9 @@ struct Collider {
   std::function<std::size_t(std::span<const PairCase>, std::span<Answer>,
                             const std::function<bool()>& go_on)>
       collide_many;
+
+  /// Which round pairs it takes, where its declaration does not say it all.
+  std::function<bool(const PairCase&)> takes;
 
   double seconds_max = 0;  ///< of one in a process of its own: how long over a case, its start too
 
