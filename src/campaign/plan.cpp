@@ -1,5 +1,7 @@
 #include "campaign/plan.hpp"
 
+#include <algorithm>
+
 #include "campaign/in_child.hpp"
 
 namespace manifuzz {
@@ -14,6 +16,22 @@ JudgedCase judged_case(const CorpusCase& given, const Collider& subject, const C
   return {given, declared_answer(subject, given.pair, interruption),
           declared_answer(oracle, given.pair, interruption),
           judge_in_child(given.pair, subject, oracle, interruption)};
+}
+
+std::vector<const Regime*> regimes_for(std::vector<const Collider*> colliders,
+                                       std::span<const std::string> names) {
+  std::vector<const Regime*> chosen = chosen_by_name(regimes(), names, "regime", "--regime");
+  if (!names.empty()) return chosen;
+  const GenerationContext context{
+      .corpus = {}, .radius = {}, .takes = [&](const PairCase& pair) {
+        return std::ranges::all_of(
+            colliders, [&](const Collider* collider) { return takes(*collider, pair); });
+      }};
+  // Of each case many are drawn before one is given that nobody takes.
+  std::erase_if(chosen, [&](const Regime* regime) {
+    return regime->is_round && !context.takes(generate(1, *regime, 0, context));
+  });
+  return chosen;
 }
 
 void BucketTally::add(const BucketTally& tally) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/text.hpp"
 #include "collider/collider.hpp"
 #include "corpus/corpus.hpp"
 #include "generating/regime.hpp"
@@ -133,8 +134,6 @@ struct Plan {
   Collider oracle;
   std::vector<const Regime*> regimes;  ///< not empty, at most kRegimesMax
   GenerationContext context;
-  /// The context's radius is what the colliders take, not what was asked.
-  bool is_narrowed = false;
   std::uint64_t seed = 0;
   std::uint64_t first = 0;             ///< index in each regime of its first case
   std::optional<std::uint64_t> cases;  ///< of all regimes together; none: until time is up
@@ -162,11 +161,25 @@ struct Plan {
   }
 };
 
-/// Takes the radii away where a collider takes none.
+/// Whether a collider takes a round pair.
+inline bool takes(const Collider& collider, const PairCase& pair) {
+  return takes_shapes(collider.declaration, pair) && (!collider.takes || collider.takes(pair));
+}
+
+/// Those of these names; without names all that have cases which the colliders take.
+std::vector<const Regime*> regimes_for(std::vector<const Collider*> colliders,
+                                       std::span<const std::string> names);
+
+/// Of round pairs only those are asked for that both colliders take; the radii of sharp polygons
+/// are none where a collider takes none.
 inline void narrow_to_colliders(Plan& plan) {
-  plan.is_narrowed =
-      !plan.subject.declaration.takes_radius || !plan.oracle.declaration.takes_radius;
-  if (plan.is_narrowed) plan.context.radius = 0.0F;
+  plan.context.takes = [subject = plan.subject, oracle = plan.oracle](const PairCase& pair) {
+    return takes(subject, pair) && takes(oracle, pair);
+  };
+  if (plan.context.radius) return;
+  if (!plan.subject.declaration.takes_radius || !plan.oracle.declaration.takes_radius) {
+    plan.context.mitred_radius = 0.0F;
+  }
 }
 
 }  // namespace manifuzz

@@ -53,11 +53,12 @@ rc::Seq<Drawn> simpler(const Drawn& drawn, const CheckCase& check_case, const Ou
 }
 
 /// Draws one seed and a regime, and lets the project's generator make the case of them.
-rc::Gen<Drawn> any_case(const CheckCase& check_case, const GenerationContext& context) {
-  return [check_case, context](const rc::Random& random, int) {
+rc::Gen<Drawn> any_case(const CheckCase& check_case, const std::vector<const Regime*>& from,
+                        const GenerationContext& context) {
+  return [check_case, from, context](const rc::Random& random, int) {
     rc::Random stream = random;
     const std::uint64_t seed = stream.next();
-    const Regime& regime = regimes()[stream.next() % regimes().size()];
+    const Regime& regime = *from[stream.next() % from.size()];
     const Drawn root{std::string(regime.name), generate(seed, regime, 0, context)};
     const auto outcome = std::make_shared<std::optional<Outcome>>();
     const auto shrinks = [check_case, outcome](const Drawn& drawn) {
@@ -146,12 +147,14 @@ void run_rapidcheck(const Property& property, const Collider& subject, const Pro
     return check(property, collider, pair);
   };
   GenerationContext context{plan.corpus, {}};
-  if (!collider.declaration.takes_radius) context.radius = 0.0F;
+  if (!collider.declaration.takes_radius) context.mitred_radius = 0.0F;
+  context.takes = [&collider](const PairCase& pair) { return takes(collider, pair); };
+  const std::vector<const Regime*> from = regimes_for({&collider}, {});
   const auto testable = [&] {
     // Thrown as they stand: RapidCheck's macros put this file's name into what people read.
     using CaseEnd = rc::detail::CaseResult;
     if (is_over()) throw CaseEnd(CaseEnd::Type::Discard, "time is up");
-    const Drawn drawn = *any_case(check_case, context).as("case");
+    const Drawn drawn = *any_case(check_case, from, context).as("case");
     const Outcome outcome = check_case(drawn.pair);
     RC_TAG(drawn.regime, std::string(name_of(outcome.kind, kOutcomeNames)));
     const Standing where = standing(exact::Truth(drawn.pair));

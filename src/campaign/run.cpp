@@ -92,12 +92,11 @@ Settings settings_of(const Plan& plan) {
   std::vector<std::string> allowances;
   add_allowances(plan.subject.declaration, allowances);
   add_allowances(plan.oracle.declaration, allowances);
-  const bool has_radius = plan.context.radius && !plan.is_narrowed;
   return {.subject = plan.subject.declaration.name,
           .oracle = plan.oracle.declaration.name,
           .versions = {},
           .tie_bias = plan.subject.declaration.tie_bias,
-          .radius = has_radius ? std::optional<double>(*plan.context.radius) : std::nullopt,
+          .radius = plan.context.radius,
           .judge_every = plan.judge_every,
           .allowances = allowances};
 }

@@ -111,8 +111,8 @@ double span(const Draft& draft) {
 
 void draw_radii(Random& random, const GenerationContext& context, Draft& draft, double unit) {
   const double kind = random.unit();
-  if (context.radius) {
-    draft.radius_a = draft.radius_b = *context.radius;
+  if (const auto given = context.radius ? context.radius : context.mitred_radius) {
+    draft.radius_a = draft.radius_b = *given;
   } else if (kind < 0.5) {
     draft.radius_a = draft.radius_b = 0;
   } else if (kind < 0.75) {
@@ -184,9 +184,10 @@ void frame(Random& random, Draft& draft, double exact) {
 namespace {
 
 bool is_valid(const Body& body) {
-  return !find_defect(body.polygon.corners()) && body.pose.position.allFinite() &&
-         body.pose.rotation.allFinite() && is_unit_rotation(body.pose.rotation) &&
-         std::isfinite(body.polygon.radius) && body.polygon.radius >= 0;
+  return !find_shape_defect(body.polygon.corners(), body.polygon.radius) &&
+         body.pose.position.allFinite() && body.pose.rotation.allFinite() &&
+         is_unit_rotation(body.pose.rotation) && std::isfinite(body.polygon.radius) &&
+         body.polygon.radius >= 0;
 }
 
 }  // namespace
@@ -210,7 +211,7 @@ std::optional<PairCase> revalidated(PairCase pair) {
   for (const Side side : {Side::a, Side::b}) {
     Body& body = pair[side];
     if (!is_valid(body)) return std::nullopt;
-    body.polygon = make_polygon(body.polygon.corners(), body.polygon.radius);
+    body.polygon = make_polygon(body.polygon.corners(), body.polygon.radius, body.polygon.rounding);
   }
   return pair;
 }

@@ -84,6 +84,7 @@ Outline with_vertex(const Outline& outline, int face, const Vector2<double>& ver
 struct Sketch {
   Outline outline;
   Pose<double> pose;
+  Rounding rounding = Rounding::mitre;
 };
 
 /// Two polygons drawn in one frame, and how they are to meet: B is moved by `start`, and from there
@@ -144,8 +145,9 @@ bool shift_vertices(Body& body, const Vector2<double>& residual);
 /// floats leave no valid polygon.
 bool place_exactly(PairCase& pair, const std::function<Vector2<double>(const Faces&)>& place);
 
-/// The outline rounded to floats, or none where that leaves no valid polygon.
-std::optional<ConvexPolygon<float>> rounded(const Outline& outline, float radius);
+/// The outline in floats, or none where that leaves no valid shape.
+std::optional<ConvexPolygon<float>> rounded(const Outline& outline, float radius,
+                                            Rounding rounding = Rounding::mitre);
 
 /// Gives the rotation cos^2 + sin^2 = 1 + `defect`.
 void put_off_unit(Sketch& sketch, double defect);

@@ -56,7 +56,7 @@ void append_faces(Faces& faces, const Outline& from, const Outline& to, double s
 
 /// Makes a body of the sketch; false where rounding spoils its polygon or its rotation.
 bool embody(const Sketch& sketch, float radius, const Pose<double>& world, Body& body) {
-  const auto polygon = rounded(sketch.outline, radius);
+  const auto polygon = rounded(sketch.outline, radius, sketch.rounding);
   if (!polygon) return false;
   body.polygon = *polygon;
   body.pose.rotation = rotate(world.rotation, sketch.pose.rotation).cast<float>();
@@ -132,7 +132,8 @@ void put_apart(PairCase& pair, const Vector2<double>& p) {
 
 bool shift_vertices(Body& body, const Vector2<double>& residual) {
   const Vector2<double> shift = rotate_inverse<double>(body.pose.rotation.cast<double>(), residual);
-  const auto polygon = rounded(moved(outline_of(body), shift), body.polygon.radius);
+  const auto polygon =
+      rounded(moved(outline_of(body), shift), body.polygon.radius, body.polygon.rounding);
   if (polygon) body.polygon = *polygon;
   return polygon.has_value();
 }
@@ -144,12 +145,13 @@ bool place_exactly(PairCase& pair, const std::function<Vector2<double>(const Fac
   return true;
 }
 
-std::optional<ConvexPolygon<float>> rounded(const Outline& outline, float radius) {
+std::optional<ConvexPolygon<float>> rounded(const Outline& outline, float radius,
+                                            Rounding rounding) {
   std::array<Vector2<float>, kMaxVertices> vertices;
   for (int i = 0; i < outline.count; ++i) vertices[i] = outline.vertices[i].cast<float>();
   const std::span<const Vector2<float>> used(vertices.data(), outline.count);
-  if (find_defect(used)) return std::nullopt;
-  return make_polygon(used, radius);
+  if (find_shape_defect(used, radius)) return std::nullopt;
+  return make_polygon(used, radius, rounding);
 }
 
 void put_off_unit(Sketch& sketch, double defect) {

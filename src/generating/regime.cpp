@@ -14,6 +14,9 @@ constexpr Regime kRegimes[] = {
 #define MANIFUZZ_ENTRY(name, description) {#name, description, draw::name},
     MANIFUZZ_REGIMES(MANIFUZZ_ENTRY)
 #undef MANIFUZZ_ENTRY
+#define MANIFUZZ_ENTRY(name, description) {#name, description, draw::name, true},
+        MANIFUZZ_ROUND_REGIMES(MANIFUZZ_ENTRY)
+#undef MANIFUZZ_ENTRY
 };
 
 /// Two overlapping right triangles: what is left when every attempt failed.
@@ -24,6 +27,15 @@ PairCase plain_pair() {
   PairCase pair{body, body};
   pair.b.pose.position = {0.5f, 0.25f};
   return pair;
+}
+
+/// Circles and capsules keep their own.
+void put_radius(const GenerationContext& context, PairCase& pair) {
+  const auto given = context.radius || is_round(pair) ? context.radius : context.mitred_radius;
+  if (!given) return;
+  for (Body* const body : {&pair.a, &pair.b}) {
+    if (body->polygon.count >= kMinVertices) body->polygon.radius = *given;
+  }
 }
 
 /// Whether an attempt gave a case. With large radii bodies are put so far away that float ends;
@@ -46,12 +58,15 @@ PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,
                   const GenerationContext& context) {
   constexpr int attempts = 32;
   Random random(seed, regime.name, index);
-  std::optional<PairCase> pair = regime.attempt(random, context);
-  for (int i = 1; i < attempts && !is_case(pair); ++i) {
-    pair = regime.attempt(random, context);
+  std::optional<PairCase> pair;
+  for (int i = 0; i < attempts; ++i) {
+    std::optional<PairCase> made = regime.attempt(random, context);
+    if (!is_case(made)) continue;
+    pair = std::move(made);
+    if (!is_round(*pair) || !context.takes || context.takes(*pair)) break;
   }
-  if (!is_case(pair)) pair = plain_pair();
-  if (context.radius) pair->a.polygon.radius = pair->b.polygon.radius = *context.radius;
+  if (!pair) pair = plain_pair();
+  put_radius(context, *pair);
   return *pair;
 }
 

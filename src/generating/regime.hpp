@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -14,6 +15,10 @@ namespace manifuzz {
 struct GenerationContext {
   std::span<const PairCase> corpus;  ///< sorted, read once at start; empty is allowed
   std::optional<float> radius;       ///< of each polygon, in place of the regime's own
+  /// Of each polygon where both have sharp corners; `radius` comes before it.
+  std::optional<float> mitred_radius{};
+  /// Which cases of round shapes are asked for; all where it is empty, or where none is drawn.
+  std::function<bool(const PairCase&)> takes{};
 };
 
 /// A named family of cases. Adding one changes no case of another.
@@ -23,6 +28,7 @@ struct Regime {
   /// One attempt: none where rounding to floats spoilt a polygon. `generate` below makes cases of
   /// it.
   std::optional<PairCase> (*attempt)(Random& random, const GenerationContext& context);
+  bool is_round = false;  ///< of round shapes
 };
 
 /// Every regime, in the order of `list regimes`.
@@ -65,9 +71,24 @@ namespace manifuzz::draw {
   REGIME(ulp, "a case of another regime, a few of its numbers moved by a few ulps")              \
   REGIME(corpus, "a case of the corpus, mutated; generic while the corpus is empty")
 
+/// The same of round shapes.
+#define MANIFUZZ_ROUND_REGIMES(REGIME)                                                            \
+  REGIME(circles, "circles with circles, and with polygons of sharp or round corners")            \
+  REGIME(capsules, "capsules and segments with each other, with circles and polygons")            \
+  REGIME(round_corners, "polygons with round corners, with each other and with sharp ones")       \
+  REGIME(mixed_shapes, "circles, segments, capsules, rounded polygons and polygons, any two")     \
+  REGIME(in_line, "capsules end to end on one line, or nearly, on each other, or across")         \
+  REGIME(tilted_edges, "edges at 1e-1 to 1e-9 from parallel, or from engines' own angle")         \
+  REGIME(voronoi_lines, "a circle or an end in front of a corner, on the line where a face ends") \
+  REGIME(cores_touch,                                                                             \
+         "cores that touch or nearly, a centre on an edge or a corner, one shape twice")          \
+  REGIME(large_radii, "radii of 4 to 10,000 times the cores")                                     \
+  REGIME(side_planes, "the end of one edge in front of the end of another")
+
 #define MANIFUZZ_DECLARE(name, description) \
   std::optional<PairCase> name(Random& random, const GenerationContext& context);
 MANIFUZZ_REGIMES(MANIFUZZ_DECLARE)
+MANIFUZZ_ROUND_REGIMES(MANIFUZZ_DECLARE)
 #undef MANIFUZZ_DECLARE
 
 }  // namespace manifuzz::draw

@@ -27,6 +27,10 @@ std::span<const Sweep> sweeps() {
   {#name, description, knob, unit, values, turn::name},
       MANIFUZZ_SWEEPS(MANIFUZZ_ENTRY)
 #undef MANIFUZZ_ENTRY
+#define MANIFUZZ_ENTRY(name, knob, unit, values, description) \
+  {#name, description, knob, unit, values, turn::name, true},
+          MANIFUZZ_ROUND_SWEEPS(MANIFUZZ_ENTRY)
+#undef MANIFUZZ_ENTRY
   };
   return all;
 }

@@ -22,6 +22,7 @@ struct Sweep {
   std::vector<double> values;  ///< 20 or more, from benign to absurd
   /// One attempt at a touching or nearly touching pair: none where floats leave no such pair.
   std::optional<PairCase> (*attempt)(Random& random, double knob);
+  bool is_round = false;  ///< of round shapes
 };
 
 /// Every sweep, in the order of `list sweeps`.
@@ -87,9 +88,21 @@ namespace manifuzz::turn {
   SWEEP(corner, "end of an edge", "ulps from the side plane", powers_of_two_to_zero(20),           \
         "an end of the incident edge ever nearer to where it is clipped")
 
+/// The same of round shapes (sweeps_curved.cpp).
+#define MANIFUZZ_ROUND_SWEEPS(SWEEP)                                                              \
+  SWEEP(capsule_angle, "angle between capsules", "its tangent", decades({10, 5, 2}, 0, -9),       \
+        "two capsules side by side, ever nearer to parallel")                                     \
+  SWEEP(roundness, "radius", "radius over the core's length", decades({1, 2, 5}, 0, 8),           \
+        "capsules whose cores are ever smaller than their radii")                                 \
+  SWEEP(core_distance, "distance of the cores", "share of the size", decades({10, 5, 2}, -1, -9), \
+        "the cores of circles and capsules ever nearer to each other")                            \
+  SWEEP(round_distance, "distance from the origin", "world lengths, of shapes 0.5 to 3 across",   \
+        decades({1, 2, 5}, 0, 8), "circles and capsules far from the world's origin")
+
 #define MANIFUZZ_DECLARE(name, knob, unit, values, description) \
   std::optional<PairCase> name(Random& random, double value);
 MANIFUZZ_SWEEPS(MANIFUZZ_DECLARE)
+MANIFUZZ_ROUND_SWEEPS(MANIFUZZ_DECLARE)
 #undef MANIFUZZ_DECLARE
 
 }  // namespace manifuzz::turn

@@ -78,7 +78,7 @@ Answer Referee::whole(const Declaration& declaration, Answer answer) {
 }
 
 Measured Referee::measure_by_curve(const Declaration& declaration, const Answer& answer) {
-  const exact::PenetrationCurve curve(*truth_, exact::Skin::mitred);
+  const exact::PenetrationCurve curve(*truth_, exact::skin_of(*truth_));
   const double size = truth_->size();
   const double least = curve.least();
   const Rules& rules = rules_for(declaration);
@@ -109,7 +109,7 @@ Measured Referee::measure_by_curve(const Declaration& declaration, const Answer&
 
 Measured Referee::measure(const Declaration& declaration, const Answer& answer) {
   if (std::holds_alternative<Unsupported>(answer)) return {.assessment = Assessment::unsupported};
-  if (is_judged_by_curve(declaration) && !std::holds_alternative<Lost>(answer) &&
+  if (is_judged_by_curve(declaration, truth_->pair()) && !std::holds_alternative<Lost>(answer) &&
       !why_malformed(truth_->pair(), ColliderAnswer{declaration, answer})) {
     return measure_by_curve(declaration, answer);
   }

@@ -52,12 +52,9 @@ Plan plan_of(const FuzzArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
   plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
   plan.oracle = find_collider(asked.oracle, asked.external);
-  plan.regimes = chosen_by_name(regimes(), options.regimes, "regime", "--regime");
-  if (options.radius) {
-    plan.context.radius = radius_of(*options.radius);
-  } else {
-    narrow_to_colliders(plan);
-  }
+  plan.regimes = regimes_for({&plan.subject, &plan.oracle}, options.regimes);
+  if (options.radius) plan.context.radius = radius_of(*options.radius);
+  narrow_to_colliders(plan);
   plan.first = options.first.value_or(0);
   plan.cases = options.cases;
   expect_indices(plan.first, plan.cases.value_or(1), plan.regimes.size());
