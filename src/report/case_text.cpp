@@ -43,7 +43,7 @@ void append_admissible(std::string& line, const Admissible& right) {
 
 /// The least depth, and the unit normals, in the world, at which it is least within the bound.
 void append_penetration(std::string& line, const Admissible& right) {
-  const exact::PenetrationCurve curve(*right.truth, exact::Skin::mitred);
+  const exact::PenetrationCurve curve(*right.truth, exact::skin_of(*right.truth));
   const double bound = std::isfinite(right.bounds.separation) ? right.bounds.separation : 0;
   append_key(line, ", \"penetration\": {\"depth\": ", curve.least());
   line += ", \"normals\": [";
@@ -61,7 +61,7 @@ void append_by_curve(std::string& line, const exact::Truth& truth, const Collide
                      Verdict verdict) {
   CurveJudgement curve;
   // From ill_posed on, nothing was judged.
-  if (is_judged_by_curve(subject.declaration) && verdict < Verdict::ill_posed) {
+  if (is_judged_by_curve(subject.declaration, truth.pair()) && verdict < Verdict::ill_posed) {
     const auto altered = altered_by(truth, subject);
     const exact::Truth* const used = altered ? altered->truth.get() : &truth;
     if (used != nullptr) curve = judge_by_curve(*used, subject.declaration, subject.answer);
@@ -111,6 +111,7 @@ void write_body(std::string& text, const Body& body, char name) {
 }
 
 std::string greatest_separation(const exact::Truth& truth, Side side) {
+  if (!truth.has_faces(side)) return "a point has no face";
   const exact::FaceOf face = truth.greatest(side);
   return fmt::format("{:<24} {}", digits(leading(truth.fine_separation(face))),
                      face_name(side, face.index));
@@ -122,7 +123,7 @@ void write_truth(std::string& text, const PairCase& pair) {
   text += "truth\n";
   row(text, "separation S_A", greatest_separation(truth, Side::a));
   row(text, "separation S_B", greatest_separation(truth, Side::b));
-  row(text, "separation S", digits(leading(truth.fine_separation(truth.greatest()))));
+  row(text, "separation S", digits(exact::separation_of(truth)));
   row(text, "total radius", digits(total_radius(pair)));
   row(text, "touching, near",
       fmt::format("{}, {}", stands.touching ? "yes" : "no", stands.near ? "yes" : "no"));
@@ -246,7 +247,7 @@ void append_judgement(std::string& line, const Admissible& right, const Collider
                       const Judgement& judgement) {
   const exact::Truth& truth = *right.truth;
   const double condition = right.candidates.empty() ? NAN : 1 / right.candidates.front()->cosine;
-  append_key(line, "{\"separation\": ", leading(truth.fine_separation(truth.greatest())));
+  append_key(line, "{\"separation\": ", exact::separation_of(truth));
   line += ", \"touching\": ";
   line += standing(truth).touching ? "true" : "false";
   append_admissible(line, right);

@@ -130,7 +130,7 @@ std::string face_name(Side side, int face) {
 
 std::string truth_in_words(const PairCase& pair) {
   const exact::Truth truth(pair);
-  const double separation = leading(truth.fine_separation(truth.greatest()));
+  const double separation = exact::separation_of(truth);
   const double above = separation - total_radius(pair);
   if (above > 0) return fmt::format("gap {}", brief(above));
   if (total_radius(pair) > 0) return fmt::format("depth {}", brief(-above));

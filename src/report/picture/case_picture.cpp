@@ -97,6 +97,7 @@ class Picture {
     const PairCase& pair = judged_.given.pair;
     const exact::Truth truth(pair);
     const auto greatest = [&](Side side) {
+      if (!truth.has_faces(side)) return std::string("none");
       const exact::FaceOf face = truth.greatest(side);
       return fmt::format("{} ({})", brief(leading(truth.fine_separation(face))),
                          face_name(side, face.index));

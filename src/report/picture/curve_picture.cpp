@@ -35,7 +35,7 @@ class CurvePicture {
       : judged_(judged),
         pair_(judged.given.pair),
         truth_(pair_),
-        curve_(truth_, exact::Skin::mitred),
+        curve_(truth_, exact::skin_of(truth_)),
         placed_(exact::place_roughly(pair_)),
         bounds_(bounds(pair_, judged.subject.declaration)),
         svg_(title(), kPictureStyle) {
