@@ -3,7 +3,8 @@
 namespace manifuzz::kernel {
 
 template <class Scalar>
-std::uint32_t Shapes<Scalar>::add(const ConvexPolygon<Scalar>& polygon) {
+std::optional<std::uint32_t> Shapes<Scalar>::add(const ConvexPolygon<Scalar>& polygon) {
+  if (polygon.is_round()) return std::nullopt;
   Scalar* scalar = corners_.emplace_back().scalars.data();
   for (int i = 0; i < kMaxVertices; ++i) {
     const int corner = i < polygon.count ? i : 0;
@@ -21,7 +22,8 @@ std::uint32_t Shapes<Scalar>::add(const ConvexPolygon<Scalar>& polygon) {
 template class Shapes<float>;
 template class Shapes<double>;
 
-ShapeRows rows_of(const ConvexPolygon<float>& polygon) {
+std::optional<ShapeRows> rows_of(const ConvexPolygon<float>& polygon) {
+  if (polygon.is_round()) return std::nullopt;
   ShapeRows rows;
   for (int i = 0; i < kMaxVertices; ++i) {
     const int at = i < polygon.count ? i : 0;

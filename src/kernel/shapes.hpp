@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/convex_polygon.hpp"
@@ -23,8 +24,9 @@ struct alignas(64) ShapeCorners {
 template <class Scalar>
 class Shapes {
  public:
-  /// The new shape's index: 0, 1, 2, ... The polygon must be free of defects.
-  std::uint32_t add(const ConvexPolygon<Scalar>& polygon);
+  /// The new shape's index: 0, 1, 2, ...; none of a round shape, which kernels do not take. The
+  /// polygon must be free of defects.
+  std::optional<std::uint32_t> add(const ConvexPolygon<Scalar>& polygon);
 
   /// A shape, as the kernels fetch it, in its own frame.
   const ShapeCorners<Scalar>& corners(std::uint32_t shape) const { return corners_[shape]; }
@@ -53,8 +55,8 @@ struct alignas(64) ShapeRows {
   float radius = 0;              ///< a length, >= 0
 };
 
-/// A polygon, laid out in the same frame.
-ShapeRows rows_of(const ConvexPolygon<float>& polygon);
+/// A polygon, laid out in the same frame; nothing of a round shape, which kernels do not take.
+std::optional<ShapeRows> rows_of(const ConvexPolygon<float>& polygon);
 
 /// The polygon that was laid out.
 ConvexPolygon<float> polygon_of(const ShapeRows& rows);

@@ -21,6 +21,8 @@ std::string_view describe(Defect defect) {
       return "a shape is too large: its reach and its radius are at most 1e15";
     case Defect::shape_too_sharp:
       return "a shape is too sharp: its corners are at least 2e-5 wide";
+    case Defect::shape_is_round:
+      return "a shape is round: a polygon of 3 to 8 vertices with mitred corners is expected";
     case Defect::setting_not_a_length:
       return "a setting is not a length: 0 to 1e15 is expected";
     case Defect::unknown_shape:

@@ -33,6 +33,7 @@ float padding(float reach, float rounded_by, double sharpness) {
 }  // namespace
 
 std::variant<std::uint32_t, Defect> ShapeTable::add(const ConvexPolygon<float>& polygon) {
+  if (polygon.is_round()) return Defect::shape_is_round;
   double squared = 0;
   double sharpness = 1;
   for (int i = 0; i < polygon.count; ++i) {
@@ -47,8 +48,8 @@ std::variant<std::uint32_t, Defect> ShapeTable::add(const ConvexPolygon<float>& 
   const float reach_up = static_cast<float>(reach * kUpward);
   facts_.push_back(
       {reach_up, polygon.radius, padding(reach_up, polygon.radius + tie_bias_, sharpness)});
-  rows_.push_back(kernel::rows_of(polygon));
-  return for_pairs_.add(polygon);
+  rows_.push_back(*kernel::rows_of(polygon));
+  return *for_pairs_.add(polygon);
 }
 
 }  // namespace manifuzz::scene

@@ -31,7 +31,7 @@ struct Scene {
 
   void add(const ConvexPolygon<Scalar>& polygon, const Pose<Scalar>& pose) {
     polygons.push_back(polygon);
-    bodies.push_back({shapes.add(polygon), pose});
+    bodies.push_back({*shapes.add(polygon), pose});
   }
 
   void expect(Scalar tie_bias) {
@@ -155,6 +155,18 @@ TEST_CASE("pairs that share a shape on either side are answered as others") {
     check_shared<float>(sides);
     check_shared<double>(sides);
   }
+}
+
+TEST_CASE("round shapes are refused") {
+  const Vector2<float> corners[] = {{0, 0}, {1, 0}, {0, 1}};
+  kernel::Shapes<float> shapes;
+  for (const int count : {1, 2, 3}) {
+    const auto shape = make_polygon<float>(
+        std::span(corners).first(static_cast<std::size_t>(count)), 0.5F, Rounding::round);
+    CHECK_FALSE(shapes.add(shape));
+    CHECK_FALSE(kernel::rows_of(shape));
+  }
+  CHECK(shapes.add(make_polygon<float>(corners, 0.5F)) == 0U);
 }
 
 TEST_CASE("any number of pairs, of any bodies, is answered in order") {

@@ -44,8 +44,8 @@ bool touch(const Pair& pair) {
 /// How many queries about this pair, with the hint, are wrong.
 int mistakes(const Pair& pair, float tie_bias, kernel::FaceHint hint) {
   const auto& [a, b, b_in_a] = pair;
-  const kernel::ShapeRows rows_a = kernel::rows_of(a);
-  const kernel::ShapeRows rows_b = kernel::rows_of(b);
+  const kernel::ShapeRows rows_a = *kernel::rows_of(a);
+  const kernel::ShapeRows rows_b = *kernel::rows_of(b);
   kernel::FaceHint for_touches = hint;
   kernel::FaceHint for_separation = hint;
   kernel::FaceHint for_manifold = hint;
@@ -128,8 +128,8 @@ struct Teleport : Command {
 struct Query : Command {
   void apply(Model&) const override {}
   void run(const Model& model, Hints& hints) const override {
-    const kernel::ShapeRows a = kernel::rows_of(model.a);
-    const kernel::ShapeRows b = kernel::rows_of(model.b);
+    const kernel::ShapeRows a = *kernel::rows_of(model.a);
+    const kernel::ShapeRows b = *kernel::rows_of(model.b);
     const Pose<float>& b_in_a = model.b_in_a;
     RC_ASSERT(kernel::touches(a, b, b_in_a, &hints.touches) == touch(model));
     const auto found = kernel::separation(a, b, b_in_a, &hints.separation);

@@ -20,7 +20,7 @@ class Meeting {
       const auto added = scene_.add(std::get<std::uint32_t>(shape), body->pose);
       if (std::holds_alternative<scene::Defect>(added)) return;
       last_ = std::get<scene::BodyHandle>(added);
-      placements_.push_back({shapes_.add(body->polygon), body->pose});
+      placements_.push_back({*shapes_.add(body->polygon), body->pose});
     }
   }
 
