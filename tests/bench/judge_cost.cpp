@@ -136,7 +136,7 @@ void measure(const Regime& regime) {
 
 int main(int count, char** names) {
   std::puts("regime             a verdict              points by curve   separation by curve");
-  for (const Regime& regime : regimes()) {
+  for (const Regime& regime : polygon_regimes()) {
     const bool wanted =
         count < 2 || std::find(names + 1, names + count, regime.name) != names + count;
     if (wanted) measure(regime);

@@ -32,7 +32,7 @@ Plan plan_of(Collider subject, std::uint64_t cases = 40'000) {
   Plan plan;
   plan.subject = std::move(subject);
   plan.oracle = find_collider("box2d");
-  for (const Regime& regime : regimes()) plan.regimes.push_back(&regime);
+  for (const Regime& regime : polygon_regimes()) plan.regimes.push_back(&regime);
   plan.seed = 1;
   plan.cases = cases;
   plan.jobs = 2;

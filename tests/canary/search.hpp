@@ -4,11 +4,13 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "collider/collider.hpp"
 #include "corpus/shrink.hpp"
+#include "generating/regime.hpp"
 
 namespace manifuzz::canary {
 
@@ -40,6 +42,7 @@ struct Haystack {
   std::uint64_t first = 0;
   std::set<std::string> known_looks = {};  ///< passed over
   bool shrinks = true;                     ///< what is noticed; else it stays as it was drawn
+  std::span<const Regime> regimes = manifuzz::regimes();  ///< in turn
 };
 
 /// Goes through the cases until one is noticed that looks like none known, or all are done.

@@ -9,8 +9,8 @@ WorstCases worst_cases(const Collider& subject, std::uint64_t seed, std::uint64_
   static const Collider oracle = make_box2d();
   WorstCases found;
   for (std::uint64_t number = 0; number < cases; ++number) {
-    const Regime& regime = regimes()[number % regimes().size()];
-    const PairCase pair = generate(seed, regime, number / regimes().size());
+    const Regime& regime = polygon_regimes()[number % polygon_regimes().size()];
+    const PairCase pair = generate(seed, regime, number / polygon_regimes().size());
     const auto blamed = blame(pair, subject, oracle);
     if (!blamed) continue;
     ++found.wrong;

@@ -122,7 +122,8 @@ Rows polygon_rows() {
   const std::string nine = "[[4,0],[3,3],[0,4],[-3,3],[-4,0],[-3,-3],[0,-4],[3,-3],[3.9,-1]]";
   return {
       {"0 vertices", with_vertices("[]"), "$.a.vertices: too few vertices"},
-      {"2 vertices", with_vertices("[[0,0],[1,0]]"), "$.a.vertices: too few vertices"},
+      {"2 vertices in format 1", with_vertices("[[0,0],[1,0]]"),
+       "$.format: \"manifuzz/case/1\" has no round shapes"},
       {"9 vertices", with_vertices(nine), "$.a.vertices: too many vertices"},
       {"clockwise", with_vertices("[[0,0],[0,1],[1,0]]"), "clockwise"},
       {"repeated vertex", with_vertices("[[0,0],[1,0],[1,0],[0,1]]"), "repeated"},
@@ -140,7 +141,12 @@ Rows polygon_rows() {
       {"underflow to one point", with_vertices("[[0,0],[1e-60,0],[0,1]]"), "repeated"},
       {"bad polygon b",
        with_bodies(R"({"vertices": )" + square() + "}", R"({"vertices": [[0,0]]})"),
-       "$.b.vertices: too few"},
+       "$.b.vertices: one vertex without a radius"},
+      {"segment of one point", with_vertices("[[1,1],[1,1]]"), "repeated"},
+      {"mitred capsule", with_a(R"({"vertices": [[0,0],[1,0]], "rounding": "mitre"})"),
+       "$.a.rounding: a polygon of 3 to 8 vertices may be mitred"},
+      {"unknown rounding", with_member(R"("rounding": "bevel")"), "unknown rounding \"bevel\""},
+      {"rounding a number", with_member(R"("rounding": 1)"), "$.a.rounding: is a number"},
       {"negative radius", with_member(R"("radius": -0.5)"), "$.a.radius: -0.5 is negative"},
       {"rotation not unit", with_member(R"("rotation": [1,1])"), "$.a.rotation: [1, 1]"},
       {"rotation a little off", with_member(R"("rotation": [1.00001,0])"), "not a rotation"},
@@ -187,7 +193,7 @@ Rows type_rows() {
 Rows key_rows() {
   const std::string body = R"({"vertices": )" + square() + "}";
   return {
-      {"wrong format", R"({"format": "manifuzz/case/2", "a": {}, "b": {}})", "unknown format"},
+      {"wrong format", R"({"format": "manifuzz/case/3", "a": {}, "b": {}})", "unknown format"},
       {"missing a", R"({"format": "manifuzz/case/1", "b": )" + body_b() + "}",
        "key \"a\" is missing"},
       {"missing b", R"({"format": "manifuzz/case/1", "a": )" + body + "}", "key \"b\" is missing"},

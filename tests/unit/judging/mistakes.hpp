@@ -91,7 +91,7 @@ inline Vector2<double> turned(const Vector2<double>& v, double angle) {
 /// Cases of all regimes that overlap clearly, with a contact whose points bear the least depth out.
 template <class Check>
 void for_overlapping(std::optional<float> radius, const Check& check) {
-  for (const Regime& regime : regimes()) {
+  for (const Regime& regime : polygon_regimes()) {
     for (std::uint64_t i = 0; i < 60; ++i) {
       const PairCase pair = generate(47, regime, i, {.corpus = {}, .radius = radius});
       const Right right(pair);

@@ -105,7 +105,7 @@ TEST_CASE("shapes that are no polygons are a finding, without a verdict on the m
 
 TEST_CASE("a positive distance is no depth") {
   int apart = 0;
-  for (const Regime& regime : regimes()) {
+  for (const Regime& regime : polygon_regimes()) {
     for (std::uint64_t i = 0; i < 100; ++i) {
       const Right right(generate(53, regime, i, {.corpus = {}, .radius = 0}));
       if (!right.is_clear(right.depth, in_float) || right.depth > 0) continue;

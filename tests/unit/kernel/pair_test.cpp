@@ -66,7 +66,7 @@ int mistakes(const Pair& pair, float tie_bias, kernel::FaceHint hint) {
 }  // namespace
 
 TEST_CASE("pair equals clip bit for bit on every target, in every regime, whatever the hint") {
-  for (const Regime& regime : regimes()) {
+  for (const Regime& regime : polygon_regimes()) {
     INFO(regime.name);
     on_every_target([&] {
       int wrong = 0;
@@ -119,7 +119,7 @@ struct Spin : Command {
 struct Teleport : Command {
   std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
   void apply(Model& model) const override {
-    const auto all = regimes();
+    const auto all = polygon_regimes();
     model = pair_of(all[seed % all.size()], seed % 1000);
   }
   void show(std::ostream& out) const override { out << "teleport " << seed; }
