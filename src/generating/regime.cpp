@@ -50,6 +50,15 @@ std::span<const Regime> regimes() {
   return kRegimes;
 }
 
+std::span<const Regime> polygon_regimes() {
+  const auto* const first_round = std::ranges::find(kRegimes, true, &Regime::is_round);
+  return {std::begin(kRegimes), first_round};
+}
+
+std::span<const Regime> round_regimes() {
+  return regimes().subspan(polygon_regimes().size());
+}
+
 const Regime* find_regime(std::string_view name) {
   return find_by_name(kRegimes, name);
 }

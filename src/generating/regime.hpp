@@ -15,7 +15,7 @@ namespace manifuzz {
 struct GenerationContext {
   std::span<const PairCase> corpus;  ///< sorted, read once at start; empty is allowed
   std::optional<float> radius;       ///< of each polygon, in place of the regime's own
-  /// Of each polygon where both have sharp corners; `radius` comes before it.
+  /// The same where both have sharp corners; `radius` comes before it.
   std::optional<float> mitred_radius{};
   /// Which cases of round shapes are asked for; all where it is empty, or where none is drawn.
   std::function<bool(const PairCase&)> takes{};
@@ -33,6 +33,11 @@ struct Regime {
 
 /// Every regime, in the order of `list regimes`.
 std::span<const Regime> regimes();
+
+/// Those of polygons with sharp corners alone; the first of all.
+std::span<const Regime> polygon_regimes();
+/// Those of round shapes, the others.
+std::span<const Regime> round_regimes();
 
 /// The regime of that name, or nullptr.
 const Regime* find_regime(std::string_view name);

@@ -51,7 +51,8 @@ std::optional<Noticed> noticed_by_promise(const Look& look, std::uint64_t number
 
 using NoticeOf = std::optional<Noticed> (*)(const Look&, std::uint64_t, const PairCase&);
 
-std::optional<Sighting> search_with(const Haystack& haystack, const Look& look, NoticeOf notice) {
+std::optional<Sighting> search_with(Haystack haystack, const Look& look, NoticeOf notice) {
+  haystack.regimes = polygon_regimes();
   return search(
       haystack,
       [&](std::uint64_t number, const PairCase& pair) { return notice(look, number, pair); },
@@ -84,7 +85,7 @@ void add_kernel(const Bug& bug, const Look& look, const Look& look_at_manifold,
 
 /// Every other round of the regimes.
 float tie_bias(std::uint64_t number) {
-  return number / regimes().size() % 2 == 0 ? 0.0F : 0.0005F;
+  return number / polygon_regimes().size() % 2 == 0 ? 0.0F : 0.0005F;
 }
 
 /// Whether the chosen features' clip misses the overlap: what is found is the deepest contact.
@@ -109,7 +110,7 @@ bool takes_deepest_contact(const PairCase& pair) {
 const std::vector<PairCase>& companions() {
   static const std::vector<PairCase> all = [] {
     std::vector<PairCase> made;
-    for (const Regime& regime : regimes()) made.push_back(generate(2, regime, 0));
+    for (const Regime& regime : polygon_regimes()) made.push_back(generate(2, regime, 0));
     const Regime& regime = *find_regime("near_collinear");
     std::uint64_t index = 0;
     while (!takes_deepest_contact(generate(2, regime, index))) ++index;
@@ -241,7 +242,7 @@ std::optional<Broken> broken_by_batches(const PlantedBatch<float>& batch,
                                         const PairCase& pair) {
   static const Collider clip = make_clip();
   static const Collider clip64 = make_clip64();
-  switch ((number + number / regimes().size() / 2) % 4) {
+  switch ((number + number / polygon_regimes().size() / 2) % 4) {
     case 0:
       return broken_by_batch<float>(batch.from_indices, "batch", clip, number, pair);
     case 1:

@@ -79,8 +79,9 @@ std::optional<Sighting> search(const Haystack& haystack, const Notice& notice,
   };
   const auto start = Clock::now();
   for (std::uint64_t number = haystack.first; number < haystack.cases_max; ++number) {
-    const Regime& regime = regimes()[(number + haystack.seed) % regimes().size()];
-    const PairCase pair = generate(haystack.seed, regime, number / regimes().size());
+    const auto& [regimes, count] = std::pair(haystack.regimes, haystack.regimes.size());
+    const Regime& regime = regimes[(number + haystack.seed) % count];
+    const PairCase pair = generate(haystack.seed, regime, number / count);
     const auto noticed = notice(number, pair);
     if (noticed && !haystack.known_looks.contains(noticed->look)) {
       Sighting sighting{*noticed, std::string(regime.name), number + 1, seconds_since(start), {}};

@@ -40,6 +40,7 @@ struct Haystack {
   std::uint64_t first = 0;
   std::set<std::string> known_looks = {};  ///< passed over
   bool shrinks = true;                     ///< what is noticed; else it stays as it was drawn
+  std::span<const Regime> regimes = manifuzz::regimes();  ///< in turn
 };
 
 /// Goes through the cases until one is noticed that looks like none known, or all are done.
