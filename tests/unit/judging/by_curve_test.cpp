@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::uint64_t kCases = 150;  // of each regime
 
-/// The pairs of all regimes that overlap by clearly more than rounding.
+/// The pairs of all regimes of polygons that overlap by clearly more than rounding.
 template <class Check>
 void for_overlapping(const Check& check) {
-  for (const Regime& regime : regimes()) {
+  for (const Regime& regime : polygon_regimes()) {
     for (std::uint64_t i = 0; i < kCases; ++i) {
       const PairCase pair = generate(19, regime, i, {.corpus = {}, .radius = 0});
       const exact::Truth truth(pair);
