@@ -70,12 +70,12 @@ Manifold<double> deepest_alone(Manifold<double> manifold) {
   return manifold;
 }
 
-/// From the incident edge to its skin, where points of round shapes are, and that share of the way
-/// to the reference skin.
+/// From the incident edge to its skin, and that share of the way to the reference skin.
 Manifold<double> moved(const PairCase& pair, Manifold<double> manifold, double share) {
   const double unit = pair.a.pose.rotation.cast<double>().norm();
+  const bool is_on_skin = is_round(pair);
   const auto radius =
-      is_round(pair) ? 0 : static_cast<double>(pair[other(manifold.reference)].polygon.radius);
+      is_on_skin ? 0 : static_cast<double>(pair[other(manifold.reference)].polygon.radius);
   const double out_of_b = manifold.reference == Side::a ? 1 : -1;
   for (int i = 0; i < manifold.count; ++i) {
     ContactPoint<double>& point = manifold.points[i];

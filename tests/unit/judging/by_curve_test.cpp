@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kCases = 150;  // of each regime
 
-/// The pairs of all regimes that overlap by clearly more than rounding.
+/// The pairs of all regimes of polygons that overlap by clearly more than rounding.
 template <class Check>
 void for_overlapping(const Check& check) {
   for (const Regime& regime : polygon_regimes()) {

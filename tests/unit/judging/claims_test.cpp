@@ -94,8 +94,8 @@ void judge_all(const Regime& regime) {
       const Manifold<double> manifold = test::clipped(pair, claiming);
       // Unless cores overlap, a clip may lose the deepest vertex, or all: right for a clip alone.
       const double bound = bounds(pair, declaration, truth.extent()).separation;
-      const bool is_mitred = total_radius(pair) > 0 && !is_round(pair);
-      if (is_mitred && truth.compare_separation(-bound) >= 0) continue;
+      if (!is_round(pair) && total_radius(pair) > 0 && truth.compare_separation(-bound) >= 0)
+        continue;
       if (is_cut(pair, manifold, curve_bounds(pair, declaration, truth.extent()))) continue;
       const Answer answer = claim.said(pair, manifold);
       const CurveJudgement judgement = judge_by_curve(truth, declaration, answer);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ inline constexpr double kClearly = 10;  // in bounds
 struct Right {
   explicit Right(const PairCase& pair)
       : truth(std::make_shared<const exact::Truth>(pair)),
-        curve(*truth, exact::Skin::mitred),
+        curve(*truth, exact::skin_of(*truth)),
         normal(curve.minima(0).front()),
         depth(curve.least()),
         manifold(std::get<Manifold<double>>(make_clip64().collide(pair))),
@@ -47,6 +48,10 @@ struct Right {
   bool is_clear(double difference, const Declaration& by) const {
     return std::abs(difference) > kClearly * bounds(by).minimality;
   }
+  /// Whether a normal from B to A is no right one: on segments that lie on each other it is.
+  bool can_be_reversed(const Declaration& by) const { return is_clear(at(-normal) - depth, by); }
+  /// Farther than both shapes reach.
+  double beyond() const { return 2 * (truth->extent() + total_radius(pair())); }
   bool overlaps(const Declaration& by) const { return depth > kClearly * bounds(by).minimality; }
   Penetration along(const Vector2<double>& n, double how_deep) const {
     return {.touches = true, .normal = n, .depth = how_deep};
@@ -67,6 +72,8 @@ struct Mistake {
   Declaration (*declared)();
   Given (*wrong)(const Right& right, const Declaration& declaration);
   std::vector<Kind> kinds;
+  /// Where round shapes' cores are apart, so that their distance is the depth; none: the same.
+  std::vector<Kind> kinds_apart = {};
   std::optional<float> radius = 0.0F;  ///< none: the regime's own
 };
 
@@ -88,10 +95,12 @@ inline Vector2<double> turned(const Vector2<double>& v, double angle) {
   return rotate<double>({std::cos(angle), std::sin(angle)}, v);
 }
 
-/// Cases of all regimes that overlap clearly, with a contact whose points bear the least depth out.
+/// Cases of these regimes that overlap clearly, with a contact whose points bear the least depth
+/// out.
 template <class Check>
-void for_overlapping(std::optional<float> radius, const Check& check) {
-  for (const Regime& regime : polygon_regimes()) {
+void for_overlapping(std::span<const Regime> among, std::optional<float> radius,
+                     const Check& check) {
+  for (const Regime& regime : among) {
     for (std::uint64_t i = 0; i < 60; ++i) {
       const PairCase pair = generate(47, regime, i, {.corpus = {}, .radius = radius});
       const Right right(pair);

@@ -83,7 +83,8 @@ std::vector<Mistake> of_points() {
        {Kind::missed_contact}},
       {"a point with a reversed normal",
        point,
-       [](const Right& r, const Declaration&) -> Given {
+       [](const Right& r, const Declaration& by) -> Given {
+         if (!r.can_be_reversed(by)) return std::nullopt;
          Manifold<double> reversed = r.only(r.deepest);
          reversed.normal = -reversed.normal;
          return reversed;
@@ -104,14 +105,12 @@ std::vector<Mistake> of_points() {
       {"a point beside both",
        point,
        [](const Right& r, const Declaration&) {
-         return moved(r, 2 * r.truth->extent() * turned(r.normal, 1.57), 0, 1);
+         return moved(r, r.beyond() * turned(r.normal, 1.57), 0, 1);
        },
        {Kind::witness}},
       {"a point in front of both",
        point,
-       [](const Right& r, const Declaration&) {
-         return moved(r, 2 * r.truth->extent() * r.normal, 0, 1);
-       },
+       [](const Right& r, const Declaration&) { return moved(r, r.beyond() * r.normal, 0, 1); },
        {Kind::witness}},
       {"the shallower of two points",
        point,
@@ -146,8 +145,10 @@ std::vector<Mistake> of_points() {
          if (r.manifold.count < 2) return std::nullopt;
          Manifold<double> between = r.only(r.deepest);
          ContactPoint<double>& point = between.points[0];
+         const double radii = total_radius(r.pair());
          point.position = (r.manifold.points[0].position + r.manifold.points[1].position) / 2;
-         if (exact::is_at_vertex(*r.truth, point.position, kClearly * r.bounds(by).across)) {
+         if (exact::is_at_vertex(*r.truth, point.position,
+                                 kClearly * r.bounds(by).across + radii)) {
            return std::nullopt;
          }
          if (differ(r, by)) return std::nullopt;
@@ -190,7 +191,7 @@ std::vector<Mistake> of_points() {
       {"a second point beside both",
        points,
        [](const Right& r, const Declaration&) {
-         return moved(r, 2 * r.truth->extent() * turned(r.normal, 1.57), 1, 2);
+         return moved(r, r.beyond() * turned(r.normal, 1.57), 1, 2);
        },
        {Kind::witness}},
       {"points in B's frame",

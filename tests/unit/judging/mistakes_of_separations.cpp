@@ -33,9 +33,14 @@ Declaration tolerant() {
   return declaration;
 }
 
+Given reversed(const Right& right, const Declaration& by) {
+  if (!right.can_be_reversed(by)) return std::nullopt;
+  return right.along(-right.normal, right.depth);
+}
+
 /// The first face of that side, not the best one, that is clearly deeper than the least.
 std::optional<Vector2<double>> deeper_face(const Right& right, Side side, const Declaration& by) {
-  for (int i = 0; i < right.pair()[side].polygon.count; ++i) {
+  for (int i = 0; i < right.pair()[side].polygon.face_count(); ++i) {
     const exact::FaceOf face{side, i};
     if (face == right.truth->greatest(side)) continue;
     const auto n = exact::true_normal<exact::Approximate<double>>(right.pair(), face);
@@ -52,6 +57,7 @@ Given along_other(const Right& right, const Vector2<double>& normal, const Decla
 
 /// A face normal of the best face of that side, where the other side's is clearly less deep.
 Given best_of(const Right& right, Side side, const Declaration& by) {
+  if (right.pair()[side].polygon.face_count() == 0) return std::nullopt;
   const auto n =
       exact::true_normal<exact::Approximate<double>>(right.pair(), right.truth->greatest(side));
   return along_other(right, {n.x.value, n.y.value}, by);
@@ -61,14 +67,8 @@ Given best_of(const Right& right, Side side, const Declaration& by) {
 
 std::vector<Mistake> of_separations() {
   return {
-      {"a reversed normal",
-       separation,
-       [](const Right& r, const Declaration&) -> Given { return r.along(-r.normal, r.depth); },
-       {Kind::reversed}},
-      {"a reversed normal, in float",
-       in_float,
-       [](const Right& r, const Declaration&) -> Given { return r.along(-r.normal, r.depth); },
-       {Kind::reversed}},
+      {"a reversed normal", separation, reversed, {Kind::reversed}},
+      {"a reversed normal, in float", in_float, reversed, {Kind::reversed}},
       {"a normal on a grid of 18 degrees",
        separation,
        [](const Right& r, const Declaration& by) {
@@ -76,7 +76,8 @@ std::vector<Mistake> of_separations() {
          const double angle = std::atan2(r.normal.y(), r.normal.x());
          return along_other(r, turned({1, 0}, step * std::round(angle / step)), by);
        },
-       {Kind::not_minimal}},
+       {Kind::not_minimal},
+       {Kind::inconsistent, Kind::not_minimal}},
       {"a normal turned by a thousandth, its depth that of the right one",
        separation,
        [](const Right& r, const Declaration& by) -> Given {
@@ -84,7 +85,8 @@ std::vector<Mistake> of_separations() {
          if (!r.is_clear(r.at(normal) - r.depth, by)) return std::nullopt;
          return r.along(normal, r.depth);
        },
-       {Kind::inconsistent}},
+       {Kind::inconsistent},
+       {Kind::not_minimal}},
       {"the direction between the origins",
        separation,
        [](const Right& r, const Declaration& by) -> Given {
@@ -93,13 +95,15 @@ std::vector<Mistake> of_separations() {
          if (apart.isZero(0)) return std::nullopt;
          return along_other(r, local_normal(r.pair(), apart / apart.stableNorm()), by);
        },
-       {Kind::not_minimal}},
+       {Kind::not_minimal},
+       {Kind::inconsistent, Kind::not_minimal}},
       {"the tangent",
        separation,
        [](const Right& r, const Declaration& by) {
          return along_other(r, turned(r.normal, std::numbers::pi / 2), by);
        },
-       {Kind::not_minimal}},
+       {Kind::not_minimal},
+       {Kind::inconsistent, Kind::not_minimal}},
       {"the depth of another face",
        separation,
        [](const Right& r, const Declaration& by) -> Given {
@@ -131,6 +135,7 @@ std::vector<Mistake> of_separations() {
          return r.along(r.normal, r.depth - radii);
        },
        {Kind::inconsistent},
+       {},
        std::nullopt},
       {"a normal 1% too long",
        separation,
@@ -148,21 +153,25 @@ std::vector<Mistake> of_separations() {
        biased,
        [](const Right& r, const Declaration& by) -> Given {
          const auto other = deeper_face(r, Side::a, by);
+         if (!other || r.pair().b.polygon.face_count() == 0) return std::nullopt;
          const auto best = r.truth->greatest(Side::a);
-         if (!other || r.truth->compare_separations(best, r.truth->greatest(Side::b), 0) < 0) {
+         if (r.truth->compare_separations(best, r.truth->greatest(Side::b), 0) < 0) {
            return std::nullopt;
          }
          return along_other(r, *other, by);
        },
-       {Kind::not_minimal}},
+       {Kind::not_minimal},
+       {Kind::inconsistent, Kind::not_minimal}},
       {"B's best face under a bias towards A, though A's is less deep",
        biased,
        [](const Right& r, const Declaration& by) { return best_of(r, Side::b, by); },
-       {Kind::not_minimal}},
+       {Kind::not_minimal},
+       {Kind::inconsistent, Kind::not_minimal}},
       {"A's best face under a bias towards B, though B's is less deep",
        biased_to_b,
        [](const Right& r, const Declaration& by) { return best_of(r, Side::a, by); },
-       {Kind::not_minimal}},
+       {Kind::not_minimal},
+       {Kind::inconsistent, Kind::not_minimal}},
       {"too deep by half of a tolerance",
        tolerant,
        [](const Right& r, const Declaration& by) -> Given {
@@ -180,7 +189,8 @@ std::vector<Mistake> of_separations() {
          }
          return std::nullopt;
        },
-       {Kind::not_minimal}},
+       {Kind::not_minimal},
+       {Kind::inconsistent, Kind::not_minimal}},
       {"no contact for an overlap, with a normal",
        separation,
        [](const Right&, const Declaration&) -> Given { return Penetration{}; },
