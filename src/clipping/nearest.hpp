@@ -14,8 +14,8 @@ namespace manifuzz::clipping {
 /// of a face. Everything is in the cores' common frame.
 template <class Scalar>
 struct NearestPlaces {
-  Vector2<Scalar> on_a{0, 0};
-  Vector2<Scalar> on_b{0, 0};
+  Vector2<Scalar> on_a{0, 0};                                ///< A's place
+  Vector2<Scalar> on_b{0, 0};                                ///< B's place
   Vector2<Scalar> apart{0, 0};                               ///< from A's place to B's
   FeaturePair features;                                      ///< A's vertex or face, and B's
   double squared = std::numeric_limits<double>::infinity();  ///< of the distance, or just below it

@@ -39,7 +39,7 @@ TEST_CASE("a campaign's JSON has every key that is promised, and every verdict, 
   }
   CHECK(json["cases"] == 4000);
   CHECK(json["verdicts"].size() == 11);
-  CHECK(json["regimes"].size() == 20);
+  CHECK(json["regimes"].size() == 27);
   CHECK(outcome.out.find("\"/") == std::string::npos);  // no absolute path
   CHECK_FALSE(std::filesystem::exists(folder.path() / "corpus"));
 }

@@ -1,6 +1,7 @@
 #include "measure/digest.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -19,6 +20,15 @@ Digest digest_of(const Collider& collider, std::uint64_t seed = 1) {
   return digest({collider, seed, kCases}, interruption, [](std::uint64_t) {});
 }
 
+/// Of each regime that kernels take.
+std::vector<std::uint64_t> hashes_of_polygons(const Collider& collider) {
+  std::vector<std::uint64_t> hashes;
+  for (const RegimeDigest& regime : digest_of(collider).regimes) {
+    if (!find_regime(regime.regime)->is_round) hashes.push_back(regime.hash);
+  }
+  return hashes;
+}
+
 /// The collider with its answers changed.
 template <class Change>
 Collider changed(Collider collider, const Change& change) {
@@ -34,23 +44,25 @@ Collider changed(Collider collider, const Change& change) {
 }  // namespace
 
 TEST_CASE("kernels have the digest of the clean code, on every instruction set") {
-  const Digest clip = digest_of(make_clip());
-  const Digest clip64 = digest_of(make_clip64());
-  CHECK(clip.hash != clip64.hash);
+  const std::vector<std::uint64_t> clip = hashes_of_polygons(make_clip());
+  const std::vector<std::uint64_t> clip64 = hashes_of_polygons(make_clip64());
+  CHECK(clip != clip64);
   for (const std::string& target : kernel::targets()) {
     CAPTURE(target);
     kernel::use_target(target);
-    CHECK(digest_of(make_pair()).hash == clip.hash);
-    CHECK(digest_of(make_batch()).hash == clip.hash);
-    CHECK(digest_of(make_batch64()).hash == clip64.hash);
+    CHECK(hashes_of_polygons(make_pair()) == clip);
+    CHECK(hashes_of_polygons(make_batch()) == clip);
+    CHECK(hashes_of_polygons(make_batch64()) == clip64);
   }
   kernel::use_target(kernel::targets().front());
 }
 
 // Any machine and compiler: a change of it changes the bits of somebody's contacts.
 TEST_CASE("the digest of the clean code is what it was") {
-  CHECK(digest_of(make_clip()).hash == 0x04d620a75d8d4ab0ULL);
-  CHECK(digest_of(make_clip64()).hash == 0x03d29d5f7edff0c4ULL);
+  CHECK(digest_of(make_pair()).hash == 0x04d620a75d8d4ab0ULL);
+  CHECK(digest_of(make_batch64()).hash == 0x03d29d5f7edff0c4ULL);
+  CHECK(digest_of(make_clip()).hash == 0xee5757c4e50b0914ULL);
+  CHECK(digest_of(make_clip64()).hash == 0x367a3edacd937ca1ULL);
 }
 
 TEST_CASE("a digest changes with every bit of an answer, and with the seed") {
