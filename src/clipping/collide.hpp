@@ -59,7 +59,10 @@ Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPo
   if (!do_cores_overlap(a, b, std::max(of_a.separation, of_b.separation), roundoff)) {
     return nearest_contact(a, b, of_a, of_b, roundoff, second_point);
   }
-  return overlapping_contact(a, b, contact_of_faces(a, b, of_a, of_b, tie_bias), second_point);
+  Manifold<Scalar> clipped = contact_of_faces(a, b, of_a, of_b, tie_bias);
+  // Sums with a large radius hide how little a clip by the wrong face kept of a small overlap.
+  if (clipped.count == 0) clipped = deepest_contact(a, b);
+  return overlapping_contact(a, b, clipped, second_point);
 }
 
 /// The manifold of A and B in A's frame, B standing at `b_in_a` in it (see `relative_pose`), whose

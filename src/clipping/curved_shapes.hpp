@@ -25,9 +25,8 @@ bool do_cores_overlap(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar
 template <class Scalar>
 bool is_normal_at(const ConvexPolygon<Scalar>& polygon, int corner,
                   const Vector2<Scalar>& direction) {
-  const Vector2<Scalar>& at = polygon.vertices[corner];
-  return direction.dot(polygon.vertices[polygon.previous(corner)] - at) <= 0 &&
-         direction.dot(polygon.vertices[polygon.next(corner)] - at) <= 0;
+  return direction.dot(along_face(polygon, corner)) <= 0 &&
+         direction.dot(along_face(polygon, polygon.previous(corner))) >= 0;
 }
 
 /// The unit normal from A to B on which the places are nearest: from vertex to vertex where that is

@@ -46,23 +46,36 @@ NearestPlaces<Scalar> nearest_vertices(const ConvexPolygon<Scalar>& a,
   return nearest;
 }
 
-/// Steps from the nearest vertices to neighbours that are nearer along the line through both, which
-/// tells what squares of distances, rounded, do not: beside tiny edges.
+/// From vertex i to vertex i + 1, unit. By the normal, which turns by less than a tiny edge does
+/// where its ends are rounded far from its own origin; (0, 0) of a point.
+template <class Scalar>
+Vector2<Scalar> along_face(const ConvexPolygon<Scalar>& polygon, int i) {
+  return counter_clockwise_quarter(polygon.normals[i]);
+}
+
+/// The vertex, or a neighbour of it that is nearer to a place `towards` it: one past its face.
+template <class Scalar>
+int nearer_vertex(const ConvexPolygon<Scalar>& polygon, int at, const Vector2<Scalar>& towards) {
+  const int next = polygon.next(at);
+  const Vector2<Scalar> ahead = along_face(polygon, at);
+  const Scalar past = ahead.dot(towards);
+  if (past > 0 && past >= ahead.dot(polygon.vertices[next] - polygon.vertices[at])) return next;
+  const int previous = polygon.previous(at);
+  const Vector2<Scalar> back = -along_face(polygon, previous);
+  const Scalar before = back.dot(towards);
+  const bool is_nearer =
+      before > 0 && before >= back.dot(polygon.vertices[previous] - polygon.vertices[at]);
+  return is_nearer ? previous : at;
+}
+
+/// Steps from the nearest vertices to neighbours that are nearer, which faces tell better than
+/// squares of distances, rounded: beside tiny edges.
 template <class Scalar>
 void settle_vertices(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                      NearestPlaces<Scalar>& nearest) {
-  const auto step = [&](const ConvexPolygon<Scalar>& polygon, int at,
-                        const Vector2<Scalar>& towards) {
-    for (const int neighbour : {polygon.previous(at), polygon.next(at)}) {
-      const Vector2<Scalar> edge = polygon.vertices[neighbour] - polygon.vertices[at];
-      const Scalar along = towards.dot(edge);
-      if (along > 0 && along >= edge.dot(edge)) return neighbour;
-    }
-    return at;
-  };
   for (int steps = 0; steps < a.count + b.count; ++steps) {
-    const int i = step(a, nearest.features.a.index, nearest.apart);
-    const int j = step(b, nearest.features.b.index, -nearest.apart);
+    const int i = nearer_vertex<Scalar>(a, nearest.features.a.index, nearest.apart);
+    const int j = nearer_vertex<Scalar>(b, nearest.features.b.index, -nearest.apart);
     if (i == nearest.features.a.index && j == nearest.features.b.index) return;
     const Vector2<Scalar> apart = b.vertices[j] - a.vertices[i];
     nearest = {a.vertices[i], b.vertices[j], apart, {vertex(i), vertex(j)}};
@@ -94,15 +107,15 @@ std::optional<NearestPlaces<Scalar>> places_at_face(const ConvexPolygon<Scalar>&
   return std::nullopt;
 }
 
-/// Where two cores are nearest that do not overlap by more than `roundoff`, a length. If that is at
-/// a face, then at the one of greatest separation, or one that rounding cannot tell from it; or
-/// else at two vertices.
+/// Where two cores are nearest that do not overlap by more than `roundoff`, a length. A face with
+/// its deepest vertex in front of it is nearest to that; only those of greatest separation, A's
+/// and B's, may have it. Else two vertices are nearest.
 template <class Scalar>
 NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      const FaceSeparation<Scalar>& of_a,
                                      const FaceSeparation<Scalar>& of_b, Scalar roundoff) {
   const bool a_first = of_a.separation >= of_b.separation;
-  const Scalar least = std::max(of_a.separation, of_b.separation) - roundoff;
+  const Scalar least = std::min(std::max(of_a.separation, of_b.separation), Scalar(0)) - roundoff;
   for (const Side side : {a_first ? Side::a : Side::b, a_first ? Side::b : Side::a}) {
     const FaceSeparation<Scalar>& found = side == Side::a ? of_a : of_b;
     const ConvexPolygon<Scalar>& polygon = side == Side::a ? a : b;
