@@ -57,7 +57,9 @@ Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPo
   if (!are_round(a, b)) return contact_of_faces(a, b, of_a, of_b, tie_bias);
   const Scalar roundoff = separation_roundoff(a, b);
   if (!do_cores_overlap(a, b, std::max(of_a.separation, of_b.separation), roundoff)) {
-    return nearest_contact(a, b, of_a, of_b, roundoff, second_point);
+    const NearestPlaces<Scalar> nearest = nearest_places(a, b, of_a, of_b, roundoff);
+    const auto normal = nearest_normal(a, b, of_a, of_b, nearest, roundoff);
+    if (normal) return nearest_contact(a, b, nearest, *normal, roundoff, second_point);
   }
   Manifold<Scalar> clipped = contact_of_faces(a, b, of_a, of_b, tie_bias);
   // Sums with a large radius hide how little a clip by the wrong face kept of a small overlap.

@@ -29,23 +29,28 @@ bool is_normal_at(const ConvexPolygon<Scalar>& polygon, int corner,
          direction.dot(along_face(polygon, polygon.previous(corner))) >= 0;
 }
 
-/// The unit normal from A to B on which the places are nearest: from vertex to vertex where that is
-/// among the normals of both; else, since one of them is in front of a face or they have passed
-/// each other, that of the face which separates most; of two points at one place any, (1, 0).
+/// The unit normal from A to B on which the places are nearest: a face's own, or from vertex to
+/// vertex where that is among the normals of both; of vertices at one place that of the face which
+/// separates most; of two points at one place any, (1, 0). None where edges cross by so little that
+/// rounding hides where.
 template <class Scalar>
-Vector2<Scalar> nearest_normal(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                               const FaceSeparation<Scalar>& of_a,
-                               const FaceSeparation<Scalar>& of_b,
-                               const NearestPlaces<Scalar>& nearest) {
+std::optional<Vector2<Scalar>> nearest_normal(const ConvexPolygon<Scalar>& a,
+                                              const ConvexPolygon<Scalar>& b,
+                                              const FaceSeparation<Scalar>& of_a,
+                                              const FaceSeparation<Scalar>& of_b,
+                                              const NearestPlaces<Scalar>& nearest,
+                                              Scalar roundoff) {
   const auto& [place_a, place_b] = nearest.features;
   if (place_a.kind == Feature::Kind::face) return a.normals[place_a.index];
-  if (place_b.kind == Feature::Kind::face) return -b.normals[place_b.index];
+  if (place_b.kind == Feature::Kind::face) return Vector2<Scalar>(-b.normals[place_b.index]);
   const double distance = std::sqrt(squared_length(nearest.apart));
   if (distance > 0 && is_normal_at<Scalar>(a, place_a.index, nearest.apart) &&
       is_normal_at<Scalar>(b, place_b.index, -nearest.apart)) {
-    return (nearest.apart.template cast<double>() / distance).template cast<Scalar>();
+    const Vector2<double> unit = nearest.apart.template cast<double>() / distance;
+    return Vector2<Scalar>(unit.template cast<Scalar>());
   }
-  if (a.face_count() + b.face_count() == 0) return {1, 0};
+  if (a.face_count() + b.face_count() == 0) return Vector2<Scalar>(1, 0);
+  if (distance > static_cast<double>(roundoff)) return std::nullopt;
   return of_a.separation >= of_b.separation ? a.normals[of_a.face]
                                             : Vector2<Scalar>(-b.normals[of_b.face]);
 }
@@ -112,15 +117,13 @@ void put_on_surface(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>&
   }
 }
 
-/// The manifold of round shapes whose cores do not overlap by more than rounding. The deepest point
-/// is where they are nearest; the second one, if both give an edge, the other end of their clip.
+/// The manifold of round shapes from where their cores are nearest, and the normal there. The
+/// deepest point is that place; the second one, if both give an edge, the other end of their clip.
 template <class Scalar>
 Manifold<Scalar> nearest_contact(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                 const FaceSeparation<Scalar>& of_a,
-                                 const FaceSeparation<Scalar>& of_b, Scalar roundoff,
+                                 const NearestPlaces<Scalar>& nearest,
+                                 const Vector2<Scalar>& normal, Scalar roundoff,
                                  SecondPoint second_point) {
-  const NearestPlaces<Scalar> nearest = nearest_places(a, b, of_a, of_b, roundoff);
-  const Vector2<Scalar> normal = nearest_normal(a, b, of_a, of_b, nearest);
   const Scalar total_radius = a.radius + b.radius;
   const Scalar separation = normal.dot(nearest.apart);
   if (separation > total_radius) return {};
