@@ -45,7 +45,7 @@ void check(const PlantedBug& bug) {
 
 std::vector<Edit> table() {
   std::vector<Edit> all;
-  for (const char* part : {"edits.txt", "pair_edits.txt", "batch_edits.txt"}) {
+  for (const char* part : {"edits.txt", "round_edits.txt", "pair_edits.txt", "batch_edits.txt"}) {
     const std::vector<Edit> edits = read_edits(test::source_dir() / "tests/canary" / part);
     all.insert(all.end(), edits.begin(), edits.end());
   }
@@ -79,8 +79,8 @@ std::optional<Sighting> search(const Haystack& haystack, const Notice& notice,
   };
   const auto start = Clock::now();
   for (std::uint64_t number = haystack.first; number < haystack.cases_max; ++number) {
-    const auto& [regimes, count] = std::pair(haystack.regimes, haystack.regimes.size());
-    const Regime& regime = regimes[(number + haystack.seed) % count];
+    const std::size_t count = haystack.regimes.size();
+    const Regime& regime = haystack.regimes[(number + haystack.seed) % count];
     const PairCase pair = generate(haystack.seed, regime, number / count);
     const auto noticed = notice(number, pair);
     if (noticed && !haystack.known_looks.contains(noticed->look)) {

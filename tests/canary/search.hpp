@@ -9,6 +9,7 @@
 
 #include "collider/collider.hpp"
 #include "corpus/shrink.hpp"
+#include "generating/regime.hpp"
 
 namespace manifuzz::canary {
 
