@@ -56,10 +56,13 @@ Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPo
   if (of_b.separation > total_radius) return {};
   if (!are_round(a, b)) return contact_of_faces(a, b, of_a, of_b, tie_bias);
   const Scalar roundoff = separation_roundoff(a, b);
-  if (!do_cores_overlap(a, b, std::max(of_a.separation, of_b.separation), roundoff)) {
-    return nearest_contact(a, b, of_a, of_b, roundoff, second_point);
+  Manifold<Scalar> clipped;
+  if (do_cores_overlap(a, b, std::max(of_a.separation, of_b.separation), roundoff)) {
+    clipped = contact_of_faces(a, b, of_a, of_b, tie_bias);
   }
-  return overlapping_contact(a, b, contact_of_faces(a, b, of_a, of_b, tie_bias), second_point);
+  // An overlap about as deep as rounding may be clipped away by it.
+  if (clipped.count == 0) return nearest_contact(a, b, of_a, of_b, roundoff, second_point);
+  return overlapping_contact(a, b, clipped, second_point);
 }
 
 /// The manifold of A and B in A's frame, B standing at `b_in_a` in it (see `relative_pose`), whose

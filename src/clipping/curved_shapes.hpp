@@ -20,14 +20,15 @@ bool do_cores_overlap(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar
          std::sqrt(squared_between_outlines(a, b)) <= static_cast<double>(roundoff - separation);
 }
 
-/// Whether a direction is among a vertex's outward normals: no neighbour is farther along it. Told
-/// relative to the direction's length, however short.
+/// Whether a direction is among a vertex's outward normals: neither edge leads along it. Told by
+/// the edges' own normals, relative to the direction's length, however short both are.
 template <class Scalar>
 bool is_normal_at(const ConvexPolygon<Scalar>& polygon, int corner,
                   const Vector2<Scalar>& direction) {
-  const Vector2<Scalar>& at = polygon.vertices[corner];
-  return direction.dot(polygon.vertices[polygon.previous(corner)] - at) <= 0 &&
-         direction.dot(polygon.vertices[polygon.next(corner)] - at) <= 0;
+  if (polygon.face_count() == 0) return true;
+  const Vector2<Scalar>& before = polygon.normals[polygon.previous(corner)];
+  return counter_clockwise_quarter(before).dot(direction) >= 0 &&
+         counter_clockwise_quarter(polygon.normals[corner]).dot(direction) <= 0;
 }
 
 /// The unit normal from A to B on which the places are nearest: from vertex to vertex where that is

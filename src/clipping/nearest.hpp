@@ -46,19 +46,23 @@ NearestPlaces<Scalar> nearest_vertices(const ConvexPolygon<Scalar>& a,
   return nearest;
 }
 
-/// Steps from the nearest vertices to neighbours that are nearer along the line through both, which
-/// tells what squares of distances, rounded, do not: beside tiny edges.
+/// Steps from the nearest vertices to neighbours that are nearer, told by the edges' own normals:
+/// beside tiny edges neither squares of distances, rounded, nor differences of rounded vertices
+/// tell it.
 template <class Scalar>
 void settle_vertices(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                      NearestPlaces<Scalar>& nearest) {
   const auto step = [&](const ConvexPolygon<Scalar>& polygon, int at,
                         const Vector2<Scalar>& towards) {
-    for (const int neighbour : {polygon.previous(at), polygon.next(at)}) {
+    if (polygon.face_count() == 0) return at;
+    const auto is_beyond = [&](int neighbour, const Vector2<Scalar>& along) {
       const Vector2<Scalar> edge = polygon.vertices[neighbour] - polygon.vertices[at];
-      const Scalar along = towards.dot(edge);
-      if (along > 0 && along >= edge.dot(edge)) return neighbour;
-    }
-    return at;
+      return along.dot(towards) >= along.dot(edge);
+    };
+    const int previous = polygon.previous(at);
+    if (is_beyond(previous, -counter_clockwise_quarter(polygon.normals[previous]))) return previous;
+    const int next = polygon.next(at);
+    return is_beyond(next, counter_clockwise_quarter(polygon.normals[at])) ? next : at;
   };
   for (int steps = 0; steps < a.count + b.count; ++steps) {
     const int i = step(a, nearest.features.a.index, nearest.apart);
