@@ -37,7 +37,7 @@ void add_round_collider(const Bug& bug, const std::vector<Collider>& subjects) {
           return shrink_finding(pair, subject_of(number), right_collider(), interruption);
         });
   };
-  add_planted_bug({.name = bug.name, .cases_max = 6'000'000, .search = search_each});
+  add_planted_bug({.name = bug.name, .cases_max = 400'000, .search = search_each});
 }
 
 }  // namespace
