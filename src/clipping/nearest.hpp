@@ -46,8 +46,8 @@ NearestPlaces<Scalar> nearest_vertices(const ConvexPolygon<Scalar>& a,
   return nearest;
 }
 
-/// From vertex i to vertex i + 1, unit. By the normal, which turns by less than a tiny edge does
-/// where its ends are rounded far from its own origin; (0, 0) of a point.
+/// From vertex i to vertex i + 1, unit; (0, 0) of a point. By the normal: rounding the ends of a
+/// tiny edge far from its own origin turns the edge by far more.
 template <class Scalar>
 Vector2<Scalar> along_face(const ConvexPolygon<Scalar>& polygon, int i) {
   return counter_clockwise_quarter(polygon.normals[i]);
@@ -56,16 +56,14 @@ Vector2<Scalar> along_face(const ConvexPolygon<Scalar>& polygon, int i) {
 /// The vertex, or a neighbour of it that is nearer to a place `towards` it: one past its face.
 template <class Scalar>
 int nearer_vertex(const ConvexPolygon<Scalar>& polygon, int at, const Vector2<Scalar>& towards) {
-  const int next = polygon.next(at);
-  const Vector2<Scalar> ahead = along_face(polygon, at);
-  const Scalar past = ahead.dot(towards);
-  if (past > 0 && past >= ahead.dot(polygon.vertices[next] - polygon.vertices[at])) return next;
+  const auto is_past = [&](int neighbour, const Vector2<Scalar>& along) {
+    const Scalar past = along.dot(towards);
+    return past > 0 && past >= along.dot(polygon.vertices[neighbour] - polygon.vertices[at]);
+  };
   const int previous = polygon.previous(at);
-  const Vector2<Scalar> back = -along_face(polygon, previous);
-  const Scalar before = back.dot(towards);
-  const bool is_nearer =
-      before > 0 && before >= back.dot(polygon.vertices[previous] - polygon.vertices[at]);
-  return is_nearer ? previous : at;
+  if (is_past(previous, -along_face(polygon, previous))) return previous;
+  const int next = polygon.next(at);
+  return is_past(next, along_face(polygon, at)) ? next : at;
 }
 
 /// Steps from the nearest vertices to neighbours that are nearer, which faces tell better than

@@ -151,10 +151,14 @@ class ByCurve {
     return curve.compare_excess(along, bounds_.minimality + tolerance_) <= 0 &&
            curve.compare_excess(along, -bounds_.minimality) >= 0;
   }
-  /// Of cores that do not overlap, the total radius less their distance, whatever the normal.
+  /// Of cores that do not overlap by more than rounding, D*, whatever the normal.
   bool is_distance(double depth) const {
-    return curve_.are_cores_apart() && curve_.compare_least(depth - bounds_.touching) >= 0 &&
+    return may_be_apart() && curve_.compare_least(depth - bounds_.touching) >= 0 &&
            curve_.compare_least(depth + bounds_.touching + tolerance_) <= 0;
+  }
+
+  bool may_be_apart() const {
+    return is_round_ && (!truth_.has_faces() || truth_.compare_separation(-bounds_.touching) >= 0);
   }
 
   bool is_excess_small(const Along& along) const { return is_least(curve_, along); }

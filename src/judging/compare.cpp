@@ -210,6 +210,11 @@ bool plainly_agree(const exact::Truth& truth, const ColliderAnswer& subject,
   if (is_judged_by_curve(subject.declaration) || is_judged_by_curve(oracle.declaration)) {
     return false;
   }
+  // Who gives no second point that the other gives is judged by its own policy.
+  if (is_round(truth.pair()) &&
+      subject.declaration.second_point != oracle.declaration.second_point) {
+    return false;
+  }
   if (used_by(subject.answer) != nullptr || used_by(oracle.answer) != nullptr) return false;
   const auto* const s = std::get_if<Manifold<double>>(&subject.answer);
   const auto* const o = std::get_if<Manifold<double>>(&oracle.answer);

@@ -56,25 +56,6 @@ struct Watch {
   }
 };
 
-/// The collider with the bug acting whenever it is asked.
-Collider with_bug(const Bug& bug, Collider collider) {
-  const auto ask = [bug](const auto& function) {
-    return [bug, function](const auto&... arguments) {
-      const Acting acting(bug);
-      return function(arguments...);
-    };
-  };
-  const auto make = [bug](const auto& function) {
-    return
-        [bug, function](const auto&... arguments) { return with_bug(bug, function(arguments...)); };
-  };
-  collider.collide = ask(collider.collide);
-  collider.from_normal = ask(collider.from_normal);
-  collider.with_tie_bias = make(collider.with_tie_bias);
-  collider.in_double = make(collider.in_double);
-  return collider;
-}
-
 void add_collider(const Bug& bug, const MakeCollider& make) {
   planted_colliders().push_back([=](double tie_bias) { return with_bug(bug, make(tie_bias)); });
   const auto search_both = [make = planted_colliders().back()](const Haystack& haystack) {
@@ -94,6 +75,25 @@ void add_collider(const Bug& bug, const MakeCollider& make) {
 }
 
 }  // namespace
+
+/// The collider with the bug acting whenever it is asked.
+Collider with_bug(const Bug& bug, Collider collider) {
+  const auto ask = [bug](const auto& function) {
+    return [bug, function](const auto&... arguments) {
+      const Acting acting(bug);
+      return function(arguments...);
+    };
+  };
+  const auto make = [bug](const auto& function) {
+    return
+        [bug, function](const auto&... arguments) { return with_bug(bug, function(arguments...)); };
+  };
+  collider.collide = ask(collider.collide);
+  collider.from_normal = ask(collider.from_normal);
+  collider.with_tie_bias = make(collider.with_tie_bias);
+  collider.in_double = make(collider.in_double);
+  return collider;
+}
 
 std::vector<MakeCollider>& planted_colliders() {
   static std::vector<MakeCollider> all;

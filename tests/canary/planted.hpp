@@ -17,6 +17,15 @@ using MakeCollider = std::function<Collider(double tie_bias)>;
 /// Those registered so far.
 std::vector<MakeCollider>& planted_colliders();
 
+/// The collider with the bug acting whenever it is asked.
+Collider with_bug(const Bug& bug, Collider collider);
+
+/// A collider that gives a second point of round shapes by this policy, with a bug in it.
+using MakeWithSecondPoint = Collider (*)(SecondPoint second_point);
+
+/// Those of round shapes: of each bug in float, in double and under policies of the second point.
+std::vector<Collider>& planted_round_colliders();
+
 /// A judge with a bug in it: what it makes of a subject's and an oracle's answer to a case.
 using JudgeOf = Bucket (*)(const PairCase& pair, const Declaration& subject,
                            const Answer& of_subject, const Declaration& oracle,
@@ -50,6 +59,8 @@ struct PlantedBatch {
 
 /// Registers for each planted bug the test that it is caught. To be called before main.
 bool add_colliders(const std::vector<Bug>& bugs, const MakeCollider& make);
+bool add_round_colliders(const std::vector<Bug>& bugs, const MakeCollider& make,
+                         MakeWithSecondPoint make_with_second_point);
 bool add_judges(const std::vector<Bug>& bugs, JudgeOf judge_of);
 bool add_pairs(const std::vector<Bug>& bugs, AskPair ask);
 bool add_batches(const std::vector<Bug>& bugs, const PlantedBatch<float>& batch,

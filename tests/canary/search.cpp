@@ -45,7 +45,7 @@ void check(const PlantedBug& bug) {
 
 std::vector<Edit> table() {
   std::vector<Edit> all;
-  for (const char* part : {"edits.txt", "pair_edits.txt", "batch_edits.txt"}) {
+  for (const char* part : {"edits.txt", "round_edits.txt", "pair_edits.txt", "batch_edits.txt"}) {
     const std::vector<Edit> edits = read_edits(test::source_dir() / "tests/canary" / part);
     all.insert(all.end(), edits.begin(), edits.end());
   }
@@ -79,8 +79,8 @@ std::optional<Sighting> search(const Haystack& haystack, const Notice& notice,
   };
   const auto start = Clock::now();
   for (std::uint64_t number = haystack.first; number < haystack.cases_max; ++number) {
-    const auto& [regimes, count] = std::pair(haystack.regimes, haystack.regimes.size());
-    const Regime& regime = regimes[(number + haystack.seed) % count];
+    const std::size_t count = haystack.regimes.size();
+    const Regime& regime = haystack.regimes[(number + haystack.seed) % count];
     const PairCase pair = generate(haystack.seed, regime, number / count);
     const auto noticed = notice(number, pair);
     if (noticed && !haystack.known_looks.contains(noticed->look)) {
@@ -133,7 +133,7 @@ TEST_CASE("a bug planted into the judge fails the check that nothing is wrong", 
 }
 
 TEST_CASE(
-    "at least 40 bugs are planted into the clean code, 8 into the judge, 60 into the kernels") {
+    "at least 100 bugs are planted into the clean code, 8 into the judge, 60 into the kernels") {
   int in_clipping = 0;
   int in_kernels = 0;
   int in_judge = 0;
@@ -150,7 +150,7 @@ TEST_CASE(
     ++(is_clipping ? in_clipping : is_kernel ? in_kernels : in_judge);
   }
   CHECK(planted_in_all == planted_bugs().size());  // unlike names, and nothing left out
-  CHECK(in_clipping >= 40);
+  CHECK(in_clipping >= 100);
   CHECK(in_judge >= 8);
   CHECK(in_kernels >= 60);
 }

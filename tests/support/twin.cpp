@@ -3,6 +3,7 @@
 #include "judging/by_curve.hpp"
 #include "support/twin_curve.hpp"
 #include "support/twin_facts.hpp"
+#include "support/twin_round.hpp"
 
 namespace manifuzz {
 namespace {
@@ -69,14 +70,78 @@ Kind or_reversed(Kind kind, const PairCase& pair, const Declaration& declaration
                                                                                  : kind;
 }
 
+void blame(Bucket& bucket, Kind wrong_subject, Kind wrong_oracle) {
+  const bool is_subject = wrong_subject != Kind::none;
+  const bool is_oracle = wrong_oracle != Kind::none;
+  bucket.fault = is_subject && is_oracle ? Fault::both
+                 : is_subject            ? Fault::subject
+                                         : Fault::oracle;
+  bucket.verdict = is_subject && is_oracle ? Verdict::both_wrong
+                   : is_subject            ? Verdict::subject_wrong
+                                           : Verdict::oracle_wrong;
+  bucket.kind = is_subject ? wrong_subject : wrong_oracle;
+}
+
+void judge_mitred(const PairCase& pair, const Twin& for_subject, const Declaration& subject,
+                  const Manifold<double>& of_subject, const Declaration& oracle,
+                  const Manifold<double>& of_oracle, Bucket& bucket) {
+  const Twin for_oracle(pair, oracle);
+  const Kind wrong_subject = or_reversed(for_subject.wrong(of_subject), pair, subject, of_subject);
+  const Kind wrong_oracle = or_reversed(for_oracle.wrong(of_oracle), pair, oracle, of_oracle);
+  bucket.reference = for_subject.reference();
+  const bool both_right = wrong_subject == Kind::none && wrong_oracle == Kind::none;
+  if (both_right && of_subject.count == of_oracle.count) {
+    bool agree = of_subject.count == 0;
+    for (const TwinClip& clip : for_subject.clips()) {
+      agree = agree || (for_subject.wrong(of_subject, clip) == Kind::none &&
+                        for_oracle.wrong(of_oracle, clip) == Kind::none);
+    }
+    if (agree) return;
+  }
+  if (both_right) {
+    bucket.verdict = Verdict::tie;
+    bucket.kind = difference(of_subject, of_oracle);
+  } else {
+    blame(bucket, wrong_subject, wrong_oracle);
+  }
+  bucket.tie_class = tie_class(for_subject, for_oracle);
+  const bool is_normal = bucket.kind == Kind::normal || bucket.kind == Kind::reversed;
+  const bool of_normal = is_normal && bucket.tie_class != TieClass::reference;
+  const bool at_boundary =
+      bucket.tie_class == TieClass::contact_boundary || bucket.tie_class == TieClass::clip_boundary;
+  if (of_normal || (at_boundary && bucket.verdict != Verdict::tie)) {
+    bucket.tie_class = TieClass::none;
+  }
+}
+
+/// Two right answers agree where both touch or neither does.
+void judge_round(const twin::RoundTwin& pair, const Declaration& subject,
+                 const Manifold<double>& of_subject, const Declaration& oracle,
+                 const Manifold<double>& of_oracle, Bucket& bucket) {
+  bucket.reference = pair.reference();
+  const Kind wrong_subject = pair.wrong(subject, of_subject);
+  const Kind wrong_oracle = pair.wrong(oracle, of_oracle);
+  if (wrong_subject != Kind::none || wrong_oracle != Kind::none) {
+    blame(bucket, wrong_subject, wrong_oracle);
+  } else if ((of_subject.count > 0) != (of_oracle.count > 0)) {
+    bucket.verdict = Verdict::tie;
+    bucket.kind = of_subject.count > 0 ? Kind::phantom_contact : Kind::missed_contact;
+  }
+}
+
 }  // namespace
 
 TwinJudgement twin_judge(const PairCase& pair, const ColliderAnswer& subject,
                          const ColliderAnswer& oracle) {
   TwinJudgement result;
-  const Twin for_subject(pair, subject.declaration);
-  result.touching = for_subject.touches();
-  for (const TwinClip& clip : for_subject.clips()) result.candidates.push_back(clip.candidate);
+  std::optional<Twin> for_subject;
+  if (is_round(pair)) {
+    result.touching = twin::RoundTwin(pair).touches();
+  } else {
+    for_subject.emplace(pair, subject.declaration);
+    result.touching = for_subject->touches();
+    for (const TwinClip& clip : for_subject->clips()) result.candidates.push_back(clip.candidate);
+  }
   const auto* of_subject = std::get_if<Manifold<double>>(&subject.answer);
   const auto* of_oracle = std::get_if<Manifold<double>>(&oracle.answer);
   Bucket& bucket = result.bucket;
@@ -89,44 +154,12 @@ TwinJudgement twin_judge(const PairCase& pair, const ColliderAnswer& subject,
     bucket.verdict = Verdict::ill_posed;
     return result;
   }
-  const Twin for_oracle(pair, oracle.declaration);
-  const Kind wrong_subject =
-      or_reversed(for_subject.wrong(*of_subject), pair, subject.declaration, *of_subject);
-  const Kind wrong_oracle =
-      or_reversed(for_oracle.wrong(*of_oracle), pair, oracle.declaration, *of_oracle);
-  bucket.reference = for_subject.reference();
-  const bool both_right = wrong_subject == Kind::none && wrong_oracle == Kind::none;
-  if (both_right && of_subject->count == of_oracle->count) {
-    bool agree = of_subject->count == 0;
-    for (const TwinClip& clip : for_subject.clips()) {
-      agree = agree || (for_subject.wrong(*of_subject, clip) == Kind::none &&
-                        for_oracle.wrong(*of_oracle, clip) == Kind::none);
-    }
-    if (agree) return result;
-  }
-  if (both_right) {
-    bucket.verdict = Verdict::tie;
-    bucket.kind = difference(*of_subject, *of_oracle);
-  } else if (wrong_subject != Kind::none && wrong_oracle != Kind::none) {
-    bucket.fault = Fault::both;
-    bucket.verdict = Verdict::both_wrong;
-    bucket.kind = wrong_subject;
-  } else if (wrong_subject != Kind::none) {
-    bucket.fault = Fault::subject;
-    bucket.verdict = Verdict::subject_wrong;
-    bucket.kind = wrong_subject;
+  if (for_subject) {
+    judge_mitred(pair, *for_subject, subject.declaration, *of_subject, oracle.declaration,
+                 *of_oracle, bucket);
   } else {
-    bucket.fault = Fault::oracle;
-    bucket.verdict = Verdict::oracle_wrong;
-    bucket.kind = wrong_oracle;
-  }
-  bucket.tie_class = tie_class(for_subject, for_oracle);
-  const bool is_normal = bucket.kind == Kind::normal || bucket.kind == Kind::reversed;
-  const bool of_normal = is_normal && bucket.tie_class != TieClass::reference;
-  const bool at_boundary =
-      bucket.tie_class == TieClass::contact_boundary || bucket.tie_class == TieClass::clip_boundary;
-  if (of_normal || (at_boundary && bucket.verdict != Verdict::tie)) {
-    bucket.tie_class = TieClass::none;
+    judge_round(twin::RoundTwin(pair), subject.declaration, *of_subject, oracle.declaration,
+                *of_oracle, bucket);
   }
   return result;
 }
