@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "judging/compare.hpp"
+#include "judging/round_deviations.hpp"
 
 namespace manifuzz {
 namespace {
@@ -127,6 +128,47 @@ constexpr std::array kLedger{
                 .source = "Box2D 2.4.1, src/collision/b2_collision.cpp, b2ClipSegmentToLine: "
                           "`if (distance0 * distance1 < 0.0f)`",
                 .explains = crossing_underflows},
+    LedgerEntry{
+        .id = "box2d-edge-slab-not-widened",
+        .collider = "box2d",
+        .description = "no contact, or too little depth, of a capsule and a polygon near corners: "
+                       "what lies within the radii beyond the reference face's ends is cut off",
+        .source = "Box2D 2.4.1, src/collision/b2_collide_edge.cpp, b2CollideEdgeAndPolygon: "
+                  "ref.sideOffset1 = b2Dot(ref.sideNormal1, ref.v1), without the radius "
+                  "that b2CollidePolygons adds",
+        .explains = edge_slab_not_widened},
+    LedgerEntry{
+        .id = "box2d-edge-hysteresis",
+        .collider = "box2d",
+        .description = "a capsule's own face is kept though the polygon's is less deep, by 2 % of "
+                       "its depth and 0.001",
+        .source = "Box2D 2.4.1, src/collision/b2_collide_edge.cpp, b2CollideEdgeAndPolygon: "
+                  "k_relativeTol = 0.98f, k_absoluteTol = 0.001f",
+        .explains = edge_face_kept_by_hysteresis},
+    LedgerEntry{.id = "box2d-coincident-points",
+                .collider = "box2d",
+                .description = "a normal along the world's x axis, into the edge: a circle's "
+                               "centre lies on the end of an edge",
+                .source = "Box2D 2.4.1, src/collision/b2_collision.cpp, "
+                          "b2WorldManifold::Initialize: normal.Set(1.0f, 0.0f)",
+                .explains = axis_for_coincident_points},
+    LedgerEntry{.id = "box2d-direction-of-roundings",
+                .collider = "box2d",
+                .description = "a normal into the core: a circle's centre lies on an edge's end or "
+                               "a polygon's corner, but for roundings, and their direction is it",
+                .source = "Box2D 2.4.1, src/collision/b2_collision.cpp, "
+                          "b2WorldManifold::Initialize: normal = pointB - pointA; "
+                          "src/collision/b2_collide_circle.cpp, b2CollidePolygonAndCircle: "
+                          "localNormal = cLocal - v1",
+                .explains = direction_of_roundings},
+    LedgerEntry{.id = "box2d-corner-direction-not-normalised",
+                .collider = "box2d",
+                .description = "a normal of no length and no depth: a circle's centre lies on a "
+                               "polygon's corner, or within epsilon of it",
+                .source = "Box2D 2.4.1, src/collision/b2_collide_circle.cpp, "
+                          "b2CollidePolygonAndCircle: localNormal = cLocal - v1; "
+                          "include/box2d/b2_math.h, b2Vec2::Normalize: `if (length < b2_epsilon)`",
+                .explains = corner_direction_not_normalised},
     LedgerEntry{.id = "planck-no-contact-under-bias",
                 .collider = "planck",
                 .description =

@@ -2,6 +2,7 @@
 #include "canary/planted.hpp"
 #include "judging/admissible.cpp"
 #include "judging/bounds.cpp"
+#include "judging/box2d_deviations.cpp"
 #include "judging/by_curve.cpp"
 #include "judging/compare.cpp"
 #include "judging/judge.cpp"

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "judging/compare.hpp"
+
+namespace manifuzz {
+
+// What the ledger's entries on round shapes look for: each recomputes what the named fault makes of
+// the case, in double, and holds the answer against that within the collider's bounds.
+
+/// An edge against a polygon, clipped between the very ends of the reference face: the deepest
+/// vertex lies beyond them, within the radii, and is cut off.
+bool edge_slab_not_widened(const Deviation& deviation);
+/// An edge against a polygon: the edge's own face is kept though one of the polygon's has a greater
+/// separation, by no more than 2 % of the edge's depth and 0.001.
+bool edge_face_kept_by_hysteresis(const Deviation& deviation);
+/// A circle whose centre is nearer than epsilon to the end of an edge: the normal is the world's x
+/// axis, towards the circle, wherever the edge lies.
+bool axis_for_coincident_points(const Deviation& deviation);
+/// A circle whose centre lies on an edge's end or a polygon's corner: the normal is the direction
+/// between both as floats have them, which is that of their roundings.
+bool direction_of_roundings(const Deviation& deviation);
+/// A circle whose centre is nearer than epsilon to a polygon's corner: the normal is as short as
+/// their distance, since b2Vec2::Normalize leaves it so, and the depth is taken along it.
+bool corner_direction_not_normalised(const Deviation& deviation);
+
+}  // namespace manifuzz
