@@ -44,6 +44,7 @@ struct BetweenEnds {
   double run = 0;          ///< along the face; negative where it misses
   double nearest = 0;      ///< to the face, of what is left
   double slack = 0;        ///< of `nearest`: an end that is cut moves along a slope
+  bool is_cut = false;     ///< the end nearest to the face is beyond the face's ends, or nearly
 };
 
 BetweenEnds between_ends(const RoughPair& placed, FaceOf reference, int incident, double bound) {
@@ -65,10 +66,12 @@ BetweenEnds between_ends(const RoughPair& placed, FaceOf reference, int incident
     const double share = std::clamp((place - first.dot(along)) / run, 0.0, 1.0);
     return first.dot(out) + share * (last - first).dot(out);
   };
+  const double deepest = (first.dot(out) < last.dot(out) ? first : last).dot(along);
   return {.normal = reference.side == Side::a ? out : Vector2<double>(-out),
           .run = high - low,
           .nearest = std::min(height_at(low), height_at(high)),
-          .slack = bound + (run > 0 ? std::min(bound * rise / run, rise) : rise)};
+          .slack = bound + (run > 0 ? std::min(bound * rise / run, rise) : rise),
+          .is_cut = deepest <= 2 * bound || deepest >= face.dot(along) - 2 * bound};
 }
 
 /// Whether the answer is what that clip gives: no contact where nothing is left, or the face's
@@ -100,7 +103,7 @@ bool any_clip_from(const Deviation& d, Side side, const Fault& is_at_fault) {
     if (truth.separation(face) < truth.separation(side) - 2 * bounds.separation) continue;
     for (const int incident : truth.incident_edges(face, bounds.incident_dot)) {
       const BetweenEnds clip = between_ends(placed, face, incident, bounds.separation);
-      if (is_at_fault(face, clip) && is_given_by(d, clip)) return true;
+      if (is_at_fault(clip) && is_given_by(d, clip)) return true;
     }
   }
   return false;
@@ -180,10 +183,7 @@ bool edge_slab_not_widened(const Deviation& d) {
   const exact::Truth& truth = *d.right.truth;
   const double bound = d.right.bounds.separation;
   const double lead = lead_over_hysteresis(truth, *sides);
-  const auto is_cut = [&](FaceOf face, const BetweenEnds& clip) {
-    return clip.run <= 2 * bound ||
-           clip.nearest > truth.separation(face) + truth.extent() * 0x1p-40;
-  };
+  const auto is_cut = [](const BetweenEnds& clip) { return clip.is_cut; };
   return (lead <= 2 * bound && any_clip_from(d, sides->edge, is_cut)) ||
          (lead >= -2 * bound && any_clip_from(d, sides->polygon, is_cut));
 }
@@ -195,7 +195,7 @@ bool edge_face_kept_by_hysteresis(const Deviation& d) {
   const double bound = d.right.bounds.separation;
   if (truth.separation(sides->polygon) <= truth.separation(sides->edge) + bound) return false;
   return lead_over_hysteresis(truth, *sides) <= 2 * bound &&
-         any_clip_from(d, sides->edge, [](FaceOf, const BetweenEnds&) { return true; });
+         any_clip_from(d, sides->edge, [](const BetweenEnds&) { return true; });
 }
 
 bool axis_for_coincident_points(const Deviation& d) {
