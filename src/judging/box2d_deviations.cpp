@@ -159,8 +159,9 @@ bool is_an_end_of_an_edge(const PairCase& pair, const CentreOnCorner& found) {
 /// Whether Box2D leaves the direction between both points as short as it is, or sets an axis
 /// instead: b2Vec2::Normalize below epsilon, b2WorldManifold up to it.
 bool is_too_short(const PairCase& pair, const CentreOnCorner& found) {
-  const float length = found.from_corner.norm();
-  return is_an_end_of_an_edge(pair, found) ? length <= kEpsilonOfBox2d : length < kEpsilonOfBox2d;
+  const Vector2<float>& apart = found.from_corner;
+  return is_an_end_of_an_edge(pair, found) ? apart.dot(apart) <= kEpsilonOfBox2d * kEpsilonOfBox2d
+                                           : apart.norm() < kEpsilonOfBox2d;
 }
 
 /// Whether the normal is the direction between both points, in floats.

@@ -253,6 +253,49 @@ constexpr std::array kLedger{
                           "`cpvdot(n, planes[i1].n) > cpvdot(n, planes[i2].n)`",
                 .budgets = kOfChipmunkWrongSupportEdge,
                 .explains = neighbours_nearly_parallel},
+    LedgerEntry{.id = "chipmunk-swapped-distance",
+                .collider = "chipmunk",
+                .description = "no depth at all: shapes given in another order than circle, "
+                               "segment, polygon, so that distances have the wrong sign",
+                .source = "Chipmunk 7.0.3, src/cpShape.c, cpShapesCollide: distance = "
+                          "cpvdot(cpvsub(p2, p1), set.normal), of points not swapped",
+                .explains = sign_of_swapped_distance},
+    LedgerEntry{.id = "chipmunk-polygon-radius-sign",
+                .collider = "chipmunk",
+                .description = "a circle against a rounded polygon: too little depth by twice the "
+                               "polygon's radius, and its point as much too far",
+                .source = "Chipmunk 7.0.3, src/cpCollision.c, CircleToPoly: "
+                          "cpvadd(points.b, cpvmult(n, poly->r))",
+                .explains = sign_of_polygon_radius},
+    LedgerEntry{.id = "chipmunk-direction-of-roundings",
+                .collider = "chipmunk",
+                .description = "a circle's centre on a segment: the normal is the direction of "
+                               "roundings between both",
+                .source = "Chipmunk 7.0.3, src/cpCollision.c, CircleToSegment: "
+                          "n = cpvmult(delta, 1.0f/dist)",
+                .explains = direction_to_place_on_segment},
+    LedgerEntry{.id = "chipmunk-round-corner-on-corner",
+                .collider = "chipmunk",
+                .description =
+                    "a normal across any chord, or no contact: a corner of one core lies on the "
+                    "other's",
+                .source = "Chipmunk 7.0.3, src/cpCollision.c, GJKRecurse: the direction to the "
+                          "nearest point is (0, 0), so no nearer one is found",
+                .explains = normal_across_corner_on_corner},
+    LedgerEntry{.id = "chipmunk-round-collinear",
+                .collider = "chipmunk",
+                .description = "a perpendicular normal for capsules end to end, or contact well "
+                               "apart: the origin lies on the line of a chord",
+                .source = "Chipmunk 7.0.3, src/cpCollision.c, ClosestPointsNew: `if(d <= 0.0f` "
+                          "comes before the distance to the nearer vertex",
+                .explains = normal_across_collinear},
+    LedgerEntry{.id = "chipmunk-depth-by-crossing",
+                .collider = "chipmunk",
+                .description = "too little depth, or none, of an edge end on: its end is found by "
+                               "a division by its run along the tangent",
+                .source = "Chipmunk 7.0.3, src/cpCollision.c, ContactPoints: "
+                          "e1_denom = 1.0f/(d_e1_b - d_e1_a + CPFLOAT_MIN)",
+                .explains = depth_by_crossing},
 };
 
 static_assert(kLedger.size() <= kLedgerMax);

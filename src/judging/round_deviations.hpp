@@ -23,4 +23,22 @@ bool direction_of_roundings(const Deviation& deviation);
 /// their distance, since b2Vec2::Normalize leaves it so, and the depth is taken along it.
 bool corner_direction_not_normalised(const Deviation& deviation);
 
+/// cpShapesCollide put the shapes into its own order: distances have the wrong sign, so that
+/// depths are lost; all else is right.
+bool sign_of_swapped_distance(const Deviation& deviation);
+/// A circle against a polygon, whose radius is taken from the depth instead of being added.
+bool sign_of_polygon_radius(const Deviation& deviation);
+/// A circle against a segment: the normal is the direction to the place on it that is nearest as
+/// doubles have it, however short.
+bool direction_to_place_on_segment(const Deviation& deviation);
+/// A corner of one core lies on one of the other's: the normal is across a chord of their
+/// difference that ends there.
+bool normal_across_corner_on_corner(const Deviation& deviation);
+/// The normal is across a chord of the cores' difference on whose line, but beyond it, the origin
+/// lies.
+bool normal_across_collinear(const Deviation& deviation);
+/// The depth of an end was found by a division by its edge's run along the tangent, which is short:
+/// it is off by that much more, or the wrong end was taken of an edge along the normal.
+bool depth_by_crossing(const Deviation& deviation);
+
 }  // namespace manifuzz

@@ -4,6 +4,7 @@
 #include "judging/bounds.cpp"
 #include "judging/box2d_deviations.cpp"
 #include "judging/by_curve.cpp"
+#include "judging/chipmunk_deviations.cpp"
 #include "judging/compare.cpp"
 #include "judging/judge.cpp"
 #include "judging/ledger.cpp"
