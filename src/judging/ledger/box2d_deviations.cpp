@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "judging/round_deviations.hpp"
+#include "judging/ledger/round_deviations.hpp"
 
 // Box2D 2.4 on circles and edges, in world directions seen from A's position.
 

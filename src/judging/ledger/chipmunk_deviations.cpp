@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "judging/by_curve.hpp"
-#include "judging/round_deviations.hpp"
+#include "judging/ledger/round_deviations.hpp"
 
 // Chipmunk 7 on round shapes, in world directions seen from A's position.
 
