@@ -152,6 +152,12 @@ Vector2<double> towards_circle(const Deviation& d, Side circle) {
   return circle == Side::b ? normal : Vector2<double>(-normal);
 }
 
+/// Whether the depth is that of two points at one place: both radii.
+bool is_as_deep_as_radii(const Deviation& d) {
+  return std::abs(d.got.points[0].depth - total_radius(d.right.pair())) <=
+         4 * d.right.bounds.separation;
+}
+
 bool is_an_end_of_an_edge(const PairCase& pair, const CentreOnCorner& found) {
   return pair[other(found.circle)].polygon.count == 2;
 }
@@ -200,7 +206,7 @@ bool edge_face_kept_by_hysteresis(const Deviation& d) {
 }
 
 bool axis_for_coincident_points(const Deviation& d) {
-  if (d.got.count != 1) return false;
+  if (d.got.count != 1 || !is_as_deep_as_radii(d)) return false;
   const PairCase& pair = d.right.pair();
   return std::ranges::any_of(
       centres_on_corners(pair, d.right.bounds.separation), [&](const CentreOnCorner& found) {
@@ -211,7 +217,7 @@ bool axis_for_coincident_points(const Deviation& d) {
 }
 
 bool direction_of_roundings(const Deviation& d) {
-  return d.got.count == 1 &&
+  return d.got.count == 1 && is_as_deep_as_radii(d) &&
          std::ranges::any_of(
              centres_on_corners(d.right.pair(), d.right.bounds.separation),
              [&](const CentreOnCorner& found) { return is_along_roundings(d, found); });
@@ -220,6 +226,7 @@ bool direction_of_roundings(const Deviation& d) {
 bool corner_direction_not_normalised(const Deviation& d) {
   const PairCase& pair = d.right.pair();
   return d.got.count == 1 && d.got.normal.norm() <= 2.0 * kEpsilonOfBox2d &&
+         d.got.points[0].depth <= d.right.bounds.separation &&
          std::ranges::any_of(
              centres_on_corners(pair, d.right.bounds.separation), [&](const CentreOnCorner& found) {
                return !is_an_end_of_an_edge(pair, found) && is_too_short(pair, found);

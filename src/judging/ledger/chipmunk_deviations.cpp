@@ -157,6 +157,20 @@ std::vector<Vector2<double>> minkowski_points(const PairCase& pair) {
   return all;
 }
 
+/// Whether no point is deeper along the answer's normal than both cores are there.
+bool is_as_deep_as_there(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  const bool has_circle = order_of(pair.a) == 1 || order_of(pair.b) == 1;
+  const double bound = 4 * d.right.bounds.separation;
+  const SeenAlong along(pair, d.got.normal);
+  for (int i = 0; i < d.got.count; ++i) {
+    const ContactPoint<double>& point = d.got.points[i];
+    const double most = has_circle ? total_radius(pair) : along.depth_at(point.position, bound);
+    if (point.depth > most + bound) return false;
+  }
+  return true;
+}
+
 /// A chord of the difference to which ClosestPointsNew's normal is perpendicular.
 struct Chord {
   Vector2<double> from;
@@ -167,6 +181,7 @@ struct Chord {
 template <class Fault>
 bool is_across_chord(const Deviation& d, const Fault& is_at_fault) {
   const PairCase& pair = d.right.pair();
+  if (!is_as_deep_as_there(d)) return false;
   const Vector2<double> normal = SeenAlong(pair, d.got.normal).normal();
   const double bound = 4 * d.right.bounds.separation;
   const auto all = minkowski_points(pair);
@@ -210,7 +225,9 @@ bool sign_of_polygon_radius(const Deviation& d) {
 
 bool direction_to_place_on_segment(const Deviation& d) {
   const PairCase& pair = d.right.pair();
-  if (d.got.count != 1 || order_of(pair.a) + order_of(pair.b) != 3) return false;
+  if (d.got.count != 1 || order_of(pair.a) + order_of(pair.b) != 3 || !is_as_deep_as_there(d)) {
+    return false;
+  }
   // As CircleToSegment computes it, in the world.
   const Side circle = is_swapped(pair) ? Side::b : Side::a;
   const auto placed = [&](Side side, int i) {
