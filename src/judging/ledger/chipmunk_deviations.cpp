@@ -157,18 +157,11 @@ std::vector<Vector2<double>> minkowski_points(const PairCase& pair) {
   return all;
 }
 
-/// Whether no point is deeper along the answer's normal than both cores are there.
+/// Whether no point is deeper than both cores overlap along the answer's normal.
 bool is_as_deep_as_there(const Deviation& d) {
-  const PairCase& pair = d.right.pair();
-  const bool has_circle = order_of(pair.a) == 1 || order_of(pair.b) == 1;
-  const double bound = 4 * d.right.bounds.separation;
-  const SeenAlong along(pair, d.got.normal);
-  for (int i = 0; i < d.got.count; ++i) {
-    const ContactPoint<double>& point = d.got.points[i];
-    const double most = has_circle ? total_radius(pair) : along.depth_at(point.position, bound);
-    if (point.depth > most + bound) return false;
-  }
-  return true;
+  if (d.got.normal.isZero(0)) return is_without_depth(d.got);
+  const exact::Along along(*d.right.truth, d.got.normal);
+  return deepest_of_points(d.got) <= along.depth() + 4 * d.right.bounds.separation;
 }
 
 /// A chord of the difference to which ClosestPointsNew's normal is perpendicular.
