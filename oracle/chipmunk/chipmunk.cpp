@@ -18,19 +18,23 @@ constexpr const char* kSnippet = R"(#include <cstdio>
 
 struct Point { float x, y; };
 
+cpBody* body = cpBodyNew(1, 1);
+
 template <int count>
-cpShape* make(const Point (&vertices)[count], Point position, Point rotation) {
+cpShape* make(const Point (&vertices)[count], float radius, Point position, Point rotation) {
   cpVect wide[count];
   for (int i = 0; i < count; ++i) wide[i] = cpv(vertices[i].x, vertices[i].y);
-  cpShape* shape = cpPolyShapeNewRaw(nullptr, count, wide, 0);
+  cpShape* shape = count == 1   ? cpCircleShapeNew(body, radius, wide[0])
+                   : count == 2 ? cpSegmentShapeNew(body, wide[0], wide[count - 1], radius)
+                                : cpPolyShapeNewRaw(body, count, wide, radius);
   const double c = rotation.x, s = rotation.y;
   cpShapeUpdate(shape, cpTransformNew(c, s, -s, c, position.x, position.y));
   return shape;
 }
 
 int main() {
-  cpShape* a = make<@a.count@>(@a.vertices{}@, @a.position{}@, @a.rotation{}@);
-  cpShape* b = make<@b.count@>(@b.vertices{}@, @b.position{}@, @b.rotation{}@);
+  cpShape* a = make<@a.count@>(@a.vertices{}@, @a.radius@, @a.position{}@, @a.rotation{}@);
+  cpShape* b = make<@b.count@>(@b.vertices{}@, @b.radius@, @b.position{}@, @b.rotation{}@);
   const cpContactPointSet set = cpShapesCollide(a, b);
   std::printf("%d points, normal (%.17g, %.17g)\n", set.count, set.normal.x, set.normal.y);
   for (int i = 0; i < set.count; ++i) {
@@ -44,32 +48,49 @@ int main() {
 /// How far from parallel, as a sine, a face may be to be the one that the normal was taken from.
 constexpr double kParallel = 1e-9;
 
-/// A polygon of Chipmunk's that frees what it allocates, which it does beyond six vertices.
-class Polygon {
+/// What segments ask for their rotation, of use with tangents alone, which these do not have.
+cpBody* body_of_all() {
+  static cpBody body;
+  static const cpBody* const made = cpBodyInit(&body, 1, 1);
+  static_cast<void>(made);
+  return &body;
+}
+
+/// A shape of Chipmunk's that frees what it allocates, which polygons do beyond six vertices.
+class Shape {
  public:
-  explicit Polygon(const manifuzz_body& body) {
+  explicit Shape(const manifuzz_body& body) {
     std::array<cpVect, MANIFUZZ_VERTICES_MAX> vertices;
     for (int i = 0; i < body.count; ++i) {
       vertices[i] =
           cpv(static_cast<double>(body.vertices[i].x), static_cast<double>(body.vertices[i].y));
     }
-    cpPolyShapeInitRaw(&polygon_, nullptr, body.count, vertices.data(), 0);
+    const auto radius = static_cast<double>(body.radius);
+    if (body.count == 1) {
+      cpCircleShapeInit(&any_.circle, body_of_all(), radius, vertices[0]);
+    } else if (body.count == 2) {
+      cpSegmentShapeInit(&any_.segment, body_of_all(), vertices[0], vertices[1], radius);
+    } else {
+      cpPolyShapeInitRaw(&any_.polygon, body_of_all(), body.count, vertices.data(), radius);
+    }
     const double cos = static_cast<double>(body.rotation.x);
     const double sin = static_cast<double>(body.rotation.y);
     cpShapeUpdate(shape(), cpTransformNew(cos, sin, -sin, cos, static_cast<double>(body.position.x),
                                           static_cast<double>(body.position.y)));
   }
-  ~Polygon() { cpShapeDestroy(shape()); }
-  Polygon& operator=(Polygon&&) = delete;  // neither moved nor copied
+  ~Shape() { cpShapeDestroy(shape()); }
+  Shape& operator=(Shape&&) = delete;  // neither moved nor copied
 
-  cpShape* shape() { return &polygon_.shape; }
+  cpShape* shape() { return &any_.polygon.shape; }
 
-  /// The sine of the angle between `normal` and the nearest of the faces' outward normals.
+  /// The sine of the angle between `normal` and the nearest of the faces' outward normals,
+  /// of a polygon.
   double apart_from(cpVect normal) const {
+    const cpPolyShape& polygon = any_.polygon;
     double least = 2;
-    for (int i = 0; i < polygon_.count; ++i) {
-      const cpVect from = polygon_.planes[i].v0;
-      const cpVect to = polygon_.planes[(i + 1) % polygon_.count].v0;
+    for (int i = 0; i < polygon.count; ++i) {
+      const cpVect from = polygon.planes[i].v0;
+      const cpVect to = polygon.planes[(i + 1) % polygon.count].v0;
       const cpVect outward = cpvnormalize(cpvrperp(cpvsub(to, from)));
       if (cpvdot(outward, normal) > 0) {
         least = std::min(least, std::abs(cpvcross(outward, normal)));
@@ -79,20 +100,38 @@ class Polygon {
   }
 
  private:
-  cpPolyShape polygon_;
+  /// Each begins with what all shapes have.
+  union Any {
+    cpCircleShape circle;
+    cpSegmentShape segment;
+    cpPolyShape polygon;
+  };
+  Any any_;
 };
 
 /// Chipmunk does not say whose face is the reference; its normal, A to B, tells.
-manifuzz_reference reference_of(const Polygon& a, const Polygon& b, cpVect normal) {
+manifuzz_reference reference_of(const Shape& a, const Shape& b, cpVect normal) {
   const double apart_from_a = a.apart_from(normal);
   const double apart_from_b = b.apart_from(cpvneg(normal));
   if (std::min(apart_from_a, apart_from_b) > kParallel) return MANIFUZZ_NO_REFERENCE;
   return apart_from_a <= apart_from_b ? MANIFUZZ_A : MANIFUZZ_B;
 }
 
+bool is_round(const manifuzz_body& body) {
+  return body.count < 3 || body.round != 0;
+}
+
 manifuzz_double2 to_double2(cpVect v) {
   return {v.x, v.y};
 }
+
+/// Circles, segments and polygons with round corners too.
+constexpr manifuzz_claims kClaims = [] {
+  manifuzz_claims claims{};
+  claims.vertices_min = 1;
+  claims.takes_round = 1;
+  return claims;
+}();
 
 }  // namespace
 
@@ -111,18 +150,21 @@ extern const manifuzz_declaration manifuzz_collider = {
     .vertices_max = MANIFUZZ_VERTICES_MAX,
     .takes_radius = 0,
     .snippet = kSnippet,
-    .claims = {},
+    .claims = kClaims,
 };
 
 int manifuzz_collide(const manifuzz_body* body_a, const manifuzz_body* body_b,
                      manifuzz_manifold* manifold) {
-  Polygon a(*body_a);
-  Polygon b(*body_b);
+  Shape a(*body_a);
+  Shape b(*body_b);
   const cpContactPointSet set = cpShapesCollide(a.shape(), b.shape());
   manifold->count = set.count;
   if (set.count == 0) return 0;
   manifold->normal = to_double2(set.normal);
-  const manifuzz_reference reference = reference_of(a, b, set.normal);
+  // Round shapes touch where they are nearest: no face is the reference.
+  const manifuzz_reference reference = is_round(*body_a) || is_round(*body_b)
+                                           ? MANIFUZZ_NO_REFERENCE
+                                           : reference_of(a, b, set.normal);
   manifold->reference = reference;
   for (int i = 0; i < set.count; ++i) {
     // Each point is there twice, on either polygon's edge: the incident edge's is the clip point.

@@ -127,6 +127,7 @@ bool normal_of_rounded_vertices(const Deviation& d) {
 }
 
 bool corner_on_corner(const Deviation& d) {
+  if (is_round(d.right.pair())) return false;
   const bool fits = d.kind == Kind::normal || d.kind == Kind::missed_contact;
   return fits &&
          std::ranges::any_of(differences(d.right.pair()), [&](const Vector2<double>& apart) {
@@ -135,7 +136,7 @@ bool corner_on_corner(const Deviation& d) {
 }
 
 bool collinear_and_apart(const Deviation& d) {
-  if (d.kind != Kind::phantom_contact) return false;
+  if (d.kind != Kind::phantom_contact || is_round(d.right.pair())) return false;
   const auto all = differences(d.right.pair());
   const double bound = 4 * d.right.bounds.separation;  // which the differences are rounded within
   return std::ranges::any_of(all, [&](const Vector2<double>& from) {
@@ -149,6 +150,7 @@ bool collinear_and_apart(const Deviation& d) {
 }
 
 bool neighbours_nearly_parallel(const Deviation& d) {
+  if (is_round(d.right.pair())) return false;
   if (d.kind != Kind::count && d.kind != Kind::position && d.kind != Kind::missed_contact) {
     return false;
   }

@@ -29,13 +29,13 @@ struct LedgerEntry {
   std::string_view description;       ///< one line for `list ledger`
   std::string_view source;            ///< file and function, or issue, where it comes from
   std::span<const Budget> budgets{};  ///< of the regimes in which it fires
-  bool (*explains)(const Deviation& deviation);
+  bool (*explains)(const Deviation& deviation) = nullptr;
 };
 
 /// Every known deviation. An entry is added here, with its witness, and nowhere else.
 std::span<const LedgerEntry> ledger();
 
-inline constexpr std::size_t kLedgerMax = 16;
+inline constexpr std::size_t kLedgerMax = 48;
 
 /// The entry's place in the ledger.
 std::size_t index_of(const LedgerEntry& entry);

@@ -9,43 +9,43 @@ namespace {
 
 using exact::DoubleDouble;
 using exact::FaceOf;
-using exact::Point;
+using Place = exact::Point<DoubleDouble>;
 
 // In pairs of doubles: nothing here is compared more finely than with a bound.
 
-Point<DoubleDouble> unit(const Point<DoubleDouble>& v) {
+Place unit_of(const Place& v) {
   const DoubleDouble length = sqrt(dot(v, v));
   return {v.x / length, v.y / length};
 }
 
-DoubleDouble cross(const Point<DoubleDouble>& p, const Point<DoubleDouble>& q) {
+DoubleDouble cross(const Place& p, const Place& q) {
   return p.x * q.y - p.y * q.x;
 }
 
 /// A normal of A's frame in the world, unit.
-Point<DoubleDouble> in_world(const exact::StoredPair& pair, const Vector2<double>& normal) {
-  return unit(turned(pair.a, exact::widen<DoubleDouble>(normal)));
+Place in_world(const exact::StoredPair& pair, const Vector2<double>& normal) {
+  return unit_of(turned(pair.a, exact::widen<DoubleDouble>(normal)));
 }
 
 /// Whether vertices of the other core are in front of the inside of a face, the nearest of all to
 /// it within `bound`, and farther than `margin` from its ends: world lengths.
 bool is_in_front_of_inside(const exact::StoredPair& pair, FaceOf face, double bound,
                            double margin) {
-  const Point<DoubleDouble> along = unit(exact::direction<DoubleDouble>(pair, face));
-  const Point<DoubleDouble> out{along.y, -along.x};
+  const Place along = unit_of(exact::direction<DoubleDouble>(pair, face));
+  const Place out{along.y, -along.x};
   const auto& polygon = pair[face.side].polygon;
   const auto from = exact::vertex<DoubleDouble>(pair, face.side, face.index);
   const auto to = exact::vertex<DoubleDouble>(pair, face.side, polygon.next(face.index));
   const Side opposing = other(face.side);
-  std::vector<Point<DoubleDouble>> apart;
+  std::vector<Place> apart;
   for (int j = 0; j < pair[opposing].polygon.count; ++j) {
     apart.push_back(exact::vertex<DoubleDouble>(pair, opposing, j) - from);
   }
-  const auto height = [&](const Point<DoubleDouble>& p) { return dot(out, p).high; };
+  const auto height = [&](const Place& p) { return dot(out, p).high; };
   const double least = height(*std::ranges::min_element(apart, {}, height));
   double first = INFINITY;
   double last = -INFINITY;
-  for (const Point<DoubleDouble>& p : apart) {
+  for (const Place& p : apart) {
     if (height(p) > least + bound) continue;
     first = std::min(first, dot(along, p).high);
     last = std::max(last, dot(along, p).high);
@@ -74,7 +74,7 @@ class AlongContact {
   AlongContact(const exact::Truth& truth, const Bounds& bounds, const Vector2<double>& normal)
       : pair_(truth.stored()), bounds_(bounds), normal_(in_world(pair_, normal)) {}
 
-  DoubleDouble place(const Point<DoubleDouble>& p) const { return cross(normal_, p); }
+  DoubleDouble place(const Place& p) const { return cross(normal_, p); }
   DoubleDouble place(const Vector2<double>& local) const {
     return place(turned(pair_.a, exact::widen<DoubleDouble>(local)));
   }
@@ -110,7 +110,7 @@ class AlongContact {
     const int next = pair_[face.side].polygon.next(face.index);
     const auto from = exact::vertex<DoubleDouble>(pair_, face.side, face.index);
     const auto to = exact::vertex<DoubleDouble>(pair_, face.side, next);
-    const double out = dot(unit(exact::outward_from_a<DoubleDouble>(pair_, face)), normal_).high;
+    const double out = dot(unit_of(exact::outward_from_a<DoubleDouble>(pair_, face)), normal_).high;
     const SeenEdge edge{place(from), place(to), dot(normal_, from), dot(normal_, to), out};
     if ((edge.high - edge.low).high >= 0) return edge;
     return {edge.high, edge.low, edge.height_at_high, edge.height_at_low, out};
@@ -118,7 +118,7 @@ class AlongContact {
 
   const exact::StoredPair& pair_;
   const Bounds& bounds_;
-  Point<DoubleDouble> normal_;
+  Place normal_;
 };
 
 /// What the clip of two edges keeps besides the deepest point.
@@ -165,16 +165,16 @@ NearestNormal::NearestNormal(const exact::Truth& truth, const exact::Penetration
   if (const auto vertices = curve.nearest_vertices()) {
     const auto between = exact::vertex<DoubleDouble>(pair, Side::b, (*vertices)[1]) -
                          exact::vertex<DoubleDouble>(pair, Side::a, (*vertices)[0]);
-    if (distance_ > bound_of_separation_) direction_ = unit(between);
+    if (distance_ > bound_of_separation_) direction_ = unit_of(between);
     return;
   }
-  direction_ = unit(exact::outward_from_a<DoubleDouble>(pair, curve.face()));
+  direction_ = unit_of(exact::outward_from_a<DoubleDouble>(pair, curve.face()));
   is_inside_face_ =
       is_in_front_of_inside(pair, curve.face(), bound_of_separation_, bound_of_separation_);
 }
 
 double NearestNormal::error(const Vector2<double>& normal) const {
-  const Point<DoubleDouble> off = in_world(truth_->stored(), normal) - direction_;
+  const Place off = in_world(truth_->stored(), normal) - direction_;
   return std::sqrt(dot(off, off).high);
 }
 

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
 #include "corpus/corpus.hpp"
@@ -23,10 +25,38 @@ void check_alive(const LedgerEntry& entry) {
   CHECK(judgement.explanation->id == entry.id);
 }
 
+/// The witness of an entry of round shapes, and what becomes of other wrong answers to it.
+void check_strict(const LedgerEntry& entry) {
+  const auto oracle = test::installed_collider(entry.collider);
+  if (!oracle) return;
+  const auto path = test::source_dir() / "corpus" / witness_of(entry);
+  const PairCase pair = read_case_file(path.string()).pair;
+  if (!is_round(pair)) return;
+  const Admissible right = admissible(pair, oracle->declaration);
+  const auto explains = [&](const Manifold<double>& answer, Kind kind) {
+    return entry.explains({right, answer, kind});
+  };
+  const Answer of_oracle = oracle->collide(pair);
+  const Answer of_subject = find_collider("clip").collide(pair);
+  const Manifold<double>& got = *manifold_in(of_oracle);
+  const Manifold<double>& wanted = *manifold_in(of_subject);
+  CHECK(explains(got, got.count == 0 ? Kind::missed_contact : Kind::inconsistent));
+  for (const double angle : {-0.4, 0.4}) {
+    Manifold<double> turned = wanted;
+    turned.normal = rotate<double>({std::cos(angle), std::sin(angle)}, wanted.normal);
+    CHECK_FALSE(explains(turned, Kind::not_minimal));
+  }
+  Manifold<double> deeper = got;
+  for (ContactPoint<double>& point : deeper.points) point.depth += total_radius(pair);
+  if (deeper.count > 0) CHECK_FALSE(explains(deeper, Kind::inconsistent));
+}
+
 [[maybe_unused]] const bool registered = [] {
   for (const LedgerEntry& entry : ledger()) {
     test::add_test("the witness of " + std::string(entry.id) + " still shows it", "[ledger]",
                    [&entry] { check_alive(entry); });
+    test::add_test(std::string(entry.id) + " explains no other wrong answer to its witness",
+                   "[ledger]", [&entry] { check_strict(entry); });
   }
   return true;
 }();

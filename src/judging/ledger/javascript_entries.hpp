@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+
+#include "judging/ledger/round_deviations.hpp"
+
+namespace manifuzz::ledger_of {
+
+// planck and phaser-box2d. Budgets are twice what 10,000,000 cases against clip64 showed,
+// rounded up.
+inline constexpr Budget kOfPlanckNoContactUnderBias[] = {{"generic", 70},
+                                                         {"boxes", 20},
+                                                         {"regular", 130},
+                                                         {"sliver", 5700},
+                                                         {"near_parallel", 20},
+                                                         {"tied_faces", 30},
+                                                         {"micro_edge", 12000},
+                                                         {"near_collinear", 280},
+                                                         {"corner_corner", 12000},
+                                                         {"corner_face", 20},
+                                                         {"touching", 1400},
+                                                         {"deep", 40},
+                                                         {"tie_bias", 63000},
+                                                         {"far_from_origin", 2700},
+                                                         {"scaled", 20000},
+                                                         {"off_unit", 2600},
+                                                         {"ulp", 7600}};
+inline constexpr Budget kOfPlanckNoContactOnTiedFeatures[] = {{"near_collinear", 9100},
+                                                              {"ulp", 500}};
+inline constexpr Budget kOfPlanckNormalOfScaledVertices[] = {
+    {"generic", 20},        {"sliver", 2200},      {"near_parallel", 340},
+    {"tied_faces", 260},    {"micro_edge", 69000}, {"near_collinear", 2800},
+    {"corner_corner", 150}, {"corner_face", 70},   {"touching", 110},
+    {"deep", 10},           {"tie_bias", 920},     {"far_from_origin", 190},
+    {"scaled", 260},        {"off_unit", 120},     {"ulp", 4400}};
+inline constexpr Budget kOfPhaserEdgeExtendedToSlab[] = {
+    {"sliver", 590},   {"micro_edge", 80}, {"near_collinear", 18000}, {"corner_corner", 690},
+    {"touching", 470}, {"tie_bias", 500},  {"far_from_origin", 100},  {"scaled", 200},
+    {"off_unit", 220}, {"ulp", 1200}};
+inline constexpr Budget kOfPhaserNoContactOnTiedFeatures[] = {{"near_collinear", 510}, {"ulp", 20}};
+
+/// The entries, the first that explains before others.
+inline constexpr std::array kOfJavaScript{
+    LedgerEntry{.id = "planck-no-contact-under-bias",
+                .collider = "planck",
+                .description =
+                    "no contact for overlapping polygons: the bias keeps A's shallower face, whose "
+                    "side planes the incident edge misses",
+                .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
+                          "k_tol = 0.1 * Settings.linearSlop, then `if (np1 < 2) return`",
+                .budgets = kOfPlanckNoContactUnderBias,
+                .explains = no_contact_under_bias},
+    LedgerEntry{.id = "planck-no-contact-on-tied-features",
+                .collider = "planck",
+                .description =
+                    "no contact for overlapping polygons: faces or edges tie in double, the wrong "
+                    "one is kept, and its slab misses the deepest vertex",
+                .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, findMaxSeparation "
+                          "and findIncidentEdge: first of equals",
+                .budgets = kOfPlanckNoContactOnTiedFeatures,
+                .explains = no_contact_on_tied_features},
+    LedgerEntry{.id = "planck-normal-of-scaled-vertices",
+                .collider = "planck",
+                .description = "a normal off by the roundoff of vertices over the face's length: "
+                               "planck takes it from them, and they hold what (cos, sin) lacks of "
+                               "unit length, since planck takes a transpose for the inverse",
+                .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
+                          "localNormal of v12 - v11; scripts/colliders/protocol.mjs, readBody",
+                .budgets = kOfPlanckNormalOfScaledVertices,
+                .explains = normal_of_rounded_vertices},
+    LedgerEntry{.id = "phaser-box2d-edge-extended-to-slab",
+                .collider = "phaser-box2d",
+                .description =
+                    "a point off the polygon, or contact across a gap: an incident edge that "
+                    "misses the reference face's slab is prolonged to it",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2ClipPolygons: b2Lerp(v22, v21, "
+                          "(lower1 - lower2) / (upper2 - lower2)) with a fraction outside [0, 1]",
+                .budgets = kOfPhaserEdgeExtendedToSlab,
+                .explains = edge_extended_to_slab},
+    LedgerEntry{
+        .id = "phaser-box2d-no-contact-on-tied-features",
+        .collider = "phaser-box2d",
+        .description = "no contact for overlapping polygons: faces or edges tie in double, the "
+                       "wrong one is kept, and its slab misses the deepest vertex",
+        .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: `dot < minDot`, first "
+                  "of equals",
+        .budgets = kOfPhaserNoContactOnTiedFeatures,
+        .explains = no_contact_on_tied_features},
+    LedgerEntry{.id = "phaser-box2d-tiny-edge-unclipped",
+                .collider = "phaser-box2d",
+                .description = "a point beyond the side plane: an incident edge shorter than 1e-10 "
+                               "along the reference face is not clipped",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2ClipPolygons: "
+                          "`upper2 - lower2 > eps`; src/include/math_functions_h.js: eps = 1.0e-10",
+                .explains = incident_edge_unclipped},
+};
+
+}  // namespace manifuzz::ledger_of

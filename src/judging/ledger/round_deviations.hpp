@@ -1,0 +1,44 @@
+#pragma once
+
+#include "judging/compare.hpp"
+
+namespace manifuzz {
+
+// What the ledger's entries on round shapes look for: each recomputes what the named fault makes of
+// the case, in double, and holds the answer against that within the collider's bounds.
+
+/// An edge against a polygon, clipped between the very ends of the reference face: the deepest
+/// vertex lies beyond them, within the radii, and is cut off.
+bool edge_slab_not_widened(const Deviation& deviation);
+/// An edge against a polygon: the edge's own face is kept though one of the polygon's has a greater
+/// separation, by no more than 2 % of the edge's depth and 0.001.
+bool edge_face_kept_by_hysteresis(const Deviation& deviation);
+/// A circle whose centre is nearer than epsilon to the end of an edge: the normal is the world's x
+/// axis, towards the circle, wherever the edge lies.
+bool axis_for_coincident_points(const Deviation& deviation);
+/// A circle whose centre lies on an edge's end or a polygon's corner: the normal is the direction
+/// between both as floats have them, which is that of their roundings.
+bool direction_of_roundings(const Deviation& deviation);
+/// A circle whose centre is nearer than epsilon to a polygon's corner: the normal is as short as
+/// their distance, since b2Vec2::Normalize leaves it so, and the depth is taken along it.
+bool corner_direction_not_normalised(const Deviation& deviation);
+
+/// cpShapesCollide put the shapes into its own order: distances have the wrong sign, so that
+/// depths are lost; all else is right.
+bool sign_of_swapped_distance(const Deviation& deviation);
+/// A circle against a polygon, whose radius is taken from the depth instead of being added.
+bool sign_of_polygon_radius(const Deviation& deviation);
+/// A circle against a segment: the normal is the direction to the place on it that is nearest as
+/// doubles have it, however short.
+bool direction_to_place_on_segment(const Deviation& deviation);
+/// A corner of one core lies on one of the other's: the normal is across a chord of their
+/// difference that ends there.
+bool normal_across_corner_on_corner(const Deviation& deviation);
+/// The normal is across a chord of the cores' difference on whose line, but beyond it, the origin
+/// lies.
+bool normal_across_collinear(const Deviation& deviation);
+/// The depth of an end was found by a division by its edge's run along the tangent, which is short:
+/// it is off by that much more, or the wrong end was taken of an edge along the normal.
+bool depth_by_crossing(const Deviation& deviation);
+
+}  // namespace manifuzz
