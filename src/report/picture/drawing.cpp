@@ -32,6 +32,11 @@ std::string number(double pixels) {
   return text == "-0" ? "0" : text;
 }
 
+/// A place as paths have it.
+std::string at(const Point& p) {
+  return number(p.x()) + ' ' + number(p.y());
+}
+
 /// The bits of a cell's dots, by row and column.
 constexpr unsigned kBits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
 
@@ -96,6 +101,32 @@ void Svg::polygon(const Region& region, std::string_view css) {
     points += (points.empty() ? "" : " ") + number(point.x()) + ',' + number(point.y());
   }
   add("polygon", css, {}).append_attribute("points") = points.c_str();
+}
+
+void Svg::add_path(const std::string& steps, std::string_view css) {
+  if (!steps.empty()) add("path", css, {}).append_attribute("d") = steps.c_str();
+}
+
+void Svg::rim(const Rim& rim, std::string_view css) {
+  std::string steps;
+  for (const RimCorner& corner : rim) {
+    steps += (steps.empty() ? 'M' : 'L') + at(corner.begin());
+    if (corner.radius <= 0) continue;
+    const std::string radius = number(corner.radius);
+    steps += 'A' + radius + ' ' + radius + " 0 0 0 " + at(corner.end());
+  }
+  add_path(steps + 'Z', css);
+}
+
+void Svg::path(const std::vector<Segment>& segments, std::string_view css) {
+  std::string steps;
+  std::string end;
+  for (const Segment& segment : segments) {
+    if (const std::string begin = at(segment.first); begin != end) steps += 'M' + begin;
+    end = at(segment.second);
+    steps += 'L' + end;
+  }
+  add_path(steps, css);
 }
 
 void Svg::line(const Segment& segment, std::string_view css) {
