@@ -31,7 +31,6 @@ struct Drawing {
 
   bool sees(const Point& on_canvas) const { return view.frame.contains(on_canvas); }
   const Region& shape(Side side) const { return shapes[static_cast<std::size_t>(side)]; }
-  bool has_arcs(Side side) const { return scene.rim(side).front().radius > 0; }
   void take(const Point& at, double about) { taken.push_back(Box{at.x(), at.y()}.grown(about)); }
 };
 
@@ -87,36 +86,15 @@ bool write(Drawing& drawing, const Label& label, bool may_move) {
   return true;
 }
 
-/// A shape with its radius: with true arcs where all of it is seen.
-void fill_shape(const Drawing& drawing, Side side) {
-  const Rim rim = drawing.view.place(drawing.scene.rim(side));
-  const std::string style = css("fill", side);
-  if (drawing.has_arcs(side) && drawing.view.frame.contains(box_around_rim(rim))) {
-    return drawing.svg.rim(rim, style);
-  }
-  fill(drawing, drawing.shape(side), style);
-}
-
-void draw_skin(const Drawing& drawing, Side side) {
-  const Rim rim = drawing.view.place(drawing.scene.rim(side));
-  const Box& frame = drawing.view.frame;
-  if (frame.contains(box_around_rim(rim))) return drawing.svg.rim(rim, css("skin", side));
-  const Region skin = drawing.view.place(drawing.shape(side));
-  std::vector<Segment> seen;
-  for (std::size_t i = 0; i < skin.size(); ++i) {
-    const auto edge = inside({skin[i], skin[(i + 1) % skin.size()]}, frame);
-    if (edge) seen.push_back(*edge);
-  }
-  drawing.svg.path(seen, css("skin", side));
-}
-
 void draw_edges(const Drawing& drawing, Side side) {
   const auto& polygon = drawing.scene.polygons[side];
   for (int i = 0; i < polygon.face_count(); ++i) {
     const Segment edge{polygon.vertices[i], polygon.vertices[polygon.next(i)]};
     stroke(drawing, drawing.view.place(edge), css("edge", side));
   }
-  if (drawing.scene.radius(side) > 0) draw_skin(drawing, side);
+  if (drawing.scene.radius(side) <= 0) return;
+  draw_rim(drawing.svg, drawing.view, drawing.scene.rim(side), drawing.shape(side),
+           css("skin", side));
 }
 
 /// A side plane is a line; as much of it as the frame shows.
@@ -137,7 +115,10 @@ void draw_side_planes(const Drawing& drawing) {
 /// Polygons, their overlap, reference and incident with the side planes.
 void draw_shapes(const Drawing& drawing) {
   const Scene& scene = drawing.scene;
-  for (const Side side : kSides) fill_shape(drawing, side);
+  for (const Side side : kSides) {
+    fill_rim(drawing.svg, drawing.view, drawing.scene.rim(side), drawing.shape(side),
+             css("fill", side));
+  }
   fill(drawing, intersection(drawing.shapes[0], drawing.shapes[1]), "overlap");
   if (scene.incident) draw_side_planes(drawing);
   for (const Side side : kSides) draw_edges(drawing, side);

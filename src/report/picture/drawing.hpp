@@ -228,6 +228,11 @@ struct View {
 /// else the smallest. They fill a box of this width from (x, y) down; how high it is they decide.
 std::vector<View> choose_views(const Scene& scene, double x, double y, double width);
 
+/// A shape with its radius, filled or as a line: with true arcs where the view shows all of it,
+/// else what it shows of `seen`, the shape with short edges for arcs.
+void fill_rim(Svg& svg, const View& view, const Rim& rim, const Region& seen, std::string_view css);
+void draw_rim(Svg& svg, const View& view, const Rim& rim, const Region& seen, std::string_view css);
+
 /// Everything of the scene that the view shows. `names` are the subject's and the oracle's.
 void draw_view(Svg& svg, const Scene& scene, const View& view,
                const std::array<std::string, 2>& names);

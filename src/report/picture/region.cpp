@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "generating/drafts.hpp"
+
 namespace manifuzz {
 namespace {
 

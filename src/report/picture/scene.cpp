@@ -4,6 +4,7 @@
 
 #include "oracle/exact/curve.hpp"
 #include "report/picture/drawing.hpp"
+#include "report/round_truth.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -79,6 +80,12 @@ void show_nearest(Scene& scene, const PairCase& pair, const exact::Truth& truth)
   const Point deepest = vertices ? scene.polygons.b.vertices[(*vertices)[1]]
                                  : farthest_against(scene.polygons[other(side)], scene.outward);
   scene.deepest = bar_at(scene, deepest, curve.least(), side, scene.outward);
+}
+
+void add_right(Scene& scene, const PairCase& pair, const Manifold<double>& manifold) {
+  for (int i = 0; i < manifold.count; ++i) {
+    scene.right.push_back(seen_from_a(pair, manifold.points[i].position));
+  }
 }
 
 void add_points(Scene& scene, const PairCase& pair, const DeclaredAnswer& asked, bool is_subject) {
@@ -200,6 +207,8 @@ Scene make_scene(const PairCase& pair, std::span<const DeclaredAnswer> answers) 
   scene.rounding = admitted.bounds.separation;
   if (scene.is_round) {
     show_nearest(scene, pair, truth);
+    const auto manifolds = manifolds_to_show(admitted, answers[0].declaration);
+    if (!manifolds.empty()) add_right(scene, pair, manifolds.back());
   } else {
     const auto [side, face] = candidate ? candidate->reference : truth.greatest();
     scene.reference = placed_face(scene.polygons, side, face);
@@ -209,10 +218,7 @@ Scene make_scene(const PairCase& pair, std::span<const DeclaredAnswer> answers) 
   if (candidate) {
     scene.incident =
         placed_face(scene.polygons, other(candidate->reference.side), candidate->incident);
-    const Manifold<double> manifold = true_manifold(*candidate);
-    for (int i = 0; i < manifold.count; ++i) {
-      scene.right.push_back(seen_from_a(pair, manifold.points[i].position));
-    }
+    add_right(scene, pair, true_manifold(*candidate));
   }
   for (std::size_t i = 0; i < answers.size(); ++i) add_points(scene, pair, answers[i], i == 0);
   return scene;
