@@ -80,6 +80,7 @@ Complexity complexity(const PairCase& pair) {
     result.vertices += body.polygon.count;
     if (!body.pose.position.isZero(0)) ++result.placements;
     if (body.polygon.radius != 0) ++result.placements;
+    if (body.polygon.count >= kMinVertices && body.polygon.is_round()) ++result.placements;
     if (body.pose.rotation == Vector2<float>(1, 0)) continue;
     ++result.placements;
     if (body.pose.rotation.x() < 0) result.size += 1;
@@ -95,7 +96,9 @@ namespace {
 
 /// All that tells two cases apart.
 std::vector<float> numbers_of(PairCase pair) {
-  std::vector<float> numbers{static_cast<float>(pair.a.polygon.count)};
+  std::vector<float> numbers{static_cast<float>(pair.a.polygon.count),
+                             pair.a.polygon.is_round() ? 1.0F : 0.0F,
+                             pair.b.polygon.is_round() ? 1.0F : 0.0F};
   for (const float* number : free_numbers(pair)) numbers.push_back(*number);
   for (const Body* body : {&pair.a, &pair.b}) {
     numbers.insert(numbers.end(), body->pose.rotation.begin(), body->pose.rotation.end());

@@ -13,10 +13,11 @@ namespace manifuzz {
 
 /// How hard a case is to read, the weightiest first: the order of shrinking.
 struct Complexity {
-  int vertices = 0;    ///< of both polygons
-  int placements = 0;  ///< positions, rotations and radii that are not zero or the identity
-  int digits = 0;      ///< significant decimal digits of all numbers, 0 has none
-  double size = 0;     ///< sum of max(|x|, 1/|x|): large numbers and tiny ones are hard to read
+  int vertices = 0;  ///< of both polygons
+  int placements =
+      0;            ///< positions, rotations and radii that are not zero, polygons' round corners
+  int digits = 0;   ///< significant decimal digits of all numbers, 0 has none
+  double size = 0;  ///< sum of max(|x|, 1/|x|): large numbers and tiny ones are hard to read
   /// |x| and its sign of every number in turn, so that of symmetric images one is the simplest.
   std::vector<std::pair<float, bool>> numbers;
 
@@ -35,8 +36,8 @@ float rounded_to_digits(float value, int digits);
 float nearer_to_zero(float value);
 
 /// Every simpler case next to this one, the boldest first: the plainest cases there are, then
-/// without a vertex, with identity poses, with fewer digits, with smaller numbers, and the
-/// symmetric image that is simplest. All valid, all of less `complexity`. Lazy.
+/// without a vertex, with identity poses and mitred corners, with fewer digits, with smaller
+/// numbers, and the symmetric image that is simplest. All valid, all of less `complexity`. Lazy.
 rc::Seq<PairCase> simpler_cases(const PairCase& pair);
 
 /// The case with 0 in place of -0: as simple cases have it.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "corpus/plain_cases.hpp"
 #include "corpus/shrink.hpp"
 #include "generating/drafts.hpp"
 
@@ -26,15 +27,33 @@ void remove_vertex(ConvexPolygon<float>& polygon, int vertex) {
   --polygon.count;
 }
 
+/// Of round pairs down to capsules, segments and circles.
 Cases without_a_vertex(const PairCase& pair) {
   const int count_a = pair.a.polygon.count;
   return each(count_a + pair.b.polygon.count, [pair, count_a](int i) -> MaybeCase {
     PairCase smaller = pair;
     const Side side = i < count_a ? Side::a : Side::b;
-    const int least = smaller[side].polygon.is_round() ? 1 : kMinVertices;
+    const int least = is_round(pair) ? 1 : kMinVertices;
     if (smaller[side].polygon.count == least) return std::nullopt;
     remove_vertex(smaller[side].polygon, side == Side::a ? i : i - count_a);
     return smaller;
+  });
+}
+
+/// In round pairs a shape of a plainer kind: one of its faces as a segment or a capsule, or one of
+/// its vertices as a circle, of radius 1 where it has none.
+Cases of_a_plainer_kind(const PairCase& pair) {
+  const int kinds = is_round(pair) ? 2 : 0;
+  return each(2 * kinds * kMaxVertices, [pair](int i) -> MaybeCase {
+    PairCase plainer = pair;
+    ConvexPolygon<float>& shape = plainer[i % 2 == 0 ? Side::a : Side::b].polygon;
+    const int count = 1 + i / (2 * kMaxVertices);
+    const int vertex = i / 2 % kMaxVertices;
+    if (vertex >= shape.count || count >= shape.count) return std::nullopt;
+    shape.vertices = {shape.vertices[vertex], shape.vertices[shape.next(vertex)]};
+    shape.count = count;
+    if (count == 1 && shape.radius == 0) shape.radius = 1;
+    return plainer;
   });
 }
 
@@ -74,6 +93,8 @@ Cases with_plainer_poses(const PairCase& pair) {
     work_pose_into_vertices(changed(), pair[side].pose.position);
     changed().pose.position = {0, 0};
     changed().polygon.radius = 0;
+    changed().polygon.radius = 1;
+    changed().polygon.rounding = Rounding::mitre;
     for (const auto& rotation : kPlainRotations)
       changed().pose.rotation = {rotation[0], rotation[1]};
   }
@@ -138,74 +159,10 @@ Cases symmetric_images(const PairCase& pair) {
   return rc::seq::fromContainer(std::move(images));
 }
 
-using Corners = std::vector<Vector2<float>>;
-
-/// Every triangle with corners on the grid {-1, 0, 1, 2}^2 and no wider or higher than 2.
-std::vector<Corners> plain_triangles() {
-  constexpr int side = 4;
-  constexpr int points = side * side;
-  const auto at = [](int i) {
-    const Vector2<int> place(i % side - 1, i / side - 1);
-    return Vector2<float>(place.cast<float>());
-  };
-  const auto fits = [](const Vector2<float>& edge) { return edge.cwiseAbs().maxCoeff() <= 2; };
-  std::vector<Corners> triangles;
-  for (int i = 0; i < points; ++i) {
-    for (int j = i + 1; j < points; ++j) {
-      for (int k = i + 1; k < points; ++k) {
-        const Corners corners{at(i), at(j), at(k)};
-        const bool small = fits(corners[1] - corners[0]) && fits(corners[2] - corners[1]) &&
-                           fits(corners[0] - corners[2]);
-        if (small && !find_defect(corners)) triangles.push_back(corners);
-      }
-    }
-  }
-  return triangles;
-}
-
-/// The unit triangle against each of those and each against it, with these radii.
-void add_plain_cases(float radius_a, float radius_b, std::vector<PairCase>& made) {
-  const auto unit = make_polygon<float>(Corners{{0, 0}, {1, 0}, {0, 1}});
-  for (const Corners& corners : plain_triangles()) {
-    const auto other = make_polygon<float>(corners);
-    for (const bool is_first : {true, false}) {
-      PairCase pair{{is_first ? unit : other, {}}, {is_first ? other : unit, {}}};
-      pair.a.polygon.radius = radius_a;
-      pair.b.polygon.radius = radius_b;
-      made.push_back(pair);
-    }
-  }
-}
-
-std::vector<PairCase> sorted(std::vector<PairCase> cases) {
-  std::ranges::stable_sort(
-      cases, [](const PairCase& p, const PairCase& q) { return complexity(p) < complexity(q); });
-  return cases;
-}
-
-/// Those, the simplest first, and where a case has radii, those with some too: what fails in any
-/// such case has one normal form, wherever it was found.
-const std::vector<PairCase>& plain_cases(bool has_radii) {
-  static const std::vector<PairCase> without_radii = [] {
-    std::vector<PairCase> made;
-    add_plain_cases(0, 0, made);
-    return sorted(made);
-  }();
-  static const std::vector<PairCase> with_radii = [] {
-    std::vector<PairCase> made = without_radii;
-    for (const auto& [radius_a, radius_b] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1)}) {
-      add_plain_cases(static_cast<float>(radius_a), static_cast<float>(radius_b), made);
-    }
-    return sorted(made);
-  }();
-  return has_radii ? with_radii : without_radii;
-}
-
 Cases plainest(const PairCase& pair) {
-  const bool has_radii = total_radius(pair) > 0;
-  return each(static_cast<int>(plain_cases(has_radii).size()), [has_radii](int i) -> MaybeCase {
-    return plain_cases(has_radii)[static_cast<std::size_t>(i)];
-  });
+  const std::vector<PairCase>& plain = plain_cases(pair);
+  return each(static_cast<int>(plain.size()),
+              [&plain](int i) -> MaybeCase { return plain[static_cast<std::size_t>(i)]; });
 }
 
 constexpr int kDigitsMax = 8;
@@ -275,10 +232,10 @@ PairCase without_negative_zeros(PairCase pair) {
 
 rc::Seq<PairCase> simpler_cases(const PairCase& pair) {
   const Complexity limit = complexity(pair);
-  Cases proposals =
-      rc::seq::concat(plainest(pair), without_a_vertex(pair), with_plainer_poses(pair),
-                      with_fewer_digits(pair), with_a_vertex_at_zero(pair), with_plainer_size(pair),
-                      with_one_number_simpler(pair), symmetric_images(pair));
+  Cases proposals = rc::seq::concat(plainest(pair), of_a_plainer_kind(pair), without_a_vertex(pair),
+                                    with_plainer_poses(pair), with_fewer_digits(pair),
+                                    with_a_vertex_at_zero(pair), with_plainer_size(pair),
+                                    with_one_number_simpler(pair), symmetric_images(pair));
   return rc::seq::mapMaybe(std::move(proposals), [limit](const PairCase& proposal) {
     const MaybeCase valid = revalidated(without_negative_zeros(proposal));
     return valid && complexity(*valid) < limit ? rc::Maybe<PairCase>(*valid)

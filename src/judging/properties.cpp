@@ -7,6 +7,8 @@
 
 #include "generating/drafts.hpp"
 #include "judging/compare.hpp"
+#include "judging/judge.hpp"
+#include "judging/round_answer.hpp"
 
 namespace manifuzz {
 namespace {
@@ -19,6 +21,10 @@ bool is_explained(const Collider& collider, const PairCase& pair) {
   const Answer answer = ask(collider, pair);
   const auto* got = std::get_if<Manifold<double>>(&answer);
   if (got == nullptr) return false;
+  if (is_round(pair)) {
+    const ColliderAnswer given{collider.declaration, answer};
+    return judge(pair, given, given).explanation != nullptr;
+  }
   const Admissible right = admissible(pair, collider.declaration);
   const Kind kind = mismatch(*got, right).kind;
   return kind != Kind::none &&
@@ -32,7 +38,6 @@ std::span<const Property> properties() {
 }
 
 Outcome check(const Property& property, const Collider& collider, const PairCase& pair) {
-  if (is_round(pair)) return not_applicable();
   if (is_ill_posed(size(pair), bounds(pair, collider.declaration))) return not_applicable();
   AskedCollider ask(collider);
   Outcome outcome = property.holds(ask, pair);
@@ -134,6 +139,7 @@ Manifold<double> swapped_back(const PairCase& pair, Manifold<double> manifold) {
 template <class Back>
 Outcome compare_moved(AskedCollider& ask, const PairCase& pair, const PairCase& moved,
                       Features features, Back back) {
+  if (is_round(pair)) return same_round_contact(ask, pair, moved, back);
   const auto right = decided(pair, ask.declaration());
   const auto right_moved = decided(moved, ask.declaration());
   if (!right || !right_moved) return not_applicable();

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "judging/judge.hpp"
-#include "judging/properties.hpp"
+#include "judging/round_answer.hpp"
 
 namespace manifuzz {
 namespace {
@@ -157,6 +157,7 @@ DoubleDouble true_overlap(const PairCase& pair, const exact::Truth& truth) {
 }  // namespace
 
 Outcome points_lie_where_they_say(AskedCollider& ask, const PairCase& pair) {
+  if (is_round(pair)) return not_applicable();  // those are in no slab, and on surfaces
   const auto manifold = ask.manifold(pair);
   if (!manifold || manifold->count == 0) return not_applicable();
   const Bounds within = bounds(pair, ask.declaration());
@@ -194,6 +195,7 @@ std::optional<Unbiased> ask_without_bias(const Collider& collider, const PairCas
 }
 
 Outcome depth_is_the_overlap(AskedCollider& ask, const PairCase& pair) {
+  if (is_round(pair)) return round_depth_is_least(ask, pair);
   const auto unbiased = ask_without_bias(ask.collider(), pair);
   if (!unbiased) return not_applicable();
   const auto& [declaration, right, manifold] = *unbiased;
@@ -203,6 +205,7 @@ Outcome depth_is_the_overlap(AskedCollider& ask, const PairCase& pair) {
 }
 
 Outcome depth_moves_apart(AskedCollider& ask, const PairCase& pair) {
+  if (is_round(pair)) return round_depth_moves_apart(ask, pair);
   const auto unbiased = ask_without_bias(ask.collider(), pair);
   if (!unbiased || unbiased->manifold.count == 0) return not_applicable();
   const auto& [declaration, right, manifold] = *unbiased;
@@ -237,6 +240,7 @@ Outcome float_and_double_agree(AskedCollider& ask, const PairCase& pair) {
 }
 
 Outcome overlap_is_never_empty(AskedCollider& ask, const PairCase& pair) {
+  if (is_round(pair)) return round_overlap_is_never_empty(ask, pair);
   const Admissible right = admissible(pair, ask.declaration());
   if (!right.must_touch) return not_applicable();
   const auto manifold = ask.manifold(pair);
@@ -246,6 +250,7 @@ Outcome overlap_is_never_empty(AskedCollider& ask, const PairCase& pair) {
 }
 
 Outcome manifold_is_admissible(AskedCollider& ask, const PairCase& pair) {
+  if (is_round(pair)) return round_manifold_is_admissible(ask, pair);
   const auto manifold = ask.manifold(pair);
   if (!manifold) return not_applicable();
   const Mismatch found = mismatch(*manifold, admissible(pair, ask.declaration()));

@@ -10,6 +10,7 @@
 #include "judging/used_shapes.hpp"
 #include "oracle/exact/curve.hpp"
 #include "report/outputs.hpp"
+#include "report/round_truth.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -99,7 +100,7 @@ Vector2<double> world_vertex(const Body& body, int i) {
 }
 
 void write_body(std::string& text, const Body& body, char name) {
-  text += fmt::format("{}\n", name);
+  text += fmt::format("{}: {}\n", name, shape_in_words(body.polygon));
   row(text, "radius", digits(body.polygon.radius));
   row(text, "position", digits(body.pose.position));
   row(text, "rotation", digits(body.pose.rotation) + "  (cos, sin)");
@@ -163,8 +164,22 @@ std::string edge(const Body& body, int face) {
                      digits(world_vertex(body, body.polygon.next(face))));
 }
 
+void write_round_contact(std::string& text, const Admissible& right,
+                         const Declaration& declaration) {
+  const std::vector<Manifold<double>> manifolds = manifolds_to_show(right, declaration);
+  text += fmt::format("right contact        one of {} for {}, within the bounds\n",
+                      manifolds.size(), declaration.name);
+  if (manifolds.empty() || manifolds.back().count == 0) return row(text, "", "no contact");
+  const Manifold<double>& touching = manifolds.back();
+  row(text, "normal",
+      fmt::format("world {}, local {}", digits(world_normal(right.pair(), touching.normal)),
+                  digits(touching.normal)));
+  write_points(text, right.pair(), touching, touching.count);
+}
+
 void write_candidate(std::string& text, const PairCase& pair, const DeclaredAnswer& subject) {
   const Admissible right = admissible(pair, subject.declaration);
+  if (is_round(pair)) return write_round_contact(text, right, subject.declaration);
   text += fmt::format("right manifold       one of {} for {}\n", right.candidates.size(),
                       subject.declaration.name);
   const exact::Clip* const candidate = candidate_to_show(right, subject);

@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "exchange/json.hpp"
+#include "report/round_truth.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -45,8 +46,13 @@ void fill_in(std::string& text, const std::string& name, const Body& body) {
 std::string manifold_in_words(const PairCase& pair, const Manifold<double>& manifold) {
   if (manifold.count == 0) return "no contact\n";
   const Vector2<double> normal = world_normal(pair, manifold.normal);
-  std::string text = fmt::format("normal ({}, {}), from A to B, a face of {}\n", normal.x() + 0.0,
-                                 normal.y() + 0.0, manifold.reference == Side::a ? 'A' : 'B');
+  std::string text =
+      fmt::format("normal ({}, {}), from A to B", normal.x() + 0.0, normal.y() + 0.0);
+  // A round shape's may be from vertex to vertex.
+  if (!is_round(pair)) {
+    text += fmt::format(", a face of {}", manifold.reference == Side::a ? 'A' : 'B');
+  }
+  text += '\n';
   for (int i = 0; i < manifold.count; ++i) {
     const Vector2<double> at = to_world(pair, manifold.points[i].position);
     text += fmt::format("point ({}, {}), depth {}\n", at.x() + 0.0, at.y() + 0.0,
@@ -57,8 +63,10 @@ std::string manifold_in_words(const PairCase& pair, const Manifold<double>& mani
 
 void append_body(std::string& out, char name, const Body& body) {
   constexpr std::string_view round = "()";
-  out += fmt::format("{}: vertices {}, radius {}, position {}, (cos, sin) {}\n", name,
+  const bool has_round_corners = body.polygon.count >= kMinVertices && body.polygon.is_round();
+  out += fmt::format("{}: vertices {}, radius {}{}, position {}, (cos, sin) {}\n", name,
                      text_of(body.polygon.corners(), round), body.polygon.radius,
+                     has_round_corners ? " with round corners" : "",
                      text_of(body.pose.position, round), text_of(body.pose.rotation, round));
 }
 
@@ -94,12 +102,16 @@ std::string upstream_report(const JudgedCase& judged, const std::string& options
   std::string bodies;
   append_body(bodies, 'A', pair.a);
   append_body(bodies, 'B', pair.b);
-  text += "Two convex polygons, numbers as 32-bit floats:\n\n" + code_block(bodies, "");
+  text += fmt::format("{}, numbers as 32-bit floats:\n\n",
+                      is_round(pair) ? "Two convex shapes, one vertex a circle's center"
+                                     : "Two convex polygons") +
+          code_block(bodies, "");
   std::string got = answer_in_words(asked) + '\n';
   if (asked.manifold() != nullptr) got = manifold_in_words(pair, *asked.manifold());
   text += "\n## Got\n\n" + code_block(got, "") + "\n## Expected, in exact arithmetic\n\n";
   std::vector<std::string> expected;
-  for (const Manifold<double>& right : right_manifolds(admissible(pair, asked.declaration))) {
+  for (const Manifold<double>& right :
+       manifolds_to_show(admissible(pair, asked.declaration), asked.declaration)) {
     expected.push_back(manifold_in_words(pair, right));
   }
   if (expected.size() > 1) text += "Any of these:\n\n";

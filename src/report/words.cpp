@@ -128,6 +128,20 @@ std::string face_name(Side side, int face) {
   return fmt::format("{} face {}", side == Side::a ? 'A' : 'B', face);
 }
 
+std::string place_name(Side side, Feature feature) {
+  if (feature.kind == Feature::Kind::face) return face_name(side, feature.index);
+  return fmt::format("{} vertex {}", side == Side::a ? 'A' : 'B', feature.index);
+}
+
+std::string shape_in_words(const ConvexPolygon<float>& shape) {
+  const std::string radius = shape.radius > 0 ? ", radius " + brief(shape.radius) : "";
+  if (shape.count == 1) return "circle" + radius;
+  if (shape.count == 2) return (shape.radius > 0 ? "capsule" : "segment") + radius;
+  const bool has_round_corners = shape.radius > 0 && shape.is_round();
+  return fmt::format("{} vertices", shape.count) + radius +
+         (has_round_corners ? ", round corners" : "");
+}
+
 std::string truth_in_words(const PairCase& pair) {
   const exact::Truth truth(pair);
   const double separation = exact::separation_of(truth);

@@ -19,6 +19,12 @@ std::string counted(int count, std::string_view noun);
 /// "A face 2", the face by its number and its owner's name.
 std::string face_name(Side side, int face);
 
+/// "A face 2" or "A vertex 2".
+std::string place_name(Side side, Feature feature);
+
+/// "circle, radius 0.5", "segment", "capsule, radius 0.5", "4 vertices, radius 0.5, round corners".
+std::string shape_in_words(const ConvexPolygon<float>& shape);
+
 /// "overlap 0.31", or what else lies between the polygons: the depth of rounded ones, a gap.
 std::string truth_in_words(const PairCase& pair);
 

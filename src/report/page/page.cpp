@@ -12,6 +12,7 @@
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
+#include "report/round_truth.hpp"
 
 namespace manifuzz {
 
@@ -96,7 +97,8 @@ std::vector<Manifold<double>> right_of(const PageCase& page_case) {
   std::vector<Manifold<double>> right;
   const CorpusCase& given = page_case.judged.given;
   if (page_case.is_judged) {
-    right = right_manifolds(admissible(given.pair, page_case.judged.subject.declaration));
+    const Declaration& subject = page_case.judged.subject.declaration;
+    right = manifolds_to_show(admissible(given.pair, subject), subject);
   } else if (given.expect) {
     for (const NamedAnswer& named : given.expect->manifolds) {
       const auto* const manifold = std::get_if<Manifold<double>>(&named.answer);

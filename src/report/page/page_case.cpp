@@ -36,8 +36,11 @@ Json segment_json(const Segment& segment) {
   return {vector_json(segment.first), vector_json(segment.second)};
 }
 
-Region region_of(const exact::RoughPolygon& polygon) {
-  return {polygon.vertices.begin(), polygon.vertices.begin() + polygon.count};
+/// What is filled: the core, or of round shapes what is around it too.
+Region filled(const PairCase& pair, const exact::RoughPair& placed, Side side) {
+  const double radius = is_round(pair) ? static_cast<double>(pair[side].polygon.radius) : 0;
+  const Rim rim = rim_of(placed[side], radius, Rounding::round);
+  return region_of(rim, box_around_rim(rim), radius / 1000);
 }
 
 /// Where a polygon's letter stands: off its middle, away from what it shares with the other.
@@ -59,36 +62,45 @@ double thickness(const Region& region) {
   return least;
 }
 
-Json body_json(const Body& body, const Region& own, const Region& other) {
+Json body_json(const PairCase& pair, Side side, const exact::RoughPolygon& placed,
+               const Region& own, const Region& other) {
   Json vertices = Json::array();
-  for (const Point& vertex : own) vertices.push_back(vector_json(vertex));
+  for (int i = 0; i < placed.count; ++i) vertices.push_back(vector_json(placed.vertices[i]));
   return {{"vertices", vertices},
-          {"radius", static_cast<double>(body.polygon.radius)},
+          {"radius", static_cast<double>(pair[side].polygon.radius)},
+          {"corners", is_round(pair) ? "round" : "mitre"},
           {"letter", vector_json(letter_place(own, other))}};
 }
 
-/// The edge of one polygon that features of these points name: by itself, or by its ends.
+/// The edge of one polygon that features of these points name: by itself, or by its ends. Where
+/// round shapes are nearest at a vertex, from that to itself.
 std::optional<Segment> named_edge(std::span<const ContactPoint<double>> points, Side side,
-                                  const exact::RoughPolygon& polygon) {
+                                  const exact::RoughPolygon& polygon, bool is_round) {
   const auto is_named = [&](Feature::Kind kind, int index) {
     return std::ranges::any_of(points, [&](const ContactPoint<double>& point) {
       const Feature feature = side == Side::a ? point.features.a : point.features.b;
       return feature.kind == kind && feature.index == index;
     });
   };
-  for (int i = 0; i < polygon.count; ++i) {
+  const auto at = [&polygon](int vertex) { return polygon.vertices[vertex]; };
+  for (int i = 0; i < polygon.face_count(); ++i) {
     const int next = polygon.next(i);
     const bool by_ends =
         is_named(Feature::Kind::vertex, i) && is_named(Feature::Kind::vertex, next);
     if (by_ends || is_named(Feature::Kind::face, i)) {
-      return Segment{polygon.vertices[i], polygon.vertices[next]};
+      return Segment{at(i), at(next)};
     }
+  }
+  for (int i = 0; is_round && i < polygon.count; ++i) {
+    if (is_named(Feature::Kind::vertex, i)) return Segment{at(i), at(i)};
   }
   return std::nullopt;
 }
 
 /// Two points of the line of each side plane: of the reference face's ends, widened by the radii.
+/// Those of round shapes are not drawn: they are perpendicular to a normal that is not the face's.
 Json planes_json(const PairCase& pair, const Segment& face) {
+  if (is_round(pair)) return Json::array();
   const Point along = unit_or_zero(face.second - face.first);
   const Point away = counter_clockwise_quarter<double>(along) * length(face.second - face.first);
   const Point first = face.first - total_radius(pair) * along;
@@ -101,7 +113,9 @@ Json planes_json(const PairCase& pair, const Segment& face) {
 Json point_json(const PairCase& pair, const ContactPoint<double>& point, const Point& outward,
                 Side incident) {
   const Point seen = rotate<double>(pair.a.pose.rotation.cast<double>(), point.position);
-  const Point skin = seen - static_cast<double>(pair[incident].polygon.radius) * outward;
+  // A round shape's point is on its surface.
+  const double radius = is_round(pair) ? 0 : static_cast<double>(pair[incident].polygon.radius);
+  const Point skin = seen - radius * outward;
   const Segment bar{skin, skin + point.depth * outward};
   const bool has_bar = bar.first.allFinite() && bar.second.allFinite();
   return {{"position", vector_json(seen)},
@@ -126,11 +140,11 @@ Json manifold_json(const PairCase& pair, const Manifold<double>& manifold) {
   json["reference"] = manifold.reference == Side::a ? "a" : "b";
   const auto points = std::span(manifold.points).first(count);
   const Side reference = manifold.reference;
-  if (const auto face = named_edge(points, reference, placed[reference])) {
+  if (const auto face = named_edge(points, reference, placed[reference], is_round(pair))) {
     json["face"] = segment_json(*face);
     json["planes"] = planes_json(pair, *face);
   }
-  if (const auto edge = named_edge(points, incident, placed[incident])) {
+  if (const auto edge = named_edge(points, incident, placed[incident], false)) {
     json["edge"] = segment_json(*edge);
   }
   for (const ContactPoint<double>& point : points) {
@@ -169,8 +183,8 @@ Json page_case_json(const PageCase& page_case) {
   const PairCase& pair = given.pair;
   const exact::Truth truth(pair);
   const exact::RoughPair placed = exact::place_roughly(pair);
-  const Region a = region_of(placed.a);
-  const Region b = region_of(placed.b);
+  const Region a = filled(pair, placed, Side::a);
+  const Region b = filled(pair, placed, Side::b);
   const Expectation expect = given.expect.value_or(Expectation{});
   const Bucket& bucket = judged.judgement.bucket;
   const CurvePlot curve = curve_plot(judged);
@@ -212,7 +226,8 @@ Json page_case_json(const PageCase& page_case) {
       {"size", truth.size()},
       {"extent", truth.extent()},
       {"origin", vector_json(pair.a.pose.position.cast<double>())},
-      {"bodies", {body_json(pair.a, a, b), body_json(pair.b, b, a)}},
+      {"bodies",
+       {body_json(pair, Side::a, placed.a, a, b), body_json(pair, Side::b, placed.b, b, a)}},
       {"thinnest", {{"center", vector_json(middle_of(thin))}, {"thickness", thickness(thin)}}},
       {"answers",
        {answer_json(pair, "truth", judge, truth_in_words(pair), page_case.right),

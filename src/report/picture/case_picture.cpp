@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "oracle/exact/curve.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/picture/pictures.hpp"
 #include "report/words.hpp"
@@ -96,8 +97,14 @@ class Picture {
   std::string truth_line() const {
     const PairCase& pair = judged_.given.pair;
     const exact::Truth truth(pair);
+    if (scene_.is_round) {
+      const double apart = exact::separation_of(truth);
+      return fmt::format("Cores {} at {}; total radius {}; {}.",
+                         apart >= 0 ? brief(apart) + " apart" : "overlap by " + brief(-apart),
+                         place_name(scene_.reference.side, scene_.reference.feature),
+                         brief(total_radius(pair)), truth_in_words(pair));
+    }
     const auto greatest = [&](Side side) {
-      if (!truth.has_faces(side)) return std::string("none");
       const exact::FaceOf face = truth.greatest(side);
       return fmt::format("{} ({})", brief(leading(truth.fine_separation(face))),
                          face_name(side, face.index));
@@ -156,15 +163,14 @@ void Picture::write_swatches() {
   };
   for (const Side side : kSides) {
     const Body& body = judged_.given.pair[side];
-    std::string text = fmt::format("{}: {} vertices, at {}", side == Side::a ? 'A' : 'B',
-                                   body.polygon.count, place(body.pose.position.cast<double>()));
-    if (body.polygon.radius > 0) text += ", radius " + brief(body.polygon.radius);
-    area(side == Side::a ? "fill a" : "fill b", text);
+    area(side == Side::a ? "fill a" : "fill b",
+         fmt::format("{}: {}, at {}", side == Side::a ? 'A' : 'B', shape_in_words(body.polygon),
+                     place(body.pose.position.cast<double>())));
   }
   const auto face = [&](std::string_view role, const PlacedFace& placed) {
-    line(role, fmt::format("{} ({})", role, face_name(placed.side, placed.index)));
+    line(role, fmt::format("{} ({})", role, place_name(placed.side, placed.feature)));
   };
-  if (scene_.incident) area("overlap", "overlap");
+  if (scene_.incident || (scene_.is_round && scene_.deepest.depth >= 0)) area("overlap", "overlap");
   face("reference", scene_.reference);
   if (scene_.incident) {
     face("incident", *scene_.incident);

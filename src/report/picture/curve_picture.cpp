@@ -103,23 +103,24 @@ class CurvePicture {
     draw_answer(judged_.subject, true);
   }
 
-  /// Both shapes, small, in the middle.
+  /// Both shapes, small, in the middle. Mitred skins are left out: their corners may be far away.
   void draw_shapes() {
-    std::vector<Point> corners;
+    std::array<Rim, 2> rims;
+    std::vector<Point> ends;
     for (const Side side : kSides) {
-      const auto& polygon = placed_[side];
-      corners.insert(corners.end(), polygon.vertices.begin(),
-                     polygon.vertices.begin() + polygon.count);
+      Rim& rim = rims[static_cast<std::size_t>(side)];
+      const double radius = static_cast<double>(pair_[side].polygon.radius);
+      rim = rim_of(placed_[side], is_round(pair_) ? radius : 0, Rounding::round);
+      const Box box = box_around_rim(rim);
+      ends.insert(ends.end(), {Point(box.x, box.y), Point(box.right(), box.bottom())});
     }
-    const Box all = box_around(corners);
+    const Box all = box_around(ends);
     const double shrunk = kShapes / length(Point(all.width, all.height) / 2);
+    const View view{Box{middle_.x(), middle_.y()}, all.center(), shrunk};
     for (const Side side : kSides) {
-      Region region;
-      for (int i = 0; i < placed_[side].count; ++i) {
-        const Point at = (placed_[side].vertices[i] - all.center()) * shrunk;
-        region.push_back(middle_ + View::direction(at));
-      }
-      svg_.polygon(region, side == Side::a ? "fill a" : "fill b");
+      const Rim rim = view.place(rims[static_cast<std::size_t>(side)]);
+      svg_.rim(rim, side == Side::a ? "fill a" : "fill b");
+      svg_.rim(rim, side == Side::a ? "outline a" : "outline b");
     }
   }
 

@@ -30,6 +30,7 @@ struct Drawing {
   std::vector<Box> taken;        ///< where no label may lie
 
   bool sees(const Point& on_canvas) const { return view.frame.contains(on_canvas); }
+  const Region& shape(Side side) const { return shapes[static_cast<std::size_t>(side)]; }
   void take(const Point& at, double about) { taken.push_back(Box{at.x(), at.y()}.grown(about)); }
 };
 
@@ -87,15 +88,13 @@ bool write(Drawing& drawing, const Label& label, bool may_move) {
 
 void draw_edges(const Drawing& drawing, Side side) {
   const auto& polygon = drawing.scene.polygons[side];
-  for (int i = 0; i < polygon.count; ++i) {
+  for (int i = 0; i < polygon.face_count(); ++i) {
     const Segment edge{polygon.vertices[i], polygon.vertices[polygon.next(i)]};
     stroke(drawing, drawing.view.place(edge), css("edge", side));
   }
   if (drawing.scene.radius(side) <= 0) return;
-  const Region skin = drawing.view.place(drawing.shapes[static_cast<std::size_t>(side)]);
-  for (std::size_t i = 0; i < skin.size(); ++i) {
-    stroke(drawing, {skin[i], skin[(i + 1) % skin.size()]}, css("skin", side));
-  }
+  draw_rim(drawing.svg, drawing.view, drawing.scene.rim(side), drawing.shape(side),
+           css("skin", side));
 }
 
 /// A side plane is a line; as much of it as the frame shows.
@@ -116,8 +115,10 @@ void draw_side_planes(const Drawing& drawing) {
 /// Polygons, their overlap, reference and incident with the side planes.
 void draw_shapes(const Drawing& drawing) {
   const Scene& scene = drawing.scene;
-  fill(drawing, drawing.shapes[0], "fill a");
-  fill(drawing, drawing.shapes[1], "fill b");
+  for (const Side side : kSides) {
+    fill_rim(drawing.svg, drawing.view, drawing.scene.rim(side), drawing.shape(side),
+             css("fill", side));
+  }
   fill(drawing, intersection(drawing.shapes[0], drawing.shapes[1]), "overlap");
   if (scene.incident) draw_side_planes(drawing);
   for (const Side side : kSides) draw_edges(drawing, side);

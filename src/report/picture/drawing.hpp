@@ -9,81 +9,18 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "campaign/plan.hpp"
 #include "generating/drafts.hpp"
-#include "geometry/vector.hpp"
 #include "oracle/exact/placed.hpp"
+#include "report/picture/region.hpp"
 
 struct _cairo;          // NOLINT(bugprone-reserved-identifier)
 struct _cairo_surface;  // NOLINT(bugprone-reserved-identifier)
 struct _RsvgHandle;     // NOLINT(bugprone-reserved-identifier)
 
 namespace manifuzz {
-
-// Plain geometry of pictures, in double and in any units: good enough to look at.
-
-using Point = Vector2<double>;
-using Segment = std::pair<Point, Point>;
-
-/// A convex region by its corners in order; fewer than three: nothing.
-using Region = std::vector<Point>;
-
-/// A rectangle with its sides along the axes.
-struct Box {
-  double x = 0;  ///< of the corner with the least coordinates
-  double y = 0;
-  double width = 0;
-  double height = 0;
-
-  double right() const { return x + width; }
-  double bottom() const { return y + height; }
-  Point center() const { return {x + width / 2, y + height / 2}; }
-  bool contains(const Point& p) const {
-    return p.x() >= x && p.x() <= right() && p.y() >= y && p.y() <= bottom();
-  }
-  bool contains(const Box& box) const {
-    return box.x >= x && box.right() <= right() && box.y >= y && box.bottom() <= bottom();
-  }
-  bool overlaps(const Box& box) const {
-    return x < box.right() && box.x < right() && y < box.bottom() && box.y < bottom();
-  }
-  Box grown(double by) const { return {x - by, y - by, width + 2 * by, height + 2 * by}; }
-};
-
-/// The mean of the corners, of which there is one at least.
-Point middle_of(const Region& region);
-
-/// The smallest box around points, of which there is one at least.
-Box box_around(const std::vector<Point>& points);
-
-/// `v` at length 1, or zero where it has none.
-Point unit_or_zero(const Point& v);
-
-/// The point of the box nearest to `p`.
-Point nearest(const Box& box, const Point& p);
-
-/// A polygon and its skin: the arcs at the corners as short edges, which inside the box come within
-/// `tolerance` of the arc.
-Region rounded(const exact::RoughPolygon& polygon, double radius, const Box& where,
-               double tolerance);
-
-/// What both convex regions cover; both counter-clockwise (y up).
-Region intersection(const Region& region, const Region& with);
-Region intersection(const Region& region, const Box& box);
-
-/// How far inside a counter-clockwise convex region a point is; negative: how far outside, at
-/// least.
-double depth_in(const Region& region, const Point& p);
-
-/// The part of a segment inside the box.
-std::optional<Segment> inside(const Segment& segment, const Box& box);
-
-/// The nearest box straight above or below the one that is wanted, or that itself, that is in the
-/// frame and overlaps nothing that is taken.
-std::optional<Box> nearest_free(const Box& wanted, const std::vector<Box>& taken, const Box& frame);
 
 struct Font {
   double size = 12;  ///< in pixels
@@ -104,6 +41,10 @@ class Svg {
   Svg(std::string_view title, std::string_view style);
 
   void polygon(const Region& region, std::string_view css);
+  /// Its arcs are arcs.
+  void rim(const Rim& rim, std::string_view css);
+  /// Lines that go on from each other are one, so that dashes go on too.
+  void path(const std::vector<Segment>& segments, std::string_view css);
   void line(const Segment& segment, std::string_view css);
   void circle(const Point& center, double radius, std::string_view css);
   void box(const Box& box, std::string_view css, double corner_radius = 0);
@@ -116,6 +57,7 @@ class Svg {
  private:
   using Numbers = std::initializer_list<std::pair<const char*, double>>;
   pugi::xml_node add(const char* element, std::string_view css, Numbers numbers);
+  void add_path(const std::string& steps, std::string_view css);
 
   pugi::xml_document document_;
   pugi::xml_node root_;
@@ -204,11 +146,11 @@ class DotCanvas {
 
 inline constexpr std::array<Side, 2> kSides{Side::a, Side::b};
 
-/// A face of a polygon where it stands.
+/// A face of a shape where it stands, or where round shapes are nearest at a vertex, that.
 struct PlacedFace {
   Side side = Side::a;
-  int index = 0;
-  Segment segment;
+  Feature feature{Feature::Kind::face, 0};
+  Segment segment;  ///< of a vertex from it to itself
 };
 
 /// A depth as a stretch along the normal: from the incident shape's skin to the reference face's.
@@ -229,7 +171,9 @@ struct DrawnPoint {
 /// What a picture of a case shows: world directions and lengths, seen from A's position.
 struct Scene {
   exact::RoughPair polygons;
+  bool is_round = false;  ///< contact points are on surfaces, and side planes where cores end
   std::array<double, 2> radii{};
+  std::array<Rim, 2> rims;  ///< the shapes with their radii, as they are judged
   /// Of the candidate to show; where the polygons are apart, the face of the greatest separation
   /// alone.
   PlacedFace reference;
@@ -243,9 +187,10 @@ struct Scene {
 
   double radius(Side side) const { return radii[static_cast<std::size_t>(side)]; }
   Point a_to_b() const { return reference.side == Side::a ? outward : Point(-outward); }
-  /// A polygon with its skin, which inside the box comes within `tolerance` of the arcs.
+  const Rim& rim(Side side) const { return rims[static_cast<std::size_t>(side)]; }
+  /// A shape with its radius, which inside the box comes within `tolerance` of the arcs.
   Region shape(Side side, const Box& where, double tolerance) const {
-    return rounded(polygons[side], radius(side), where, tolerance);
+    return region_of(rim(side), where, tolerance);
   }
   /// Around both shapes and the points that are not farther off than `reach` times their size.
   Box whole(double reach) const;
@@ -266,6 +211,7 @@ struct View {
   }
   Segment place(const Segment& s) const { return {place(s.first), place(s.second)}; }
   Region place(const Region& region) const;
+  Rim place(const Rim& rim) const;
   /// The part of the scene inside the frame.
   Box shown() const {
     return {center.x() - frame.width / 2 / scale, center.y() - frame.height / 2 / scale,
@@ -281,6 +227,11 @@ struct View {
 /// shows the largest thing of interest that is too small to be seen so far, the second the depth or
 /// else the smallest. They fill a box of this width from (x, y) down; how high it is they decide.
 std::vector<View> choose_views(const Scene& scene, double x, double y, double width);
+
+/// A shape with its radius, filled or as a line: with true arcs where the view shows all of it,
+/// else what it shows of `seen`, the shape with short edges for arcs.
+void fill_rim(Svg& svg, const View& view, const Rim& rim, const Region& seen, std::string_view css);
+void draw_rim(Svg& svg, const View& view, const Rim& rim, const Region& seen, std::string_view css);
 
 /// Everything of the scene that the view shows. `names` are the subject's and the oracle's.
 void draw_view(Svg& svg, const Scene& scene, const View& view,

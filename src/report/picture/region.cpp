@@ -1,9 +1,11 @@
+#include "report/picture/region.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "report/picture/drawing.hpp"
+#include "generating/drafts.hpp"
 
 namespace manifuzz {
 namespace {
@@ -73,23 +75,53 @@ Point nearest(const Box& box, const Point& p) {
   return {std::clamp(p.x(), box.x, box.right()), std::clamp(p.y(), box.y, box.bottom())};
 }
 
-Region rounded(const exact::RoughPolygon& polygon, double radius, const Box& where,
-               double tolerance) {
-  Region region;
+Box box_around_rim(const Rim& rim) {
+  std::vector<Point> corners;
+  for (const RimCorner& corner : rim) {
+    const Point reach(corner.radius, corner.radius);
+    corners.insert(corners.end(), {corner.center - reach, corner.center + reach});
+  }
+  return box_around(corners);
+}
+
+Rim rim_of(const exact::RoughPolygon& polygon, double radius, Rounding corners) {
+  const bool is_mitred = corners == Rounding::mitre && polygon.count >= kMinVertices;
+  Rim rim;
   for (int i = 0; i < polygon.count; ++i) {
-    if (radius <= 0) {
-      region.push_back(polygon.vertices[i]);
-      continue;
-    }
+    const Point& vertex = polygon.vertices[i];
     const Point& before = polygon.normals[i > 0 ? i - 1 : polygon.count - 1];
-    const Arc arc{polygon.vertices[i], radius, where, tolerance};
-    append_arc(region, arc, before, polygon.normals[i], kBisectionsMax);
-    region.push_back(arc.at(polygon.normals[i]));
+    const Point& after = polygon.normals[i];
+    // Both faces are a radius farther out: their sum is 2 cos of half the turn long.
+    const double span = 1 + before.dot(after);
+    if (radius <= 0) {
+      rim.push_back({.center = vertex});
+    } else if (is_mitred && span > 0) {
+      rim.push_back({.center = vertex + radius / span * (before + after)});
+    } else {
+      rim.push_back({vertex, radius, before, after});
+    }
+  }
+  if (polygon.count == 1 && radius > 0) {
+    rim = {{polygon.vertices[0], radius, {1, 0}, {-1, 0}},
+           {polygon.vertices[0], radius, {-1, 0}, {1, 0}}};
+  }
+  return rim;
+}
+
+Region region_of(const Rim& rim, const Box& where, double tolerance) {
+  Region region;
+  for (const RimCorner& corner : rim) {
+    if (corner.radius > 0) {
+      append_arc(region, {corner.center, corner.radius, where, tolerance}, corner.from, corner.to,
+                 kBisectionsMax);
+    }
+    region.push_back(corner.end());
   }
   return region;
 }
 
 Region intersection(const Region& region, const Region& with) {
+  if (with.size() < 3) return {};
   Region left = region;
   for (std::size_t i = 0; i < with.size(); ++i) {
     const Point along = with[(i + 1) % with.size()] - with[i];

@@ -4,6 +4,7 @@
 
 #include "oracle/exact/curve.hpp"
 #include "report/picture/drawing.hpp"
+#include "report/round_truth.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -25,7 +26,13 @@ struct Interest {
 
 PlacedFace placed_face(const exact::RoughPair& polygons, Side side, int face) {
   const exact::RoughPolygon& polygon = polygons[side];
-  return {side, face, {polygon.vertices[face], polygon.vertices[polygon.next(face)]}};
+  const Feature feature{Feature::Kind::face, static_cast<unsigned char>(face)};
+  return {side, feature, {polygon.vertices[face], polygon.vertices[polygon.next(face)]}};
+}
+
+PlacedFace placed_vertex(const exact::RoughPair& polygons, Side side, int vertex) {
+  const Point& at = polygons[side].vertices[vertex];
+  return {side, {Feature::Kind::vertex, static_cast<unsigned char>(vertex)}, {at, at}};
 }
 
 /// A local point of A, seen from A's position in world directions.
@@ -61,18 +68,24 @@ DepthBar deepest_bar(const Scene& scene, const PairCase& pair, const exact::Clip
   return bar_at(scene, deepest, total_radius(pair) - separation, side, scene.outward);
 }
 
-/// Of round shapes: A's edge or point that faces B most, and the depth from B's nearest place.
+/// Of round shapes: the face or A's vertex where the cores are nearest, and the depth there.
 void show_nearest(Scene& scene, const PairCase& pair, const exact::Truth& truth) {
   const exact::PenetrationCurve curve(truth, exact::Skin::round);
-  scene.outward = world_normal(pair, curve.minima(0).front());
-  const exact::RoughPolygon& a = scene.polygons.a;
-  const auto* const first = a.normals.data();
-  const auto* const facing = std::max_element(
-      first, first + a.count,
-      [&](const Point& p, const Point& q) { return scene.outward.dot(p) < scene.outward.dot(q); });
-  scene.reference = placed_face(scene.polygons, Side::a, static_cast<int>(facing - first));
-  const Point deepest = farthest_against(scene.polygons.b, scene.outward);
-  scene.deepest = bar_at(scene, deepest, curve.least(), Side::a, scene.outward);
+  const auto vertices = curve.nearest_vertices();
+  const Side side = vertices ? Side::a : curve.face().side;
+  scene.reference = vertices ? placed_vertex(scene.polygons, side, (*vertices)[0])
+                             : placed_face(scene.polygons, side, curve.face().index);
+  const Point a_to_b = world_normal(pair, curve.minima(0).front());
+  scene.outward = side == Side::a ? a_to_b : Point(-a_to_b);
+  const Point deepest = vertices ? scene.polygons.b.vertices[(*vertices)[1]]
+                                 : farthest_against(scene.polygons[other(side)], scene.outward);
+  scene.deepest = bar_at(scene, deepest, curve.least(), side, scene.outward);
+}
+
+void add_right(Scene& scene, const PairCase& pair, const Manifold<double>& manifold) {
+  for (int i = 0; i < manifold.count; ++i) {
+    scene.right.push_back(seen_from_a(pair, manifold.points[i].position));
+  }
 }
 
 void add_points(Scene& scene, const PairCase& pair, const DeclaredAnswer& asked, bool is_subject) {
@@ -84,8 +97,9 @@ void add_points(Scene& scene, const PairCase& pair, const DeclaredAnswer& asked,
     const Point position = seen_from_a(pair, point.position);
     const Point direction = unit_or_zero(normal);
     const Point outward = manifold.reference == Side::a ? direction : Point(-direction);
-    scene.points.push_back({is_subject, position, normal,
-                            bar_at(scene, position, point.depth, manifold.reference, outward)});
+    DepthBar bar = bar_at(scene, position, point.depth, manifold.reference, outward);
+    if (scene.is_round) bar = {position, position + point.depth * outward, point.depth};
+    scene.points.push_back({is_subject, position, normal, bar});
   }
 }
 
@@ -121,7 +135,8 @@ std::vector<Interest> interests(const Scene& scene) {
   for (const Side side : kSides) {
     const Box box = box_of(scene, side);
     all.push_back({box.center(), length({box.width, box.height}), 30, 0.6});
-    if (scene.radius(side) <= 0) all.push_back(thickness(scene.polygons[side]));
+    const bool is_thick = scene.polygons[side].count >= kMinVertices;
+    if (scene.radius(side) <= 0 && is_thick) all.push_back(thickness(scene.polygons[side]));
   }
   add_face(scene.reference.segment);
   if (scene.incident) add_face(scene.incident->segment);
@@ -179,12 +194,21 @@ Scene make_scene(const PairCase& pair, std::span<const DeclaredAnswer> answers) 
   const exact::Clip* const candidate = candidate_to_show(admitted, answers[0]);
   Scene scene;
   scene.polygons = exact::place_roughly(pair);
+  scene.is_round = is_round(pair);
   scene.radii = {pair.a.polygon.radius, pair.b.polygon.radius};
+  // Skins are mitred where both are: that is how they are judged.
+  const Rounding corners = scene.is_round ? Rounding::round : Rounding::mitre;
+  for (const Side side : kSides) {
+    scene.rims[static_cast<std::size_t>(side)] =
+        rim_of(scene.polygons[side], scene.radius(side), corners);
+  }
   const exact::Truth& truth = *admitted.truth;
   scene.depth = std::abs(exact::separation_of(truth) - total_radius(pair));
   scene.rounding = admitted.bounds.separation;
-  if (is_round(pair)) {
+  if (scene.is_round) {
     show_nearest(scene, pair, truth);
+    const auto manifolds = manifolds_to_show(admitted, answers[0].declaration);
+    if (!manifolds.empty()) add_right(scene, pair, manifolds.back());
   } else {
     const auto [side, face] = candidate ? candidate->reference : truth.greatest();
     scene.reference = placed_face(scene.polygons, side, face);
@@ -194,10 +218,7 @@ Scene make_scene(const PairCase& pair, std::span<const DeclaredAnswer> answers) 
   if (candidate) {
     scene.incident =
         placed_face(scene.polygons, other(candidate->reference.side), candidate->incident);
-    const Manifold<double> manifold = true_manifold(*candidate);
-    for (int i = 0; i < manifold.count; ++i) {
-      scene.right.push_back(seen_from_a(pair, manifold.points[i].position));
-    }
+    add_right(scene, pair, true_manifold(*candidate));
   }
   for (std::size_t i = 0; i < answers.size(); ++i) add_points(scene, pair, answers[i], i == 0);
   return scene;
@@ -206,6 +227,15 @@ Scene make_scene(const PairCase& pair, std::span<const DeclaredAnswer> answers) 
 Region View::place(const Region& region) const {
   Region placed;
   for (const Point& point : region) placed.push_back(place(point));
+  return placed;
+}
+
+Rim View::place(const Rim& rim) const {
+  Rim placed;
+  for (const RimCorner& corner : rim) {
+    placed.push_back({place(corner.center), corner.radius * scale, direction(corner.from),
+                      direction(corner.to)});
+  }
   return placed;
 }
 

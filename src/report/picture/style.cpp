@@ -14,7 +14,10 @@ const std::string_view kPictureStyle = R"(
 .edge{stroke-width:1.5;stroke-linecap:round}
 .edge.a,.skin.a{stroke:#0072b2}
 .edge.b,.skin.b{stroke:#b87900}
-.skin{stroke-width:1.2;stroke-dasharray:4 3}
+.outline{fill:none;stroke-width:1}
+.outline.a{stroke:#0072b2}
+.outline.b{stroke:#b87900}
+.skin{fill:none;stroke-width:1.2;stroke-dasharray:4 3}
 .plane{stroke:#6b7280;stroke-width:1;stroke-dasharray:7 4}
 .reference{stroke:#14181f;stroke-width:4;stroke-linecap:round}
 .incident{stroke:#9b30a8;stroke-width:4;stroke-linecap:round}

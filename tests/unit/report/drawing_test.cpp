@@ -67,9 +67,9 @@ TEST_CASE("how deep a point lies in a region") {
 TEST_CASE("a rounded square has the area of its skin") {
   const exact::RoughPair world = exact::place_roughly(box_on_box(0));
   const double pi = 3.14159265358979;
-  const Region skin = rounded(world.a, 0.5, kEverything, 1e-6);
+  const Region skin = region_of(rim_of(world.a, 0.5, Rounding::round), kEverything, 1e-6);
   CHECK(area(skin) == Approx(4 + 4 * 2 * 0.5 + pi * 0.25).epsilon(1e-5));
-  CHECK(area(rounded(world.a, 0, kEverything, 1e-6)) == Approx(4));
+  CHECK(area(region_of(rim_of(world.a, 0, Rounding::round), kEverything, 1e-6)) == Approx(4));
 }
 
 TEST_CASE("arcs are fine where they are looked at, and coarse elsewhere") {
@@ -77,7 +77,7 @@ TEST_CASE("arcs are fine where they are looked at, and coarse elsewhere") {
   const double sine = 0.70710678118654752;
   const Point top = Point(1, 1) + 0.5 * Point(sine, sine);
   const Box about = Box{top.x(), top.y(), 0, 0}.grown(1e-6);
-  const Region skin = rounded(world.a, 0.5, about, 1e-12);
+  const Region skin = region_of(rim_of(world.a, 0.5, Rounding::round), about, 1e-12);
   CHECK(std::abs(depth_in(skin, top)) < 1e-11);
   CHECK(skin.size() < 400);
 }

@@ -80,15 +80,20 @@ function arcPoints(center, radius, from, to, isFlat, depth = 0) {
     ...arcPoints(center, radius, half, to, isFlat, depth + 1)];
 }
 
-// The polygon widened by its radius.
-function outlineOf({ vertices, radius }, isFlat) {
+// The shape with its radius; `corners` are round, or as sharp as the core's.
+function outlineOf({ vertices, radius, corners }, isFlat) {
   if (!(radius > 0)) return vertices;
+  const arc = (center, from, to) => arcPoints(center, radius, from, to, isFlat);
+  if (vertices.length === 1) return [...arc(vertices[0], 0, Math.PI), ...arc(vertices[0], Math.PI, 2 * Math.PI)];
   const outwards = facesOf(vertices).map(outwardOf);
   return vertices.flatMap((vertex, i) => {
     const [before, after] = [outwards.at(i - 1), outwards[i]];
+    // Both faces are a radius farther out: their sum is 2 cos of half the turn long.
+    const span = 1 + dot(before, after);
+    if (corners === "mitre" && span > 0) return [along(vertex, along(before, after, 1), radius / span)];
     const from = Math.atan2(before[1], before[0]);
-    const turn = Math.atan2(cross(before, after), dot(before, after));
-    return [...arcPoints(vertex, radius, from, from + turn, isFlat), along(vertex, after, radius)];
+    const turn = Math.abs(Math.atan2(cross(before, after), dot(before, after)));
+    return [...arc(vertex, from, from + turn), along(vertex, after, radius)];
   });
 }
 

@@ -81,11 +81,11 @@ function drawFill(view, key, polygon, css) {
 }
 
 function drawShapes(view) {
-  const outlines = view.one.bodies.map((body) => outlineOf(body, flatFor(view.camera)));
+  const { outlines } = view;
   SIDES.forEach((side, i) => {
-    const { vertices, radius } = view.one.bodies[i];
-    drawFill(view, side, vertices, `fill ${side}`);
-    facesOf(vertices).forEach((face, f) => drawSegments(view, "edges", `face ${side}${f}`, [face], `edge ${side}`));
+    const { vertices, radius, corners } = view.one.bodies[i];
+    drawFill(view, side, corners === "round" ? outlines[i] : vertices, `fill ${side}`);
+    if (vertices.length > 1) facesOf(vertices).forEach((face, f) => drawSegments(view, "edges", `face ${side}${f}`, [face], `edge ${side}`));
     if (radius > 0) drawSegments(view, "edges", `skin ${side}`, facesOf(outlines[i]), `skin ${side}`);
   });
   drawFill(view, "overlap", overlapOf(...outlines), "overlap");
@@ -110,9 +110,9 @@ function drawVertices(view) {
 // The letters A and B where the page's data places them; closer, in the middle of what can be seen of each.
 function drawLetters(view) {
   SIDES.forEach((side, i) => {
-    const { vertices, letter } = view.one.bodies[i];
-    const seen = clipPolygonToBox(vertices, view.frame);
-    if (seen.length < 3) return;
+    const { vertices, corners, letter } = view.one.bodies[i];
+    const seen = clipPolygonToBox(corners === "round" ? view.outlines[i] : vertices, view.frame);
+    if (seen.length < (corners === "round" ? 2 : 3)) return;
     const at = toScreen(view.camera, contains(view.frame, letter) ? letter : centerOf(boxOf(seen)));
     const { left, right, bottom, top } = boxOf(seen);
     const isThin = Math.min(right - left, top - bottom) * view.camera.scale < 26;
@@ -223,6 +223,7 @@ function drawCase(view) {
   const { camera } = view;
   view.seen = seenBox(camera);
   view.frame = seenBox(camera, 0);
+  view.outlines = view.one.bodies.map((body) => outlineOf(body, flatFor(camera)));
   view.room = { taken: [], frame: { left: 4, right: camera.width - 4, bottom: 4, top: camera.height - 4 } };
   drawShapes(view);
   drawFrame(view);
