@@ -23,6 +23,17 @@ const std::vector<Collider>& subjects() {
   return all;
 }
 
+/// The same of round shapes, under policies of the second point too.
+const std::vector<Collider>& round_subjects() {
+  static const std::vector<Collider> all = [] {
+    std::vector<Collider> made{make_clip(), make_clip64()};
+    const auto& planted = planted_round_colliders();
+    made.insert(made.end(), planted.begin(), planted.end());
+    return made;
+  }();
+  return all;
+}
+
 /// Whether an answer is nonsense, written a second time like all else: a figure that is no number,
 /// a depth below zero, a feature that is not there.
 bool is_nonsense(const PairCase& pair, const Answer& answer) {
@@ -48,8 +59,11 @@ Bucket twin_bucket(const PairCase& pair, const ColliderAnswer& subject,
 
 bool differs_from_twin(JudgeOf judge_of, const Bug& bug, std::uint64_t number,
                        const PairCase& pair) {
-  static const Collider oracle = make_box2d();
-  const Collider& subject = subjects()[number % subjects().size()];
+  static const Collider box2d = make_box2d();
+  static const Collider clip64 = make_clip64();
+  const Collider& oracle = is_round(pair) ? clip64 : box2d;
+  const auto& asked = is_round(pair) ? round_subjects() : subjects();
+  const Collider& subject = asked[number % asked.size()];
   const Answer of_subject = subject.collide(pair);
   const Answer of_oracle = oracle.collide(pair);
   const Bucket bucket = [&] {

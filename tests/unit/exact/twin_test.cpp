@@ -114,7 +114,7 @@ void compare(const Regime& regime) {
   const std::array<Collider, 3> colliders{make_clip(), make_clip64(), make_box2d()};
   std::vector<PairCase> corpus;
   for (std::uint64_t i = 0; i < 20; ++i) corpus.push_back(generate(3, *find_regime("grid"), i));
-  for (std::uint64_t i = 0; i < twin_cases(2000); ++i) {
+  for (std::uint64_t i = 0; i < twin_cases(regime.is_round ? 500 : 2000); ++i) {
     const PairCase pair = generate(11, regime, i, {.corpus = corpus, .radius = {}});
     Random random(11, "answers", i);
     Collider subject = colliders[random.chance(0.5) ? 0 : 1];
