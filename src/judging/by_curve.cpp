@@ -169,7 +169,7 @@ class ByCurve {
     if (is_least(curve_, along)) return true;
     // A bias lets a side's best face stand though one of the other's has less depth.
     const TieBias& bias = declaration_.tie_bias;
-    if (bias.is_none()) return false;
+    if (bias.is_none() || !truth_.has_faces(Side::a) || !truth_.has_faces(Side::b)) return false;
     return std::ranges::any_of(std::array{Side::a, Side::b}, [&](Side side) {
       return may_be_reference(truth_, bias, side, bounds_.touching) &&
              is_least(PenetrationCurve(truth_, truth_.greatest(side)), along);

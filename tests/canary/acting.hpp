@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <utility>
 
 namespace manifuzz::canary {
@@ -8,6 +9,10 @@ namespace manifuzz::canary {
 struct Bug {
   const char* name;
   int line;
+  std::string_view table;  ///< its name
+
+  /// Whether round shapes alone show it.
+  bool is_round() const { return table == "round_edits"; }
 };
 
 /// The line of the bug that acts, of those that are compiled behind switches; 0: none.

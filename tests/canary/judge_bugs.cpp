@@ -5,6 +5,7 @@
 #include "corpus/shrink.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "own_colliders/own_colliders.hpp"
+#include "support/moved.hpp"
 #include "support/twin.hpp"
 
 // Bugs planted into the judge: on answers of colliders right and wrong, it must differ from its
@@ -18,6 +19,17 @@ const std::vector<Collider>& subjects() {
   static const std::vector<Collider> all = [] {
     std::vector<Collider> made{make_clip(), make_clip64()};
     for (const MakeCollider& make : planted_colliders()) made.push_back(make(0));
+    return made;
+  }();
+  return all;
+}
+
+/// The same of round shapes, under policies of the second point too.
+const std::vector<Collider>& round_subjects() {
+  static const std::vector<Collider> all = [] {
+    std::vector<Collider> made{make_clip(), make_clip64()};
+    const auto& planted = planted_round_colliders();
+    made.insert(made.end(), planted.begin(), planted.end());
     return made;
   }();
   return all;
@@ -48,9 +60,19 @@ Bucket twin_bucket(const PairCase& pair, const ColliderAnswer& subject,
 
 bool differs_from_twin(JudgeOf judge_of, const Bug& bug, std::uint64_t number,
                        const PairCase& pair) {
-  static const Collider oracle = make_box2d();
-  const Collider& subject = subjects()[number % subjects().size()];
-  const Answer of_subject = subject.collide(pair);
+  static const Collider box2d = make_box2d();
+  static const Collider clip64 = make_clip64();
+  const Collider& oracle = is_round(pair) ? clip64 : box2d;
+  const auto& asked = is_round(pair) ? round_subjects() : subjects();
+  Collider subject = asked[number % asked.size()];
+  Answer of_subject = subject.collide(pair);
+  if (is_round(pair) && number % 4 < 3) {
+    // Answers with gross bugs show little of what is right to within a bound.
+    Random random(number, "answers", 0);
+    subject = random.chance(0.5) ? make_clip() : clip64;
+    subject.declaration.second_point = any_policy(random);
+    of_subject = moved(subject.collide(pair), pair, subject.declaration, random);
+  }
   const Answer of_oracle = oracle.collide(pair);
   const Bucket bucket = [&] {
     const Acting acting(bug);
@@ -66,7 +88,8 @@ bool differs_from_twin(JudgeOf judge_of, const Bug& bug, std::uint64_t number,
 bool add_judges(const std::vector<Bug>& bugs, JudgeOf judge_of) {
   for (const Bug& bug : bugs) {
     add_planted_bug(
-        {bug.name, 20'000, [judge_of, bug](const Haystack& haystack) {
+        {bug.name, 20'000, [judge_of, bug](Haystack haystack) {
+           haystack.regimes = bug.is_round() ? round_regimes() : polygon_regimes();
            return search(
                haystack,
                [&](std::uint64_t number, const PairCase& pair) -> std::optional<Noticed> {

@@ -65,6 +65,7 @@ std::string with_word_replaced(std::string text, std::string_view word, std::str
 /// The bugs that have copies in common: one, or all those behind switches.
 struct Planting {
   std::string name;  ///< of the namespace
+  std::string table;
   std::vector<Edit> edits;
   bool is_switched = false;
 };
@@ -115,7 +116,8 @@ class Copies {
   std::string bugs() const {
     std::string list;
     for (const Edit& edit : planting_.edits) {
-      list += "{\"" + edit.bug + part_.suffix + "\", " + std::to_string(edit.line) + "}, ";
+      list += "{\"" + edit.bug + part_.suffix + "\", " + std::to_string(edit.line) + ", \"" +
+              planting_.table + "\"}, ";
     }
     return list;
   }
@@ -177,7 +179,8 @@ std::string identifier(std::string text) {
 /// apply.
 std::vector<Planting> plantings_of(const Part& part, std::span<const Edit> edits,
                                    const fs::path& source, const std::string& table) {
-  std::vector<Planting> plantings{{identifier(table + "_" + part.path) + part.suffix, {}, true}};
+  std::vector<Planting> plantings{
+      {identifier(table + "_" + part.path) + part.suffix, table, {}, true}};
   for (const Edit& edit : edits) {
     if (!part.has(edit.file)) continue;
     const std::string text = read_text(source / edit.file);
@@ -185,7 +188,7 @@ std::vector<Planting> plantings_of(const Part& part, std::span<const Edit> edits
     if (edit.old_line.empty() || fits_switch(edit, text)) {
       plantings.front().edits.push_back(edit);
     } else {
-      plantings.push_back({edit.bug + part.suffix, {edit}});
+      plantings.push_back({edit.bug + part.suffix, table, {edit}});
     }
   }
   return plantings;

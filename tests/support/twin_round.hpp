@@ -9,6 +9,13 @@
 
 namespace manifuzz::twin {
 
+inline constexpr Side kSides[] = {Side::a, Side::b};
+
+/// The sign of a number, and its square: greater for the greater number.
+inline Ratio signed_square(const Ratio& value) {
+  return value < 0 ? Ratio(-value * value) : Ratio(value * value);
+}
+
 /// A round pair, whoever is asked about it.
 class RoundTwin {
  public:
@@ -25,8 +32,18 @@ class RoundTwin {
   friend class RoundVerdict;
 
   const Outline& of(Side side) const { return side == Side::a ? a_ : b_; }
+  /// The greatest separation of some faces.
+  struct Greatest {
+    Ratio squared;  ///< times its magnitude
+    Real separation;
+  };
+  const std::optional<Greatest>& greatest_of(Side side) const {
+    return greatest_[side == Side::a ? 0 : 1];
+  }
+  /// Of all faces; none of two points.
+  const std::optional<Greatest>& greatest() const { return greatest_of(reference_); }
   /// Whether cores overlap: faces decide then.
-  bool is_deep() const { return separation_ && *separation_ < Real(0.0); }
+  bool is_deep() const { return greatest() && greatest()->squared < 0; }
   void look_at_vertices();
   void look_at_edges(Side side);
   void look_at_faces(Side side);
@@ -39,7 +56,7 @@ class RoundTwin {
   Ratio squared_;                    ///< of the least distance between both outlines
   Exact apart_;                      ///< from A's place to B's, where they are nearest
   bool is_between_vertices_ = true;  ///< that two vertices are as near as any places
-  std::optional<Real> separation_;   ///< the greatest of all faces', where there are faces
+  std::array<std::optional<Greatest>, 2> greatest_;  ///< of A's faces, and of B's
   Side reference_ = Side::a;
 };
 
