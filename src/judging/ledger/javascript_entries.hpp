@@ -41,6 +41,38 @@ inline constexpr Budget kOfPhaserNoContactOnTiedFeatures[] = {{"near_collinear",
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfJavaScript{
+    LedgerEntry{.id = "planck-edge-slab-not-widened",
+                .collider = "planck",
+                .description =
+                    "no contact, or too little depth, of a capsule and a polygon near corners: "
+                    "what lies within the radii beyond the reference face's ends is cut off",
+                .source = "planck 1.4.2, src/collision/shape/CollideEdgePolygon.ts, "
+                          "CollideEdgePolygon: sideOffset1, without the radius that "
+                          "CollidePolygons adds",
+                .explains = planck_edge_slab_not_widened},
+    LedgerEntry{.id = "planck-edge-hysteresis",
+                .collider = "planck",
+                .description =
+                    "of a capsule and a polygon, a face that is not the least deep: the capsule's "
+                    "towards the centroid, or the polygon's by 2 % of the separation",
+                .source = "planck 1.4.2, src/collision/shape/CollideEdgePolygon.ts, "
+                          "CollideEdgePolygon: front = offset1 >= 0.0; polygonAxis.separation > "
+                          "k_relativeTol * edgeAxis.separation + k_absoluteTol",
+                .explains = planck_edge_hysteresis},
+    LedgerEntry{.id = "planck-axis-within-epsilon",
+                .collider = "planck",
+                .description = "a normal along the world's x axis: a circle's centre is within "
+                               "1e-9 of another's or of an edge's end",
+                .source = "planck 1.4.2, src/collision/Manifold.ts, getWorldManifold: "
+                          "lengthSqr > EPSILON * EPSILON; src/common/Math.ts: EPSILON = 1e-9",
+                .explains = axis_within_planck_epsilon},
+    LedgerEntry{.id = "planck-face-within-epsilon",
+                .collider = "planck",
+                .description = "a face's normal beyond its corner: a circle's centre is within "
+                               "1e-9 of a polygon",
+                .source = "planck 1.4.2, src/collision/shape/CollideCirclePolygon.ts, "
+                          "CollidePolygonCircle: separation < EPSILON",
+                .explains = face_within_planck_epsilon},
     LedgerEntry{.id = "planck-no-contact-under-bias",
                 .collider = "planck",
                 .description =

@@ -41,4 +41,16 @@ bool normal_across_collinear(const Deviation& deviation);
 /// it is off by that much more, or the wrong end was taken of an edge along the normal.
 bool depth_by_crossing(const Deviation& deviation);
 
+/// An edge against a polygon in planck, clipped between the very ends of the reference face.
+bool planck_edge_slab_not_widened(const Deviation& deviation);
+/// The same, where the face is not the one of the greatest separation: the edge's towards the
+/// polygon's centroid, or whichever 0.98 times the edge's separation and 0.001 decide for.
+bool planck_edge_hysteresis(const Deviation& deviation);
+/// A circle whose centre is within 1e-9 of another's or of an edge's end: the normal is the world's
+/// x axis.
+bool axis_within_planck_epsilon(const Deviation& deviation);
+/// A circle whose centre is within 1e-9 of a polygon: the normal is a face's, beyond its corner
+/// too.
+bool face_within_planck_epsilon(const Deviation& deviation);
+
 }  // namespace manifuzz
