@@ -100,6 +100,42 @@ inline constexpr std::array kOfJavaScript{
                           "localNormal of v12 - v11; scripts/colliders/protocol.mjs, readBody",
                 .budgets = kOfPlanckNormalOfScaledVertices,
                 .explains = normal_of_rounded_vertices},
+    LedgerEntry{.id = "phaser-box2d-capsule-slips",
+                .collider = "phaser-box2d",
+                .description =
+                    "capsules: a wrong depth, normal, count or no contact: one's ends are "
+                    "projected by u1X, and the greater of two ends is the separation",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsules: fp1 = "
+                          "(p1.x - p2.x) * u1X + (p1.y - p2.y) * u2Y, s1n = Math.max(-ss1, -ss2)",
+                .explains = slips_in_phaser_capsules},
+    LedgerEntry{.id = "phaser-box2d-capsule-slop",
+                .collider = "phaser-box2d",
+                .description = "capsules: an edge's normal within 0.005 of the nearest, clipped "
+                               "along it, or one point where edges overlap but not end beside end",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsules: "
+                          "sp <= distance + b2_linearSlop, outsideA, outsideB",
+                .explains = slop_in_phaser_capsules},
+    LedgerEntry{.id = "phaser-box2d-no-normal-within-epsilon",
+                .collider = "phaser-box2d",
+                .description = "a normal of no length: a circle's centre is within 1e-10 of the "
+                               "other core",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCircles: "
+                          "distance >= eps; src/include/math_functions_h.js, "
+                          "b2GetLengthAndNormalize",
+                .explains = no_normal_within_phaser_epsilon},
+    LedgerEntry{.id = "phaser-box2d-one-point-between-corners",
+                .collider = "phaser-box2d",
+                .description = "one point where edges overlap: cores are nearest at corners",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons and "
+                          "b2CollideCapsules: a single point between the nearest vertices",
+                .explains = one_point_between_corners},
+    LedgerEntry{.id = "phaser-box2d-direction-of-roundings",
+                .collider = "phaser-box2d",
+                .description = "a circle's centre all but on a capsule's core: the normal is the "
+                               "direction of roundings between both",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsuleAndCircle: "
+                          "b2GetLengthAndNormalize(b2Sub(pB, pA))",
+                .explains = direction_to_place_on_segment},
     LedgerEntry{.id = "phaser-box2d-edge-extended-to-slab",
                 .collider = "phaser-box2d",
                 .description =

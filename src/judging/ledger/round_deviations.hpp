@@ -52,5 +52,16 @@ bool axis_within_planck_epsilon(const Deviation& deviation);
 /// A circle whose centre is within 1e-9 of a polygon: the normal is a face's, beyond its corner
 /// too.
 bool face_within_planck_epsilon(const Deviation& deviation);
+/// Two capsules in phaser-box2d: the answer is what b2CollideCapsules makes with u1X for u2X and
+/// the greater of two ends for the lesser, and not what it makes without.
+bool slips_in_phaser_capsules(const Deviation& deviation);
+/// Two capsules in phaser-box2d: the answer is what b2CollideCapsules makes with or without these:
+/// an edge's normal within 0.005 of the distance, points clipped along it, and one point alone
+/// where a core's ends are both beyond the other's.
+bool slop_in_phaser_capsules(const Deviation& deviation);
+/// A circle whose centre is within 1e-10 of another core: the normal has no length.
+bool no_normal_within_phaser_epsilon(const Deviation& deviation);
+/// Cores are nearest at a vertex of each, and of the clip of their edges one point is given.
+bool one_point_between_corners(const Deviation& deviation);
 
 }  // namespace manifuzz
