@@ -52,6 +52,8 @@ bool axis_within_planck_epsilon(const Deviation& deviation);
 /// A circle whose centre is within 1e-9 of a polygon: the normal is a face's, beyond its corner
 /// too.
 bool face_within_planck_epsilon(const Deviation& deviation);
+/// The same in phaser-box2d, within 1e-10.
+bool face_within_phaser_epsilon(const Deviation& deviation);
 /// Two capsules in phaser-box2d: the answer is what b2CollideCapsules makes with u1X for u2X and
 /// the greater of two ends for the lesser, and not what it makes without.
 bool slips_in_phaser_capsules(const Deviation& deviation);
