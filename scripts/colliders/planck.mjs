@@ -46,12 +46,26 @@ const declaration = {
   snippet,
 };
 
+// What CollideEdgePolygon takes the edge's front by; PolygonShape(vertices) would compute it.
+function centroidOf([corner, ...others]) {
+  let [x, y, area] = [0, 0, 0];
+  others.slice(1).forEach((q, i) => {
+    const p = others[i];
+    const part = (p.x - corner.x) * (q.y - corner.y) - (p.y - corner.y) * (q.x - corner.x);
+    x += part * (p.x + q.x - 2 * corner.x);
+    y += part * (p.y + q.y - 2 * corner.y);
+    area += part;
+  });
+  return { x: corner.x + x / (3 * area), y: corner.y + y / (3 * area) };
+}
+
 // Filled as it stands: PolygonShape(vertices) would weld and reorder.
 function polygonOf(body) {
   const shape = new PolygonShape();
   shape.m_vertices = body.vertices;
   shape.m_normals = body.normals;
   shape.m_count = body.count;
+  shape.m_centroid = centroidOf(body.vertices);
   shape.m_radius = body.radius;
   return shape;
 }

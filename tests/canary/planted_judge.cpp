@@ -8,6 +8,8 @@
 #include "judging/ledger.cpp"
 #include "judging/ledger/box2d_deviations.cpp"
 #include "judging/ledger/chipmunk_deviations.cpp"
+#include "judging/ledger/phaser_deviations.cpp"
+#include "judging/ledger/planck_deviations.cpp"
 #include "judging/malformed.cpp"
 #include "judging/manifold_error.cpp"
 #include "judging/round_contact.cpp"

@@ -7,7 +7,7 @@
 namespace manifuzz::ledger_of {
 
 // planck and phaser-box2d. Budgets are twice what 10,000,000 cases against clip64 showed,
-// rounded up.
+// of round shapes 1,050,000 and 200,000 against clip, rounded up.
 inline constexpr Budget kOfPlanckNoContactUnderBias[] = {{"generic", 70},
                                                          {"boxes", 20},
                                                          {"regular", 130},
@@ -34,13 +34,71 @@ inline constexpr Budget kOfPlanckNormalOfScaledVertices[] = {
     {"deep", 10},           {"tie_bias", 920},     {"far_from_origin", 190},
     {"scaled", 260},        {"off_unit", 120},     {"ulp", 4400}};
 inline constexpr Budget kOfPhaserEdgeExtendedToSlab[] = {
-    {"sliver", 590},   {"micro_edge", 80}, {"near_collinear", 18000}, {"corner_corner", 690},
-    {"touching", 470}, {"tie_bias", 500},  {"far_from_origin", 100},  {"scaled", 200},
-    {"off_unit", 220}, {"ulp", 1200}};
+    {"sliver", 590},       {"micro_edge", 80}, {"near_collinear", 18000}, {"corner_corner", 690},
+    {"touching", 470},     {"tie_bias", 500},  {"far_from_origin", 100},  {"scaled", 200},
+    {"off_unit", 220},     {"ulp", 1200},      {"capsules", 1400},        {"mixed_shapes", 1200},
+    {"round_corners", 200}};
 inline constexpr Budget kOfPhaserNoContactOnTiedFeatures[] = {{"near_collinear", 510}, {"ulp", 20}};
+inline constexpr Budget kOfPlanckEdgeHysteresis[] = {
+    {"capsules", 670}, {"mixed_shapes", 320}, {"voronoi_lines", 54}};
+inline constexpr Budget kOfPlanckEdgeSlabNotWidened[] = {
+    {"capsules", 59000}, {"mixed_shapes", 20000}, {"voronoi_lines", 41000}};
+inline constexpr Budget kOfPlanckAxisWithinEpsilon[] = {{"cores_touch", 40000}};
+inline constexpr Budget kOfPlanckFaceWithinEpsilon[] = {{"cores_touch", 7600}};
+inline constexpr Budget kOfPhaserCapsuleSlips[] = {
+    {"capsules", 120000},     {"mixed_shapes", 71000},  {"in_line", 500000},
+    {"tilted_edges", 150000}, {"voronoi_lines", 36000}, {"cores_touch", 150000},
+    {"large_radii", 24000},   {"side_planes", 110000}};
+inline constexpr Budget kOfPhaserCapsuleSlop[] = {{"capsules", 34000},      {"mixed_shapes", 11000},
+                                                  {"in_line", 31000},       {"tilted_edges", 26000},
+                                                  {"voronoi_lines", 21000}, {"cores_touch", 42000},
+                                                  {"large_radii", 130000},  {"side_planes", 82000}};
+inline constexpr Budget kOfPhaserOnePointBetweenCorners[] = {
+    {"capsules", 400},      {"round_corners", 22000}, {"mixed_shapes", 2900},
+    {"tilted_edges", 4800}, {"voronoi_lines", 600},   {"cores_touch", 3100},
+    {"large_radii", 47000}, {"side_planes", 38000}};
+inline constexpr Budget kOfPhaserDirectionOfRoundings[] = {{"cores_touch", 120000}};
+inline constexpr Budget kOfPhaserNoNormalWithinEpsilon[] = {{"cores_touch", 170000}};
+inline constexpr Budget kOfPhaserFaceWithinEpsilon[] = {{"cores_touch", 5000}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfJavaScript{
+    LedgerEntry{.id = "planck-edge-slab-not-widened",
+                .collider = "planck",
+                .description =
+                    "no contact, or too little depth, of a capsule and a polygon near corners: "
+                    "what lies within the radii beyond the reference face's ends is cut off",
+                .source = "planck 1.4.2, src/collision/shape/CollideEdgePolygon.ts, "
+                          "CollideEdgePolygon: sideOffset1, without the radius that "
+                          "CollidePolygons adds",
+                .budgets = kOfPlanckEdgeSlabNotWidened,
+                .explains = planck_edge_slab_not_widened},
+    LedgerEntry{.id = "planck-edge-hysteresis",
+                .collider = "planck",
+                .description =
+                    "of a capsule and a polygon, a face that is not the least deep: the capsule's "
+                    "towards the centroid, or the polygon's by 2 % of the separation",
+                .source = "planck 1.4.2, src/collision/shape/CollideEdgePolygon.ts, "
+                          "CollideEdgePolygon: front = offset1 >= 0.0; polygonAxis.separation > "
+                          "k_relativeTol * edgeAxis.separation + k_absoluteTol",
+                .budgets = kOfPlanckEdgeHysteresis,
+                .explains = planck_edge_hysteresis},
+    LedgerEntry{.id = "planck-axis-within-epsilon",
+                .collider = "planck",
+                .description = "a normal along the world's x axis: a circle's centre is within "
+                               "1e-9 of another's or of an edge's end",
+                .source = "planck 1.4.2, src/collision/Manifold.ts, getWorldManifold: "
+                          "lengthSqr > EPSILON * EPSILON; src/common/Math.ts: EPSILON = 1e-9",
+                .budgets = kOfPlanckAxisWithinEpsilon,
+                .explains = axis_within_planck_epsilon},
+    LedgerEntry{.id = "planck-face-within-epsilon",
+                .collider = "planck",
+                .description = "a face's normal beyond its corner: a circle's centre is within "
+                               "1e-9 of a polygon",
+                .source = "planck 1.4.2, src/collision/shape/CollideCirclePolygon.ts, "
+                          "CollidePolygonCircle: separation < EPSILON",
+                .budgets = kOfPlanckFaceWithinEpsilon,
+                .explains = face_within_planck_epsilon},
     LedgerEntry{.id = "planck-no-contact-under-bias",
                 .collider = "planck",
                 .description =
@@ -68,6 +126,55 @@ inline constexpr std::array kOfJavaScript{
                           "localNormal of v12 - v11; scripts/colliders/protocol.mjs, readBody",
                 .budgets = kOfPlanckNormalOfScaledVertices,
                 .explains = normal_of_rounded_vertices},
+    LedgerEntry{.id = "phaser-box2d-capsule-slips",
+                .collider = "phaser-box2d",
+                .description =
+                    "capsules: a wrong depth, normal, count or no contact: one's ends are "
+                    "projected by u1X, and the greater of two ends is the separation",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsules: fp1 = "
+                          "(p1.x - p2.x) * u1X + (p1.y - p2.y) * u2Y, s1n = Math.max(-ss1, -ss2)",
+                .budgets = kOfPhaserCapsuleSlips,
+                .explains = slips_in_phaser_capsules},
+    LedgerEntry{.id = "phaser-box2d-capsule-slop",
+                .collider = "phaser-box2d",
+                .description = "capsules: an edge's normal within 0.005 of the nearest, clipped "
+                               "along it, or one point where edges overlap but not end beside end",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsules: "
+                          "sp <= distance + b2_linearSlop, outsideA, outsideB",
+                .budgets = kOfPhaserCapsuleSlop,
+                .explains = slop_in_phaser_capsules},
+    LedgerEntry{.id = "phaser-box2d-no-normal-within-epsilon",
+                .collider = "phaser-box2d",
+                .description = "a normal of no length: a circle's centre is within 1e-10 of the "
+                               "other core",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCircles: "
+                          "distance >= eps; src/include/math_functions_h.js, "
+                          "b2GetLengthAndNormalize",
+                .budgets = kOfPhaserNoNormalWithinEpsilon,
+                .explains = no_normal_within_phaser_epsilon},
+    LedgerEntry{.id = "phaser-box2d-face-within-epsilon",
+                .collider = "phaser-box2d",
+                .description = "a face's normal beyond its corner: a circle's centre is within "
+                               "1e-10 of a polygon",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygonAndCircle: "
+                          "u1 < 0.0 && separation > eps",
+                .budgets = kOfPhaserFaceWithinEpsilon,
+                .explains = face_within_phaser_epsilon},
+    LedgerEntry{.id = "phaser-box2d-one-point-between-corners",
+                .collider = "phaser-box2d",
+                .description = "one point where edges overlap: cores are nearest at corners",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons and "
+                          "b2CollideCapsules: a single point between the nearest vertices",
+                .budgets = kOfPhaserOnePointBetweenCorners,
+                .explains = one_point_between_corners},
+    LedgerEntry{.id = "phaser-box2d-direction-of-roundings",
+                .collider = "phaser-box2d",
+                .description = "a circle's centre all but on a capsule's core: the normal is the "
+                               "direction of roundings between both",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsuleAndCircle: "
+                          "b2GetLengthAndNormalize(b2Sub(pB, pA))",
+                .budgets = kOfPhaserDirectionOfRoundings,
+                .explains = direction_to_place_on_segment},
     LedgerEntry{.id = "phaser-box2d-edge-extended-to-slab",
                 .collider = "phaser-box2d",
                 .description =

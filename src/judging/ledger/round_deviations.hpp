@@ -41,4 +41,29 @@ bool normal_across_collinear(const Deviation& deviation);
 /// it is off by that much more, or the wrong end was taken of an edge along the normal.
 bool depth_by_crossing(const Deviation& deviation);
 
+/// An edge against a polygon in planck, clipped between the very ends of the reference face.
+bool planck_edge_slab_not_widened(const Deviation& deviation);
+/// The same, where the face is not the one of the greatest separation: the edge's towards the
+/// polygon's centroid, or whichever 0.98 times the edge's separation and 0.001 decide for.
+bool planck_edge_hysteresis(const Deviation& deviation);
+/// A circle whose centre is within 1e-9 of another's or of an edge's end: the normal is the world's
+/// x axis.
+bool axis_within_planck_epsilon(const Deviation& deviation);
+/// A circle whose centre is within 1e-9 of a polygon: the normal is a face's, beyond its corner
+/// too.
+bool face_within_planck_epsilon(const Deviation& deviation);
+/// The same in phaser-box2d, within 1e-10.
+bool face_within_phaser_epsilon(const Deviation& deviation);
+/// Two capsules in phaser-box2d: the answer is what b2CollideCapsules makes with u1X for u2X and
+/// the greater of two ends for the lesser, and not what it makes without.
+bool slips_in_phaser_capsules(const Deviation& deviation);
+/// Two capsules in phaser-box2d: the answer is what b2CollideCapsules makes with or without these:
+/// an edge's normal within 0.005 of the distance, points clipped along it, and one point alone
+/// where a core's ends are both beyond the other's.
+bool slop_in_phaser_capsules(const Deviation& deviation);
+/// A circle whose centre is within 1e-10 of another core: the normal has no length.
+bool no_normal_within_phaser_epsilon(const Deviation& deviation);
+/// Cores are nearest at a vertex of each, and of the clip of their edges one point is given.
+bool one_point_between_corners(const Deviation& deviation);
+
 }  // namespace manifuzz

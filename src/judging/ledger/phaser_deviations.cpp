@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "judging/ledger/round_deviations.hpp"
+
+// phaser-box2d on circles and capsules.
+
+namespace manifuzz {
+namespace {
+
+constexpr double kEpsilonOfPhaser = 1e-10;  // math_functions_h.js: eps
+constexpr double kSlopOfPhaser = 0.005;     // core_h.js: b2_linearSlop
+
+/// A capsule's core, in A's frame.
+struct Core {
+  Vector2<double> from;
+  Vector2<double> to;
+
+  Vector2<double> along() const { return to - from; }
+  double length() const { return along().norm(); }
+  Vector2<double> unit() const { return along() / length(); }
+};
+
+/// What b2CollideCapsules finds: `normal` from A to B, in A's frame.
+struct FoundByPhaser {
+  Vector2<double> normal{0, 0};
+  std::vector<double> depths{};  ///< of its points that are no gaps, the deepest first
+};
+
+/// The normal of a core's side of the greater separation, as the function takes it, and how far the
+/// other core is from it: `is_mended` takes the lesser of both ends, as Box2D does.
+struct BestSide {
+  Vector2<double> normal;
+  double separation = 0;
+};
+
+BestSide best_side(const Core& of, const Core& opposing, bool is_mended) {
+  const Vector2<double> unit = of.unit();
+  const Vector2<double> normal(-unit.y(), unit.x());
+  const double first = (opposing.from - of.from).dot(normal);
+  const double second = (opposing.to - of.from).dot(normal);
+  const double ahead = std::min(first, second);
+  const double behind = is_mended ? std::min(-first, -second) : std::max(-first, -second);
+  if (ahead > behind) return {normal, ahead};
+  return {-normal, behind};
+}
+
+/// The places of a core's ends along the other, from its first end: `is_mended` takes them along
+/// it, the function mixes both directions.
+struct Places {
+  double from = 0;
+  double to = 0;
+
+  bool is_outside(double length) const {
+    return (from <= 0 && to <= 0) || (from >= length && to >= length);
+  }
+};
+
+/// Distances from the best side of both ends of a core that is clipped.
+std::array<double, 2> clipped(const Core& core, const Places& places, double length,
+                              const Vector2<double>& origin, const Vector2<double>& normal) {
+  Vector2<double> p = core.from;
+  Vector2<double> q = core.to;
+  const Vector2<double> along = core.along();
+  const double run = places.to - places.from;
+  if (places.from < 0 && places.to > 0) p = core.from - places.from / run * along;
+  if (places.to < 0 && places.from > 0) q = core.to - places.to / run * along;
+  if (places.from > length && places.to < length) {
+    p = core.from + (length - places.from) / run * along;
+  }
+  if (places.to > length && places.from < length) q = core.to + (length - places.to) / run * along;
+  return {(p - origin).dot(normal), (q - origin).dot(normal)};
+}
+
+/// The vector between both cores where they are nearest, as the function clamps it.
+Vector2<double> nearest_vector(const Core& a, const Core& b) {
+  const Vector2<double> d1 = a.along();
+  const Vector2<double> d2 = b.along();
+  const Vector2<double> r = a.from - b.from;
+  const double d12 = d1.dot(d2);
+  const double denominator = d1.dot(d1) * d2.dot(d2) - d12 * d12;
+  double f1 = 0;
+  if (denominator != 0) {
+    f1 = std::clamp((d12 * r.dot(d2) - r.dot(d1) * d2.dot(d2)) / denominator, 0.0, 1.0);
+  }
+  double f2 = (d12 * f1 + r.dot(d2)) / d2.dot(d2);
+  if (f2 < 0 || f2 > 1) {
+    f1 = std::clamp((f2 < 0 ? -r.dot(d1) : d12 - r.dot(d1)) / d1.dot(d1), 0.0, 1.0);
+    f2 = f2 < 0 ? 0 : 1;
+  }
+  return b.from + f2 * d2 - (a.from + f1 * d1);
+}
+
+std::vector<double> depths_of(const std::array<double, 2>& gaps, double radius) {
+  std::vector<double> depths;
+  for (const double gap : gaps) {
+    if (gap <= radius) depths.push_back(radius - gap);
+  }
+  std::ranges::sort(depths, std::greater());
+  return depths;
+}
+
+/// b2CollideCapsules, as it stands or with its three slips mended.
+FoundByPhaser capsules_by_phaser(const Core& a, const Core& b, double radius, bool is_mended) {
+  const Vector2<double> apart = nearest_vector(a, b);
+  const double distance = apart.norm();
+  if (distance > radius + 4 * kSlopOfPhaser) return {};
+  const Vector2<double> u1 = a.unit();
+  const Vector2<double> u2(is_mended ? b.unit().x() : u1.x(), b.unit().y());
+  const Places of_b{(b.from - a.from).dot(u1), (b.to - a.from).dot(u1)};
+  const Places of_a{(a.from - b.from).dot(u2), (a.to - b.from).dot(u2)};
+  if (!of_b.is_outside(a.length()) && !of_a.is_outside(b.length())) {
+    const BestSide on_a = best_side(a, b, is_mended);
+    const BestSide on_b = best_side(b, a, is_mended);
+    const bool is_by_a = on_a.separation >= on_b.separation;
+    const auto gaps = is_by_a ? clipped(b, of_b, a.length(), a.from, on_a.normal)
+                              : clipped(a, of_a, b.length(), b.from, on_b.normal);
+    if (std::min(gaps[0], gaps[1]) <= distance + kSlopOfPhaser) {
+      return {is_by_a ? on_a.normal : Vector2<double>(-on_b.normal), depths_of(gaps, radius)};
+    }
+  }
+  const Vector2<double> left(-u1.y(), u1.x());
+  return {distance > kEpsilonOfPhaser ? Vector2<double>(apart / distance) : left,
+          depths_of({distance, INFINITY}, radius)};
+}
+
+bool is_given(const Deviation& d, const FoundByPhaser& found) {
+  std::vector<double> depths;
+  for (int i = 0; i < d.got.count; ++i) depths.push_back(d.got.points[i].depth);
+  std::ranges::sort(depths, std::greater());
+  if (depths.size() != found.depths.size()) return false;
+  if (depths.empty()) return true;
+  const double slack = 1e-9 * (d.right.truth->extent() + total_radius(d.right.pair()));
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (std::abs(depths[i] - found.depths[i]) > slack) return false;
+  }
+  return (d.got.normal.normalized() - found.normal).norm() <= 1e-6;
+}
+
+std::optional<std::array<Core, 2>> capsule_cores(const PairCase& pair) {
+  if (pair.a.polygon.count != 2 || pair.b.polygon.count != 2) return std::nullopt;
+  const exact::RoughPair placed = exact::place_roughly(pair);
+  const Vector2<double> turn = pair.a.pose.rotation.cast<double>().normalized();
+  const auto core = [&](const exact::RoughPolygon& of) {
+    return Core{rotate_back<double>(turn, of.vertices[0]),
+                rotate_back<double>(turn, of.vertices[1])};
+  };
+  return std::array{core(placed.a), core(placed.b)};
+}
+
+}  // namespace
+
+bool slips_in_phaser_capsules(const Deviation& d) {
+  const auto cores = capsule_cores(d.right.pair());
+  if (!cores) return false;
+  const double radius = total_radius(d.right.pair());
+  return is_given(d, capsules_by_phaser((*cores)[0], (*cores)[1], radius, false)) &&
+         !is_given(d, capsules_by_phaser((*cores)[0], (*cores)[1], radius, true));
+}
+
+bool slop_in_phaser_capsules(const Deviation& d) {
+  const auto cores = capsule_cores(d.right.pair());
+  if (!cores || d.got.count == 0) return false;
+  const double radius = total_radius(d.right.pair());
+  return is_given(d, capsules_by_phaser((*cores)[0], (*cores)[1], radius, false));
+}
+
+bool no_normal_within_phaser_epsilon(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  if (d.got.count != 1 || (pair.a.polygon.count != 1 && pair.b.polygon.count != 1)) return false;
+  const double bound = 4 * d.right.bounds.separation;
+  const double least = exact::PenetrationCurve(*d.right.truth, exact::Skin::round).least();
+  return d.got.normal.norm() <= kEpsilonOfPhaser &&
+         total_radius(pair) - least <= kEpsilonOfPhaser + bound &&
+         std::abs(d.got.points[0].depth - least) <= kEpsilonOfPhaser + bound;
+}
+
+bool one_point_between_corners(const Deviation& d) {
+  const exact::PenetrationCurve curve(*d.right.truth, exact::Skin::round);
+  return d.kind == Kind::count && d.got.count == 1 && is_round(d.right.pair()) &&
+         curve.are_cores_apart() && curve.nearest_vertices().has_value();
+}
+
+}  // namespace manifuzz
