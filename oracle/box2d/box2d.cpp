@@ -12,6 +12,7 @@
 #include <box2d/b2_world.h>
 
 #include "oracle/box2d/round_shapes.hpp"
+#include "oracle/box2d/snippet.hpp"
 
 namespace manifuzz {
 namespace {
@@ -161,46 +162,6 @@ Vector2<double> from_box2d(const b2Vec2& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
 
-constexpr const char* kSnippet = R"(#include <box2d/box2d.h>
-#include <cstdio>
-
-template <int count>
-b2PolygonShape shape(const b2Vec2 (&vertices)[count], const b2Vec2 (&normals)[count], float radius) {
-  b2PolygonShape polygon;  // filled as it stands: Set would weld and reorder
-  for (int i = 0; i < count; ++i) {
-    polygon.m_vertices[i] = vertices[i];
-    polygon.m_normals[i] = normals[i];
-  }
-  polygon.m_count = count;
-  polygon.m_radius = radius;
-  return polygon;
-}
-
-b2Transform pose(b2Vec2 position, b2Vec2 rotation) {
-  b2Transform transform;
-  transform.p = position;
-  transform.q.c = rotation.x;
-  transform.q.s = rotation.y;
-  return transform;
-}
-
-int main() {
-  const b2PolygonShape a = shape<@a.count@>(@a.vertices{}@, @a.normals{}@, @a.radius@);
-  const b2PolygonShape b = shape<@b.count@>(@b.vertices{}@, @b.normals{}@, @b.radius@);
-  const b2Transform pose_a = pose(@a.position{}@, @a.rotation{}@);
-  const b2Transform pose_b = pose(@b.position{}@, @b.rotation{}@);
-  b2Manifold manifold;
-  b2CollidePolygons(&manifold, &a, pose_a, &b, pose_b);
-  std::printf("%d points\n", manifold.pointCount);
-  b2WorldManifold world;
-  world.Initialize(&manifold, pose_a, a.m_radius, pose_b, b.m_radius);
-  for (int i = 0; i < manifold.pointCount; ++i) {
-    std::printf("(%.9g, %.9g), separation %.9g\n", world.points[i].x, world.points[i].y,
-                world.separations[i]);
-  }
-}
-)";
-
 Feature to_feature(uint8 type, uint8 index) {
   return {type == b2ContactFeature::e_face ? Feature::Kind::face : Feature::Kind::vertex, index};
 }
@@ -265,7 +226,7 @@ Collider make_box2d() {
       .takes_radius = true,
       .min_vertices = 1,
       .takes_round = true,
-      .snippet = kSnippet};
+      .snippet = box2d::kSnippet};
   collider.collide = collide;
   collider.takes = box2d::takes_round;
   return collider;

@@ -5,28 +5,45 @@ import {
 } from "phaser-box2d/dist/PhaserBox2D.js";
 import { serve, versionOf } from "./protocol.mjs";
 
-const snippet = `import { b2CollidePolygons, b2Manifold, b2Polygon } from
-  "phaser-box2d/dist/PhaserBox2D.js";
+const snippet = `import * as phaser from "phaser-box2d/dist/PhaserBox2D.js";
 
-function body(vertices, position, rotation) {
+function shapeOf(vertices, radius, unit) {
+  const scaled = vertices.map(([x, y]) => ({ x: unit * x, y: unit * y }));
+  if (scaled.length === 1) return Object.assign(new phaser.b2Circle(), { center: scaled[0], radius });
+  if (scaled.length === 2) {
+    const [center1, center2] = scaled;
+    return Object.assign(new phaser.b2Capsule(), { center1, center2, radius });
+  }
+  const polygon = new phaser.b2Polygon(); // filled as it stands: b2ComputeHull would weld
+  vertices.forEach(([x, y], i, all) => {
+    const [u, v] = all[(i + 1) % all.length].map((next, k) => next - [x, y][k]);
+    const length = Math.sqrt(u * u + v * v);
+    polygon.normals.push({ x: v / length, y: -u / length });
+  });
+  return Object.assign(polygon, { vertices: scaled, count: scaled.length, radius });
+}
+
+function body(vertices, radius, position, rotation) {
   const floats = (list) => list.map(Math.fround);
   const [c, s] = floats(rotation);
   const unit = Math.sqrt(c * c + s * s); // what it lacks of 1 goes into the vertices
-  const polygon = new b2Polygon(); // filled as it stands: b2ComputeHull would weld
-  vertices.map(floats).forEach(([x, y], i, all) => {
-    const [u, v] = all[(i + 1) % all.length].map((next, k) => next - [x, y][k]);
-    const length = Math.sqrt(u * u + v * v);
-    polygon.vertices.push({ x: unit * x, y: unit * y });
-    polygon.normals.push({ x: v / length, y: -u / length });
-  });
-  polygon.count = vertices.length;
   const [x, y] = floats(position);
-  return [polygon, { p: { x, y }, q: { c: c / unit, s: s / unit } }];
+  const shape = shapeOf(vertices.map(floats), Math.fround(radius), unit);
+  return [shape, { p: { x, y }, q: { c: c / unit, s: s / unit } }];
 }
 
-const a = body(@a.vertices[]@, @a.position[]@, @a.rotation[]@);
-const b = body(@b.vertices[]@, @b.position[]@, @b.rotation[]@);
-console.log(b2CollidePolygons(...a, ...b, new b2Manifold()));
+const a = body(@a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@);
+const b = body(@b.vertices[]@, @b.radius@, @b.position[]@, @b.rotation[]@);
+// In the order in which its functions take them; a circle before a polygon, say, is turned about.
+const kinds = ["Polygon", "Capsule", "Circle"];
+const kind = ([shape]) => kinds.findIndex((name) => shape instanceof phaser["b2" + name]);
+const [first, second] = kind(a) > kind(b) ? [b, a] : [a, b];
+const [i, j] = [kind(first), kind(second)];
+const name = "b2Collide" + (i === j ? kinds[i] + "s" : kinds[i] + "And" + kinds[j]);
+const manifold = new phaser.b2Manifold();
+phaser[name](...first, ...second, manifold);
+console.log(name, first === a ? "A first" : "B first", manifold.pointCount, "points");
+console.log(manifold);
 `;
 
 const declaration = {

@@ -5,30 +5,43 @@ import {
 } from "planck";
 import { serve, toWorld, versionOf } from "./protocol.mjs";
 
-const snippet = `import { CollidePolygons, Manifold, PolygonShape } from "planck";
+const snippet = `import * as planck from "planck";
+
+function shapeOf(vertices, radius, unit) {
+  const scaled = vertices.map(([x, y]) => ({ x: unit * x, y: unit * y }));
+  if (scaled.length === 1) return new planck.CircleShape(scaled[0], radius);
+  if (scaled.length === 2) return Object.assign(new planck.EdgeShape(...scaled), { m_radius: radius });
+  const shape = new planck.PolygonShape(); // filled as it stands: PolygonShape(vertices) would weld
+  vertices.forEach(([x, y], i, all) => {
+    const [u, v] = all[(i + 1) % all.length].map((next, k) => next - [x, y][k]);
+    const length = Math.sqrt(u * u + v * v);
+    shape.m_normals.push({ x: v / length, y: -u / length });
+  });
+  return Object.assign(shape, { m_vertices: scaled, m_count: scaled.length, m_radius: radius });
+}
 
 function body(vertices, radius, position, rotation) {
   const floats = (list) => list.map(Math.fround);
   const [c, s] = floats(rotation);
   const unit = Math.sqrt(c * c + s * s); // what it lacks of 1 goes into the vertices
-  const shape = new PolygonShape(); // filled as it stands: PolygonShape(vertices) would weld
-  vertices.map(floats).forEach(([x, y], i, all) => {
-    const [u, v] = all[(i + 1) % all.length].map((next, k) => next - [x, y][k]);
-    shape.m_vertices.push({ x: unit * x, y: unit * y });
-    const length = Math.sqrt(u * u + v * v);
-    shape.m_normals.push({ x: v / length, y: -u / length });
-  });
-  shape.m_count = vertices.length;
-  shape.m_radius = Math.fround(radius);
   const [x, y] = floats(position);
+  const shape = shapeOf(vertices.map(floats), Math.fround(radius), unit);
   return [shape, { p: { x, y }, q: { c: c / unit, s: s / unit } }];
 }
 
 const a = body(@a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@);
 const b = body(@b.vertices[]@, @b.radius@, @b.position[]@, @b.rotation[]@);
-const manifold = new Manifold();
-CollidePolygons(manifold, ...a, ...b);
-console.log(manifold.getWorldManifold(null, a[1], a[0].m_radius, b[1], b[0].m_radius));
+// In the order in which its functions take them; a circle before a polygon, say, is turned about.
+const kinds = ["Edge", "Polygon", "Circle"];
+const kind = ([shape]) => kinds.findIndex((name) => shape instanceof planck[name + "Shape"]);
+const [first, second] = kind(a) > kind(b) ? [b, a] : [a, b];
+const [i, j] = [kind(first), kind(second)];
+const name = "Collide" + (i === j ? kinds[i] + "s" : kinds[i] + kinds[j]);
+const manifold = new planck.Manifold();
+planck[name](manifold, ...first, ...second);
+console.log(name, first === a ? "A first" : "B first", manifold.pointCount, "points");
+console.log(manifold.getWorldManifold(
+  null, first[1], first[0].m_radius, second[1], second[0].m_radius));
 `;
 
 const declaration = {

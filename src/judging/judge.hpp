@@ -61,7 +61,7 @@ VertexOf deciding_vertex(const exact::Truth& truth);
 /// polygon's own frame. Rows run along x; the case itself is the cell in the middle.
 struct Grid {
   VertexOf vertex;
-  double ulp = 0;  ///< a length: between the floats at the polygon's reach
+  double ulp = 0;  ///< a length: between the floats at the polygon's reach, or a round one's radius
   int step = 1;    ///< in ulps
   int reach = 64;  ///< in steps, each way
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include "generating/drafts.hpp"
@@ -39,7 +40,10 @@ VertexOf deciding_vertex(const exact::Truth& truth) {
 
 Grid grid_around(const exact::Truth& truth, int step) {
   const VertexOf vertex = deciding_vertex(truth);
-  return {.vertex = vertex, .ulp = ulp_of(reach(truth.pair()[vertex.side].polygon)), .step = step};
+  const ConvexPolygon<float>& polygon = truth.pair()[vertex.side].polygon;
+  // A circle's center may be its origin.
+  const double around = polygon.is_round() ? static_cast<double>(polygon.radius) : 0;
+  return {.vertex = vertex, .ulp = ulp_of(std::max(reach(polygon), around)), .step = step};
 }
 
 std::optional<PairCase> neighbour(const PairCase& pair, const Grid& grid, int cell) {

@@ -127,7 +127,7 @@ Outcome polygon_beside_circle(AskedCollider& ask, const PairCase& pair, Side sid
   const double share = std::cos(std::numbers::pi / kCorners);
   const double scale = scale_of(pair[side]);
   const double rounding = around->rounding * scale + std::abs(scale - 1) * reach;
-  const double between = reach * (1 - share) + 2 * rounding;
+  const double between = reach * (1 - share);
   const RoundAnswer& inner = is_inside ? of_polygon : of_circle;
   const RoundAnswer& outer = is_inside ? of_circle : of_polygon;
   const double off = contradiction(inner, outer, between) - rounding;

@@ -81,8 +81,8 @@ const DeclaredAnswer& answer_at_fault(const JudgedCase& judged) {
 /// What a fence of code says it holds, where that can be told.
 std::string_view language_of(const std::string& snippet) {
   if (snippet.find("#include") != std::string::npos) return "cpp";
-  const bool is_script =
-      snippet.starts_with("import {") || snippet.find("require(") != std::string::npos;
+  const bool is_script = snippet.starts_with("import {") || snippet.starts_with("import * as ") ||
+                         snippet.find("require(") != std::string::npos;
   return is_script ? "js" : "";
 }
 

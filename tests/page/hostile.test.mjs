@@ -24,6 +24,7 @@ function onData(name, data, check, options = {}) {
 
 const [sample] = corpusCases().filter(({file}) => file.includes('oracle-known-missed_contact-incident-b-gross-e93298bc.json'));
 const boxes = allCases().find(({file}) => file.includes('boxes.jsonl'));
+const round = allCases().find(({file}) => file.includes('round.jsonl'));
 
 /** The value with each of its points stretched along x and y. */
 function stretched(value, by) {
@@ -43,6 +44,15 @@ async function openFirst(page) {
   await page.locator('.witness').first().click();
   await page.locator('#viewer[open]').waitFor();
 }
+
+onData('a circle and a capsule are drawn round, with the normal where cores are nearest', reportOf({cases: [round]}), async (page) => {
+  await openFirst(page);
+  const corners = (css) => page.locator(`#stage .fill.${css}`).first().evaluate((node) => node.getAttribute('d').split('L').length);
+  assert.ok(await corners('a') > 24);
+  assert.ok(await corners('b') > 24);
+  assert.equal(await page.locator('#stage .normal').count() > 0, true);
+  assert.equal(await page.locator('#stage .letter').count(), 2);
+});
 
 for (const [name, ...shape] of [['tiny', 1e-18, 1], ['huge', 1e18, 1], ['long', 1, 1e8], ['rounded and tiny', 1e-18, 1, 1e-18], ['rounded and long', 1e-4, 1e8, 1e-2]]) {
   onData(`${name} polygons are drawn, and every point in its place`, reportOf({cases: [boxesOf(`${name}.json`, ...shape)]}), async (page) => {

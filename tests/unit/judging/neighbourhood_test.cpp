@@ -69,6 +69,13 @@ TEST_CASE("a grid is symmetric about the case itself") {
   CHECK(moved_by(0) == Vector2<double>(-192, -192) * 0x1p-22);
 }
 
+TEST_CASE("a circle at its own origin is moved by ulps of its radius") {
+  const std::array<Vector2<float>, 1> center{Vector2<float>(0, 0)};
+  PairCase pair{{make_polygon<float>(center, 1.0F), {}}, {make_polygon<float>(center, 1.0F), {}}};
+  pair.b.pose.position = {1.5F, 0};
+  CHECK(grid_around(exact::Truth(pair)).ulp == 0x1p-23);
+}
+
 TEST_CASE("a neighbour that is no convex polygon of floats is none") {
   PairCase pair = triangle_on_triangle();
   pair.b.polygon = triangle({Vector2<float>(-1, 0), {1, 0}, {0, 1e-6F}});

@@ -1,0 +1,106 @@
+#include <array>
+#include <cstdlib>
+
+#include <catch2/catch.hpp>
+
+#include "cli/colliders.hpp"
+#include "report/words.hpp"
+#include "support/installed_collider.hpp"
+#include "support/run_program.hpp"
+#include "support/skip.hpp"
+#include "support/source_tree.hpp"
+#include "support/temporary_folder.hpp"
+
+// The programs that reports on other engines hold: of shapes of every kind they run, and find as
+// many points as the collider did.
+
+using namespace manifuzz;
+using namespace manifuzz::test;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+ConvexPolygon<float> shape_of(int vertices) {
+  const std::array<Vector2<float>, 4> corners{Vector2<float>(-1, -1), Vector2<float>(1, -1),
+                                              Vector2<float>(1, 1), Vector2<float>(-1, 1)};
+  const std::array<Vector2<float>, 2> ends{Vector2<float>(-1, 0.75F), Vector2<float>(1, 0.75F)};
+  const std::array<Vector2<float>, 1> center{Vector2<float>(0, 0)};
+  if (vertices == 1) return make_polygon<float>(center, 1.0F);
+  if (vertices == 2) return make_polygon<float>(ends, 0.25F);
+  return make_polygon<float>(corners, 0.01F);
+}
+
+/// Two shapes of so many vertices, the second turned a little, above the first and into it.
+PairCase pair_of(int vertices_a, int vertices_b) {
+  PairCase pair{{shape_of(vertices_a), {}}, {shape_of(vertices_b), {}}};
+  pair.b.pose.position = {0.25F, vertices_b == 2 ? 0.2F : 1.9F};
+  pair.b.pose.rotation = {0.9998F, 0.02F};
+  return pair;
+}
+
+/// The pairs that the collider takes, with the points that it finds.
+std::vector<std::pair<PairCase, int>> pairs_for(const Collider& collider) {
+  std::vector<std::pair<PairCase, int>> pairs;
+  for (const int a : {1, 2, 4}) {
+    for (const int b : {1, 2, 4}) {
+      const PairCase pair = pair_of(a, b);
+      const Answer answer = ask(collider, pair);
+      if (const auto* const found = manifold_in(answer)) pairs.emplace_back(pair, found->count);
+    }
+  }
+  return pairs;
+}
+
+/// What the program prints of each pair, run by `command_for` its file.
+template <class CommandFor>
+void check_programs(const Collider& collider, const fs::path& folder, std::string_view file,
+                    const CommandFor& command_for) {
+  int with_points = 0;
+  for (const auto& [pair, points] : pairs_for(collider)) {
+    const std::string program = filled_in(collider.declaration.snippet, pair);
+    INFO(program);
+    CHECK(program.find('@') == std::string::npos);
+    const fs::path path = folder / file;
+    std::ofstream(path) << program;
+    const test::Outcome ran = run_program({"sh", "-c", command_for(path.string())});
+    INFO(ran.err << ran.out);
+    CHECK(ran.status == 0);
+    CHECK(ran.out.find(std::to_string(points) + " points") != std::string::npos);
+    if (points > 0) ++with_points;
+  }
+  CHECK(with_points >= 5);
+}
+
+void check_script(std::string_view engine) {
+  const fs::path adapters = source_dir() / "scripts/colliders";
+  if (!fs::exists(adapters / "node_modules" / engine)) {
+    return skip(std::string(engine) + " is not installed");
+  }
+  const auto collider = installed_collider(engine);
+  REQUIRE(collider);
+  const TemporaryFolder folder;
+  fs::create_directory_symlink(adapters / "node_modules", folder.path() / "node_modules");
+  check_programs(*collider, folder.path(), "snippet.mjs",
+                 [](const std::string& file) { return "node '" + file + "'"; });
+}
+
+}  // namespace
+
+TEST_CASE("Box2D's program compiles and runs on shapes of every kind") {
+  const TemporaryFolder folder;
+  const std::string program = (folder.path() / "snippet").string();
+  check_programs(find_collider("box2d"), folder.path(), "snippet.cpp",
+                 [&program](const std::string& file) {
+                   return std::string(MANIFUZZ_COMPILE_WITH_BOX2D) + " '" + file + "' -o '" +
+                          program + "' " + MANIFUZZ_LINK_WITH_BOX2D + " && '" + program + "'";
+                 });
+}
+
+TEST_CASE("planck's program runs on shapes of every kind") {
+  check_script("planck");
+}
+
+TEST_CASE("phaser-box2d's program runs on shapes of every kind") {
+  check_script("phaser-box2d");
+}
