@@ -212,6 +212,7 @@ std::string statement_in_words(const ContactSummary& statement) {
   if (statement.kind == no_clip) {
     return fmt::format("they touch, but the best face, {}'s, clips all away", clipping);
   }
+  if (statement.count == 0) return "they touch";  // all that is said of round shapes
   std::string words = fmt::format("{} clips, {}: {}", clipping, counted(statement.count, "point"),
                                   features_key(statement.features[0]));
   if (statement.count > 1) words += " and " + features_key(statement.features[1]);

@@ -79,3 +79,8 @@ TEST_CASE("a report on round shapes says what they are, and what is right") {
   CHECK_THAT(report, Contains("Two convex shapes, one vertex a circle's center"));
   CHECK_THAT(report, Contains("normal (0, -1), from A to B\npoint (0, -1), depth 0.25\n"));
 }
+
+TEST_CASE("of round shapes the truth of a map says that they touch") {
+  const exact::Truth truth(circle_on_box());
+  CHECK(statement_in_words(summary_of(truth)) == "they touch");
+}
