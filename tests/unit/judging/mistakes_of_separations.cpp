@@ -85,7 +85,7 @@ std::vector<Mistake> of_separations() {
          if (!r.is_clear(r.at(normal) - r.depth, by)) return std::nullopt;
          return r.along(normal, r.depth);
        },
-       {Kind::inconsistent},
+       {Kind::inconsistent, Kind::not_minimal},
        {Kind::not_minimal}},
       {"the direction between the origins",
        separation,
