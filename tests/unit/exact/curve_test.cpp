@@ -116,7 +116,7 @@ void compare_all(const Regime& regime) {
 }
 
 [[maybe_unused]] const bool curve_registered = [] {
-  for (const Regime& regime : regimes()) {
+  for (const Regime& regime : polygon_regimes()) {
     test::add_test("the curve and its twin agree in the regime " + std::string(regime.name),
                    "[twin]", [&regime] { compare_all(regime); });
   }
@@ -127,7 +127,7 @@ void compare_all(const Regime& regime) {
 template <class Check>
 void for_many(const Check& check) {
   constexpr std::uint64_t kCases = 40;
-  for (const Regime& regime : regimes()) {
+  for (const Regime& regime : polygon_regimes()) {
     for (std::uint64_t i = 0; i < kCases; ++i) {
       INFO(regime.name << ", index " << i);
       Random random(17, "curves", i);

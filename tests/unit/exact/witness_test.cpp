@@ -95,7 +95,7 @@ void compare_all(const Regime& regime) {
 }
 
 [[maybe_unused]] const bool witness_registered = [] {
-  for (const Regime& regime : regimes()) {
+  for (const Regime& regime : polygon_regimes()) {
     test::add_test("a witness and its twin agree in the regime " + std::string(regime.name),
                    "[twin]", [&regime] { compare_all(regime); });
   }
