@@ -49,8 +49,8 @@ TEST_CASE("edits that fit behind switches have copies together, and so has what 
   CHECK(planted.out.find("namespace manifuzz::planted::edits_src {\nint two = "
                          "canary::is_acting(4) ? (3) : canary::is_acting(9) ? (4) : (2);\n}") !=
         std::string::npos);
-  CHECK(planted.out.find("bugs[] = {{\"unedited\", 1}, {\"three\", 4}, {\"four\", 9}, };") !=
-        std::string::npos);
+  CHECK(planted.out.find("bugs[] = {{\"unedited\", 1, \"edits\"}, {\"three\", 4, \"edits\"}, "
+                         "{\"four\", 9, \"edits\"}, };") != std::string::npos);
 }
 
 TEST_CASE("an edit fits behind a switch if it leaves the code around it as it was") {
