@@ -233,6 +233,8 @@ Collider make_box2d() {
 }
 
 std::function<void()> box2d_pass(std::span<const PairCase> pairs) {
+  const auto is_of_round = [](const PairCase& pair) { return is_round(pair); };
+  if (std::ranges::any_of(pairs, is_of_round)) return box2d::round_pass(pairs);
   struct Prepared {
     b2PolygonShape shapes[2];
     b2Transform transforms[2];

@@ -1,7 +1,10 @@
 #include "oracle/box2d/round_shapes.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <variant>
+#include <vector>
 
 #include <box2d/b2_circle_shape.h>
 #include <box2d/b2_collision.h>
@@ -49,42 +52,49 @@ std::optional<Unsupported> beyond_box2d(const PairCase& pair) {
   return std::nullopt;
 }
 
-b2Manifold found_by(const Body& first, const Body& second) {
-  const b2Transform of_first = to_box2d(first.pose);
-  const b2Transform of_second = to_box2d(second.pose);
-  b2Manifold found;
-  const bool is_circle = family_of(second.polygon) == Family::circle;
-  switch (family_of(first.polygon)) {
-    case Family::circle: {
-      const b2CircleShape a = to_circle(first.polygon);
-      const b2CircleShape b = to_circle(second.polygon);
-      b2CollideCircles(&found, &a, of_first, &b, of_second);
-      return found;
-    }
-    case Family::polygon: {
-      const b2PolygonShape a = to_box2d(first.polygon);
-      if (!is_circle) {
-        const b2PolygonShape b = to_box2d(second.polygon);
-        b2CollidePolygons(&found, &a, of_first, &b, of_second);
-        return found;
-      }
-      const b2CircleShape b = to_circle(second.polygon);
-      b2CollidePolygonAndCircle(&found, &a, of_first, &b, of_second);
-      return found;
-    }
-    case Family::edge: {
-      const b2EdgeShape a = to_edge(first.polygon);
-      if (!is_circle) {
-        b2PolygonShape b = to_box2d(second.polygon);
-        b2CollideEdgeAndPolygon(&found, &a, of_first, &b, of_second);
-        return found;
-      }
-      const b2CircleShape b = to_circle(second.polygon);
-      b2CollideEdgeAndCircle(&found, &a, of_first, &b, of_second);
-      return found;
-    }
+using Shape = std::variant<b2EdgeShape, b2PolygonShape, b2CircleShape>;
+
+Shape shape_of(const ConvexPolygon<float>& shape) {
+  switch (family_of(shape)) {
+    case Family::edge:
+      return to_edge(shape);
+    case Family::circle:
+      return to_circle(shape);
+    default:
+      return to_box2d(shape);
   }
-  return found;
+}
+
+/// A shape where it stands.
+struct Standing {
+  Shape shape;
+  b2Transform transform;
+};
+
+Standing standing(const Body& body) {
+  return {shape_of(body.polygon), to_box2d(body.pose)};
+}
+
+/// Box2D's function for two shapes, the first not of a later family than the second.
+void collide_by_family(b2Manifold& found, const Standing& first, const Standing& second) {
+  const b2Transform& at = first.transform;
+  const b2Transform& of_second = second.transform;
+  const auto* const circle = std::get_if<b2CircleShape>(&second.shape);
+  const auto* const polygon = std::get_if<b2PolygonShape>(&second.shape);
+  if (const auto* const edge = std::get_if<b2EdgeShape>(&first.shape)) {
+    if (circle != nullptr) return b2CollideEdgeAndCircle(&found, edge, at, circle, of_second);
+    return b2CollideEdgeAndPolygon(&found, edge, at, polygon, of_second);
+  }
+  if (const auto* const other = std::get_if<b2PolygonShape>(&first.shape)) {
+    if (circle != nullptr) return b2CollidePolygonAndCircle(&found, other, at, circle, of_second);
+    return b2CollidePolygons(&found, other, at, polygon, of_second);
+  }
+  b2CollideCircles(&found, &std::get<b2CircleShape>(first.shape), at, circle, of_second);
+}
+
+/// Whether Box2D's functions take B first.
+bool is_swapped(const PairCase& pair) {
+  return family_of(pair.a.polygon) > family_of(pair.b.polygon);
 }
 
 }  // namespace
@@ -95,10 +105,11 @@ bool takes_round(const PairCase& pair) {
 
 Answer collide_round(const PairCase& pair) {
   if (auto declined = beyond_box2d(pair)) return *std::move(declined);
-  const bool is_swapped = family_of(pair.a.polygon) > family_of(pair.b.polygon);
-  const Body& first = is_swapped ? pair.b : pair.a;
-  const Body& second = is_swapped ? pair.a : pair.b;
-  const b2Manifold found = found_by(first, second);
+  const bool swapped = is_swapped(pair);
+  const Body& first = swapped ? pair.b : pair.a;
+  const Body& second = swapped ? pair.a : pair.b;
+  b2Manifold found;
+  collide_by_family(found, standing(first), standing(second));
   if (found.pointCount == 0) return Manifold<double>{};
 
   b2WorldManifold world;
@@ -110,9 +121,8 @@ Answer collide_round(const PairCase& pair) {
   const Vector2<double> towards_second = wide(world.normal);
   Manifold<double> manifold;
   manifold.count = found.pointCount;
-  manifold.reference = is_swapped == (found.type == b2Manifold::e_faceB) ? Side::a : Side::b;
-  manifold.normal =
-      local_normal(pair, is_swapped ? Vector2<double>(-towards_second) : towards_second);
+  manifold.reference = swapped == (found.type == b2Manifold::e_faceB) ? Side::a : Side::b;
+  manifold.normal = local_normal(pair, swapped ? Vector2<double>(-towards_second) : towards_second);
   for (int i = 0; i < manifold.count; ++i) {
     // Midway between both surfaces; the second's is half of the separation farther.
     const auto separation = static_cast<double>(world.separations[i]);
@@ -122,6 +132,22 @@ Answer collide_round(const PairCase& pair) {
   }
   order_points(manifold);
   return manifold;
+}
+
+std::function<void()> round_pass(std::span<const PairCase> pairs) {
+  struct Prepared {
+    Standing first;
+    Standing second;
+    b2Manifold found;
+  };
+  const auto all = std::make_shared<std::vector<Prepared>>();
+  for (const PairCase& pair : pairs) {
+    const bool swapped = is_swapped(pair);
+    all->push_back({standing(swapped ? pair.b : pair.a), standing(swapped ? pair.a : pair.b), {}});
+  }
+  return [all] {
+    for (auto& [first, second, found] : *all) collide_by_family(found, first, second);
+  };
 }
 
 }  // namespace manifuzz::box2d

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "collider/collider.hpp"
 
 namespace manifuzz::box2d {
@@ -12,5 +15,9 @@ Answer collide_round(const PairCase& pair);
 
 /// Whether it takes a round pair.
 bool takes_round(const PairCase& pair);
+
+/// Lays round pairs that it takes out as its users hold them, and gives what goes through all of
+/// them once.
+std::function<void()> round_pass(std::span<const PairCase> pairs);
 
 }  // namespace manifuzz::box2d

@@ -17,6 +17,12 @@ struct Placed {
   cpTransform transform{};
 };
 
+/// What segments ask for their rotation.
+cpBody* any_body() {
+  static cpBody* const body = cpBodyNew(1, 1);
+  return body;
+}
+
 Placed placed(const Body& body) {
   std::array<cpVect, kMaxVertices> vertices;
   for (int i = 0; i < body.polygon.count; ++i) {
@@ -25,8 +31,13 @@ Placed placed(const Body& body) {
   }
   const Vector2<double> position = body.pose.position.cast<double>();
   const Vector2<double> rotation = body.pose.rotation.cast<double>();
-  return {std::unique_ptr<cpShape, Freed>(
-              cpPolyShapeNewRaw(nullptr, body.polygon.count, vertices.data(), 0)),
+  const auto radius = static_cast<double>(body.polygon.radius);
+  const int count = body.polygon.count;
+  cpShape* const shape = count == 1 ? cpCircleShapeNew(any_body(), radius, vertices[0])
+                         : count == 2
+                             ? cpSegmentShapeNew(any_body(), vertices[0], vertices[1], radius)
+                             : cpPolyShapeNewRaw(any_body(), count, vertices.data(), radius);
+  return {std::unique_ptr<cpShape, Freed>(shape),
           cpTransformNew(rotation.x(), rotation.y(), -rotation.y(), rotation.x(), position.x(),
                          position.y())};
 }

@@ -161,11 +161,6 @@ struct Plan {
   }
 };
 
-/// Whether a collider takes a round pair.
-inline bool takes(const Collider& collider, const PairCase& pair) {
-  return takes_shapes(collider.declaration, pair) && (!collider.takes || collider.takes(pair));
-}
-
 /// Those of these names; without names all that have cases which the colliders take.
 std::vector<const Regime*> regimes_for(std::vector<const Collider*> colliders,
                                        std::span<const std::string> names);

@@ -175,4 +175,9 @@ struct Collider {
   bool is_isolated() const { return static_cast<bool>(collide_many); }
 };
 
+/// Whether a collider takes a round pair.
+inline bool takes(const Collider& collider, const PairCase& pair) {
+  return takes_shapes(collider.declaration, pair) && (!collider.takes || collider.takes(pair));
+}
+
 }  // namespace manifuzz

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "kernel/target.hpp"
-#include "oracle/exact/truth.hpp"
+#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 namespace {
@@ -48,9 +48,18 @@ std::vector<WorkloadSpec> all_workloads(std::span<const Regime* const> regimes) 
   return specs;
 }
 
-std::optional<std::vector<PairCase>> draw_workload(const WorkloadSpec& spec, std::uint64_t seed) {
+std::optional<std::vector<PairCase>> draw_workload(
+    const WorkloadSpec& spec, std::uint64_t seed,
+    const std::function<bool(const PairCase&)>& takes) {
   GenerationContext context;
-  context.radius = 0.0F;
+  if (spec.regime->is_round) {
+    context.takes = takes;
+  } else {
+    context.radius = 0.0F;
+  }
+  const auto is_taken = [&](const PairCase& pair) { return !context.takes || context.takes(pair); };
+  // Of each case many are drawn before one is given that is not taken.
+  if (!is_taken(generate(seed, *spec.regime, 0, context))) return std::nullopt;
   std::vector<PairCase> pairs;
   const double touching = static_cast<double>(spec.pairs) * spec.touching;
   std::size_t touching_left = static_cast<std::size_t>(std::llround(touching));
@@ -58,8 +67,9 @@ std::optional<std::vector<PairCase>> draw_workload(const WorkloadSpec& spec, std
   for (std::uint64_t i = 0; touching_left + apart_left > 0; ++i) {
     if (i >= kDrawsMax * spec.pairs) return std::nullopt;
     PairCase pair = generate(seed, *spec.regime, i, context);
-    if (!fits(pair, spec.vertices)) continue;
-    std::size_t& left = exact::Truth(pair).separation() <= 0 ? touching_left : apart_left;
+    if (!fits(pair, spec.vertices) || !is_taken(pair)) continue;
+    const bool touches = exact::separation_of(exact::Truth(pair)) <= total_radius(pair);
+    std::size_t& left = touches ? touching_left : apart_left;
     if (left == 0) continue;
     --left;
     pairs.push_back(std::move(pair));
@@ -105,15 +115,15 @@ void initialize(const TimingOptions& options) {
 
 /// Times the subjects over one workload, on Google Benchmark, their repetitions in random order;
 /// the kernels then use the widest instruction set again.
-std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
+std::vector<Timing> time_subjects(const std::vector<const BenchSubject*>& subjects,
                                   std::span<const PairCase> pairs, const TimingOptions& options) {
   initialize(options);
   const auto name_of = [](std::size_t i) { return fmt::format("subject {}", i); };
   std::size_t base = subjects.size();
   for (std::size_t i = 0; i < subjects.size(); ++i) {
-    if (subjects[i].name == kRatioBase) base = i;
-    const auto pass = subjects[i].prepare(pairs);
-    const std::string target = subjects[i].target;
+    if (subjects[i]->name == kRatioBase) base = i;
+    const auto pass = subjects[i]->prepare(pairs);
+    const std::string target = subjects[i]->target;
     benchmark::RegisterBenchmark(name_of(i).c_str(), [pass, target](benchmark::State& state) {
       if (!target.empty()) kernel::use_target(target);
       for ([[maybe_unused]] const auto once : state) pass();
@@ -173,12 +183,12 @@ BenchErrors errors_of(const Measurement& subject, std::span<const PairCase> pair
 
 }  // namespace
 
-std::map<std::string, BenchErrors> measure_errors(const std::vector<BenchSubject>& subjects,
+std::map<std::string, BenchErrors> measure_errors(const std::vector<const BenchSubject*>& subjects,
                                                   std::span<const PairCase> pairs) {
   std::map<std::string, Measurement> measurements;
-  for (const BenchSubject& subject : subjects) {
-    if (subject.collider && !measurements.contains(subject.name)) {
-      measurements.emplace(subject.name, Measurement{subject.collider()});
+  for (const BenchSubject* const subject : subjects) {
+    if (subject->collider && !measurements.contains(subject->name)) {
+      measurements.emplace(subject->name, Measurement{subject->collider()});
     }
   }
   for (std::uint64_t i = 0; i < pairs.size(); ++i) {
@@ -190,6 +200,19 @@ std::map<std::string, BenchErrors> measure_errors(const std::vector<BenchSubject
   return errors;
 }
 
+namespace {
+
+/// Whether it is timed over a workload: of polygons always, of round shapes where it takes all.
+bool takes_all(const BenchSubject& subject, const WorkloadSpec& spec,
+               std::span<const PairCase> pairs) {
+  if (!spec.regime->is_round) return true;
+  if (!subject.collider) return false;
+  const Collider collider = subject.collider();
+  return std::ranges::all_of(pairs, [&](const PairCase& pair) { return takes(collider, pair); });
+}
+
+}  // namespace
+
 BenchOptions quick_bench() {
   return {.judged = 5'000, .timing = {.repetitions = 7, .repetition_seconds = 0.01}};
 }
@@ -198,19 +221,26 @@ std::vector<BenchRow> run_bench(const std::vector<BenchSubject>& subjects,
                                 const std::vector<WorkloadSpec>& workloads,
                                 const BenchOptions& options,
                                 const std::function<void(std::size_t)>& on_workload) {
+  const auto base = std::ranges::find(subjects, kRatioBase, &BenchSubject::name);
+  const Collider box2d = base->collider();
+  const auto by_box2d = [&](const PairCase& pair) { return takes(box2d, pair); };
   std::vector<BenchRow> rows;
   for (std::size_t w = 0; w < workloads.size(); ++w) {
     on_workload(w);
-    const auto timed = draw_workload(workloads[w], options.seed);
+    const auto timed = draw_workload(workloads[w], options.seed, by_box2d);
     WorkloadSpec judged_spec = workloads[w];
     judged_spec.pairs = options.judged;
-    const auto judged = draw_workload(judged_spec, options.seed);
+    const auto judged = draw_workload(judged_spec, options.seed, by_box2d);
     if (!timed || !judged) continue;
-    const std::vector<Timing> timings = time_subjects(subjects, *timed, options.timing);
-    const auto errors = measure_errors(subjects, *judged);
-    for (std::size_t i = 0; i < subjects.size(); ++i) {
-      BenchRow row{&subjects[i], w, workloads[w], timings[i], {}};
-      if (subjects[i].collider) row.errors = errors.at(subjects[i].name);
+    std::vector<const BenchSubject*> taking;
+    for (const BenchSubject& subject : subjects) {
+      if (takes_all(subject, workloads[w], *timed)) taking.push_back(&subject);
+    }
+    const std::vector<Timing> timings = time_subjects(taking, *timed, options.timing);
+    const auto errors = measure_errors(taking, *judged);
+    for (std::size_t i = 0; i < taking.size(); ++i) {
+      BenchRow row{taking[i], w, workloads[w], timings[i], {}};
+      if (taking[i]->collider) row.errors = errors.at(taking[i]->name);
       rows.push_back(std::move(row));
     }
   }

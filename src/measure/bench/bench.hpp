@@ -28,9 +28,11 @@ WorkloadSpec usual_workload();
 /// numbers of pairs, and other regimes.
 std::vector<WorkloadSpec> all_workloads(std::span<const Regime* const> regimes);
 
-/// The regime's first cases that fit, polygons without radius, touching and separated ones mixed.
-/// None where the regime has hardly any that fit.
-std::optional<std::vector<PairCase>> draw_workload(const WorkloadSpec& spec, std::uint64_t seed);
+/// The regime's first cases that fit, polygons without radius, touching and separated ones mixed;
+/// of round shapes those that `takes` says. None where the regime has hardly any that fit.
+std::optional<std::vector<PairCase>> draw_workload(
+    const WorkloadSpec& spec, std::uint64_t seed,
+    const std::function<bool(const PairCase&)>& takes = {});
 
 /// Something that is timed: one way to ask one collider.
 struct BenchSubject {
@@ -73,7 +75,7 @@ struct BenchErrors {
 };
 
 /// Of the subjects that give manifolds, by name: however it is asked, a collider answers alike.
-std::map<std::string, BenchErrors> measure_errors(const std::vector<BenchSubject>& subjects,
+std::map<std::string, BenchErrors> measure_errors(const std::vector<const BenchSubject*>& subjects,
                                                   std::span<const PairCase> pairs);
 
 /// What no kernel can beat, timed beside them, for one instruction set: the arithmetic of the pairs
@@ -103,8 +105,8 @@ struct BenchOptions {
 /// Fewer cases and shorter repetitions.
 BenchOptions quick_bench();
 
-/// Every subject over every workload that its regime has cases for. `on_workload` is told which
-/// one comes next.
+/// Every subject over every workload that its regime has cases for; of round shapes those subjects
+/// that take all that Box2D takes. `on_workload` is told which one comes next.
 std::vector<BenchRow> run_bench(const std::vector<BenchSubject>& subjects,
                                 const std::vector<WorkloadSpec>& workloads,
                                 const BenchOptions& options,
