@@ -30,9 +30,9 @@ bool is_normal_at(const ConvexPolygon<Scalar>& polygon, int corner,
 }
 
 /// The unit normal from A to B on which the places are nearest: a face's own, or from vertex to
-/// vertex where that is among the normals of both; of vertices at one place that of the face which
-/// separates most; of two points at one place any, (1, 0). None where edges cross by so little that
-/// rounding hides where.
+/// vertex where that is among the normals of both; where rounding hides whether it is, that of the
+/// face which separates most; of two points at one place any, (1, 0). None where edges cross by so
+/// little that rounding hides where.
 template <class Scalar>
 std::optional<Vector2<Scalar>> nearest_normal(const ConvexPolygon<Scalar>& a,
                                               const ConvexPolygon<Scalar>& b,
@@ -50,9 +50,12 @@ std::optional<Vector2<Scalar>> nearest_normal(const ConvexPolygon<Scalar>& a,
     return Vector2<Scalar>(unit.template cast<Scalar>());
   }
   if (a.face_count() + b.face_count() == 0) return Vector2<Scalar>(1, 0);
-  if (distance > static_cast<double>(roundoff)) return std::nullopt;
-  return of_a.separation >= of_b.separation ? a.normals[of_a.face]
-                                            : Vector2<Scalar>(-b.normals[of_b.face]);
+  const bool is_of_a = of_a.separation >= of_b.separation;
+  const Vector2<Scalar> normal =
+      is_of_a ? a.normals[of_a.face] : Vector2<Scalar>(-b.normals[of_b.face]);
+  // Rounding turns a short line out of its vertices' normals, but its ends by no more than this.
+  if (std::abs(normal.dot(clockwise_quarter(nearest.apart))) > 2 * roundoff) return std::nullopt;
+  return normal;
 }
 
 /// The edge that a shape gives at its nearest place: the face itself, or of the two edges at the

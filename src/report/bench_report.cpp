@@ -12,10 +12,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json row_json(const BenchRow& row) {
-  Json json{{"collider", row.subject->name},
-            {"query", row.subject->query},
-            {"input", row.subject->input},
-            {"target", row.subject->target},
+  Json json{{"collider", row.subject.name},
+            {"query", row.subject.query},
+            {"input", row.subject.input},
+            {"target", row.subject.target},
             {"vertices", row.spec.vertices ? Json(*row.spec.vertices) : Json("mixed")},
             {"touching", row.spec.touching},
             {"regime", row.spec.regime->name},
@@ -57,8 +57,8 @@ std::string bench_table(const std::vector<BenchRow>& rows) {
       "x box2d", "depth", "99.9%", "position", "missed");
   for (const BenchRow& row : rows) {
     text += fmt::format(
-        "{:<9} {:<10} {:<8} {:<10} {:<13} {:>8} {:>8} {:>6} {:>9.1f} {:>8.2f}", row.subject->name,
-        row.subject->query, row.subject->input, row.subject->target, row.spec.regime->name,
+        "{:<9} {:<10} {:<8} {:<10} {:<13} {:>8} {:>8} {:>6} {:>9.1f} {:>8.2f}", row.subject.name,
+        row.subject.query, row.subject.input, row.subject.target, row.spec.regime->name,
         row.spec.vertices ? std::to_string(*row.spec.vertices) : "mixed", row.spec.touching,
         row.spec.pairs, row.timing.ns_per_pair, row.timing.speedup_over_box2d);
     if (row.errors) {
@@ -109,11 +109,11 @@ std::vector<PlotPoint> front(std::vector<PlotPoint> points) {
 void write_bench_plot(const std::string& path, const std::vector<BenchRow>& rows) {
   // The kernels' subjects come with the widest instruction set first.
   const auto of_kernel =
-      std::ranges::find_if(rows, [](const BenchRow& row) { return !row.subject->target.empty(); });
-  const std::string widest = of_kernel == rows.end() ? "" : of_kernel->subject->target;
+      std::ranges::find_if(rows, [](const BenchRow& row) { return !row.subject.target.empty(); });
+  const std::string widest = of_kernel == rows.end() ? "" : of_kernel->subject.target;
   std::vector<PlotPoint> points;
   for (const BenchRow& row : rows) {
-    const BenchSubject& subject = *row.subject;
+    const BenchSubject& subject = row.subject;
     const bool is_widest = subject.target.empty() || subject.target == widest;
     const bool is_hinted = subject.name.ends_with("+hint");
     if (row.workload > 0 || !row.errors || !is_widest || is_hinted) continue;

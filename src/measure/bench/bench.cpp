@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -115,15 +116,15 @@ void initialize(const TimingOptions& options) {
 
 /// Times the subjects over one workload, on Google Benchmark, their repetitions in random order;
 /// the kernels then use the widest instruction set again.
-std::vector<Timing> time_subjects(const std::vector<const BenchSubject*>& subjects,
+std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
                                   std::span<const PairCase> pairs, const TimingOptions& options) {
   initialize(options);
   const auto name_of = [](std::size_t i) { return fmt::format("subject {}", i); };
   std::size_t base = subjects.size();
   for (std::size_t i = 0; i < subjects.size(); ++i) {
-    if (subjects[i]->name == kRatioBase) base = i;
-    const auto pass = subjects[i]->prepare(pairs);
-    const std::string target = subjects[i]->target;
+    if (subjects[i].name == kRatioBase) base = i;
+    const auto pass = subjects[i].prepare(pairs);
+    const std::string target = subjects[i].target;
     benchmark::RegisterBenchmark(name_of(i).c_str(), [pass, target](benchmark::State& state) {
       if (!target.empty()) kernel::use_target(target);
       for ([[maybe_unused]] const auto once : state) pass();
@@ -183,12 +184,12 @@ BenchErrors errors_of(const Measurement& subject, std::span<const PairCase> pair
 
 }  // namespace
 
-std::map<std::string, BenchErrors> measure_errors(const std::vector<const BenchSubject*>& subjects,
+std::map<std::string, BenchErrors> measure_errors(const std::vector<BenchSubject>& subjects,
                                                   std::span<const PairCase> pairs) {
   std::map<std::string, Measurement> measurements;
-  for (const BenchSubject* const subject : subjects) {
-    if (subject->collider && !measurements.contains(subject->name)) {
-      measurements.emplace(subject->name, Measurement{subject->collider()});
+  for (const BenchSubject& subject : subjects) {
+    if (subject.collider && !measurements.contains(subject.name)) {
+      measurements.emplace(subject.name, Measurement{subject.collider()});
     }
   }
   for (std::uint64_t i = 0; i < pairs.size(); ++i) {
@@ -232,15 +233,15 @@ std::vector<BenchRow> run_bench(const std::vector<BenchSubject>& subjects,
     judged_spec.pairs = options.judged;
     const auto judged = draw_workload(judged_spec, options.seed, by_box2d);
     if (!timed || !judged) continue;
-    std::vector<const BenchSubject*> taking;
-    for (const BenchSubject& subject : subjects) {
-      if (takes_all(subject, workloads[w], *timed)) taking.push_back(&subject);
-    }
+    std::vector<BenchSubject> taking;
+    std::ranges::copy_if(subjects, std::back_inserter(taking), [&](const BenchSubject& subject) {
+      return takes_all(subject, workloads[w], *timed);
+    });
     const std::vector<Timing> timings = time_subjects(taking, *timed, options.timing);
     const auto errors = measure_errors(taking, *judged);
     for (std::size_t i = 0; i < taking.size(); ++i) {
       BenchRow row{taking[i], w, workloads[w], timings[i], {}};
-      if (taking[i]->collider) row.errors = errors.at(taking[i]->name);
+      if (taking[i].collider) row.errors = errors.at(taking[i].name);
       rows.push_back(std::move(row));
     }
   }

@@ -75,7 +75,7 @@ struct BenchErrors {
 };
 
 /// Of the subjects that give manifolds, by name: however it is asked, a collider answers alike.
-std::map<std::string, BenchErrors> measure_errors(const std::vector<const BenchSubject*>& subjects,
+std::map<std::string, BenchErrors> measure_errors(const std::vector<BenchSubject>& subjects,
                                                   std::span<const PairCase> pairs);
 
 /// What no kernel can beat, timed beside them, for one instruction set: the arithmetic of the pairs
@@ -89,7 +89,7 @@ int operations(int count_a, int count_b, bool touches);
 
 /// One subject over one workload.
 struct BenchRow {
-  const BenchSubject* subject = nullptr;
+  BenchSubject subject;
   std::size_t workload = 0;  ///< its index
   WorkloadSpec spec;
   Timing timing;

@@ -40,10 +40,7 @@ TEST_CASE("bench measures every subject and writes what it found") {
 TEST_CASE("bench's errors are those of the same manifolds") {
   const auto workload = draw_workload({find_regime("sliver"), {}, 0.5, 400}, 1);
   REQUIRE(workload);
-  const std::vector<BenchSubject> subjects = own_subjects();
-  std::vector<const BenchSubject*> all;
-  for (const BenchSubject& subject : subjects) all.push_back(&subject);
-  const auto errors = measure_errors(all, *workload);
+  const auto errors = measure_errors(own_subjects(), *workload);
   const BenchErrors& of_clip = errors.at("clip");
   const BenchErrors& of_batch = errors.at("batch");
   CHECK(of_clip.cases == 400);
