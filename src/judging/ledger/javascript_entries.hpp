@@ -61,6 +61,10 @@ inline constexpr Budget kOfPhaserDirectionOfRoundings[] = {{"cores_touch", 12000
 inline constexpr Budget kOfPhaserNoNormalWithinEpsilon[] = {{"cores_touch", 170000}};
 inline constexpr Budget kOfPhaserFaceWithinEpsilon[] = {{"cores_touch", 5000}};
 
+inline constexpr Budget kOfPhaserDirectionOfRoundedPlaces[] = {{"capsules", 1}};
+inline constexpr Budget kOfPhaserFaceWithinSlop[] = {{"cores_touch", 1}};
+inline constexpr Budget kOfPhaserNormalOverRoundedDistance[] = {{"cores_touch", 1}};
+
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfJavaScript{
     LedgerEntry{.id = "planck-edge-slab-not-widened",
@@ -135,6 +139,14 @@ inline constexpr std::array kOfJavaScript{
                           "(p1.x - p2.x) * u1X + (p1.y - p2.y) * u2Y, s1n = Math.max(-ss1, -ss2)",
                 .budgets = kOfPhaserCapsuleSlips,
                 .explains = slips_in_phaser_capsules},
+    LedgerEntry{.id = "phaser-box2d-direction-of-rounded-places",
+                .collider = "phaser-box2d",
+                .description = "capsules nearly in touch: the normal is the direction between the "
+                               "nearest places as doubles have them, not an edge's normal",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsules: normalX = "
+                          "closest2.x - closest1.x, over its length",
+                .budgets = kOfPhaserDirectionOfRoundedPlaces,
+                .explains = direction_of_rounded_places},
     LedgerEntry{.id = "phaser-box2d-capsule-slop",
                 .collider = "phaser-box2d",
                 .description = "capsules: an edge's normal within 0.005 of the nearest, clipped "
@@ -160,6 +172,22 @@ inline constexpr std::array kOfJavaScript{
                           "u1 < 0.0 && separation > eps",
                 .budgets = kOfPhaserFaceWithinEpsilon,
                 .explains = face_within_phaser_epsilon},
+    LedgerEntry{.id = "phaser-box2d-face-within-slop",
+                .collider = "phaser-box2d",
+                .description = "a face's normal, and depths along it, where round shapes' cores "
+                               "are nearest at corners: no face is farther than 0.0005",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: separationA > "
+                          "0.1 * b2_linearSlop || separationB > 0.1 * b2_linearSlop",
+                .budgets = kOfPhaserFaceWithinSlop,
+                .explains = face_within_phaser_slop},
+    LedgerEntry{.id = "phaser-box2d-normal-over-rounded-distance",
+                .collider = "phaser-box2d",
+                .description = "a normal between corners that is not unit: their difference over "
+                               "the rounded distance of the same places on their edges",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: normalX *= "
+                          "invDistance, of result.distanceSquared",
+                .budgets = kOfPhaserNormalOverRoundedDistance,
+                .explains = normal_over_rounded_distance},
     LedgerEntry{.id = "phaser-box2d-one-point-between-corners",
                 .collider = "phaser-box2d",
                 .description = "one point where edges overlap: cores are nearest at corners",
