@@ -63,6 +63,7 @@ inline constexpr Budget kOfPhaserFaceWithinEpsilon[] = {{"cores_touch", 5000}};
 
 inline constexpr Budget kOfPhaserDirectionOfRoundedPlaces[] = {{"capsules", 1}};
 inline constexpr Budget kOfPhaserFaceWithinSlop[] = {{"cores_touch", 1}};
+inline constexpr Budget kOfPhaserNearestByRoundings[] = {{"side_planes", 1}};
 inline constexpr Budget kOfPhaserNormalOverRoundedDistance[] = {{"cores_touch", 1}};
 
 /// The entries, the first that explains before others.
@@ -180,6 +181,15 @@ inline constexpr std::array kOfJavaScript{
                           "0.1 * b2_linearSlop || separationB > 0.1 * b2_linearSlop",
                 .budgets = kOfPhaserFaceWithinSlop,
                 .explains = face_within_phaser_slop},
+    LedgerEntry{.id = "phaser-box2d-nearest-by-roundings",
+                .collider = "phaser-box2d",
+                .description = "edges all but parallel: one point between corners, or a face's "
+                               "normal, as the nearest places in double have it",
+                .source =
+                    "phaser-box2d 1.1.0, src/distance_c.js, b2SegmentDistance: denom = dd1 * "
+                    "dd2 - d12 * d12; src/manifold_c.js, b2CollidePolygons: fraction1 === 0.0",
+                .budgets = kOfPhaserNearestByRoundings,
+                .explains = nearest_by_phaser_roundings},
     LedgerEntry{.id = "phaser-box2d-normal-over-rounded-distance",
                 .collider = "phaser-box2d",
                 .description = "a normal between corners that is not unit: their difference over "

@@ -198,8 +198,7 @@ bool no_normal_within_phaser_epsilon(const Deviation& d) {
 bool one_point_between_corners(const Deviation& d) {
   const exact::PenetrationCurve curve(*d.right.truth, exact::Skin::round);
   return d.kind == Kind::count && d.got.count == 1 && is_round(d.right.pair()) &&
-         ((curve.are_cores_apart() && curve.nearest_vertices().has_value()) ||
-          is_between_phaser_corners(d));
+         curve.are_cores_apart() && curve.nearest_vertices().has_value();
 }
 
 }  // namespace manifuzz

@@ -77,13 +77,24 @@ int most_opposed(const RoughPolygon& of, const Vector2<double>& normal) {
   return found;
 }
 
+/// Of the numerator of b2SegmentDistance's share, over both lengths and the extent: some 16
+/// roundings of half an ulp.
+constexpr double kErrorOfShare = 0x1p-49;
+
 /// b2SegmentDistance: shares of both edges at their nearest places.
 struct NearestPlaces {
   double share1 = 0;
   double share2 = 0;
   double distance = 0;
+  double length1 = 0;
+  double sine = 0;  ///< of the angle between both edges
 
   bool are_ends() const { return is_end(share1) && is_end(share2); }
+  /// How much too far apart the places may be: the share's division by the square of the sine moves
+  /// them along an edge, no farther than it is long, and off the other by the sine of that.
+  double excess(double extent) const {
+    return sine > 0 ? std::min(length1 * sine, kErrorOfShare * extent / sine) : 0;
+  }
   static bool is_end(double share) { return share == 0 || share == 1; }
 };
 
@@ -108,6 +119,8 @@ NearestPlaces nearest_places(const Vector2<double>& p1, const Vector2<double>& q
     found.share2 = found.share2 < 0 ? 0 : 1;
   }
   found.distance = ((p1 + found.share1 * d1) - (p2 + found.share2 * d2)).norm();
+  found.length1 = d1.norm();
+  found.sine = std::abs(d1.x() * d2.y() - d1.y() * d2.x()) / (found.length1 * d2.norm());
   return found;
 }
 
@@ -115,6 +128,7 @@ NearestPlaces nearest_places(const Vector2<double>& p1, const Vector2<double>& q
 struct PolygonsByPhaser {
   Vector2<double> normal{0, 0};
   std::vector<double> depths{};  ///< of its points that are no gaps, the deepest first
+  NearestPlaces places{};        ///< of both edges
   bool is_between_corners = false;
   bool is_within_slop = false;  ///< clipped because no face is farther than the slop
 };
@@ -161,6 +175,7 @@ std::optional<PolygonsByPhaser> polygons_by_phaser(const PairCase& pair) {
   found.is_within_slop = std::max(on_a.separation, on_b.separation) <= kSlopOfPolygons;
   const NearestPlaces places =
       nearest_places(a.vertices[i], a.vertices[a.next(i)], b.vertices[j], b.vertices[b.next(j)]);
+  found.places = places;
   found.is_between_corners = !found.is_within_slop && places.are_ends();
   if (found.is_between_corners) {
     const Vector2<double>& from = a.vertices[places.share1 == 0 ? i : a.next(i)];
@@ -230,9 +245,15 @@ bool normal_over_rounded_distance(const Deviation& d) {
          std::abs(found->normal.norm() - 1) > d.right.bounds.normal / 2;
 }
 
-bool is_between_phaser_corners(const Deviation& d) {
+bool nearest_by_phaser_roundings(const Deviation& d) {
   const auto found = polygons_by_phaser(d.right.pair());
-  return found && found->is_between_corners && is_answer(d, *found);
+  if (!found || found->is_within_slop || !is_answer(d, *found)) return false;
+  const exact::PenetrationCurve curve(*d.right.truth, exact::Skin::round);
+  const double distance = total_radius(d.right.pair()) - curve.least();
+  return curve.are_cores_apart() &&
+         found->is_between_corners != curve.nearest_vertices().has_value() &&
+         std::abs(found->places.distance - distance) <=
+             2 * d.right.bounds.separation + found->places.excess(d.right.truth->extent());
 }
 
 }  // namespace manifuzz
