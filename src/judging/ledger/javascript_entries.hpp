@@ -7,7 +7,8 @@
 namespace manifuzz::ledger_of {
 
 // planck and phaser-box2d. Budgets are twice what 10,000,000 cases against clip64 showed,
-// of round shapes 1,050,000 and 200,000 against clip, rounded up.
+// of round shapes 1,050,000 and 200,000 against clip, of phaser-box2d's rounded places, faces
+// within slop and nearest places 3,000,000, rounded up.
 inline constexpr Budget kOfPlanckNoContactUnderBias[] = {{"generic", 70},
                                                          {"boxes", 20},
                                                          {"regular", 130},
@@ -61,10 +62,17 @@ inline constexpr Budget kOfPhaserDirectionOfRoundings[] = {{"cores_touch", 12000
 inline constexpr Budget kOfPhaserNoNormalWithinEpsilon[] = {{"cores_touch", 170000}};
 inline constexpr Budget kOfPhaserFaceWithinEpsilon[] = {{"cores_touch", 5000}};
 
-inline constexpr Budget kOfPhaserDirectionOfRoundedPlaces[] = {{"capsules", 1}};
-inline constexpr Budget kOfPhaserFaceWithinSlop[] = {{"cores_touch", 1}};
-inline constexpr Budget kOfPhaserNearestByRoundings[] = {{"side_planes", 1}};
-inline constexpr Budget kOfPhaserNormalOverRoundedDistance[] = {{"cores_touch", 1}};
+inline constexpr Budget kOfPhaserDirectionOfRoundedPlaces[] = {
+    {"capsules", 160},     {"mixed_shapes", 40},  {"in_line", 20},
+    {"tilted_edges", 410}, {"voronoi_lines", 20}, {"cores_touch", 1300}};
+inline constexpr Budget kOfPhaserFaceWithinSlop[] = {
+    {"capsules", 1100},     {"round_corners", 2400}, {"mixed_shapes", 1700},
+    {"voronoi_lines", 400}, {"cores_touch", 44000},  {"side_planes", 360}};
+inline constexpr Budget kOfPhaserNearestByRoundings[] = {{"voronoi_lines", 47},
+                                                         {"side_planes", 3900}};
+inline constexpr Budget kOfPhaserNormalOverRoundedDistance[] = {
+    {"capsules", 710},    {"round_corners", 750}, {"mixed_shapes", 930},
+    {"tilted_edges", 20}, {"voronoi_lines", 680}, {"cores_touch", 1300}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfJavaScript{

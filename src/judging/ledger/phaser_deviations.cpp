@@ -172,7 +172,8 @@ bool slop_in_phaser_capsules(const Deviation& d) {
 
 bool direction_of_rounded_places(const Deviation& d) {
   const auto cores = capsule_cores(d.right.pair());
-  if (!cores || d.got.count != 1) return false;
+  // A missing point is another fault's, however the normal is rounded.
+  if (!cores || d.got.count != 1 || d.kind == Kind::count) return false;
   const Bounds& bounds = d.right.bounds;
   const FoundByPhaser found =
       capsules_by_phaser((*cores)[0], (*cores)[1], total_radius(d.right.pair()), false);

@@ -242,7 +242,7 @@ bool face_within_phaser_slop(const Deviation& d) {
 bool normal_over_rounded_distance(const Deviation& d) {
   const auto found = polygons_by_phaser(d.right.pair());
   return found && found->is_between_corners && is_answer(d, *found) &&
-         std::abs(found->normal.norm() - 1) > d.right.bounds.normal / 2;
+         std::abs(d.got.normal.norm() - 1) > d.right.bounds.normal;
 }
 
 bool nearest_by_phaser_roundings(const Deviation& d) {
