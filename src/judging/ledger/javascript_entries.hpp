@@ -35,10 +35,9 @@ inline constexpr Budget kOfPlanckNormalOfScaledVertices[] = {
     {"deep", 10},           {"tie_bias", 920},     {"far_from_origin", 190},
     {"scaled", 260},        {"off_unit", 120},     {"ulp", 4400}};
 inline constexpr Budget kOfPhaserEdgeExtendedToSlab[] = {
-    {"sliver", 590},       {"micro_edge", 80}, {"near_collinear", 18000}, {"corner_corner", 690},
-    {"touching", 470},     {"tie_bias", 500},  {"far_from_origin", 100},  {"scaled", 200},
-    {"off_unit", 220},     {"ulp", 1200},      {"capsules", 1400},        {"mixed_shapes", 1200},
-    {"round_corners", 200}};
+    {"sliver", 590},   {"micro_edge", 80}, {"near_collinear", 18000}, {"corner_corner", 690},
+    {"touching", 470}, {"tie_bias", 500},  {"far_from_origin", 100},  {"scaled", 200},
+    {"off_unit", 220}, {"ulp", 1200}};
 inline constexpr Budget kOfPhaserNoContactOnTiedFeatures[] = {{"near_collinear", 510}, {"ulp", 20}};
 inline constexpr Budget kOfPlanckEdgeHysteresis[] = {
     {"capsules", 670}, {"mixed_shapes", 320}, {"voronoi_lines", 54}};
