@@ -129,17 +129,32 @@ FoundByPhaser capsules_by_phaser(const Core& a, const Core& b, double radius, bo
           depths_of({distance, INFINITY}, radius)};
 }
 
-bool is_given(const Deviation& d, const FoundByPhaser& found) {
+/// How far an answer may be from what is found.
+struct SlackOfCapsules {
+  double depth = 0;
+  double normal = 0;
+};
+
+/// The operations are the engine's, so only the answer's way through the case's frame rounds it.
+SlackOfCapsules as_rounded(const Deviation& d) {
+  return {d.right.bounds.separation, 4 * d.right.bounds.normal};
+}
+
+/// About the same deviation: what a mended slip leaves of it is no slip's.
+SlackOfCapsules as_about(const Deviation& d) {
+  return {1e-9 * (d.right.truth->extent() + total_radius(d.right.pair())), 1e-6};
+}
+
+bool is_given(const Deviation& d, const FoundByPhaser& found, const SlackOfCapsules& slack) {
   std::vector<double> depths;
   for (int i = 0; i < d.got.count; ++i) depths.push_back(d.got.points[i].depth);
   std::ranges::sort(depths, std::greater());
   if (depths.size() != found.depths.size()) return false;
   if (depths.empty()) return true;
-  const double slack = 1e-9 * (d.right.truth->extent() + total_radius(d.right.pair()));
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    if (std::abs(depths[i] - found.depths[i]) > slack) return false;
+    if (std::abs(depths[i] - found.depths[i]) > slack.depth) return false;
   }
-  return (d.got.normal.normalized() - found.normal).norm() <= 1e-6;
+  return (d.got.normal.normalized() - found.normal).norm() <= slack.normal;
 }
 
 std::optional<std::array<Core, 2>> capsule_cores(const PairCase& pair) {
@@ -157,8 +172,8 @@ bool slips_in_phaser_capsules(const Deviation& d) {
   const auto cores = capsule_cores(d.right.pair());
   if (!cores) return false;
   const double radius = total_radius(d.right.pair());
-  return is_given(d, capsules_by_phaser((*cores)[0], (*cores)[1], radius, false)) &&
-         !is_given(d, capsules_by_phaser((*cores)[0], (*cores)[1], radius, true));
+  return is_given(d, capsules_by_phaser((*cores)[0], (*cores)[1], radius, false), as_rounded(d)) &&
+         !is_given(d, capsules_by_phaser((*cores)[0], (*cores)[1], radius, true), as_about(d));
 }
 
 bool slop_in_phaser_capsules(const Deviation& d) {
@@ -167,7 +182,7 @@ bool slop_in_phaser_capsules(const Deviation& d) {
   const FoundByPhaser found =
       capsules_by_phaser((*cores)[0], (*cores)[1], total_radius(d.right.pair()), false);
   // No contact is the slop's doing only where it let the edges be clipped.
-  return (d.got.count > 0 || found.is_clipped) && is_given(d, found);
+  return (d.got.count > 0 || found.is_clipped) && is_given(d, found, as_rounded(d));
 }
 
 bool direction_of_rounded_places(const Deviation& d) {
@@ -177,13 +192,12 @@ bool direction_of_rounded_places(const Deviation& d) {
   const Bounds& bounds = d.right.bounds;
   const FoundByPhaser found =
       capsules_by_phaser((*cores)[0], (*cores)[1], total_radius(d.right.pair()), false);
-  if (found.is_clipped || !is_given(d, found)) return false;
+  if (found.is_clipped || !is_given(d, found, as_rounded(d))) return false;
   const exact::PenetrationCurve curve(*d.right.truth, exact::Skin::round);
   if (!curve.are_cores_apart()) return false;
   const double distance = total_radius(d.right.pair()) - curve.least();
   const double off = (found.normal - curve.minima(0).front()).norm();
-  return (d.got.normal - found.normal).norm() <= 4 * bounds.normal && off > bounds.normal / 2 &&
-         off * distance <= 4 * bounds.separation;
+  return off > bounds.normal / 2 && off * distance <= 4 * bounds.separation;
 }
 
 bool no_normal_within_phaser_epsilon(const Deviation& d) {
