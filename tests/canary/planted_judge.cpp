@@ -9,6 +9,7 @@
 #include "judging/ledger/box2d_deviations.cpp"
 #include "judging/ledger/chipmunk_deviations.cpp"
 #include "judging/ledger/phaser_deviations.cpp"
+#include "judging/ledger/phaser_polygons.cpp"
 #include "judging/ledger/planck_deviations.cpp"
 #include "judging/malformed.cpp"
 #include "judging/manifold_error.cpp"

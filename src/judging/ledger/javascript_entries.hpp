@@ -7,7 +7,8 @@
 namespace manifuzz::ledger_of {
 
 // planck and phaser-box2d. Budgets are twice what 10,000,000 cases against clip64 showed,
-// of round shapes 1,050,000 and 200,000 against clip, rounded up.
+// of round shapes 1,050,000 and 200,000 against clip, of phaser-box2d's rounded places, faces
+// within slop and nearest places 3,000,000, rounded up.
 inline constexpr Budget kOfPlanckNoContactUnderBias[] = {{"generic", 70},
                                                          {"boxes", 20},
                                                          {"regular", 130},
@@ -34,10 +35,9 @@ inline constexpr Budget kOfPlanckNormalOfScaledVertices[] = {
     {"deep", 10},           {"tie_bias", 920},     {"far_from_origin", 190},
     {"scaled", 260},        {"off_unit", 120},     {"ulp", 4400}};
 inline constexpr Budget kOfPhaserEdgeExtendedToSlab[] = {
-    {"sliver", 590},       {"micro_edge", 80}, {"near_collinear", 18000}, {"corner_corner", 690},
-    {"touching", 470},     {"tie_bias", 500},  {"far_from_origin", 100},  {"scaled", 200},
-    {"off_unit", 220},     {"ulp", 1200},      {"capsules", 1400},        {"mixed_shapes", 1200},
-    {"round_corners", 200}};
+    {"sliver", 590},   {"micro_edge", 80}, {"near_collinear", 18000}, {"corner_corner", 690},
+    {"touching", 470}, {"tie_bias", 500},  {"far_from_origin", 100},  {"scaled", 200},
+    {"off_unit", 220}, {"ulp", 1200}};
 inline constexpr Budget kOfPhaserNoContactOnTiedFeatures[] = {{"near_collinear", 510}, {"ulp", 20}};
 inline constexpr Budget kOfPlanckEdgeHysteresis[] = {
     {"capsules", 670}, {"mixed_shapes", 320}, {"voronoi_lines", 54}};
@@ -60,6 +60,18 @@ inline constexpr Budget kOfPhaserOnePointBetweenCorners[] = {
 inline constexpr Budget kOfPhaserDirectionOfRoundings[] = {{"cores_touch", 120000}};
 inline constexpr Budget kOfPhaserNoNormalWithinEpsilon[] = {{"cores_touch", 170000}};
 inline constexpr Budget kOfPhaserFaceWithinEpsilon[] = {{"cores_touch", 5000}};
+
+inline constexpr Budget kOfPhaserDirectionOfRoundedPlaces[] = {
+    {"capsules", 160},     {"mixed_shapes", 40},  {"in_line", 20},
+    {"tilted_edges", 410}, {"voronoi_lines", 20}, {"cores_touch", 1300}};
+inline constexpr Budget kOfPhaserFaceWithinSlop[] = {
+    {"capsules", 1100},     {"round_corners", 2400}, {"mixed_shapes", 1700},
+    {"voronoi_lines", 400}, {"cores_touch", 44000},  {"side_planes", 360}};
+inline constexpr Budget kOfPhaserNearestByRoundings[] = {{"voronoi_lines", 47},
+                                                         {"side_planes", 3900}};
+inline constexpr Budget kOfPhaserNormalOverRoundedDistance[] = {
+    {"capsules", 710},    {"round_corners", 750}, {"mixed_shapes", 930},
+    {"tilted_edges", 20}, {"voronoi_lines", 680}, {"cores_touch", 1300}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfJavaScript{
@@ -135,6 +147,14 @@ inline constexpr std::array kOfJavaScript{
                           "(p1.x - p2.x) * u1X + (p1.y - p2.y) * u2Y, s1n = Math.max(-ss1, -ss2)",
                 .budgets = kOfPhaserCapsuleSlips,
                 .explains = slips_in_phaser_capsules},
+    LedgerEntry{.id = "phaser-box2d-direction-of-rounded-places",
+                .collider = "phaser-box2d",
+                .description = "capsules nearly in touch: the normal is the direction between the "
+                               "nearest places as doubles have them, not an edge's normal",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsules: normalX = "
+                          "closest2.x - closest1.x, over its length",
+                .budgets = kOfPhaserDirectionOfRoundedPlaces,
+                .explains = direction_of_rounded_places},
     LedgerEntry{.id = "phaser-box2d-capsule-slop",
                 .collider = "phaser-box2d",
                 .description = "capsules: an edge's normal within 0.005 of the nearest, clipped "
@@ -160,6 +180,31 @@ inline constexpr std::array kOfJavaScript{
                           "u1 < 0.0 && separation > eps",
                 .budgets = kOfPhaserFaceWithinEpsilon,
                 .explains = face_within_phaser_epsilon},
+    LedgerEntry{.id = "phaser-box2d-face-within-slop",
+                .collider = "phaser-box2d",
+                .description = "a face's normal, and depths along it, where round shapes' cores "
+                               "are nearest at corners: no face is farther than 0.0005",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: separationA > "
+                          "0.1 * b2_linearSlop || separationB > 0.1 * b2_linearSlop",
+                .budgets = kOfPhaserFaceWithinSlop,
+                .explains = face_within_phaser_slop},
+    LedgerEntry{.id = "phaser-box2d-nearest-by-roundings",
+                .collider = "phaser-box2d",
+                .description = "edges all but parallel: one point between corners, or a face's "
+                               "normal, as the nearest places in double have it",
+                .source =
+                    "phaser-box2d 1.1.0, src/distance_c.js, b2SegmentDistance: denom = dd1 * "
+                    "dd2 - d12 * d12; src/manifold_c.js, b2CollidePolygons: fraction1 === 0.0",
+                .budgets = kOfPhaserNearestByRoundings,
+                .explains = nearest_by_phaser_roundings},
+    LedgerEntry{.id = "phaser-box2d-normal-over-rounded-distance",
+                .collider = "phaser-box2d",
+                .description = "a normal between corners that is not unit: their difference over "
+                               "the rounded distance of the same places on their edges",
+                .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: normalX *= "
+                          "invDistance, of result.distanceSquared",
+                .budgets = kOfPhaserNormalOverRoundedDistance,
+                .explains = normal_over_rounded_distance},
     LedgerEntry{.id = "phaser-box2d-one-point-between-corners",
                 .collider = "phaser-box2d",
                 .description = "one point where edges overlap: cores are nearest at corners",

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "judging/ledger/phaser_placed.hpp"
 #include "judging/ledger/round_deviations.hpp"
 
 // phaser-box2d on circles and capsules.
@@ -14,7 +15,7 @@ namespace {
 constexpr double kEpsilonOfPhaser = 1e-10;  // math_functions_h.js: eps
 constexpr double kSlopOfPhaser = 0.005;     // core_h.js: b2_linearSlop
 
-/// A capsule's core, in A's frame.
+/// A capsule's core, in A's frame, from the first end of A's.
 struct Core {
   Vector2<double> from;
   Vector2<double> to;
@@ -28,6 +29,7 @@ struct Core {
 struct FoundByPhaser {
   Vector2<double> normal{0, 0};
   std::vector<double> depths{};  ///< of its points that are no gaps, the deepest first
+  bool is_clipped = false;       ///< not the single point between the nearest places
 };
 
 /// The normal of a core's side of the greater separation, as the function takes it, and how far the
@@ -119,7 +121,7 @@ FoundByPhaser capsules_by_phaser(const Core& a, const Core& b, double radius, bo
     const auto gaps = is_by_a ? clipped(b, of_b, a.length(), a.from, on_a.normal)
                               : clipped(a, of_a, b.length(), b.from, on_b.normal);
     if (std::min(gaps[0], gaps[1]) <= distance + kSlopOfPhaser) {
-      return {is_by_a ? on_a.normal : Vector2<double>(-on_b.normal), depths_of(gaps, radius)};
+      return {is_by_a ? on_a.normal : Vector2<double>(-on_b.normal), depths_of(gaps, radius), true};
     }
   }
   const Vector2<double> left(-u1.y(), u1.x());
@@ -127,28 +129,41 @@ FoundByPhaser capsules_by_phaser(const Core& a, const Core& b, double radius, bo
           depths_of({distance, INFINITY}, radius)};
 }
 
-bool is_given(const Deviation& d, const FoundByPhaser& found) {
+/// How far an answer may be from what is found.
+struct SlackOfCapsules {
+  double depth = 0;
+  double normal = 0;
+};
+
+/// The operations are the engine's, so only the answer's way through the case's frame rounds it.
+SlackOfCapsules as_rounded(const Deviation& d) {
+  return {d.right.bounds.separation, 4 * d.right.bounds.normal};
+}
+
+/// About the same deviation: what a mended slip leaves of it is no slip's.
+SlackOfCapsules as_about(const Deviation& d) {
+  return {1e-9 * (d.right.truth->extent() + total_radius(d.right.pair())), 1e-6};
+}
+
+bool is_given(const Deviation& d, const FoundByPhaser& found, const SlackOfCapsules& slack) {
   std::vector<double> depths;
   for (int i = 0; i < d.got.count; ++i) depths.push_back(d.got.points[i].depth);
   std::ranges::sort(depths, std::greater());
   if (depths.size() != found.depths.size()) return false;
   if (depths.empty()) return true;
-  const double slack = 1e-9 * (d.right.truth->extent() + total_radius(d.right.pair()));
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    if (std::abs(depths[i] - found.depths[i]) > slack) return false;
+    if (std::abs(depths[i] - found.depths[i]) > slack.depth) return false;
   }
-  return (d.got.normal.normalized() - found.normal).norm() <= 1e-6;
+  return (d.got.normal.normalized() - found.normal).norm() <= slack.normal;
 }
 
 std::optional<std::array<Core, 2>> capsule_cores(const PairCase& pair) {
   if (pair.a.polygon.count != 2 || pair.b.polygon.count != 2) return std::nullopt;
-  const exact::RoughPair placed = exact::place_roughly(pair);
-  const Vector2<double> turn = pair.a.pose.rotation.cast<double>().normalized();
-  const auto core = [&](const exact::RoughPolygon& of) {
-    return Core{rotate_back<double>(turn, of.vertices[0]),
-                rotate_back<double>(turn, of.vertices[1])};
+  const PlacedByPhaser placed = placed_by_phaser(pair);
+  const auto core = [](const exact::RoughPolygon& of) {
+    return Core{of.vertices[0], of.vertices[1]};
   };
-  return std::array{core(placed.a), core(placed.b)};
+  return std::array{core(placed.first), core(placed.second)};
 }
 
 }  // namespace
@@ -157,15 +172,32 @@ bool slips_in_phaser_capsules(const Deviation& d) {
   const auto cores = capsule_cores(d.right.pair());
   if (!cores) return false;
   const double radius = total_radius(d.right.pair());
-  return is_given(d, capsules_by_phaser((*cores)[0], (*cores)[1], radius, false)) &&
-         !is_given(d, capsules_by_phaser((*cores)[0], (*cores)[1], radius, true));
+  return is_given(d, capsules_by_phaser((*cores)[0], (*cores)[1], radius, false), as_rounded(d)) &&
+         !is_given(d, capsules_by_phaser((*cores)[0], (*cores)[1], radius, true), as_about(d));
 }
 
 bool slop_in_phaser_capsules(const Deviation& d) {
   const auto cores = capsule_cores(d.right.pair());
-  if (!cores || d.got.count == 0) return false;
-  const double radius = total_radius(d.right.pair());
-  return is_given(d, capsules_by_phaser((*cores)[0], (*cores)[1], radius, false));
+  if (!cores) return false;
+  const FoundByPhaser found =
+      capsules_by_phaser((*cores)[0], (*cores)[1], total_radius(d.right.pair()), false);
+  // No contact is the slop's doing only where it let the edges be clipped.
+  return (d.got.count > 0 || found.is_clipped) && is_given(d, found, as_rounded(d));
+}
+
+bool direction_of_rounded_places(const Deviation& d) {
+  const auto cores = capsule_cores(d.right.pair());
+  // A missing point is another fault's, however the normal is rounded.
+  if (!cores || d.got.count != 1 || d.kind == Kind::count) return false;
+  const Bounds& bounds = d.right.bounds;
+  const FoundByPhaser found =
+      capsules_by_phaser((*cores)[0], (*cores)[1], total_radius(d.right.pair()), false);
+  if (found.is_clipped || !is_given(d, found, as_rounded(d))) return false;
+  const exact::PenetrationCurve curve(*d.right.truth, exact::Skin::round);
+  if (!curve.are_cores_apart()) return false;
+  const double distance = total_radius(d.right.pair()) - curve.least();
+  const double off = (found.normal - curve.minima(0).front()).norm();
+  return off > bounds.normal / 2 && off * distance <= 4 * bounds.separation;
 }
 
 bool no_normal_within_phaser_epsilon(const Deviation& d) {

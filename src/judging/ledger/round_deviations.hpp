@@ -63,7 +63,22 @@ bool slips_in_phaser_capsules(const Deviation& deviation);
 bool slop_in_phaser_capsules(const Deviation& deviation);
 /// A circle whose centre is within 1e-10 of another core: the normal has no length.
 bool no_normal_within_phaser_epsilon(const Deviation& deviation);
+/// Two capsules in phaser-box2d whose cores are apart: the normal is the direction between their
+/// nearest places as doubles have them, off by their roundings over the distance.
+bool direction_of_rounded_places(const Deviation& deviation);
 /// Cores are nearest at a vertex of each, and of the clip of their edges one point is given.
 bool one_point_between_corners(const Deviation& deviation);
+
+// Of b2CollidePolygons, whose operations are repeated: the answer is what they give.
+
+/// Edges all but parallel: the nearest places as doubles have them are corners though one is on an
+/// edge, or the reverse; their distance is right to what the angle between both edges allows.
+bool nearest_by_phaser_roundings(const Deviation& deviation);
+/// No face is farther than a tenth of the slop: edges are clipped along a face's normal though the
+/// cores are apart, and nearest at corners.
+bool face_within_phaser_slop(const Deviation& deviation);
+/// The normal between two corners is their difference over the distance of the same places as
+/// shares of their edges give them: not unit, by the roundings of these over the distance.
+bool normal_over_rounded_distance(const Deviation& deviation);
 
 }  // namespace manifuzz

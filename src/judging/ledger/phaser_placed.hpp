@@ -1,0 +1,19 @@
+#pragma once
+
+#include "oracle/exact/placed.hpp"
+
+namespace manifuzz {
+
+/// Two shapes of faces in the frame in which phaser-box2d collides them: the first one's, from its
+/// vertex 0. The operations are the adapter's and the engine's in their order, so that the numbers
+/// are the engine's to the last bit.
+struct PlacedByPhaser {
+  exact::RoughPolygon first;   ///< A, or B where A is a capsule and B a polygon
+  exact::RoughPolygon second;  ///< the other
+  bool is_swapped = false;     ///< B is the first
+  Vector2<double> rotation;    ///< the first one's frame in the world, unit
+};
+
+PlacedByPhaser placed_by_phaser(const PairCase& pair);
+
+}  // namespace manifuzz
