@@ -38,6 +38,27 @@ Manifold<Scalar> contact_of_faces(const ConvexPolygon<Scalar>& a, const ConvexPo
                                                                      : manifold;
 }
 
+/// The same of round shapes: by faces where their cores overlap, else by where these are nearest.
+/// Not inlined: polygons would pay for it.
+template <class Scalar>
+[[gnu::noinline]] Manifold<Scalar> contact_of_round_shapes(const ConvexPolygon<Scalar>& a,
+                                                           const ConvexPolygon<Scalar>& b,
+                                                           const FaceSeparation<Scalar>& of_a,
+                                                           const FaceSeparation<Scalar>& of_b,
+                                                           Scalar tie_bias,
+                                                           SecondPoint second_point) {
+  const Scalar roundoff = separation_roundoff(a, b);
+  if (!do_cores_overlap(a, b, std::max(of_a.separation, of_b.separation), roundoff)) {
+    const NearestPlaces<Scalar> nearest = nearest_places(a, b, of_a, of_b, roundoff);
+    const auto normal = nearest_normal(a, b, of_a, of_b, nearest, roundoff);
+    if (normal) return nearest_contact(a, b, nearest, *normal, roundoff, second_point);
+  }
+  Manifold<Scalar> clipped = contact_of_faces(a, b, of_a, of_b, tie_bias);
+  // Sums with a large radius hide how little a clip by the wrong face kept of a small overlap.
+  if (clipped.count == 0) clipped = deepest_contact(a, b);
+  return overlapping_contact(a, b, clipped, second_point);
+}
+
 /// The manifold of two shapes that stand in one frame, which is the manifold's too. Both are free
 /// of defects, and their coordinates within a quarter of the scalar's range. B's face becomes the
 /// reference only where its separation leads by more than `tie_bias` (a length, 0 in the article).
@@ -55,16 +76,7 @@ Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPo
   const FaceSeparation<Scalar> of_b = greatest_separation(b, a, total_radius);
   if (of_b.separation > total_radius) return {};
   if (!are_round(a, b)) return contact_of_faces(a, b, of_a, of_b, tie_bias);
-  const Scalar roundoff = separation_roundoff(a, b);
-  if (!do_cores_overlap(a, b, std::max(of_a.separation, of_b.separation), roundoff)) {
-    const NearestPlaces<Scalar> nearest = nearest_places(a, b, of_a, of_b, roundoff);
-    const auto normal = nearest_normal(a, b, of_a, of_b, nearest, roundoff);
-    if (normal) return nearest_contact(a, b, nearest, *normal, roundoff, second_point);
-  }
-  Manifold<Scalar> clipped = contact_of_faces(a, b, of_a, of_b, tie_bias);
-  // Sums with a large radius hide how little a clip by the wrong face kept of a small overlap.
-  if (clipped.count == 0) clipped = deepest_contact(a, b);
-  return overlapping_contact(a, b, clipped, second_point);
+  return contact_of_round_shapes(a, b, of_a, of_b, tie_bias, second_point);
 }
 
 /// The manifold of A and B in A's frame, B standing at `b_in_a` in it (see `relative_pose`), whose
