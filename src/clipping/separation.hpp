@@ -33,20 +33,28 @@ FaceSeparation<Scalar> face_separation(const ConvexPolygon<Scalar>& polygon, int
   return result;
 }
 
-/// The face of greatest separation, the first of equals; minus infinity of a point, which has none.
-/// Stops at the first face that separates by
+/// The face of greatest separation, the first of equals. Stops at the first face that separates by
 /// more than `limit`, a length, which need not be the greatest. (The article's separating axes,
 /// faces only; Box2D: b2FindMaxSeparation.)
 template <class Scalar>
 FaceSeparation<Scalar> greatest_separation(const ConvexPolygon<Scalar>& polygon,
                                            const ConvexPolygon<Scalar>& other, Scalar limit) {
   FaceSeparation<Scalar> greatest;
-  for (int i = 0; i < polygon.face_count(); ++i) {
+  for (int i = 0; i < polygon.count; ++i) {
     const FaceSeparation<Scalar> candidate = face_separation(polygon, i, other);
     if (candidate.separation > greatest.separation) greatest = candidate;
     if (candidate.separation > limit) break;
   }
   return greatest;
+}
+
+/// The same of any core; minus infinity of a point, which has no face.
+template <class Scalar>
+FaceSeparation<Scalar> greatest_separation_of_core(const ConvexPolygon<Scalar>& core,
+                                                   const ConvexPolygon<Scalar>& other,
+                                                   Scalar limit) {
+  if (core.face_count() == 0) return {};
+  return greatest_separation(core, other, limit);
 }
 
 }  // namespace manifuzz::clipping
