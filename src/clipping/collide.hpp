@@ -49,11 +49,11 @@ template <class Scalar>
                                                            SecondPoint second_point) {
   const Scalar total_radius = a.radius + b.radius;
   const FaceSeparation<Scalar> of_a = greatest_separation_of_core(a, b, total_radius);
-  if (of_a.separation > total_radius) return {};
   const FaceSeparation<Scalar> of_b = greatest_separation_of_core(b, a, total_radius);
-  if (of_b.separation > total_radius) return {};
+  const Scalar separation = std::max(of_a.separation, of_b.separation);
+  if (separation > total_radius) return {};
   const Scalar roundoff = separation_roundoff(a, b);
-  if (!do_cores_overlap(a, b, std::max(of_a.separation, of_b.separation), roundoff)) {
+  if (!do_cores_overlap(a, b, separation, roundoff)) {
     const NearestPlaces<Scalar> nearest = nearest_places(a, b, of_a, of_b, roundoff);
     const auto normal = nearest_normal(a, b, of_a, of_b, nearest, roundoff);
     if (normal) return nearest_contact(a, b, nearest, *normal, roundoff, second_point);
