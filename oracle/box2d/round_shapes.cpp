@@ -38,7 +38,7 @@ Family family_of(const ConvexPolygon<float>& shape) {
 }
 
 bool has_round_corners(const ConvexPolygon<float>& shape) {
-  return shape.count >= kMinVertices && shape.is_round() && shape.radius > 0;
+  return shape.count >= kMinVertices && shape.is_round();
 }
 
 std::optional<Unsupported> beyond_box2d(const PairCase& pair) {
@@ -46,7 +46,9 @@ std::optional<Unsupported> beyond_box2d(const PairCase& pair) {
   const Family b = family_of(pair.b.polygon);
   if (a == Family::circle || b == Family::circle) return std::nullopt;
   if (a == Family::edge && b == Family::edge) return Unsupported{"has no edge against edge"};
-  if (has_round_corners(pair.a.polygon) || has_round_corners(pair.b.polygon)) {
+  const bool is_round_somewhere =
+      has_round_corners(pair.a.polygon) || has_round_corners(pair.b.polygon);
+  if (is_round_somewhere && total_radius(pair) > 0) {
     return Unsupported{"its polygons' corners are mitred"};
   }
   return std::nullopt;

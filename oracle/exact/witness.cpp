@@ -83,23 +83,24 @@ class Frame {
       if (side == Side::b) std::swap(from, to);
       add_heights(from, to, places, steepest, all);
     }
-    if (polygon.count < kMinVertices) add_end(side, places, all);
+    if (polygon.count < kMinVertices) add_ends(side, places, all);
     return all;
   }
 
  private:
-  /// Of a point, or of a segment that runs along the normal, the end that faces the other side.
-  void add_end(Side side, const Interval<E>& places, std::optional<Interval<E>>& all) const {
+  /// Of a point, or of a segment along the normal, which a turn however small shows at its height.
+  void add_ends(Side side, const Interval<E>& places, std::optional<Interval<E>>& all) const {
     const auto& polygon = pair_[side].polygon;
-    Point<Number> end = vertex<Number>(pair_, side, 0);
-    const Point<Number> another = vertex<Number>(pair_, side, polygon.count - 1);
-    const int rises = sign_of(height(another) - height(end));
-    if (side == Side::a ? rises > 0 : rises < 0) end = another;
-    const E at = element(place(end));
+    const Point<Number> first = vertex<Number>(pair_, side, 0);
+    const Point<Number> last = vertex<Number>(pair_, side, polygon.count - 1);
+    if (sign_of(place(last) - place(first)) != 0) return;
+    const E at = element(place(first));
     if (sign_of(at - places.low) < 0 || sign_of(places.high - at) < 0) return;
-    const E value = element(height(end));
-    if (!all) all = Interval<E>{value, value};
-    all->widen_to(value);
+    for (const Point<Number>& end : {first, last}) {
+      const E value = element(height(end));
+      if (!all) all = Interval<E>{value, value};
+      all->widen_to(value);
+    }
   }
   void add_heights(const Point<Number>& from, const Point<Number>& to, const Interval<E>& places,
                    std::optional<double> steepest, std::optional<Interval<E>>& all) const {

@@ -107,7 +107,7 @@ const collideBy = [
 function collideRound(a, b) {
   const swapped = rank(a) > rank(b);
   const [first, second] = swapped ? [b, a] : [a, b];
-  const mitred = [a, b].some(({ count, round, radius }) => count > 2 && round && radius > 0);
+  const mitred = [a, b].some(({ count, round }) => count > 2 && round) && a.radius + b.radius > 0;
   if (rank(second) === 0) return { unsupported: "has no edge against edge" };
   if (mitred && rank(second) !== 2) return { unsupported: "its polygons' corners are mitred" };
   const manifold = new Manifold();

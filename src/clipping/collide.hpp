@@ -95,7 +95,8 @@ Manifold<Scalar> collide(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Sca
 
 /// The manifold for those who have their own separation search (SAT, GJK, EPA): the article from
 /// its first step. `normal` is unit, from A to B, in A's frame, and may be approximate; the
-/// manifold has the reference face's exact one, and each point its own depth behind that face.
+/// manifold has the reference face's exact one, and each point its own depth behind that face. Of
+/// mitred polygons alone.
 template <class Scalar>
 Manifold<Scalar> manifold_from_normal(const ConvexPolygon<Scalar>& a,
                                       const ConvexPolygon<Scalar>& b, const Pose<Scalar>& b_in_a,

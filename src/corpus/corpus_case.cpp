@@ -12,10 +12,12 @@ namespace {
 void check_format(const JsonView& root, FormatKey format_key) {
   const auto format = root.find("format");
   if (!format && format_key == FormatKey::optional) return;
-  if (!format) root.fail(fmt::format("the key \"format\" is missing; it is \"{}\"", kCaseFormat));
+  if (!format)
+    root.fail(fmt::format("the key \"format\" is missing; it is \"{}\", of round shapes \"{}\"",
+                          kCaseFormat, kCurvedCaseFormat));
   if (format->string() != kCaseFormat && format->string() != kCurvedCaseFormat) {
-    format->fail(fmt::format("unknown format \"{}\"; \"{}\" is expected",
-                             printable(format->string()), kCaseFormat));
+    format->fail(fmt::format("unknown format \"{}\"; \"{}\" or \"{}\" is expected",
+                             printable(format->string()), kCaseFormat, kCurvedCaseFormat));
   }
 }
 
