@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "clipping/deepest_contact.hpp"
@@ -43,7 +44,11 @@ std::optional<Vector2<Scalar>> nearest_normal(const ConvexPolygon<Scalar>& a,
   const auto& [place_a, place_b] = nearest.features;
   if (place_a.kind == Feature::Kind::face) return a.normals[place_a.index];
   if (place_b.kind == Feature::Kind::face) return Vector2<Scalar>(-b.normals[place_b.index]);
-  const double distance = std::sqrt(squared_length(nearest.apart));
+  // Shorter differences may be subnormal, and have no direction.
+  constexpr double shortest = static_cast<double>(std::numeric_limits<Scalar>::min() /
+                                                  std::numeric_limits<Scalar>::epsilon());
+  const double length = std::sqrt(squared_length(nearest.apart));
+  const double distance = length < shortest ? 0 : length;
   if (distance > 0 && is_normal_at<Scalar>(a, place_a.index, nearest.apart) &&
       is_normal_at<Scalar>(b, place_b.index, -nearest.apart)) {
     const Vector2<double> unit = nearest.apart.template cast<double>() / distance;

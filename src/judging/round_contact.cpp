@@ -53,6 +53,20 @@ bool is_in_front_of_inside(const exact::StoredPair& pair, FaceOf face, double bo
   return std::max(first, margin) <= std::min(last, dot(along, to - from).high - margin);
 }
 
+/// Whether a face separates by `least` or more, a world length, and has a vertex in front of it
+/// that rounding, off by `separation`, cannot tell from its nearest: where the cores are as near as
+/// that.
+bool is_as_near(const exact::StoredPair& pair, FaceOf face, double least, double separation) {
+  const Place along = unit_of(exact::direction<DoubleDouble>(pair, face));
+  const Place out{along.y, -along.x};
+  const auto from = exact::vertex<DoubleDouble>(pair, face.side, face.index);
+  const Side opposing = other(face.side);
+  for (int j = 0; j < pair[opposing].polygon.count; ++j) {
+    if (dot(out, exact::vertex<DoubleDouble>(pair, opposing, j) - from).high < least) return false;
+  }
+  return is_in_front_of_inside(pair, face, 2 * separation, -separation);
+}
+
 /// An edge as it is seen along a contact's normal.
 struct SeenEdge {
   DoubleDouble low;   ///< its first place along the tangent
@@ -174,8 +188,20 @@ NearestNormal::NearestNormal(const exact::Truth& truth, const exact::Penetration
 }
 
 double NearestNormal::error(const Vector2<double>& normal) const {
-  const Place off = in_world(truth_->stored(), normal) - direction_;
-  return std::sqrt(dot(off, off).high);
+  const exact::StoredPair& pair = truth_->stored();
+  const Place given = in_world(pair, normal);
+  const auto off = [&](const Place& right) {
+    const Place by = given - right;
+    return std::sqrt(dot(by, by).high);
+  };
+  double least = off(direction_);
+  if (least <= bound()) return least;
+  for (const FaceOf face : exact::all_faces(pair)) {
+    if (is_as_near(pair, face, distance_ - 2 * bound_of_separation_, bound_of_separation_)) {
+      least = std::min(least, off(unit_of(exact::outward_from_a<DoubleDouble>(pair, face))));
+    }
+  }
+  return least;
 }
 
 double NearestNormal::bound() const {
