@@ -195,7 +195,7 @@ double NearestNormal::error(const Vector2<double>& normal) const {
     return std::sqrt(dot(by, by).high);
   };
   double least = off(direction_);
-  if (least <= bound()) return least;
+  if (least <= bound() || distance_ <= 2 * bound_of_separation_) return least;
   for (const FaceOf face : exact::all_faces(pair)) {
     if (is_as_near(pair, face, distance_ - 2 * bound_of_separation_, bound_of_separation_)) {
       least = std::min(least, off(unit_of(exact::outward_from_a<DoubleDouble>(pair, face))));

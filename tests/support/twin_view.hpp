@@ -56,6 +56,13 @@ class View {
       if (!found) found = Span{*here, *here};
       found = Span{lesser(found->low, *here), greater(found->high, *here)};
     }
+    // A segment along the direction: turned however little, it shows all its heights.
+    if (found && core.size() == 2 && place(core.corner(0)) == place(core.corner(1))) {
+      for (const Exact& corner : core.corners) {
+        const Real here(height(corner));
+        found = Span{lesser(found->low, here), greater(found->high, here)};
+      }
+    }
     return found;
   }
 
