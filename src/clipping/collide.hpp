@@ -1,5 +1,6 @@
 #pragma once
 
+#include "clipping/circle_contact.hpp"
 #include "clipping/clip.hpp"
 #include "clipping/curved_shapes.hpp"
 #include "clipping/deepest_contact.hpp"
@@ -41,19 +42,19 @@ template <class Scalar>
 }
 
 /// The same of round shapes: by faces where their cores overlap, else by where these are nearest.
-/// Not inlined, for the same reason.
+/// Not inlined, for the same reason; its own steps are, so that nothing goes through memory.
 template <class Scalar>
-[[gnu::noinline]] Manifold<Scalar> contact_of_round_shapes(const ConvexPolygon<Scalar>& a,
-                                                           const ConvexPolygon<Scalar>& b,
-                                                           Scalar tie_bias,
-                                                           SecondPoint second_point) {
+[[gnu::noinline, gnu::flatten]] Manifold<Scalar> contact_of_cores(const ConvexPolygon<Scalar>& a,
+                                                                  const ConvexPolygon<Scalar>& b,
+                                                                  Scalar tie_bias,
+                                                                  SecondPoint second_point) {
   const Scalar total_radius = a.radius + b.radius;
   const FaceSeparation<Scalar> of_a = greatest_separation_of_core(a, b, total_radius);
   const FaceSeparation<Scalar> of_b = greatest_separation_of_core(b, a, total_radius);
   const Scalar separation = std::max(of_a.separation, of_b.separation);
   if (separation > total_radius) return {};
   const Scalar roundoff = separation_roundoff(a, b);
-  if (!do_cores_overlap(a, b, separation, roundoff)) {
+  if (!do_cores_overlap(a, b, of_a, of_b, roundoff)) {
     const NearestPlaces<Scalar> nearest = nearest_places(a, b, of_a, of_b, roundoff);
     const auto normal = nearest_normal(a, b, of_a, of_b, nearest, roundoff);
     if (normal) return nearest_contact(a, b, nearest, *normal, roundoff, second_point);
@@ -62,6 +63,18 @@ template <class Scalar>
   // Sums with a large radius hide how little a clip by the wrong face kept of a small overlap.
   if (clipped.count == 0) clipped = deepest_contact(a, b);
   return overlapping_contact(a, b, clipped, second_point);
+}
+
+/// The manifold of two shapes one of which is round. The steps of circles are inlined as well.
+template <class Scalar>
+[[gnu::noinline, gnu::flatten]] Manifold<Scalar> contact_of_round_shapes(
+    const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b, Scalar tie_bias,
+    SecondPoint second_point) {
+  if (is_circle(a) && is_circle(b)) return contact_of_circles(a, b);
+  const auto of_cores = [&] { return contact_of_cores(a, b, tie_bias, second_point); };
+  if (is_circle(b)) return contact_of_circle(a, b, Side::a, second_point, of_cores);
+  if (is_circle(a)) return contact_of_circle(a, b, Side::b, second_point, of_cores);
+  return of_cores();
 }
 
 /// The manifold of two shapes that stand in one frame, which is the manifold's too. Both are free

@@ -11,29 +11,38 @@
 
 namespace manifuzz::clipping {
 
-/// Whether cores overlap by more than rounding, so that faces decide. `separation` is the greatest
-/// of all faces', minus infinity of two points. What overlaps has its outlines at least as near as
-/// the overlap is deep: segments on one line, end to end, do not, though no face separates them.
+/// Whether cores overlap by more than rounding, so that faces decide. What overlaps has its
+/// outlines at least as near as the overlap is deep: segments on one line, end to end, do not,
+/// though no face separates them.
 template <class Scalar>
 bool do_cores_overlap(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                      Scalar separation, Scalar roundoff) {
-  return std::isfinite(separation) && separation < -roundoff &&
-         std::sqrt(squared_between_outlines(a, b)) <= static_cast<double>(roundoff - separation);
+                      const FaceSeparation<Scalar>& of_a, const FaceSeparation<Scalar>& of_b,
+                      Scalar roundoff) {
+  const bool by_a = of_a.separation >= of_b.separation;
+  const FaceSeparation<Scalar>& found = by_a ? of_a : of_b;
+  if (found.separation >= -roundoff) return false;
+  const ConvexPolygon<Scalar>& polygon = by_a ? a : b;
+  const ConvexPolygon<Scalar>& opposing = by_a ? b : a;
+  if (is_before_face(polygon, found.face, opposing.vertices[found.deepest])) return true;
+  return std::sqrt(squared_between_outlines(a, b)) <=
+         static_cast<double>(roundoff - found.separation);
 }
 
-/// Whether a direction is among a vertex's outward normals: no neighbour is farther along it. Told
-/// relative to the direction's length, however short.
+/// The unit direction of a difference of two places, rounded once; none of one so short that it may
+/// be subnormal, or is 0.
 template <class Scalar>
-bool is_normal_at(const ConvexPolygon<Scalar>& polygon, int corner,
-                  const Vector2<Scalar>& direction) {
-  return direction.dot(along_face(polygon, corner)) <= 0 &&
-         direction.dot(along_face(polygon, polygon.previous(corner))) >= 0;
+std::optional<Vector2<Scalar>> direction_between(const Vector2<Scalar>& apart) {
+  constexpr double shortest = static_cast<double>(std::numeric_limits<Scalar>::min() /
+                                                  std::numeric_limits<Scalar>::epsilon());
+  const double length = std::sqrt(squared_length(apart));
+  if (length < shortest) return std::nullopt;
+  const Vector2<double> unit = apart.template cast<double>() / length;
+  return Vector2<Scalar>(unit.template cast<Scalar>());
 }
 
 /// The unit normal from A to B on which the places are nearest: a face's own, or from vertex to
 /// vertex where that is among the normals of both; where rounding hides whether it is, that of the
-/// face which separates most; of two points at one place any, (1, 0). None where edges cross by so
-/// little that rounding hides where.
+/// face which separates most. None where edges cross by so little that rounding hides where.
 template <class Scalar>
 std::optional<Vector2<Scalar>> nearest_normal(const ConvexPolygon<Scalar>& a,
                                               const ConvexPolygon<Scalar>& b,
@@ -44,17 +53,8 @@ std::optional<Vector2<Scalar>> nearest_normal(const ConvexPolygon<Scalar>& a,
   const auto& [place_a, place_b] = nearest.features;
   if (place_a.kind == Feature::Kind::face) return a.normals[place_a.index];
   if (place_b.kind == Feature::Kind::face) return Vector2<Scalar>(-b.normals[place_b.index]);
-  // Shorter differences may be subnormal, and have no direction.
-  constexpr double shortest = static_cast<double>(std::numeric_limits<Scalar>::min() /
-                                                  std::numeric_limits<Scalar>::epsilon());
-  const double length = std::sqrt(squared_length(nearest.apart));
-  const double distance = length < shortest ? 0 : length;
-  if (distance > 0 && is_normal_at<Scalar>(a, place_a.index, nearest.apart) &&
-      is_normal_at<Scalar>(b, place_b.index, -nearest.apart)) {
-    const Vector2<double> unit = nearest.apart.template cast<double>() / distance;
-    return Vector2<Scalar>(unit.template cast<Scalar>());
-  }
-  if (a.face_count() + b.face_count() == 0) return Vector2<Scalar>(1, 0);
+  const auto direction = direction_between(nearest.apart);
+  if (direction && are_nearest(a, b, nearest)) return direction;
   const bool is_of_a = of_a.separation >= of_b.separation;
   const Vector2<Scalar> normal =
       is_of_a ? a.normals[of_a.face] : Vector2<Scalar>(-b.normals[of_b.face]);
@@ -104,9 +104,13 @@ void add_second_point(const ConvexPolygon<Scalar>& reference, int reference_edge
   };
   const ClipEnd<Scalar>& end = distance(edge[1]) > distance(edge[0]) ? edge[1] : edge[0];
   if (distance(end) <= roundoff) return;
-  const Vector2<Scalar> from_reference = end.position - on_reference;
-  const Scalar slope = outward.dot(whole) / run;
-  const Scalar separation = outward.dot(from_reference) - slope * along.dot(from_reference);
+  // A crossing is in front of the reference edge's end, whose height no slope has to tell.
+  const bool is_crossing = end.reference.kind == Feature::Kind::vertex;
+  const Vector2<Scalar>& level =
+      is_crossing ? reference.vertices[end.reference.index] : on_reference;
+  const Scalar slope = is_crossing ? Scalar(0) : outward.dot(whole) / run;
+  const Vector2<Scalar> from_level = end.position - level;
+  const Scalar separation = outward.dot(from_level) - slope * along.dot(from_level);
   const Scalar total_radius = reference.radius + incident.radius;
   if (separation > total_radius) return;
   FeaturePair features{end.reference, end.incident};

@@ -14,11 +14,10 @@ namespace manifuzz::clipping {
 /// of a face. Everything is in the cores' common frame.
 template <class Scalar>
 struct NearestPlaces {
-  Vector2<Scalar> on_a{0, 0};                                ///< A's place
-  Vector2<Scalar> on_b{0, 0};                                ///< B's place
-  Vector2<Scalar> apart{0, 0};                               ///< from A's place to B's
-  FeaturePair features;                                      ///< A's vertex or face, and B's
-  double squared = std::numeric_limits<double>::infinity();  ///< of the distance, or just below it
+  Vector2<Scalar> on_a{0, 0};   ///< A's place
+  Vector2<Scalar> on_b{0, 0};   ///< B's place
+  Vector2<Scalar> apart{0, 0};  ///< from A's place to B's
+  FeaturePair features;         ///< A's vertex or face, and B's
 };
 
 /// In double: no square of floats over- or underflows there.
@@ -80,6 +79,32 @@ void settle_vertices(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>
   }
 }
 
+/// Whether a direction is among a vertex's outward normals: no neighbour is farther along it. Told
+/// relative to the direction's length, however short.
+template <class Scalar>
+bool is_normal_at(const ConvexPolygon<Scalar>& polygon, int corner,
+                  const Vector2<Scalar>& direction) {
+  return direction.dot(along_face(polygon, corner)) <= 0 &&
+         direction.dot(along_face(polygon, polygon.previous(corner))) >= 0;
+}
+
+/// Whether the line between two vertices is normal to both shapes, so that no others are nearer.
+template <class Scalar>
+bool are_nearest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                 const NearestPlaces<Scalar>& places) {
+  return is_normal_at<Scalar>(a, places.features.a.index, places.apart) &&
+         is_normal_at<Scalar>(b, places.features.b.index, -places.apart);
+}
+
+/// Whether a point lies between the ends of a face, seen along the face's normal.
+template <class Scalar>
+bool is_before_face(const ConvexPolygon<Scalar>& polygon, int face_index,
+                    const Vector2<Scalar>& point) {
+  const Vector2<Scalar> along = along_face(polygon, face_index);
+  return along.dot(point - polygon.vertices[face_index]) > 0 &&
+         along.dot(polygon.vertices[polygon.next(face_index)] - point) > 0;
+}
+
 /// A vertex of `opposing` that lies in front of the inside of a face of polygon `side`, as near to
 /// it as any but for `roundoff`, a length; nothing where there is none.
 template <class Scalar>
@@ -88,14 +113,11 @@ std::optional<NearestPlaces<Scalar>> places_at_face(const ConvexPolygon<Scalar>&
                                                     const ConvexPolygon<Scalar>& opposing,
                                                     Scalar roundoff) {
   const Vector2<Scalar>& normal = polygon.normals[found.face];
-  const Vector2<Scalar>& from = polygon.vertices[found.face];
-  const Vector2<Scalar>& to = polygon.vertices[polygon.next(found.face)];
-  const Vector2<Scalar> along = counter_clockwise_quarter(normal);
   for (int j = 0; j < opposing.count; ++j) {
     const Vector2<Scalar>& corner = opposing.vertices[j];
-    const Scalar separation = normal.dot(corner - from);
+    const Scalar separation = normal.dot(corner - polygon.vertices[found.face]);
     if (separation > found.separation + roundoff) continue;
-    if (along.dot(corner - from) <= 0 || along.dot(to - corner) <= 0) continue;
+    if (!is_before_face(polygon, found.face, corner)) continue;
     const Vector2<Scalar> out = separation * normal;
     const Vector2<Scalar> foot = corner - out;
     const Feature of_face = face(found.face);
@@ -122,7 +144,13 @@ NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const Conve
     const auto places = places_at_face(polygon, side, found, opposing, roundoff);
     if (places) return *places;
   }
-  NearestPlaces<Scalar> nearest = nearest_vertices(a, b);
+  const int i = a_first ? of_a.face : of_b.deepest;
+  const int j = a_first ? of_a.deepest : of_b.face;
+  NearestPlaces<Scalar> nearest{
+      a.vertices[i], b.vertices[j], b.vertices[j] - a.vertices[i], {vertex(i), vertex(j)}};
+  settle_vertices(a, b, nearest);
+  if (are_nearest(a, b, nearest)) return nearest;
+  nearest = nearest_vertices(a, b);
   settle_vertices(a, b, nearest);
   return nearest;
 }
@@ -134,13 +162,10 @@ double squared_between_outlines(const ConvexPolygon<Scalar>& a, const ConvexPoly
   const auto look = [&](const ConvexPolygon<Scalar>& polygon,
                         const ConvexPolygon<Scalar>& opposing) {
     for (int i = 0; i < polygon.face_count(); ++i) {
-      const Vector2<Scalar>& normal = polygon.normals[i];
-      const Vector2<Scalar> along = counter_clockwise_quarter(normal);
       for (const Vector2<Scalar>& corner : opposing.corners()) {
-        const Vector2<Scalar> from = corner - polygon.vertices[i];
-        const Vector2<Scalar> to = polygon.vertices[polygon.next(i)] - corner;
-        if (along.dot(from) <= 0 || along.dot(to) <= 0) continue;
-        const auto separation = static_cast<double>(normal.dot(from));
+        if (!is_before_face(polygon, i, corner)) continue;
+        const auto separation =
+            static_cast<double>(polygon.normals[i].dot(corner - polygon.vertices[i]));
         least = std::min(least, separation * separation);
       }
     }

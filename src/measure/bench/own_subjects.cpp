@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <new>
 
 #include "clipping/collide.hpp"
 #include "kernel/batch.hpp"
@@ -22,13 +23,15 @@ std::vector<clipping::PlacedPair<Scalar>> placed_pairs(std::span<const PairCase>
   return placed;
 }
 
-/// `ask(placed pair, B's pose in A's frame)` for every pair, its answer kept.
+/// `ask(placed pair, B's pose in A's frame)` for every pair, its answer written where it is kept:
+/// to assign it would copy what has just been written, which costs more than two circles do.
 template <class Scalar, class Ask>
 Pass one_by_one(std::span<const PairCase> pairs, const Ask& ask) {
   const auto out = std::make_shared<std::vector<Manifold<Scalar>>>(pairs.size());
   return [placed = placed_pairs<Scalar>(pairs), out, ask] {
     for (std::size_t i = 0; i < placed.size(); ++i) {
-      (*out)[i] = ask(placed[i], relative_pose(placed[i].pose_a, placed[i].pose_b));
+      ::new (&(*out)[i])
+          Manifold<Scalar>(ask(placed[i], relative_pose(placed[i].pose_a, placed[i].pose_b)));
     }
   };
 }

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <limits>
+
+#include "clipping/curved_shapes.hpp"
+
+// The article's "Curved Shapes", of a circle: its feature is one point, and the manifold is that
+// point. A circle has no faces to search, and what it touches nothing to clip.
+
+namespace manifuzz::clipping {
+
+/// Whether the shape is a circle, whose core is one point.
+template <class Scalar>
+bool is_circle(const ConvexPolygon<Scalar>& shape) {
+  return shape.count == 1;
+}
+
+/// The manifold of one point, where cores are nearest: on the incident shape's surface. Empty where
+/// the places are farther apart along the normal, unit and from A to B, than the radii reach.
+template <class Scalar>
+Manifold<Scalar> one_point(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                           const NearestPlaces<Scalar>& nearest, const Vector2<Scalar>& normal,
+                           Side reference) {
+  Manifold<Scalar> manifold;
+  const Scalar total_radius = a.radius + b.radius;
+  const Scalar separation = normal.dot(nearest.apart);
+  if (separation <= total_radius) {
+    const bool from_a = reference == Side::a;
+    const Vector2<Scalar>& on_core = from_a ? nearest.on_b : nearest.on_a;
+    const Scalar towards_b = from_a ? -b.radius : a.radius;
+    manifold.count = 1;
+    manifold.reference = reference;
+    manifold.normal = normal;
+    manifold.points[0].position = on_core + towards_b * normal;
+    manifold.points[0].depth = total_radius - separation;
+    manifold.points[0].features = nearest.features;
+  }
+  return manifold;
+}
+
+/// Whether two places are farther apart than `reach`, a length, by more than what rounding does to
+/// the separation along their direction: less than 4 eps of it. Known before the root is.
+template <class Scalar>
+bool are_beyond(const Vector2<Scalar>& apart, Scalar reach) {
+  constexpr double widened = 1 + 8 * static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+  const auto wide = static_cast<double>(reach);
+  return squared_length(apart) > wide * wide * widened;
+}
+
+/// The manifold of two circles. Centres at one place have any normal, (1, 0).
+template <class Scalar>
+Manifold<Scalar> contact_of_circles(const ConvexPolygon<Scalar>& a,
+                                    const ConvexPolygon<Scalar>& b) {
+  const Vector2<Scalar> apart = b.vertices[0] - a.vertices[0];
+  if (are_beyond<Scalar>(apart, a.radius + b.radius)) return {};
+  const auto normal = direction_between(apart);
+  return one_point<Scalar>(a, b, {a.vertices[0], b.vertices[0], apart, {vertex(0), vertex(0)}},
+                           normal ? *normal : Vector2<Scalar>(1, 0), Side::b);
+}
+
+/// The face of greatest separation from a point, the first of equals.
+template <class Scalar>
+FaceSeparation<Scalar> greatest_separation_from(const ConvexPolygon<Scalar>& core,
+                                                const Vector2<Scalar>& point) {
+  FaceSeparation<Scalar> greatest;
+  for (int i = 0; i < core.count; ++i) {
+    const Scalar separation = core.normals[i].dot(point - core.vertices[i]);
+    if (separation > greatest.separation) {
+      greatest.face = i;
+      greatest.separation = separation;
+    }
+  }
+  return greatest;
+}
+
+/// The manifold of a circle and of a core with faces, which is polygon `side`: the centre lies
+/// between the ends of the face of greatest separation, in front of it or behind, or past an end.
+/// `otherwise` gives the manifold where rounding hides which.
+template <class Scalar, class Otherwise>
+Manifold<Scalar> contact_of_circle(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                   Side side, SecondPoint second_point,
+                                   const Otherwise& otherwise) {
+  const bool is_of_a = side == Side::a;
+  const ConvexPolygon<Scalar>& core = is_of_a ? a : b;
+  const Vector2<Scalar>& centre = is_of_a ? b.vertices[0] : a.vertices[0];
+  const FaceSeparation<Scalar> found = greatest_separation_from(core, centre);
+  if (found.separation > a.radius + b.radius) return {};
+
+  const auto contact = [&](const Vector2<Scalar>& on_core, Feature place,
+                           const Vector2<Scalar>& apart, const Vector2<Scalar>& outward) {
+    if (!is_of_a) {
+      return one_point<Scalar>(a, b, {centre, on_core, -apart, {vertex(0), place}}, -outward,
+                               Side::b);
+    }
+    const bool has_edge = edge_at(a, place, outward, second_point).has_value();
+    return one_point<Scalar>(a, b, {on_core, centre, apart, {place, vertex(0)}}, outward,
+                             has_edge ? Side::a : Side::b);
+  };
+  const Vector2<Scalar>& normal = core.normals[found.face];
+  if (is_before_face(core, found.face, centre)) {
+    const Vector2<Scalar> apart = found.separation * normal;
+    return contact(centre - apart, face(found.face), apart, normal);
+  }
+  const int first = found.face;
+  const bool is_past_first = along_face(core, first).dot(centre - core.vertices[first]) > 0;
+  const int corner = is_past_first ? core.next(first) : first;
+  const Vector2<Scalar> apart = centre - core.vertices[corner];
+  if (are_beyond<Scalar>(apart, a.radius + b.radius)) return {};
+  const auto outward = direction_between(apart);
+  if (!outward || !is_normal_at(core, corner, apart)) return otherwise();
+  return contact(core.vertices[corner], vertex(corner), apart, *outward);
+}
+
+}  // namespace manifuzz::clipping
