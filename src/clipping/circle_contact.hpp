@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "clipping/curved_shapes.hpp"
 
@@ -73,13 +74,24 @@ FaceSeparation<Scalar> greatest_separation_from(const ConvexPolygon<Scalar>& cor
   return greatest;
 }
 
-/// The manifold of a circle and of a core with faces, which is polygon `side`: the centre lies
-/// between the ends of the face of greatest separation, in front of it or behind, or past an end.
-/// `otherwise` gives the manifold where rounding hides which.
-template <class Scalar, class Otherwise>
+/// The vertex where a point past an end of a face is nearest to a core; nothing where it is not
+/// past an end, or by so little that rounding hides it.
+template <class Scalar>
+std::optional<int> nearest_end(const ConvexPolygon<Scalar>& core, int face_index,
+                               const Vector2<Scalar>& point) {
+  if (is_before_face(core, face_index, point)) return std::nullopt;
+  const Vector2<Scalar> from_first = point - core.vertices[face_index];
+  const bool is_second = along_face(core, face_index).dot(from_first) > 0;
+  const int end = is_second ? core.next(face_index) : face_index;
+  if (!is_normal_at<Scalar>(core, end, point - core.vertices[end])) return std::nullopt;
+  return end;
+}
+
+/// The manifold of a circle and of a core with faces, which is polygon `side`: the centre is
+/// nearest to the face of greatest separation, inside the core or out, or to an end of it.
+template <class Scalar>
 Manifold<Scalar> contact_of_circle(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                   Side side, SecondPoint second_point,
-                                   const Otherwise& otherwise) {
+                                   Side side, SecondPoint second_point) {
   const bool is_of_a = side == Side::a;
   const ConvexPolygon<Scalar>& core = is_of_a ? a : b;
   const Vector2<Scalar>& centre = is_of_a ? b.vertices[0] : a.vertices[0];
@@ -96,19 +108,16 @@ Manifold<Scalar> contact_of_circle(const ConvexPolygon<Scalar>& a, const ConvexP
     return one_point<Scalar>(a, b, {on_core, centre, apart, {place, vertex(0)}}, outward,
                              has_edge ? Side::a : Side::b);
   };
-  const Vector2<Scalar>& normal = core.normals[found.face];
-  if (is_before_face(core, found.face, centre)) {
-    const Vector2<Scalar> apart = found.separation * normal;
-    return contact(centre - apart, face(found.face), apart, normal);
+  if (const auto end = nearest_end(core, found.face, centre)) {
+    const Vector2<Scalar> apart = centre - core.vertices[*end];
+    if (are_beyond<Scalar>(apart, a.radius + b.radius)) return {};
+    if (const auto outward = direction_between(apart)) {
+      return contact(core.vertices[*end], vertex(*end), apart, *outward);
+    }
   }
-  const int first = found.face;
-  const bool is_past_first = along_face(core, first).dot(centre - core.vertices[first]) > 0;
-  const int corner = is_past_first ? core.next(first) : first;
-  const Vector2<Scalar> apart = centre - core.vertices[corner];
-  if (are_beyond<Scalar>(apart, a.radius + b.radius)) return {};
-  const auto outward = direction_between(apart);
-  if (!outward || !is_normal_at(core, corner, apart)) return otherwise();
-  return contact(core.vertices[corner], vertex(corner), apart, *outward);
+  const Vector2<Scalar>& normal = core.normals[found.face];
+  const Vector2<Scalar> apart = found.separation * normal;
+  return contact(centre - apart, face(found.face), apart, normal);
 }
 
 }  // namespace manifuzz::clipping

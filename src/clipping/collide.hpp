@@ -41,16 +41,17 @@ template <class Scalar>
                                                                      : manifold;
 }
 
-/// The same of round shapes: by faces where their cores overlap, else by where these are nearest.
-/// Not inlined, for the same reason; its own steps are, so that nothing goes through memory.
+/// The same of round shapes with faces: by these where their cores overlap, else by where these are
+/// nearest. Not inlined, for the same reason; its own steps are, so that nothing goes through
+/// memory.
 template <class Scalar>
 [[gnu::noinline, gnu::flatten]] Manifold<Scalar> contact_of_cores(const ConvexPolygon<Scalar>& a,
                                                                   const ConvexPolygon<Scalar>& b,
                                                                   Scalar tie_bias,
                                                                   SecondPoint second_point) {
   const Scalar total_radius = a.radius + b.radius;
-  const FaceSeparation<Scalar> of_a = greatest_separation_of_core(a, b, total_radius);
-  const FaceSeparation<Scalar> of_b = greatest_separation_of_core(b, a, total_radius);
+  const FaceSeparation<Scalar> of_a = greatest_separation(a, b, total_radius);
+  const FaceSeparation<Scalar> of_b = greatest_separation(b, a, total_radius);
   const Scalar separation = std::max(of_a.separation, of_b.separation);
   if (separation > total_radius) return {};
   const Scalar roundoff = separation_roundoff(a, b);
@@ -71,10 +72,9 @@ template <class Scalar>
     const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b, Scalar tie_bias,
     SecondPoint second_point) {
   if (is_circle(a) && is_circle(b)) return contact_of_circles(a, b);
-  const auto of_cores = [&] { return contact_of_cores(a, b, tie_bias, second_point); };
-  if (is_circle(b)) return contact_of_circle(a, b, Side::a, second_point, of_cores);
-  if (is_circle(a)) return contact_of_circle(a, b, Side::b, second_point, of_cores);
-  return of_cores();
+  if (is_circle(b)) return contact_of_circle(a, b, Side::a, second_point);
+  if (is_circle(a)) return contact_of_circle(a, b, Side::b, second_point);
+  return contact_of_cores(a, b, tie_bias, second_point);
 }
 
 /// The manifold of two shapes that stand in one frame, which is the manifold's too. Both are free

@@ -64,12 +64,11 @@ std::optional<Vector2<Scalar>> nearest_normal(const ConvexPolygon<Scalar>& a,
 }
 
 /// The edge that a shape gives at its nearest place: the face itself, or of the two edges at the
-/// vertex the one more perpendicular to `outward`, which is unit; none of a point, or where its
+/// vertex the one more perpendicular to `outward`, which is unit; none where its
 /// normal is further from `outward` than a second point may have it.
 template <class Scalar>
 std::optional<int> edge_at(const ConvexPolygon<Scalar>& polygon, Feature place,
                            const Vector2<Scalar>& outward, SecondPoint second_point) {
-  if (polygon.face_count() == 0) return std::nullopt;
   int edge = place.index;
   if (place.kind == Feature::Kind::vertex) {
     const int previous = polygon.previous(edge);
@@ -145,7 +144,7 @@ Manifold<Scalar> nearest_contact(const ConvexPolygon<Scalar>& a, const ConvexPol
   Manifold<Scalar> manifold;
   manifold.count = 1;
   manifold.normal = normal;
-  manifold.reference = edge_a ? Side::a : Side::b;  // a point is incident, A's before B's
+  manifold.reference = edge_a ? Side::a : Side::b;  // an end is incident, A's before B's
   if (edge_a && edge_b) {
     const bool b_is_flatter = -b.normals[*edge_b].dot(normal) > a.normals[*edge_a].dot(normal);
     if (b_is_flatter) manifold.reference = Side::b;
@@ -179,7 +178,6 @@ Manifold<Scalar> overlapping_contact(const ConvexPolygon<Scalar>& a, const Conve
   if (manifold.count == 2) {
     const int edge = incident_edge<Scalar>(incident, -towards);
     const bool is_edge =
-        incident.face_count() > 0 &&
         incident.normals[edge].dot(towards) >= static_cast<Scalar>(second_point.least_cosine);
     if (!is_edge) {
       if (manifold.points[1].depth > manifold.points[0].depth) {

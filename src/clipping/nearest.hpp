@@ -27,6 +27,15 @@ double squared_length(const Vector2<Scalar>& v) {
   return wide.dot(wide);
 }
 
+/// Vertex i of A and vertex j of B.
+template <class Scalar>
+NearestPlaces<Scalar> between_vertices(const ConvexPolygon<Scalar>& a, int i,
+                                       const ConvexPolygon<Scalar>& b, int j) {
+  const Vector2<Scalar>& on_a = a.vertices[i];
+  const Vector2<Scalar>& on_b = b.vertices[j];
+  return {on_a, on_b, on_b - on_a, {vertex(i), vertex(j)}};
+}
+
 /// The nearest vertices of two cores, the first of equals.
 template <class Scalar>
 NearestPlaces<Scalar> nearest_vertices(const ConvexPolygon<Scalar>& a,
@@ -35,11 +44,11 @@ NearestPlaces<Scalar> nearest_vertices(const ConvexPolygon<Scalar>& a,
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < a.count; ++i) {
     for (int j = 0; j < b.count; ++j) {
-      const Vector2<Scalar> apart = b.vertices[j] - a.vertices[i];
-      const double squared = squared_length(apart);
+      const NearestPlaces<Scalar> places = between_vertices(a, i, b, j);
+      const double squared = squared_length(places.apart);
       if (squared >= least) continue;
       least = squared;
-      nearest = {a.vertices[i], b.vertices[j], apart, {vertex(i), vertex(j)}};
+      nearest = places;
     }
   }
   return nearest;
@@ -65,18 +74,21 @@ int nearer_vertex(const ConvexPolygon<Scalar>& polygon, int at, const Vector2<Sc
   return is_past(next, along_face(polygon, at)) ? next : at;
 }
 
-/// Steps from the nearest vertices to neighbours that are nearer, which faces tell better than
-/// squares of distances, rounded: beside tiny edges.
+/// The vertices at which a walk from vertex i of A and j of B ends, each step to neighbours that
+/// are nearer. Faces tell which are, better than squares of distances, rounded: beside tiny edges.
 template <class Scalar>
-void settle_vertices(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                     NearestPlaces<Scalar>& nearest) {
+NearestPlaces<Scalar> walk_nearer(const ConvexPolygon<Scalar>& a, int i,
+                                  const ConvexPolygon<Scalar>& b, int j) {
+  NearestPlaces<Scalar> places = between_vertices(a, i, b, j);
   for (int steps = 0; steps < a.count + b.count; ++steps) {
-    const int i = nearer_vertex<Scalar>(a, nearest.features.a.index, nearest.apart);
-    const int j = nearer_vertex<Scalar>(b, nearest.features.b.index, -nearest.apart);
-    if (i == nearest.features.a.index && j == nearest.features.b.index) return;
-    const Vector2<Scalar> apart = b.vertices[j] - a.vertices[i];
-    nearest = {a.vertices[i], b.vertices[j], apart, {vertex(i), vertex(j)}};
+    const int nearer_i = nearer_vertex<Scalar>(a, i, places.apart);
+    const int nearer_j = nearer_vertex<Scalar>(b, j, -places.apart);
+    if (nearer_i == i && nearer_j == j) break;
+    i = nearer_i;
+    j = nearer_j;
+    places = between_vertices(a, i, b, j);
   }
+  return places;
 }
 
 /// Whether a direction is among a vertex's outward normals: no neighbour is farther along it. Told
@@ -140,19 +152,13 @@ NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const Conve
     const FaceSeparation<Scalar>& found = side == Side::a ? of_a : of_b;
     const ConvexPolygon<Scalar>& polygon = side == Side::a ? a : b;
     const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
-    if (polygon.face_count() == 0 || found.separation < least) continue;
+    if (found.separation < least) continue;
     const auto places = places_at_face(polygon, side, found, opposing, roundoff);
     if (places) return *places;
   }
-  const int i = a_first ? of_a.face : of_b.deepest;
-  const int j = a_first ? of_a.deepest : of_b.face;
-  NearestPlaces<Scalar> nearest{
-      a.vertices[i], b.vertices[j], b.vertices[j] - a.vertices[i], {vertex(i), vertex(j)}};
-  settle_vertices(a, b, nearest);
-  if (are_nearest(a, b, nearest)) return nearest;
-  nearest = nearest_vertices(a, b);
-  settle_vertices(a, b, nearest);
-  return nearest;
+  const NearestPlaces<Scalar> places = a_first ? walk_nearer(a, of_a.face, b, of_a.deepest)
+                                               : walk_nearer(a, of_b.deepest, b, of_b.face);
+  return are_nearest(a, b, places) ? places : nearest_vertices(a, b);
 }
 
 /// The square of how near the outlines of two cores are, whether these overlap or not.

@@ -48,13 +48,4 @@ FaceSeparation<Scalar> greatest_separation(const ConvexPolygon<Scalar>& polygon,
   return greatest;
 }
 
-/// The same of any core; minus infinity of a point, which has no face.
-template <class Scalar>
-FaceSeparation<Scalar> greatest_separation_of_core(const ConvexPolygon<Scalar>& core,
-                                                   const ConvexPolygon<Scalar>& other,
-                                                   Scalar limit) {
-  if (core.face_count() == 0) return {};
-  return greatest_separation(core, other, limit);
-}
-
 }  // namespace manifuzz::clipping
