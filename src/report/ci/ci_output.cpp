@@ -125,7 +125,9 @@ TestSuite fuzz_suite(const Campaign& campaign, Interruption& interruption) {
                                fmt::format("more in {}", fmt::join(entry.over_budget, ", "))}));
   }
   if (is_vacuous(result)) {
-    suite.tests.push_back(failed_test("vacuous", {"cases that touch", "none"}));
+    const char* const missing =
+        is_all_unsupported(result) ? "cases that both can take" : "cases that touch";
+    suite.tests.push_back(failed_test("vacuous", {missing, "none"}));
   }
   for (std::size_t i = 0; i < result.regimes.size(); ++i) {
     suite.tests.push_back(test_of_regime(campaign, i));

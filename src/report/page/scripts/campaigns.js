@@ -128,7 +128,8 @@ function bucketsTable({ buckets = [] }) {
 
 function fuzzParts(result, path) {
   const number = (key) => [key, whole(result[key])];
-  const state = [result.vacuous && "vacuous: nothing touched", result.interrupted && "interrupted", result.stopped_early && "stopped early"];
+  const isTaken = result.cases !== result.verdicts?.unsupported;
+  const state = [result.vacuous && `vacuous: ${isTaken ? "nothing touched" : "no case is supported"}`, result.interrupted && "interrupted", result.stopped_early && "stopped early"];
   return [element("h3", {}, `${result.subject ?? "subject"} against ${result.oracle ?? "oracle"}`,
     state.filter(Boolean).map((text) => element("span", { class: "state" }, text))),
   provenance(path, result, [number("cases"), ["seconds", short(result.seconds)],
