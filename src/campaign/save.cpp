@@ -109,8 +109,10 @@ bool save_finding(Finding& finding, const Tally& tally, const Plan& plan,
     finding.file = write_corpus_case(folder, unrepeated).string();
     return true;
   }
-  Shrunk smallest{.pair = worst, .complete = false};
-  if (interruption.state() == Interruption::State::running && !has_passed(deadlines.of_all)) {
+  // One that a collider cannot take shows nothing that a smaller one shows better.
+  Shrunk smallest{.pair = worst, .complete = finding.bucket.verdict == Verdict::unsupported};
+  if (!smallest.complete && interruption.state() == Interruption::State::running &&
+      !has_passed(deadlines.of_all)) {
     smallest =
         shrink_finding(worst, plan.subject, plan.oracle, interruption, deadlines.of_shrinking);
   }

@@ -48,3 +48,21 @@ TEST_CASE("replay counts what is unsupported apart, and does not fail for it") {
   CHECK(json["unsupported"] == 1);
   CHECK(json["failures"].empty());
 }
+
+TEST_CASE("shrink refuses a case that a collider cannot take") {
+  const Outcome outcome = run_manifuzz({"shrink", "-", "--subject", "pair"}, circles());
+  CHECK(outcome.status == 2);
+  CHECK(outcome.out.empty());
+  CHECK(is_one_clear_line(outcome.err));
+  CHECK_THAT(outcome.err, Contains("pair or box2d cannot take it"));
+}
+
+TEST_CASE("a campaign saves what is unsupported as it was met, without shrinking it") {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_manifuzz({"fuzz", "--corpus", folder.path().string(), "--regime",
+                                        "circles", "--seed", "1", "--cases", "20", "--subject",
+                                        "pair", "--shrink-seconds", "0", "--json", "-"});
+  const auto json = nlohmann::json::parse(outcome.out);
+  CHECK(json["unshrunk"] == 0);
+  CHECK(run_manifuzz({"shrink", folder.path().string()}).status == 0);
+}
