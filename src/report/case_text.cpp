@@ -84,8 +84,13 @@ std::string digits(Number value) {
   return out;
 }
 
-template <class Number>
-std::string digits(const Vector2<Number>& v) {
+std::string digits(const Vector2<float>& v) {
+  return fmt::format("({}, {})", digits(v.x()), digits(v.y()));
+}
+
+/// Of what is computed, whose zeros' signs say nothing.
+std::string digits(const Vector2<double>& computed) {
+  const Vector2<double> v = without_negative_zeros(computed);
   return fmt::format("({}, {})", digits(v.x()), digits(v.y()));
 }
 
