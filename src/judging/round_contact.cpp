@@ -112,6 +112,7 @@ class AlongContact {
     const auto& polygon = pair_[side].polygon;
     if (polygon.face_count() == 0) return best;
     std::vector<double> ahead;
+    ahead.reserve(static_cast<std::size_t>(polygon.count));
     for (int i = 0; i < polygon.count; ++i) ahead.push_back(height(side, i).high);
     const double most = *std::ranges::max_element(ahead);
     for (int i = 0; i < polygon.count; ++i) {
