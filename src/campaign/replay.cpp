@@ -56,6 +56,9 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject, co
   if (ending == Ending::stopped) throw Interrupted();
   const bool has_ended = ending == Ending::done;
   const bool fails = !has_ended || slot->kind == Outcome::Kind::fails;
+  if (!fails && !takes(subject, recorded.pair)) {
+    return {.expected = sentence, .got = "", .is_unsupported = true};
+  }
   if (!fails) {
     return {
         .passed = true, .expected = sentence, .got = "", .is_stale = recorded.accepted.has_value()};
@@ -89,9 +92,10 @@ Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const 
   if (is_failure(judgement.bucket) && judgement.bucket.fault != Fault::oracle) {
     return replay_wrong(recorded, judgement, subject, oracle, known);
   }
+  const bool is_unsupported = judgement.bucket.verdict == Verdict::unsupported;
   for (const LedgerEntry& entry : ledger()) {
     const bool is_witness =
-        oracle.declaration.name == entry.collider &&
+        !is_unsupported && oracle.declaration.name == entry.collider &&
         fs::path(recorded.path).filename() == fs::path(witness_of(entry)).filename();
     if (is_witness && judgement.explanation != &entry) {
       return {false, fmt::format("a witness of {}", entry.id), got};
@@ -109,6 +113,7 @@ Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const 
       return {false, expected_verdict, verdict};
     }
   }
+  if (is_unsupported) return {.expected = got, .got = got, .is_unsupported = true};
   return {.passed = true,
           .expected = got,
           .got = got,
@@ -116,8 +121,13 @@ Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const 
 }
 
 std::size_t ReplayRun::failed() const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(cases, [](const ReplayedCase& one) { return !one.result.passed; }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      cases, [](const ReplayedCase& one) { return one.result.has_failed(); }));
+}
+
+std::size_t ReplayRun::unsupported() const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      cases, [](const ReplayedCase& one) { return one.result.is_unsupported; }));
 }
 
 std::size_t ReplayRun::accepted() const {

@@ -44,14 +44,18 @@ struct Replayed {
   bool passed = false;
   std::string expected;  ///< for people, where it failed
   std::string got;
-  bool is_accepted = false;  ///< it passed although the subject is wrong, as is accepted
-  bool is_stale = false;     ///< it is accepted, and what was accepted did not come again
+  bool is_accepted = false;     ///< it passed although the subject is wrong, as is accepted
+  bool is_stale = false;        ///< it is accepted, and what was accepted did not come again
+  bool is_unsupported = false;  ///< neither passed nor failed: a collider cannot take the case
+
+  bool has_failed() const { return !passed && !is_unsupported; }
 };
 
 /// Runs a corpus case again. It passes when the subject is right, or wrong as recorded and
 /// accepted. Where the recorded pair of colliders runs, the recorded verdict and bucket must come
 /// out too, unless they were against the subject: that it is right now is what a regression waits
-/// for. A case that a property failed on must pass that property.
+/// for. A case that a property failed on must pass that property. One that either cannot take is no
+/// failure, unless these two were recorded to answer it.
 Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const Collider& oracle,
                      const Known& known, Interruption& interruption);
 
@@ -73,7 +77,8 @@ struct ReplayRun {
   std::vector<const CorpusCase*> unasked{};  ///< there is no subject of the name that they have
 
   std::size_t failed() const;
-  std::size_t passed() const { return cases.size() - failed(); }
+  std::size_t unsupported() const;
+  std::size_t passed() const { return cases.size() - failed() - unsupported(); }
   std::size_t accepted() const;
   std::vector<std::string> stale() const;
   std::vector<Declaration> declarations() const;  ///< of all that were asked, each once, by name

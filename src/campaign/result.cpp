@@ -44,8 +44,13 @@ bool overlap(const CasesRun& part, const CasesRun& with) {
   });
 }
 
+bool is_all_unsupported(const CampaignResult& result) {
+  const std::uint64_t unsupported = result.verdicts[static_cast<std::size_t>(Verdict::unsupported)];
+  return unsupported > 0 && unsupported == result.cases();
+}
+
 bool is_vacuous(const CampaignResult& result) {
-  if (result.cases() == 0) return true;
+  if (result.cases() == 0 || is_all_unsupported(result)) return true;
   std::uint64_t cases = 0;
   std::uint64_t touching = 0;
   for (const RegimeResult& regime : result.regimes) {

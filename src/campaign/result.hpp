@@ -116,8 +116,11 @@ struct CampaignResult {
   std::uint64_t first() const;                ///< the least index in each regime
 };
 
-/// A run of no case proves nothing, nor does one of so many outside the regime `separated` in which
-/// nothing touched.
+/// Whether no case was answered, for one of both could take none of them.
+bool is_all_unsupported(const CampaignResult& result);
+
+/// A run of no case proves nothing, nor does one whose cases are all unsupported, nor one of so
+/// many outside the regime `separated` in which nothing touched.
 inline constexpr std::uint64_t kVacuousCases = 1000;
 bool is_vacuous(const CampaignResult& result);
 

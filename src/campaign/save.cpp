@@ -10,6 +10,8 @@
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/result.hpp"
+#include "exchange/json.hpp"
+#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 namespace {
@@ -20,9 +22,24 @@ std::string note_of(const PairCase& pair, const Judgement& judgement, const Coll
     return fmt::format("{}: {}.", judgement.explanation->id, judgement.explanation->description);
   }
   const Bucket& bucket = judgement.bucket;
-  return fmt::format("{} against {}: {} ({}), the greatest separation being {:.3g}.",
-                     subject.declaration.name, oracle.declaration.name, to_string(bucket.verdict),
-                     name_of(bucket.kind, kKindNames), exact::Truth(pair).separation());
+  return fmt::format("{} against {}: {} ({}), the {} being {:.3g}.", subject.declaration.name,
+                     oracle.declaration.name, to_string(bucket.verdict),
+                     name_of(bucket.kind, kKindNames),
+                     is_round(pair) ? "separation" : "greatest separation",
+                     exact::separation_of(exact::Truth(pair)));
+}
+
+/// What a corpus file keeps of an answer, for people: signs of zeros say nothing there.
+Answer without_negative_zeros(Answer answer) {
+  auto* manifold = std::get_if<Manifold<double>>(&answer);
+  if (auto* const partial = std::get_if<PartialManifold>(&answer)) manifold = &partial->manifold;
+  if (manifold == nullptr) return answer;
+  manifold->normal = manifuzz::without_negative_zeros(manifold->normal);
+  for (ContactPoint<double>& point : manifold->points) {
+    point.position = manifuzz::without_negative_zeros(point.position);
+    point.depth += 0;
+  }
+  return answer;
 }
 
 /// The map of the neighbours, unless it is stopped before all of them are asked.
@@ -109,8 +126,10 @@ bool save_finding(Finding& finding, const Tally& tally, const Plan& plan,
     finding.file = write_corpus_case(folder, unrepeated).string();
     return true;
   }
-  Shrunk smallest{.pair = worst, .complete = false};
-  if (interruption.state() == Interruption::State::running && !has_passed(deadlines.of_all)) {
+  // One that a collider cannot take shows nothing that a smaller one shows better.
+  Shrunk smallest{.pair = worst, .complete = finding.bucket.verdict == Verdict::unsupported};
+  if (!smallest.complete && interruption.state() == Interruption::State::running &&
+      !has_passed(deadlines.of_all)) {
     smallest =
         shrink_finding(worst, plan.subject, plan.oracle, interruption, deadlines.of_shrinking);
   }
@@ -162,7 +181,7 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
                       : recorded_severity(pair, judgement.bucket, subject, oracle, interruption)});
   if (judgement.bucket.verdict != Verdict::agree) expect.magnitude = judgement.magnitude;
   for (const Manifold<double>& right : right_manifolds(admissible(pair, subject.declaration))) {
-    expect.manifolds.push_back({std::string(kJudgeName), right});
+    expect.manifolds.push_back({std::string(kJudgeName), without_negative_zeros(right)});
   }
   std::string ends;
   for (const Collider* collider : {&subject, &oracle}) {
@@ -171,7 +190,7 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
       ends += fmt::format(" {}: {}.", collider->declaration.name, *why);
     }
     if (!std::holds_alternative<Lost>(answer)) {
-      expect.manifolds.push_back({collider->declaration.name, answer});
+      expect.manifolds.push_back({collider->declaration.name, without_negative_zeros(answer)});
     }
   }
   recorded.note = note_of(pair, judgement, subject, oracle) + ends;

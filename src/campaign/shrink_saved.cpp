@@ -20,6 +20,10 @@ CorpusCase shrunk_case(const CorpusCase& given, const Collider& subject, const C
         fmt::format("{}: {} and {} agree on it; a case on which they differ is expected",
                     given.path, subject.declaration.name, oracle.declaration.name));
   }
+  if (root.bucket.verdict == Verdict::unsupported) {
+    throw UserError(fmt::format("{}: {} or {} cannot take it; a case that both take is expected",
+                                given.path, subject.declaration.name, oracle.declaration.name));
+  }
   const Shrunk smallest = shrink_finding(given.pair, subject, oracle, interruption);
   const Judgement judgement = judge_in_child(smallest.pair, subject, oracle, interruption);
   CorpusCase result = recorded_case(smallest.pair, judgement, subject, oracle, interruption);

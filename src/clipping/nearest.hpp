@@ -23,7 +23,7 @@ struct NearestPlaces {
 /// In double: no square of floats over- or underflows there.
 template <class Scalar>
 double squared_length(const Vector2<Scalar>& v) {
-  const Vector2<double> wide = v.template cast<double>();
+  const Vector2<double>& wide = v.template cast<double>();  // itself, where it is in double
   return wide.dot(wide);
 }
 

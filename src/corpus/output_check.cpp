@@ -97,7 +97,8 @@ void check_places(const OutputPath& output, const std::vector<OutputPath>& other
 
 void expect_ending(const OutputPath& output) {
   const auto has = [&](std::string_view ending) { return output.path.ends_with(ending); };
-  if (output.endings.empty() || std::ranges::any_of(output.endings, has)) return;
+  if (output.endings.empty() || is_stdout(output) || std::ranges::any_of(output.endings, has))
+    return;
   fail(output, fmt::format("{}: a name that ends in {} is expected", printable_path(output.path),
                            fmt::join(output.endings, " or ")));
 }

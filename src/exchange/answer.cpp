@@ -13,7 +13,7 @@ namespace {
 
 void append_point(std::string& out, const PairCase& pair, const ContactPoint<double>& point) {
   out += "{\"position\": ";
-  append_vector(out, to_world(pair, point.position));
+  append_vector(out, without_negative_zeros(to_world(pair, point.position)));
   out += ", \"local\": ";
   append_vector(out, point.position);
   out += ", \"depth\": ";
@@ -25,7 +25,7 @@ void append_point(std::string& out, const PairCase& pair, const ContactPoint<dou
 void append_manifold(std::string& out, const PairCase& pair, const Manifold<double>& manifold) {
   if (manifold.count > 0) {
     out += "\"normal\": ";
-    append_vector(out, world_normal(pair, manifold.normal));
+    append_vector(out, without_negative_zeros(world_normal(pair, manifold.normal)));
     out += manifold.reference == Side::a ? ", \"reference\": \"a\", " : ", \"reference\": \"b\", ";
   }
   out += "\"points\": [";
@@ -52,7 +52,7 @@ void append_penetration(std::string& out, const PairCase& pair, const Penetratio
   out += penetration.touches ? "\"touching\": true" : "\"touching\": false";
   if (!penetration.normal) return;
   out += ", \"normal\": ";
-  append_vector(out, world_normal(pair, *penetration.normal));
+  append_vector(out, without_negative_zeros(world_normal(pair, *penetration.normal)));
   out += ", \"depth\": ";
   append_number(out, penetration.depth);
 }

@@ -111,6 +111,11 @@ std::string feature_name(Feature feature);
 /// The feature of that name, of any index up to 255; nothing for any other text.
 std::optional<Feature> find_feature(std::string_view name);
 
+/// The same for people, to whom a zero's sign says nothing.
+inline Vector2<double> without_negative_zeros(const Vector2<double>& v) {
+  return {v.x() + 0, v.y() + 0};
+}
+
 /// Appends [x,y].
 template <class Scalar>
 void append_vector(std::string& out, const Vector2<Scalar>& v) {

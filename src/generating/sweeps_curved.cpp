@@ -20,6 +20,23 @@ Solid benign_circle(Random& random) {
   return {point(), random.uniform(0.25, 1)};
 }
 
+/// A capsule, and above it another or a circle, each turned as it comes.
+struct FacingShapes {
+  Solid a;
+  Solid b;
+  Draft draft;
+
+  double size() const { return std::min(size_of(a), size_of(b)); }
+};
+
+FacingShapes facing_shapes(Random& random) {
+  const Solid a = benign_capsule(random);
+  const Solid b = random.chance(0.5) ? benign_capsule(random) : benign_circle(random);
+  const Outline below = place_up(random, a.outline);
+  const Outline above = place_up(random, b.outline);
+  return {a, b, facing(below, above)};
+}
+
 /// Touching or nearly, by a share of the smaller solid's size, anywhere near the origin.
 std::optional<PairCase> settled(Random& random, Draft draft, const Solid& a, const Solid& b,
                                 double more = 0) {
@@ -59,28 +76,20 @@ std::optional<PairCase> roundness(Random& random, double value) {
 }
 
 std::optional<PairCase> core_distance(Random& random, double value) {
-  const Solid a = benign_capsule(random);
-  const Solid b = random.chance(0.5) ? benign_capsule(random) : benign_circle(random);
-  const Outline below = place_up(random, a.outline);
-  const Outline above = place_up(random, b.outline);
-  Draft draft = facing(below, above);
-  set_apart(draft, a, b, value * std::min(size_of(a), size_of(b)));
-  give_own_axes(random, draft.a);
-  give_own_axes(random, draft.b);
-  stand_near(random, draft);
-  return settle(maybe_swapped(random, draft));
+  FacingShapes drawn = facing_shapes(random);
+  set_apart(drawn.draft, drawn.a, drawn.b, value * drawn.size());
+  give_own_axes(random, drawn.draft.a);
+  give_own_axes(random, drawn.draft.b);
+  stand_near(random, drawn.draft);
+  return settle(maybe_swapped(random, drawn.draft));
 }
 
 std::optional<PairCase> round_distance(Random& random, double value) {
-  const Solid a = benign_capsule(random);
-  const Solid b = random.chance(0.5) ? benign_capsule(random) : benign_circle(random);
-  const Outline below = place_up(random, a.outline);
-  const Outline above = place_up(random, b.outline);
-  Draft draft = facing(below, above);
-  const double size = std::min(size_of(a), size_of(b));
-  set_apart(draft, a, b, a.radius + b.radius + draw_gap(random) * size);
-  draft.world = {value * random_direction(random), random_direction(random)};
-  return settle(maybe_swapped(random, draft));
+  FacingShapes drawn = facing_shapes(random);
+  const double gap = draw_gap(random) * drawn.size();
+  set_apart(drawn.draft, drawn.a, drawn.b, drawn.a.radius + drawn.b.radius + gap);
+  drawn.draft.world = {value * random_direction(random), random_direction(random)};
+  return settle(maybe_swapped(random, drawn.draft));
 }
 
 }  // namespace manifuzz::turn

@@ -184,7 +184,7 @@ std::string_view describe(PolygonDefect defect) {
     case PolygonDefect::winds_twice:
       return "the vertices go round more than once: the outline must not cross itself";
     case PolygonDefect::no_radius:
-      return "one vertex without a radius: a circle's is above 0";
+      return "one vertex without a radius: a circle's is above 0 as a float, 1e-45 or more";
   }
   return {};
 }

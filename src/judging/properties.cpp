@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "generating/drafts.hpp"
+#include "judging/by_curve.hpp"
 #include "judging/compare.hpp"
-#include "judging/judge.hpp"
 #include "judging/round_answer.hpp"
 
 namespace manifuzz {
@@ -21,12 +21,9 @@ bool is_explained(const Collider& collider, const PairCase& pair) {
   const Answer answer = ask(collider, pair);
   const auto* got = std::get_if<Manifold<double>>(&answer);
   if (got == nullptr) return false;
-  if (is_round(pair)) {
-    const ColliderAnswer given{collider.declaration, answer};
-    return judge(pair, given, given).explanation != nullptr;
-  }
   const Admissible right = admissible(pair, collider.declaration);
-  const Kind kind = mismatch(*got, right).kind;
+  const Kind kind = is_round(pair) ? judge_by_curve(*right.truth, collider.declaration, answer).kind
+                                   : mismatch(*got, right).kind;
   return kind != Kind::none &&
          find_explanation(collider.declaration.name, {right, *got, kind}) != nullptr;
 }

@@ -27,44 +27,55 @@ Place in_world(const exact::StoredPair& pair, const Vector2<double>& normal) {
   return unit_of(turned(pair.a, exact::widen<DoubleDouble>(normal)));
 }
 
-/// Whether vertices of the other core are in front of the inside of a face, the nearest of all to
-/// it within `bound`, and farther than `margin` from its ends: world lengths.
-bool is_in_front_of_inside(const exact::StoredPair& pair, FaceOf face, double bound,
-                           double margin) {
-  const Place along = unit_of(exact::direction<DoubleDouble>(pair, face));
-  const Place out{along.y, -along.x};
-  const auto& polygon = pair[face.side].polygon;
-  const auto from = exact::vertex<DoubleDouble>(pair, face.side, face.index);
-  const auto to = exact::vertex<DoubleDouble>(pair, face.side, polygon.next(face.index));
-  const Side opposing = other(face.side);
-  std::vector<Place> apart;
-  for (int j = 0; j < pair[opposing].polygon.count; ++j) {
-    apart.push_back(exact::vertex<DoubleDouble>(pair, opposing, j) - from);
+/// A vertex as a face of the other core sees it.
+struct VertexBeforeFace {
+  Place at;           ///< from where the face begins
+  double height = 0;  ///< in front of the face, a world length
+};
+
+/// A face and all vertices of the other core.
+struct BeforeFace {
+  BeforeFace(const exact::StoredPair& pair, FaceOf face)
+      : along(unit_of(exact::direction<DoubleDouble>(pair, face))) {
+    const Place out{along.y, -along.x};
+    const auto from = exact::vertex<DoubleDouble>(pair, face.side, face.index);
+    const int next = pair[face.side].polygon.next(face.index);
+    end = exact::vertex<DoubleDouble>(pair, face.side, next) - from;
+    const Side opposing = other(face.side);
+    for (int j = 0; j < pair[opposing].polygon.count; ++j) {
+      const Place at = exact::vertex<DoubleDouble>(pair, opposing, j) - from;
+      vertices.push_back({at, dot(out, at).high});
+    }
   }
-  const auto height = [&](const Place& p) { return dot(out, p).high; };
-  const double least = height(*std::ranges::min_element(apart, {}, height));
+
+  double least_height() const {
+    return std::ranges::min(vertices, {}, &VertexBeforeFace::height).height;
+  }
+
+  Place along;  ///< the face's direction, unit
+  Place end;    ///< from where the face begins
+  std::vector<VertexBeforeFace> vertices;
+};
+
+/// Whether vertices are in front of the inside of a face, the nearest of all to it within `bound`,
+/// and farther than `margin` from its ends: world lengths.
+bool is_in_front_of_inside(const BeforeFace& seen, double bound, double margin) {
+  const double least = seen.least_height();
   double first = INFINITY;
   double last = -INFINITY;
-  for (const Place& p : apart) {
-    if (height(p) > least + bound) continue;
-    first = std::min(first, dot(along, p).high);
-    last = std::max(last, dot(along, p).high);
+  for (const auto& [at, height] : seen.vertices) {
+    if (height > least + bound) continue;
+    first = std::min(first, dot(seen.along, at).high);
+    last = std::max(last, dot(seen.along, at).high);
   }
-  return std::max(first, margin) <= std::min(last, dot(along, to - from).high - margin);
+  return std::max(first, margin) <= std::min(last, dot(seen.along, seen.end).high - margin);
 }
 
 /// Whether a face separates by `least` or more, a world length, and has a vertex in front of it
 /// that rounding, off by `separation`, cannot tell from its nearest: where the cores are as near as
 /// that.
-bool is_as_near(const exact::StoredPair& pair, FaceOf face, double least, double separation) {
-  const Place along = unit_of(exact::direction<DoubleDouble>(pair, face));
-  const Place out{along.y, -along.x};
-  const auto from = exact::vertex<DoubleDouble>(pair, face.side, face.index);
-  const Side opposing = other(face.side);
-  for (int j = 0; j < pair[opposing].polygon.count; ++j) {
-    if (dot(out, exact::vertex<DoubleDouble>(pair, opposing, j) - from).high < least) return false;
-  }
-  return is_in_front_of_inside(pair, face, 2 * separation, -separation);
+bool is_as_near(const BeforeFace& seen, double least, double separation) {
+  return seen.least_height() >= least && is_in_front_of_inside(seen, 2 * separation, -separation);
 }
 
 /// An edge as it is seen along a contact's normal.
@@ -101,6 +112,7 @@ class AlongContact {
     const auto& polygon = pair_[side].polygon;
     if (polygon.face_count() == 0) return best;
     std::vector<double> ahead;
+    ahead.reserve(static_cast<std::size_t>(polygon.count));
     for (int i = 0; i < polygon.count; ++i) ahead.push_back(height(side, i).high);
     const double most = *std::ranges::max_element(ahead);
     for (int i = 0; i < polygon.count; ++i) {
@@ -184,7 +196,7 @@ NearestNormal::NearestNormal(const exact::Truth& truth, const exact::Penetration
   }
   direction_ = unit_of(exact::outward_from_a<DoubleDouble>(pair, curve.face()));
   is_inside_face_ =
-      is_in_front_of_inside(pair, curve.face(), bound_of_separation_, bound_of_separation_);
+      is_in_front_of_inside({pair, curve.face()}, bound_of_separation_, bound_of_separation_);
 }
 
 double NearestNormal::error(const Vector2<double>& normal) const {
@@ -197,7 +209,7 @@ double NearestNormal::error(const Vector2<double>& normal) const {
   double least = off(direction_);
   if (least <= bound() || distance_ <= 2 * bound_of_separation_) return least;
   for (const FaceOf face : exact::all_faces(pair)) {
-    if (is_as_near(pair, face, distance_ - 2 * bound_of_separation_, bound_of_separation_)) {
+    if (is_as_near({pair, face}, distance_ - 2 * bound_of_separation_, bound_of_separation_)) {
       least = std::min(least, off(unit_of(exact::outward_from_a<DoubleDouble>(pair, face))));
     }
   }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <type_traits>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -84,9 +85,11 @@ std::string digits(Number value) {
   return out;
 }
 
+/// Given numbers, floats, to the last bit; of computed ones the sign of a zero says nothing.
 template <class Number>
 std::string digits(const Vector2<Number>& v) {
-  return fmt::format("({}, {})", digits(v.x()), digits(v.y()));
+  constexpr Number zero = std::is_same_v<Number, float> ? -0.0F : 0;  // x + -0 is x
+  return fmt::format("({}, {})", digits(v.x() + zero), digits(v.y() + zero));
 }
 
 /// A named value, the values of one block below each other.
@@ -147,6 +150,11 @@ void write_bounds(std::string& text, const JudgedCase& judged) {
   add_bound("position", &Bounds::position);
 }
 
+void write_normal(std::string& text, const PairCase& pair, const Vector2<double>& normal) {
+  row(text, "normal",
+      fmt::format("world {}, local {}", digits(world_normal(pair, normal)), digits(normal)));
+}
+
 void write_points(std::string& text, const PairCase& pair, const Manifold<double>& manifold,
                   int count) {
   for (int i = 0; i < count; ++i) {
@@ -171,9 +179,7 @@ void write_round_contact(std::string& text, const Admissible& right,
                       manifolds.size(), declaration.name);
   if (manifolds.empty() || manifolds.back().count == 0) return row(text, "", "no contact");
   const Manifold<double>& touching = manifolds.back();
-  row(text, "normal",
-      fmt::format("world {}, local {}", digits(world_normal(right.pair(), touching.normal)),
-                  digits(touching.normal)));
+  write_normal(text, right.pair(), touching.normal);
   write_points(text, right.pair(), touching, touching.count);
 }
 
@@ -193,9 +199,7 @@ void write_candidate(std::string& text, const PairCase& pair, const DeclaredAnsw
       fmt::format("{}, world {}", face_name(incident, candidate->incident),
                   edge(pair[incident], candidate->incident)));
   const Manifold<double> manifold = true_manifold(*candidate);
-  row(text, "normal",
-      fmt::format("world {}, local {}", digits(world_normal(pair, manifold.normal)),
-                  digits(manifold.normal)));
+  write_normal(text, pair, manifold.normal);
   row(text, "cos of the angle", digits(candidate->cosine));
   if (const double gap = candidate->gap(); gap > 0) row(text, "misses the slab by", digits(gap));
   write_points(text, pair, manifold, manifold.count);
@@ -208,9 +212,7 @@ void write_answer(std::string& text, const PairCase& pair, const DeclaredAnswer&
   const Manifold<double>* const manifold = asked.manifold();
   if (manifold == nullptr || asked.count() == 0) return;
   row(text, "reference", manifold->reference == Side::a ? "A" : "B");
-  row(text, "normal",
-      fmt::format("world {}, local {}", digits(world_normal(pair, manifold->normal)),
-                  digits(manifold->normal)));
+  write_normal(text, pair, manifold->normal);
   write_points(text, pair, *manifold, asked.count());
 }
 

@@ -32,7 +32,7 @@ namespace {
 std::string replay_failures(const ReplayRun& run) {
   std::string text;
   for (const ReplayedCase& one : run.cases) {
-    if (one.result.passed) continue;
+    if (!one.result.has_failed()) continue;
     text += fmt::format("{} {}: expected {}, got {}\n", bad("FAIL"),
                         printable(one.recorded->path, 200), one.result.expected, one.result.got);
   }
@@ -52,6 +52,10 @@ std::string replay_counts(const ReplayRun& run) {
                                  run.failed(), run.seconds));
   }
   if (run.accepted() > 0) counts.push_back(fmt::format("{} of them accepted", run.accepted()));
+  if (run.unsupported() > 0) {
+    counts.push_back(
+        fmt::format("{} unsupported, for a collider cannot take them", run.unsupported()));
+  }
   if (!run.unasked.empty()) counts.push_back(fmt::format("{} not asked", run.unasked.size()));
   if (run.left_out > 0) counts.push_back(fmt::format("{} left out, for time was up", run.left_out));
   return fmt::format("{}", fmt::join(counts, "; "));
@@ -68,6 +72,7 @@ void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std:
   json["cases"] = run.cases.size();
   json["passed"] = run.passed();
   json["failed"] = run.failed();
+  json["unsupported"] = run.unsupported();
   json["accepted"] = run.accepted();
   json["stale"] = run.stale();
   json["left_out"] = run.left_out;
@@ -75,7 +80,7 @@ void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std:
   json["seconds"] = run.seconds;
   json["failures"] = nlohmann::ordered_json::array();
   for (const ReplayedCase& one : run.cases) {
-    if (one.result.passed) continue;
+    if (!one.result.has_failed()) continue;
     json["failures"].push_back(
         {{"file", one.recorded->path}, {"expected", one.result.expected}, {"got", one.result.got}});
   }

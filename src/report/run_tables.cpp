@@ -73,7 +73,12 @@ std::string ledger_rows(const CampaignResult& result) {
 /// What became of the run as a whole, where it is not what was asked for.
 std::string state_in_words(const Campaign& campaign) {
   std::string text;
-  if (is_vacuous(campaign.result)) {
+  if (is_all_unsupported(campaign.result)) {
+    text += fmt::format(
+        "\nvacuous: {} or {} takes none of these cases, so nothing was shown; choose other regimes "
+        "or colliders\n",
+        campaign.result.settings.subject, campaign.result.settings.oracle);
+  } else if (is_vacuous(campaign.result)) {
     text += "\nvacuous: nothing touched, so nothing was shown; choose other regimes or a radius\n";
   }
   if (campaign.result.stopped_early) {

@@ -45,18 +45,17 @@ void fill_in(std::string& text, const std::string& name, const Body& body) {
 
 std::string manifold_in_words(const PairCase& pair, const Manifold<double>& manifold) {
   if (manifold.count == 0) return "no contact\n";
-  const Vector2<double> normal = world_normal(pair, manifold.normal);
-  std::string text =
-      fmt::format("normal ({}, {}), from A to B", normal.x() + 0.0, normal.y() + 0.0);
+  const Vector2<double> normal = without_negative_zeros(world_normal(pair, manifold.normal));
+  std::string text = fmt::format("normal ({}, {}), from A to B", normal.x(), normal.y());
   // A round shape's may be from vertex to vertex.
   if (!is_round(pair)) {
     text += fmt::format(", a face of {}", manifold.reference == Side::a ? 'A' : 'B');
   }
   text += '\n';
   for (int i = 0; i < manifold.count; ++i) {
-    const Vector2<double> at = to_world(pair, manifold.points[i].position);
-    text += fmt::format("point ({}, {}), depth {}\n", at.x() + 0.0, at.y() + 0.0,
-                        manifold.points[i].depth + 0.0);
+    const Vector2<double> at = without_negative_zeros(to_world(pair, manifold.points[i].position));
+    text +=
+        fmt::format("point ({}, {}), depth {}\n", at.x(), at.y(), manifold.points[i].depth + 0.0);
   }
   return text;
 }
@@ -102,10 +101,10 @@ std::string upstream_report(const JudgedCase& judged, const std::string& options
   std::string bodies;
   append_body(bodies, 'A', pair.a);
   append_body(bodies, 'B', pair.b);
-  text += fmt::format("{}, numbers as 32-bit floats:\n\n",
-                      is_round(pair) ? "Two convex shapes, one vertex a circle's center"
-                                     : "Two convex polygons") +
-          code_block(bodies, "");
+  text += is_round(pair) ? "Two shapes, numbers as 32-bit floats; one vertex is a circle's center, "
+                           "two are the ends of a segment or capsule:\n\n"
+                         : "Two convex polygons, numbers as 32-bit floats:\n\n";
+  text += code_block(bodies, "");
   std::string got = answer_in_words(asked) + '\n';
   if (asked.manifold() != nullptr) got = manifold_in_words(pair, *asked.manifold());
   text += "\n## Got\n\n" + code_block(got, "") + "\n## Expected, in exact arithmetic\n\n";

@@ -134,10 +134,12 @@ std::string place_name(Side side, Feature feature) {
 }
 
 std::string shape_in_words(const ConvexPolygon<float>& shape) {
-  const std::string radius = shape.radius > 0 ? ", radius " + brief(shape.radius) : "";
+  // Round corners of radius 0 are told too: a pair of them is judged as round.
+  const bool has_round_corners = shape.count >= kMinVertices && shape.is_round();
+  const bool has_radius = shape.radius > 0 || has_round_corners;
+  const std::string radius = has_radius ? ", radius " + brief(shape.radius) : "";
   if (shape.count == 1) return "circle" + radius;
   if (shape.count == 2) return (shape.radius > 0 ? "capsule" : "segment") + radius;
-  const bool has_round_corners = shape.radius > 0 && shape.is_round();
   return fmt::format("{} vertices", shape.count) + radius +
          (has_round_corners ? ", round corners" : "");
 }
@@ -183,7 +185,8 @@ std::string verdict_sentence(const JudgedCase& judged) {
       return fmt::format("both wrong: {}, and {} is wrong too",
                          wrong_in_words(judged, judged.subject), judged.oracle.declaration.name);
     case Verdict::ill_posed:
-      return "ill-posed: rounding moves these polygons by more than 5% of the smaller one";
+      return fmt::format("ill-posed: rounding moves these {} by more than 5% of the smaller one",
+                         is_round(judged.given.pair) ? "shapes" : "polygons");
     case Verdict::unsupported:
       return "unsupported: " + unsupported_in_words(judged);
     case Verdict::crashed:

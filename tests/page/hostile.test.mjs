@@ -211,3 +211,10 @@ for (const [head, parts] of headed) {
     assert.equal(await page.getAttribute('h1', 'class'), head.startsWith('Nothing') ? 'good' : 'bad');
   });
 }
+
+const unsupported = {fuzz: one({...run, vacuous: true, verdicts: {...run.verdicts, unsupported: run.cases}}),
+  replay: one({...replay, failed: 0, failures: [], passed: replay.cases - 2, unsupported: 2})};
+onData('what no collider takes is told apart from what passed and from what does not touch', reportOf(unsupported), async (page) => {
+  assert.match(await page.textContent('#replay h3'), /195 of 197 cases passed, 2 unsupported/);
+  assert.match(await page.textContent('#campaigns'), /vacuous: no case is supported/);
+});

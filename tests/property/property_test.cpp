@@ -41,28 +41,6 @@ bool has_every_property(std::string_view collider) {
          collider.starts_with("batch") || collider == "box2d";
 }
 
-/// What other engines make of round shapes is for campaigns and the ledger to judge.
-Collider of_polygons_alone(Collider collider) {
-  const Answer declined = Unsupported{"round shapes"};
-  const auto any = collider.collide;
-  collider.collide = [any, declined](const PairCase& pair) {
-    return is_round(pair) ? declined : any(pair);
-  };
-  if (!collider.is_isolated()) return collider;
-  const auto many = collider.collide_many;
-  collider.collide_many = [many, declined](std::span<const PairCase> pairs,
-                                           std::span<Answer> answers,
-                                           const std::function<bool()>& go_on) {
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      answers[i] = declined;
-      if (is_round(pairs[i])) continue;
-      if (many(pairs.subspan(i, 1), answers.subspan(i, 1), go_on) == 0) return i;
-    }
-    return pairs.size();
-  };
-  return collider;
-}
-
 [[maybe_unused]] const bool registered = [] {
   for (const ColliderEntry& entry : colliders()) {
     for (const Property& property : properties()) {
@@ -70,9 +48,7 @@ Collider of_polygons_alone(Collider collider) {
       test::add_test(std::string(entry.name) + ": " + std::string(property.sentence), "[property]",
                      [&property, &entry] {
                        const auto collider = test::installed_collider(entry.name);
-                       if (!collider) return;
-                       const bool is_ours = entry.name.starts_with("clip");
-                       run(property, is_ours ? *collider : of_polygons_alone(*collider));
+                       if (collider) run(property, *collider);
                      });
     }
   }
@@ -128,6 +104,15 @@ TEST_CASE("the report of a failing property names no source file") {
   CHECK(result.report.find(result.why) != std::string::npos);
   CHECK(result.report.find(".cpp") == std::string::npos);
   CHECK(result.report.find(test::source_dir().string()) == std::string::npos);
+}
+
+TEST_CASE("what the ledger explains of round shapes fails no property") {
+  const CorpusCase witness = read_case_file(
+      (test::source_dir() / "corpus/defects/box2d/witness-box2d-edge-slab-not-widened.json")
+          .string());
+  REQUIRE(is_round(witness.pair));
+  const Property* const property = find_by_name(properties(), "admissible");
+  CHECK(check(*property, find_collider("box2d"), witness.pair).kind == Outcome::Kind::known);
 }
 
 TEST_CASE("scaling is asked of colliders without a length of their own alone") {

@@ -54,7 +54,7 @@ int show(const ShowArguments& options) {
     throw UserError("--map-step: there is no map without --map FILE.png");
   }
   const std::string file = case_file(options.given);
-  check_outputs({{{"--svg", options.svg},
+  check_outputs({{{"--svg", options.svg, OutputPath::Kind::data, {".svg"}},
                   {"--curve", options.curve, OutputPath::Kind::file, {".svg", ".png"}},
                   {"--map", options.map.value_or(""), OutputPath::Kind::file, {".png"}}},
                  {file}});
@@ -93,7 +93,7 @@ void add_show_arguments(CLI::App& app, ShowArguments& options) {
                "the collider it is held against; if not given, the one the case names, or box2d");
   add_external_options(app, options.colliders.external);
   app.add_option("--svg", options.svg, "a picture too; - for the picture alone, on stdout")
-      ->type_name("FILE");
+      ->type_name("FILE.svg");
   add_text(app, "--curve", options.curve, "FILE.svg|FILE.png",
            "a picture of how deep they overlap in each direction, and where each answer stands");
   app.add_flag("--upstream", options.upstream,

@@ -6,6 +6,7 @@
 
 #include "judging/ledger/phaser_placed.hpp"
 #include "judging/ledger/round_deviations.hpp"
+#include "oracle/exact/curve.hpp"
 
 // phaser-box2d on circles and capsules.
 
@@ -146,9 +147,7 @@ SlackOfCapsules as_about(const Deviation& d) {
 }
 
 bool is_given(const Deviation& d, const FoundByPhaser& found, const SlackOfCapsules& slack) {
-  std::vector<double> depths;
-  for (int i = 0; i < d.got.count; ++i) depths.push_back(d.got.points[i].depth);
-  std::ranges::sort(depths, std::greater());
+  const std::vector<double> depths = sorted_depths(d.got);
   if (depths.size() != found.depths.size()) return false;
   if (depths.empty()) return true;
   for (std::size_t i = 0; i < depths.size(); ++i) {

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "geometry/manifold.hpp"
 #include "oracle/exact/placed.hpp"
 
 namespace manifuzz {
@@ -15,5 +20,14 @@ struct PlacedByPhaser {
 };
 
 PlacedByPhaser placed_by_phaser(const PairCase& pair);
+
+/// The depths of an answer's points, the deepest first.
+inline std::vector<double> sorted_depths(const Manifold<double>& got) {
+  std::vector<double> depths(static_cast<std::size_t>(got.count));
+  std::ranges::transform(got.points.begin(), got.points.begin() + got.count, depths.begin(),
+                         &ContactPoint<double>::depth);
+  std::ranges::sort(depths, std::greater());
+  return depths;
+}
 
 }  // namespace manifuzz

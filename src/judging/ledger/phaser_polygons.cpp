@@ -7,6 +7,7 @@
 
 #include "judging/ledger/phaser_placed.hpp"
 #include "judging/ledger/round_deviations.hpp"
+#include "oracle/exact/curve.hpp"
 
 // phaser-box2d's b2CollidePolygons on round shapes.
 
@@ -195,9 +196,7 @@ std::optional<PolygonsByPhaser> polygons_by_phaser(const PairCase& pair) {
 /// Whether that is the answer, within the bounds of numbers that were computed alike.
 bool is_answer(const Deviation& d, const PolygonsByPhaser& found) {
   const Bounds& bounds = d.right.bounds;
-  std::vector<double> depths;
-  for (int i = 0; i < d.got.count; ++i) depths.push_back(d.got.points[i].depth);
-  std::ranges::sort(depths, std::greater());
+  const std::vector<double> depths = sorted_depths(d.got);
   const auto is_same = [&](double p, double q) { return std::abs(p - q) <= bounds.separation; };
   if (!std::ranges::equal(depths, found.depths, is_same)) return false;
   if (depths.empty()) return true;

@@ -125,7 +125,9 @@ TestSuite fuzz_suite(const Campaign& campaign, Interruption& interruption) {
                                fmt::format("more in {}", fmt::join(entry.over_budget, ", "))}));
   }
   if (is_vacuous(result)) {
-    suite.tests.push_back(failed_test("vacuous", {"cases that touch", "none"}));
+    const char* const missing =
+        is_all_unsupported(result) ? "cases that both can take" : "cases that touch";
+    suite.tests.push_back(failed_test("vacuous", {missing, "none"}));
   }
   for (std::size_t i = 0; i < result.regimes.size(); ++i) {
     suite.tests.push_back(test_of_regime(campaign, i));
@@ -135,15 +137,19 @@ TestSuite fuzz_suite(const Campaign& campaign, Interruption& interruption) {
 
 TestSuite replay_suite(const ReplayRun& run, const CalledAgain& again, Interruption& interruption) {
   TestSuite suite{"manifuzz replay", replay_counts(run), {}};
-  suite.table = {
-      {"cases", "passed", "failed", "accepted", "left out"},
-      {std::to_string(run.cases.size()), std::to_string(run.passed()), std::to_string(run.failed()),
-       std::to_string(run.accepted()), std::to_string(run.left_out)}};
+  suite.table = {{"cases", "passed", "failed", "unsupported", "accepted", "left out"},
+                 {std::to_string(run.cases.size()), std::to_string(run.passed()),
+                  std::to_string(run.failed()), std::to_string(run.unsupported()),
+                  std::to_string(run.accepted()), std::to_string(run.left_out)}};
   for (const CorpusCase* const one : run.unasked) suite.errors.push_back(why_unasked(*one));
   std::size_t pictures = 0;
   for (const ReplayedCase& one : run.cases) {
     TestResult& test = suite.tests.emplace_back(TestResult{one.recorded->path, one.seconds});
-    if (one.result.passed) continue;
+    if (one.result.is_unsupported) {
+      test.why_skipped = fmt::format("unsupported: {} or {} cannot take it",
+                                     one.subject->declaration.name, one.oracle->declaration.name);
+    }
+    if (!one.result.has_failed()) continue;
     test.failure = failure_of(one, again);
     if (++pictures > kDescribedMax) continue;
     add_picture(*test.failure, [&] {

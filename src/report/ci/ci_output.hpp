@@ -30,6 +30,7 @@ struct TestResult {
   std::string name;
   double seconds = 0;
   std::optional<TestFailure> failure{};
+  std::string why_skipped{};  ///< of one that neither passed nor failed; else empty
 };
 
 /// The results of a run, for JUnit reports and for what CI shows.
@@ -43,6 +44,11 @@ struct TestSuite {
   std::size_t failures() const {
     std::size_t count = 0;
     for (const TestResult& test : tests) count += test.failure ? 1 : 0;
+    return count;
+  }
+  std::size_t skipped() const {
+    std::size_t count = 0;
+    for (const TestResult& test : tests) count += test.why_skipped.empty() ? 0 : 1;
     return count;
   }
   double seconds() const {

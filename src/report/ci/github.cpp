@@ -60,6 +60,9 @@ std::string result_in_words(const TestSuite& suite) {
   if (suite.failures() > 0) {
     parts.push_back(fmt::format("{} of {} failed", suite.failures(), suite.tests.size()));
   }
+  if (suite.skipped() > 0) {
+    parts.push_back(fmt::format("{} of {} skipped", suite.skipped(), suite.tests.size()));
+  }
   return parts.empty() ? "passed" : fmt::format("{}", fmt::join(parts, ", "));
 }
 

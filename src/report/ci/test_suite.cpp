@@ -71,13 +71,18 @@ void add_suite(pugi::xml_node& all, const TestSuite& suite) {
   pugi::xml_node node = all.append_child("testsuite");
   set(node, "name", suite.name);
   set_counts(node, {&suite, 1});
+  node.append_attribute("skipped") = suite.skipped();
   for (const std::string& error : suite.errors) {
     pugi::xml_node test = add_test(node, suite, error.substr(0, error.find(": ")), 0);
     pugi::xml_node why = test.append_child("error");
     set(why, "message", error);
   }
   for (const TestResult& result : suite.tests) {
-    const pugi::xml_node test = add_test(node, suite, result.name, result.seconds);
+    pugi::xml_node test = add_test(node, suite, result.name, result.seconds);
+    if (!result.why_skipped.empty()) {
+      pugi::xml_node why = test.append_child("skipped");
+      set(why, "message", result.why_skipped);
+    }
     if (result.failure) add_failure(test, *result.failure);
   }
 }

@@ -106,6 +106,31 @@ TEST_CASE("a run in which nothing touches is vacuous, unless it is the regime fo
   CHECK(vacuous.out.find("vacuous") != std::string::npos);
 }
 
+TEST_CASE("a run whose cases are all unsupported is vacuous, however few") {
+  const TemporaryFolder folder;
+  for (const char* const cases : {"1", "2000"}) {
+    const auto arguments = fuzz(folder, {"--regime", "circles", "--seed", "1", "--no-save",
+                                         "--subject", "pair", "--oracle", "batch"});
+    const Outcome text = run_manifuzz(with(arguments, {"--cases", cases}));
+    CHECK(text.status == 1);
+    CHECK(text.out.find("vacuous: pair or batch takes none of these cases") != std::string::npos);
+    const Outcome outcome = run_manifuzz(with(arguments, {"--cases", cases, "--json", "-"}));
+    CHECK(outcome.status == 1);
+    const Json json = summary(outcome);
+    CHECK(json["vacuous"] == true);
+    CHECK(json["verdicts"]["unsupported"] == json["cases"]);
+  }
+}
+
+TEST_CASE("a program that dies before its first answer is no success where it is asked nothing") {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_manifuzz(fuzz(folder, {"--regime", "circles", "--seed", "1", "--cases", "1000",
+                                 "--subject-command", "false", "--oracle", "clip", "--no-save"}));
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.find("vacuous") != std::string::npos);
+}
+
 TEST_CASE("bad usage of fuzz is one clear line and status 2") {
   const TemporaryFolder folder;
   const std::string broken = folder.write("broken.json", "{");

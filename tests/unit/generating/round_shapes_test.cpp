@@ -7,8 +7,7 @@
 
 #include "generating/drafts.hpp"
 #include "generating/regime.hpp"
-#include "generating/sweep.hpp"
-#include "oracle/exact/curve.hpp"
+#include "unit/generating/check_sweeps.hpp"
 
 // Regimes and sweeps of round shapes, measured from the stored floats.
 
@@ -16,11 +15,6 @@ namespace manifuzz {
 namespace {
 
 constexpr int kCases = 4000;
-
-/// The distance of the surfaces where they are nearest; negative: how deep they overlap.
-double round_gap(const PairCase& pair) {
-  return exact::separation_of(exact::Truth(pair)) - total_radius(pair);
-}
 
 /// The direction of a segment in the world.
 Vector2<double> direction(const Body& body) {
@@ -43,7 +37,7 @@ double roundness(const PairCase& pair) {
 }
 
 /// Whether the knob does what it says.
-const std::map<std::string_view, std::function<bool(const PairCase&, double)>> kRoundKnobs{
+const Knobs kRoundKnobs{
     {"capsule_angle",
      [](const PairCase& pair, double x) {
        const Vector2<double> a = direction(pair.a);
@@ -79,7 +73,7 @@ TEST_CASE("every case of every regime of round shapes is valid, and 8 in 10 touc
     for (std::uint64_t i = 0; i < kCases; ++i) {
       const PairCase pair = generate(1, regime, i);
       invalid += is_round(pair) && revalidated(pair) ? 0 : 1;
-      const double distance = round_gap(pair);
+      const double distance = gap_of(pair);
       const bool is_near = std::abs(distance) <= 0.1 * size(pair);
       touching += distance <= 0 ? 1 : 0;
       near += is_near ? 1 : 0;
@@ -119,25 +113,7 @@ TEST_CASE("regimes of round shapes give what a collider takes") {
 }
 
 TEST_CASE("every step of every sweep of round shapes draws valid pairs, its knob turned") {
-  constexpr int cases = 50;
-  for (const Sweep& sweep : sweeps()) {
-    if (!sweep.is_round) continue;
-    for (const double x : sweep.values) {
-      CAPTURE(sweep.name, x);
-      int invalid = 0;
-      int off = 0;
-      int touching = 0;
-      for (std::uint64_t i = 0; i < cases; ++i) {
-        const PairCase pair = draw_case(1, sweep, x, i);
-        invalid += revalidated(pair) ? 0 : 1;
-        off += kRoundKnobs.at(sweep.name)(pair, x) ? 0 : 1;
-        touching += round_gap(pair) <= 0 ? 1 : 0;
-      }
-      CHECK(invalid == 0);
-      CHECK(off == 0);
-      CHECK(touching >= cases / 4);
-    }
-  }
+  check_sweeps(true, kRoundKnobs, 50);
 }
 
 }  // namespace manifuzz

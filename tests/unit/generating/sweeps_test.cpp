@@ -1,16 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <map>
 #include <set>
 
 #include <catch2/catch.hpp>
 
 #include "base/text.hpp"
-#include "generating/drafts.hpp"
 #include "generating/sweep.hpp"
 #include "oracle/exact/truth.hpp"
+#include "unit/generating/check_sweeps.hpp"
 
 namespace manifuzz {
 namespace {
@@ -134,7 +132,7 @@ bool is_share(double value, double of, double off) {
 }
 
 /// Whether the knob does what it says, measured from the stored floats.
-const std::map<std::string_view, std::function<bool(const PairCase&, double)>> kKnobs{
+const Knobs kKnobs{
     {"distance",
      [](const PairCase& pair, double x) {
        return is_share(length(pair.a.pose.position.cast<double>()), x, 1e-6);
@@ -214,25 +212,7 @@ const std::map<std::string_view, std::function<bool(const PairCase&, double)>> k
 
 TEST_CASE(
     "every step of every sweep of polygons draws valid pairs, and its knob does what it says") {
-  constexpr int cases = 100;
-  for (const Sweep& sweep : sweeps()) {
-    if (sweep.is_round) continue;
-    for (const double x : sweep.values) {
-      CAPTURE(sweep.name, x);
-      int invalid = 0;
-      int off = 0;
-      int touching = 0;
-      for (std::uint64_t i = 0; i < cases; ++i) {
-        const PairCase pair = draw_case(1, sweep, x, i);
-        invalid += revalidated(pair) ? 0 : 1;
-        off += kKnobs.at(sweep.name)(pair, x) ? 0 : 1;
-        touching += exact::Truth(pair).compare_contact(0) <= 0 ? 1 : 0;
-      }
-      CHECK(invalid == 0);
-      CHECK(off == 0);
-      CHECK(touching >= cases / 4);
-    }
-  }
+  check_sweeps(false, kKnobs, 100);
 }
 
 TEST_CASE("sweeps have 20 steps or more, each once, from benign to absurd") {

@@ -179,3 +179,11 @@ TEST_CASE("every defect has a description of its own") {
   CHECK(static_cast<int>(texts.size()) == count);
   CHECK_FALSE(texts.contains(""));
 }
+
+TEST_CASE("a circle whose radius is 0 as a float is told what is expected") {
+  const std::array<Vector2<float>, 1> center{Vector2<float>(0, 0)};
+  const auto tiny = static_cast<float>(1e-60);
+  REQUIRE(find_shape_defect(center, tiny) == PolygonDefect::no_radius);
+  CHECK(describe(PolygonDefect::no_radius) ==
+        "one vertex without a radius: a circle's is above 0 as a float, 1e-45 or more");
+}

@@ -138,7 +138,8 @@ TEST_CASE("a JUnit report counts its tests, failures and seconds") {
                                                                      {"tests", "2"},
                                                                      {"failures", "1"},
                                                                      {"errors", "0"},
-                                                                     {"time", "0.750"}});
+                                                                     {"time", "0.750"},
+                                                                     {"skipped", "0"}});
   CHECK(elements[2].attributes ==
         std::map<std::string, std::string>{
             {"classname", "manifuzz replay"}, {"name", "a.json"}, {"time", "0.500000"}});
@@ -163,6 +164,20 @@ TEST_CASE("an error counts as a test that could not be, and says why") {
   CHECK(elements[2].attributes.at("name") == "b/c.json");
   CHECK(elements[3].name == "error");
   CHECK(elements[3].attributes.at("message") == suite.errors[0]);
+}
+
+TEST_CASE("a test that neither passed nor failed is skipped, and says why") {
+  TestSuite suite{"manifuzz replay", "", {{"a.json", 0.5}, {"b.json", 0.25}}};
+  suite.tests[1].why_skipped = "unsupported: pair cannot take it";
+  const auto elements = read_svg(junit_xml({&suite, 1}));
+  REQUIRE(elements.size() == 5);
+  CHECK(elements[1].attributes.at("tests") == "2");
+  CHECK(elements[1].attributes.at("failures") == "0");
+  CHECK(elements[1].attributes.at("skipped") == "1");
+  CHECK(elements[4].name == "skipped");
+  CHECK(elements[4].attributes.at("message") == suite.tests[1].why_skipped);
+  CHECK_THAT(summary_of(suite), Contains("## manifuzz replay: 1 of 2 skipped\n"));
+  CHECK(annotations({&suite, 1}, same).empty());
 }
 
 TEST_CASE("a report without suites is one still") {

@@ -76,11 +76,19 @@ TEST_CASE("a report on round shapes says what they are, and what is right") {
   judged.judgement = judge(judged.given.pair, {judged.subject.declaration, judged.subject.answer},
                            {judged.oracle.declaration, judged.oracle.answer});
   const std::string report = upstream_report(judged, "--subject clip");
-  CHECK_THAT(report, Contains("Two convex shapes, one vertex a circle's center"));
+  CHECK_THAT(report,
+             Contains("Two shapes, numbers as 32-bit floats; one vertex is a circle's center, two "
+                      "are the ends of a segment or capsule:\n"));
   CHECK_THAT(report, Contains("normal (0, -1), from A to B\npoint (0, -1), depth 0.25\n"));
 }
 
 TEST_CASE("of round shapes the truth of a map says that they touch") {
   const exact::Truth truth(circle_on_box());
   CHECK(statement_in_words(summary_of(truth)) == "they touch");
+}
+
+TEST_CASE("words on round shapes are not on polygons") {
+  JudgedCase judged = judged_case(circle_on_box());
+  judged.judgement.bucket = {.verdict = Verdict::ill_posed};
+  CHECK_THAT(verdict_sentence(judged), Contains("moves these shapes by"));
 }

@@ -32,6 +32,14 @@ TEST_CASE("what lies between the polygons") {
   CHECK(truth_in_words(box_on_box(0)) == "overlap 0");
 }
 
+TEST_CASE("a shape in words says what it is, round corners of radius 0 too") {
+  CHECK(shape_in_words(box_polygon(1, 1)) == "4 vertices");
+  CHECK(shape_in_words(box_polygon(1, 1, 0.5F)) == "4 vertices, radius 0.5");
+  ConvexPolygon<float> rounded = box_polygon(1, 1);
+  rounded.rounding = Rounding::round;
+  CHECK(shape_in_words(rounded) == "4 vertices, radius 0, round corners");
+}
+
 TEST_CASE("each verdict has its sentence") {
   JudgedCase judged = judged_case(box_on_box(0.25F));
   judged.judgement.magnitude = 0.5;
@@ -122,6 +130,15 @@ TEST_CASE("numbers of the text read back bit for bit") {
   CHECK_THAT(text, Contains("position           (0.1, 1e-07)"));
   CHECK_THAT(text, Contains("world (-0.8999999985098839, -0.9999998999999988)"));
   CHECK_THAT(text, Contains("total radius       0.30000001192092896"));
+}
+
+TEST_CASE("what the text computes has no negative zeros") {
+  PairCase pair = box_on_box(0.25F);
+  pair.a.pose.rotation = {-1, 0};
+  pair.b.pose.rotation = {-1, 0};
+  const std::string text = case_text(judged_case(pair));
+  INFO(text);
+  CHECK_THAT(text, Contains("normal") && !Contains("-0.0,") && !Contains("-0.0)"));
 }
 
 TEST_CASE("polygons apart have no right manifold but none") {

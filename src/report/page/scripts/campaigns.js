@@ -128,7 +128,8 @@ function bucketsTable({ buckets = [] }) {
 
 function fuzzParts(result, path) {
   const number = (key) => [key, whole(result[key])];
-  const state = [result.vacuous && "vacuous: nothing touched", result.interrupted && "interrupted", result.stopped_early && "stopped early"];
+  const isTaken = result.cases !== result.verdicts?.unsupported;
+  const state = [result.vacuous && `vacuous: ${isTaken ? "nothing touched" : "no case is supported"}`, result.interrupted && "interrupted", result.stopped_early && "stopped early"];
   return [element("h3", {}, `${result.subject ?? "subject"} against ${result.oracle ?? "oracle"}`,
     state.filter(Boolean).map((text) => element("span", { class: "state" }, text))),
   provenance(path, result, [number("cases"), ["seconds", short(result.seconds)],
@@ -137,10 +138,12 @@ function fuzzParts(result, path) {
 }
 
 function replayParts(result, path) {
-  const { cases = 0, passed = 0, failed = 0, failures = [] } = result;
-  const sentence = failed > 0 ? `${whole(failed)} of ${counted(cases, "case")} failed` : `All ${counted(cases, "case")} passed`;
+  const { cases = 0, passed = 0, failed = 0, unsupported = 0, failures = [] } = result;
+  const whatPassed = unsupported > 0 ? `${whole(passed)} of ${counted(cases, "case")} passed, ${whole(unsupported)} unsupported` : `All ${counted(cases, "case")} passed`;
+  const sentence = failed > 0 ? `${whole(failed)} of ${counted(cases, "case")} failed` : whatPassed;
   return [element("h3", { class: failed > 0 && "bad" }, sentence),
-    provenance(path, result, [["passed", whole(passed)], ["failed", whole(failed)], ["seconds", short(result.seconds)]]),
+    provenance(path, result, [["passed", whole(passed)], ["failed", whole(failed)], ["unsupported", unsupported > 0 && whole(unsupported)],
+      ["seconds", short(result.seconds)]]),
     failures.length > 0 && table("Cases that failed", [["file", ({ file }) => fileLink(file ?? "")],
       ["expected", ({ expected }) => expected, "text"], ["got", ({ got }) => got, "text"]], failures)];
 }
