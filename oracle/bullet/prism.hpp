@@ -1,0 +1,56 @@
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "manifuzz_collider.h"
+
+// Bullet has no shapes of the plane that its EPA can tell the depth of: a polygon is a prism along
+// z, higher than any depth, so that the least depth is in the plane.
+
+namespace manifuzz_bullet {
+
+/// How far a body reaches from its origin.
+inline float reach(const manifuzz_body& body) {
+  float farthest = 0;
+  for (int i = 0; i < body.count; ++i) {
+    farthest = std::max(farthest, std::hypot(body.vertices[i].x, body.vertices[i].y));
+  }
+  return farthest + body.radius;
+}
+
+/// In the plane they overlap by less than this along any normal, and along z a prism of this half
+/// height overlaps anything else by more.
+inline float half_height(const manifuzz_body& a, const manifuzz_body& b) {
+  return 2 * (reach(a) + reach(b));
+}
+
+/// A hull: a prism of this half height, or flat where that is 0. Circles and segments are flat, and
+/// their radius is a margin, as it is of polygons with round corners.
+inline btConvexHullShape hull_of(const manifuzz_body& body, float half_height) {
+  std::array<btVector3, 2 * MANIFUZZ_VERTICES_MAX> corners;
+  int count = 0;
+  const bool is_flat = body.count < 3 || half_height == 0;
+  for (int i = 0; i < body.count; ++i) {
+    const auto [x, y] = body.vertices[i];
+    if (is_flat) {
+      corners[count++].setValue(x, y, 0);
+    } else {
+      corners[count++].setValue(x, y, half_height);
+      corners[count++].setValue(x, y, -half_height);
+    }
+  }
+  btConvexHullShape hull(corners[0], count);
+  hull.setMargin(body.radius);
+  return hull;
+}
+
+inline btTransform place_of(const manifuzz_body& body) {
+  const auto [cos, sin] = body.rotation;
+  return btTransform(btMatrix3x3(cos, -sin, 0, sin, cos, 0, 0, 0, 1),
+                     btVector3(body.position.x, body.position.y, 0));
+}
+
+}  // namespace manifuzz_bullet

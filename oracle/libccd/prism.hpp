@@ -1,0 +1,133 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <ccd/ccd.h>
+#include <cmath>
+
+#include "manifuzz_collider.h"
+
+// libccd knows shapes by their support function alone, in space: a polygon is a prism along z,
+// higher than any depth, so that the least depth is in the plane.
+
+namespace manifuzz_libccd {
+
+/// A polygon's vertices in the world, and how far the prism goes up and down.
+struct Prism {
+  int count = 0;
+  std::array<manifuzz_double2, MANIFUZZ_VERTICES_MAX> vertices{};
+  double half_height = 0;
+};
+
+inline Prism place(const manifuzz_body& body) {
+  Prism prism{.count = body.count};
+  const auto cos = static_cast<double>(body.rotation.x);
+  const auto sin = static_cast<double>(body.rotation.y);
+  for (int i = 0; i < body.count; ++i) {
+    const auto x = static_cast<double>(body.vertices[i].x);
+    const auto y = static_cast<double>(body.vertices[i].y);
+    prism.vertices[i] = {cos * x - sin * y + static_cast<double>(body.position.x),
+                         sin * x + cos * y + static_cast<double>(body.position.y)};
+  }
+  return prism;
+}
+
+/// How far a body reaches from its origin.
+inline double reach(const manifuzz_body& body) {
+  double farthest = 0;
+  for (int i = 0; i < body.count; ++i) {
+    farthest = std::max(farthest, std::hypot(static_cast<double>(body.vertices[i].x),
+                                             static_cast<double>(body.vertices[i].y)));
+  }
+  return farthest;
+}
+
+struct PrismPair {
+  PrismPair(const manifuzz_body& body_a, const manifuzz_body& body_b)
+      : a(place(body_a)), b(place(body_b)) {
+    // In the plane they overlap by less than this along any normal, along z by twice as much.
+    a.half_height = b.half_height = 2 * (reach(body_a) + reach(body_b));
+  }
+
+  Prism a;
+  Prism b;
+};
+
+inline void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* farthest) {
+  const Prism& prism = *static_cast<const Prism*>(object);
+  const double x = ccdVec3X(direction);
+  const double y = ccdVec3Y(direction);
+  const auto along = [&](const manifuzz_double2& vertex) { return vertex.x * x + vertex.y * y; };
+  int best = 0;
+  for (int i = 1; i < prism.count; ++i) {
+    if (along(prism.vertices[i]) > along(prism.vertices[best])) best = i;
+  }
+  const auto [at_x, at_y] = prism.vertices[best];
+  ccdVec3Set(farthest, at_x, at_y,
+             ccdVec3Z(direction) < 0 ? -prism.half_height : prism.half_height);
+}
+
+inline void center(const void* object, ccd_vec3_t* middle) {
+  const Prism& prism = *static_cast<const Prism*>(object);
+  manifuzz_double2 sum{};
+  for (int i = 0; i < prism.count; ++i) {
+    sum.x += prism.vertices[i].x;
+    sum.y += prism.vertices[i].y;
+  }
+  ccdVec3Set(middle, sum.x / prism.count, sum.y / prism.count, 0);
+}
+
+/// ccdGJKPenetration or ccdMPRPenetration.
+using Penetration = decltype(&ccdGJKPenetration);
+
+struct Penetrated {
+  int status = -1;  ///< 0 where they intersect
+  double depth = 0;
+  ccd_vec3_t direction{};
+  ccd_vec3_t position{};
+};
+
+/// The tolerances are those of CCD_INIT; without a limit GJK may not end.
+inline constexpr unsigned long kIterationsMax = 1000;
+
+inline Penetrated ask(Penetration penetration, const PrismPair& pair) {
+  ccd_t ccd;
+  CCD_INIT(&ccd);
+  ccd.support1 = ccd.support2 = support;
+  ccd.center1 = ccd.center2 = center;
+  ccd.max_iterations = kIterationsMax;
+  Penetrated found;
+  found.status =
+      penetration(&pair.a, &pair.b, &ccd, &found.depth, &found.direction, &found.position);
+  return found;
+}
+
+/// Its answer in the plane: what its translation along z is, is left out. Returns what
+/// manifuzz_collide does.
+inline int collide_prisms(Penetration penetration, const manifuzz_body& a, const manifuzz_body& b,
+                          manifuzz_manifold& manifold) {
+  const Penetrated found = ask(penetration, PrismPair(a, b));
+  if (found.status != 0) return 0;
+  const double x = ccdVec3X(&found.direction);
+  const double y = ccdVec3Y(&found.direction);
+  const double in_plane = std::hypot(x, y);
+  // Shapes that touch without a depth have no direction in MPR, as findPenetrTouch says: no point.
+  if (found.depth == 0 && in_plane == 0) return 0;
+  if (std::abs(ccdVec3Z(&found.direction)) > in_plane) return 1;
+  manifold.count = 1;
+  manifold.normal = {x / in_plane, y / in_plane};
+  manifold.points[0].position = {ccdVec3X(&found.position), ccdVec3Y(&found.position)};
+  manifold.points[0].depth = found.depth * in_plane;
+  return 0;
+}
+
+constexpr manifuzz_claims claims_of_point(double tolerance, const char* source) {
+  manifuzz_claims claims{};
+  claims.answers = MANIFUZZ_CLAIMS_POINT;
+  claims.does_not_clip = 1;
+  claims.tolerance_absolute = tolerance;
+  claims.tolerance_source = source;
+  return claims;
+}
+
+}  // namespace manifuzz_libccd
