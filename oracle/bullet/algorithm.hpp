@@ -50,18 +50,19 @@ inline int flatten(std::vector<btManifoldPoint> points, manifuzz_manifold& manif
   const btManifoldPoint& deepest =
       *std::ranges::min_element(points, {}, &btManifoldPoint::getDistance);
   const btVector3& normal = deepest.m_normalWorldOnB;
-  if (leaves_plane(normal)) return 1;
+  const float length = in_plane(normal);
+  if (length == 0) return 1;
   const auto apart = [&](const btManifoldPoint& point) {
     const btVector3 from = point.getPositionWorldOnB() - deepest.getPositionWorldOnB();
     return std::hypot(from.x(), from.y());
   };
   const btManifoldPoint& farthest = *std::ranges::max_element(points, {}, apart);
-  manifold.normal = {normal.x(), normal.y()};
+  manifold.normal = {normal.x() / length, normal.y() / length};
   for (const btManifoldPoint* const point : {&deepest, &farthest}) {
     if (manifold.count > 0 && apart(*point) == 0) break;
     const btVector3& place = point->getPositionWorldOnB();
     manifold.points[manifold.count++] = {.position = {place.x(), place.y()},
-                                         .depth = std::max(-point->getDistance(), 0.0F),
+                                         .depth = std::max(-point->getDistance() * length, 0.0F),
                                          .feature_a = {},
                                          .feature_b = {}};
   }

@@ -15,8 +15,8 @@ using namespace manifuzz_bullet;
 
 struct PreparedPrisms {
   PreparedPrisms(const manifuzz_body& body_a, const manifuzz_body& body_b)
-      : a(hull_of(body_a, half_height(body_a, body_b))),
-        b(hull_of(body_b, half_height(body_a, body_b))),
+      : a(hull_of(body_a, half_heights(body_a, body_b).a)),
+        b(hull_of(body_b, half_heights(body_a, body_b).b)),
         place_a(place_of(body_a)),
         place_b(place_of(body_b)) {}
 

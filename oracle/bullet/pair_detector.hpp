@@ -25,25 +25,29 @@ inline btPointCollector closest_points(const btConvexShape& a, const btTransform
   return found;
 }
 
-/// Whether a direction leaves the plane: no answer to a question of it.
-inline bool leaves_plane(const btVector3& normal) {
-  return std::abs(normal.z()) > std::hypot(normal.x(), normal.y());
+/// The length of a direction's part in the plane; 0 where most of it leaves the plane, which is no
+/// answer to a question of it.
+inline float in_plane(const btVector3& normal) {
+  const float length = std::hypot(normal.x(), normal.y());
+  return std::abs(normal.z()) > length ? 0 : length;
 }
 
-/// What one query of btGjkPairDetector says of two prisms.
+/// What one query of btGjkPairDetector says of two prisms: the part of its translation that is in
+/// the plane.
 inline int collide_prisms(const manifuzz_body& a, const manifuzz_body& b,
                           btConvexPenetrationDepthSolver& solver, manifuzz_manifold& manifold) {
-  const float height = half_height(a, b);
-  const btConvexHullShape of_a = hull_of(a, height);
-  const btConvexHullShape of_b = hull_of(b, height);
+  const HalfHeights heights = half_heights(a, b);
+  const btConvexHullShape of_a = hull_of(a, heights.a);
+  const btConvexHullShape of_b = hull_of(b, heights.b);
   const btPointCollector found = closest_points(of_a, place_of(a), of_b, place_of(b), solver);
   if (!found.m_hasResult || found.m_distance > 0) return 0;
   const btVector3& normal = found.m_normalOnBInWorld;
-  if (leaves_plane(normal)) return 1;
+  const float length = in_plane(normal);
+  if (length == 0) return 1;
   manifold.count = 1;
-  manifold.normal = {normal.x(), normal.y()};
+  manifold.normal = {normal.x() / length, normal.y() / length};
   manifold.points[0].position = {found.m_pointInWorld.x(), found.m_pointInWorld.y()};
-  manifold.points[0].depth = std::max(-found.m_distance, 0.0F);
+  manifold.points[0].depth = std::max(-found.m_distance * length, 0.0F);
   return 0;
 }
 

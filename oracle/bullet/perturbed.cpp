@@ -41,9 +41,9 @@ extern const manifuzz_declaration manifuzz_collider = {
 
 int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_manifold* manifold) {
   using namespace manifuzz_bullet;
-  const float height = half_height(*a, *b);
-  btConvexHullShape hull_a = hull_of(*a, height);
-  btConvexHullShape hull_b = hull_of(*b, height);
+  const HalfHeights heights = half_heights(*a, *b);
+  btConvexHullShape hull_a = hull_of(*a, heights.a);
+  btConvexHullShape hull_b = hull_of(*b, heights.b);
   btGjkEpaPenetrationDepthSolver solver;
   return flatten(points_of(hull_a, place_of(*a), hull_b, place_of(*b),
                            [&](const auto& info, const auto& of_a, const auto& of_b) {

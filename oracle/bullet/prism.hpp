@@ -21,10 +21,17 @@ inline float reach(const manifuzz_body& body) {
   return farthest + body.radius;
 }
 
-/// In the plane they overlap by less than this along any normal, and along z a prism of this half
-/// height overlaps anything else by more.
-inline float half_height(const manifuzz_body& a, const manifuzz_body& b) {
-  return 2 * (reach(a) + reach(b));
+/// How far prisms go up and down. In the plane they overlap by less than twice the sum of both
+/// reaches, and along z by more. They differ, since in a difference that is flat at the origin EPA
+/// would take the plane for the nearest face.
+struct HalfHeights {
+  float a = 0;
+  float b = 0;
+};
+
+inline HalfHeights half_heights(const manifuzz_body& a, const manifuzz_body& b) {
+  const float both = reach(a) + reach(b);
+  return {8 * both, 5 * both};
 }
 
 /// A hull: a prism of this half height, or flat where that is 0. Circles and segments are flat, and

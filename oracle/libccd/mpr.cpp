@@ -11,13 +11,13 @@ extern const manifuzz_declaration manifuzz_collider = {
     .scalar = MANIFUZZ_FLOAT64,
     .rounds_in = MANIFUZZ_WORLD,
     .answers_in = MANIFUZZ_WORLD,
-    .points = MANIFUZZ_MIDPOINTS,
+    .points = MANIFUZZ_CLIP_POINTS,
     .normal = MANIFUZZ_A_TO_B,
     .tie_bias = 0,
     .vertices_max = MANIFUZZ_VERTICES_MAX,
     .takes_radius = 0,
     .snippet = nullptr,
-    .claims = manifuzz_libccd::claims_of_point(1e-4, "ccd.h: CCD_INIT, mpr_tolerance 0.0001"),
+    .claims = manifuzz_libccd::claims_of_separation(1e-4, "ccd.h: CCD_INIT, mpr_tolerance 0.0001"),
 };
 
 int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_manifold* manifold) {

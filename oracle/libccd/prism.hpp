@@ -45,8 +45,12 @@ inline double reach(const manifuzz_body& body) {
 struct PrismPair {
   PrismPair(const manifuzz_body& body_a, const manifuzz_body& body_b)
       : a(place(body_a)), b(place(body_b)) {
-    // In the plane they overlap by less than this along any normal, along z by twice as much.
-    a.half_height = b.half_height = 2 * (reach(body_a) + reach(body_b));
+    // In the plane they overlap by less than twice `both` along any normal, along z by more. They
+    // differ, or their difference would be flat at the origin, where neither algorithm is at its
+    // best.
+    const double both = reach(body_a) + reach(body_b);
+    a.half_height = 2 * both;
+    b.half_height = both;
   }
 
   Prism a;
@@ -111,20 +115,20 @@ inline int collide_prisms(Penetration penetration, const manifuzz_body& a, const
   const double x = ccdVec3X(&found.direction);
   const double y = ccdVec3Y(&found.direction);
   const double in_plane = std::hypot(x, y);
-  // Shapes that touch without a depth have no direction in MPR, as findPenetrTouch says: no point.
+  // Shapes that touch without a depth have no direction in MPR, as findPenetrTouch says.
   if (found.depth == 0 && in_plane == 0) return 0;
   if (std::abs(ccdVec3Z(&found.direction)) > in_plane) return 1;
-  manifold.count = 1;
+  manifold.touching = 1;
   manifold.normal = {x / in_plane, y / in_plane};
-  manifold.points[0].position = {ccdVec3X(&found.position), ccdVec3Y(&found.position)};
-  manifold.points[0].depth = found.depth * in_plane;
+  manifold.depth = found.depth * in_plane;
   return 0;
 }
 
-constexpr manifuzz_claims claims_of_point(double tolerance, const char* source) {
+/// ccd.h says nothing of where its position lies, but that force should take a place there: it is
+/// not judged.
+constexpr manifuzz_claims claims_of_separation(double tolerance, const char* source) {
   manifuzz_claims claims{};
-  claims.answers = MANIFUZZ_CLAIMS_POINT;
-  claims.does_not_clip = 1;
+  claims.answers = MANIFUZZ_CLAIMS_SEPARATION;
   claims.tolerance_absolute = tolerance;
   claims.tolerance_source = source;
   return claims;
