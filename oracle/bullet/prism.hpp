@@ -21,9 +21,9 @@ inline float reach(const manifuzz_body& body) {
   return farthest + body.radius;
 }
 
-/// How far prisms go up and down. In the plane they overlap by less than twice the sum of both
-/// reaches, and along z by more. They differ, since in a difference that is flat at the origin EPA
-/// would take the plane for the nearest face.
+/// How far prisms go up and down: along z they overlap by more than both reaches, and in the plane,
+/// across the line between their origins, by no more. They differ, since in a difference that is
+/// flat at the origin EPA takes the plane for the nearest face.
 struct HalfHeights {
   float a = 0;
   float b = 0;
@@ -31,23 +31,18 @@ struct HalfHeights {
 
 inline HalfHeights half_heights(const manifuzz_body& a, const manifuzz_body& b) {
   const float both = reach(a) + reach(b);
-  return {8 * both, 5 * both};
+  return {0.7F * both, 0.5F * both};
 }
 
-/// A hull: a prism of this half height, or flat where that is 0. Circles and segments are flat, and
-/// their radius is a margin, as it is of polygons with round corners.
+/// A prism of this half height, or flat where that is 0. The radius of round shapes is a margin;
+/// circles are upright segments with one, and segments upright rectangles.
 inline btConvexHullShape hull_of(const manifuzz_body& body, float half_height) {
   std::array<btVector3, 2 * MANIFUZZ_VERTICES_MAX> corners;
   int count = 0;
-  const bool is_flat = body.count < 3 || half_height == 0;
   for (int i = 0; i < body.count; ++i) {
     const auto [x, y] = body.vertices[i];
-    if (is_flat) {
-      corners[count++].setValue(x, y, 0);
-    } else {
-      corners[count++].setValue(x, y, half_height);
-      corners[count++].setValue(x, y, -half_height);
-    }
+    corners[count++].setValue(x, y, half_height);
+    if (half_height > 0) corners[count++].setValue(x, y, -half_height);
   }
   btConvexHullShape hull(corners[0], count);
   hull.setMargin(body.radius);

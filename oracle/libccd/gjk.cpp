@@ -21,7 +21,7 @@ extern const manifuzz_declaration manifuzz_collider = {
 };
 
 int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_manifold* manifold) {
-  return manifuzz_libccd::collide_prisms(ccdGJKPenetration, *a, *b, *manifold);
+  return manifuzz_libccd::collide_prisms(manifuzz_libccd::kGjk, *a, *b, *manifold);
 }
 
 }  // extern "C"

@@ -42,15 +42,31 @@ inline double reach(const manifuzz_body& body) {
   return farthest;
 }
 
+/// How far prisms go up and down, as shares of both reaches: along z they overlap by more than the
+/// sum of both, and in the plane, across the line between their origins, by no more than the
+/// reaches.
+struct HalfHeights {
+  double a = 0;
+  double b = 0;
+};
+
+/// ccdGJKPenetration or ccdMPRPenetration, and the prisms with which it fails least.
+struct Algorithm {
+  decltype(&ccdGJKPenetration) penetration;
+  HalfHeights half_heights;
+};
+
+/// Of equal heights, the difference would be flat at the origin, where doSimplex4 gives up.
+inline constexpr Algorithm kGjk{ccdGJKPenetration, {2, 1}};
+/// Of unequal heights, or low ones, portals are left through their caps.
+inline constexpr Algorithm kMpr{ccdMPRPenetration, {16, 16}};
+
 struct PrismPair {
-  PrismPair(const manifuzz_body& body_a, const manifuzz_body& body_b)
+  PrismPair(const manifuzz_body& body_a, const manifuzz_body& body_b, const HalfHeights& shares)
       : a(place(body_a)), b(place(body_b)) {
-    // In the plane they overlap by less than twice `both` along any normal, along z by more. They
-    // differ, or their difference would be flat at the origin, where neither algorithm is at its
-    // best.
     const double both = reach(body_a) + reach(body_b);
-    a.half_height = 2 * both;
-    b.half_height = both;
+    a.half_height = shares.a * both;
+    b.half_height = shares.b * both;
   }
 
   Prism a;
@@ -81,9 +97,6 @@ inline void center(const void* object, ccd_vec3_t* middle) {
   ccdVec3Set(middle, sum.x / prism.count, sum.y / prism.count, 0);
 }
 
-/// ccdGJKPenetration or ccdMPRPenetration.
-using Penetration = decltype(&ccdGJKPenetration);
-
 struct Penetrated {
   int status = -1;  ///< 0 where they intersect
   double depth = 0;
@@ -94,23 +107,23 @@ struct Penetrated {
 /// The tolerances are those of CCD_INIT; without a limit GJK may not end.
 inline constexpr unsigned long kIterationsMax = 1000;
 
-inline Penetrated ask(Penetration penetration, const PrismPair& pair) {
+inline Penetrated ask(const Algorithm& algorithm, const PrismPair& pair) {
   ccd_t ccd;
   CCD_INIT(&ccd);
   ccd.support1 = ccd.support2 = support;
   ccd.center1 = ccd.center2 = center;
   ccd.max_iterations = kIterationsMax;
   Penetrated found;
-  found.status =
-      penetration(&pair.a, &pair.b, &ccd, &found.depth, &found.direction, &found.position);
+  found.status = algorithm.penetration(&pair.a, &pair.b, &ccd, &found.depth, &found.direction,
+                                       &found.position);
   return found;
 }
 
 /// Its answer in the plane: what its translation along z is, is left out. Returns what
 /// manifuzz_collide does.
-inline int collide_prisms(Penetration penetration, const manifuzz_body& a, const manifuzz_body& b,
-                          manifuzz_manifold& manifold) {
-  const Penetrated found = ask(penetration, PrismPair(a, b));
+inline int collide_prisms(const Algorithm& algorithm, const manifuzz_body& a,
+                          const manifuzz_body& b, manifuzz_manifold& manifold) {
+  const Penetrated found = ask(algorithm, PrismPair(a, b, algorithm.half_heights));
   if (found.status != 0) return 0;
   const double x = ccdVec3X(&found.direction);
   const double y = ccdVec3Y(&found.direction);
