@@ -113,7 +113,7 @@ std::optional<Bucket> without_judging(const exact::Truth& truth, const ColliderA
 /// One collider's answer, what is right for it, and how it falls short.
 struct Judged {
   Admissible right;
-  Manifold<double> manifold;  ///< none of one that claims less
+  Manifold<double> manifold;  ///< without places of one that claims less
   Mismatch mismatch;
   bool by_curve = false;
   bool touches = false;
@@ -124,6 +124,16 @@ struct Judged {
   bool is_wrong() const { return mismatch.kind != Kind::none; }
 };
 
+/// What one that claims no points says, for the ledger to explain: a depth along a normal.
+Manifold<double> without_place(const Penetration& penetration) {
+  Manifold<double> manifold;
+  if (!penetration.touches || !penetration.normal) return manifold;
+  manifold.count = 1;
+  manifold.normal = *penetration.normal;
+  manifold.points[0].depth = penetration.depth;
+  return manifold;
+}
+
 Judged judged_on(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& given) {
   Judged result;
   result.right = admissible(truth, given.declaration);
@@ -131,6 +141,9 @@ Judged judged_on(const std::shared_ptr<const exact::Truth>& truth, const Collide
   if (result.by_curve) {
     const CurveJudgement curve = judge_by_curve(*truth, given.declaration, given.answer);
     if (const auto* const manifold = manifold_in(given.answer)) result.manifold = *manifold;
+    if (const auto* const less = std::get_if<Penetration>(&given.answer)) {
+      result.manifold = without_place(*less);
+    }
     result.mismatch = {curve.kind, curve.magnitude, curve.bound};
     result.touches = touches(given.answer);
     result.is_by_tolerance = curve.is_by_tolerance;

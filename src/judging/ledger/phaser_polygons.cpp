@@ -7,6 +7,7 @@
 
 #include "judging/ledger/phaser_placed.hpp"
 #include "judging/ledger/round_deviations.hpp"
+#include "oracle/exact/curve.hpp"
 
 // phaser-box2d's b2CollidePolygons on round shapes.
 

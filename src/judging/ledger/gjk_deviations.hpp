@@ -1,0 +1,33 @@
+#pragma once
+
+#include "judging/compare.hpp"
+
+namespace manifuzz {
+
+// What the ledger's entries on Bullet and libccd look for: each recomputes what the named fault
+// makes of the case, in double. A translation is a normal times its depth: what moves B away.
+
+/// The normal is the direction of a translation that is right to rounding, but hardly longer than
+/// its roundings.
+bool direction_of_short_translation(const Deviation& deviation);
+
+/// Of Bullet's EPA: contact across a gap below GJK_MIN_DISTANCE, its width given as the depth.
+bool gap_below_gjk_distance(const Deviation& deviation);
+/// Of btMinkowskiPenetrationDepthSolver, of prisms: the normal is that one of its directions in the
+/// plane along which they overlap least, and the depth what its displaced query makes of it; no
+/// contact where that is below 0.
+bool least_of_fixed_directions(const Deviation& deviation);
+/// The same of flat shapes, of which it drops what the directions have along z: they are no longer
+/// unit, and the short ones seem to have the least overlap. No contact where the displaced shapes
+/// still overlap.
+bool least_of_flattened_directions(const Deviation& deviation);
+
+/// Of ccdGJKPenetration: epa_tolerance, a length, is compared with squares of lengths. The depth is
+/// too small, by up to the tolerance over the depth, or the last corner is nearer than the root of
+/// the tolerance to the chord that the answer is on.
+bool tolerance_of_squares(const Deviation& deviation);
+/// Of ccdMPRPenetration: the translation ends on the face through which the ray from the middle of
+/// the difference leaves it, whichever face is the nearest.
+bool translation_to_face_of_ray(const Deviation& deviation);
+
+}  // namespace manifuzz
