@@ -17,7 +17,8 @@ extern const manifuzz_declaration manifuzz_collider = {
     .vertices_max = MANIFUZZ_VERTICES_MAX,
     .takes_radius = 0,
     .snippet = nullptr,
-    .claims = manifuzz_libccd::claims_of_separation(1e-4, "ccd.h: CCD_INIT, mpr_tolerance 0.0001"),
+    .claims =
+        manifuzz_libccd::claims_of_separation(1e-4, "ccd.h: CCD_INIT, mpr_tolerance 0.0001", 1e-4),
 };
 
 int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_manifold* manifold) {

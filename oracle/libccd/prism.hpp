@@ -139,9 +139,11 @@ inline int collide_prisms(const Algorithm& algorithm, const manifuzz_body& a,
 
 /// ccd.h says nothing of where its position lies, but that force should take a place there: it is
 /// not judged.
-constexpr manifuzz_claims claims_of_separation(double tolerance, const char* source) {
+constexpr manifuzz_claims claims_of_separation(double tolerance, const char* source,
+                                               double least_depth = 0) {
   manifuzz_claims claims{};
   claims.answers = MANIFUZZ_CLAIMS_SEPARATION;
+  claims.least_depth = least_depth;
   claims.tolerance_absolute = tolerance;
   claims.tolerance_source = source;
   return claims;

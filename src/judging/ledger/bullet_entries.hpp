@@ -8,32 +8,75 @@ namespace manifuzz::ledger_of {
 
 // Bullet 3.24, in float.
 
+inline constexpr std::string_view kDirectionOfPoints =
+    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual: "
+    "tmpNormalInB = tmpPointOnB - tmpPointOnA";
+inline constexpr std::string_view kSignOfDistance =
+    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual: "
+    "distance2 = -(tmpPointOnA - tmpPointOnB).length()";
+inline constexpr std::string_view kFixedDirections =
+    "Bullet 3.24, btMinkowskiPenetrationDepthSolver.cpp, calcPenDepth: "
+    "`just take fixed number of orientation`";
+inline constexpr std::string_view kEqualVertices =
+    "Bullet 3.24, btVoronoiSimplexSolver.cpp, inSimplex: distance2 <= m_equalVertexThreshold, "
+    "0.0001";
+
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfBullet{
-    LedgerEntry{.id = "bullet-epa-gap-as-depth",
-                .collider = "bullet-epa",
-                .description = "contact for shapes apart by less than 0.0001, the gap's width as "
-                               "the depth",
-                .source = "Bullet 3.24, btGjkEpa2.cpp, GJK::Evaluate: rl < GJK_MIN_DISTANCE is "
-                          "Inside; btGjkPairDetector.cpp: distance2 = -length",
-                .budgets = {},
-                .explains = gap_below_gjk_distance},
     LedgerEntry{.id = "bullet-epa-direction-of-roundings",
                 .collider = "bullet-epa",
-                .description = "a shallow contact's normal is that of the roundings between its "
-                               "two closest points",
-                .source = "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual: "
-                          "tmpNormalInB = tmpPointOnB - tmpPointOnA",
+                .description = "a shallow contact's normal is the direction between two points, "
+                               "roundings of which are as long",
+                .source = kDirectionOfPoints,
                 .budgets = {},
                 .explains = direction_of_short_translation},
+    LedgerEntry{.id = "bullet-epa-least-distance",
+                .collider = "bullet-epa",
+                .description = "overlap, gap and touch within 0.0001 are not told apart",
+                .source = "Bullet 3.24, btGjkEpa2.cpp, GJK::Evaluate: rl < GJK_MIN_DISTANCE is "
+                          "Inside",
+                .budgets = {},
+                .explains = below_gjk_distance},
+    LedgerEntry{.id = "bullet-perturbed-direction-of-roundings",
+                .collider = "bullet-perturbed",
+                .description = "a shallow contact's normal is the direction between two points, "
+                               "roundings of which are as long",
+                .source = kDirectionOfPoints,
+                .budgets = {},
+                .explains = direction_of_short_translation},
+    LedgerEntry{.id = "bullet-perturbed-least-distance",
+                .collider = "bullet-perturbed",
+                .description = "overlap, gap and touch within 0.0001 are not told apart",
+                .source = "Bullet 3.24, btGjkEpa2.cpp, GJK::Evaluate: rl < GJK_MIN_DISTANCE is "
+                          "Inside",
+                .budgets = {},
+                .explains = below_gjk_distance},
     LedgerEntry{.id = "bullet-minkowski-fixed-directions",
                 .collider = "bullet-minkowski",
                 .description = "the normal is one of ten in the plane, 36 degrees apart, and the "
                                "depth that of a query beside it",
-                .source = "Bullet 3.24, btMinkowskiPenetrationDepthSolver.cpp, calcPenDepth: "
-                          "`just take fixed number of orientation`",
+                .source = kFixedDirections,
                 .budgets = {},
                 .explains = least_of_fixed_directions},
+    LedgerEntry{.id = "bullet-minkowski-direction-of-roundings",
+                .collider = "bullet-minkowski",
+                .description = "a shallow contact's normal is the direction between two points, "
+                               "roundings of which are as long",
+                .source = kDirectionOfPoints,
+                .budgets = {},
+                .explains = direction_of_short_translation},
+    LedgerEntry{.id = "bullet-minkowski-gap-as-depth",
+                .collider = "bullet-minkowski",
+                .description = "contact for shapes apart, the gap's width as the depth",
+                .source = kSignOfDistance,
+                .budgets = {},
+                .explains = gap_as_depth},
+    LedgerEntry{.id = "bullet-minkowski-equal-vertices",
+                .collider = "bullet-minkowski",
+                .description = "the same, of a depth too small: corners nearer than 0.01 are one",
+                .source = kEqualVertices,
+                .budgets = {},
+                .explains = least_of_fixed_directions_of_equal_vertices},
     LedgerEntry{.id = "bullet-convex2d-flattened-directions",
                 .collider = "bullet-convex2d",
                 .description = "a direction that is shorter than 1 without its z is taken to have "
@@ -42,6 +85,25 @@ inline constexpr std::array kOfBullet{
                           "norm[2] = 0.f where check2d",
                 .budgets = {},
                 .explains = least_of_flattened_directions},
+    LedgerEntry{.id = "bullet-convex2d-direction-of-roundings",
+                .collider = "bullet-convex2d",
+                .description = "a shallow contact's normal is the direction between two points, "
+                               "roundings of which are as long",
+                .source = kDirectionOfPoints,
+                .budgets = {},
+                .explains = direction_of_short_translation},
+    LedgerEntry{.id = "bullet-convex2d-gap-as-depth",
+                .collider = "bullet-convex2d",
+                .description = "contact for shapes apart, the gap's width as the depth",
+                .source = kSignOfDistance,
+                .budgets = {},
+                .explains = gap_as_depth},
+    LedgerEntry{.id = "bullet-convex2d-equal-vertices",
+                .collider = "bullet-convex2d",
+                .description = "the same, of a depth too small: corners nearer than 0.01 are one",
+                .source = kEqualVertices,
+                .budgets = {},
+                .explains = least_of_flattened_directions_of_equal_vertices},
 };
 
 }  // namespace manifuzz::ledger_of

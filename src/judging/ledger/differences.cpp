@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "judging/ledger/gjk_deviations.hpp"
 #include "oracle/exact/curve.hpp"
@@ -80,6 +81,10 @@ double distance_to_segment(const Vector2<double>& place, const Vector2<double>& 
   return (from + share * along - place).norm();
 }
 
+bool is_of_points(Kind kind) {
+  return kind == Kind::witness || kind == Kind::extent || kind == Kind::count;
+}
+
 double deepest(const Manifold<double>& manifold) {
   double most = 0;
   for (int i = 0; i < manifold.count; ++i) most = std::max(most, manifold.points[i].depth);
@@ -96,14 +101,27 @@ double least_depth(const Deviation& d) {
 
 }  // namespace ledger_of
 
-bool direction_of_short_translation(const Deviation& d) {
-  if (d.got.count == 0 || d.got.normal.isZero(0)) return false;
+namespace {
+
+/// Whether the translation is that of a least depth, within `bound`, and yet it is wrong.
+bool is_translation_right(const Deviation& d, double bound) {
+  if (d.got.count == 0 || d.got.normal.isZero(0) || ledger_of::is_of_points(d.kind)) return false;
   const exact::PenetrationCurve curve(*d.right.truth, exact::skin_of(*d.right.truth));
-  const double bound = 4 * d.right.bounds.separation;
   const Vector2<double> got = ledger_of::translation_of(d);
   return std::ranges::any_of(curve.minima(bound), [&](const Vector2<double>& normal) {
     return (got - curve.least() * ledger_of::in_world(d.right.pair(), normal)).norm() <= bound;
   });
+}
+
+}  // namespace
+
+bool direction_of_short_translation(const Deviation& d) {
+  return is_translation_right(d, 4 * d.right.bounds.separation);
+}
+
+bool zero_of_squares(const Deviation& d) {
+  const double root_of_epsilon = std::sqrt(std::numeric_limits<double>::epsilon());
+  return is_translation_right(d, root_of_epsilon + 4 * d.right.bounds.separation);
 }
 
 }  // namespace manifuzz

@@ -31,6 +31,8 @@ class Difference {
 double distance_to_segment(const Vector2<double>& place, const Vector2<double>& from,
                            const Vector2<double>& to);
 
+/// Whether what is wrong is where points lie, or how many there are: no matter of the translation.
+bool is_of_points(Kind kind);
 /// The deepest of its points' depths.
 double deepest(const Manifold<double>& manifold);
 /// The answer's normal, in the world, times the deepest of its depths.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "judging/ledger/differences.hpp"
 #include "judging/ledger/gjk_deviations.hpp"
@@ -19,12 +20,17 @@ Vector2<double> centre_of(const exact::RoughPolygon& core) {
   return sum / core.count;
 }
 
-/// Whether the translation ends on a chord of the difference that is perpendicular to it, and from
-/// which its farthest corner is nearer than the root of the tolerance.
-bool is_last_corner_near(const ledger_of::Difference& difference,
-                         const Vector2<double>& translation, double bound) {
-  const Vector2<double> corner = difference.farthest(translation);
-  return (corner - translation).dot(translation.normalized()) <= std::sqrt(kTolerance) + bound;
+/// Whether the translation ends on a chord of the difference, where an edge or a side of the
+/// polytope seems to be, from which `corner` is by so much at most.
+bool is_on_chord(const ledger_of::Difference& difference, const Vector2<double>& translation,
+                 const Vector2<double>& corner, double distance_max, double bound) {
+  const auto& corners = difference.corners();
+  return std::ranges::any_of(corners, [&](const Vector2<double>& from) {
+    return std::ranges::any_of(corners, [&](const Vector2<double>& to) {
+      return ledger_of::distance_to_segment(translation, from, to) <= bound &&
+             ledger_of::distance_to_segment(corner, from, to) <= distance_max;
+    });
+  });
 }
 
 }  // namespace
@@ -36,10 +42,13 @@ bool tolerance_of_squares(const Deviation& d) {
   const double depth = translation.norm();
   const double bound = 4 * d.right.bounds.separation;
   if (depth <= bound || depth > ledger_of::least_depth(d) + bound) return false;
+  const Vector2<double> corner = difference.farthest(translation);
   // What nextSupport compares with the tolerance: the corner along the witness, less the witness.
-  const double beyond = difference.reach(translation) - depth * depth;
-  if (beyond < kTolerance + bound * depth) return true;
-  return is_last_corner_near(difference, translation, bound);
+  const double beyond = corner.dot(translation) - depth * depth;
+  const double distance_max = beyond < kTolerance + bound * depth
+                                  ? std::numeric_limits<double>::infinity()
+                                  : std::sqrt(kTolerance) + bound;
+  return is_on_chord(difference, translation, corner, distance_max, bound);
 }
 
 bool translation_to_face_of_ray(const Deviation& d) {

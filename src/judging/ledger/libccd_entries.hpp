@@ -10,12 +10,15 @@ namespace manifuzz::ledger_of {
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfLibccd{
-    LedgerEntry{.id = "libccd-gjk-direction-of-roundings",
-                .collider = "libccd-gjk",
-                .description = "the normal of shapes that hardly touch is that of roundings",
-                .source = "libccd 2.1, src/ccd.c, ccdGJKPenetration: ccdVec3Normalize(dir)",
-                .budgets = {},
-                .explains = direction_of_short_translation},
+    LedgerEntry{
+        .id = "libccd-gjk-zero-of-squares",
+        .collider = "libccd-gjk",
+        .description =
+            "another normal, or contact, within 1.5e-8 of touching: squares below 2.2e-16 "
+            "are 0",
+        .source = "libccd 2.1, src/ccd.c, doSimplex3, nextSupport: ccdIsZero(dist) of a square",
+        .budgets = {},
+        .explains = zero_of_squares},
     LedgerEntry{.id = "libccd-gjk-tolerance-of-squares",
                 .collider = "libccd-gjk",
                 .description = "too little depth along another normal: the tolerance, a length, is "
@@ -27,7 +30,9 @@ inline constexpr std::array kOfLibccd{
                 .collider = "libccd-mpr",
                 .description = "the face through which the ray from the centres leaves the "
                                "difference, and not the nearest one",
-                .source = "libccd 2.1, src/mpr.c, findPenetr",
+                .source =
+                    "libccd 2.1, src/mpr.c, findPenetr: ccdVec3PointTriDist2 of the portal that "
+                    "the ray from v0 leaves",
                 .budgets = {},
                 .explains = translation_to_face_of_ray},
 };
