@@ -132,14 +132,15 @@ std::vector<Vector2<double>> flattened() {
 bool below_gjk_distance(const Deviation& d) {
   if (ledger_of::is_of_points(d.kind)) return false;
   const double most = kGjkMinDistance + 4 * d.right.bounds.separation;
-  return std::abs(ledger_of::least_depth(d)) <= most && ledger_of::deepest(d.got) <= most;
+  return std::abs(ledger_of::least_depth(d)) <= most && std::abs(ledger_of::deepest(d.got)) <= most;
 }
 
 bool gap_as_depth(const Deviation& d) {
-  if (d.got.count == 0) return false;
+  if (d.got.count == 0 || ledger_of::is_of_points(d.kind)) return false;
   const double gap = -ledger_of::least_depth(d);
   const double bound = 4 * d.right.bounds.separation;
-  return gap > 0 && gap <= kPenetrationTolerance && ledger_of::deepest(d.got) <= gap + bound;
+  return gap > 0 && gap <= kPenetrationTolerance &&
+         std::abs(ledger_of::deepest(d.got)) <= gap + bound;
 }
 
 bool least_of_fixed_directions(const Deviation& d) {

@@ -86,7 +86,7 @@ bool is_of_points(Kind kind) {
 }
 
 double deepest(const Manifold<double>& manifold) {
-  double most = 0;
+  double most = manifold.count > 0 ? -INFINITY : 0;
   for (int i = 0; i < manifold.count; ++i) most = std::max(most, manifold.points[i].depth);
   return most;
 }

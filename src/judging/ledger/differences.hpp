@@ -33,7 +33,7 @@ double distance_to_segment(const Vector2<double>& place, const Vector2<double>& 
 
 /// Whether what is wrong is where points lie, or how many there are: no matter of the translation.
 bool is_of_points(Kind kind);
-/// The deepest of its points' depths.
+/// The deepest of its points' depths; 0 of none.
 double deepest(const Manifold<double>& manifold);
 /// The answer's normal, in the world, times the deepest of its depths.
 Vector2<double> translation_of(const Deviation& deviation);
