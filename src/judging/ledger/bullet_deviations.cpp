@@ -132,7 +132,9 @@ std::vector<Vector2<double>> flattened() {
 bool below_gjk_distance(const Deviation& d) {
   if (ledger_of::is_of_points(d.kind)) return false;
   const double most = kGjkMinDistance + 4 * d.right.bounds.separation;
-  return std::abs(ledger_of::least_depth(d)) <= most && std::abs(ledger_of::deepest(d.got)) <= most;
+  const double least = ledger_of::least_depth(d);
+  if (d.got.count == 0 && least < 0) return false;
+  return std::abs(least) <= most && std::abs(ledger_of::deepest(d.got)) <= most;
 }
 
 bool gap_as_depth(const Deviation& d) {
