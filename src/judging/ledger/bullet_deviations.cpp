@@ -130,8 +130,9 @@ std::vector<Vector2<double>> flattened() {
 }  // namespace
 
 bool below_gjk_distance(const Deviation& d) {
-  if (ledger_of::is_of_points(d.kind)) return false;
-  const double most = kGjkMinDistance + 4 * d.right.bounds.separation;
+  const double bound = 4 * d.right.bounds.separation;
+  if (ledger_of::is_of_points(d.kind) || bound > kGjkMinDistance) return false;
+  const double most = kGjkMinDistance + bound;
   const double least = ledger_of::least_depth(d);
   if (d.got.count == 0 && least < 0) return false;
   return std::abs(least) <= most && std::abs(ledger_of::deepest(d.got)) <= most;
@@ -141,7 +142,7 @@ bool gap_as_depth(const Deviation& d) {
   if (d.got.count == 0 || ledger_of::is_of_points(d.kind)) return false;
   const double gap = -ledger_of::least_depth(d);
   const double bound = 4 * d.right.bounds.separation;
-  return gap > 0 && gap <= kPenetrationTolerance &&
+  return bound <= kPenetrationTolerance && gap > 0 && gap <= kPenetrationTolerance &&
          std::abs(ledger_of::deepest(d.got)) <= gap + bound;
 }
 
