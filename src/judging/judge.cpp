@@ -124,26 +124,18 @@ struct Judged {
   bool is_wrong() const { return mismatch.kind != Kind::none; }
 };
 
-/// What one that claims no points says, for the ledger to explain: a depth along a normal.
-Manifold<double> without_place(const Penetration& penetration) {
-  Manifold<double> manifold;
-  if (!penetration.touches || !penetration.normal) return manifold;
-  manifold.count = 1;
-  manifold.normal = *penetration.normal;
-  manifold.points[0].depth = penetration.depth;
-  return manifold;
-}
-
 Judged judged_on(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& given) {
   Judged result;
   result.right = admissible(truth, given.declaration);
   result.by_curve = is_judged_by_curve(given.declaration, truth->pair());
   if (result.by_curve) {
     const CurveJudgement curve = judge_by_curve(*truth, given.declaration, given.answer);
-    if (const auto* const manifold = manifold_in(given.answer)) result.manifold = *manifold;
-    if (const auto* const less = std::get_if<Penetration>(&given.answer)) {
-      result.manifold = without_place(*less);
+    const auto said = said_along(given.answer);
+    if (said && touches(given.answer)) {
+      result.manifold = {.count = 1, .normal = said->normal};
+      result.manifold.points[0].depth = said->depth;
     }
+    if (const auto* const manifold = manifold_in(given.answer)) result.manifold = *manifold;
     result.mismatch = {curve.kind, curve.magnitude, curve.bound};
     result.touches = touches(given.answer);
     result.is_by_tolerance = curve.is_by_tolerance;
