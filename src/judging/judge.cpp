@@ -132,7 +132,8 @@ Judged judged_on(const std::shared_ptr<const exact::Truth>& truth, const Collide
     const CurveJudgement curve = judge_by_curve(*truth, given.declaration, given.answer);
     const auto said = said_along(given.answer);
     if (said && touches(given.answer)) {
-      result.manifold = {.count = 1, .normal = said->normal};
+      result.manifold.count = 1;
+      result.manifold.normal = said->normal;
       result.manifold.points[0].depth = said->depth;
     }
     if (const auto* const manifold = manifold_in(given.answer)) result.manifold = *manifold;
