@@ -98,6 +98,17 @@ inline constexpr Budget kOfBulletPerturbedLeastDistance[] = {{"generic", 61000},
                                                              {"cores_touch", 370},
                                                              {"large_radii", 20000},
                                                              {"side_planes", 11000}};
+inline constexpr Budget kOfBulletPerturbedTurned[] = {
+    {"generic", 290000},       {"boxes", 430000},       {"regular", 470000},
+    {"grid", 250000},          {"sliver", 320000},      {"near_parallel", 340000},
+    {"tied_faces", 330000},    {"micro_edge", 280000},  {"near_collinear", 360000},
+    {"corner_corner", 140000}, {"corner_face", 360000}, {"touching", 76000},
+    {"deep", 380000},          {"tie_bias", 300000},    {"far_from_origin", 150000},
+    {"scaled", 130000},        {"off_unit", 320000},    {"ulp", 290000},
+    {"circles", 370},          {"capsules", 62000},     {"round_corners", 76000},
+    {"mixed_shapes", 39000},   {"in_line", 110000},     {"tilted_edges", 89000},
+    {"voronoi_lines", 110000}, {"cores_touch", 47000},  {"large_radii", 540000},
+    {"side_planes", 250000}};
 inline constexpr Budget kOfBulletMinkowskiFixedDirections[] = {
     {"generic", 1000000},      {"boxes", 1000000},        {"regular", 1000000},
     {"grid", 730000},          {"sliver", 1000000},       {"near_parallel", 860000},
@@ -205,6 +216,14 @@ inline constexpr std::array kOfBullet{
                           "Inside",
                 .budgets = kOfBulletPerturbedLeastDistance,
                 .explains = below_gjk_distance},
+    LedgerEntry{.id = "bullet-perturbed-turned",
+                .collider = "bullet-perturbed",
+                .description = "normal and points are those of the smaller shape, turned by up to "
+                               "0.02 over its radius",
+                .source = "Bullet 3.24, btConvexConvexAlgorithm.cpp, processCollision: "
+                          "perturbeAngle = gContactBreakingThreshold / radiusA",
+                .budgets = kOfBulletPerturbedTurned,
+                .explains = turned_by_perturbation},
     LedgerEntry{.id = "bullet-minkowski-fixed-directions",
                 .collider = "bullet-minkowski",
                 .description = "the normal is one of ten in the plane, 36 degrees apart, and the "
