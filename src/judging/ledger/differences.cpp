@@ -45,7 +45,7 @@ Difference::Difference(const PairCase& pair) {
     }
   }
   std::ranges::sort(all, {}, [](const Vector2<double>& v) { return std::pair(v.x(), v.y()); });
-  all.erase(std::ranges::unique(all).begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   corners_ = all;
   if (all.size() < 3) return;
   corners_.clear();
