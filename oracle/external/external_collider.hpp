@@ -17,6 +17,9 @@
 
 namespace manifuzz {
 
+/// A body as manifuzz_collider.h has it.
+manifuzz_body c_body(const Body& body);
+
 /// A shared library after manifuzz_collider.h, loaded into this process for good.
 class Library {
  public:

@@ -17,7 +17,9 @@ manifuzz_float2 to_c(const Vector2<float>& v) {
   return {v.x(), v.y()};
 }
 
-manifuzz_body to_c(const Body& body) {
+}  // namespace
+
+manifuzz_body c_body(const Body& body) {
   manifuzz_body result{};
   result.count = body.polygon.count;
   for (int i = 0; i < body.polygon.count; ++i) {
@@ -30,6 +32,8 @@ manifuzz_body to_c(const Body& body) {
   result.round = body.polygon.is_round() ? 1 : 0;
   return result;
 }
+
+namespace {
 
 Vector2<double> from_c(const manifuzz_double2& v) {
   return {v.x, v.y};
@@ -108,8 +112,8 @@ Library::Library(const std::string& path) {
 }
 
 int Library::collide(const PairCase& pair, manifuzz_manifold& manifold) const {
-  const manifuzz_body a = to_c(pair.a);
-  const manifuzz_body b = to_c(pair.b);
+  const manifuzz_body a = c_body(pair.a);
+  const manifuzz_body b = c_body(pair.b);
   manifold = {};
   return collide_(&a, &b, &manifold);
 }

@@ -25,7 +25,27 @@ Collider described(Collider collider, std::string description) {
 
 Collider make_chipmunk() {
   return described(collider_in_own_process(MANIFUZZ_CHIPMUNK, kSecondsMax),
-                   "Chipmunk's cpShapesCollide, in a process of its own");
+                   "Chipmunk's cpShapesCollide (GJK and EPA), in a process of its own");
+}
+
+/// An engine that is asked where the build found it, as a library that the build made.
+Collider of_engine(std::string_view name, std::string_view package, std::string description) {
+  const std::filesystem::path library =
+      std::filesystem::path(MANIFUZZ_ENGINES) / fmt::format("{}.so", name);
+  if (!std::filesystem::exists(library)) {
+    throw UserError(fmt::format(
+        "the build left out {}; scripts/setup --engines installs {}, and scripts/build builds it",
+        name, package));
+  }
+  return described(collider_in_own_process(library.string(), kSecondsMax), std::move(description));
+}
+
+Collider of_bullet(std::string_view name, std::string_view how) {
+  return of_engine(name, "libbullet-dev", fmt::format("Bullet's {}", how));
+}
+
+Collider of_libccd(std::string_view name, std::string_view how) {
+  return of_engine(name, "libccd-dev", fmt::format("libccd's {}, of prisms", how));
 }
 
 /// An engine of npm's, asked through its adapter.
@@ -51,6 +71,25 @@ const std::vector<ColliderEntry>& colliders() {
       {"batch64", [] { return make_batch64(); }, true},
       {"box2d", [] { return make_box2d(); }},
       {"chipmunk", make_chipmunk},
+      {"bullet-epa",
+       [] { return of_bullet("bullet-epa", "btGjkPairDetector with its EPA, of prisms"); }},
+      {"bullet-minkowski",
+       [] {
+         return of_bullet("bullet-minkowski",
+                          "btGjkPairDetector with its 42 directions, of prisms");
+       }},
+      {"bullet-convex2d",
+       [] {
+         return of_bullet("bullet-convex2d",
+                          "btConvex2dConvex2dAlgorithm with its 42 directions, of flat hulls");
+       }},
+      {"bullet-perturbed",
+       [] {
+         return of_bullet("bullet-perturbed",
+                          "btConvexConvexAlgorithm, perturbed three times, of prisms");
+       }},
+      {"libccd-gjk", [] { return of_libccd("libccd-gjk", "ccdGJKPenetration"); }},
+      {"libccd-mpr", [] { return of_libccd("libccd-mpr", "ccdMPRPenetration"); }},
       {"planck", [] { return of_node("planck"); }},
       {"phaser-box2d", [] { return of_node("phaser-box2d"); }},
   };

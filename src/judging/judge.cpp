@@ -113,7 +113,7 @@ std::optional<Bucket> without_judging(const exact::Truth& truth, const ColliderA
 /// One collider's answer, what is right for it, and how it falls short.
 struct Judged {
   Admissible right;
-  Manifold<double> manifold;  ///< none of one that claims less
+  Manifold<double> manifold;  ///< without places of one that claims less
   Mismatch mismatch;
   bool by_curve = false;
   bool touches = false;
@@ -130,6 +130,12 @@ Judged judged_on(const std::shared_ptr<const exact::Truth>& truth, const Collide
   result.by_curve = is_judged_by_curve(given.declaration, truth->pair());
   if (result.by_curve) {
     const CurveJudgement curve = judge_by_curve(*truth, given.declaration, given.answer);
+    const auto said = said_along(given.answer);
+    if (said && touches(given.answer)) {
+      result.manifold.count = 1;
+      result.manifold.normal = said->normal;
+      result.manifold.points[0].depth = said->depth;
+    }
     if (const auto* const manifold = manifold_in(given.answer)) result.manifold = *manifold;
     result.mismatch = {curve.kind, curve.magnitude, curve.bound};
     result.touches = touches(given.answer);

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include "judging/ledger/box2d_entries.hpp"
+#include "judging/ledger/bullet_entries.hpp"
 #include "judging/ledger/chipmunk_entries.hpp"
 #include "judging/ledger/javascript_entries.hpp"
+#include "judging/ledger/libccd_entries.hpp"
 
 namespace manifuzz {
 namespace {
@@ -22,7 +24,8 @@ constexpr auto joined(const Entries&... entries) {
 }
 
 constexpr std::array kLedger =
-    joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk);
+    joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk,
+           ledger_of::kOfBullet, ledger_of::kOfLibccd);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

@@ -52,12 +52,13 @@ std::string machine_line(const Json& json) {
 
 std::string bench_table(const std::vector<BenchRow>& rows) {
   std::string text = fmt::format(
-      "{:<9} {:<10} {:<8} {:<10} {:<13} {:>8} {:>8} {:>6} {:>9} {:>8} {:>10} {:>10} {:>10} {:>7}\n",
+      "{:<16} {:<10} {:<8} {:<10} {:<13} {:>8} {:>8} {:>6} {:>9} {:>8} {:>10} {:>10} {:>10} "
+      "{:>7}\n",
       "collider", "query", "input", "target", "regime", "vertices", "touching", "pairs", "ns",
       "x box2d", "depth", "99.9%", "position", "missed");
   for (const BenchRow& row : rows) {
     text += fmt::format(
-        "{:<9} {:<10} {:<8} {:<10} {:<13} {:>8} {:>8} {:>6} {:>9.1f} {:>8.2f}", row.subject.name,
+        "{:<16} {:<10} {:<8} {:<10} {:<13} {:>8} {:>8} {:>6} {:>9.1f} {:>8.2f}", row.subject.name,
         row.subject.query, row.subject.input, row.subject.target, row.spec.regime->name,
         row.spec.vertices ? std::to_string(*row.spec.vertices) : "mixed", row.spec.touching,
         row.spec.pairs, row.timing.ns_per_pair, row.timing.speedup_over_box2d);

@@ -185,7 +185,7 @@ std::string merged_text(const MergedRuns& runs, std::size_t cases, const std::st
 }
 
 std::string collider_line(const Declaration& declaration) {
-  return fmt::format("{:<13} {} ({}, {}, rounds in the {} frame, tie bias {}, up to {} vertices)\n",
+  return fmt::format("{:<17} {} ({}, {}, rounds in the {} frame, tie bias {}, up to {} vertices)\n",
                      declaration.name, declaration.description, declaration.version,
                      declaration.scalar == ScalarType::float32 ? "float" : "double",
                      declaration.frame == RoundingFrame::local ? "pair's" : "world's",

@@ -3,9 +3,11 @@
 #include <catch2/catch.hpp>
 
 #include "corpus/corpus.hpp"
+#include "judging/by_curve.hpp"
 #include "judging/judge.hpp"
 #include "support/installed_collider.hpp"
 #include "support/named_tests.hpp"
+#include "support/source_tree.hpp"
 
 // Each entry of the ledger is alive: its witness still shows the deviation it names.
 
@@ -25,26 +27,41 @@ void check_alive(const LedgerEntry& entry) {
   CHECK(judgement.explanation->id == entry.id);
 }
 
-/// The witness of an entry of round shapes, and what becomes of other wrong answers to it.
+/// What an answer says, places of points left out where it claims none.
+Manifold<double> manifold_of(const Answer& answer) {
+  if (const Manifold<double>* const manifold = manifold_in(answer)) return *manifold;
+  Manifold<double> manifold;
+  const auto along = said_along(answer);
+  if (!along) return manifold;
+  manifold.count = 1;
+  manifold.normal = along->normal;
+  manifold.points[0].depth = along->depth;
+  return manifold;
+}
+
+/// The witness of an entry that the penetration curve judges, and what becomes of other wrong
+/// answers to it.
 void check_strict(const LedgerEntry& entry) {
   const auto oracle = test::installed_collider(entry.collider);
   if (!oracle) return;
   const auto path = test::source_dir() / "corpus" / witness_of(entry);
   const PairCase pair = read_case_file(path.string()).pair;
-  if (!is_round(pair)) return;
+  if (!is_judged_by_curve(oracle->declaration, pair)) return;
   const Admissible right = admissible(pair, oracle->declaration);
   const auto explains = [&](const Manifold<double>& answer, Kind kind) {
     return entry.explains({right, answer, kind});
   };
-  const Answer of_oracle = oracle->collide(pair);
-  const Answer of_subject = find_collider("clip").collide(pair);
-  const Manifold<double>& got = *manifold_in(of_oracle);
-  const Manifold<double>& wanted = *manifold_in(of_subject);
+  const Manifold<double> got = manifold_of(oracle->collide(pair));
+  const Manifold<double> wanted = manifold_of(find_collider("clip").collide(pair));
   const Kind kind = judge(pair, find_collider("clip"), *oracle).bucket.kind;
   CHECK(explains(got, kind));
   for (const double angle : {-0.4, 0.4}) {
     Manifold<double> turned = wanted;
     turned.normal = rotate<double>({std::cos(angle), std::sin(angle)}, wanted.normal);
+    if (turned.count > 0 && !is_round(pair)) {
+      turned.points[0].depth = exact::Along(*right.truth, turned.normal).depth();
+      turned.points[1].depth = 0;
+    }
     CHECK_FALSE(explains(turned, Kind::not_minimal));
   }
   Manifold<double> deeper = got;

@@ -38,6 +38,8 @@ const std::vector<Folder> kFolders = {
     {"oracle/box2d", "engine", {"own code"}},
     {"oracle/chipmunk", "engine", {"own code"}},
     {"oracle/external", "external", {"own code", "engine"}},
+    {"oracle/bullet", "engine", {"own code"}},
+    {"oracle/libccd", "engine", {"own code"}},
     {"generating", "generating", {"own code", "engine", "external"}},
     {"judging", "judging", {"own code", "engine", "external"}},
     {"corpus", "corpus", {"own code", "engine", "external"}},

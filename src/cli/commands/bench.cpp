@@ -1,5 +1,7 @@
 #include "measure/bench/bench.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 #include <CLI/CLI.hpp>
@@ -11,7 +13,9 @@
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "oracle/bullet/bullet_pass.hpp"
 #include "oracle/chipmunk/chipmunk_pass.hpp"
+#include "oracle/libccd/libccd_pass.hpp"
 #include "report/measurements.hpp"
 #include "report/outputs.hpp"
 
@@ -28,13 +32,26 @@ struct BenchArguments {
   std::vector<std::string> pictures;
 };
 
+BenchSubject engine(const std::string& name,
+                    std::function<void()> (*prepare)(std::span<const PairCase>)) {
+  return {.name = name, .prepare = prepare, .collider = [name] { return find_collider(name); }};
+}
+
+/// Those that this build has.
+std::vector<BenchSubject> engines() {
+  std::vector<BenchSubject> all = {
+      engine("chipmunk", chipmunk_pass), engine("bullet-epa", bullet_epa_pass),
+      engine("bullet-minkowski", bullet_minkowski_pass), engine("libccd-gjk", libccd_gjk_pass),
+      engine("libccd-mpr", libccd_mpr_pass)};
+  std::erase_if(all, [](const BenchSubject& one) { return !find_installed(one.name); });
+  return all;
+}
+
 /// Box2D, to whose time the others' are ratios, and those that are named.
 std::vector<BenchSubject> chosen_subjects(const std::vector<std::string>& names) {
-  std::vector<BenchSubject> all = own_subjects();
-  all.insert(all.begin(), {{.name = "box2d", .prepare = box2d_pass, .collider = make_box2d},
-                           {.name = "chipmunk", .prepare = chipmunk_pass, .collider = [] {
-                              return find_collider("chipmunk");
-                            }}});
+  std::vector<BenchSubject> all = engines();
+  all.insert(all.begin(), {.name = "box2d", .prepare = box2d_pass, .collider = make_box2d});
+  std::ranges::move(own_subjects(), std::back_inserter(all));
   std::set<std::string> wanted{std::string(kRatioBase)};
   for (const BenchSubject* const one : chosen_by_name(all, names, "collider", "--collider")) {
     wanted.insert(one->name);

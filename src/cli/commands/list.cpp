@@ -19,7 +19,7 @@ std::string list_colliders() {
     try {
       lines += collider_line(entry.make().declaration);
     } catch (const UserError& error) {
-      lines += fmt::format("{:<13} not there: {}\n", entry.name, error.what());
+      lines += fmt::format("{:<17} not there: {}\n", entry.name, error.what());
     }
   }
   return lines;

@@ -53,7 +53,7 @@ const std::vector<BadUsage>& bad_usages() {
       {"no collider", {"collide"}, "--collider is required"},
       {"an unknown collider",
        {"collide", "--collider", "clop"},
-       "no collider 'clop'; did you mean 'clip'? There are clip,"},
+       "no collider 'clop'; did you mean 'clip'?"},
       {"a negative tie bias",
        {"collide", "--collider", "clip", "--tie-bias", "-1"},
        "--tie-bias: '-1'"},

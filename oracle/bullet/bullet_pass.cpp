@@ -1,0 +1,52 @@
+#include "oracle/bullet/bullet_pass.hpp"
+
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btMinkowskiPenetrationDepthSolver.h>
+#include <deque>
+#include <memory>
+
+#include "oracle/bullet/pair_detector.hpp"
+#include "oracle/external/external_collider.hpp"
+
+namespace manifuzz {
+namespace {
+
+using namespace manifuzz_bullet;
+
+struct PreparedPrisms {
+  PreparedPrisms(const manifuzz_body& body_a, const manifuzz_body& body_b)
+      : a(hull_of(body_a, half_heights(body_a, body_b).a)),
+        b(hull_of(body_b, half_heights(body_a, body_b).b)),
+        place_a(place_of(body_a)),
+        place_b(place_of(body_b)) {}
+
+  btConvexHullShape a;
+  btConvexHullShape b;
+  btTransform place_a;
+  btTransform place_b;
+  btPointCollector found{};
+};
+
+template <class Solver>
+std::function<void()> pass_with(std::span<const PairCase> pairs) {
+  const auto all = std::make_shared<std::deque<PreparedPrisms>>();
+  for (const PairCase& pair : pairs) all->emplace_back(c_body(pair.a), c_body(pair.b));
+  return [all] {
+    Solver solver;
+    for (PreparedPrisms& pair : *all) {
+      pair.found = closest_points(pair.a, pair.place_a, pair.b, pair.place_b, solver);
+    }
+  };
+}
+
+}  // namespace
+
+std::function<void()> bullet_epa_pass(std::span<const PairCase> pairs) {
+  return pass_with<btGjkEpaPenetrationDepthSolver>(pairs);
+}
+
+std::function<void()> bullet_minkowski_pass(std::span<const PairCase> pairs) {
+  return pass_with<btMinkowskiPenetrationDepthSolver>(pairs);
+}
+
+}  // namespace manifuzz

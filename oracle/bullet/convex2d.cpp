@@ -1,0 +1,44 @@
+// Bullet's btConvex2dConvex2dAlgorithm with btMinkowskiPenetrationDepthSolver, as its example
+// Planar2D has it: flat hulls as btConvex2dShape.
+
+#include <BulletCollision/CollisionDispatch/btConvex2dConvex2dAlgorithm.h>
+#include <BulletCollision/CollisionShapes/btConvex2dShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btMinkowskiPenetrationDepthSolver.h>
+
+#include "oracle/bullet/algorithm.hpp"
+
+extern "C" {
+
+extern const manifuzz_declaration manifuzz_collider = {
+    .interface = MANIFUZZ_INTERFACE,
+    .name = "bullet-convex2d",
+    .version = MANIFUZZ_BULLET_VERSION,
+    .scalar = MANIFUZZ_FLOAT32,
+    .rounds_in = MANIFUZZ_WORLD,
+    .answers_in = MANIFUZZ_WORLD,
+    .points = MANIFUZZ_ON_SURFACE_B,
+    .normal = MANIFUZZ_B_TO_A,
+    .tie_bias = 0,
+    .vertices_max = MANIFUZZ_VERTICES_MAX,
+    .takes_radius = 0,
+    .snippet = nullptr,
+    .claims = manifuzz_bullet::claims_of_point(0, nullptr),
+};
+
+int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_manifold* manifold) {
+  using namespace manifuzz_bullet;
+  btConvexHullShape hull_a = hull_of(*a, 0);
+  btConvexHullShape hull_b = hull_of(*b, 0);
+  btConvex2dShape flat_a(&hull_a);
+  btConvex2dShape flat_b(&hull_b);
+  btVoronoiSimplexSolver simplex;
+  btMinkowskiPenetrationDepthSolver solver;
+  return flatten(points_of(flat_a, place_of(*a), flat_b, place_of(*b),
+                           [&](const auto& info, const auto& of_a, const auto& of_b) {
+                             return btConvex2dConvex2dAlgorithm(nullptr, info, &of_a, &of_b,
+                                                                &simplex, &solver, 0, 0);
+                           }),
+                 *manifold);
+}
+
+}  // extern "C"

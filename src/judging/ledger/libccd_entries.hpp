@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+
+#include "judging/ledger/gjk_deviations.hpp"
+
+namespace manifuzz::ledger_of {
+
+// libccd 2.1, in double. Budgets are twice what 1,000,000 cases against clip64 showed, rounded up.
+inline constexpr Budget kOfLibccdGjkZeroOfSquares[] = {{"generic", 12000},
+                                                       {"boxes", 13000},
+                                                       {"regular", 9600},
+                                                       {"grid", 180000},
+                                                       {"sliver", 39000},
+                                                       {"near_parallel", 24000},
+                                                       {"tied_faces", 23000},
+                                                       {"micro_edge", 26000},
+                                                       {"near_collinear", 21000},
+                                                       {"corner_corner", 16000},
+                                                       {"corner_face", 25000},
+                                                       {"touching", 66000},
+                                                       {"tie_bias", 13000},
+                                                       {"far_from_origin", 14000},
+                                                       {"scaled", 34000},
+                                                       {"off_unit", 16000},
+                                                       {"ulp", 27000}};
+inline constexpr Budget kOfLibccdGjkToleranceOfSquares[] = {{"generic", 33000},
+                                                            {"boxes", 5400},
+                                                            {"regular", 24000},
+                                                            {"grid", 600},
+                                                            {"sliver", 310000},
+                                                            {"near_parallel", 130000},
+                                                            {"tied_faces", 150000},
+                                                            {"micro_edge", 150000},
+                                                            {"near_collinear", 88000},
+                                                            {"corner_corner", 230000},
+                                                            {"corner_face", 49000},
+                                                            {"touching", 82000},
+                                                            {"deep", 210000},
+                                                            {"tie_bias", 250000},
+                                                            {"far_from_origin", 120000},
+                                                            {"scaled", 80000},
+                                                            {"off_unit", 130000},
+                                                            {"ulp", 120000}};
+inline constexpr Budget kOfLibccdMprFaceOfRay[] = {
+    {"generic", 41000},       {"boxes", 21000},        {"regular", 25000},
+    {"grid", 370000},         {"sliver", 240000},      {"near_parallel", 47000},
+    {"tied_faces", 150000},   {"micro_edge", 220000},  {"near_collinear", 74000},
+    {"corner_corner", 39000}, {"corner_face", 120000}, {"touching", 71000},
+    {"deep", 1000000},        {"tie_bias", 170000},    {"far_from_origin", 110000},
+    {"scaled", 150000},       {"off_unit", 120000},    {"ulp", 180000}};
+
+/// The entries, the first that explains before others.
+inline constexpr std::array kOfLibccd{
+    LedgerEntry{
+        .id = "libccd-gjk-zero-of-squares",
+        .collider = "libccd-gjk",
+        .description =
+            "another normal, or contact, within 1.5e-8 of touching: squares below 2.2e-16 "
+            "are 0",
+        .source = "libccd 2.1, src/ccd.c, doSimplex3, nextSupport: ccdIsZero(dist) of a square",
+        .budgets = kOfLibccdGjkZeroOfSquares,
+        .explains = zero_of_squares},
+    LedgerEntry{.id = "libccd-gjk-tolerance-of-squares",
+                .collider = "libccd-gjk",
+                .description = "too little depth along another normal: the tolerance, a length, is "
+                               "compared with squares of lengths",
+                .source = "libccd 2.1, src/ccd.c, nextSupport: dist - el->dist < epa_tolerance",
+                .budgets = kOfLibccdGjkToleranceOfSquares,
+                .explains = tolerance_of_squares},
+    LedgerEntry{.id = "libccd-mpr-face-of-ray",
+                .collider = "libccd-mpr",
+                .description = "the face through which the ray from the centres leaves the "
+                               "difference, and not the nearest one",
+                .source =
+                    "libccd 2.1, src/mpr.c, findPenetr: ccdVec3PointTriDist2 of the portal that "
+                    "the ray from v0 leaves",
+                .budgets = kOfLibccdMprFaceOfRay,
+                .explains = translation_to_face_of_ray},
+};
+
+}  // namespace manifuzz::ledger_of
