@@ -49,6 +49,8 @@ const std::vector<ColliderEntry>& colliders() {
       {"pair", [] { return manifuzz::make_pair(); }, true},
       {"batch", [] { return make_batch(); }, true},
       {"batch64", [] { return make_batch64(); }, true},
+      {"gjk", make_gjk},
+      {"gjk64", make_gjk64},
       {"box2d", [] { return make_box2d(); }},
       {"chipmunk", make_chipmunk},
       {"planck", [] { return of_node("planck"); }},

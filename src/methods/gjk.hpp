@@ -1,0 +1,214 @@
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "geometry/convex_polygon.hpp"
+
+/// The article's other methods than clipping.
+namespace manifuzz::methods {
+
+/// A vertex of the difference of two cores, B - A: B's vertex as seen from A's, by their indices.
+struct SupportPair {
+  unsigned char a = 0;  ///< A's vertex
+  unsigned char b = 0;  ///< B's
+
+  friend bool operator==(const SupportPair&, const SupportPair&) = default;
+};
+
+/// 0 to 3 vertices of the difference, plain data: what one step leaves to the next one as its hint,
+/// both where to begin and which support to ask for first. Any indices will do, of other shapes
+/// too: a bad hint costs iterations and nothing else.
+struct Simplex {
+  std::array<SupportPair, 3> vertices{};  ///< `count` of them
+  int count = 0;                          ///< 0: there is none
+
+  /// Whether it has that vertex.
+  bool has(SupportPair pair) const {
+    for (int k = 0; k < count; ++k) {
+      if (vertices[k] == pair) return true;
+    }
+    return false;
+  }
+  friend bool operator==(const Simplex&, const Simplex&) = default;
+};
+
+/// The difference of two cores that stand in one frame, B - A: its place nearest to the origin is
+/// the way from A to B. Everything is computed in double, from differences of vertices, which keeps
+/// rounding relative to what they are far from each other. Of floats every sign is then exact but
+/// for the last of many digits.
+template <class Scalar>
+class Difference {
+ public:
+  /// Both must outlive it.
+  Difference(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) : a_(a), b_(b) {}
+
+  /// From A's vertex to B's.
+  Vector2<double> vertex(SupportPair p) const {
+    return (wide(b_.vertices[p.b]) - wide(a_.vertices[p.a]));
+  }
+  /// From a vertex of the difference to another, by the cores' own edges: these are told better
+  /// than places that are far from the origin.
+  Vector2<double> edge(SupportPair p, SupportPair q) const {
+    return (wide(b_.vertices[q.b]) - wide(b_.vertices[p.b])) -
+           (wide(a_.vertices[q.a]) - wide(a_.vertices[p.a]));
+  }
+  /// The vertex least far along a direction of any length: A's farthest and B's least far, the
+  /// first of equals.
+  SupportPair support(const Vector2<double>& direction) const {
+    return {farthest<-1>(a_, direction), farthest<1>(b_, direction)};
+  }
+  /// Whether the indices are of vertices that there are.
+  bool has(SupportPair p) const { return p.a < a_.count && p.b < b_.count; }
+
+ private:
+  static Vector2<double> wide(const Vector2<Scalar>& v) { return v.template cast<double>(); }
+
+  /// Against the direction for sign 1, along it for sign -1.
+  template <int sign>
+  static unsigned char farthest(const ConvexPolygon<Scalar>& core,
+                                const Vector2<double>& direction) {
+    const Vector2<double> along = sign * direction;
+    int index = 0;
+    double least = along.dot(wide(core.vertices[0]));
+    for (int i = 1; i < core.count; ++i) {
+      const double height = along.dot(wide(core.vertices[i]));
+      index = height < least ? i : index;
+      least = height < least ? height : least;
+    }
+    return static_cast<unsigned char>(index);
+  }
+
+  const ConvexPolygon<Scalar>& a_;
+  const ConvexPolygon<Scalar>& b_;
+};
+
+/// The feature of a simplex that is nearest to the origin: a vertex, or two with the inside of the
+/// edge between them, which has the origin on its right, as an edge of a counter-clockwise outline
+/// has what is outside; or the origin is in it.
+struct NearestFeature {
+  SupportPair first;
+  SupportPair second;                                        ///< the same of a vertex
+  Vector2<double> direction{0, 0};                           ///< to it, of any length
+  double squared = std::numeric_limits<double>::infinity();  ///< its distance's square
+  bool holds_origin = false;                                 ///< the simplex does
+
+  /// Its one or two vertices.
+  Simplex simplex() const { return {{first, second}, first == second ? 1 : 2}; }
+};
+
+/// Of a vertex.
+template <class Scalar>
+NearestFeature nearest_of_vertex(const Difference<Scalar>& difference, SupportPair p) {
+  const Vector2<double> at = difference.vertex(p);
+  const double squared = at.dot(at);
+  return {p, p, at, squared, squared == 0};
+}
+
+/// Of an edge: the end whose region the origin is in, or the inside. Its line's distance is taken
+/// along the edge's own direction from one of its ends, so that tiny edges far away lose nothing.
+template <class Scalar>
+NearestFeature nearest_of_edge(const Difference<Scalar>& difference, SupportPair p, SupportPair q) {
+  const Vector2<double> along = difference.edge(p, q);
+  const Vector2<double> from = difference.vertex(p);
+  if (along.dot(from) >= 0) return nearest_of_vertex(difference, p);
+  if (along.dot(difference.vertex(q)) <= 0) return nearest_of_vertex(difference, q);
+  const double area = cross(from, along);
+  const Vector2<double> left = counter_clockwise_quarter(along);
+  const double squared = area * area / along.dot(along);
+  if (area <= 0) return {p, q, left, squared, area == 0};
+  return {q, p, -left, squared, false};
+}
+
+/// Of a triangle: the origin is in it, or some edge has the origin on its outer side.
+template <class Scalar>
+NearestFeature nearest_of_triangle(const Difference<Scalar>& difference,
+                                   const std::array<SupportPair, 3>& p) {
+  const double turn = cross(difference.edge(p[0], p[1]), difference.edge(p[0], p[2]));
+  NearestFeature nearest{p[0], p[0], {0, 0}};
+  bool is_inside = turn != 0;
+  for (int k = 0; k < 3; ++k) {
+    const SupportPair from = p[k];
+    const SupportPair to = p[k < 2 ? k + 1 : 0];
+    const double side = cross(difference.vertex(from), difference.edge(from, to));
+    if ((turn > 0 && side >= 0) || (turn < 0 && side <= 0)) continue;
+    is_inside = false;
+    const NearestFeature of_edge = nearest_of_edge(difference, from, to);
+    if (of_edge.squared < nearest.squared) nearest = of_edge;
+  }
+  if (is_inside) nearest.holds_origin = true;
+  return nearest;
+}
+
+/// Of any simplex that has a vertex.
+template <class Scalar>
+NearestFeature nearest_of_simplex(const Difference<Scalar>& difference, const Simplex& simplex) {
+  const auto& p = simplex.vertices;
+  if (simplex.count == 1) return nearest_of_vertex(difference, p[0]);
+  if (simplex.count == 2) return nearest_of_edge(difference, p[0], p[1]);
+  return nearest_of_triangle(difference, p);
+}
+
+/// How two cores stand to each other.
+enum class Apartness : unsigned char {
+  separated,    ///< farther than the limit, along `direction` at least
+  apart,        ///< nearest at the simplex
+  overlapping,  ///< or touching; the simplex holds the origin
+};
+
+/// What GJK finds.
+struct GjkResult {
+  Apartness apartness = Apartness::apart;
+  Simplex simplex;                  ///< of 1 or 2 vertices where apart; the next step's hint
+  Vector2<double> direction{0, 0};  ///< from A to B, of any length; none where they overlap
+  int iterations = 0;               ///< how many supports were asked for, at least 1 where apart
+};
+
+/// A hint as a simplex of these cores: the vertex (0, 0) in place of what is none of theirs.
+template <class Scalar>
+Simplex usable(const Difference<Scalar>& difference, const Simplex& hint) {
+  bool is_usable = hint.count >= 1 && hint.count <= 3;
+  for (int k = 0; is_usable && k < hint.count; ++k) {
+    is_usable = difference.has(hint.vertices[k]);
+  }
+  return is_usable ? hint : Simplex{{}, 1};
+}
+
+/// Gilbert, Johnson and Keerthi's distance of two cores in one frame, radii left out, from a hint
+/// on. Stops as soon as a direction separates them by more than `limit`, a length.
+///
+/// It stops by no count. A step asks for the vertex that is least far along the direction to the
+/// nearest feature. If the simplex has that vertex, none is nearer; and if the new simplex is not
+/// strictly nearer as computed, what it would gain is below the rounding of the squares compared:
+/// 8 roundoffs of double, of the square of the distance. It always ends: the computed distance
+/// depends on the simplex alone, each step strictly lowers it, and there are finitely many.
+template <class Scalar>
+GjkResult gjk(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+              const Simplex& hint = {},
+              double limit = std::numeric_limits<double>::infinity()) {
+  const Difference<Scalar> difference(a, b);
+  GjkResult result{.simplex = usable(difference, hint)};
+  NearestFeature nearest = nearest_of_simplex(difference, result.simplex);
+  while (!nearest.holds_origin) {
+    ++result.iterations;
+    result.simplex = nearest.simplex();
+    result.direction = nearest.direction;
+    const SupportPair support = difference.support(nearest.direction);
+    const double height = nearest.direction.dot(difference.vertex(support));
+    if (height > 0 && height * height > limit * limit * nearest.direction.dot(nearest.direction)) {
+      result.apartness = Apartness::separated;
+      return result;
+    }
+    if (result.simplex.has(support)) return result;
+    Simplex next = result.simplex;
+    next.vertices[next.count++] = support;
+    const NearestFeature nearer = nearest_of_simplex(difference, next);
+    if (!nearer.holds_origin && !(nearer.squared < nearest.squared)) return result;
+    result.simplex = next;
+    nearest = nearer;
+  }
+  result.apartness = Apartness::overlapping;
+  return result;
+}
+
+}  // namespace manifuzz::methods

@@ -1,0 +1,3 @@
+#pragma once
+
+#include "geometry/convex_polygon.hpp"
