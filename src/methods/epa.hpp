@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstdint>
+#include <utility>
+
 #include "methods/gjk.hpp"
 
 namespace manifuzz::methods {
 
-/// The outline of a part of the difference that is being expanded: vertices of it, counter-clockwise.
-/// Two are the outline of a segment, there and back.
+/// The outline of a part of the difference that is being expanded: vertices of it,
+/// counter-clockwise. Two are the outline of a segment, there and back.
 struct Outline {
   /// All pairs of vertices that there are.
   static constexpr int kMax = kMaxVertices * kMaxVertices;
@@ -13,16 +16,12 @@ struct Outline {
   std::array<SupportPair, kMax> vertices;  ///< `count` of them
   std::array<double, kMax> squared;        ///< the distance's of the edge that begins there
   int count = 0;
+  std::uint64_t added = 0;  ///< a bit for each pair that it has, or had
 
   /// The vertex after this one, counted round.
   int next(int k) const { return k + 1 < count ? k + 1 : 0; }
-  /// Whether it has that vertex.
-  bool has(SupportPair pair) const {
-    for (int k = 0; k < count; ++k) {
-      if (vertices[k] == pair) return true;
-    }
-    return false;
-  }
+  /// The vertex before this one, counted round.
+  int previous(int k) const { return k > 0 ? k - 1 : count - 1; }
   /// The edge whose inside or end is nearest to the origin, the first of equals.
   int nearest() const {
     int nearest = 0;
@@ -30,6 +29,26 @@ struct Outline {
       if (squared[k] < squared[nearest]) nearest = k;
     }
     return nearest;
+  }
+  /// Puts a vertex before the one of this index. False where it has, or had, that vertex.
+  bool insert(int at, SupportPair pair) {
+    const std::uint64_t bit = std::uint64_t(1) << (pair.a * kMaxVertices + pair.b);
+    if ((added & bit) != 0) return false;
+    added |= bit;
+    for (int k = count++; k > at; --k) {
+      vertices[k] = vertices[k - 1];
+      squared[k] = squared[k - 1];
+    }
+    vertices[at] = pair;
+    return true;
+  }
+  /// Takes a vertex out.
+  void erase(int at) {
+    for (int k = at + 1; k < count; ++k) {
+      vertices[k - 1] = vertices[k];
+      squared[k - 1] = squared[k];
+    }
+    --count;
   }
 };
 
@@ -53,25 +72,53 @@ SupportPair another_vertex(const Difference<Scalar>& difference, SupportPair ver
   return vertex;
 }
 
-/// Where to begin: GJK's last simplex, counter-clockwise, of vertices that are not all at one place.
+/// Twice the area of a triangle of the difference: positive where its corners turn left.
+template <class Scalar>
+double turn_at(const Difference<Scalar>& difference, SupportPair before, SupportPair corner,
+               SupportPair after) {
+  return cross(difference.edge(before, corner), difference.edge(corner, after));
+}
+
+/// Measures the edge that begins at a vertex of the outline.
+template <class Scalar>
+void measure_edge(const Difference<Scalar>& difference, Outline& outline, int k) {
+  const NearestFeature nearest =
+      nearest_of_edge(difference, outline.vertices[k], outline.vertices[outline.next(k)]);
+  outline.squared[k] = nearest.squared;
+}
+
+/// Where to begin: GJK's last simplex, counter-clockwise; of a vertex alone, an edge from there.
 template <class Scalar>
 Outline first_outline(const Difference<Scalar>& difference, const Simplex& from) {
   Outline outline;
   const auto& p = from.vertices;
-  const bool is_flat =
-      from.count < 3 || cross(difference.edge(p[0], p[1]), difference.edge(p[0], p[2])) == 0;
-  outline.vertices[0] = p[0];
-  outline.count = 2;
-  if (is_flat) {
-    outline.vertices[1] = another_vertex(difference, p[0]);
-    if (outline.vertices[1] == p[0]) outline.count = 1;
-    return outline;
+  for (int k = 0; k < from.count; ++k) outline.insert(k, p[k]);
+  if (from.count == 1) outline.insert(1, another_vertex(difference, p[0]));
+  if (from.count == 3 && turn_at(difference, p[0], p[1], p[2]) < 0) {
+    std::swap(outline.vertices[1], outline.vertices[2]);
   }
-  outline.count = 3;
-  const bool turns_left = cross(difference.edge(p[0], p[1]), difference.edge(p[0], p[2])) > 0;
-  outline.vertices[1] = turns_left ? p[1] : p[2];
-  outline.vertices[2] = turns_left ? p[2] : p[1];
+  for (int k = 0; k < outline.count; ++k) measure_edge(difference, outline, k);
   return outline;
+}
+
+/// Takes out the neighbours of a vertex that it leaves behind: where GJK began need not be a corner
+/// of the difference.
+template <class Scalar>
+void make_convex(const Difference<Scalar>& difference, Outline& outline, int at) {
+  const auto turn = [&](int k) {
+    return turn_at(difference, outline.vertices[outline.previous(k)], outline.vertices[k],
+                   outline.vertices[outline.next(k)]);
+  };
+  for (int k = outline.next(at); outline.count > 3 && turn(k) <= 0; k = outline.next(at)) {
+    outline.erase(k);
+    if (k < at) --at;
+  }
+  for (int k = outline.previous(at); outline.count > 3 && turn(k) <= 0; k = outline.previous(at)) {
+    outline.erase(k);
+    if (k < at) --at;
+  }
+  measure_edge(difference, outline, outline.previous(at));
+  measure_edge(difference, outline, at);
 }
 
 /// The expanding polytope algorithm (van den Bergen, 2001) in the plane: from a simplex that holds
@@ -80,36 +127,24 @@ Outline first_outline(const Difference<Scalar>& difference, const Simplex& from)
 ///
 /// Nearest by the edges themselves and not by their lines: rounding turns a tiny edge by any angle,
 /// but moves its places by no more than itself. It stops by no count, and ends: each step adds a
-/// vertex to the outline that it did not have, and there are finitely many.
+/// vertex that the outline never had, and there are finitely many.
 template <class Scalar>
 EpaResult epa(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
               const Simplex& from) {
   const Difference<Scalar> difference(a, b);
   Outline outline = first_outline(difference, from);
-  if (outline.count == 1) return {{{outline.vertices[0]}, 1}, 0};
-  const auto measure = [&](int k) {
-    outline.squared[k] = nearest_of_edge(difference, outline.vertices[k],
-                                         outline.vertices[outline.next(k)])
-                             .squared;
-  };
-  for (int k = 0; k < outline.count; ++k) measure(k);
+  if (outline.count == 1) return {from, 0};
   for (int iterations = 1;; ++iterations) {
     const int nearest = outline.nearest();
     const SupportPair first = outline.vertices[nearest];
     const SupportPair second = outline.vertices[outline.next(nearest)];
-    const Vector2<double> inward =
-        counter_clockwise_quarter(difference.edge(first, second));
+    const Vector2<double> inward = counter_clockwise_quarter(difference.edge(first, second));
     const SupportPair support = difference.support(inward);
     const bool is_beyond = inward.dot(difference.edge(first, support)) < 0;
-    if (!is_beyond || outline.has(support)) return {{{first, second}, 2}, iterations};
-    for (int k = outline.count; k > nearest + 1; --k) {
-      outline.vertices[k] = outline.vertices[k - 1];
-      outline.squared[k] = outline.squared[k - 1];
+    if (!is_beyond || !outline.insert(nearest + 1, support)) {
+      return {{{first, second}, 2}, iterations};
     }
-    ++outline.count;
-    outline.vertices[nearest + 1] = support;
-    measure(nearest);
-    measure(nearest + 1);
+    make_convex(difference, outline, nearest + 1);
   }
 }
 

@@ -87,14 +87,10 @@ class Difference {
 /// edge between them, which has the origin on its right, as an edge of a counter-clockwise outline
 /// has what is outside; or the origin is in it.
 struct NearestFeature {
-  SupportPair first;
-  SupportPair second;                                        ///< the same of a vertex
+  Simplex feature;                                           ///< 1 or 2 vertices, or all 3
   Vector2<double> direction{0, 0};                           ///< to it, of any length
   double squared = std::numeric_limits<double>::infinity();  ///< its distance's square
-  bool holds_origin = false;                                 ///< the simplex does
-
-  /// Its one or two vertices.
-  Simplex simplex() const { return {{first, second}, first == second ? 1 : 2}; }
+  bool holds_origin = false;                                 ///< the origin is in it
 };
 
 /// Of a vertex.
@@ -102,7 +98,7 @@ template <class Scalar>
 NearestFeature nearest_of_vertex(const Difference<Scalar>& difference, SupportPair p) {
   const Vector2<double> at = difference.vertex(p);
   const double squared = at.dot(at);
-  return {p, p, at, squared, squared == 0};
+  return {{{p}, 1}, at, squared, squared == 0};
 }
 
 /// Of an edge: the end whose region the origin is in, or the inside. Its line's distance is taken
@@ -116,16 +112,17 @@ NearestFeature nearest_of_edge(const Difference<Scalar>& difference, SupportPair
   const double area = cross(from, along);
   const Vector2<double> left = counter_clockwise_quarter(along);
   const double squared = area * area / along.dot(along);
-  if (area <= 0) return {p, q, left, squared, area == 0};
-  return {q, p, -left, squared, false};
+  if (area <= 0) return {{{p, q}, 2}, left, squared, area == 0};
+  return {{{q, p}, 2}, -left, squared, false};
 }
 
-/// Of a triangle: the origin is in it, or some edge has the origin on its outer side.
+/// Of a triangle: the origin is in it, or some edge has the origin on its outer side. A flat one has
+/// no inside.
 template <class Scalar>
-NearestFeature nearest_of_triangle(const Difference<Scalar>& difference,
-                                   const std::array<SupportPair, 3>& p) {
+NearestFeature nearest_of_triangle(const Difference<Scalar>& difference, const Simplex& triangle) {
+  const auto& p = triangle.vertices;
   const double turn = cross(difference.edge(p[0], p[1]), difference.edge(p[0], p[2]));
-  NearestFeature nearest{p[0], p[0], {0, 0}};
+  NearestFeature nearest;
   bool is_inside = turn != 0;
   for (int k = 0; k < 3; ++k) {
     const SupportPair from = p[k];
@@ -136,7 +133,7 @@ NearestFeature nearest_of_triangle(const Difference<Scalar>& difference,
     const NearestFeature of_edge = nearest_of_edge(difference, from, to);
     if (of_edge.squared < nearest.squared) nearest = of_edge;
   }
-  if (is_inside) nearest.holds_origin = true;
+  if (is_inside) return {triangle, {0, 0}, 0, true};
   return nearest;
 }
 
@@ -146,7 +143,7 @@ NearestFeature nearest_of_simplex(const Difference<Scalar>& difference, const Si
   const auto& p = simplex.vertices;
   if (simplex.count == 1) return nearest_of_vertex(difference, p[0]);
   if (simplex.count == 2) return nearest_of_edge(difference, p[0], p[1]);
-  return nearest_of_triangle(difference, p);
+  return nearest_of_triangle(difference, simplex);
 }
 
 /// How two cores stand to each other.
@@ -187,28 +184,29 @@ GjkResult gjk(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
               const Simplex& hint = {},
               double limit = std::numeric_limits<double>::infinity()) {
   const Difference<Scalar> difference(a, b);
-  GjkResult result{.simplex = usable(difference, hint)};
-  NearestFeature nearest = nearest_of_simplex(difference, result.simplex);
-  while (!nearest.holds_origin) {
-    ++result.iterations;
-    result.simplex = nearest.simplex();
+  GjkResult result;
+  NearestFeature nearest = nearest_of_simplex(difference, usable(difference, hint));
+  for (;;) {
+    result.simplex = nearest.feature;
     result.direction = nearest.direction;
+    if (nearest.holds_origin) {
+      result.apartness = Apartness::overlapping;
+      return result;
+    }
+    ++result.iterations;
     const SupportPair support = difference.support(nearest.direction);
     const double height = nearest.direction.dot(difference.vertex(support));
     if (height > 0 && height * height > limit * limit * nearest.direction.dot(nearest.direction)) {
       result.apartness = Apartness::separated;
       return result;
     }
-    if (result.simplex.has(support)) return result;
-    Simplex next = result.simplex;
+    if (nearest.feature.has(support)) return result;
+    Simplex next = nearest.feature;
     next.vertices[next.count++] = support;
     const NearestFeature nearer = nearest_of_simplex(difference, next);
     if (!nearer.holds_origin && !(nearer.squared < nearest.squared)) return result;
-    result.simplex = next;
     nearest = nearer;
   }
-  result.apartness = Apartness::overlapping;
-  return result;
 }
 
 }  // namespace manifuzz::methods

@@ -28,9 +28,9 @@ struct NearestFaces {
 template <class Scalar>
 clipping::FaceSeparation<Scalar> greatest_between(const ConvexPolygon<Scalar>& core, int first,
                                                   int last, const ConvexPolygon<Scalar>& other) {
-  clipping::FaceSeparation<Scalar> greatest;
-  if (core.face_count() == 0) return greatest;
-  for (int i = core.previous(first);; i = core.next(i)) {
+  if (core.face_count() == 0) return {};
+  auto greatest = clipping::face_separation(core, core.previous(first), other);
+  for (int i = first;; i = core.next(i)) {
     const auto found = clipping::face_separation(core, i, other);
     if (found.separation > greatest.separation) greatest = found;
     if (i == last) return greatest;
