@@ -1,5 +1,10 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
 #include "clipping/curved_shapes.hpp"
 #include "methods/epa.hpp"
 #include "methods/nearest_faces.hpp"
@@ -15,57 +20,60 @@ struct PointContact {
   int epa_iterations = 0;     ///< supports that EPA asked for; 0 where cores are apart
 };
 
-/// The manifold of one point where a face and the other core are nearest: the face's normal, and
-/// its separation as exact as that of clipping.
+/// The manifold of one point at a face, with its normal and a separation, or none where that is
+/// more than the total radius. `place` is on the other core, in their common frame.
 template <class Scalar>
 Manifold<Scalar> contact_at_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                 Side side, const clipping::FaceSeparation<Scalar>& found,
-                                 const Vector2<Scalar>& place, const FeaturePair& features) {
+                                 Side side, int face, Scalar separation,
+                                 const PlaceOfOther<Scalar>& place) {
   const Scalar total_radius = a.radius + b.radius;
-  if (found.separation > total_radius) return {};
+  if (separation > total_radius) return {};
+  const bool is_of_a = side == Side::a;
   Manifold<Scalar> manifold;
   manifold.count = 1;
   manifold.reference = side;
-  const Vector2<Scalar>& normal = (side == Side::a ? a : b).normals[found.face];
-  manifold.normal = side == Side::a ? normal : Vector2<Scalar>(-normal);
-  manifold.points[0] = {place, total_radius - found.separation, features};
+  manifold.normal = is_of_a ? a.normals[face] : Vector2<Scalar>(-b.normals[face]);
+  manifold.points[0] = {place.position, total_radius - separation,
+                        is_of_a ? FeaturePair{place.of_face, place.of_other}
+                                : FeaturePair{place.of_other, place.of_face}};
   if (are_round(a, b)) clipping::put_on_surface(a, b, manifold);
   return manifold;
 }
 
-/// The contact at the face that separates most, or at one of the other side that rounding cannot
-/// tell from it, if the other core is in front of its inside; none where neither has it there.
+/// The contact at the face that separates most, or at one that rounding cannot tell from it, where
+/// the other core is nearest between the face's ends; none where it is so at no face. The depth is
+/// that of the greatest separation.
 template <class Scalar>
 std::optional<Manifold<Scalar>> contact_inside_faces(const ConvexPolygon<Scalar>& a,
                                                      const ConvexPolygon<Scalar>& b,
                                                      const NearestFaces<Scalar>& faces,
-                                                     Scalar roundoff) {
-  const Scalar least = faces.separation() - roundoff;
-  for (const Side side : {faces.is_of_a() ? Side::a : Side::b, faces.is_of_a() ? Side::b : Side::a}) {
-    const auto& found = side == Side::a ? faces.of_a : faces.of_b;
-    const ConvexPolygon<Scalar>& polygon = side == Side::a ? a : b;
-    const ConvexPolygon<Scalar>& other = side == Side::a ? b : a;
-    if (polygon.face_count() == 0 || found.separation < least) continue;
-    const auto places = places_inside_face(polygon, side, found, other, roundoff);
-    if (!places) continue;
-    return contact_at_face<Scalar>(a, b, side, found, side == Side::a ? places->on_b : places->on_a,
-                                   places->features);
+                                                     PlaceAtFace what, Scalar roundoff) {
+  const Scalar separation = faces.separation();
+  const FoundFace<Scalar>* best = nullptr;
+  PlaceOfOther<Scalar> place_at_best;
+  for (const FoundFace<Scalar>& face : std::span(faces.all.data(), faces.count)) {
+    if (face.found.separation < separation - roundoff) continue;
+    if (best != nullptr && face.found.separation <= best->found.separation) continue;
+    const ConvexPolygon<Scalar>& polygon = face.side == Side::a ? a : b;
+    const ConvexPolygon<Scalar>& other = face.side == Side::a ? b : a;
+    const auto place = place_inside_face(polygon, face.found, other, what, separation + roundoff);
+    if (!place) continue;
+    best = &face;
+    place_at_best = *place;
   }
-  return std::nullopt;
+  if (best == nullptr) return std::nullopt;
+  return contact_at_face(a, b, best->side, best->found.face, separation, place_at_best);
 }
 
 /// The contact at the deepest vertex of the face that separates most.
 template <class Scalar>
 Manifold<Scalar> contact_at_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                     const NearestFaces<Scalar>& faces) {
-  if (faces.is_of_a()) {
-    const auto& found = faces.of_a;
-    return contact_at_face<Scalar>(a, b, Side::a, found, b.vertices[found.deepest],
-                                   {clipping::face(found.face), clipping::vertex(found.deepest)});
-  }
-  const auto& found = faces.of_b;
-  return contact_at_face<Scalar>(a, b, Side::b, found, a.vertices[found.deepest],
-                                 {clipping::vertex(found.deepest), clipping::face(found.face)});
+  const auto [side, found] = faces.greatest();
+  const Vector2<Scalar>& deepest = (side == Side::a ? b : a).vertices[found.deepest];
+  return contact_at_face<Scalar>(
+      a, b, side, found.face, found.separation,
+      {deepest, clipping::face(found.face), clipping::vertex(found.deepest)});
 }
 
 /// Of two points at one place any direction is a normal: (1, 0).
@@ -86,7 +94,7 @@ Manifold<Scalar> contact_of_overlap(const ConvexPolygon<Scalar>& a, const Convex
                                     const Simplex& edge, Scalar roundoff) {
   if (a.face_count() + b.face_count() == 0) return contact_of_same_points(a, b);
   const NearestFaces<Scalar> faces = nearest_faces(a, b, edge);
-  const auto inside = contact_inside_faces(a, b, faces, roundoff);
+  const auto inside = contact_inside_faces(a, b, faces, PlaceAtFace::on_edge, roundoff);
   return inside ? *inside : contact_at_deepest(a, b, faces);
 }
 
@@ -100,18 +108,34 @@ clipping::NearestPlaces<Scalar> places_of(const ConvexPolygon<Scalar>& a,
           {clipping::vertex(pair.a), clipping::vertex(pair.b)}};
 }
 
-/// Of cores that are nearest at two vertices. Mitred skins touch along faces alone.
+/// Of mitred polygons that are nearest at two vertices. Skins touch along faces alone, and each
+/// reaches past its core by the total radius along them, as side planes of clipping do: the contact
+/// is on the incident skin where both reach it, and there is none where they do not.
+template <class Scalar>
+Manifold<Scalar> contact_of_skins(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                  const NearestFaces<Scalar>& faces,
+                                  const clipping::NearestPlaces<Scalar>& nearest) {
+  const auto [side, found] = faces.greatest();
+  const bool is_of_a = side == Side::a;
+  const Scalar reach = a.radius + b.radius;
+  const Vector2<Scalar> along = counter_clockwise_quarter((is_of_a ? a : b).normals[found.face]);
+  const Vector2<Scalar>& corner = is_of_a ? nearest.on_a : nearest.on_b;
+  const Vector2<Scalar>& incident = is_of_a ? nearest.on_b : nearest.on_a;
+  const Scalar off = along.dot(incident - corner);
+  const Scalar past = std::abs(off) - reach;
+  if (past > reach) return {};
+  const Scalar back = std::copysign(std::max(past, Scalar(0)), off);
+  return contact_at_face<Scalar>(a, b, side, found.face, found.separation,
+                                 {incident - back * along, clipping::face(found.face),
+                                  is_of_a ? nearest.features.b : nearest.features.a});
+}
+
+/// Of round shapes whose cores are nearest at two vertices.
 template <class Scalar>
 Manifold<Scalar> contact_of_vertices(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      const NearestFaces<Scalar>& faces,
                                      const clipping::NearestPlaces<Scalar>& nearest,
                                      Scalar roundoff) {
-  if (!are_round(a, b)) {
-    const Side side = faces.is_of_a() ? Side::a : Side::b;
-    const auto& found = faces.is_of_a() ? faces.of_a : faces.of_b;
-    return contact_at_face<Scalar>(a, b, side, found, side == Side::a ? nearest.on_b : nearest.on_a,
-                                   nearest.features);
-  }
   const auto normal = clipping::nearest_normal(a, b, faces.of_a, faces.of_b, nearest, roundoff);
   if (!normal) return contact_at_deepest(a, b, faces);
   return clipping::nearest_contact(a, b, nearest, *normal, roundoff, SecondPoint::never());
@@ -129,11 +153,13 @@ Manifold<Scalar> contact_of_apart(const ConvexPolygon<Scalar>& a, const ConvexPo
   }
   const NearestFaces<Scalar> faces = nearest_faces(a, b, settled);
   if (a.face_count() + b.face_count() > 0) {
-    const auto inside = contact_inside_faces(a, b, faces, roundoff);
+    const auto what = are_round(a, b) ? PlaceAtFace::corner : PlaceAtFace::on_edge;
+    const auto inside = contact_inside_faces(a, b, faces, what, roundoff);
     if (inside) return *inside;
   }
   if (feature.count == 2) clipping::settle_vertices(a, b, vertices);
-  return contact_of_vertices(a, b, faces, vertices, roundoff);
+  return are_round(a, b) ? contact_of_vertices(a, b, faces, vertices, roundoff)
+                         : contact_of_skins(a, b, faces, vertices);
 }
 
 /// The contact of two shapes that stand in one frame, by the closest points of their cores: the

@@ -11,30 +11,49 @@
 
 namespace manifuzz::methods {
 
-/// The faces of greatest separation, A's and B's, among those at or between a feature's vertices.
+/// A face of either core, and how far the other lies in front of it.
+template <class Scalar>
+struct FoundFace {
+  Side side = Side::a;                        ///< whose face it is
+  clipping::FaceSeparation<Scalar> found{};  ///< its index and separation
+};
+
+/// The faces at or between a feature's vertices, and their greatest separations.
 template <class Scalar>
 struct NearestFaces {
-  clipping::FaceSeparation<Scalar> of_a;  ///< minus infinity where A is a point
+  /// Each face of a core once, and the first twice where it is the last as well.
+  static constexpr int kMax = 2 * (kMaxVertices + 1);
+
+  std::array<FoundFace<Scalar>, kMax> all;  ///< `count` of them
+  int count = 0;
+  clipping::FaceSeparation<Scalar> of_a;  ///< A's greatest; minus infinity where A is a point
   clipping::FaceSeparation<Scalar> of_b;  ///< the same of B
 
   /// Whether A's separates at least as much.
   bool is_of_a() const { return of_a.separation >= of_b.separation; }
   /// The greater separation.
   Scalar separation() const { return std::max(of_a.separation, of_b.separation); }
+  /// The face that has it.
+  FoundFace<Scalar> greatest() const {
+    return is_of_a() ? FoundFace<Scalar>{Side::a, of_a} : FoundFace<Scalar>{Side::b, of_b};
+  }
 };
 
-/// The face of greatest separation from the one before vertex `first` to the one after vertex
-/// `last`, counter-clockwise; the first of equals.
+/// Adds a side's faces from the one before vertex `first` to the one after vertex `last`,
+/// counter-clockwise.
 template <class Scalar>
-clipping::FaceSeparation<Scalar> greatest_between(const ConvexPolygon<Scalar>& core, int first,
-                                                  int last, const ConvexPolygon<Scalar>& other) {
-  if (core.face_count() == 0) return {};
-  auto greatest = clipping::face_separation(core, core.previous(first), other);
-  for (int i = first;; i = core.next(i)) {
-    const auto found = clipping::face_separation(core, i, other);
+void add_faces(const ConvexPolygon<Scalar>& core, Side side, int first, int last,
+               const ConvexPolygon<Scalar>& other, NearestFaces<Scalar>& faces) {
+  if (core.face_count() == 0) return;
+  clipping::FaceSeparation<Scalar>& greatest = side == Side::a ? faces.of_a : faces.of_b;
+  const auto add = [&](int face) {
+    const auto found = clipping::face_separation(core, face, other);
+    faces.all[faces.count++] = {side, found};
     if (found.separation > greatest.separation) greatest = found;
-    if (i == last) return greatest;
-  }
+  };
+  add(core.previous(first));
+  for (int i = first; i != last; i = core.next(i)) add(i);
+  add(last);
 }
 
 /// Of the feature of 1 or 2 vertices of the difference that is nearest to the origin. A face's
@@ -46,47 +65,64 @@ NearestFaces<Scalar> nearest_faces(const ConvexPolygon<Scalar>& a, const ConvexP
                                    const Simplex& feature) {
   const SupportPair first = feature.vertices[0];
   const SupportPair last = feature.vertices[feature.count - 1];
-  return {greatest_between(a, first.a, last.a, b), greatest_between(b, first.b, last.b, a)};
+  NearestFaces<Scalar> faces;
+  add_faces(a, Side::a, first.a, last.a, b, faces);
+  add_faces(b, Side::b, first.b, last.b, a, faces);
+  return faces;
 }
 
-/// Where a face and the other core are nearest, if that is in front of the face, or behind it,
-/// between its ends: at the other's deepest vertex, or where an edge from there crosses the end's
-/// side plane without rising by more than `roundoff`, a length; nothing where there is no such
-/// place.
+/// What of the other core counts as the place that is nearest to a face.
+enum class PlaceAtFace : unsigned char {
+  corner,   ///< a corner alone: where cores are apart and no corner is, corners are nearest
+  on_edge,  ///< or where an edge leaves the slab between the face's ends
+};
+
+/// A place of the other core at a face, and what makes it.
 template <class Scalar>
-std::optional<clipping::NearestPlaces<Scalar>> places_inside_face(
-    const ConvexPolygon<Scalar>& polygon, Side side, const clipping::FaceSeparation<Scalar>& found,
-    const ConvexPolygon<Scalar>& other, Scalar roundoff) {
+struct PlaceOfOther {
+  Vector2<Scalar> position{0, 0};  ///< on the other core, in the common frame
+  Feature of_face;                 ///< the face, or the end of it that cuts an edge of the other
+  Feature of_other;                ///< a corner of the other, or that edge
+};
+
+/// Where the other core is nearest to a face between the face's ends: at its deepest vertex, or
+/// farther along its outline, if it is no farther away there than `most`, a length; nothing where
+/// there is no such place.
+template <class Scalar>
+std::optional<PlaceOfOther<Scalar>> place_inside_face(
+    const ConvexPolygon<Scalar>& polygon, const clipping::FaceSeparation<Scalar>& found,
+    const ConvexPolygon<Scalar>& other, PlaceAtFace what, Scalar most) {
   const Vector2<Scalar>& normal = polygon.normals[found.face];
   const Vector2<Scalar>& from = polygon.vertices[found.face];
   const Vector2<Scalar> along = counter_clockwise_quarter(normal);
-  const Scalar length = along.dot(polygon.vertices[polygon.next(found.face)] - from);
-  Vector2<Scalar> place = other.vertices[found.deepest];
-  FeaturePair features{clipping::face(found.face), clipping::vertex(found.deepest)};
-  Scalar at = along.dot(place - from);
-  const bool is_before = at < 0;
-  const Scalar end = is_before ? 0 : length;
+  const Vector2<Scalar>& to = polygon.vertices[polygon.next(found.face)];
+  const auto before = [&](int j) { return along.dot(from - other.vertices[j]); };
+  const auto after = [&](int j) { return along.dot(other.vertices[j] - to); };
+  const bool is_before = before(found.deepest) > 0;
+  const auto outside = [&](int j) { return is_before ? before(j) : after(j); };
+  int j = found.deepest;
+  Scalar off = outside(j);
+  PlaceOfOther<Scalar> place{other.vertices[j], clipping::face(found.face), clipping::vertex(j)};
   // The other's edges run against the face: what is farther along it comes before.
-  for (int j = found.deepest; at < 0 || at > length;) {
+  while (off > 0) {
     const int k = is_before ? other.previous(j) : other.next(j);
-    const Scalar next_at = along.dot(other.vertices[k] - from);
-    if (is_before ? next_at <= at : next_at >= at) return std::nullopt;
-    if (is_before ? next_at >= end : next_at <= end) {
-      const Scalar share = (end - at) / (next_at - at);
-      place = other.vertices[j] + share * (other.vertices[k] - other.vertices[j]);
-      features = {clipping::vertex(is_before ? found.face : polygon.next(found.face)),
-                  clipping::face(is_before ? k : j)};
-      break;
+    const Scalar next_off = outside(k);
+    if (next_off >= off) return std::nullopt;
+    place.position = other.vertices[k];
+    place.of_other = clipping::vertex(k);
+    const bool passes = next_off <= 0 && (is_before ? after(k) : before(k)) > 0;
+    if (passes || (next_off < 0 && what == PlaceAtFace::on_edge)) {
+      if (what == PlaceAtFace::corner) return std::nullopt;
+      const Vector2<Scalar> edge = other.vertices[k] - other.vertices[j];
+      place = {other.vertices[j] + off / (off - next_off) * edge,
+               clipping::vertex(is_before ? found.face : polygon.next(found.face)),
+               clipping::face(is_before ? k : j)};
     }
     j = k;
-    at = next_at;
+    off = next_off;
   }
-  const Scalar separation = normal.dot(place - from);
-  if (separation > found.separation + roundoff) return std::nullopt;
-  const Vector2<Scalar> out = separation * normal;
-  const Vector2<Scalar> foot = place - out;
-  if (side == Side::a) return clipping::NearestPlaces<Scalar>{foot, place, out, features};
-  return clipping::NearestPlaces<Scalar>{place, foot, -out, {features.b, features.a}};
+  if (normal.dot(place.position - from) > most) return std::nullopt;
+  return place;
 }
 
 }  // namespace manifuzz::methods
