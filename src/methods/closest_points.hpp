@@ -141,10 +141,26 @@ Manifold<Scalar> contact_of_vertices(const ConvexPolygon<Scalar>& a, const Conve
   return clipping::nearest_contact(a, b, nearest, *normal, roundoff, SecondPoint::never());
 }
 
-/// Of cores that are apart, from the feature of their difference that is nearest.
+/// A face and the other core's deepest vertex, as a simplex.
+template <class Scalar>
+Simplex simplex_of(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                   const FoundFace<Scalar>& face) {
+  const auto index = [](int i) { return static_cast<unsigned char>(i); };
+  const auto [side, found] = face;
+  const unsigned char deepest = index(found.deepest);
+  const unsigned char first = index(found.face);
+  if (side == Side::a) {
+    return {{{{first, deepest}, {index(a.next(found.face)), deepest}, {}}}, 2};
+  }
+  return {{{{deepest, first}, {deepest, index(b.next(found.face))}, {}}}, 2};
+}
+
+/// Of cores that are apart, from the feature of their difference that is nearest, `hint`. Where a
+/// face separates mitred skins, it is the next step's hint.
 template <class Scalar>
 Manifold<Scalar> contact_of_apart(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                  const Simplex& feature, Scalar roundoff) {
+                                  Simplex& hint, Scalar roundoff) {
+  const Simplex feature = hint;
   auto vertices = places_of(a, b, feature.vertices[0]);
   Simplex settled = feature;
   if (feature.count == 1) {
@@ -152,6 +168,10 @@ Manifold<Scalar> contact_of_apart(const ConvexPolygon<Scalar>& a, const ConvexPo
     settled.vertices[0] = {vertices.features.a.index, vertices.features.b.index};
   }
   const NearestFaces<Scalar> faces = nearest_faces(a, b, settled);
+  if (!are_round(a, b) && faces.separation() > a.radius + b.radius) {
+    hint = simplex_of(a, b, faces.greatest());
+    return {};
+  }
   if (a.face_count() + b.face_count() > 0) {
     const auto what = are_round(a, b) ? PlaceAtFace::corner : PlaceAtFace::on_edge;
     const auto inside = contact_inside_faces(a, b, faces, what, roundoff);
@@ -179,13 +199,24 @@ PointContact<Scalar> contact_by_gjk(const ConvexPolygon<Scalar>& a, const Convex
   if (found.apartness == Apartness::separated) return contact;
   const Scalar roundoff = clipping::separation_roundoff(a, b);
   if (found.apartness == Apartness::apart) {
-    contact.manifold = contact_of_apart(a, b, found.simplex, roundoff);
+    contact.manifold = contact_of_apart(a, b, hint, roundoff);
     return contact;
   }
   const EpaResult nearest = epa(a, b, found.simplex);
   contact.epa_iterations = nearest.iterations;
   contact.manifold = contact_of_overlap(a, b, nearest.edge, roundoff);
   return contact;
+}
+
+/// The same with B standing at `b_in_a` in A's frame (see `relative_pose`), whose rotation is taken
+/// to be unit. What the last step's direction still separates costs least.
+template <class Scalar>
+PointContact<Scalar> contact_by_gjk(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                    const Pose<Scalar>& b_in_a, Simplex& hint) {
+  const Scalar total_radius = a.radius + b.radius;
+  const bool may_separate = total_radius == 0 || are_round(a, b) || is_face(a, b, hint);
+  if (may_separate && separates(hint, a, b, b_in_a, total_radius)) return {{}, 1, 0};
+  return contact_by_gjk(a, transform(b_in_a, b), hint);
 }
 
 }  // namespace manifuzz::methods

@@ -10,7 +10,7 @@ Answer closest_points(const PairCase& pair, Scalar) {
   const Pose<Scalar> b_in_a = relative_pose(placed.pose_a, placed.pose_b);
   methods::Simplex hint;
   Manifold<Scalar> manifold =
-      methods::contact_by_gjk(placed.a, transform(b_in_a, placed.b), hint).manifold;
+      methods::contact_by_gjk(placed.a, placed.b, b_in_a, hint).manifold;
   manifold.points[0].position *= placed.local_per_world;
   return manifold_cast<double>(manifold);
 }
