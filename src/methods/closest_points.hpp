@@ -1,14 +1,11 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 
 #include "clipping/curved_shapes.hpp"
-#include "methods/epa.hpp"
-#include "methods/nearest_faces.hpp"
-#include "methods/shrink.hpp"
+#include "methods/nearest_features.hpp"
 
 namespace manifuzz::methods {
 
@@ -88,26 +85,6 @@ Manifold<Scalar> contact_of_same_points(const ConvexPolygon<Scalar>& a,
   return manifold;
 }
 
-/// Of cores that overlap, from the nearest edge of their difference's outline.
-template <class Scalar>
-Manifold<Scalar> contact_of_overlap(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                    const Simplex& edge, Scalar roundoff) {
-  if (a.face_count() + b.face_count() == 0) return contact_of_same_points(a, b);
-  const NearestFaces<Scalar> faces = nearest_faces(a, b, edge);
-  const auto inside = contact_inside_faces(a, b, faces, PlaceAtFace::on_edge, roundoff);
-  return inside ? *inside : contact_at_deepest(a, b, faces);
-}
-
-/// Two vertices as places.
-template <class Scalar>
-clipping::NearestPlaces<Scalar> places_of(const ConvexPolygon<Scalar>& a,
-                                          const ConvexPolygon<Scalar>& b, SupportPair pair) {
-  return {a.vertices[pair.a],
-          b.vertices[pair.b],
-          b.vertices[pair.b] - a.vertices[pair.a],
-          {clipping::vertex(pair.a), clipping::vertex(pair.b)}};
-}
-
 /// Of mitred polygons that are nearest at two vertices. Skins touch along faces alone, and each
 /// reaches past its core by the total radius along them, as side planes of clipping do: the contact
 /// is on the incident skin where both reach it, and there is none where they do not.
@@ -141,45 +118,17 @@ Manifold<Scalar> contact_of_vertices(const ConvexPolygon<Scalar>& a, const Conve
   return clipping::nearest_contact(a, b, nearest, *normal, roundoff, SecondPoint::never());
 }
 
-/// A face and the other core's deepest vertex, as a simplex.
+/// Where nothing is in front of a face: at two vertices; and of cores that overlap, at the deepest.
 template <class Scalar>
-Simplex simplex_of(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                   const FoundFace<Scalar>& face) {
-  const auto index = [](int i) { return static_cast<unsigned char>(i); };
-  const auto [side, found] = face;
-  const unsigned char deepest = index(found.deepest);
-  const unsigned char first = index(found.face);
-  if (side == Side::a) {
-    return {{{{first, deepest}, {index(a.next(found.face)), deepest}, {}}}, 2};
+Manifold<Scalar> contact_outside_faces(const ConvexPolygon<Scalar>& a,
+                                       const ConvexPolygon<Scalar>& b,
+                                       const NearestFeatures<Scalar>& nearest, Scalar roundoff) {
+  if (nearest.apartness == Apartness::overlapping) {
+    const bool are_points = a.face_count() + b.face_count() == 0;
+    return are_points ? contact_of_same_points(a, b) : contact_at_deepest(a, b, nearest.faces);
   }
-  return {{{{deepest, first}, {deepest, index(b.next(found.face))}, {}}}, 2};
-}
-
-/// Of cores that are apart, from the feature of their difference that is nearest, `hint`. Where a
-/// face separates mitred skins, it is the next step's hint.
-template <class Scalar>
-Manifold<Scalar> contact_of_apart(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                  Simplex& hint, Scalar roundoff) {
-  const Simplex feature = hint;
-  auto vertices = places_of(a, b, feature.vertices[0]);
-  Simplex settled = feature;
-  if (feature.count == 1) {
-    clipping::settle_vertices(a, b, vertices);
-    settled.vertices[0] = {vertices.features.a.index, vertices.features.b.index};
-  }
-  const NearestFaces<Scalar> faces = nearest_faces(a, b, settled);
-  if (!are_round(a, b) && faces.separation() > a.radius + b.radius) {
-    hint = simplex_of(a, b, faces.greatest());
-    return {};
-  }
-  if (a.face_count() + b.face_count() > 0) {
-    const auto what = are_round(a, b) ? PlaceAtFace::corner : PlaceAtFace::on_edge;
-    const auto inside = contact_inside_faces(a, b, faces, what, roundoff);
-    if (inside) return *inside;
-  }
-  if (feature.count == 2) clipping::settle_vertices(a, b, vertices);
-  return are_round(a, b) ? contact_of_vertices(a, b, faces, vertices, roundoff)
-                         : contact_of_skins(a, b, faces, vertices);
+  return are_round(a, b) ? contact_of_vertices(a, b, nearest.faces, nearest.vertices, roundoff)
+                         : contact_of_skins(a, b, nearest.faces, nearest.vertices);
 }
 
 /// The contact of two shapes that stand in one frame, by the closest points of their cores: the
@@ -188,23 +137,14 @@ Manifold<Scalar> contact_of_apart(const ConvexPolygon<Scalar>& a, const ConvexPo
 template <class Scalar>
 PointContact<Scalar> contact_by_gjk(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                     Simplex& hint) {
-  PointContact<Scalar> contact;
-  const auto total_radius = static_cast<double>(a.radius) + static_cast<double>(b.radius);
-  // Mitred skins reach past their cores' corners by more than they are thick.
-  const bool is_limited = total_radius == 0 || are_round(a, b);
-  const double limit = is_limited ? total_radius : std::numeric_limits<double>::infinity();
-  const GjkResult found = gjk(a, b, hint, limit);
-  hint = found.simplex;
-  contact.gjk_iterations = found.iterations;
-  if (found.apartness == Apartness::separated) return contact;
+  const NearestFeatures<Scalar> nearest = nearest_features(a, b, hint);
+  PointContact<Scalar> contact{{}, nearest.gjk_iterations, nearest.epa_iterations};
+  if (nearest.apartness == Apartness::separated) return contact;
+  const bool are_apart = nearest.apartness == Apartness::apart && are_round(a, b);
   const Scalar roundoff = clipping::separation_roundoff(a, b);
-  if (found.apartness == Apartness::apart) {
-    contact.manifold = contact_of_apart(a, b, hint, roundoff);
-    return contact;
-  }
-  const EpaResult nearest = epa(a, b, found.simplex);
-  contact.epa_iterations = nearest.iterations;
-  contact.manifold = contact_of_overlap(a, b, nearest.edge, roundoff);
+  const auto inside = contact_inside_faces(
+      a, b, nearest.faces, are_apart ? PlaceAtFace::corner : PlaceAtFace::on_edge, roundoff);
+  contact.manifold = inside ? *inside : contact_outside_faces(a, b, nearest, roundoff);
   return contact;
 }
 

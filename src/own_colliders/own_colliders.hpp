@@ -71,6 +71,9 @@ Collider make_gjk();
 /// The same in double.
 Collider make_gjk64();
 
+/// Clipping, with the faces by GJK and EPA; polygons alone.
+Collider make_gjk_clip();
+
 // A namespace of its own, as clipping has, keeps planted copies apart.
 namespace own {
 
