@@ -5,8 +5,8 @@
 
 namespace manifuzz::methods {
 
-/// The manifold of two mitred polygons in one frame: which faces touch by GJK and EPA, the points by
-/// clipping. `hint` is what the last step left, and is left for the next.
+/// The manifold of two mitred polygons in one frame: which faces touch by GJK and EPA, the points
+/// by clipping. `hint` is what the last step left, and is left for the next.
 template <class Scalar>
 Manifold<Scalar> clip_by_gjk(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                              Simplex& hint) {

@@ -62,9 +62,8 @@ struct EpaResult {
 /// Another vertex of the difference than a given one, if it has any.
 template <class Scalar>
 SupportPair another_vertex(const Difference<Scalar>& difference, SupportPair vertex) {
-  for (const Vector2<double>& direction :
-       {Vector2<double>(1, 0), Vector2<double>(-1, 0), Vector2<double>(0, 1),
-        Vector2<double>(0, -1)}) {
+  for (const Vector2<double>& direction : {Vector2<double>(1, 0), Vector2<double>(-1, 0),
+                                           Vector2<double>(0, 1), Vector2<double>(0, -1)}) {
     const SupportPair support = difference.support(direction);
     const Vector2<double> between = difference.edge(vertex, support);
     if (between.x() != 0 || between.y() != 0) return support;
@@ -129,8 +128,7 @@ void make_convex(const Difference<Scalar>& difference, Outline& outline, int at)
 /// but moves its places by no more than itself. It stops by no count, and ends: each step adds a
 /// vertex that the outline never had, and there are finitely many.
 template <class Scalar>
-EpaResult epa(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-              const Simplex& from) {
+EpaResult epa(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b, const Simplex& from) {
   const Difference<Scalar> difference(a, b);
   Outline outline = first_outline(difference, from);
   if (outline.count == 1) return {from, 0};

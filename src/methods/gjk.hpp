@@ -116,8 +116,8 @@ NearestFeature nearest_of_edge(const Difference<Scalar>& difference, SupportPair
   return {{{q, p}, 2}, -left, squared, false};
 }
 
-/// Of a triangle: the origin is in it, or some edge has the origin on its outer side. A flat one has
-/// no inside.
+/// Of a triangle: the origin is in it, or some edge has the origin on its outer side. A flat one
+/// has no inside.
 template <class Scalar>
 NearestFeature nearest_of_triangle(const Difference<Scalar>& difference, const Simplex& triangle) {
   const auto& p = triangle.vertices;
@@ -181,8 +181,7 @@ Simplex usable(const Difference<Scalar>& difference, const Simplex& hint) {
 /// depends on the simplex alone, each step strictly lowers it, and there are finitely many.
 template <class Scalar>
 GjkResult gjk(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-              const Simplex& hint = {},
-              double limit = std::numeric_limits<double>::infinity()) {
+              const Simplex& hint = {}, double limit = std::numeric_limits<double>::infinity()) {
   const Difference<Scalar> difference(a, b);
   GjkResult result;
   NearestFeature nearest = nearest_of_simplex(difference, usable(difference, hint));

@@ -14,7 +14,7 @@ namespace manifuzz::methods {
 /// A face of either core, and how far the other lies in front of it.
 template <class Scalar>
 struct FoundFace {
-  Side side = Side::a;                        ///< whose face it is
+  Side side = Side::a;                       ///< whose face it is
   clipping::FaceSeparation<Scalar> found{};  ///< its index and separation
 };
 
@@ -89,39 +89,35 @@ struct PlaceOfOther {
 /// farther along its outline, if it is no farther away there than `most`, a length; nothing where
 /// there is no such place.
 template <class Scalar>
-std::optional<PlaceOfOther<Scalar>> place_inside_face(
-    const ConvexPolygon<Scalar>& polygon, const clipping::FaceSeparation<Scalar>& found,
-    const ConvexPolygon<Scalar>& other, PlaceAtFace what, Scalar most) {
-  const Vector2<Scalar>& normal = polygon.normals[found.face];
+std::optional<PlaceOfOther<Scalar>> place_inside_face(const ConvexPolygon<Scalar>& polygon,
+                                                      const clipping::FaceSeparation<Scalar>& found,
+                                                      const ConvexPolygon<Scalar>& other,
+                                                      PlaceAtFace what, Scalar most) {
   const Vector2<Scalar>& from = polygon.vertices[found.face];
-  const Vector2<Scalar> along = counter_clockwise_quarter(normal);
   const Vector2<Scalar>& to = polygon.vertices[polygon.next(found.face)];
+  const Vector2<Scalar> along = clipping::along_face(polygon, found.face);
   const auto before = [&](int j) { return along.dot(from - other.vertices[j]); };
   const auto after = [&](int j) { return along.dot(other.vertices[j] - to); };
   const bool is_before = before(found.deepest) > 0;
   const auto outside = [&](int j) { return is_before ? before(j) : after(j); };
-  int j = found.deepest;
-  Scalar off = outside(j);
-  PlaceOfOther<Scalar> place{other.vertices[j], clipping::face(found.face), clipping::vertex(j)};
-  // The other's edges run against the face: what is farther along it comes before.
-  while (off > 0) {
-    const int k = is_before ? other.previous(j) : other.next(j);
-    const Scalar next_off = outside(k);
-    if (next_off >= off) return std::nullopt;
-    place.position = other.vertices[k];
-    place.of_other = clipping::vertex(k);
-    const bool passes = next_off <= 0 && (is_before ? after(k) : before(k)) > 0;
-    if (passes || (next_off < 0 && what == PlaceAtFace::on_edge)) {
-      if (what == PlaceAtFace::corner) return std::nullopt;
-      const Vector2<Scalar> edge = other.vertices[k] - other.vertices[j];
-      place = {other.vertices[j] + off / (off - next_off) * edge,
-               clipping::vertex(is_before ? found.face : polygon.next(found.face)),
-               clipping::face(is_before ? k : j)};
-    }
-    j = k;
-    off = next_off;
+  int last = found.deepest;
+  int j = last;
+  while (outside(j) > 0) {
+    last = j;
+    // The other's edges run against the face: what is farther along it comes before.
+    j = is_before ? other.previous(j) : other.next(j);
+    if (outside(j) >= outside(last)) return std::nullopt;
   }
-  if (normal.dot(place.position - from) > most) return std::nullopt;
+  PlaceOfOther<Scalar> place{other.vertices[j], clipping::face(found.face), clipping::vertex(j)};
+  if (j != last && what == PlaceAtFace::on_edge) {
+    const Scalar share = outside(last) / (outside(last) - outside(j));
+    place = {other.vertices[last] + share * (other.vertices[j] - other.vertices[last]),
+             clipping::vertex(is_before ? found.face : polygon.next(found.face)),
+             clipping::face(is_before ? j : last)};
+  } else if ((is_before ? after(j) : before(j)) > 0) {
+    return std::nullopt;
+  }
+  if (polygon.normals[found.face].dot(place.position - from) > most) return std::nullopt;
   return place;
 }
 

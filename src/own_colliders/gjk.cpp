@@ -32,14 +32,13 @@ Answer clipped(const PairCase& pair, float) {
 
 template <class Scalar>
 Collider of_closest_points(std::string name, std::string description) {
-  Collider collider =
-      own::collider_of<Scalar>({.name = std::move(name),
-                                .version = MANIFUZZ_VERSION,
-                                .description = std::move(description),
-                                .min_vertices = 1,
-                                .takes_round = true,
-                                .claims = Claims::point},
-                               closest_points<Scalar>, nullptr);
+  Collider collider = own::collider_of<Scalar>({.name = std::move(name),
+                                                .version = MANIFUZZ_VERSION,
+                                                .description = std::move(description),
+                                                .min_vertices = 1,
+                                                .takes_round = true,
+                                                .claims = Claims::point},
+                                               closest_points<Scalar>, nullptr);
   collider.in_double = make_gjk64;
   return collider;
 }

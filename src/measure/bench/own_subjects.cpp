@@ -58,9 +58,10 @@ Pass gjk_pass(std::span<const PairCase> pairs, bool hinted) {
 
 template <class Scalar, bool hinted>
 BenchSubject gjk_subject(std::string name, Collider (*make)()) {
-  return {.name = std::move(name),
-          .prepare = [](std::span<const PairCase> pairs) { return gjk_pass<Scalar>(pairs, hinted); },
-          .collider = make};
+  return {
+      .name = std::move(name),
+      .prepare = [](std::span<const PairCase> pairs) { return gjk_pass<Scalar>(pairs, hinted); },
+      .collider = make};
 }
 
 /// The deepest vertex behind the face of greatest separation, looked for once the face is known. A
