@@ -19,28 +19,45 @@ methods::Simplex hint_of(const PairCase& pair) {
     return hint;
   }
   hint.count = static_cast<int>(bits / 2 % 4);
+  const bool is_of_pair = bits / 8 % 4 > 0;
+  const auto index = [&](int shift, int count) {
+    return static_cast<unsigned char>((bits >> shift) % (is_of_pair ? count : kMaxVertices));
+  };
   for (int k = 0; k < 3; ++k) {
-    hint.vertices[k] = {static_cast<unsigned char>((bits >> (8 + 6 * k)) % 8),
-                        static_cast<unsigned char>((bits >> (11 + 6 * k)) % 8)};
+    hint.vertices[k] = {index(8 + 6 * k, pair.a.polygon.count),
+                        index(11 + 6 * k, pair.b.polygon.count)};
   }
   return hint;
 }
 
-Collider make_gjk_hinted() {
+Collider asked_with(const std::string& name, methods::Simplex (*hint_of_pair)(const PairCase&)) {
   Collider collider = make_gjk();
-  collider.declaration.name = "gjk with a hint";
-  collider.collide = [](const PairCase& pair) {
+  collider.declaration.name = name;
+  collider.collide = [hint_of_pair](const PairCase& pair) {
     return answer_of<float>(pair, [&](const auto& a, const auto& b, const Pose<float>& b_in_a) {
-      methods::Simplex hint = hint_of(pair);
-      methods::contact_by_gjk(a, b, b_in_a, hint);
+      methods::Simplex hint = hint_of_pair(pair);
       return methods::contact_by_gjk(a, b, b_in_a, hint).manifold;
     });
   };
   return collider;
 }
 
+Collider make_gjk_hinted() {
+  return asked_with("gjk with a hint", hint_of);
+}
+
+/// With what it left itself.
+Collider make_gjk_again() {
+  return asked_with("gjk asked again", [](const PairCase& pair) {
+    methods::Simplex hint;
+    methods::contact_by_gjk(pair.a.polygon, pair.b.polygon,
+                            relative_pose(pair.a.pose, pair.b.pose), hint);
+    return hint;
+  });
+}
+
 [[maybe_unused]] const bool planted =
-    canary::add_methods({PLANTED_BUGS}, {make_gjk, make_gjk64, make_gjk_hinted, make_gjk_clip});
+    canary::add_methods({PLANTED_BUGS}, {make_gjk, make_gjk64, make_gjk_hinted, make_gjk_again, make_gjk_clip});
 
 }  // namespace
 }  // namespace manifuzz

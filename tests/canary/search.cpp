@@ -35,7 +35,7 @@ std::string row(const std::string& name, const std::optional<Sighting>& caught) 
                      pair.a.polygon.count, pair.b.polygon.count, digits_of(pair));
 }
 
-void check(const PlantedBug& bug) {
+void check_caught(const PlantedBug& bug) {
   // What it shrinks to, which takes as long again, is shown by the whole table.
   const std::uint64_t cases_max = is_unedited(bug) ? bug.cases_max / kUneditedShare : bug.cases_max;
   const auto caught = bug.search({.seed = kSeed, .cases_max = cases_max, .shrinks = false});
@@ -114,7 +114,7 @@ std::vector<PlantedBug>& planted_bugs() {
 
 void add_planted_bug(PlantedBug bug) {
   const std::string name = is_unedited(bug) ? bug.name + " is not caught" : bug.name + " is caught";
-  test::add_test(name, "[planted]", [bug] { check(bug); });
+  test::add_test(name, "[planted]", [bug] { check_caught(bug); });
   planted_bugs().push_back(std::move(bug));
 }
 
