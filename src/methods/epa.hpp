@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <utility>
 
 #include "methods/gjk.hpp"
@@ -32,7 +31,7 @@ struct Outline {
   }
   /// Puts a vertex before the one of this index. False where it has, or had, that vertex.
   bool insert(int at, SupportPair pair) {
-    const std::uint64_t bit = std::uint64_t(1) << (pair.a * kMaxVertices + pair.b);
+    const std::uint64_t bit = bit_of(pair);
     if ((added & bit) != 0) return false;
     added |= bit;
     for (int k = count++; k > at; --k) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "geometry/convex_polygon.hpp"
@@ -16,6 +18,12 @@ struct SupportPair {
   friend bool operator==(const SupportPair&, const SupportPair&) = default;
 };
 
+/// A bit of its own for each pair of vertices.
+constexpr std::uint64_t bit_of(SupportPair pair) {
+  static_assert(kMaxVertices * kMaxVertices <= 64);
+  return std::uint64_t(1) << (pair.a * kMaxVertices + pair.b);
+}
+
 /// 0 to 3 vertices of the difference, plain data: what one step leaves to the next one as its hint,
 /// both where to begin and which support to ask for first. Any indices will do, of other shapes
 /// too: a bad hint costs iterations and nothing else.
@@ -23,13 +31,6 @@ struct Simplex {
   std::array<SupportPair, 3> vertices{};  ///< `count` of them
   int count = 0;                          ///< 0: there is none
 
-  /// Whether it has that vertex.
-  bool has(SupportPair pair) const {
-    for (int k = 0; k < count; ++k) {
-      if (vertices[k] == pair) return true;
-    }
-    return false;
-  }
   friend bool operator==(const Simplex&, const Simplex&) = default;
 };
 
@@ -171,27 +172,55 @@ Simplex usable(const Difference<Scalar>& difference, const Simplex& hint) {
   return is_usable ? hint : Simplex{{}, 1};
 }
 
+/// Whether there is progress, so that the steps end: the least distance so far, and what was asked
+/// for since it was found.
+class Progress {
+ public:
+  explicit Progress(double squared) : least_(squared) {}
+
+  /// Whether a step to a feature leads on, by this support: it is nearer, or as near as rounding
+  /// tells by a support that was not asked for at this distance. `far` is a vertex of the feature, f
+  /// away. A distance d is off by 4 u f: one for each of the differences, the product and the sum
+  /// that make the area, 3 u d for the rest; so its square by 14 u d f, for d is at most f, and so
+  /// is the other one.
+  bool goes_on(double squared, const Vector2<double>& far, SupportPair support) {
+    constexpr double off = 14 * std::numeric_limits<double>::epsilon();
+    if (squared < least_) {
+      least_ = squared;
+      asked_ = 0;
+    } else if (squared > least_ + off * std::sqrt(least_ * far.dot(far)) ||
+               (asked_ & bit_of(support)) != 0) {
+      return false;
+    }
+    asked_ |= bit_of(support);
+    return true;
+  }
+
+ private:
+  double least_;
+  std::uint64_t asked_ = 0;
+};
+
 /// Gilbert, Johnson and Keerthi's distance of two cores in one frame, radii left out, from a hint
 /// on. Stops as soon as a direction separates them by more than `limit`, a length.
 ///
-/// It stops by no count. A step asks for the vertex that is least far along the direction to the
-/// nearest feature. If the simplex has that vertex, none is nearer; and if the new simplex is not
-/// strictly nearer as computed, what it would gain is below the rounding of the squares compared:
-/// 8 roundoffs of double, of the square of the distance. It always ends: the computed distance
-/// depends on the simplex alone, each step strictly lowers it, and there are finitely many.
+/// It stops by no count, but where no vertex is less far along the direction to the nearest feature
+/// than that is. A step that gains less than the rounding of distances is taken none the less: it
+/// turns the direction by up to the root of that. It always ends: the least computed distance
+/// strictly decreases, through finitely many simplices; and between two decreases each step asks
+/// for another one of finitely many vertices. Where none is gained though a vertex lies on the far
+/// side of the origin, the origin is in the simplex but for rounding.
 template <class Scalar>
 GjkResult gjk(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
               const Simplex& hint = {}, double limit = std::numeric_limits<double>::infinity()) {
   const Difference<Scalar> difference(a, b);
   GjkResult result;
   NearestFeature nearest = nearest_of_simplex(difference, usable(difference, hint));
+  Progress progress(nearest.squared);
   for (;;) {
     result.simplex = nearest.feature;
     result.direction = nearest.direction;
-    if (nearest.holds_origin) {
-      result.apartness = Apartness::overlapping;
-      return result;
-    }
+    if (nearest.holds_origin) break;
     ++result.iterations;
     const SupportPair support = difference.support(nearest.direction);
     const double height = nearest.direction.dot(difference.vertex(support));
@@ -199,13 +228,20 @@ GjkResult gjk(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
       result.apartness = Apartness::separated;
       return result;
     }
-    if (nearest.feature.has(support)) return result;
+    const Vector2<double> gain = difference.edge(nearest.feature.vertices[0], support);
+    if (nearest.direction.dot(gain) >= 0) return result;
     Simplex next = nearest.feature;
     next.vertices[next.count++] = support;
-    const NearestFeature nearer = nearest_of_simplex(difference, next);
-    if (!nearer.holds_origin && !(nearer.squared < nearest.squared)) return result;
-    nearest = nearer;
+    nearest = nearest_of_simplex(difference, next);
+    if (nearest.holds_origin) continue;
+    const Vector2<double> far = difference.vertex(nearest.feature.vertices[0]);
+    if (progress.goes_on(nearest.squared, far, support)) continue;
+    if (height > 0) return result;
+    result.simplex = next;
+    break;
   }
+  result.apartness = Apartness::overlapping;
+  return result;
 }
 
 /// Whether a simplex is a face of a core, with a vertex of the other: canonical, so that its

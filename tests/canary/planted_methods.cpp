@@ -50,14 +50,14 @@ Collider make_gjk_hinted() {
 Collider make_gjk_again() {
   return asked_with("gjk asked again", [](const PairCase& pair) {
     methods::Simplex hint;
-    methods::contact_by_gjk(pair.a.polygon, pair.b.polygon,
-                            relative_pose(pair.a.pose, pair.b.pose), hint);
+    methods::contact_by_gjk(pair.a.polygon, pair.b.polygon, relative_pose(pair.a.pose, pair.b.pose),
+                            hint);
     return hint;
   });
 }
 
-[[maybe_unused]] const bool planted =
-    canary::add_methods({PLANTED_BUGS}, {make_gjk, make_gjk64, make_gjk_hinted, make_gjk_again, make_gjk_clip});
+[[maybe_unused]] const bool planted = canary::add_methods(
+    {PLANTED_BUGS}, {make_gjk, make_gjk64, make_gjk_hinted, make_gjk_again, make_gjk_clip});
 
 }  // namespace
 }  // namespace manifuzz
