@@ -51,6 +51,7 @@ const std::vector<ColliderEntry>& colliders() {
       {"batch64", [] { return make_batch64(); }, true},
       {"gjk", make_gjk},
       {"gjk64", make_gjk64},
+      {"gjk-shrunk", make_gjk_shrunk},
       {"gjk-clip", make_gjk_clip},
       {"box2d", [] { return make_box2d(); }},
       {"chipmunk", make_chipmunk},

@@ -179,8 +179,8 @@ class Progress {
   explicit Progress(double squared) : least_(squared) {}
 
   /// Whether a step to a feature leads on, by this support: it is nearer, or as near as rounding
-  /// tells by a support that was not asked for at this distance. `far` is a vertex of the feature, f
-  /// away. A distance d is off by 4 u f: one for each of the differences, the product and the sum
+  /// tells by a support that was not asked for at this distance. `far` is a vertex of the feature,
+  /// f away. A distance d is off by 4 u f: one for each of the differences, the product and the sum
   /// that make the area, 3 u d for the rest; so its square by 14 u d f, for d is at most f, and so
   /// is the other one.
   bool goes_on(double squared, const Vector2<double>& far, SupportPair support) {

@@ -1,5 +1,6 @@
 #include "methods/clip_by_gjk.hpp"
 #include "methods/closest_points.hpp"
+#include "methods/shrink.hpp"
 #include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
@@ -43,6 +44,31 @@ Collider of_closest_points(std::string name, std::string description) {
   return collider;
 }
 
+/// By which part of its inradius each polygon is shrunk.
+constexpr double kShrunkPart = 0.25;
+
+/// A shape as an answer says that it was used.
+UsedVertices used(const ConvexPolygon<float>& shape) {
+  UsedVertices vertices;
+  vertices.count = shape.count;
+  for (int i = 0; i < shape.count; ++i) vertices.all[i] = shape.vertices[i].cast<double>();
+  vertices.round_radius = shape.radius;
+  return vertices;
+}
+
+Answer by_shrunk_shapes(const PairCase& pair, float) {
+  const auto shrunk = [](const ConvexPolygon<float>& polygon) {
+    return methods::shrink(polygon, static_cast<float>(kShrunkPart * methods::inradius(polygon)));
+  };
+  PairCase of_shrunk = pair;
+  of_shrunk.a.polygon = shrunk(pair.a.polygon);
+  of_shrunk.b.polygon = shrunk(pair.b.polygon);
+  PartialManifold answer;
+  answer.manifold = std::get<Manifold<double>>(closest_points<float>(of_shrunk, 0));
+  answer.used = UsedShapes{used(of_shrunk.a.polygon), used(of_shrunk.b.polygon)};
+  return answer;
+}
+
 }  // namespace
 
 Collider make_gjk() {
@@ -52,6 +78,20 @@ Collider make_gjk() {
 
 Collider make_gjk64() {
   return of_closest_points<double>("gjk64", "the same in double, on the same float input");
+}
+
+Collider make_gjk_shrunk() {
+  Collider collider = own::collider_of<float>(
+      {.name = "gjk-shrunk",
+       .version = MANIFUZZ_VERSION,
+       .description = "gjk on polygons shrunk by a quarter of their inradius, corners then round",
+       .min_vertices = 1,
+       .takes_round = true,
+       .claims = Claims::point,
+       .alters_shapes = true},
+      by_shrunk_shapes, nullptr);
+  collider.in_double = nullptr;
+  return collider;
 }
 
 Collider make_gjk_clip() {

@@ -71,6 +71,9 @@ Collider make_gjk();
 /// The same in double.
 Collider make_gjk64();
 
+/// The same of polygons that are shrunk first, as the article has it; says the shapes used.
+Collider make_gjk_shrunk();
+
 /// Clipping, with the faces by GJK and EPA; polygons alone.
 Collider make_gjk_clip();
 
