@@ -79,12 +79,13 @@ TEST_CASE("a hint of other shapes' vertices is no hint") {
 }
 
 TEST_CASE("the last direction tells that cores are still apart, and not that they touch") {
-  const Simplex face = gjk(kBox, box_at(5, 0.5)).simplex;
-  CHECK(is_face(kBox, kBox, face));
-  CHECK(separates<double>(face, kBox, kBox, {{2.5, 0.5}, {1, 0}}, 0.4));
-  CHECK_FALSE(separates<double>(face, kBox, kBox, {{2.5, 0.5}, {1, 0}}, 0.6));
-  CHECK_FALSE(separates<double>(face, kBox, kBox, {{1.5, 0.5}, {1, 0}}, 0.0));
-  CHECK(separates<double>(face, kBox, kBox, {{2.5, 0.5}, {0, 1}}, 0.4));
+  const auto spike = shape<double>({{-1, 0}, {1, -1}, {1, 1}});
+  const Simplex face = gjk(kBox, transform<double>({{5, 0.5}, {1, 0}}, spike)).simplex;
+  CHECK(is_face(kBox, spike, face));
+  CHECK(separates<double>(face, kBox, spike, {{2.5, 0.5}, {1, 0}}, 0.4));
+  CHECK_FALSE(separates<double>(face, kBox, spike, {{2.5, 0.5}, {1, 0}}, 0.6));
+  CHECK_FALSE(separates<double>(face, kBox, spike, {{1.5, 0.5}, {1, 0}}, 0.0));
+  CHECK(separates<double>(face, kBox, spike, {{2.5, 0.5}, {0, 1}}, 0.4));
   const Simplex corner = gjk(kBox, box_at(5, 6)).simplex;
   CHECK_FALSE(is_face(kBox, kBox, corner));
   CHECK(separates<double>(corner, kBox, kBox, {{5, 6}, {1, 0}}, 4.9));
