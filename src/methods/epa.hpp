@@ -14,8 +14,8 @@ struct Outline {
 
   std::array<SupportPair, kMax> vertices;  ///< `count` of them
   std::array<double, kMax> squared;        ///< the distance's of the edge that begins there
-  int count = 0;
-  std::uint64_t added = 0;  ///< a bit for each pair that it has, or had
+  int count = 0;                           ///< of both
+  std::uint64_t added = 0;                 ///< a bit for each pair that it has, or had
 
   /// The vertex after this one, counted round.
   int next(int k) const { return k + 1 < count ? k + 1 : 0; }
@@ -54,7 +54,7 @@ struct Outline {
 /// What EPA finds: the edge of the difference's outline that is nearest to the origin, in
 /// counter-clockwise order; one vertex where the difference is a point.
 struct EpaResult {
-  Simplex edge;
+  Simplex edge;        ///< of 2 vertices, or 1
   int iterations = 0;  ///< how many supports were asked for
 };
 

@@ -156,10 +156,10 @@ enum class Apartness : unsigned char {
 
 /// What GJK finds.
 struct GjkResult {
-  Apartness apartness = Apartness::apart;
-  Simplex simplex;                  ///< of 1 or 2 vertices where apart; the next step's hint
-  Vector2<double> direction{0, 0};  ///< from A to B, of any length; none where they overlap
-  int iterations = 0;               ///< how many supports were asked for, at least 1 where apart
+  Apartness apartness = Apartness::apart;  ///< which of the three
+  Simplex simplex;                         ///< of 1 or 2 vertices where apart; the next step's hint
+  Vector2<double> direction{0, 0};         ///< from A to B, of any length; none where they overlap
+  int iterations = 0;  ///< how many supports were asked for, at least 1 where apart
 };
 
 /// A hint as a simplex of these cores: the vertex (0, 0) in place of what is none of theirs.
@@ -176,6 +176,7 @@ Simplex usable(const Difference<Scalar>& difference, const Simplex& hint) {
 /// for since it was found.
 class Progress {
  public:
+  /// Begins at this square of a distance.
   explicit Progress(double squared) : least_(squared) {}
 
   /// Whether a step to a feature leads on, by this support: it is nearer, or as near as rounding

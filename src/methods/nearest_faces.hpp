@@ -25,9 +25,9 @@ struct NearestFaces {
   static constexpr int kMax = 2 * (kMaxVertices + 1);
 
   std::array<FoundFace<Scalar>, kMax> all;  ///< `count` of them
-  int count = 0;
-  clipping::FaceSeparation<Scalar> of_a;  ///< A's greatest; minus infinity where A is a point
-  clipping::FaceSeparation<Scalar> of_b;  ///< the same of B
+  int count = 0;                            ///< of all
+  clipping::FaceSeparation<Scalar> of_a;    ///< A's greatest; minus infinity where A is a point
+  clipping::FaceSeparation<Scalar> of_b;    ///< the same of B
 
   /// Whether A's separates at least as much.
   bool is_of_a() const { return of_a.separation >= of_b.separation; }
