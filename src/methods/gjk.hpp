@@ -124,6 +124,7 @@ NearestFeature nearest_of_triangle(const Difference<Scalar>& difference, const S
   const auto& p = triangle.vertices;
   const double turn = cross(difference.edge(p[0], p[1]), difference.edge(p[0], p[2]));
   NearestFeature nearest;
+  nearest.feature = {{p[0]}, 1};
   bool is_inside = turn != 0;
   for (int k = 0; k < 3; ++k) {
     const SupportPair from = p[k];
