@@ -58,13 +58,45 @@ Rational squared_distance(const Vertex& p, const Outline& outline) {
   return least;
 }
 
-Rational squared_alteration(const ConvexPolygon<float>& polygon, const UsedVertices& used) {
-  const Outline one = outline_of(polygon.corners());
-  const Outline other = outline_of(used.corners());
+/// How far the farthest vertex of one lies from the other, both filled.
+Rational squared_farthest(const Outline& of, const Outline& from) {
   Rational most(0);
-  for (const Vertex& v : one) most = std::max(most, squared_distance(v, other));
-  for (const Vertex& v : other) most = std::max(most, squared_distance(v, one));
+  for (const Vertex& v : of) most = std::max(most, squared_distance(v, from));
   return most;
+}
+
+/// Whether a circle around each vertex is in the filled outline: farther than `depth` >= 0 behind
+/// every edge.
+bool are_behind(const Outline& vertices, const Outline& outline, const Rational& depth) {
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vertex edge = outline[(i + 1) % outline.size()] - outline[i];
+    const Rational least = depth * depth * squared(edge);
+    for (const Vertex& v : vertices) {
+      const Vertex off = v - outline[i];
+      const Rational left = edge.x * off.y - edge.y * off.x;
+      if (left.sign() < 0 || left * left < least) return false;
+    }
+  }
+  return true;
+}
+
+/// How far the least deep vertex is behind an edge, as near as double says it.
+double least_depth(const Outline& vertices, const Outline& outline) {
+  double least = INFINITY;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vertex edge = outline[(i + 1) % outline.size()] - outline[i];
+    for (const Vertex& v : vertices) {
+      const Vertex off = v - outline[i];
+      const Rational left = edge.x * off.y - edge.y * off.x;
+      least = std::min(least,
+                       static_cast<double>(left) / std::sqrt(static_cast<double>(squared(edge))));
+    }
+  }
+  return least;
+}
+
+double farthest(const Outline& of, const Outline& from) {
+  return std::sqrt(static_cast<double>(squared_farthest(of, from)));
 }
 
 }  // namespace
@@ -74,12 +106,27 @@ Alteration::Alteration(const ConvexPolygon<float>& polygon, const UsedVertices& 
   const bool is_same = std::ranges::equal(
       polygon.corners(), used.corners(),
       [](const auto& p, const auto& q) { return p.template cast<double>() == q; });
-  if (!is_same) distance_ = std::sqrt(static_cast<double>(squared_alteration(polygon, used)));
+  const auto radius = static_cast<double>(polygon.radius);
+  grown_ = static_cast<double>(used.round_radius.value_or(polygon.radius)) - radius;
+  if (is_same && grown_ == 0) return;
+  const Outline one = outline_of(polygon.corners());
+  const Outline other = outline_of(used.corners());
+  const double lost = farthest(one, other) - grown_;
+  double gained = farthest(other, one);
+  if (gained == 0 && grown_ > 0) gained = -least_depth(other, one);
+  distance_ = std::max({lost, gained + grown_, 0.0});
 }
 
 bool Alteration::exceeds(double length) const {
   if (distance_ == 0) return false;
-  return squared_alteration(*polygon_, *used_) > Rational(length) * Rational(length);
+  const Outline one = outline_of(polygon_->corners());
+  const Outline other = outline_of(used_->corners());
+  const auto is_within = [](const Outline& of, const Outline& from, const Rational& most) {
+    if (most.sign() < 0) return are_behind(of, from, -most);
+    return squared_farthest(of, from) <= most * most;
+  };
+  return !is_within(one, other, Rational(length) + Rational(grown_)) ||
+         !is_within(other, one, Rational(length) - Rational(grown_));
 }
 
 }  // namespace manifuzz::exact

@@ -50,6 +50,7 @@ StoredBody stored(const Body& body, const UsedVertices& used) {
   StoredBody result = stored(body);
   result.polygon.count = used.count;
   result.polygon.vertices = used.all;
+  if (used.round_radius) result.polygon.radius = static_cast<double>(*used.round_radius);
   return result;
 }
 

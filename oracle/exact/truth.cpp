@@ -7,11 +7,15 @@ namespace {
 
 /// With the floats nearest to what is stored; as floats they may be no polygons, and their normals
 /// mean nothing.
-PairCase nearest(PairCase pair, const StoredPair& shapes) {
+PairCase nearest(PairCase pair, const StoredPair& shapes, const UsedShapes& used) {
   for (const Side side : {Side::a, Side::b}) {
     const StoredPolygon& from = shapes[side].polygon;
     ConvexPolygon<float>& polygon = pair[side].polygon;
     polygon.count = from.count;
+    if (used[side].round_radius) {
+      polygon.radius = *used[side].round_radius;
+      polygon.rounding = Rounding::round;
+    }
     for (int i = 0; i < from.count; ++i) polygon.vertices[i] = from.vertices[i].cast<float>();
   }
   return pair;
@@ -69,7 +73,7 @@ Truth::Truth(const PairCase& pair, const UsedShapes& used)
     : stored_(exact::stored(pair, used)),
       size_(manifuzz::size(pair)),
       placed_(place_roughly(stored_)) {
-  pair_ = nearest(pair, stored_);
+  pair_ = nearest(pair, stored_, used);
   extent_ = manifuzz::extent(pair_) * kExtentSlack;
   rough_ = separations(placed_, extent_);
 }

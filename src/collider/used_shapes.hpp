@@ -2,22 +2,25 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 
 #include "geometry/pair_case.hpp"
 
 namespace manifuzz {
 
-/// 1 to kMaxVertices vertices in a polygon's own frame; nothing more is known of them.
+/// 1 to kMaxVertices vertices in a polygon's own frame, and what is around them.
 struct UsedVertices {
   std::array<Vector2<double>, kMaxVertices> all;
   int count = 0;
+  /// With round corners of this radius, a length; else the case's own radius and rounding.
+  std::optional<float> round_radius{};
 
   std::span<const Vector2<double>> corners() const {
     return {all.data(), static_cast<std::size_t>(count)};
   }
   friend bool operator==(const UsedVertices& p, const UsedVertices& q) {
-    return std::ranges::equal(p.corners(), q.corners());
+    return p.round_radius == q.round_radius && std::ranges::equal(p.corners(), q.corners());
   }
 };
 

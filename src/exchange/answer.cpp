@@ -36,18 +36,6 @@ void append_manifold(std::string& out, const PairCase& pair, const Manifold<doub
   out += ']';
 }
 
-void append_shapes(std::string& out, const UsedShapes& used) {
-  out += ", \"shapes\": {";
-  for (const Side side : {Side::a, Side::b}) {
-    out += side == Side::a ? "\"a\": [" : "], \"b\": [";
-    for (int i = 0; i < used[side].count; ++i) {
-      if (i > 0) out += ", ";
-      append_vector(out, used[side].all[i]);
-    }
-  }
-  out += "]}";
-}
-
 void append_penetration(std::string& out, const PairCase& pair, const Penetration& penetration) {
   out += penetration.touches ? "\"touching\": true" : "\"touching\": false";
   if (!penetration.normal) return;
@@ -117,13 +105,7 @@ class ManifoldReader {
     if (!given) return std::nullopt;
     UsedShapes used;
     for (const Side side : {Side::a, Side::b}) {
-      const JsonView vertices = given->at(side == Side::a ? "a" : "b");
-      const std::size_t count = vertices.length("an array of vertices");
-      if (count < 1 || count > kMaxVertices) {
-        vertices.fail(fmt::format("has {} vertices; 1 to {} are expected", count, kMaxVertices));
-      }
-      used[side].count = static_cast<int>(count);
-      for (std::size_t i = 0; i < count; ++i) used[side].all[i] = vector(vertices[i]);
+      used[side] = read_used_vertices(given->at(side == Side::a ? "a" : "b"));
     }
     return used;
   }

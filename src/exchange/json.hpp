@@ -105,6 +105,12 @@ void expect_two(const JsonView& array, std::string_view expected);
 /// UserError that begins with a path.
 Body read_body(const JsonView& object);
 
+/// The shapes that an answer says it used: [[x, y], ...], or with round corners {"vertices":
+/// [[x, y], ...], "radius": r}; as a member of an object, after others.
+void append_shapes(std::string& out, const UsedShapes& used);
+/// One of them. Throws UserError that begins with a path.
+UsedVertices read_used_vertices(const JsonView& shape);
+
 /// "f2" for face 2, "v0" for vertex 0.
 std::string feature_name(Feature feature);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "judging/mitred_contact.hpp"
 #include "judging/round_contact.hpp"
 #include "oracle/exact/witness.hpp"
 
@@ -114,10 +115,16 @@ class ByCurve {
   bool touches_as_it_should() {
     const bool must = curve_.compare_least(bounds_.touching + declaration_.least_depth) > 0;
     const bool may = curve_.compare_least(-bounds_.touching - declaration_.speculative) >= 0;
-    if (said_.touches ? may : !must) return true;
+    if (said_.touches ? may : !must || may_be_missed()) return true;
     found(said_.touches ? Kind::phantom_contact : Kind::missed_contact, std::abs(curve_.least()),
           bounds_.touching);
     return false;
+  }
+
+  /// Whether no contact is right though skins touch, since there is no place for a point.
+  bool may_be_missed() const {
+    return declaration_.claims <= Claims::point && !is_round_ &&
+           may_touch_beyond_skins(truth_, curve_, bounds_.minimality, bounds_.along);
   }
 
   /// The overlap that a depth stands for: of a pair the depth along the normal, of points the

@@ -63,6 +63,10 @@ std::optional<std::string> why_malformed(const PairCase& pair, const ColliderAns
       for (const Vector2<double>& v : vertices.corners()) {
         if (!v.allFinite()) return not_finite("vertex of the shapes", in_words(v));
       }
+      const double radius = static_cast<double>(vertices.round_radius.value_or(0));
+      if (!(radius >= 0 && std::isfinite(radius))) {
+        return not_finite("radius of the shapes", in_words(radius));
+      }
     }
   }
   if (const auto* const less = std::get_if<Penetration>(&answer)) {

@@ -250,7 +250,7 @@ Outcome overlap_is_never_empty(AskedCollider& ask, const PairCase& pair) {
 }
 
 Outcome manifold_is_admissible(AskedCollider& ask, const PairCase& pair) {
-  if (is_round(pair)) return round_manifold_is_admissible(ask, pair);
+  if (is_judged_by_curve(ask.declaration(), pair)) return manifold_is_right_by_curve(ask, pair);
   const auto manifold = ask.manifold(pair);
   if (!manifold) return not_applicable();
   const Mismatch found = mismatch(*manifold, admissible(pair, ask.declaration()));

@@ -135,7 +135,7 @@ Outcome round_overlap_is_never_empty(AskedCollider& ask, const PairCase& pair) {
   return fails("no contact for an overlap", least / size(pair));
 }
 
-Outcome round_manifold_is_admissible(AskedCollider& ask, const PairCase& pair) {
+Outcome manifold_is_right_by_curve(AskedCollider& ask, const PairCase& pair) {
   const auto manifold = ask.manifold(pair);
   if (!manifold) return not_applicable();
   const ColliderAnswer answer{ask.declaration(), *manifold};

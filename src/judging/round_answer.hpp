@@ -62,6 +62,7 @@ Outcome same_round_contact(AskedCollider& ask, const PairCase& pair, const PairC
 Outcome round_depth_is_least(AskedCollider& ask, const PairCase& pair);
 Outcome round_depth_moves_apart(AskedCollider& ask, const PairCase& pair);
 Outcome round_overlap_is_never_empty(AskedCollider& ask, const PairCase& pair);
-Outcome round_manifold_is_admissible(AskedCollider& ask, const PairCase& pair);
+/// Also of polygons, where the collider is judged by the curve.
+Outcome manifold_is_right_by_curve(AskedCollider& ask, const PairCase& pair);
 
 }  // namespace manifuzz

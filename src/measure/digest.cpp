@@ -59,6 +59,7 @@ void add(Hash& hash, const Answer& answer) {
     for (const Side side : {Side::a, Side::b}) {
       hash.add(static_cast<std::uint64_t>((*used)[side].count));
       for (const Vector2<double>& vertex : (*used)[side].corners()) hash.add(vertex);
+      if (const auto radius = (*used)[side].round_radius) hash.add(static_cast<double>(*radius));
     }
   }
   if (const auto* const lost = std::get_if<Lost>(&answer)) {

@@ -65,6 +65,18 @@ Collider make_batch(double tie_bias = 0);
 /// The same in double: `clip64`'s.
 Collider make_batch64(double tie_bias = 0);
 
+/// One point by the closest points of the cores, in float; judged by the penetration curve.
+Collider make_gjk();
+
+/// The same in double.
+Collider make_gjk64();
+
+/// The same of polygons that are shrunk first, as the article has it; says the shapes used.
+Collider make_gjk_shrunk();
+
+/// Clipping, with the faces by GJK and EPA; polygons alone.
+Collider make_gjk_clip();
+
 // A namespace of its own, as clipping has, keeps planted copies apart.
 namespace own {
 

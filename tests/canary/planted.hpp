@@ -26,6 +26,9 @@ using MakeWithSecondPoint = Collider (*)(SecondPoint second_point);
 /// Those of round shapes: of each bug in float, in double and under policies of the second point.
 std::vector<Collider>& planted_round_colliders();
 
+/// A collider by another method than clipping, with a bug in it.
+using MakeMethod = Collider (*)();
+
 /// A judge with a bug in it: what it makes of a subject's and an oracle's answer to a case.
 using JudgeOf = Bucket (*)(const PairCase& pair, const Declaration& subject,
                            const Answer& of_subject, const Declaration& oracle,
@@ -61,6 +64,7 @@ struct PlantedBatch {
 bool add_colliders(const std::vector<Bug>& bugs, const MakeCollider& make);
 bool add_round_colliders(const std::vector<Bug>& bugs, const MakeCollider& make,
                          MakeWithSecondPoint make_with_second_point);
+bool add_methods(const std::vector<Bug>& bugs, const std::vector<MakeMethod>& makes);
 bool add_judges(const std::vector<Bug>& bugs, JudgeOf judge_of);
 bool add_pairs(const std::vector<Bug>& bugs, AskPair ask);
 bool add_batches(const std::vector<Bug>& bugs, const PlantedBatch<float>& batch,

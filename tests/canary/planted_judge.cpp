@@ -16,6 +16,7 @@
 #include "judging/ledger/planck_deviations.cpp"
 #include "judging/malformed.cpp"
 #include "judging/manifold_error.cpp"
+#include "judging/mitred_contact.cpp"
 #include "judging/round_contact.cpp"
 #include "judging/used_shapes.cpp"
 #include "oracle/exact/along.cpp"

@@ -35,7 +35,7 @@ std::string row(const std::string& name, const std::optional<Sighting>& caught) 
                      pair.a.polygon.count, pair.b.polygon.count, digits_of(pair));
 }
 
-void check(const PlantedBug& bug) {
+void check_caught(const PlantedBug& bug) {
   // What it shrinks to, which takes as long again, is shown by the whole table.
   const std::uint64_t cases_max = is_unedited(bug) ? bug.cases_max / kUneditedShare : bug.cases_max;
   const auto caught = bug.search({.seed = kSeed, .cases_max = cases_max, .shrinks = false});
@@ -45,7 +45,8 @@ void check(const PlantedBug& bug) {
 
 std::vector<Edit> table() {
   std::vector<Edit> all;
-  for (const char* part : {"edits.txt", "round_edits.txt", "pair_edits.txt", "batch_edits.txt"}) {
+  for (const char* part :
+       {"edits.txt", "round_edits.txt", "methods_edits.txt", "pair_edits.txt", "batch_edits.txt"}) {
     const std::vector<Edit> edits = read_edits(test::source_dir() / "tests/canary" / part);
     all.insert(all.end(), edits.begin(), edits.end());
   }
@@ -113,7 +114,7 @@ std::vector<PlantedBug>& planted_bugs() {
 
 void add_planted_bug(PlantedBug bug) {
   const std::string name = is_unedited(bug) ? bug.name + " is not caught" : bug.name + " is caught";
-  test::add_test(name, "[planted]", [bug] { check(bug); });
+  test::add_test(name, "[planted]", [bug] { check_caught(bug); });
   planted_bugs().push_back(std::move(bug));
 }
 
@@ -133,10 +134,12 @@ TEST_CASE("a bug planted into the judge fails the check that nothing is wrong", 
 }
 
 TEST_CASE(
-    "at least 100 bugs are planted into the clean code, 8 into the judge, 60 into the kernels") {
+    "at least 100 bugs are planted into the clean code, 8 into the judge, 60 into the kernels, 30 "
+    "into the other methods") {
   int in_clipping = 0;
   int in_kernels = 0;
   int in_judge = 0;
+  int in_methods = 0;
   std::size_t planted_in_all = 0;
   for (const Edit& edit : table()) {
     const auto bugs = planted_by(edit);
@@ -147,12 +150,14 @@ TEST_CASE(
     const bool is_clipping =
         edit.file.starts_with("src/clipping/") || edit.file.starts_with("src/own_colliders/");
     const bool is_kernel = edit.file.starts_with("src/kernel/");
-    ++(is_clipping ? in_clipping : is_kernel ? in_kernels : in_judge);
+    const bool is_method = edit.file.starts_with("src/methods/");
+    ++(is_clipping ? in_clipping : is_kernel ? in_kernels : is_method ? in_methods : in_judge);
   }
   CHECK(planted_in_all == planted_bugs().size());  // unlike names, and nothing left out
   CHECK(in_clipping >= 100);
   CHECK(in_judge >= 8);
   CHECK(in_kernels >= 60);
+  CHECK(in_methods >= 30);
 }
 
 TEST_CASE("the table of planted bugs", "[.table]") {

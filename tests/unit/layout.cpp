@@ -29,6 +29,7 @@ const std::vector<Folder> kFolders = {
     {"process", "tools", {}},
     {"geometry", "geometry", {"tools"}},
     {"clipping", "own code", {"tools"}},
+    {"methods", "own code", {"tools"}},
     {"kernel", "own code", {"tools"}},
     {"scene", "own code", {"tools"}},
     {"collider", "collider", {"own code"}},

@@ -98,6 +98,8 @@ TEST_CASE("an include that points up is caught") {
   CHECK_FALSE(may_include("src/geometry/pose.hpp", "clipping/clip.hpp"));
   CHECK_FALSE(may_include("src/clipping/clip.hpp", "kernel/pair.hpp"));
   CHECK_FALSE(may_include("src/kernel/pair.hpp", "scene/scene.hpp"));
+  CHECK_FALSE(may_include("src/clipping/clip.hpp", "methods/gjk.hpp"));
+  CHECK_FALSE(may_include("src/methods/gjk.hpp", "kernel/pair.hpp"));
   CHECK_FALSE(may_include("src/exchange/json.cpp", "generating/regime.hpp"));
   CHECK_FALSE(may_include("src/generating/regime.cpp", "judging/judge.hpp"));
   CHECK_FALSE(may_include("src/judging/judge.cpp", "corpus/corpus.hpp"));
@@ -108,8 +110,9 @@ TEST_CASE("an include that points up is caught") {
 }
 
 TEST_CASE("the library includes nothing that is not installed with it") {
-  for (const char* const file : {"src/geometry/pose.hpp", "src/clipping/clip.hpp",
-                                 "src/kernel/pair.cpp", "src/scene/step.cpp"}) {
+  for (const char* const file :
+       {"src/geometry/pose.hpp", "src/clipping/clip.hpp", "src/kernel/pair.cpp",
+        "src/scene/step.cpp", "src/methods/gjk.hpp"}) {
     CAPTURE(file);
     CHECK_FALSE(may_include(file, "base/random.hpp"));
     CHECK_FALSE(may_include(file, "process/pool.hpp"));
@@ -124,7 +127,7 @@ TEST_CASE("an oracle or a judge that includes our own collider is caught") {
         "src/judging/judge.cpp", "src/generating/regime.cpp", "src/campaign/run.cpp",
         "src/exchange/json.cpp", "src/corpus/shrink.cpp"}) {
     for (const char* const ours : {"clipping/collide.hpp", "kernel/pair.hpp", "scene/scene.hpp",
-                                   "own_colliders/own_colliders.hpp"}) {
+                                   "methods/gjk.hpp", "own_colliders/own_colliders.hpp"}) {
       CAPTURE(file, ours);
       CHECK_FALSE(may_include(file, ours));
     }

@@ -8,6 +8,7 @@
 #include "kernel/pair.hpp"
 #include "kernel/target.hpp"
 #include "measure/bench/bench.hpp"
+#include "methods/closest_points.hpp"
 #include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
@@ -41,6 +42,29 @@ Pass clip_pass(std::span<const PairCase> pairs) {
   return one_by_one<Scalar>(pairs, [](const auto& pair, const Pose<Scalar>& b_in_a) {
     return clipping::collide(pair.a, pair.b, b_in_a);
   });
+}
+
+/// With the hint that the same pair left before, or none.
+template <class Scalar>
+Pass gjk_pass(std::span<const PairCase> pairs, bool hinted) {
+  const auto hints = std::make_shared<std::vector<methods::Simplex>>(pairs.size());
+  const auto out = std::make_shared<std::vector<Manifold<Scalar>>>(pairs.size());
+  return [placed = placed_pairs<Scalar>(pairs), hints, hinted, out] {
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      const auto& [a, b, pose_a, pose_b, local_per_world] = placed[i];
+      if (!hinted) (*hints)[i].count = 0;
+      (*out)[i] =
+          methods::contact_by_gjk(a, b, relative_pose(pose_a, pose_b), (*hints)[i]).manifold;
+    }
+  };
+}
+
+template <class Scalar, bool hinted>
+BenchSubject gjk_subject(std::string name, Collider (*make)()) {
+  return {
+      .name = std::move(name),
+      .prepare = [](std::span<const PairCase> pairs) { return gjk_pass<Scalar>(pairs, hinted); },
+      .collider = make};
 }
 
 /// The deepest vertex behind the face of greatest separation, looked for once the face is known. A
@@ -189,7 +213,10 @@ std::vector<BenchSubject> own_subjects() {
   std::vector<BenchSubject> all{
       {.name = "clip", .prepare = clip_pass<float>, .collider = [] { return make_clip(0); }},
       {.name = "clip64", .prepare = clip_pass<double>, .collider = [] { return make_clip64(0); }},
-      {.name = "sat", .prepare = sat_pass, .collider = make_sat}};
+      {.name = "sat", .prepare = sat_pass, .collider = make_sat},
+      gjk_subject<float, false>("gjk", make_gjk),
+      gjk_subject<float, true>("gjk+hint", make_gjk),
+      gjk_subject<double, false>("gjk64", make_gjk64)};
   for (const std::string& target : kernel::targets()) {
     if (target == "SCALAR") continue;  // the clean code in lanes of one
     add_pair_queries(all, target);

@@ -87,6 +87,38 @@ TEST_CASE("a polygon that shrank to an edge, or to a point, is as far as its far
   CHECK(exact::Alteration(polygon, used).distance() == std::sqrt(8));
 }
 
+TEST_CASE("a polygon that shrank and got round corners is off by what these cut") {
+  const auto polygon = make_polygon<float>(kCorners);
+  UsedVertices used = used_vertices_of(polygon);
+  for (int i = 0; i < used.count; ++i) used.all[i] *= 0.75;
+  used.round_radius = 0.25F;
+  const exact::Alteration rounded(polygon, used);
+  CHECK(rounded.distance() == Approx((std::sqrt(2) - 1) * 0.25));
+  CHECK(rounded.exceeds(0.1035));
+  CHECK_FALSE(rounded.exceeds(0.1036));
+  used.round_radius = 0.75F;
+  const exact::Alteration grown(polygon, used);
+  CHECK(grown.distance() == Approx(0.5));
+  CHECK(grown.exceeds(0.4999));
+  CHECK_FALSE(grown.exceeds(0.5));
+  used = used_vertices_of(polygon);
+  used.round_radius = 0.5F;
+  CHECK(exact::Alteration(polygon, used).distance() == Approx(0.5));
+  used.round_radius = 0.0F;
+  CHECK(exact::Alteration(polygon, used).distance() == 0);
+}
+
+TEST_CASE("used shapes with round corners have the truth of round shapes") {
+  const auto polygon = make_polygon<float>(kCorners);
+  const PairCase pair{{polygon, {}}, {polygon, {{2.25F, 2.25F}, {1, 0}}}};
+  UsedShapes used{used_vertices_of(polygon), used_vertices_of(polygon)};
+  for (const Side side : {Side::a, Side::b}) used[side].round_radius = 0.25F;
+  const exact::Truth truth(pair, used);
+  CHECK(is_round(truth.pair()));
+  CHECK(exact::PenetrationCurve(truth, exact::skin_of(truth)).least() ==
+        Approx(0.5 - std::sqrt(0.125)));
+}
+
 TEST_CASE("what is true of used shapes is decided to the last bit of double") {
   const auto polygon = make_polygon<float>(kCorners);
   const PairCase pair{{polygon, {}}, {polygon, {{2, 0.25F}, {1, 0}}}};

@@ -1,0 +1,162 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "clipping/curved_shapes.hpp"
+#include "methods/nearest_features.hpp"
+
+namespace manifuzz::methods {
+
+/// A contact of one point, and what it took.
+template <class Scalar>
+struct PointContact {
+  Manifold<Scalar> manifold;  ///< of 0 or 1 points, in A's frame
+  int gjk_iterations = 0;     ///< supports that GJK asked for
+  int epa_iterations = 0;     ///< supports that EPA asked for; 0 where cores are apart
+};
+
+/// The manifold of one point at a face, with its normal and a separation, or none where that is
+/// more than the total radius. `place` is on the other core, in their common frame.
+template <class Scalar>
+Manifold<Scalar> contact_at_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                 Side side, int face, Scalar separation,
+                                 const PlaceOfOther<Scalar>& place) {
+  const Scalar total_radius = a.radius + b.radius;
+  if (separation > total_radius) return {};
+  const bool is_of_a = side == Side::a;
+  Manifold<Scalar> manifold;
+  manifold.count = 1;
+  manifold.reference = side;
+  manifold.normal = is_of_a ? a.normals[face] : Vector2<Scalar>(-b.normals[face]);
+  manifold.points[0] = {place.position, total_radius - separation,
+                        is_of_a ? FeaturePair{place.of_face, place.of_other}
+                                : FeaturePair{place.of_other, place.of_face}};
+  if (are_round(a, b)) clipping::put_on_surface(a, b, manifold);
+  return manifold;
+}
+
+/// The contact at the face that separates most, or at one that rounding cannot tell from it, where
+/// the other core is nearest between the face's ends; none where it is so at no face. The depth is
+/// that of the greatest separation.
+template <class Scalar>
+std::optional<Manifold<Scalar>> contact_inside_faces(const ConvexPolygon<Scalar>& a,
+                                                     const ConvexPolygon<Scalar>& b,
+                                                     const NearestFaces<Scalar>& faces,
+                                                     PlaceAtFace what, Scalar roundoff) {
+  const Scalar separation = faces.separation();
+  const FoundFace<Scalar>* best = nullptr;
+  PlaceOfOther<Scalar> place_at_best;
+  for (const FoundFace<Scalar>& face : std::span(faces.all.data(), faces.count)) {
+    if (face.found.separation < separation - roundoff) continue;
+    if (best != nullptr && face.found.separation <= best->found.separation) continue;
+    const ConvexPolygon<Scalar>& polygon = face.side == Side::a ? a : b;
+    const ConvexPolygon<Scalar>& other = face.side == Side::a ? b : a;
+    const auto place = place_inside_face(polygon, face.found, other, what, separation + roundoff);
+    if (!place) continue;
+    best = &face;
+    place_at_best = *place;
+  }
+  if (best == nullptr) return std::nullopt;
+  return contact_at_face(a, b, best->side, best->found.face, separation, place_at_best);
+}
+
+/// The contact at the deepest vertex of the face that separates most.
+template <class Scalar>
+Manifold<Scalar> contact_at_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                    const NearestFaces<Scalar>& faces) {
+  const auto [side, found] = faces.greatest();
+  const Vector2<Scalar>& deepest = (side == Side::a ? b : a).vertices[found.deepest];
+  return contact_at_face<Scalar>(
+      a, b, side, found.face, found.separation,
+      {deepest, clipping::face(found.face), clipping::vertex(found.deepest)});
+}
+
+/// Of two points at one place any direction is a normal: (1, 0).
+template <class Scalar>
+Manifold<Scalar> contact_of_same_points(const ConvexPolygon<Scalar>& a,
+                                        const ConvexPolygon<Scalar>& b) {
+  Manifold<Scalar> manifold;
+  manifold.count = 1;
+  manifold.normal = {1, 0};
+  manifold.points[0] = {b.vertices[0], a.radius + b.radius, {}};
+  clipping::put_on_surface(a, b, manifold);
+  return manifold;
+}
+
+/// Of mitred polygons that are nearest at two vertices. Skins touch along faces alone, and each
+/// reaches past its core by the total radius along them, as side planes of clipping do: the contact
+/// is on the incident skin where both reach it, and there is none where they do not.
+template <class Scalar>
+Manifold<Scalar> contact_of_skins(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                  const NearestFaces<Scalar>& faces,
+                                  const clipping::NearestPlaces<Scalar>& nearest) {
+  const auto [side, found] = faces.greatest();
+  const bool is_of_a = side == Side::a;
+  const Scalar reach = a.radius + b.radius;
+  const Vector2<Scalar> along = counter_clockwise_quarter((is_of_a ? a : b).normals[found.face]);
+  const Vector2<Scalar>& corner = is_of_a ? nearest.on_a : nearest.on_b;
+  const Vector2<Scalar>& incident = is_of_a ? nearest.on_b : nearest.on_a;
+  const Scalar off = along.dot(incident - corner);
+  const Scalar past = std::abs(off) - reach;
+  if (past > reach) return {};
+  const Scalar back = std::copysign(std::max(past, Scalar(0)), off);
+  return contact_at_face<Scalar>(a, b, side, found.face, found.separation,
+                                 {incident - back * along, clipping::face(found.face),
+                                  is_of_a ? nearest.features.b : nearest.features.a});
+}
+
+/// Of round shapes whose cores are nearest at two vertices.
+template <class Scalar>
+Manifold<Scalar> contact_of_vertices(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                     const NearestFaces<Scalar>& faces,
+                                     const clipping::NearestPlaces<Scalar>& nearest,
+                                     Scalar roundoff) {
+  const auto normal = clipping::nearest_normal(a, b, faces.of_a, faces.of_b, nearest, roundoff);
+  if (!normal) return contact_at_deepest(a, b, faces);
+  return clipping::nearest_contact(a, b, nearest, *normal, roundoff, SecondPoint::never());
+}
+
+/// Where nothing is in front of a face: at two vertices; and of cores that overlap, at the deepest.
+template <class Scalar>
+Manifold<Scalar> contact_outside_faces(const ConvexPolygon<Scalar>& a,
+                                       const ConvexPolygon<Scalar>& b,
+                                       const NearestFeatures<Scalar>& nearest, Scalar roundoff) {
+  if (nearest.apartness == Apartness::overlapping) {
+    const bool are_points = a.face_count() + b.face_count() == 0;
+    return are_points ? contact_of_same_points(a, b) : contact_at_deepest(a, b, nearest.faces);
+  }
+  return are_round(a, b) ? contact_of_vertices(a, b, nearest.faces, nearest.vertices, roundoff)
+                         : contact_of_skins(a, b, nearest.faces, nearest.vertices);
+}
+
+/// The contact of two shapes that stand in one frame, by the closest points of their cores: the
+/// article's first way without clipping. `hint` is what the last step left, and is left for the
+/// next.
+template <class Scalar>
+PointContact<Scalar> contact_by_gjk(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                    Simplex& hint) {
+  const NearestFeatures<Scalar> nearest = nearest_features(a, b, hint);
+  PointContact<Scalar> contact{{}, nearest.gjk_iterations, nearest.epa_iterations};
+  if (nearest.apartness == Apartness::separated) return contact;
+  const bool are_apart = nearest.apartness == Apartness::apart && are_round(a, b);
+  const Scalar roundoff = clipping::separation_roundoff(a, b);
+  const auto inside = contact_inside_faces(
+      a, b, nearest.faces, are_apart ? PlaceAtFace::corner : PlaceAtFace::on_edge, roundoff);
+  contact.manifold = inside ? *inside : contact_outside_faces(a, b, nearest, roundoff);
+  return contact;
+}
+
+/// The same with B standing at `b_in_a` in A's frame (see `relative_pose`), whose rotation is taken
+/// to be unit. What the last step's direction still separates costs least.
+template <class Scalar>
+PointContact<Scalar> contact_by_gjk(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                    const Pose<Scalar>& b_in_a, Simplex& hint) {
+  const Scalar total_radius = a.radius + b.radius;
+  const bool may_separate = total_radius == 0 || are_round(a, b) || is_face(a, b, hint);
+  if (may_separate && separates(hint, a, b, b_in_a, total_radius)) return {{}, 1, 0};
+  return contact_by_gjk(a, transform(b_in_a, b), hint);
+}
+
+}  // namespace manifuzz::methods

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <limits>
+
+#include "methods/epa.hpp"
+#include "methods/nearest_faces.hpp"
+
+namespace manifuzz::methods {
+
+/// Two vertices as places.
+template <class Scalar>
+clipping::NearestPlaces<Scalar> places_of(const ConvexPolygon<Scalar>& a,
+                                          const ConvexPolygon<Scalar>& b, SupportPair pair) {
+  return {a.vertices[pair.a],
+          b.vertices[pair.b],
+          b.vertices[pair.b] - a.vertices[pair.a],
+          {clipping::vertex(pair.a), clipping::vertex(pair.b)}};
+}
+
+/// A face and the other core's deepest vertex, as a simplex.
+template <class Scalar>
+Simplex simplex_of(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                   const FoundFace<Scalar>& face) {
+  const auto index = [](int i) { return static_cast<unsigned char>(i); };
+  const auto [side, found] = face;
+  const unsigned char deepest = index(found.deepest);
+  const unsigned char first = index(found.face);
+  if (side == Side::a) {
+    return {{{{first, deepest}, {index(a.next(found.face)), deepest}, {}}}, 2};
+  }
+  return {{{{deepest, first}, {deepest, index(b.next(found.face))}, {}}}, 2};
+}
+
+/// Where two cores in one frame are nearest, or overlap least.
+template <class Scalar>
+struct NearestFeatures {
+  Apartness apartness = Apartness::separated;  ///< if farther than the total radius, nothing more
+  NearestFaces<Scalar> faces;                  ///< at that feature
+  clipping::NearestPlaces<Scalar> vertices;    ///< of cores that are apart: one of its vertices
+  int gjk_iterations = 0;                      ///< supports that GJK asked for
+  int epa_iterations = 0;                      ///< supports that EPA asked for
+};
+
+/// By GJK, and where they overlap by EPA. `hint` is what the last step left, and is left for the
+/// next one: where a face separates mitred skins, that face.
+template <class Scalar>
+NearestFeatures<Scalar> nearest_features(const ConvexPolygon<Scalar>& a,
+                                         const ConvexPolygon<Scalar>& b, Simplex& hint) {
+  const Scalar total_radius = a.radius + b.radius;
+  // Mitred skins reach past their cores' corners by more than they are thick.
+  const bool is_limited = total_radius == 0 || are_round(a, b);
+  const double limit = is_limited ? static_cast<double>(a.radius) + static_cast<double>(b.radius)
+                                  : std::numeric_limits<double>::infinity();
+  const GjkResult found = gjk(a, b, hint, limit);
+  hint = found.simplex;
+  NearestFeatures<Scalar> nearest;
+  nearest.apartness = found.apartness;
+  nearest.gjk_iterations = found.iterations;
+  if (found.apartness == Apartness::separated) return nearest;
+  Simplex feature = found.simplex;
+  if (found.apartness == Apartness::overlapping) {
+    const EpaResult expanded = epa(a, b, found.simplex);
+    nearest.epa_iterations = expanded.iterations;
+    feature = expanded.edge;
+  } else {
+    nearest.vertices = places_of(a, b, feature.vertices[0]);
+    clipping::settle_vertices(a, b, nearest.vertices);
+    const auto& [of_a, of_b] = nearest.vertices.features;
+    if (feature.count == 1) feature.vertices[0] = {of_a.index, of_b.index};
+  }
+  nearest.faces = nearest_faces(a, b, feature);
+  if (!are_round(a, b) && nearest.faces.separation() > total_radius) {
+    nearest.apartness = Apartness::separated;
+    hint = simplex_of(a, b, nearest.faces.greatest());
+  }
+  return nearest;
+}
+
+}  // namespace manifuzz::methods
