@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "clipping/curved_shapes.hpp"
+#include "clipping/circle_contact.hpp"
 #include "methods/nearest_features.hpp"
 
 namespace manifuzz::methods {
@@ -73,18 +73,6 @@ Manifold<Scalar> contact_at_deepest(const ConvexPolygon<Scalar>& a, const Convex
       {deepest, clipping::face(found.face), clipping::vertex(found.deepest)});
 }
 
-/// Of two points at one place any direction is a normal: (1, 0).
-template <class Scalar>
-Manifold<Scalar> contact_of_same_points(const ConvexPolygon<Scalar>& a,
-                                        const ConvexPolygon<Scalar>& b) {
-  Manifold<Scalar> manifold;
-  manifold.count = 1;
-  manifold.normal = {1, 0};
-  manifold.points[0] = {b.vertices[0], a.radius + b.radius, {}};
-  clipping::put_on_surface(a, b, manifold);
-  return manifold;
-}
-
 /// Of mitred polygons that are nearest at two vertices. Skins touch along faces alone, and each
 /// reaches past its core by the total radius along them, as side planes of clipping do: the contact
 /// is on the incident skin where both reach it, and there is none where they do not.
@@ -123,10 +111,8 @@ template <class Scalar>
 Manifold<Scalar> contact_outside_faces(const ConvexPolygon<Scalar>& a,
                                        const ConvexPolygon<Scalar>& b,
                                        const NearestFeatures<Scalar>& nearest, Scalar roundoff) {
-  if (nearest.apartness == Apartness::overlapping) {
-    const bool are_points = a.face_count() + b.face_count() == 0;
-    return are_points ? contact_of_same_points(a, b) : contact_at_deepest(a, b, nearest.faces);
-  }
+  if (clipping::is_circle(a) && clipping::is_circle(b)) return clipping::contact_of_circles(a, b);
+  if (nearest.apartness == Apartness::overlapping) return contact_at_deepest(a, b, nearest.faces);
   return are_round(a, b) ? contact_of_vertices(a, b, nearest.faces, nearest.vertices, roundoff)
                          : contact_of_skins(a, b, nearest.faces, nearest.vertices);
 }

@@ -7,16 +7,6 @@
 
 namespace manifuzz::methods {
 
-/// Two vertices as places.
-template <class Scalar>
-clipping::NearestPlaces<Scalar> places_of(const ConvexPolygon<Scalar>& a,
-                                          const ConvexPolygon<Scalar>& b, SupportPair pair) {
-  return {a.vertices[pair.a],
-          b.vertices[pair.b],
-          b.vertices[pair.b] - a.vertices[pair.a],
-          {clipping::vertex(pair.a), clipping::vertex(pair.b)}};
-}
-
 /// A face and the other core's deepest vertex, as a simplex.
 template <class Scalar>
 Simplex simplex_of(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
@@ -63,8 +53,8 @@ NearestFeatures<Scalar> nearest_features(const ConvexPolygon<Scalar>& a,
     nearest.epa_iterations = expanded.iterations;
     feature = expanded.edge;
   } else {
-    nearest.vertices = places_of(a, b, feature.vertices[0]);
-    clipping::settle_vertices(a, b, nearest.vertices);
+    const auto [of_first_a, of_first_b] = feature.vertices[0];
+    nearest.vertices = clipping::walk_nearer(a, of_first_a, b, of_first_b);
     const auto& [of_a, of_b] = nearest.vertices.features;
     if (feature.count == 1) feature.vertices[0] = {of_a.index, of_b.index};
   }
