@@ -136,19 +136,46 @@ Answer collide_round(const PairCase& pair) {
   return manifold;
 }
 
-std::function<void()> round_pass(std::span<const PairCase> pairs) {
-  struct Prepared {
-    Standing first;
-    Standing second;
-    b2Manifold found;
-  };
+namespace {
+
+/// A pair as its users hold it, and what they get.
+struct Prepared {
+  Standing first;
+  Standing second;
+  float radius_of_first = 0;
+  float radius_of_second = 0;
+  b2Manifold found{};
+  b2WorldManifold world{};
+};
+
+std::shared_ptr<std::vector<Prepared>> prepared(std::span<const PairCase> pairs) {
   const auto all = std::make_shared<std::vector<Prepared>>();
   for (const PairCase& pair : pairs) {
     const bool swapped = is_swapped(pair);
-    all->push_back({standing(swapped ? pair.b : pair.a), standing(swapped ? pair.a : pair.b), {}});
+    const Body& first = swapped ? pair.b : pair.a;
+    const Body& second = swapped ? pair.a : pair.b;
+    all->push_back(
+        {standing(first), standing(second), first.polygon.radius, second.polygon.radius});
   }
-  return [all] {
-    for (auto& [first, second, found] : *all) collide_by_family(found, first, second);
+  return all;
+}
+
+}  // namespace
+
+std::function<void()> round_pass(std::span<const PairCase> pairs) {
+  return [all = prepared(pairs)] {
+    for (Prepared& pair : *all) collide_by_family(pair.found, pair.first, pair.second);
+  };
+}
+
+std::function<void()> world_pass(std::span<const PairCase> pairs) {
+  return [all = prepared(pairs)] {
+    for (Prepared& pair : *all) {
+      collide_by_family(pair.found, pair.first, pair.second);
+      if (pair.found.pointCount == 0) continue;
+      pair.world.Initialize(&pair.found, pair.first.transform, pair.radius_of_first,
+                            pair.second.transform, pair.radius_of_second);
+    }
   };
 }
 

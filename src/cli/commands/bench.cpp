@@ -13,6 +13,7 @@
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "oracle/box2d/round_shapes.hpp"
 #include "oracle/bullet/bullet_pass.hpp"
 #include "oracle/chipmunk/chipmunk_pass.hpp"
 #include "oracle/libccd/libccd_pass.hpp"
@@ -50,7 +51,9 @@ std::vector<BenchSubject> engines() {
 /// Box2D, to whose time the others' are ratios, and those that are named.
 std::vector<BenchSubject> chosen_subjects(const std::vector<std::string>& names) {
   std::vector<BenchSubject> all = engines();
-  all.insert(all.begin(), {.name = "box2d", .prepare = box2d_pass, .collider = make_box2d});
+  all.insert(all.begin(),
+             {{.name = "box2d", .prepare = box2d_pass, .collider = make_box2d},
+              {.name = "box2d+world", .prepare = box2d::world_pass, .collider = make_box2d}});
   std::ranges::move(own_subjects(), std::back_inserter(all));
   std::set<std::string> wanted{std::string(kRatioBase)};
   for (const BenchSubject* const one : chosen_by_name(all, names, "collider", "--collider")) {
