@@ -23,7 +23,7 @@ struct DeclaredAnswer {
   Answer answer;
 
   /// Its manifold, or nullptr where it gave none. It may be malformed.
-  const Manifold<double>* manifold() const { return std::get_if<Manifold<double>>(&answer); }
+  const Manifold<double>* manifold() const { return manifold_in(answer); }
   /// The number of its points, 0 to 2 whatever a malformed manifold says.
   int count() const { return manifold() ? std::clamp(manifold()->count, 0, 2) : 0; }
 };

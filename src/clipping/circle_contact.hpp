@@ -48,7 +48,8 @@ bool are_beyond(const Vector2<Scalar>& apart, Scalar reach) {
   return squared_length(apart) > wide * wide * widened;
 }
 
-/// The manifold of two circles. Centres at one place have any normal, (1, 0).
+/// The manifold of two circles. Centres so near that their difference may be subnormal have any
+/// normal, (1, 0).
 template <class Scalar>
 Manifold<Scalar> contact_of_circles(const ConvexPolygon<Scalar>& a,
                                     const ConvexPolygon<Scalar>& b) {

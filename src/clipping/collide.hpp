@@ -15,8 +15,9 @@
 //
 // Everything happens in A's frame (geometry/manifold.hpp states the contract). Lengths are A's own:
 // rotations are taken to be unit. Mitred polygons touch up to the total radius, and side planes
-// are widened by it, as in Box2D 2.4 (b2_collide_polygon.cpp). Round shapes take the same steps
-// where their cores overlap; where they are apart, the separation is along the nearest places.
+// are widened by it, as in Box2D 2.4 (b2_collide_polygon.cpp). Round shapes with faces take the
+// same steps where their cores overlap; where they are apart, the separation is along the nearest
+// places.
 
 /// Contact points by clipping, step by step, in float and double.
 namespace manifuzz::clipping {

@@ -59,7 +59,7 @@ std::optional<PairCase> neighbour(const PairCase& pair, const Grid& grid, int ce
 }
 
 ContactSummary summary_of(const Answer& answer) {
-  const auto* const manifold = std::get_if<Manifold<double>>(&answer);
+  const Manifold<double>* const manifold = manifold_in(answer);
   if (manifold == nullptr || manifold->count < 0 || manifold->count > 2) return {};
   return summary_of(*manifold);
 }

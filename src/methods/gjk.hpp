@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "geometry/convex_polygon.hpp"
+#include "clipping/nearest.hpp"
 
 /// The article's other methods than clipping.
 namespace manifuzz::methods {
@@ -293,7 +293,8 @@ bool separates(const Simplex& hint, const ConvexPolygon<Scalar>& a, const Convex
   const Vector2<Scalar> in_b = rotate_back(b_in_a.rotation, direction);
   const Scalar height = direction.dot(b_in_a.position) - greatest_height(a, direction) -
                         greatest_height<Scalar>(b, -in_b);
-  return height > 0 && height * height > limit * limit * direction.dot(direction);
+  const auto squared = [](double x) { return x * x; };  // of floats it neither over- nor underflows
+  return height > 0 && squared(height) > squared(limit) * clipping::squared_length(direction);
 }
 
 }  // namespace manifuzz::methods

@@ -101,7 +101,7 @@ std::vector<Manifold<double>> right_of(const PageCase& page_case) {
     right = manifolds_to_show(admissible(given.pair, subject), subject);
   } else if (given.expect) {
     for (const NamedAnswer& named : given.expect->manifolds) {
-      const auto* const manifold = std::get_if<Manifold<double>>(&named.answer);
+      const Manifold<double>* const manifold = manifold_in(named.answer);
       if (named.collider == kJudgeName && manifold != nullptr) right.push_back(*manifold);
     }
   }

@@ -36,6 +36,15 @@ TEST_CASE("show writes the text, and the picture where it is asked for") {
   CHECK(text_of(picture).find(folder.path().string()) == std::string::npos);
 }
 
+TEST_CASE("show shows the answer of a collider that says which shapes it used") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("case.jsonl", case_line());
+  const Outcome outcome = run_manifuzz({"show", file, "--subject", "gjk-shrunk"});
+  INFO(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("1 point"));
+}
+
 TEST_CASE("show - reads stdin, --svg - writes the picture alone") {
   const Outcome outcome = run_manifuzz({"show", "-", "--svg", "-"}, case_line());
   CHECK(outcome.status == 0);

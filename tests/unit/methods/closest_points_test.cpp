@@ -123,3 +123,13 @@ TEST_CASE("where sharp polygons overlap, the depth is that of clipping, within b
   });
   CHECK(holds);
 }
+
+TEST_CASE("a hint loses no contact where the square of its edge underflows") {
+  const auto capsule = shape<float>({{0, 0}, {2.6e-23F, 0}}, 100);
+  const auto circle = shape<float>({{0, 0}}, 1);
+  const Pose<float> pose{{1.3e-23F, 50}, {1, 0}};
+  Simplex hint;
+  for (int step = 0; step < 3; ++step) {
+    CHECK(depth_of(contact_by_gjk(capsule, circle, pose, hint).manifold) == 51);
+  }
+}
