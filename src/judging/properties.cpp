@@ -48,6 +48,7 @@ Outcome check(const Property& property, const Collider& collider, const PairCase
 }
 
 std::optional<Admissible> decided(const PairCase& pair, const Declaration& declaration) {
+  if (declaration.claims != Claims::manifold) return std::nullopt;  // any of its points will do
   Admissible right = admissible(pair, declaration);
   if (is_ill_posed(right.truth->size(), right.bounds)) return std::nullopt;
   if (right.candidates.size() != 1) return std::nullopt;

@@ -82,7 +82,8 @@ inline Outcome fails(std::string why, double magnitude) {
 }
 
 /// What is right for this collider, if nothing that decides it is within bound: one reference face
-/// by a clear lead, one incident edge, both ends clearly kept, clipped or dropped.
+/// by a clear lead, one incident edge, both ends clearly kept, clipped or dropped. Nothing of those
+/// that claim less than a manifold.
 std::optional<Admissible> decided(const PairCase& pair, const Declaration& declaration);
 
 /// By how much two right manifolds of one case may differ: the sum of both bounds.

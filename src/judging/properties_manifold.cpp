@@ -158,6 +158,7 @@ DoubleDouble true_overlap(const PairCase& pair, const exact::Truth& truth) {
 
 Outcome points_lie_where_they_say(AskedCollider& ask, const PairCase& pair) {
   if (is_round(pair)) return not_applicable();  // those are in no slab, and on surfaces
+  if (ask.declaration().claims != Claims::manifold) return not_applicable();  // nor need one be
   const auto manifold = ask.manifold(pair);
   if (!manifold || manifold->count == 0) return not_applicable();
   const Bounds within = bounds(pair, ask.declaration());

@@ -37,8 +37,8 @@ void run(const Property& property, const Collider& collider) {
 
 /// Other engines may be right in ways that most properties do not allow for.
 bool has_every_property(std::string_view collider) {
-  return collider == "clip" || collider == "clip64" || collider == "pair" ||
-         collider.starts_with("batch") || collider == "box2d";
+  return collider == "clip" || collider == "clip64" || collider == "pair" || collider == "gjk" ||
+         collider == "gjk64" || collider.starts_with("batch") || collider == "box2d";
 }
 
 /// Bullet and libccd are wrong in ways that nobody has named, too.
