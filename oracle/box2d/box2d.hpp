@@ -84,7 +84,8 @@ std::vector<std::vector<Pose<float>>> box2d_trajectory(std::span<const WorldBody
 /// that counts: points from the incident body's frame in double, depths from `b2WorldManifold`.
 Collider make_box2d();
 
-/// `b2CollidePolygons` alone, through all pairs once, on shapes and transforms laid out beforehand.
+/// `b2CollidePolygons` alone, or of round pairs the functions of their shapes, through all pairs
+/// once, on shapes and transforms laid out beforehand.
 std::function<void()> box2d_pass(std::span<const PairCase> pairs);
 
 }  // namespace manifuzz

@@ -51,7 +51,7 @@ inline int collide_prisms(const manifuzz_body& a, const manifuzz_body& b,
   return 0;
 }
 
-/// What one query claims: a point on B, a normal from B to A, and how far it stops short.
+/// What one query claims: a point, no clip, and how far it stops short.
 constexpr manifuzz_claims claims_of_point(double tolerance, const char* source) {
   manifuzz_claims claims{};
   claims.answers = MANIFUZZ_CLAIMS_POINT;

@@ -104,7 +104,7 @@ struct Penetrated {
   ccd_vec3_t position{};
 };
 
-/// The tolerances are those of CCD_INIT; without a limit GJK may not end.
+/// The tolerances are those of CCD_INIT; without a limit GJK may not end. EPA knows none.
 inline constexpr unsigned long kIterationsMax = 1000;
 
 inline Penetrated ask(const Algorithm& algorithm, const PrismPair& pair) {

@@ -40,7 +40,7 @@ Collider of_closest_points(std::string name, std::string description) {
                                                 .takes_round = true,
                                                 .claims = Claims::point},
                                                closest_points<Scalar>, nullptr);
-  collider.in_double = make_gjk64;
+  collider.in_double = make_gjk64;  // collider_of has clip64
   return collider;
 }
 
