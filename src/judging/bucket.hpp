@@ -47,12 +47,13 @@ enum class Kind {
   not_minimal,
   witness,
   altered_shape,
-  extent,  ///< points span less of the contact than the clip of two round shapes' edges
+  extent,     ///< points span less of the contact than the clip of two round shapes' edges
+  lingering,  ///< a point is kept past what its collider declares
 };
-inline constexpr std::array<std::string_view, 14> kKindNames{
+inline constexpr std::array<std::string_view, 15> kKindNames{
     "none",        "missed_contact", "phantom_contact", "normal",   "position",
     "depth",       "count",          "features",        "reversed", "inconsistent",
-    "not_minimal", "witness",        "altered_shape",   "extent"};
+    "not_minimal", "witness",        "altered_shape",   "extent",   "lingering"};
 
 /// Which decision of the case lies within bound, so that several manifolds are right.
 enum class TieClass { none, reference, incident, contact_boundary, clip_boundary };

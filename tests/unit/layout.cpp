@@ -43,6 +43,7 @@ const std::vector<Folder> kFolders = {
     {"oracle/libccd", "engine", {"own code"}},
     {"generating", "generating", {"own code", "engine", "external"}},
     {"judging", "judging", {"own code", "engine", "external"}},
+    {"sequence", "sequence", {"own code", "engine", "external"}},
     {"corpus", "corpus", {"own code", "engine", "external"}},
     {"campaign", "campaign", {"own code", "engine"}},
     {"measure", "measure", {}},

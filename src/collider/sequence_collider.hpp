@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <variant>
+#include <vector>
+
+#include "collider/collider.hpp"
+
+namespace manifuzz {
+
+/// With which frame the normal of a kept point turns.
+enum class TravelsWith { a, b, world };
+
+/// A contact point that is kept over frames, as it is in one of them.
+struct KeptPoint {
+  int id = 0;                      ///< the same in every frame in which it is the same point
+  int born = 0;                    ///< the frame in which detection last gave it
+  Vector2<double> anchor_a{0, 0};  ///< the point on A, in A's own frame
+  Vector2<double> anchor_b{0, 0};  ///< the point on B, in B's own frame
+  Vector2<double> normal{0, 0};    ///< unit, from A to B, in the world, as it is in this frame
+  TravelsWith travels_with = TravelsWith::a;
+  double depth = 0;  ///< along the normal, a world length; negative across a gap
+
+  friend bool operator==(const KeptPoint&, const KeptPoint&) = default;
+};
+
+/// What is known of a contact in one frame.
+struct KeptManifold {
+  std::vector<KeptPoint> points;
+};
+
+/// A length that depends on the shapes: `absolute`, a world length, plus `relative` times the
+/// smaller shape's reach from its own origin, radius included.
+struct ShapeLength {
+  double absolute = 0;
+  double relative = 0;
+
+  double of(const PairCase& pair) const {
+    const auto reach_of = [](const ConvexPolygon<float>& shape) {
+      return reach(shape) + static_cast<double>(shape.radius);
+    };
+    return absolute + relative * std::min(reach_of(pair.a.polygon), reach_of(pair.b.polygon));
+  }
+};
+
+/// Since when a point's drift and turn count.
+enum class StaleSince { birth, refresh };
+
+/// What a collider that keeps points declares of them. Without a limit it is infinite.
+struct Keeping {
+  ShapeLength gap;    ///< the greatest across which a point is kept
+  ShapeLength drift;  ///< how far its anchors may have slid on each other, across the normal
+  double turn = std::numeric_limits<double>::infinity();  ///< of B against A, in radians
+  StaleSince since = StaleSince::birth;
+  ShapeLength match;  ///< within which a new point takes an old one's place
+  int points_max = 2;
+};
+
+/// There is one each frame: no contact is one without points.
+using KeptAnswer = std::variant<KeptManifold, Unsupported, Lost>;
+
+/// A collider with a memory. What it says of a point at its birth is judged as `declaration` has it
+/// (claims `point`), and what becomes of it by `keeping`.
+struct SequenceCollider {
+  Declaration declaration;
+  Keeping keeping;
+  /// Forgets everything; the function that it gives is asked frame after frame.
+  std::function<std::function<KeptAnswer(const PairCase& frame)>()> begin;
+
+  bool is_isolated = false;  ///< it runs in a process of its own
+};
+
+}  // namespace manifuzz

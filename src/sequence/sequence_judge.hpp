@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "collider/sequence_collider.hpp"
+#include "geometry/sequence.hpp"
+#include "judging/bucket.hpp"
+
+namespace manifuzz {
+
+/// What is wrong in one frame; kind `none` where nothing is.
+struct FrameJudgement {
+  Kind kind = Kind::none;
+  std::optional<std::size_t> point{};  ///< which of the frame's points, if it is one
+  double magnitude = 0;                ///< as a share of the size
+  double bound = 0;                    ///< within which it would be right, as a share too
+};
+
+/// The verdict on a whole sequence: that of the gravest frame, the first of equals.
+struct SequenceJudgement {
+  Bucket bucket{};
+  double magnitude = 0;
+  std::size_t frame = 0;               ///< the one that decides
+  std::vector<FrameJudgement> frames;  ///< of all that were judged
+  const LedgerEntry* explanation = nullptr;
+};
+
+/// Judges answers to a sequence, one for each frame, or fewer where the last of them is lost.
+SequenceJudgement judge_sequence(const Sequence& sequence, const SequenceCollider& subject,
+                                 std::span<const KeptAnswer> answers);
+
+/// What the subject answers, frame by frame, up to the first that is lost or unsupported.
+std::vector<KeptAnswer> ask_sequence(const SequenceCollider& subject, const Sequence& sequence);
+
+}  // namespace manifuzz
