@@ -7,6 +7,7 @@
 #include "collider/sequence_collider.hpp"
 #include "geometry/sequence.hpp"
 #include "judging/bucket.hpp"
+#include "judging/compare.hpp"
 
 namespace manifuzz {
 
