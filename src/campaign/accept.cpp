@@ -42,7 +42,7 @@ Acceptance acceptance_of(const CorpusCase& known, Acceptance asked) {
 }
 
 CorpusCase accepted_case(const std::string& file, const Acceptance& asked) {
-  CorpusCase known = read_case_file(file);
+  CorpusCase known = read_case_file(file, CaseKind::either);
   known.accepted = acceptance_of(known, asked);
   return known;
 }
@@ -57,7 +57,7 @@ void accept_in(const std::filesystem::path& corpus, CorpusCase& accepted) {
 }
 
 void drop_acceptance(const std::string& file) {
-  if (!read_case_file(file).accepted) {
+  if (!read_case_file(file, CaseKind::either).accepted) {
     throw UserError(fmt::format("--drop: {} is not accepted", printable(file, 200)));
   }
   write_acceptance(file, {});
@@ -82,7 +82,7 @@ std::string acceptance_in_words(const CorpusCase& accepted, const std::string& t
 
 std::string list_accepted(const std::filesystem::path& corpus, const std::string& today) {
   std::string text;
-  for (const CorpusCase& known : read_corpus_folder(corpus).cases) {
+  for (const CorpusCase& known : read_corpus_folder(corpus).all()) {
     if (known.accepted) text += acceptance_in_words(known, today) + '\n';
   }
   return text;

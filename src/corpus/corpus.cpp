@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/random.hpp"
+#include "sequence/sequence_json.hpp"
 
 namespace manifuzz {
 namespace {
@@ -50,8 +51,9 @@ void read_lines_file(const std::string& path, Corpus& corpus) {
   std::string first_error;
   while (const auto line = lines.next()) {
     try {
-      corpus.cases.push_back(parse_line(*line));
-      corpus.cases.back().path = fmt::format("{}:{}", path, line->number);
+      CorpusCase one = parse_line(*line, CaseKind::either);
+      one.path = fmt::format("{}:{}", path, line->number);
+      corpus.add(std::move(one));
       ++good;
     } catch (const UserError& error) {
       if (bad++ == 0)
@@ -79,20 +81,30 @@ std::string look_of(const CorpusCase& corpus_case) {
 bool is_same_finding(const CorpusCase& known, const CorpusCase& other) {
   const Expectation expect = known.expect.value_or(Expectation{});
   const Expectation of_other = other.expect.value_or(Expectation{});
-  return known.pair == other.pair && known.property == other.property &&
+  return known.is_of_same(other) && known.property == other.property &&
          expect.bucket == of_other.bucket && expect.subject == of_other.subject &&
          expect.oracle == of_other.oracle;
 }
 
 bool holds(const fs::path& file, const CorpusCase& corpus_case) {
   try {
-    return is_same_finding(read_case_file(file.string()), corpus_case);
+    return is_same_finding(read_case_file(file.string(), CaseKind::either), corpus_case);
   } catch (const UserError&) {
     return false;
   }
 }
 
 }  // namespace
+
+void Corpus::add(CorpusCase one) {
+  (one.is_sequence() ? sequences : cases).push_back(std::move(one));
+}
+
+std::vector<CorpusCase> Corpus::all() const {
+  std::vector<CorpusCase> both = cases;
+  both.insert(both.end(), sequences.begin(), sequences.end());
+  return both;
+}
 
 std::vector<fs::path> find_case_files(std::span<const fs::path> paths,
                                       std::vector<std::string>& errors) {
@@ -119,7 +131,7 @@ void add_case_file(const fs::path& path, Corpus& corpus) {
     if (path.extension() == ".jsonl") {
       read_lines_file(path.string(), corpus);
     } else {
-      corpus.cases.push_back(read_case_file(path.string()));
+      corpus.add(read_case_file(path.string(), CaseKind::either));
     }
   } catch (const UserError& error) {
     corpus.errors.emplace_back(error.what());
@@ -135,7 +147,11 @@ Corpus read_corpus(std::span<const fs::path> paths) {
 
 std::string corpus_file_name(const CorpusCase& corpus_case) {
   std::string text;
-  append_case_line(text, corpus_case.pair);
+  if (corpus_case.is_sequence()) {
+    append_sequence_line(text, corpus_case.sequence());
+  } else {
+    append_case_line(text, corpus_case.pair);
+  }
   return fmt::format("{}-{:08x}.json", look_of(corpus_case), mix(hash_of(text)) >> 32);
 }
 
@@ -162,7 +178,7 @@ void write_acceptance(const std::string& file, const std::optional<Acceptance>& 
     throw UserError(fmt::format("{}: holds lines; a file of one case, *.json, is expected",
                                 printable_path(file)));
   }
-  CorpusCase known = read_case_file(file);
+  CorpusCase known = read_case_file(file, CaseKind::either);
   std::string text = InputFile(file).read_all();  // all else stays as it is written
   if (known.accepted) {
     const std::string member = acceptance_member(*known.accepted);
@@ -199,7 +215,11 @@ void write_worst_case(const fs::path& file, const CorpusCase& worst) {
   write_file(worst_beside(file), format_case(worst));
 }
 
-void answer_each(const std::string& path, const AnswerCase& answer) {
+namespace {
+
+/// Calls `answer` with each case of that kind.
+template <class Answer>
+void answer_cases(const std::string& path, CaseKind kind, const Answer& answer) {
   InputFile file(path);
   Output out;
   const bool is_one_case = path.ends_with(".json");
@@ -211,7 +231,7 @@ void answer_each(const std::string& path, const AnswerCase& answer) {
     line.clear();
     ++cases;
     try {
-      answer(read().pair, cases - 1, line);
+      answer(read(), cases - 1, line);
     } catch (const UserError& error) {
       const std::string place = is_one_case ? "" : fmt::format(":{}", number);
       if (bad++ == 0) first_error = fmt::format("{}{}: {}", file.name(), place, error.what());
@@ -223,11 +243,11 @@ void answer_each(const std::string& path, const AnswerCase& answer) {
   };
   if (is_one_case) {
     const std::string text = file.read_all();
-    write_answer(1, [&] { return parse_case(text, FormatKey::required); });
+    write_answer(1, [&] { return parse_case(text, FormatKey::required, kind); });
   } else {
     LineReader lines(file, [&] { out.flush(); });
     while (const auto read = lines.next()) {
-      write_answer(read->number, [&] { return parse_line(*read); });
+      write_answer(read->number, [&] { return parse_line(*read, kind); });
     }
   }
   out.flush();
@@ -235,6 +255,22 @@ void answer_each(const std::string& path, const AnswerCase& answer) {
   if (bad == 0) return;
   throw UserError(is_one_case ? first_error
                               : fmt::format("{} ({} bad of {})", first_error, bad, cases));
+}
+
+}  // namespace
+
+void answer_each(const std::string& path, const AnswerCase& answer) {
+  answer_cases(path, CaseKind::pair,
+               [&](const CorpusCase& one, std::size_t index, std::string& line) {
+                 answer(one.pair, index, line);
+               });
+}
+
+void answer_each_sequence(const std::string& path, const AnswerSequence& answer) {
+  answer_cases(path, CaseKind::sequence,
+               [&](const CorpusCase& one, std::size_t index, std::string& lines) {
+                 answer(one.sequence(), index, lines);
+               });
 }
 
 }  // namespace manifuzz

@@ -16,6 +16,7 @@
 #include "corpus/acceptance.hpp"
 #include "exchange/json.hpp"
 #include "geometry/pair_case.hpp"
+#include "geometry/sequence.hpp"
 
 namespace manifuzz {
 
@@ -40,44 +41,65 @@ struct Expectation {
   std::optional<double> magnitude = {};  ///< the worst error as a share of the size, or infinite
 };
 
-/// A case as corpus/README.md describes it; a bare pair case is one without the other keys.
+/// A case as corpus/README.md describes it, a pair case or a sequence; a bare one is one without
+/// the other keys.
 struct CorpusCase {
-  PairCase pair;
+  PairCase pair;  ///< of a sequence as it stands in its first frame
   std::optional<Found> found;
   std::optional<Expectation> expect;
   std::optional<Acceptance> accepted = {};
   std::string property;  ///< the property that failed on it, or empty
   std::string note;      ///< a sentence of why it is kept, or empty
   std::string path;  ///< the file it was read from, with :line for a line; for errors and reports
+  std::vector<FramePoses> frames = {};  ///< of a sequence; none of a pair case
+
+  bool is_sequence() const { return !frames.empty(); }
+  Sequence sequence() const { return {pair.a.polygon, pair.b.polygon, frames}; }
+  /// Makes it a case of that sequence.
+  void set(const Sequence& sequence);
+  /// Whether both are cases of the same pair, or of the same sequence.
+  bool is_of_same(const CorpusCase& other) const {
+    return pair == other.pair && frames == other.frames;
+  }
 };
 
 /// Whether the key "format" may be left out.
 enum class FormatKey { required, optional };
 
+/// Which cases are read; the others are errors.
+enum class CaseKind { pair, sequence, either };
+
 /// Reads one case, the white space around it is free. Throws UserError that begins with a JSON path
 /// or a line and column; callers put the file's name before it.
-CorpusCase parse_case(std::string_view text, FormatKey format_key);
+CorpusCase parse_case(std::string_view text, FormatKey format_key, CaseKind kind = CaseKind::pair);
 
 /// The same of a value that is parsed already.
-CorpusCase read_case(const JsonView& root, FormatKey format_key);
+CorpusCase read_case(const JsonView& root, FormatKey format_key, CaseKind kind = CaseKind::pair);
 
 /// The case on a line that is not blank; errors as `parse_case`.
-CorpusCase parse_line(const Line& line);
+CorpusCase parse_line(const Line& line, CaseKind kind = CaseKind::pair);
 
 /// The one case that a file, or the standard input ("-"), holds; errors begin with the file's name.
 /// Files named *.json must name the format.
-CorpusCase read_case_file(const std::string& path);
+CorpusCase read_case_file(const std::string& path, CaseKind kind = CaseKind::pair);
 
-/// The text of a corpus file: a line for each polygon and each manifold.
+/// The text of a corpus file: a line for each polygon, each frame and each manifold.
 std::string format_case(const CorpusCase& corpus_case);
 
-/// Appends a pair case and where it came from as one line, without the line's end.
+/// Appends a case, and where it came from, as one line, without the line's end.
 void append_found_case_line(std::string& out, const PairCase& pair, const Found& found);
+void append_found_case_line(std::string& out, const Sequence& sequence, const Found& found);
 
 struct Corpus {
-  std::vector<CorpusCase> cases;
+  std::vector<CorpusCase> cases;               ///< pair cases
   std::vector<std::string> errors;             ///< one line for each file or folder that is broken
   std::vector<std::filesystem::path> files{};  ///< all that were read, broken ones too
+  std::vector<CorpusCase> sequences{};         ///< in the same order
+
+  /// Adds it to its like.
+  void add(CorpusCase one);
+  /// The sequences behind the cases.
+  std::vector<CorpusCase> all() const;
 };
 
 /// The files of cases (*.json, *.jsonl) among these and in these folders and below, sorted by path,
@@ -124,11 +146,16 @@ void write_worst_case(const std::filesystem::path& file, const CorpusCase& worst
 /// `index` counts the lines that are not blank, bad ones too, from 0.
 using AnswerCase = std::function<void(const PairCase& pair, std::size_t index, std::string& line)>;
 
-/// Reads cases from a file (*.json: one; else one a line, blank lines skipped; "-": stdin) and
+/// Reads pair cases from a file (*.json: one; else one a line, blank lines skipped; "-": stdin) and
 /// writes a line for each to the standard output, in order and constant memory. A bad line gives
 /// {"error": "...", "line": N} in its place. Whoever feeds a pipe gets every answer before the next
 /// read. Throws UserError at the end where a line was bad, or where there was no case.
 void answer_each(const std::string& file, const AnswerCase& answer);
+
+/// The same of sequences; what is appended may be several lines, but for the last one's end.
+using AnswerSequence =
+    std::function<void(const Sequence& sequence, std::size_t index, std::string& lines)>;
+void answer_each_sequence(const std::string& file, const AnswerSequence& answer);
 
 /// An option, and the file or folder that it names to be written; an empty path: none.
 struct OutputPath {

@@ -5,6 +5,7 @@
 #include "base/json.hpp"
 #include "base/text.hpp"
 #include "corpus/corpus.hpp"
+#include "sequence/sequence_json.hpp"
 
 namespace manifuzz {
 namespace {
@@ -19,6 +20,15 @@ void check_format(const JsonView& root, FormatKey format_key) {
     format->fail(fmt::format("unknown format \"{}\"; \"{}\" or \"{}\" is expected",
                              printable(format->string()), kCaseFormat, kCurvedCaseFormat));
   }
+}
+
+/// Fails unless the case is of a kind that is read.
+void check_kind(const JsonView& root, CaseKind kind) {
+  if (kind == CaseKind::either || is_sequence(root) == (kind == CaseKind::sequence)) return;
+  root.find("format").value_or(root).fail(
+      kind == CaseKind::pair
+          ? "is a sequence, which takes a collider that keeps points; a pair case is expected"
+          : fmt::format("is a pair case; a sequence, \"{}\", is expected", kSequenceFormat));
 }
 
 /// The first format has no round shapes.
@@ -127,18 +137,30 @@ void append_expectation(std::string& out, const PairCase& pair, const Expectatio
 
 }  // namespace
 
-CorpusCase parse_case(std::string_view text, FormatKey format_key) {
-  if (is_blank(text)) throw UserError("is empty; one case is expected");
-  const JsonTree tree = parse_json(text);
-  return read_case(JsonView(tree), format_key);
+void CorpusCase::set(const Sequence& sequence) {
+  pair = sequence.at(0);
+  frames = sequence.frames;
 }
 
-CorpusCase read_case(const JsonView& root, FormatKey format_key) {
-  root.expect_keys({"format", "a", "b", "found", "expect", "accepted", "property", "note"});
-  check_format(root, format_key);
+CorpusCase parse_case(std::string_view text, FormatKey format_key, CaseKind kind) {
+  if (is_blank(text)) throw UserError("is empty; one case is expected");
+  const JsonTree tree = parse_json(text);
+  return read_case(JsonView(tree), format_key, kind);
+}
+
+CorpusCase read_case(const JsonView& root, FormatKey format_key, CaseKind kind) {
   CorpusCase corpus_case;
-  corpus_case.pair = {read_body(root.at("a")), read_body(root.at("b"))};
-  check_can_say(root, corpus_case.pair);
+  check_kind(root, kind);
+  if (is_sequence(root)) {
+    root.expect_keys({"format", "a", "b", "frames", "found", "expect", "accepted", "note"});
+    if (format_key == FormatKey::required) root.at("format");
+    corpus_case.set(read_sequence(root));
+  } else {
+    root.expect_keys({"format", "a", "b", "found", "expect", "accepted", "property", "note"});
+    check_format(root, format_key);
+    corpus_case.pair = {read_body(root.at("a")), read_body(root.at("b"))};
+    check_can_say(root, corpus_case.pair);
+  }
   if (const auto found = root.find("found")) corpus_case.found = read_found(*found);
   if (const auto expect = root.find("expect")) {
     corpus_case.expect = read_expectation(*expect, corpus_case.pair);
@@ -151,17 +173,17 @@ CorpusCase read_case(const JsonView& root, FormatKey format_key) {
   return corpus_case;
 }
 
-CorpusCase parse_line(const Line& line) {
+CorpusCase parse_line(const Line& line, CaseKind kind) {
   if (line.too_long) throw UserError("longer than 1 MiB; one case a line is expected");
-  return parse_case(line.text, FormatKey::optional);
+  return parse_case(line.text, FormatKey::optional, kind);
 }
 
-CorpusCase read_case_file(const std::string& path) {
+CorpusCase read_case_file(const std::string& path, CaseKind kind) {
   InputFile file(path);
   const std::string text = file.read_all();
   try {
     CorpusCase corpus_case =
-        parse_case(text, path.ends_with(".json") ? FormatKey::required : FormatKey::optional);
+        parse_case(text, path.ends_with(".json") ? FormatKey::required : FormatKey::optional, kind);
     corpus_case.path = path;
     return corpus_case;
   } catch (const UserError& error) {
@@ -171,7 +193,11 @@ CorpusCase read_case_file(const std::string& path) {
 
 std::string format_case(const CorpusCase& corpus_case) {
   std::string out;
-  append_case_start(out, corpus_case.pair);
+  if (corpus_case.is_sequence()) {
+    append_sequence_start(out, corpus_case.sequence());
+  } else {
+    append_case_start(out, corpus_case.pair);
+  }
   if (corpus_case.found) append_found(out, ",\n  ", *corpus_case.found);
   if (corpus_case.expect) append_expectation(out, corpus_case.pair, *corpus_case.expect);
   if (corpus_case.accepted) out += acceptance_member(*corpus_case.accepted);
@@ -180,11 +206,25 @@ std::string format_case(const CorpusCase& corpus_case) {
   return out + "\n}\n";
 }
 
-void append_found_case_line(std::string& out, const PairCase& pair, const Found& found) {
-  append_case_line(out, pair);
+namespace {
+
+/// Adds where it came from to a case's line.
+void append_found_to_line(std::string& out, const Found& found) {
   out.pop_back();  // the brace that closes it
   append_found(out, ", ", found);
   out += '}';
+}
+
+}  // namespace
+
+void append_found_case_line(std::string& out, const PairCase& pair, const Found& found) {
+  append_case_line(out, pair);
+  append_found_to_line(out, found);
+}
+
+void append_found_case_line(std::string& out, const Sequence& sequence, const Found& found) {
+  append_sequence_line(out, sequence);
+  append_found_to_line(out, found);
 }
 
 }  // namespace manifuzz

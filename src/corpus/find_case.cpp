@@ -108,13 +108,14 @@ CaseList matching(const std::vector<CorpusCase>& corpus, const Matches& matches)
 FoundCase find_case(const std::string& name, const fs::path& folder) {
   std::error_code unknown;
   if (name == "-" || fs::exists(name, unknown)) return {name};
-  const std::vector<CorpusCase> corpus = read_corpus({&folder, 1}).cases;  // what is whole of it
+  const std::vector<CorpusCase> corpus = read_corpus({&folder, 1}).all();  // what is whole of it
   const std::string wanted = dashed(name);
   const CaseList alike = matching(
       corpus, [&](const CorpusCase& known) { return is_of(dashed(bucket_of(known)), wanted); });
   if (!alike.empty()) {
-    const CorpusCase& smallest = **std::ranges::min_element(
-        alike, {}, [](const CorpusCase* known) { return complexity(known->pair); });
+    const CorpusCase& smallest = **std::ranges::min_element(alike, {}, [](const CorpusCase* known) {
+      return std::pair(known->frames.size(), complexity(known->pair));
+    });
     const std::string of =
         alike.size() > 1 ? fmt::format(", the smallest of {} with that bucket", alike.size()) : "";
     return {smallest.path, fmt::format("taken: {}{}", printable_path(smallest.path), of)};

@@ -4,8 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <set>
 
+#include "corpus/shrink_gate.hpp"
 #include "generating/drafts.hpp"
 
 namespace manifuzz {
@@ -92,9 +92,6 @@ Complexity complexity(const PairCase& pair) {
   return result;
 }
 
-namespace {
-
-/// All that tells two cases apart.
 std::vector<float> numbers_of(PairCase pair) {
   std::vector<float> numbers{static_cast<float>(pair.a.polygon.count),
                              pair.a.polygon.is_round() ? 1.0F : 0.0F,
@@ -106,29 +103,14 @@ std::vector<float> numbers_of(PairCase pair) {
   return numbers;
 }
 
-}  // namespace
-
 Shrunk shrink(const PairCase& pair, const std::function<bool(const PairCase&)>& still_fails,
               int evaluations_max) {
-  Shrunk result;
-  std::set<std::vector<float>> seen{numbers_of(pair)};
-  const auto consider = [&](const PairCase& candidate) {
-    if (!result.complete || !seen.insert(numbers_of(candidate)).second) return false;
-    if (result.evaluations == evaluations_max) {
-      result.complete = false;
-      return false;
-    }
-    ++result.evaluations;
-    return still_fails(candidate);
-  };
+  ShrinkGate<PairCase> gate{still_fails, evaluations_max, {numbers_of(pair)}};
   const PairCase positive_zeros = without_negative_zeros(pair);
-  ++result.evaluations;
-  const PairCase& start = still_fails(positive_zeros) ? positive_zeros : pair;
+  const PairCase& start = gate.fails(positive_zeros) ? positive_zeros : pair;
   // A lambda, since clang cannot bind a plain function here.
   const auto simpler = [](const PairCase& parent) { return simpler_cases(parent); };
-  const auto tree = rc::shrinkable::shrinkRecur(start, simpler);
-  result.pair = rc::shrinkable::findLocalMin(tree, consider).first;
-  return result;
+  return {smallest(start, simpler, gate), gate.evaluations, gate.complete};
 }
 
 }  // namespace manifuzz

@@ -40,8 +40,18 @@ float nearer_to_zero(float value);
 /// numbers, and the symmetric image that is simplest. All valid, all of less `complexity`. Lazy.
 rc::Seq<PairCase> simpler_cases(const PairCase& pair);
 
+/// The same changes of all cases with the same shapes, in the same order, simpler or not, valid or
+/// not: for cases that are changed together. Lazy.
+rc::Seq<PairCase> like_changes(const PairCase& pair);
+
+/// The simpler cases among these, and those with one number simpler. Lazy.
+rc::Seq<PairCase> simpler_neighbours(const PairCase& pair);
+
 /// The case with 0 in place of -0: as simple cases have it.
 PairCase without_negative_zeros(PairCase pair);
+
+/// All that tells two cases apart.
+std::vector<float> numbers_of(PairCase pair);
 
 struct Shrunk {
   PairCase pair;

@@ -230,17 +230,36 @@ PairCase without_negative_zeros(PairCase pair) {
   return pair;
 }
 
-rc::Seq<PairCase> simpler_cases(const PairCase& pair) {
+namespace {
+
+/// Those of the proposals that are valid and simpler than the pair.
+Cases simpler_of(Cases proposals, const PairCase& pair) {
   const Complexity limit = complexity(pair);
-  Cases proposals = rc::seq::concat(plainest(pair), of_a_plainer_kind(pair), without_a_vertex(pair),
-                                    with_plainer_poses(pair), with_fewer_digits(pair),
-                                    with_a_vertex_at_zero(pair), with_plainer_size(pair),
-                                    with_one_number_simpler(pair), symmetric_images(pair));
   return rc::seq::mapMaybe(std::move(proposals), [limit](const PairCase& proposal) {
     const MaybeCase valid = revalidated(without_negative_zeros(proposal));
     return valid && complexity(*valid) < limit ? rc::Maybe<PairCase>(*valid)
                                                : rc::Maybe<PairCase>(rc::Nothing);
   });
+}
+
+}  // namespace
+
+rc::Seq<PairCase> like_changes(const PairCase& pair) {
+  return rc::seq::concat(of_a_plainer_kind(pair), without_a_vertex(pair), with_plainer_poses(pair),
+                         with_fewer_digits(pair), with_a_vertex_at_zero(pair),
+                         with_plainer_size(pair), symmetric_images(pair));
+}
+
+rc::Seq<PairCase> simpler_neighbours(const PairCase& pair) {
+  return simpler_of(rc::seq::concat(like_changes(pair), with_one_number_simpler(pair)), pair);
+}
+
+rc::Seq<PairCase> simpler_cases(const PairCase& pair) {
+  return simpler_of(rc::seq::concat(plainest(pair), of_a_plainer_kind(pair), without_a_vertex(pair),
+                                    with_plainer_poses(pair), with_fewer_digits(pair),
+                                    with_a_vertex_at_zero(pair), with_plainer_size(pair),
+                                    with_one_number_simpler(pair), symmetric_images(pair)),
+                    pair);
 }
 
 }  // namespace manifuzz

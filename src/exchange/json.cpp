@@ -47,14 +47,18 @@ float read_radius(const JsonView& number) {
   return radius;
 }
 
-Vector2<float> read_rotation(const JsonView& array) {
-  Vector2<float> rotation = read_vector(array);
-  if (!is_unit_rotation(rotation)) {
-    array.fail(
-        fmt::format("[{}, {}] is not a rotation; it is [cos, sin], cos^2 + sin^2 within {} of 1",
-                    rotation.x(), rotation.y(), kRotationTolerance));
-  }
-  return rotation;
+/// Fails, naming `value`, unless it is one.
+void expect_rotation(const JsonView& value, const Vector2<float>& rotation) {
+  if (is_unit_rotation(rotation)) return;
+  value.fail(
+      fmt::format("[{}, {}] is not a rotation; it is [cos, sin], cos^2 + sin^2 within {} of 1",
+                  rotation.x(), rotation.y(), kRotationTolerance));
+}
+
+ConvexPolygon<float> read_members(const JsonView& object) {
+  const auto radius = object.find("radius");
+  return read_shape(object.at("vertices"), radius ? read_radius(*radius) : 0,
+                    object.find("rounding"));
 }
 
 /// The white space before a member that is not on the line of the one before it; empty: all are on
@@ -70,19 +74,24 @@ void append_key(std::string& out, std::string_view line_break, std::string_view 
   out.append("\"").append(key).append("\": ");
 }
 
-void append_body(std::string& out, const Body& body, const LineBreaks& breaks) {
-  out.append("{").append(breaks.in_body) += "\"vertices\": [";
-  for (int i = 0; i < body.polygon.count; ++i) {
+/// What a polygon is, a member after the other: a line break before each.
+void append_members(std::string& out, const ConvexPolygon<float>& polygon,
+                    std::string_view line_break) {
+  out.append(line_break) += "\"vertices\": [";
+  for (int i = 0; i < polygon.count; ++i) {
     if (i > 0) out += ',';
-    append_vector(out, body.polygon.vertices[i]);
+    append_vector(out, polygon.vertices[i]);
   }
   out += ']';
-  append_key(out, breaks.in_body, "radius");
-  append_number(out, body.polygon.radius);
-  if (body.polygon.is_round()) {
-    append_key(out, breaks.in_body, "rounding");
-    out += "\"round\"";
-  }
+  append_key(out, line_break, "radius");
+  append_number(out, polygon.radius);
+  if (!polygon.is_round()) return;
+  append_key(out, line_break, "rounding");
+  out += "\"round\"";
+}
+
+void append_body(std::string& out, const Body& body, const LineBreaks& breaks) {
+  append_members(out += '{', body.polygon, breaks.in_body);
   append_key(out, breaks.in_body, "position");
   append_vector(out, body.pose.position);
   append_key(out, breaks.in_body, "rotation");
@@ -114,13 +123,46 @@ void expect_two(const JsonView& array, std::string_view expected) {
 
 Body read_body(const JsonView& object) {
   object.expect_keys({"vertices", "radius", "rounding", "position", "rotation"});
-  Body body;
-  const auto radius = object.find("radius");
-  body.polygon =
-      read_shape(object.at("vertices"), radius ? read_radius(*radius) : 0, object.find("rounding"));
+  Body body{read_members(object), {}};
   if (const auto position = object.find("position")) body.pose.position = read_vector(*position);
-  if (const auto rotation = object.find("rotation")) body.pose.rotation = read_rotation(*rotation);
+  if (const auto rotation = object.find("rotation")) {
+    body.pose.rotation = read_vector(*rotation);
+    expect_rotation(*rotation, body.pose.rotation);
+  }
   return body;
+}
+
+ConvexPolygon<float> read_polygon(const JsonView& object) {
+  object.expect_keys({"vertices", "radius", "rounding"});
+  return read_members(object);
+}
+
+void append_polygon(std::string& out, const ConvexPolygon<float>& polygon) {
+  append_members(out += '{', polygon, {});
+  out += '}';
+}
+
+Pose<float> read_pose(const JsonView& array) {
+  constexpr std::string_view expected = "[x, y, cos, sin]";
+  if (array.length(expected) != 4) {
+    array.fail(fmt::format("has {} elements; {} is expected", array.length(), expected));
+  }
+  Pose<float> pose;
+  pose.position = {array[0].number_as_float(), array[1].number_as_float()};
+  pose.rotation = {array[2].number_as_float(), array[3].number_as_float()};
+  expect_rotation(array, pose.rotation);
+  return pose;
+}
+
+void append_pose(std::string& out, const Pose<float>& pose) {
+  std::string_view separator = "[";
+  for (const Vector2<float>& pair : {pose.position, pose.rotation}) {
+    for (const float number : pair) {
+      append_number(out.append(separator), number);
+      separator = ",";
+    }
+  }
+  out += ']';
 }
 
 std::string feature_name(Feature feature) {

@@ -105,6 +105,16 @@ void expect_two(const JsonView& array, std::string_view expected);
 /// UserError that begins with a path.
 Body read_body(const JsonView& object);
 
+/// A body's shape alone: as a body, but without "position" and "rotation".
+ConvexPolygon<float> read_polygon(const JsonView& object);
+/// Appends the same on one line.
+void append_polygon(std::string& out, const ConvexPolygon<float>& polygon);
+
+/// Where a body stands: [x, y, cos, sin]. Throws UserError that begins with a path.
+Pose<float> read_pose(const JsonView& array);
+/// Appends the same.
+void append_pose(std::string& out, const Pose<float>& pose);
+
 /// The shapes that an answer says it used: [[x, y], ...], or with round corners {"vertices":
 /// [[x, y], ...], "radius": r}; as a member of an object, after others.
 void append_shapes(std::string& out, const UsedShapes& used);
