@@ -7,6 +7,7 @@
 #include "base/random.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/run.hpp"
+#include "campaign/sequences/sequence_case.hpp"
 #include "judging/manifold_error.hpp"
 #include "oracle/external/external_collider.hpp"
 #include "process/pool.hpp"
@@ -16,6 +17,8 @@ namespace {
 
 /// Cases are handed out in blocks, small enough that no job is left behind at the end.
 constexpr std::uint64_t kBlock = 256;
+/// A sequence takes as long as tens of cases.
+constexpr std::uint64_t kSequenceBlock = 8;
 
 enum class Step : int { generating, asking_subject, asking_oracle, judging };
 
@@ -169,6 +172,27 @@ void run_block(const Plan& plan, RunState& run, JobState& job, BlockAnswers& of_
   }
 }
 
+/// The sequences of the job's block, to its end or that of the run.
+void run_sequences(const Plan& plan, RunState& run, JobState& job, BlockAnswers& of_subject) {
+  const SequenceCollider subject = watched(plan.sequences->subject, [&job] { ++job.waits; });
+  while (job.next < job.end && job.next < run.sought && run.is_open()) {
+    const CaseNumber number = job.next;
+    job.begin(Step::generating);
+    const Sequence sequence = plan.sequence(number);
+    job.begin(Step::asking_subject);
+    const std::vector<KeptAnswer> answers = ask_sequence(subject, sequence);
+    job.begin(Step::judging);
+    const Judgement judgement = counted(judge_sequence(sequence, subject, answers));
+    job.tally.add(plan.regime_of(number), number, standing(sequence), judgement,
+                  sequence.frames.size());
+    if (plan.ends_with && plan.ends_with(judgement)) run.find(number);
+    job.next.fetch_add(1);
+    const auto* const lost = std::get_if<Lost>(&answers.back());
+    of_subject.lost_in_a_row = lost != nullptr ? of_subject.lost_in_a_row + 1 : 0;
+    if (of_subject.lost_in_a_row >= kLossesInARowMax) run.give_up(Fault::subject, lost->why);
+  }
+}
+
 void run_job(const Plan& plan, RunState& run, JobState& job) {
   BlockAnswers of_subject{plan.subject, Fault::subject};
   BlockAnswers of_oracle{plan.oracle, Fault::oracle};
@@ -176,15 +200,24 @@ void run_job(const Plan& plan, RunState& run, JobState& job) {
   while (run.is_open()) {
     if (job.next >= job.end) {
       const SharedQueue::Block block = run.cases.take(length);
-      length = kBlock;
+      length = plan.sequences ? kSequenceBlock : kBlock;
       if (block.begin >= block.end || block.begin > run.sought) return;
       job.end = block.end;
       job.next = block.begin;
     }
-    run_block(plan, run, job, of_subject, of_oracle);
+    if (plan.sequences) {
+      run_sequences(plan, run, job, of_subject);
+    } else {
+      run_block(plan, run, job, of_subject, of_oracle);
+    }
     run.clock.begin();
     if (job.next >= run.sought) return;
   }
+}
+
+Standing standing_of(const Plan& plan, CaseNumber number) {
+  return plan.sequences ? standing(plan.sequence(number))
+                        : standing(exact::Truth(plan.pair(number)));
 }
 
 /// The case that a job died or hung at is a finding of its own.
@@ -194,10 +227,11 @@ void lose_case(const Plan& plan, RunState& run, JobState& job, Ending ending) {
   const Fault fault = step == Step::asking_subject  ? Fault::subject
                       : step == Step::asking_oracle ? Fault::oracle
                                                     : Fault::none;
-  const Standing where =
-      step == Step::generating ? Standing{} : standing(exact::Truth(plan.pair(number)));
+  const Standing where = step == Step::generating ? Standing{} : standing_of(plan, number);
   const Judgement judgement{.bucket = bucket_of_lost(ending, fault)};
-  job.tally.add(plan.regime_of(number), number, where, judgement);
+  const bool has_frames = plan.sequences && step != Step::generating;
+  job.tally.add(plan.regime_of(number), number, where, judgement,
+                has_frames ? plan.sequence(number).frames.size() : 0);
   if (plan.ends_with && plan.ends_with(judgement)) run.find(number);
   job.next.fetch_add(1);
 }

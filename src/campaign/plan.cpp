@@ -87,15 +87,17 @@ void RegimeTally::add(const RegimeTally& tally) {
   touching += tally.touching;
   near += tally.near;
   unexplained += tally.unexplained;
+  frames += tally.frames;
 }
 
 void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
-                const Judgement& judgement) {
+                const Judgement& judgement, std::size_t frames) {
   widen(of_subject, judgement.of_subject);
   widen(of_oracle, judgement.of_oracle);
   const Bucket& bucket = judgement.bucket;
   RegimeTally& of_regime = regimes[regime];
   ++of_regime.cases;
+  of_regime.frames += frames;
   if (standing.touching) {
     ++of_regime.touching;
   } else if (standing.near) {

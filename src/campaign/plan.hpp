@@ -10,10 +10,12 @@
 
 #include "base/text.hpp"
 #include "collider/collider.hpp"
+#include "collider/sequence_collider.hpp"
 #include "corpus/corpus.hpp"
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
 #include "process/interruption.hpp"
+#include "sequence/motions.hpp"
 
 namespace manifuzz {
 
@@ -92,6 +94,7 @@ struct RegimeTally {
   std::uint64_t touching = 0;  ///< by the truth
   std::uint64_t near = 0;      ///< not touching, but near
   std::uint64_t unexplained = 0;
+  std::uint64_t frames = 0;  ///< of sequences; pair cases have none
 
   void add(const RegimeTally& tally);
 };
@@ -116,8 +119,9 @@ struct Tally {
   /// How often each entry of the ledger fired in each regime.
   std::array<std::array<std::uint64_t, kRegimesMax>, kLedgerMax> explained{};
 
+  /// `frames`: of a sequence.
   void add(std::size_t regime, CaseNumber number, const Standing& standing,
-           const Judgement& judgement);
+           const Judgement& judgement, std::size_t frames = 0);
   void add(const Tally& tally);
 
   std::uint64_t cases() const { return sum_of(regimes, &RegimeTally::cases); }
@@ -128,11 +132,20 @@ struct Tally {
 
 inline constexpr std::uint64_t kJudgeEvery = 256;
 
+/// What a campaign of sequences runs in place of pair cases. The judge alone says who is right.
+struct SequencePlan {
+  SequenceCollider subject;
+  std::vector<const Motion*> motions;  ///< in the places of the plan's regimes
+};
+
 /// What a campaign runs: which cases, through which two colliders.
 struct Plan {
   Collider subject;
   Collider oracle;
   std::vector<const Regime*> regimes;  ///< not empty, at most kRegimesMax
+  /// Of a campaign of sequences. Subject and oracle then only declare themselves, the oracle as the
+  /// judge, and the regimes only have the motions' names.
+  std::optional<SequencePlan> sequences{};
   GenerationContext context;
   std::uint64_t seed = 0;
   std::uint64_t first = 0;             ///< index in each regime of its first case
@@ -158,6 +171,13 @@ struct Plan {
   std::uint64_t index_of(CaseNumber number) const { return first + number / regimes.size(); }
   PairCase pair(CaseNumber number) const {
     return generate(seed, *regimes[regime_of(number)], index_of(number), context);
+  }
+  Sequence sequence(CaseNumber number) const {
+    return draw_sequence(seed, *sequences->motions[regime_of(number)], index_of(number));
+  }
+  /// Whose mistakes the ledger may explain.
+  const Declaration& in_ledger() const {
+    return sequences ? subject.declaration : oracle.declaration;
   }
 };
 

@@ -86,16 +86,22 @@ Replayed replay_wrong(const CorpusCase& recorded, const Judgement& judgement,
 Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const Collider& oracle,
                      const Known& known, Interruption& interruption) {
   if (!recorded.property.empty()) return replay_property(recorded, subject, known, interruption);
-  const Judgement judgement = judge_in_child(recorded.pair, subject, oracle, interruption);
+  return replayed(recorded, judge_in_child(recorded.pair, subject, oracle, interruption), subject,
+                  oracle, known);
+}
+
+Replayed replayed(const CorpusCase& recorded, const Judgement& judgement, const Collider& subject,
+                  const Collider& oracle, const Known& known) {
   const std::string got = to_string(judgement.bucket);
   const std::string verdict(to_string(judgement.bucket.verdict));
   if (is_failure(judgement.bucket) && judgement.bucket.fault != Fault::oracle) {
     return replay_wrong(recorded, judgement, subject, oracle, known);
   }
   const bool is_unsupported = judgement.bucket.verdict == Verdict::unsupported;
+  const Collider& in_ledger = recorded.is_sequence() ? subject : oracle;
   for (const LedgerEntry& entry : ledger()) {
     const bool is_witness =
-        !is_unsupported && oracle.declaration.name == entry.collider &&
+        !is_unsupported && in_ledger.declaration.name == entry.collider &&
         fs::path(recorded.path).filename() == fs::path(witness_of(entry)).filename();
     if (is_witness && judgement.explanation != &entry) {
       return {false, fmt::format("a witness of {}", entry.id), got};
@@ -150,14 +156,29 @@ std::vector<Declaration> ReplayRun::declarations() const {
       by_name.emplace(asked->declaration.name, asked->declaration);
     }
   }
+  by_name.erase("");  // the oracle of sequences
   std::vector<Declaration> all;
   all.reserve(by_name.size());
   for (const auto& [name, declaration] : by_name) all.push_back(declaration);
   return all;
 }
 
-ReplayRun replay_cases(const std::vector<CorpusCase>& cases, NamedColliders& colliders,
-                       const Known& known, Interruption& interruption) {
+void ReplayRun::add(const ReplayRun& run) {
+  const auto append = [](std::string& names, const std::string& more) {
+    if (!names.empty() && !more.empty()) names += ", ";
+    names += more;
+  };
+  append(subject, run.subject);
+  append(oracle, run.oracle);
+  cases.insert(cases.end(), run.cases.begin(), run.cases.end());
+  unasked.insert(unasked.end(), run.unasked.begin(), run.unasked.end());
+  seconds += run.seconds;
+  left_out += run.left_out;
+}
+
+ReplayRun replay_all(
+    const std::vector<CorpusCase>& cases, Interruption& interruption,
+    const std::function<std::optional<ReplayedCase>(const CorpusCase&)>& replay_one) {
   ReplayRun run;
   std::set<std::string> subjects;
   std::set<std::string> oracles;
@@ -166,17 +187,16 @@ ReplayRun replay_cases(const std::vector<CorpusCase>& cases, NamedColliders& col
     for (const CorpusCase& recorded : cases) {
       const auto case_start = Clock::now();
       if (interruption.is_stopped()) break;
-      const Collider* const subject = colliders.subject_of(recorded);
-      const Collider* const oracle = colliders.oracle_of(recorded);
-      if (subject == nullptr || oracle == nullptr) {
+      auto replayed_case = replay_one(recorded);
+      if (!replayed_case) {
         run.unasked.push_back(&recorded);
         continue;
       }
-      const Replayed replayed = replay_case(recorded, *subject, *oracle, known, interruption);
       if (interruption.is_stopped()) break;
-      run.cases.push_back({&recorded, replayed, seconds_since(case_start), subject, oracle});
-      subjects.insert(subject->declaration.name);
-      oracles.insert(oracle->declaration.name);
+      replayed_case->seconds = seconds_since(case_start);
+      run.cases.push_back(*replayed_case);
+      subjects.insert(replayed_case->subject->declaration.name);
+      oracles.insert(replayed_case->oracle->declaration.name);
     }
   } catch (const Interrupted&) {
     // This one is left out too.
@@ -186,6 +206,19 @@ ReplayRun replay_cases(const std::vector<CorpusCase>& cases, NamedColliders& col
   run.left_out = cases.size() - run.cases.size() - run.unasked.size();
   run.seconds = seconds_since(start);
   return run;
+}
+
+ReplayRun replay_cases(const std::vector<CorpusCase>& cases, NamedColliders& colliders,
+                       const Known& known, Interruption& interruption) {
+  return replay_all(
+      cases, interruption, [&](const CorpusCase& recorded) -> std::optional<ReplayedCase> {
+        const Collider* const subject = colliders.subject_of(recorded);
+        const Collider* const oracle = colliders.oracle_of(recorded);
+        if (subject == nullptr || oracle == nullptr) return std::nullopt;
+        return ReplayedCase{&recorded,
+                            replay_case(recorded, *subject, *oracle, known, interruption), 0,
+                            subject, oracle};
+      });
 }
 
 namespace {

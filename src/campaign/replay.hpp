@@ -59,13 +59,17 @@ struct Replayed {
 Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const Collider& oracle,
                      const Known& known, Interruption& interruption);
 
+/// What that makes of the verdict on a case or a sequence, which has an oracle of no name.
+Replayed replayed(const CorpusCase& recorded, const Judgement& judgement, const Collider& subject,
+                  const Collider& oracle, const Known& known);
+
 /// A corpus case that was run again.
 struct ReplayedCase {
   const CorpusCase* recorded = nullptr;
   Replayed result;
   double seconds = 0;
-  const Collider* subject = nullptr;
-  const Collider* oracle = nullptr;
+  const Collider* subject = nullptr;  ///< of a sequence, its declaration alone
+  const Collider* oracle = nullptr;   ///< of a sequence, of no name
 };
 
 struct ReplayRun {
@@ -82,7 +86,15 @@ struct ReplayRun {
   std::size_t accepted() const;
   std::vector<std::string> stale() const;
   std::vector<Declaration> declarations() const;  ///< of all that were asked, each once, by name
+  /// Adds another run.
+  void add(const ReplayRun& run);
 };
+
+/// Runs these again, as far as there is time: `replay_one` says nothing of one whose subject is not
+/// there.
+ReplayRun replay_all(
+    const std::vector<CorpusCase>& cases, Interruption& interruption,
+    const std::function<std::optional<ReplayedCase>(const CorpusCase&)>& replay_one);
 
 /// Every case again, as far as there is time; the run refers to the cases and to the colliders.
 ReplayRun replay_cases(const std::vector<CorpusCase>& cases, NamedColliders& colliders,

@@ -109,6 +109,9 @@ struct CampaignResult {
   std::uint64_t cases() const { return sum_of(regimes, &RegimeTally::cases); }
   std::uint64_t touching() const { return sum_of(regimes, &RegimeTally::touching); }
   std::uint64_t near() const { return sum_of(regimes, &RegimeTally::near); }
+  std::uint64_t frames() const { return sum_of(regimes, &RegimeTally::frames); }
+  /// Whether its cases are sequences.
+  bool is_of_sequences() const { return frames() > 0; }
   std::uint64_t unexplained() const;
   std::uint64_t accepted() const;             ///< of those, the accepted ones
   double seconds() const;                     ///< of all parts

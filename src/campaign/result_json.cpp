@@ -22,11 +22,13 @@ Json json_of(const ManifoldError& error) {
 }
 
 Json json_of(const RegimeResult& regime) {
-  return {{"name", regime.name},
-          {"cases", regime.cases},
-          {"touching", regime.touching},
-          {"near", regime.near},
-          {"unexplained", regime.unexplained}};
+  Json json{{"name", regime.name},
+            {"cases", regime.cases},
+            {"touching", regime.touching},
+            {"near", regime.near},
+            {"unexplained", regime.unexplained}};
+  if (regime.frames > 0) json["frames"] = regime.frames;
+  return json;
 }
 
 Json json_of(const LedgerResult& entry) {
@@ -103,7 +105,7 @@ ManifoldError read_error(const JsonView& object) {
 RegimeResult read_regime(const JsonView& row) {
   const std::string name(row.at("name").string());
   return {{count_in(row, "cases"), count_in(row, "touching"), count_in(row, "near"),
-           count_in(row, "unexplained")},
+           count_in(row, "unexplained"), count_or(row, "frames", 0)},
           name};
 }
 
@@ -223,6 +225,10 @@ Json json_of(const CampaignResult& result) {
             {"jobs", result.jobs},
             {"touching", result.touching()},
             {"near", result.near()}};
+  if (result.is_of_sequences()) {
+    json["sequences"] = result.cases();
+    json["frames"] = result.frames();
+  }
   for (const auto& [name, version] : settings.versions) json["versions"][name] = version;
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
     json["verdicts"][std::string(kVerdictNames[i])] = result.verdicts[i];

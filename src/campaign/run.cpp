@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
+#include "campaign/sequences/sequence_case.hpp"
 
 namespace manifuzz {
 namespace {
@@ -165,6 +166,13 @@ CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
   return result;
 }
 
+/// What comes of a corpus case now.
+Bucket bucket_now(const CorpusCase& known, const Plan& plan, Interruption& interruption) {
+  return plan.sequences
+             ? judge_in_child(known.sequence(), plan.sequences->subject, interruption).bucket
+             : judge_in_child(known.pair, plan.subject, plan.oracle, interruption).bucket;
+}
+
 /// The files whose finding is accepted and does not come any more, asked again.
 std::vector<std::string> stale_files(const Plan& plan, const Known& known,
                                      Interruption& interruption) {
@@ -172,10 +180,10 @@ std::vector<std::string> stale_files(const Plan& plan, const Known& known,
   for (const auto& [key, accepted] : known.accepted) {
     if (interruption.state() != Interruption::State::running) break;
     try {
-      const CorpusCase known_case = read_case_file(accepted.file);
-      const Judgement judgement =
-          judge_in_child(known_case.pair, plan.subject, plan.oracle, interruption);
-      if (is_stale(known_case, to_string(judgement.bucket), plan.subject, plan.oracle)) {
+      const CorpusCase known_case =
+          read_case_file(accepted.file, plan.sequences ? CaseKind::sequence : CaseKind::pair);
+      const std::string got = to_string(bucket_now(known_case, plan, interruption));
+      if (is_stale(known_case, got, plan.subject, plan.oracle)) {
         stale.push_back(accepted.file);
       }
     } catch (const UserError&) {

@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/result.hpp"
+#include "campaign/sequences/save_sequence.hpp"
 #include "exchange/json.hpp"
 #include "oracle/exact/curve.hpp"
 
@@ -75,20 +76,6 @@ std::optional<double> recorded_severity(const PairCase& pair, const Bucket& find
   return std::round(found.share() * 1000) / 1000;
 }
 
-/// The finding's case as it was met: where it was found, how often, and by which versions.
-Found found_at(const Finding& finding, const Tally& tally, const Plan& plan) {
-  const CaseNumber number = finding.tally.worst;
-  Found found{.seed = plan.seed,
-              .regime = std::string(plan.regimes[plan.regime_of(number)]->name),
-              .index = plan.index_of(number),
-              .versions = {}};
-  for (const Collider* collider : {&plan.subject, &plan.oracle}) {
-    found.versions[collider->declaration.name] = collider->declaration.version;
-  }
-  if (is_unexplained(finding.bucket.verdict)) found.seen = seen_of(finding, tally, plan);
-  return found;
-}
-
 /// Until when one finding is shrunk, and until when all of them are.
 struct Deadlines {
   Deadline of_shrinking;
@@ -108,6 +95,9 @@ bool save_finding(Finding& finding, const Tally& tally, const Plan& plan,
                   const std::filesystem::path& corpus, const Deadlines& deadlines,
                   Interruption& interruption) {
   const Found found = found_at(finding, tally, plan);
+  if (plan.sequences) {
+    return save_sequence(finding, found, plan, corpus, deadlines.of_shrinking, interruption);
+  }
   const auto judged = [&](const PairCase& pair) {
     return judge_in_child(pair, plan.subject, plan.oracle, interruption);
   };
@@ -143,6 +133,20 @@ bool save_finding(Finding& finding, const Tally& tally, const Plan& plan,
 
 }  // namespace
 
+Found found_at(const Finding& finding, const Tally& tally, const Plan& plan) {
+  const CaseNumber number = finding.tally.worst;
+  Found found{.seed = plan.seed,
+              .regime = std::string(plan.regimes[plan.regime_of(number)]->name),
+              .index = plan.index_of(number),
+              .versions = {}};
+  for (const Collider* collider : {&plan.subject, &plan.oracle}) {
+    found.versions[collider->declaration.name] = collider->declaration.version;
+  }
+  if (plan.sequences) found.versions.erase(std::string(kJudgeName));
+  if (is_unexplained(finding.bucket.verdict)) found.seen = seen_of(finding, tally, plan);
+  return found;
+}
+
 std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& oracle) {
   switch (bucket.verdict) {
     case Verdict::tie:
@@ -160,6 +164,7 @@ std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& ora
 }
 
 std::filesystem::path corpus_folder(const CorpusCase& known) {
+  if (known.is_sequence()) return "sequences";
   if (!known.property.empty()) return "regressions";
   const auto bucket = known.expect ? find_bucket(known.expect->bucket) : std::nullopt;
   return bucket ? corpus_folder(*bucket, known.expect->oracle) : "seeds";

@@ -22,6 +22,9 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
                          const Collider& oracle, Interruption& interruption,
                          const Deadline& severity_until = {});
 
+/// The finding's case as it was met: where it was found, how often, and by which versions.
+Found found_at(const Finding& finding, const Tally& tally, const Plan& plan);
+
 /// How long a campaign shrinks where nobody says.
 inline constexpr double kShrinkSeconds = 10;
 

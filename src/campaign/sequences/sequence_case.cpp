@@ -1,0 +1,192 @@
+#include "campaign/sequences/sequence_case.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+
+#include <fmt/format.h>
+
+#include "campaign/in_child.hpp"
+#include "process/pool.hpp"
+#include "sequence/sequence_json.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// More points than any collider declares; an answer with more is nonsense.
+constexpr std::size_t kKeptMax = 32;
+
+/// A frame's answer where the parent of the child that asks can see it.
+struct AnswerSlot {
+  enum class Kind { none, kept, unsupported, lost };
+  Kind kind = Kind::none;
+  Lost::How how = Lost::How::crashed;
+  std::size_t count = 0;
+  std::array<KeptPoint, kKeptMax> points;
+  SharedText<256> why;
+};
+
+void put(AnswerSlot& slot, const KeptAnswer& answer) {
+  if (const auto* const kept = std::get_if<KeptManifold>(&answer)) {
+    slot.count = kept->points.size();
+    std::copy_n(kept->points.begin(), std::min(slot.count, kKeptMax), slot.points.begin());
+    slot.kind = AnswerSlot::Kind::kept;
+  } else if (const auto* const unsupported = std::get_if<Unsupported>(&answer)) {
+    slot.why.set(unsupported->why);
+    slot.kind = AnswerSlot::Kind::unsupported;
+  } else {
+    const Lost& lost = std::get<Lost>(answer);
+    slot.how = lost.how;
+    slot.why.set(lost.why);
+    slot.kind = AnswerSlot::Kind::lost;
+  }
+}
+
+KeptAnswer taken_from(const AnswerSlot& slot) {
+  if (slot.kind == AnswerSlot::Kind::unsupported) return Unsupported{slot.why.str()};
+  if (slot.kind == AnswerSlot::Kind::lost) return Lost{slot.how, slot.why.str()};
+  if (slot.count > kKeptMax) {
+    return Lost{Lost::How::malformed, fmt::format("keeps {} points", slot.count)};
+  }
+  const auto begin = slot.points.begin();
+  return KeptManifold{{begin, begin + static_cast<std::ptrdiff_t>(slot.count)}};
+}
+
+/// A sequence where a child's parent can see it.
+struct SharedSequence {
+  std::size_t frames = 0;
+  ConvexPolygon<float> a;
+  ConvexPolygon<float> b;
+  std::array<FramePoses, kFramesMax> poses;
+
+  void set(const Sequence& sequence) {
+    frames = sequence.frames.size();
+    a = sequence.a;
+    b = sequence.b;
+    std::copy_n(sequence.frames.begin(), frames, poses.begin());
+  }
+  Sequence sequence() const {
+    return {a, b, {poses.begin(), poses.begin() + static_cast<std::ptrdiff_t>(frames)}};
+  }
+};
+
+/// What a shrinking child has found so far, where its parent can see it even if it dies.
+struct ShrinkSlot {
+  std::atomic<int> evaluations{0};
+  std::atomic<int> accepted{0};
+  std::array<SharedSequence, 2> best;  ///< the one at `accepted` mod 2 is whole
+  std::atomic<bool> complete{false};
+};
+
+/// The bound of the frame that decides.
+double bound_of(const SequenceJudgement& judgement) {
+  return judgement.frame < judgement.frames.size() ? judgement.frames[judgement.frame].bound : 0;
+}
+
+}  // namespace
+
+SequenceCollider watched(const SequenceCollider& subject, const std::function<void()>& on_frame) {
+  SequenceCollider all = subject;
+  all.begin = [begin = subject.begin, on_frame] {
+    return [ask = begin(), on_frame](const PairCase& frame) {
+      on_frame();
+      return ask(frame);
+    };
+  };
+  return all;
+}
+
+Judgement counted(const SequenceJudgement& judgement) {
+  return {.bucket = judgement.bucket,
+          .magnitude = judgement.magnitude,
+          .bound = bound_of(judgement),
+          .explanation = judgement.explanation};
+}
+
+bool is_alike(const SequenceJudgement& judgement, const SequenceJudgement& root) {
+  return is_alike(counted(judgement), counted(root));
+}
+
+Standing standing(const Sequence& sequence) {
+  Standing all;
+  for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
+    const Standing of_frame = standing(exact::Truth(sequence.at(k)));
+    all.near = all.near || of_frame.near;
+    if (of_frame.touching) return of_frame;
+  }
+  return all;
+}
+
+std::vector<KeptAnswer> ask_in_child(const SequenceCollider& subject, const Sequence& sequence,
+                                     Interruption& interruption) {
+  if (subject.is_isolated) return ask_sequence(subject, sequence);
+  const Shared<AnswerSlot> slots(sequence.frames.size());
+  const Shared<std::atomic<std::size_t>> done;
+  const auto body = [&] {
+    const auto ask = subject.begin();
+    for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
+      put(slots[k], ask(sequence.at(k)));
+      ++*done;
+      if (slots[k].kind != AnswerSlot::Kind::kept) break;
+    }
+  };
+  const Ending ending =
+      run_in_child(body, kCaseSeconds, interruption, [&] { return std::uint64_t{*done}; });
+  if (ending == Ending::stopped) throw Interrupted();
+  std::vector<KeptAnswer> answers;
+  for (std::size_t k = 0; k < *done; ++k) answers.push_back(taken_from(slots[k]));
+  if (ending != Ending::done) answers.emplace_back(lost_by(ending));
+  return answers;
+}
+
+JudgedSequence judged_sequence(const CorpusCase& given, const SequenceCollider& subject,
+                               Interruption& interruption) {
+  const Sequence sequence = given.sequence();
+  JudgedSequence judged{given, subject, ask_in_child(subject, sequence, interruption), {}};
+  judged.judgement = judge_sequence(sequence, subject, judged.answers);
+  return judged;
+}
+
+SequenceJudgement judge_in_child(const Sequence& sequence, const SequenceCollider& subject,
+                                 Interruption& interruption) {
+  return judge_sequence(sequence, subject, ask_in_child(subject, sequence, interruption));
+}
+
+ShrunkSequence shrink_finding(const Sequence& sequence, const SequenceCollider& subject,
+                              Interruption& interruption, const Deadline& deadline) {
+  const SequenceJudgement root = judge_in_child(sequence, subject, interruption);
+  const Verdict verdict = root.bucket.verdict;
+  const bool is_lost = verdict == Verdict::crashed || verdict == Verdict::timed_out;
+  const bool is_here = is_lost || subject.is_isolated;
+  Interruption::Limits limits = interruption.until_signal();
+  if (deadline) limits.stopped_at = std::min(limits.stopped_at.value_or(*deadline), *deadline);
+  Interruption shrinking(limits);
+  const Shared<ShrinkSlot> slot;
+  slot->best[0].set(sequence);
+  const auto like_root = [&](const Sequence& candidate) {
+    if (is_here && shrinking.is_stopped()) throw Interrupted();
+    ++slot->evaluations;
+    const SequenceJudgement judgement =
+        is_lost ? judge_in_child(candidate, subject, shrinking)
+                : judge_sequence(candidate, subject, ask_sequence(subject, candidate));
+    if (!is_alike(judgement, root)) return false;
+    slot->best[static_cast<std::size_t>(slot->accepted + 1) % 2].set(candidate);
+    ++slot->accepted;
+    return true;
+  };
+  const auto shrink_it = [&] { slot->complete = shrink(sequence, like_root).complete; };
+  if (is_here) {
+    try {
+      shrink_it();
+    } catch (const Interrupted&) {
+      // What is done until then is kept.
+    }
+  } else {
+    run_in_child(shrink_it, kCaseSeconds, shrinking,
+                 [&] { return static_cast<std::uint64_t>(slot->evaluations); });
+  }
+  return {slot->best[static_cast<std::size_t>(slot->accepted) % 2].sequence(), slot->evaluations,
+          slot->complete};
+}
+
+}  // namespace manifuzz

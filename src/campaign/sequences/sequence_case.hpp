@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "campaign/plan.hpp"
+#include "collider/sequence_collider.hpp"
+#include "corpus/shrink_sequence.hpp"
+#include "judging/judge.hpp"
+#include "process/interruption.hpp"
+#include "sequence/sequence_judge.hpp"
+
+namespace manifuzz {
+
+// One sequence at a time: asked, judged, shrunk.
+
+/// A sequence, what a collider that keeps points answers to it, and the verdict.
+struct JudgedSequence {
+  CorpusCase given;
+  SequenceCollider subject;
+  std::vector<KeptAnswer> answers;  ///< up to the first that is lost or unsupported
+  SequenceJudgement judgement;
+};
+
+/// The same collider; `on_frame` runs before each frame that it is asked.
+SequenceCollider watched(const SequenceCollider& subject, const std::function<void()>& on_frame);
+
+/// What campaigns count of a verdict.
+Judgement counted(const SequenceJudgement& judgement);
+
+/// Whether it is the same finding: its bucket, its ledger entry, and 0.3 to 3 times its magnitude,
+/// unless both are right within their bounds.
+bool is_alike(const SequenceJudgement& judgement, const SequenceJudgement& root);
+
+/// Where a sequence stands by the truth alone: whether it touches in any frame, or else comes near.
+Standing standing(const Sequence& sequence);
+
+/// What the collider answers in a child process, frame by frame; the last one is Lost where it dies
+/// or hangs. Throws Interrupted.
+std::vector<KeptAnswer> ask_in_child(const SequenceCollider& subject, const Sequence& sequence,
+                                     Interruption& interruption);
+
+/// The collider is asked so. Throws Interrupted.
+JudgedSequence judged_sequence(const CorpusCase& given, const SequenceCollider& subject,
+                               Interruption& interruption);
+
+/// The verdict alone. Throws Interrupted.
+SequenceJudgement judge_in_child(const Sequence& sequence, const SequenceCollider& subject,
+                                 Interruption& interruption);
+
+/// The smallest sequence that is the same finding, as `shrink_finding` of a pair case gives it.
+ShrunkSequence shrink_finding(const Sequence& sequence, const SequenceCollider& subject,
+                              Interruption& interruption, const Deadline& deadline = {});
+
+}  // namespace manifuzz
