@@ -47,9 +47,10 @@ std::string replay_failures(const ReplayRun& run) {
 std::string replay_counts(const ReplayRun& run) {
   std::vector<std::string> counts;
   if (!run.cases.empty()) {
-    counts.push_back(fmt::format("{} against {}: {} cases, {} passed, {} failed, in {:.2f} s",
-                                 run.subject, run.oracle, run.cases.size(), run.passed(),
-                                 run.failed(), run.seconds));
+    const std::string against = run.oracle.empty() ? "" : " against " + run.oracle;
+    counts.push_back(fmt::format("{}{}: {} cases, {} passed, {} failed, in {:.2f} s", run.subject,
+                                 against, run.cases.size(), run.passed(), run.failed(),
+                                 run.seconds));
   }
   if (run.accepted() > 0) counts.push_back(fmt::format("{} of them accepted", run.accepted()));
   if (run.unsupported() > 0) {

@@ -8,6 +8,7 @@
 #include "generating/sweep.hpp"
 #include "measure/scene/scene_run.hpp"
 #include "report/outputs.hpp"
+#include "report/sequence/sequence_report.hpp"
 
 namespace manifuzz {
 namespace {
@@ -108,6 +109,14 @@ std::string bucket_rows(const BucketResult& found) {
   return is_open && !found.is_accepted ? text + fmt::format("  {}\n", found.command) : text;
 }
 
+std::string case_heading(const Campaign& campaign) {
+  const CampaignResult& result = campaign.result;
+  return fmt::format("{} against {} {}: {} cases in {:.1f} s ({:.0f} a second, {} jobs), seed {}\n",
+                     result.settings.subject, result.settings.oracle,
+                     campaign.plan.oracle.declaration.version, result.cases(), result.seconds(),
+                     rate(result.cases(), result.seconds()), result.jobs, campaign.plan.seed);
+}
+
 /// What is left to do about the files of a run.
 std::string remarks_on_files(const CampaignResult& result) {
   std::string text;
@@ -124,11 +133,11 @@ std::string remarks_on_files(const CampaignResult& result) {
 
 std::string summary_table(const Campaign& campaign, const std::optional<CampaignResult>& baseline) {
   const CampaignResult& result = campaign.result;
-  std::string text = fmt::format(
-      "{} against {} {}: {} cases in {:.1f} s ({:.0f} a second, {} jobs), seed {}\n\n{}\n{}",
-      result.settings.subject, result.settings.oracle, campaign.plan.oracle.declaration.version,
-      result.cases(), result.seconds(), rate(result.cases(), result.seconds()), result.jobs,
-      campaign.plan.seed, regime_rows(result), verdict_rows(result));
+  std::string text =
+      result.is_of_sequences()
+          ? fmt::format("{}\n{}", sequence_heading(result, campaign.plan.seed), motion_rows(result))
+          : fmt::format("{}\n{}", case_heading(campaign), regime_rows(result));
+  text += '\n' + verdict_rows(result);
   if (!result.ledger.empty()) text += '\n' + ledger_rows(result);
   if (!result.buckets.empty()) text += '\n';
   text += lines_of(result.buckets, bucket_rows);
@@ -162,10 +171,10 @@ std::string progress_line(const Plan& plan, const Progress& progress) {
   if (plan.cases && per_second > 0) {
     left = static_cast<double>(*plan.cases - std::min(*plan.cases, tally.cases())) / per_second;
   }
-  std::string line =
-      fmt::format("{} cases, {:.0f} a second; agree {}, tie {}, known {}, unexplained {}",
-                  tally.cases(), per_second, tally.count(Verdict::agree), tally.count(Verdict::tie),
-                  tally.count(Verdict::known), tally.unexplained());
+  std::string line = fmt::format(
+      "{} {}, {:.0f} a second; agree {}, tie {}, known {}, unexplained {}", tally.cases(),
+      plan.sequences ? "sequences" : "cases", per_second, tally.count(Verdict::agree),
+      tally.count(Verdict::tie), tally.count(Verdict::known), tally.unexplained());
   if (plan.until_new) line += "; waiting for a new bucket";
   if (plan.seconds || plan.cases) line += fmt::format("; {:.0f} s left", std::max(0.0, left));
   return line;

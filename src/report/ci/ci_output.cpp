@@ -71,7 +71,7 @@ void add_buckets(TestSuite& suite, const Campaign& campaign, Interruption& inter
     const Finding& finding = campaign.findings[i];
     if (!decides_status(campaign.result.buckets[i])) continue;
     suite.tests.push_back(test_of_bucket(campaign.result, finding, campaign.result.buckets[i]));
-    if (++pictures > kDescribedMax) continue;
+    if (plan.sequences || ++pictures > kDescribedMax) continue;
     add_picture(*suite.tests.back().failure, [&] {
       return text_picture(
           judged_case(case_of(campaign, finding), plan.subject, plan.oracle, interruption));
@@ -146,12 +146,15 @@ TestSuite replay_suite(const ReplayRun& run, const CalledAgain& again, Interrupt
   for (const ReplayedCase& one : run.cases) {
     TestResult& test = suite.tests.emplace_back(TestResult{one.recorded->path, one.seconds});
     if (one.result.is_unsupported) {
-      test.why_skipped = fmt::format("unsupported: {} or {} cannot take it",
-                                     one.subject->declaration.name, one.oracle->declaration.name);
+      test.why_skipped =
+          one.recorded->is_sequence()
+              ? fmt::format("unsupported: {} cannot take it", one.subject->declaration.name)
+              : fmt::format("unsupported: {} or {} cannot take it", one.subject->declaration.name,
+                            one.oracle->declaration.name);
     }
     if (!one.result.has_failed()) continue;
     test.failure = failure_of(one, again);
-    if (++pictures > kDescribedMax) continue;
+    if (one.recorded->is_sequence() || ++pictures > kDescribedMax) continue;
     add_picture(*test.failure, [&] {
       return text_picture(judged_case(*one.recorded, *one.subject, *one.oracle, interruption));
     });

@@ -1,0 +1,155 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "judging/bounds.hpp"
+#include "oracle/exact/curve.hpp"
+#include "report/sequence/sequence_report.hpp"
+#include "report/words.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// What is wrong in a frame of a kind; `off` is by how much.
+std::string wrong_in_words(Kind kind, const std::string& off) {
+  switch (kind) {
+    case Kind::missed_contact:
+      return "nothing is kept, and they overlap by " + off;
+    case Kind::phantom_contact:
+      return "a point is new where they are apart by " + off;
+    case Kind::normal:
+      return "a normal is off by " + off;
+    case Kind::depth:
+      return "no point is as deep as they overlap, by " + off;
+    case Kind::position:
+      return "an anchor is off the surface by " + off;
+    case Kind::count:
+      return "the points leave out a depth of " + off;
+    case Kind::reversed:
+      return "a normal points from B to A";
+    case Kind::inconsistent:
+      return "a depth is not that between its anchors, by " + off;
+    case Kind::not_minimal:
+      return "along a new point's normal they overlap by " + off + " more than the least";
+    case Kind::witness:
+      return "a new point is not where they overlap as it says, by " + off;
+    case Kind::extent:
+      return "the points span less of the contact than they should, by " + off;
+    case Kind::lingering:
+      return "a point is kept past what is declared, by " + off;
+    default:
+      return std::string(name_of(kind, kKindNames));
+  }
+}
+
+/// "across 0.02 of the smaller shape".
+std::string length_in_words(const ShapeLength& length) {
+  if (length.relative == 0) return brief(length.absolute);
+  const std::string share = brief(length.relative) + " of the smaller shape";
+  return length.absolute == 0 ? share : brief(length.absolute) + " and " + share;
+}
+
+}  // namespace
+
+TrueContact true_contact(const PairCase& pair, const Declaration& subject) {
+  const exact::Truth truth(pair);
+  const exact::PenetrationCurve curve(truth, exact::skin_of(truth));
+  const double bound = bounds(pair, subject).separation;
+  TrueContact contact{curve.least(), {}};
+  for (const Vector2<double>& normal : curve.minima(std::isfinite(bound) ? bound : 0)) {
+    contact.normals.push_back(world_normal(pair, normal));
+  }
+  return contact;
+}
+
+std::vector<KeptPoint> points_in(const JudgedSequence& judged, std::size_t frame) {
+  if (frame >= judged.answers.size()) return {};
+  const auto* const kept = std::get_if<KeptManifold>(&judged.answers[frame]);
+  return kept != nullptr ? kept->points : std::vector<KeptPoint>();
+}
+
+std::string frame_in_words(const JudgedSequence& judged, std::size_t frame) {
+  if (frame >= judged.answers.size()) return "not asked";
+  const KeptAnswer& answer = judged.answers[frame];
+  if (const auto* const lost = std::get_if<Lost>(&answer)) return printable(lost->why, 200);
+  if (const auto* const cannot = std::get_if<Unsupported>(&answer)) {
+    return "unsupported: " + printable(cannot->why, 200);
+  }
+  if (frame >= judged.judgement.frames.size()) return "not judged";
+  const FrameJudgement& verdict = judged.judgement.frames[frame];
+  if (verdict.kind == Kind::none) return "right";
+  const double length = verdict.magnitude * size(judged.given.sequence().at(frame));
+  const bool is_direction = verdict.kind == Kind::normal;
+  return wrong_in_words(verdict.kind, brief(is_direction ? verdict.magnitude : length));
+}
+
+std::string verdict_sentence(const JudgedSequence& judged) {
+  const SequenceJudgement& judgement = judged.judgement;
+  const std::string& name = judged.subject.declaration.name;
+  const std::size_t frames = judged.given.frames.size();
+  if (judgement.bucket.verdict == Verdict::agree) {
+    return fmt::format("{} is right in all {} frames", name, frames);
+  }
+  const std::string known = judgement.explanation != nullptr
+                                ? fmt::format(" (known: {})", judgement.explanation->id)
+                                : "";
+  return fmt::format("{}, {} in frame {} of {}{}: {}", to_string(judgement.bucket.verdict), name,
+                     judgement.frame, frames, known, frame_in_words(judged, judgement.frame));
+}
+
+std::string keeper_line(const SequenceCollider& keeper) {
+  const Declaration& declared = keeper.declaration;
+  const Keeping& keeping = keeper.keeping;
+  std::string limits = fmt::format("keeps up to {} points, gap {}, drift {}", keeping.points_max,
+                                   length_in_words(keeping.gap), length_in_words(keeping.drift));
+  if (std::isfinite(keeping.turn)) limits += fmt::format(", turn {} rad", brief(keeping.turn));
+  limits += keeping.since == StaleSince::birth ? " since birth" : " since each refresh";
+  return fmt::format("{:<17} {} ({}, {}, {})\n", declared.name, declared.description,
+                     declared.version, declared.scalar == ScalarType::float32 ? "float" : "double",
+                     limits);
+}
+
+std::string list_motions() {
+  std::string lines;
+  for (const Motion& motion : motions()) {
+    lines += fmt::format("{:<16} {}\n", motion.name, motion.description);
+  }
+  return lines;
+}
+
+std::string sequence_heading(const CampaignResult& result, std::uint64_t seed) {
+  const double seconds = result.seconds();
+  return fmt::format(
+      "{}: {} sequences, {} frames in {:.1f} s ({:.0f} frames a second, {} jobs), "
+      "seed {}\n",
+      result.settings.subject, result.cases(), result.frames(), seconds,
+      seconds > 0 ? static_cast<double>(result.frames()) / seconds : 0, result.jobs, seed);
+}
+
+std::string motion_rows(const CampaignResult& result) {
+  static constexpr std::string_view row = "{:<18}{:>10}{:>10}{:>10}{:>8}{:>8}{:>8}{:>8}{:>8}\n";
+  std::string text = fmt::format(row, "motion", "sequences", "frames", "touching", "right", "wrong",
+                                 "known", "lost", "other");
+  for (const RegimeResult& motion : result.regimes) {
+    std::array<std::uint64_t, kVerdictNames.size()> counts{};
+    for (const BucketResult& found : result.buckets) {
+      const auto bucket = find_bucket(found.bucket);
+      const auto count = found.regimes.find(motion.name);
+      if (!bucket || count == found.regimes.end()) continue;
+      counts[static_cast<std::size_t>(bucket->verdict)] += count->second;
+    }
+    const auto of = [&](Verdict verdict) { return counts[static_cast<std::size_t>(verdict)]; };
+    std::uint64_t met = 0;
+    for (const std::uint64_t count : counts) met += count;
+    const std::uint64_t wrong = of(Verdict::subject_wrong);
+    const std::uint64_t lost =
+        of(Verdict::crashed) + of(Verdict::timed_out) + of(Verdict::malformed);
+    const std::uint64_t known = of(Verdict::known);
+    text += fmt::format(row, motion.name, motion.cases, motion.frames, motion.touching,
+                        motion.cases - met, wrong, known, lost, met - wrong - lost - known);
+  }
+  return text;
+}
+
+}  // namespace manifuzz
