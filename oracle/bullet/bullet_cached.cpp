@@ -20,7 +20,8 @@ class InPlane : public btManifoldResult {
  public:
   using btManifoldResult::btManifoldResult;
 
-  void addContactPoint(const btVector3& normal, const btVector3& point, btScalar distance) override {
+  void addContactPoint(const btVector3& normal, const btVector3& point,
+                       btScalar distance) override {
     const float length = in_plane(normal);
     if (length == 0) {
       left_plane_ = true;
@@ -41,8 +42,7 @@ class InPlane : public btManifoldResult {
 /// the margin of 0.04 that it is made with.
 class Bodies {
  public:
-  explicit Bodies(const PairCase& pair)
-      : Bodies(c_body(pair.a), c_body(pair.b)) {
+  explicit Bodies(const PairCase& pair) : Bodies(c_body(pair.a), c_body(pair.b)) {
     manifold_->setContactBreakingThreshold(
         gContactBreakingThreshold *
         std::min(angular_disc(pair.a.polygon), angular_disc(pair.b.polygon)));
@@ -151,10 +151,9 @@ Declaration declaration() {
 }
 
 Keeping keeping() {
-  const ShapeLength threshold{
-      .absolute = 0,
-      .relative = static_cast<double>(gContactBreakingThreshold),
-      .measure = ShapeMeasure::angular_disc};
+  const ShapeLength threshold{.absolute = 0,
+                              .relative = static_cast<double>(gContactBreakingThreshold),
+                              .measure = ShapeMeasure::angular_disc};
   return {.gap = threshold,
           .drift = threshold,
           .since = StaleSince::birth,
@@ -170,9 +169,8 @@ std::optional<SequenceCollider> make_bullet_cached() {
   collider.keeping = keeping();
   collider.begin = [] {
     // Shared, since points at ids that are handed on must stay.
-    return [memory = std::make_shared<Memory>()](const PairCase& pair) {
-      return memory->next(pair);
-    };
+    return
+        [memory = std::make_shared<Memory>()](const PairCase& pair) { return memory->next(pair); };
   };
   return collider;
 }
