@@ -22,8 +22,7 @@ using Numbers = std::vector<int>;
 
 TEST_CASE("the threshold is a fiftieth of the smaller disc about a body's own origin") {
   // Its box is 4 by 2 around (3, 4): half a diagonal, and the distance of the middle.
-  const auto a =
-      test::shape<double>({{1, 3}, {5, 3}, {5, 5}, {1, 5}}, 0.5);
+  const auto a = test::shape<double>({{1, 3}, {5, 3}, {5, 5}, {1, 5}}, 0.5);
   const auto b = test::shape<double>({{-20, 0}, {20, 0}, {0, 40}});
   CHECK(bullet_threshold(a, b) == Approx(0.02 * (std::hypot(2.5, 1.5) + 5)));
   CHECK(bullet_threshold(b, a) == bullet_threshold(a, b));
@@ -52,13 +51,19 @@ TEST_CASE("by Bullet's rules the first slot goes where all areas are 0, be it th
   CHECK(ids(right) == Numbers{0, 4});
 }
 
-TEST_CASE("by Bullet's rules the slot goes that leaves the largest area by the anchors on A") {
-  KeptAsBullet kept;
-  for (const auto& [x, y] : {std::pair(0.0, 0.0), {4.0, 0.0}, {4.0, 4.0}, {2.0, 1.0}}) {
-    kept.frame(kThere, DetectedPoint<double>{{0, 1}, {x, y}, {x, y - 0.5}, Side::a});
+TEST_CASE("by Bullet's rules the slot goes that leaves the largest area, but not the deepest") {
+  for (const double depth : {0.5, 0.75}) {
+    KeptAsBullet kept;
+    const auto add = [&](double x, double y, double deep) {
+      kept.frame(kThere, DetectedPoint<double>{{0, 1}, {x, y}, {x, y - deep}, Side::a});
+    };
+    add(0, 0, 0.5);
+    add(1, 1, depth);  // without it the area is largest
+    add(4, 0, 0.5);
+    add(0, 4, 0.5);
+    add(4, 4, 0.5);
+    CHECK(ids(kept) == (depth == 0.5 ? Numbers{0, 4, 2, 3} : Numbers{4, 1, 2, 3}));
   }
-  kept.frame(kThere, DetectedPoint<double>{{0, 1}, {0, 4}, {0, 3.5}, Side::a});
-  CHECK(ids(kept) == Numbers{0, 1, 2, 4});
 }
 
 TEST_CASE("by Bullet's rules the last point takes the slot of one that is dropped") {
@@ -80,7 +85,8 @@ TEST_CASE("by Bullet's rules a gap beyond the threshold is not even added") {
   CHECK(ids(none).empty());
 }
 
-TEST_CASE("turning both bodies by a quarter changes nothing of what is kept, but by Bullet's rules") {
+TEST_CASE(
+    "turning both bodies by a quarter changes nothing of what is kept, but by Bullet's rules") {
   Kept right;
   KeptAsBullet bullet;
   right.frame(kThere, below_top(0, 0.5));

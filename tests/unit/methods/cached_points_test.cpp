@@ -125,7 +125,8 @@ TEST_CASE("a normal turns with the body whose face it is of, and with no other")
   }
 }
 
-TEST_CASE("a normal of B is unit and B's whatever B's turn is at birth, and its rotation's length") {
+TEST_CASE(
+    "a normal of B is unit and B's whatever B's turn is at birth, and its rotation's length") {
   const Pose<double> turned{{0.5, 0.25}, {0.600003, 0.800004}};
   Kept kept;
   kept.frame(turned, below_top(0, 0.5, Side::b));
@@ -139,7 +140,8 @@ TEST_CASE("a normal of B is unit and B's whatever B's turn is at birth, and its 
 
 TEST_CASE("anchors are on both surfaces, a depth apart along the normal") {
   const auto box = [](double y, double radius, Rounding rounding) {
-    const std::vector<Vector2<double>> vertices = {{-1, y - 1}, {1, y - 1}, {1, y + 1}, {-1, y + 1}};
+    const std::vector<Vector2<double>> vertices = {
+        {-1, y - 1}, {1, y - 1}, {1, y + 1}, {-1, y + 1}};
     return make_polygon<double>(vertices, radius, rounding);
   };
   for (const Rounding rounding : {Rounding::mitre, Rounding::round}) {
