@@ -71,8 +71,11 @@ std::span<const SequenceEntry> sequence_ledger() {
 }
 
 const LedgerEntry* find_explanation(const FrameView& view, const FrameJudgement& judgement) {
+  // What keeps the points of another collider is named after both.
+  const std::string_view name = view.subject.declaration.name;
+  const std::string_view keeper = name.substr(0, name.find('+'));
   for (const SequenceEntry& known : kSequenceLedger) {
-    if (known.entry.collider == view.subject.declaration.name && known.explains(view, judgement)) {
+    if (known.entry.collider == keeper && known.explains(view, judgement)) {
       return &known.entry;
     }
   }
