@@ -22,7 +22,7 @@ bool normal_of_the_world(const FrameView& view, const FrameJudgement& judgement)
   const KeptPoint& birth = view.birth_of(point);
   const double bound = view.bound().normal;
   if ((point.normal - birth.normal).norm() > bound) return false;
-  if (judgement.kind == Kind::normal) return true;
+  if (judgement.kind == Kind::normal) return !view.is_born(point);
   if (judgement.kind != Kind::extent) return false;
   const AnchorsNow now = anchors_now(view.pair(), point, point.normal);
   return -now.depth > view.keeping().gap.of(view.pair()) - view.bound().gap ||
@@ -42,12 +42,30 @@ bool slot_by_areas(const FrameView& view, const FrameJudgement& judgement) {
          });
 }
 
+/// The answer as bullet-epa would give it: the same queries of the same prisms, and nothing kept.
+bool detected_by_epa(const FrameView& view, const FrameJudgement& judgement) {
+  Manifold<double> got;
+  if (judgement.point) {
+    if (judgement.kind == Kind::extent) return false;
+    const KeptPoint& point = point_of(view, judgement);
+    if (!view.is_born(point)) return false;
+    got = detected_on_b(view.pair(), point);
+  }
+  const Declaration& declaration = view.subject.declaration;
+  const auto truth = std::make_shared<const exact::Truth>(view.pair());
+  const Admissible right = admissible(truth, declaration);
+  return find_explanation("bullet-epa", {right, got, judgement.kind}) != nullptr;
+}
+
 constexpr std::string_view kWorldNormal = "the normal stays in the world while both bodies turn";
 constexpr std::string_view kWorldNormalSource =
     "Bullet 3.24, btPersistentManifold.cpp, refreshContactPoints: m_normalWorldOnB is never turned";
 constexpr std::string_view kAreas =
     "a fifth point takes the slot of one that is deepest or at an end: areas on a line are 0";
 constexpr std::string_view kAreasSource = "Bullet 3.24, btPersistentManifold.cpp, sortCachedPoints";
+
+constexpr std::string_view kEpaSource =
+    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual, and btGjkEpa2.cpp";
 
 constexpr SequenceEntry entry_of(std::string_view id, std::string_view collider,
                                  std::string_view description, std::string_view source,
@@ -59,6 +77,8 @@ constexpr std::array kSequenceLedger{
     entry_of("bullet-cached-world-normal", "bullet-cached", kWorldNormal, kWorldNormalSource,
              normal_of_the_world),
     entry_of("bullet-cached-slot-by-areas", "bullet-cached", kAreas, kAreasSource, slot_by_areas),
+    entry_of("bullet-cached-detection", "bullet-cached",
+             "what is detected is wrong as bullet-epa's answers are", kEpaSource, detected_by_epa),
     entry_of("cached-bullet-world-normal", "cached-bullet", kWorldNormal, kWorldNormalSource,
              normal_of_the_world),
     entry_of("cached-bullet-slot-by-areas", "cached-bullet", kAreas, kAreasSource, slot_by_areas),
