@@ -15,8 +15,8 @@ FrameJudgement of_length(const FrameView& view, Kind kind, double magnitude, dou
 }
 
 /// The point as a detection of its own, on one side's surface, in A's frame.
-Manifold<double> detected(const PairCase& pair, const KeptPoint& point,
-                          const Vector2<double>& place) {
+Manifold<double> detected_at(const PairCase& pair, const KeptPoint& point,
+                             const Vector2<double>& place) {
   Manifold<double> manifold;
   manifold.count = 1;
   manifold.normal = local_normal(pair, point.normal);
@@ -35,7 +35,7 @@ FrameJudgement judge_on_surface(const FrameView& view, const KeptPoint& point, P
   const Vector2<double> place =
       side == PointsAt::surface_a ? point.anchor_a : anchor_b_in_a(view.pair(), point);
   const CurveJudgement curve = judge_by_curve(
-      view.truth, declaration, detected(view.pair(), point, place), view.bound().birth);
+      view.truth, declaration, detected_at(view.pair(), point, place), view.bound().birth);
   if (curve.kind == Kind::normal || curve.kind == Kind::reversed) {
     return {.kind = curve.kind, .magnitude = curve.magnitude, .bound = curve.bound};
   }
@@ -118,6 +118,10 @@ FrameJudgement judge_birth(const FrameView& view, const KeptPoint& point) {
     return of_length(view, Kind::witness, now.drift, 2 * bound.birth.across);
   }
   return judge_on_surface(view, point, PointsAt::surface_b);
+}
+
+Manifold<double> detected_on_b(const PairCase& pair, const KeptPoint& point) {
+  return detected_at(pair, point, anchor_b_in_a(pair, point));
 }
 
 std::vector<FrameJudgement> judge_kept(const FrameView& view, const KeptPoint& point) {
