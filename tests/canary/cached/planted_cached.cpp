@@ -1,5 +1,6 @@
 // Copied with the bugs planted into what keeps points over frames, and compiled under a namespace
 // of theirs.
+#include "base/random.hpp"
 #include "canary/cached/cached_bugs.hpp"
 #include "own_colliders/cached.cpp"
 #include "own_colliders/detected.cpp"
@@ -46,9 +47,35 @@ SequenceCollider kept_of_points_on_b() {
   return kept_of_gjk("points on B", PointsAt::surface_b, 0);
 }
 
+/// Where faces are parallel but for float's rounding any place of them is right: this one takes
+/// another each time, so that there are soon more points than are kept.
+SequenceCollider kept_of_wandering_points() {
+  Collider collider = make_clip();
+  collider.declaration.name = "wandering points";
+  collider.declaration.claims = Claims::point;
+  collider.declaration.min_vertices = kMinVertices;
+  collider.declaration.takes_round = false;
+  collider.collide = [ask = make_gjk64().collide, clip = make_clip64().collide,
+                      random = Random(1, "places", 0)](const PairCase& pair) mutable -> Answer {
+    if (is_round(pair)) return Unsupported{"takes no round shapes"};
+    Manifold<double> manifold = std::get<Manifold<double>>(clip(pair));
+    const auto& [first, second] = manifold.points;
+    const double share = random.unit();
+    if (manifold.count == 2 && std::abs(first.depth - second.depth) <= 1e-7 * size(pair)) {
+      manifold.points[0].position += share * (second.position - first.position);
+      manifold.points[0].depth += share * (second.depth - first.depth);
+      manifold.count = 1;
+      return manifold;
+    }
+    return ask(pair);
+  };
+  SequenceCollider (*const over_any)(const Collider&) = cached_over;
+  return over_any(collider);
+}
+
 [[maybe_unused]] const bool planted = canary::add_keepers(
     {PLANTED_BUGS}, {make_cached, make_cached64, kept_of_clips, kept_of_midpoints,
-                     kept_of_points_on_a, kept_of_points_on_b});
+                     kept_of_points_on_a, kept_of_points_on_b, kept_of_wandering_points});
 
 }  // namespace
 }  // namespace manifuzz
