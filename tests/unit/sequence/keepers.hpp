@@ -1,6 +1,13 @@
 #pragma once
 
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+
 #include "collider/sequence_collider.hpp"
+#include "geometry/sequence.hpp"
+#include "judging/bucket.hpp"
 
 namespace manifuzz::test {
 
@@ -27,5 +34,13 @@ enum class Mistake {
 
 /// Keeps points of gjk64 as `cached64` does, but for one mistake.
 SequenceCollider keeper_with(Mistake mistake);
+
+/// A judge of sequences, as it stands or with a bug in it.
+using JudgeOfSequence = Bucket (*)(const Sequence& sequence, const SequenceCollider& subject,
+                                   std::span<const KeptAnswer> answers);
+
+/// In words, what a judge makes of keepers, right and wrong, that it should not; none where it says
+/// of each mistake what it is, in as many sequences as show it.
+std::optional<std::string> complaint_about(JudgeOfSequence judge);
 
 }  // namespace manifuzz::test
