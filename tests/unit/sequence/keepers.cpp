@@ -34,7 +34,9 @@ class Keeper {
     methods::reduce(cache_, b_in_a_);
     KeptManifold kept;
     for (const Point& point : cache_.all()) kept.points.push_back(said_of(point, pair));
-    if (is(Mistake::too_many)) kept.points.resize(4, {.id = 99, .born = cache_.frame});
+    for (int id = 100; is(Mistake::too_many) && kept.points.size() < 4; ++id) {
+      kept.points.push_back({.id = id, .born = cache_.frame, .normal = {1, 0}});
+    }
     ++cache_.frame;
     last_ = kept;
     return kept;

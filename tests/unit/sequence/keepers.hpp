@@ -29,7 +29,7 @@ enum class Mistake {
   detects_no_more,  ///< after the first frame nothing is detected
   shares_ids,       ///< all points have one id
   born_before,      ///< points claim a birth in the frame before
-  too_many,         ///< points are given twice
+  too_many,         ///< more points are given than are declared
 };
 
 /// Keeps points of gjk64 as `cached64` does, but for one mistake.
