@@ -27,7 +27,7 @@ const std::vector<Expected>& expected() {
         {Mistake::past_drift, "sliding", "lingering", 47},
         {Mistake::past_turn, "rocking", "lingering", 80},
         {Mistake::stale_depth, "apart_and_back", "inconsistent", 78},
-        {Mistake::drops_deepest, "rocking", "extent", 3},
+        {Mistake::drops_deepest, "rocking", "extent", 4},
         {Mistake::drops_end, "rocking", "extent", 30},
         {Mistake::false_birth, "sliding", "inconsistent", 6, {"not_minimal", "witness", "depth"}},
         {Mistake::anchor_aside, "resting", "witness", 155},

@@ -60,7 +60,7 @@ class Keeper {
     if (!found) return;
     const double aside = 0.3 * size(pair) / length_;
     const Vector2<double> tangent = counter_clockwise_quarter(found->normal);
-    if (is(Mistake::anchor_aside)) found->on_a += aside * tangent;
+    if (is(Mistake::anchor_aside)) found->on_b += aside * tangent;
     if (is(Mistake::both_aside)) {
       const double far = 10 * (extent(pair) + total_radius(pair)) / length_;
       found->on_a += far * tangent;

@@ -23,7 +23,7 @@ enum class Mistake {
   drops_deepest,    ///< now and then the deepest point that was kept goes
   drops_end,        ///< now and then the point that is farthest to a side goes
   false_birth,      ///< what is kept claims to be detected anew
-  anchor_aside,     ///< the anchor on A is beside the place
+  anchor_aside,     ///< the anchor on B is beside that on A
   both_aside,       ///< both anchors are, past the ends of faces
   moves_anchors,    ///< anchors of what is kept are moved to where bodies touch now
   detects_no_more,  ///< after the first frame nothing is detected
