@@ -27,11 +27,11 @@ pub const COMMON: Declaration = Declaration {
 /// How its users make a polygon of vertices.
 pub type MakePolygon = fn(Vec<Vector>) -> Option<ConvexPolygon>;
 
-/// A shape of parry's and where it stands. A ball's centre is its origin.
+/// A shape of parry's, the vertices that it kept, and where it stands. A ball's centre is its origin.
 struct Placed {
     shape: Box<dyn ParryShape>,
     pose: Pose,
-    polygon: Option<Vec<Vector>>,
+    vertices: Vec<Vector>,
 }
 
 fn vector(v: Float2, unit: Real) -> Vector {
@@ -49,8 +49,7 @@ fn placed(body: &Body, make: MakePolygon) -> Option<Placed> {
     let rotation = Rot2::from_cos_sin_unchecked(Real::from(cos) / unit, Real::from(sin) / unit);
     let mut pose = Pose::from_parts(vector(body.position, 1.0), rotation);
     let radius = Real::from(body.radius);
-    let vertices: Vec<Vector> = body.vertices().iter().map(|v| vector(*v, unit)).collect();
-    let mut polygon = None;
+    let mut vertices: Vec<Vector> = body.vertices().iter().map(|v| vector(*v, unit)).collect();
     let shape: Box<dyn ParryShape> = match vertices[..] {
         [centre] => {
             pose.translation = pose * centre;
@@ -60,7 +59,7 @@ fn placed(body: &Body, make: MakePolygon) -> Option<Placed> {
         [from, to] => Box::new(Capsule::new(from, to, radius)),
         _ => {
             let inner_shape = make(vertices)?;
-            polygon = Some(inner_shape.points().to_vec());
+            vertices = inner_shape.points().to_vec();
             if radius > 0.0 {
                 Box::new(RoundShape { inner_shape, border_radius: radius })
             } else {
@@ -68,17 +67,17 @@ fn placed(body: &Body, make: MakePolygon) -> Option<Placed> {
             }
         }
     };
-    Some(Placed { shape, pose, polygon })
+    Some(Placed { shape, pose, vertices })
 }
 
 fn wide(v: Vector) -> Double2 {
     Double2 { x: v.x as f64, y: v.y as f64 }
 }
 
-/// The vertices that it kept, in the body's own frame.
+/// In the body's own frame.
 fn used(placed: &Placed, unit: Real) -> Shape {
     let mut shape = Shape::default();
-    for vertex in placed.polygon.iter().flatten() {
+    for vertex in &placed.vertices {
         shape.vertices[shape.count as usize] = wide(*vertex / unit);
         shape.count += 1;
     }
