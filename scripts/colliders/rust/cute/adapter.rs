@@ -80,14 +80,16 @@ fn polygon(body: &Body) -> c2Poly {
     polygon
 }
 
-fn shape(body: &Body) -> Shape {
-    match *body.vertices() {
+/// Nothing of a polygon with a radius: c2Poly has none.
+fn shape(body: &Body) -> Option<Shape> {
+    Some(match *body.vertices() {
         [center] => Shape::Circle(c2Circle { p: placed(body, center), r: body.radius }),
         [from, to] => {
             Shape::Capsule(c2Capsule { a: placed(body, from), b: placed(body, to), r: body.radius })
         }
+        _ if body.radius > 0.0 => return None,
         _ => Shape::Polygon(polygon(body)),
-    }
+    })
 }
 
 fn wide(v: c2v) -> Double2 {
@@ -95,7 +97,7 @@ fn wide(v: c2v) -> Double2 {
 }
 
 pub fn collide(a: &Body, b: &Body) -> Option<Manifold> {
-    let [of_a, of_b] = [a, b].map(shape);
+    let (of_a, of_b) = (shape(a)?, shape(b)?);
     let [to_a, to_b] = [a, b].map(transform);
     let zero = c2v { x: 0.0, y: 0.0 };
     let mut found =
