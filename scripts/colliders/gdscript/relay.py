@@ -113,6 +113,8 @@ class Godot:
 
 
 def collide(godot, a, b):
+    if any(len(body.vertices) > 2 and body.radius > 0 for body in (a, b)):
+        return {"unsupported": "its polygons have no radius"}
     # Godot's own solver takes normal and depth from the points too (body_pair_2d_sw.cpp).
     contacts = []
     for (x, y), (u, v) in godot.contacts(a, b):

@@ -82,6 +82,7 @@ public class Dyn4j {
     }
     double radius = body.radius();
     try {
+      if (at.length > 2 && radius > 0) throw new Protocol.Unsupported("its polygons have no radius");
       if (at.length > 2) return new Polygon(at);
       if (at.length == 2 && radius == 0) return new Segment(at[0], at[1]);
       if (at.length == 2) return capsule(at[0], at[1], radius);
