@@ -107,7 +107,10 @@ class Godot:
         """Pairs of points in the world, on A and on B."""
         message = message_of(a) + message_of(b)
         self.connection.sendall(struct.pack("<i", len(message)) + message)
-        count, = struct.unpack("<i", self.answers.read(4))
+        size = self.answers.read(4)
+        if len(size) < 4:
+            sys.exit("godot3-server has died")
+        count, = struct.unpack("<i", size)
         numbers = struct.unpack(f"<{2 * count}f", self.answers.read(8 * count))
         return list(zip(zip(numbers[0::4], numbers[1::4]), zip(numbers[2::4], numbers[3::4])))
 
@@ -130,7 +133,7 @@ def collide(godot, a, b):
 def main():
     godot = Godot()
     serve(DECLARATION, lambda a, b: collide(godot, a, b))
-    godot.connection.close()
+    godot.connection.shutdown(socket.SHUT_RDWR)
     godot.process.wait()
 
 
