@@ -34,11 +34,12 @@ func _init():
 	relay.connect_to_host("127.0.0.1", int(OS.get_environment("MANIFUZZ_PORT")))
 	relay.set_no_delay(true)
 	while true:
-		var size = relay.get_32()
-		if size <= 0: # the relay has ended
+		var size = relay.get_data(4)
+		if size[0] != OK: # the relay has ended
 			break
 		var message = StreamPeerBuffer.new()
-		message.data_array = relay.get_data(size)[1]
+		message.data_array = size[1]
+		message.data_array = relay.get_data(message.get_32())[1]
 		var a = shape_of(message)
 		var from_a = transform_of(message)
 		var b = shape_of(message)
