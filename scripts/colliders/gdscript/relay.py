@@ -94,10 +94,10 @@ class Godot:
     def __init__(self):
         listener = socket.create_server(("127.0.0.1", 0))
         environment = {**os.environ, "MANIFUZZ_PORT": str(listener.getsockname()[1]), "LANG": "en"}
-        script = Path(__file__).with_name("collide.gd")
         self.process = subprocess.Popen(
-            ["godot3-server", "--no-window", "-s", str(script)], env=environment,
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+            ["godot3-server", "--no-window", "--path", str(Path(__file__).parent.resolve()),
+             "-s", "collide.gd"],
+            env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
         listener.settimeout(30)
         self.connection = listener.accept()[0]
         self.connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
