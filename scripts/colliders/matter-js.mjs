@@ -1,19 +1,19 @@
 // Matter.Collision.collides for manifuzz: `manifuzz fuzz --subject-command "node matter-js.mjs"`.
 import Matter from "matter-js";
-import { serve, versionOf } from "./protocol.mjs";
+import { serve, toWorld, versionOf } from "./protocol.mjs";
 
-const { Axes, Body, Collision, Vertices } = Matter;
+const { Body, Collision, Vertices } = Matter;
 
 const snippet = `import Matter from "matter-js";
 
-const { Axes, Body, Collision, Vertices } = Matter;
+const { Body, Collision, Vertices } = Matter;
 
 function bodyOf(corners, [x, y], [c, s]) {
-  const at = corners.map(([u, v]) => ({ x: c * u - s * v + x, y: s * u + c * v + y }));
-  const body = Body.create({ vertices: at, position: Vertices.centre(at) });
-  at.forEach((corner, i) => Object.assign(body.vertices[i], corner)); // to the bit
-  body.axes = Axes.fromVertices(body.vertices);
-  return body;
+  const length = Math.hypot(c, s);
+  const vertices = corners.map(([u, v]) => ({ x: length * u, y: length * v }));
+  const { x: u, y: v } = Vertices.centre(vertices); // which Body.create puts into its position
+  const position = { x: (c * u - s * v) / length + x, y: (s * u + c * v) / length + y };
+  return Body.create({ vertices, position, angle: Math.atan2(s, c) });
 }
 
 const a = bodyOf(@a.vertices[]@, @a.position[]@, @a.rotation[]@);
@@ -32,6 +32,7 @@ const declaration = {
   version: versionOf("matter-js"),
   scalar: "float64",
   frame: "world",
+  rotation: "angle",
   vertices_max: 8,
   takes_radius: false, // chamfers are more vertices, circles polygons
   claims: "manifold",
@@ -42,20 +43,17 @@ const declaration = {
   snippet,
 };
 
-// As Body.create makes it, which moves the vertices to the centre and back: here they and the axes
-// are those of the case, to the bit. The centre is that of the body turned but not yet moved.
-function bodyOf({ world, vertices, pose: { p, q } }) {
-  const turned = vertices.map(({ x, y }) => ({ x: q.c * x - q.s * y, y: q.s * x + q.c * y }));
-  const centre = Vertices.centre(turned);
-  const position = { x: centre.x + p.x, y: centre.y + p.y };
-  const body = Body.create({ vertices: world.map(({ x, y }) => ({ x, y })), position });
-  world.forEach((corner, i) => Object.assign(body.vertices[i], corner));
-  body.axes = Axes.fromVertices(body.vertices);
-  return body;
+// Where Body.create puts the centre of the vertices, as it computes that.
+function bodyOf({ vertices, pose }) {
+  const [x, y] = toWorld(pose, Vertices.centre(vertices));
+  return Body.create({ vertices, position: { x, y }, angle: Math.atan2(pose.q.s, pose.q.c) });
 }
 
 function collide(a, b) {
-  const collision = Collision.collides(bodyOf(a), bodyOf(b));
+  const bodies = [bodyOf(a), bodyOf(b)];
+  const placed = bodies.every(({ position: { x, y } }) => Number.isFinite(x) && Number.isFinite(y));
+  if (!placed) return { unsupported: "has no centre for a polygon whose area rounds to 0" };
+  const collision = Collision.collides(...bodies);
   if (collision === null) return { points: [] };
   const { depth, normal, supports, supportCount } = collision;
   const points = supports.slice(0, supportCount).map(({ x, y }) => ({ position: [x, y] }));

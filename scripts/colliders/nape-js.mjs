@@ -2,11 +2,13 @@
 import initNape from "@newkrok/nape-js";
 import { serve, versionOf } from "./protocol.mjs";
 
-initNape(); // which leaves `nape` with globalThis
+globalThis.window = globalThis; // where it leaves `nape`
+initNape();
 const { callbacks, geom, phys, shape, space } = globalThis.nape;
 
 const snippet = `import initNape from "@newkrok/nape-js";
 
+globalThis.window = globalThis; // where it leaves nape
 initNape();
 const { callbacks, geom, phys, shape, space } = globalThis.nape;
 
@@ -40,6 +42,7 @@ const declaration = {
   version: versionOf("@newkrok/nape-js"),
   scalar: "float64",
   frame: "world",
+  rotation: "angle",
   vertices_max: 8,
   takes_radius: false,
   vertices_min: 1,
@@ -48,55 +51,73 @@ const declaration = {
   snippet,
 };
 
-function shapeOf({ world, count, radius }) {
-  const at = world.map(({ x, y }) => new geom.Vec2(x, y));
-  return count === 1 ? new shape.Circle(radius, at[0]) : new shape.Polygon(at);
+function shapeOf({ vertices, count, radius }) {
+  const corners = vertices.map(({ x, y }) => new geom.Vec2(x, y));
+  return count === 1 ? new shape.Circle(radius, corners[0]) : new shape.Polygon(corners);
 }
 
-// Its mass is no matter here, but may not be computed of slivers: Nape then has no pair of bodies.
+// At an angle: its normals are those of a polygon's own corners, turned.
 function bodyOf(type, of) {
-  const body = new phys.Body(type);
+  const { p, q } = of.pose;
+  const body = new phys.Body(type, new geom.Vec2(p.x, p.y));
+  body.set_rotation(Math.atan2(q.s, q.c));
   body.get_shapes().add(shapeOf(of));
   return body;
 }
 
-// A new space for each case, stepped until its narrow phase has called.
-function contactsOf(a, b) {
-  const still = new space.Space(new geom.Vec2(0, 0));
-  const [fixed, free] = [phys.BodyType.get_STATIC(), phys.BodyType.get_DYNAMIC()];
-  const bodies = [bodyOf(fixed, a), bodyOf(free, b)];
+// One space for all: each new one makes the engine slower. What it keeps of a pair goes with the
+// bodies.
+const still = new space.Space(new geom.Vec2(0, 0));
+const any = callbacks.CbType.get_ANY_BODY();
+const collision = callbacks.InteractionType.get_COLLISION();
+let met = null;
+new callbacks.PreListener(collision, any, any, (pair) => {
+  met = pair.get_arbiter().get_collisionArbiter();
+  return null;
+}).set_space(still);
+
+// Only one of them may be fixed; the other's mass is given, lest it be computed, of a sliver as 0.
+function contactsOf(bodies) {
   bodies[1].set_mass(1);
   bodies[1].set_inertia(1);
-  const any = callbacks.CbType.get_ANY_BODY();
-  let answer = { points: [] };
-  const listen = (met) => {
-    answer = answerOf(met.get_arbiter().get_collisionArbiter(), bodies[0]);
-  };
-  const collision = callbacks.InteractionType.get_COLLISION();
-  new callbacks.PreListener(collision, any, any, listen).set_space(still);
-  for (const body of bodies) body.set_space(still);
-  still.step(1e-9);
-  return answer;
+  met = null;
+  try {
+    for (const body of bodies) body.set_space(still);
+    still.step(1e-9);
+    return met === null ? { points: [] } : answerOf(met, bodies[0]);
+  } finally {
+    for (const body of bodies) body.set_space(null);
+  }
 }
 
+// A point across a gap is there for its solver of positions alone.
 function answerOf(arbiter, bodyA) {
   const contacts = arbiter.get_contacts();
   const points = Array.from({ length: contacts.get_length() }, (_, i) => {
     const contact = contacts.at(i);
     const { x, y } = valueOf(contact.get_position());
     return { position: [x, y], depth: contact.get_penetration() };
-  });
+  }).filter(({ depth }) => !(depth < 0));
   const sign = arbiter.get_shape1().get_body() === bodyA ? 1 : -1;
   const { x, y } = valueOf(arbiter.get_normal());
-  return { points, normal: [sign * x, sign * y] };
+  return points.length > 0 ? { points, normal: [sign * x, sign * y] } : { points };
 }
 
 const valueOf = (vector) => ({ x: vector.get_x(), y: vector.get_y() });
 
+const [STATIC, DYNAMIC] = [phys.BodyType.get_STATIC(), phys.BodyType.get_DYNAMIC()];
+
+function isValid(body) {
+  const of = body.get_shapes().at(0);
+  return of.isCircle() || of.get_castPolygon().validity() === shape.ValidationResult.get_VALID();
+}
+
 function collide(a, b) {
   const lacks = [a, b].find(({ count, radius }) => count === 2 || (count > 2 && radius > 0));
   if (lacks) return { unsupported: "has neither capsules nor polygons with a radius" };
-  return contactsOf(a, b);
+  const bodies = [bodyOf(STATIC, a), bodyOf(DYNAMIC, b)];
+  if (!bodies.every(isValid)) return { unsupported: "takes no such polygon: its validity() is none" };
+  return contactsOf(bodies);
 }
 
 serve(declaration, collide);
