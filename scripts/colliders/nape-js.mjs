@@ -65,29 +65,24 @@ function bodyOf(type, of) {
   return body;
 }
 
-// One space for all: each new one makes the engine slower. What it keeps of a pair goes with the
-// bodies.
-const still = new space.Space(new geom.Vec2(0, 0));
 const any = callbacks.CbType.get_ANY_BODY();
 const collision = callbacks.InteractionType.get_COLLISION();
-let met = null;
-new callbacks.PreListener(collision, any, any, (pair) => {
-  met = pair.get_arbiter().get_collisionArbiter();
-  return null;
-}).set_space(still);
 
-// Only one of them may be fixed; the other's mass is given, lest it be computed, of a sliver as 0.
+// A new space for each case: one that is used again may leave points out. Only one of the bodies
+// may be fixed; the other's mass is given, lest it be computed, of a sliver as 0.
 function contactsOf(bodies) {
   bodies[1].set_mass(1);
   bodies[1].set_inertia(1);
-  met = null;
-  try {
-    for (const body of bodies) body.set_space(still);
-    still.step(1e-9);
-    return met === null ? { points: [] } : answerOf(met, bodies[0]);
-  } finally {
-    for (const body of bodies) body.set_space(null);
-  }
+  let answer = { points: [] };
+  const still = new space.Space(new geom.Vec2(0, 0));
+  const listener = new callbacks.PreListener(collision, any, any, (met) => {
+    answer = answerOf(met.get_arbiter().get_collisionArbiter(), bodies[0]);
+    return null;
+  });
+  for (const part of [listener, ...bodies]) part.set_space(still);
+  still.step(1e-9);
+  for (const part of [listener, ...bodies]) part.set_space(null); // else each makes the next slower
+  return answer;
 }
 
 // A point across a gap is there for its solver of positions alone.
