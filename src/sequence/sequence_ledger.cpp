@@ -108,7 +108,8 @@ std::span<const SequenceEntry> sequence_ledger() {
   return kSequenceLedger;
 }
 
-const LedgerEntry* find_explanation(const FrameView& view, const FrameJudgement& judgement) {
+const LedgerEntry* find_sequence_explanation(const FrameView& view,
+                                             const FrameJudgement& judgement) {
   // What keeps the points of another collider is named after both.
   const std::string_view name = view.subject.declaration.name;
   const std::string_view keeper = name.substr(0, name.find('+'));
