@@ -73,6 +73,8 @@ const std::vector<ColliderEntry>& colliders() {
       {"gjk64", make_gjk64},
       {"gjk-shrunk", make_gjk_shrunk},
       {"gjk-clip", make_gjk_clip},
+      {"perturbed", make_perturbed},
+      {"perturbed64", make_perturbed64},
       {"box2d", [] { return make_box2d(); }},
       {"chipmunk", make_chipmunk},
       {"bullet-epa",

@@ -6,26 +6,16 @@
 namespace manifuzz {
 namespace {
 
-/// What `contact` makes of the placed pair and of B's pose in A's frame, as an answer.
-template <class Scalar, class Contact>
-Answer answer_of(const PairCase& pair, const Contact& contact) {
-  const auto placed = clipping::placed_pair<Scalar>(pair);
-  Manifold<Scalar> manifold =
-      contact(placed.a, placed.b, relative_pose(placed.pose_a, placed.pose_b));
-  for (int i = 0; i < manifold.count; ++i) manifold.points[i].position *= placed.local_per_world;
-  return manifold_cast<double>(manifold);
-}
-
 template <class Scalar>
 Answer closest_points(const PairCase& pair, Scalar) {
-  return answer_of<Scalar>(pair, [](const auto& a, const auto& b, const Pose<Scalar>& b_in_a) {
+  return own::answer_of<Scalar>(pair, [](const auto& a, const auto& b, const Pose<Scalar>& b_in_a) {
     methods::Simplex hint;
     return methods::contact_by_gjk(a, b, b_in_a, hint).manifold;
   });
 }
 
 Answer clipped(const PairCase& pair, float) {
-  return answer_of<float>(pair, [](const auto& a, const auto& b, const Pose<float>& b_in_a) {
+  return own::answer_of<float>(pair, [](const auto& a, const auto& b, const Pose<float>& b_in_a) {
     methods::Simplex hint;
     return methods::clip_by_gjk(a, transform(b_in_a, b), hint);
   });

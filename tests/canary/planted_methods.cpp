@@ -34,10 +34,11 @@ Collider asked_with(const std::string& name, methods::Simplex (*hint_of_pair)(co
   Collider collider = make_gjk();
   collider.declaration.name = name;
   collider.collide = [hint_of_pair](const PairCase& pair) {
-    return answer_of<float>(pair, [&](const auto& a, const auto& b, const Pose<float>& b_in_a) {
-      methods::Simplex hint = hint_of_pair(pair);
-      return methods::contact_by_gjk(a, b, b_in_a, hint).manifold;
-    });
+    return own::answer_of<float>(pair,
+                                 [&](const auto& a, const auto& b, const Pose<float>& b_in_a) {
+                                   methods::Simplex hint = hint_of_pair(pair);
+                                   return methods::contact_by_gjk(a, b, b_in_a, hint).manifold;
+                                 });
   };
   return collider;
 }
