@@ -18,6 +18,8 @@ namespace {
 /// Over a case.
 constexpr double kSecondsMax = 1;
 
+constexpr std::string_view kPerturbed = "perturbed+";
+
 Collider described(Collider collider, std::string description) {
   collider.declaration.description = std::move(description);
   return collider;
@@ -109,16 +111,36 @@ const ColliderEntry* find_entry(std::string_view name) {
 
 std::optional<Collider> find_installed(const std::string& name) {
   try {
-    const ColliderEntry* const entry = find_entry(name);
-    return entry == nullptr ? std::nullopt : std::optional(entry->make());
+    return find_collider(name);
   } catch (const UserError&) {
     return std::nullopt;
   }
 }
 
+std::optional<std::string_view> made_over(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix)) return std::nullopt;
+  return name.substr(prefix.size());
+}
+
+namespace {
+
+Collider perturbed_over(std::string_view name) {
+  const Collider base = find_collider(name);
+  const Declaration& declaration = base.declaration;
+  if (declaration.claims > Claims::point || declaration.alters_shapes) {
+    throw UserError(fmt::format("{}{}: {} gives no points of the shapes as they are; take another",
+                                kPerturbed, name, name));
+  }
+  return make_perturbed_over(base);
+}
+
+}  // namespace
+
 Collider find_collider(std::string_view name) {
   if (const ColliderEntry* const entry = find_entry(name)) return entry->make();
+  if (const auto base = made_over(name, kPerturbed)) return perturbed_over(*base);
   std::vector<std::string_view> names = names_of(colliders());
+  names.emplace_back("perturbed+NAME");
   names.emplace_back("./LIBRARY.so");
   throw UserError(no_such("collider", name, names));
 }

@@ -23,6 +23,10 @@ struct ColliderEntry {
 /// Every collider there is, in the order of `list colliders`.
 const std::vector<ColliderEntry>& colliders();
 
+/// What a collider's name says that it is made over, where it begins with `prefix`, as
+/// perturbed+gjk does with perturbed+.
+std::optional<std::string_view> made_over(std::string_view name, std::string_view prefix);
+
 /// The entry of that name, or nullptr.
 const ColliderEntry* find_entry(std::string_view name);
 
@@ -33,7 +37,8 @@ std::optional<Collider> find_installed(const std::string& name);
 /// that is an error line.
 NamedColliders::Find find_installed_or_named(std::vector<std::filesystem::path> corpora);
 
-/// The collider of that name. Throws UserError that lists the names.
+/// The collider of that name, or perturbed+NAME over another that gives points. Throws UserError
+/// that lists the names.
 Collider find_collider(std::string_view name);
 
 /// How a collider is named on the command line.

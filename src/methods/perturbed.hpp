@@ -33,25 +33,29 @@ struct OutlinePlace {
 };
 
 /// Where the line of places that lie `at` along a unit direction leaves a core, in the direction
-/// `out`: of the outline's places on that line the farthest. The line meets the core.
+/// `out`: of the outline's places on that line, and of vertices within `near` of it, a length, the
+/// farthest. The line meets the core. An edge all but along `out` may have either end on the line,
+/// as rounding has it; the farther one is on the side that looks there.
 template <class Scalar>
 OutlinePlace<Scalar> outermost_place(const ConvexPolygon<Scalar>& core, const Vector2<Scalar>& out,
-                                     const Vector2<Scalar>& along, Scalar at) {
+                                     const Vector2<Scalar>& along, Scalar at, Scalar near) {
   OutlinePlace<Scalar> outermost;
   Scalar greatest = -std::numeric_limits<Scalar>::infinity();
+  const auto look = [&](const Vector2<Scalar>& position, Feature feature) {
+    const Scalar height = out.dot(position);
+    if (height <= greatest) return;
+    greatest = height;
+    outermost = {position, feature};
+  };
   for (int i = 0; i < core.count; ++i) {
     const Vector2<Scalar>& from = core.vertices[i];
     const Vector2<Scalar>& to = core.vertices[core.next(i)];
     const Scalar since = at - along.dot(from);
     const Scalar until = along.dot(to) - at;
-    const bool is_inside = (since > 0 && until > 0) || (since < 0 && until < 0);
-    if (since != 0 && !is_inside) continue;
-    const Scalar share = since / (since + until);
-    const Vector2<Scalar> position = is_inside ? from + share * (to - from) : from;
-    const Scalar height = out.dot(position);
-    if (height <= greatest) continue;
-    greatest = height;
-    outermost = {position, is_inside ? clipping::face(i) : clipping::vertex(i)};
+    if (std::abs(since) <= near) look(from, clipping::vertex(i));
+    if ((since > 0 && until > 0) || (since < 0 && until < 0)) {
+      look(from + since / (since + until) * (to - from), clipping::face(i));
+    }
   }
   return outermost;
 }
@@ -82,13 +86,15 @@ class Alongside {
   /// The last place in front of both cores along the tangent, or against it.
   Scalar last(bool is_along) const { return is_along ? high_ : low_; }
 
-  /// The contact point at a place: a vertex's own where one is within `roundoff`, a length, and no
+  /// The contact point at a place: a vertex's own where one is within `off`, a length, and no
   /// farther out than both cores reach. On the incident core. None where they are apart there.
-  std::optional<ContactPoint<Scalar>> point_at(Scalar place, Scalar roundoff) const {
+  std::optional<ContactPoint<Scalar>> point_at(Scalar place, Scalar off) const {
     if (low_ > high_) return std::nullopt;
-    const Scalar at = std::clamp(nearest_vertex(place, roundoff), low_, high_);
-    const OutlinePlace<Scalar> on_a = outermost_place<Scalar>(a_, normal_, along_, at);
-    const OutlinePlace<Scalar> on_b = outermost_place<Scalar>(b_, -normal_, along_, at);
+    const Scalar at = std::clamp(nearest_vertex(place, off), low_, high_);
+    // Both ends of an edge are placed within 6 u E.
+    const Scalar near = 2 * clipping::separation_roundoff(a_, b_);
+    const auto on_a = outermost_place<Scalar>(a_, normal_, along_, at, near);
+    const auto on_b = outermost_place<Scalar>(b_, -normal_, along_, at, near);
     const Scalar separation = normal_.dot(on_b.position - on_a.position);
     const Scalar depth = a_.radius + b_.radius - separation;
     if (depth < 0) return std::nullopt;
@@ -109,9 +115,9 @@ class Alongside {
     }
     return ends;
   }
-  Scalar nearest_vertex(Scalar to, Scalar roundoff) const {
+  Scalar nearest_vertex(Scalar to, Scalar off) const {
     Scalar nearest = to;
-    Scalar least = roundoff;
+    Scalar least = off;
     for (const ConvexPolygon<Scalar>* const core : {&a_, &b_}) {
       for (const Vector2<Scalar>& corner : core->corners()) {
         const Scalar distance = std::abs(place(corner) - to);
@@ -193,7 +199,8 @@ Manifold<Scalar> contact_by_perturbing(const ConvexPolygon<Scalar>& a,
                                        const ConvexPolygon<Scalar>& b, const Pose<Scalar>& b_in_a,
                                        const Detect& detect) {
   Manifold<Scalar> manifold = detect(a, b, b_in_a);
-  if (manifold.count == 0) return manifold;
+  // What only touches has no end that is deeper than rounding.
+  if (manifold.count == 0 || !(manifold.points[0].depth > 0)) return manifold;
   const ConvexPolygon<Scalar> placed = transform(b_in_a, b);
   const Alongside<Scalar> seen(a, placed, manifold);
   const Scalar roundoff = clipping::separation_roundoff(a, placed);

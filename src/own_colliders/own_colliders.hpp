@@ -83,6 +83,9 @@ Collider make_perturbed();
 /// The same in double.
 Collider make_perturbed64();
 
+/// Any collider asked so that answers with points, in double: the deepest of them is its one point.
+Collider make_perturbed_over(const Collider& base);
+
 // A namespace of its own, as clipping has, keeps planted copies apart.
 namespace own {
 

@@ -30,7 +30,82 @@ Collider of_perturbed(std::string name, std::string description) {
   return collider;
 }
 
+/// The pair with B turned, A at the origin: rotations in the scale that they are stored in.
+PairCase turned_pair(const PairCase& pair, const Pose<double>& b_in_a) {
+  const Vector2<double> of_a = unit_direction(pair.a.pose.rotation.cast<double>());
+  const double scale_of_b = pair.b.pose.rotation.cast<double>().norm();
+  PairCase turned = pair;
+  turned.a.pose.position = {0, 0};
+  turned.b.pose = {rotate<double>(of_a, b_in_a.position).cast<float>(),
+                   (scale_of_b * rotate<double>(of_a, b_in_a.rotation)).cast<float>()};
+  return turned;
+}
+
+/// The deepest point alone, on the incident core, as the contract has it.
+Manifold<double> one_point_of(const Answer& answer, const Manifold<double>& given,
+                              PointsAt declared) {
+  Manifold<double> one = given;
+  if (one.count == 0) return one;
+  if (one.count > 1 && one.points[1].depth > one.points[0].depth) one.points[0] = one.points[1];
+  one.count = 1;
+  const auto* const partial = std::get_if<PartialManifold>(&answer);
+  const bool is_midpoint =
+      declared == PointsAt::midpoint || (partial != nullptr && partial->has_midpoints);
+  const bool is_clip = declared == PointsAt::clip && !is_midpoint;
+  if (!is_clip || (partial != nullptr && !partial->names_reference)) one.reference = Side::a;
+  const double above_b = is_midpoint ? 0.5 : declared == PointsAt::surface_a ? 1 : 0;
+  one.points[0].position -= above_b * one.points[0].depth * one.normal;
+  return one;
+}
+
+Answer perturbed_answers(const Collider& base, const PairCase& pair) {
+  const auto placed = clipping::placed_pair<double>(pair);
+  const Pose<double> b_in_a = relative_pose(placed.pose_a, placed.pose_b);
+  std::optional<Answer> first;
+  std::optional<Answer> no_manifold;
+  const auto detect = [&](const auto&, const auto&, const Pose<double>& q_in_p) {
+    const Answer answer = base.collide(first ? turned_pair(pair, q_in_p) : pair);
+    if (!first) first = answer;
+    const Manifold<double>* const given = manifold_in(answer);
+    if (given == nullptr) {
+      no_manifold = answer;
+      return Manifold<double>{};
+    }
+    Manifold<double> one = one_point_of(answer, *given, base.declaration.points);
+    one.points[0].position /= placed.local_per_world;
+    return one;
+  };
+  Manifold<double> manifold = methods::contact_by_perturbing(placed.a, placed.b, b_in_a, detect);
+  if (no_manifold) return *no_manifold;
+  for (int i = 0; i < manifold.count; ++i) manifold.points[i].position *= placed.local_per_world;
+  return manifold;
+}
+
 }  // namespace
+
+Collider make_perturbed_over(const Collider& base) {
+  Collider collider;
+  collider.declaration = base.declaration;
+  Declaration& declaration = collider.declaration;
+  declaration.name = "perturbed+" + base.declaration.name;
+  declaration.description =
+      base.declaration.name + ", asked again with one shape turned a little each way";
+  declaration.takes_radius = false;
+  declaration.takes_round = false;
+  declaration.min_vertices = kMinVertices;
+  declaration.claims = Claims::manifold;
+  declaration.clips = false;
+  declaration.points = PointsAt::clip;
+  declaration.shares_depth = false;
+  declaration.one_point_enough = true;
+  declaration.snippet.clear();
+  collider.collide = [base](const PairCase& pair) -> Answer {
+    if (is_round(pair)) return Unsupported{"takes no round shapes"};
+    return perturbed_answers(base, pair);
+  };
+  collider.seconds_max = 3 * base.seconds_max;
+  return collider;
+}
 
 Collider make_perturbed() {
   return of_perturbed<float>("perturbed",
