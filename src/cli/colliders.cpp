@@ -127,9 +127,10 @@ namespace {
 Collider perturbed_over(std::string_view name) {
   const Collider base = find_collider(name);
   const Declaration& declaration = base.declaration;
-  if (declaration.claims > Claims::point || declaration.alters_shapes) {
-    throw UserError(fmt::format("{}{}: {} gives no points of the shapes as they are; take another",
-                                kPerturbed, name, name));
+  if (declaration.claims != Claims::point || declaration.alters_shapes) {
+    throw UserError(fmt::format(
+        "{}{}: {} does not give one point of the shapes as they are; one that does is expected",
+        kPerturbed, name, name));
   }
   return make_perturbed_over(base);
 }

@@ -83,7 +83,7 @@ Collider make_perturbed();
 /// The same in double.
 Collider make_perturbed64();
 
-/// Any collider asked so that answers with points, in double: the deepest of them is its one point.
+/// Any collider asked so that answers with one point; mapped back and measured in double.
 Collider make_perturbed_over(const Collider& base);
 
 // A namespace of its own, as clipping has, keeps planted copies apart.

@@ -41,13 +41,11 @@ PairCase turned_pair(const PairCase& pair, const Pose<double>& b_in_a) {
   return turned;
 }
 
-/// The deepest point alone, on the incident core, as the contract has it.
+/// The point on the incident core, as the contract has it: on B where no reference is named.
 Manifold<double> one_point_of(const Answer& answer, const Manifold<double>& given,
                               PointsAt declared) {
   Manifold<double> one = given;
   if (one.count == 0) return one;
-  if (one.count > 1 && one.points[1].depth > one.points[0].depth) one.points[0] = one.points[1];
-  one.count = 1;
   const auto* const partial = std::get_if<PartialManifold>(&answer);
   const bool is_midpoint =
       declared == PointsAt::midpoint || (partial != nullptr && partial->has_midpoints);

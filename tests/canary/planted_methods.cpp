@@ -2,6 +2,7 @@
 // of theirs.
 #include "canary/planted.hpp"
 #include "own_colliders/gjk.cpp"
+#include "own_colliders/perturbed.cpp"
 
 namespace manifuzz {
 namespace {
@@ -57,8 +58,9 @@ Collider make_gjk_again() {
   });
 }
 
-[[maybe_unused]] const bool planted = canary::add_methods(
-    {PLANTED_BUGS}, {make_gjk, make_gjk64, make_gjk_hinted, make_gjk_again, make_gjk_clip});
+[[maybe_unused]] const bool planted =
+    canary::add_methods({PLANTED_BUGS}, {make_gjk, make_gjk64, make_gjk_hinted, make_gjk_again,
+                                         make_gjk_clip, make_perturbed, make_perturbed64});
 
 }  // namespace
 }  // namespace manifuzz
