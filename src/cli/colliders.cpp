@@ -13,12 +13,17 @@
 #include "report/outputs.hpp"
 
 namespace manifuzz {
+
+std::string left_out(std::string_view name, std::string_view package) {
+  return fmt::format(
+      "the build left out {}; scripts/setup --engines installs {}, and scripts/build builds it",
+      name, package);
+}
+
 namespace {
 
 /// Over a case.
 constexpr double kSecondsMax = 1;
-
-constexpr std::string_view kPerturbed = "perturbed+";
 
 Collider described(Collider collider, std::string description) {
   collider.declaration.description = std::move(description);
@@ -35,9 +40,7 @@ Collider of_engine(std::string_view name, std::string_view package, std::string 
   const std::filesystem::path library =
       std::filesystem::path(MANIFUZZ_ENGINES) / fmt::format("{}.so", name);
   if (!std::filesystem::exists(library)) {
-    throw UserError(fmt::format(
-        "the build left out {}; scripts/setup --engines installs {}, and scripts/build builds it",
-        name, package));
+    throw UserError(left_out(name, package));
   }
   return described(collider_in_own_process(library.string(), kSecondsMax), std::move(description));
 }
@@ -117,29 +120,25 @@ std::optional<Collider> find_installed(const std::string& name) {
   }
 }
 
-std::optional<std::string_view> made_over(std::string_view name, std::string_view prefix) {
+std::optional<Collider> find_made_over(std::string_view prefix, std::string_view name) {
   if (!name.starts_with(prefix)) return std::nullopt;
-  return name.substr(prefix.size());
-}
-
-namespace {
-
-Collider perturbed_over(std::string_view name) {
-  const Collider base = find_collider(name);
-  const Declaration& declaration = base.declaration;
-  if (declaration.claims != Claims::point || declaration.alters_shapes) {
-    throw UserError(fmt::format(
-        "{}{}: {} does not give one point of the shapes as they are; one that does is expected",
-        kPerturbed, name, name));
+  const std::string_view over = name.substr(prefix.size());
+  const Collider collider = find_collider(over);
+  if (collider.declaration.claims != Claims::point) {
+    throw UserError(
+        fmt::format("{}: {} does not claim one point a pair, as gjk does", name, over));
   }
-  return make_perturbed_over(base);
+  if (collider.declaration.alters_shapes) {
+    throw UserError(fmt::format("{}: {} alters shapes; it is made over those that take them as "
+                                "they are",
+                                name, over));
+  }
+  return collider;
 }
-
-}  // namespace
 
 Collider find_collider(std::string_view name) {
   if (const ColliderEntry* const entry = find_entry(name)) return entry->make();
-  if (const auto base = made_over(name, kPerturbed)) return perturbed_over(*base);
+  if (const auto base = find_made_over("perturbed+", name)) return make_perturbed_over(*base);
   std::vector<std::string_view> names = names_of(colliders());
   names.emplace_back("perturbed+NAME");
   names.emplace_back("./LIBRARY.so");

@@ -20,12 +20,11 @@ struct ColliderEntry {
   bool is_ours = false;  ///< of this repository, not one that it is held against
 };
 
+/// Why an engine is not there: one line for people.
+std::string left_out(std::string_view name, std::string_view package);
+
 /// Every collider there is, in the order of `list colliders`.
 const std::vector<ColliderEntry>& colliders();
-
-/// What a collider's name says that it is made over, where it begins with `prefix`, as
-/// perturbed+gjk does with perturbed+.
-std::optional<std::string_view> made_over(std::string_view name, std::string_view prefix);
 
 /// The entry of that name, or nullptr.
 const ColliderEntry* find_entry(std::string_view name);
@@ -40,6 +39,10 @@ NamedColliders::Find find_installed_or_named(std::vector<std::filesystem::path> 
 /// The collider of that name, or perturbed+NAME over another that gives points. Throws UserError
 /// that lists the names.
 Collider find_collider(std::string_view name);
+
+/// What PREFIX+NAME is made over, the collider NAME, where `name` begins with `prefix`. Throws
+/// UserError where that does not give one point a pair, of shapes as they are.
+std::optional<Collider> find_made_over(std::string_view prefix, std::string_view name);
 
 /// How a collider is named on the command line.
 struct ColliderChoice {

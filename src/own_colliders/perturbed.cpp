@@ -1,4 +1,5 @@
 #include "methods/perturbed.hpp"
+#include "own_colliders/detected.hpp"
 
 #include "methods/closest_points.hpp"
 #include "own_colliders/own_colliders.hpp"
@@ -41,35 +42,31 @@ PairCase turned_pair(const PairCase& pair, const Pose<double>& b_in_a) {
   return turned;
 }
 
-/// The point on the incident core, as the contract has it: on B where no reference is named.
-Manifold<double> one_point_of(const Answer& answer, const Manifold<double>& given,
-                              PointsAt declared) {
-  Manifold<double> one = given;
-  if (one.count == 0) return one;
-  const auto* const partial = std::get_if<PartialManifold>(&answer);
-  const bool is_midpoint =
-      declared == PointsAt::midpoint || (partial != nullptr && partial->has_midpoints);
-  const bool is_clip = declared == PointsAt::clip && !is_midpoint;
-  if (!is_clip || (partial != nullptr && !partial->names_reference)) one.reference = Side::a;
-  const double above_b = is_midpoint ? 0.5 : declared == PointsAt::surface_a ? 1 : 0;
-  one.points[0].position -= above_b * one.points[0].depth * one.normal;
+/// What a collider answers with as the contract has it: a point on B's core, of shapes without
+/// radius.
+Manifold<double> point_on_b(const PairCase& pair, const Declaration& declaration,
+                            const Answer& answer) {
+  Manifold<double> one;
+  const auto found = own::detected(pair, declaration, answer);
+  if (!found) return one;
+  one.count = 1;
+  one.normal = found->normal;
+  one.points[0] = manifold_in(answer)->points[0];
+  one.points[0].position = found->on_b;
   return one;
 }
 
 Answer perturbed_answers(const Collider& base, const PairCase& pair) {
   const auto placed = clipping::placed_pair<double>(pair);
   const Pose<double> b_in_a = relative_pose(placed.pose_a, placed.pose_b);
-  std::optional<Answer> first;
+  bool is_first = true;
   std::optional<Answer> no_manifold;
   const auto detect = [&](const auto&, const auto&, const Pose<double>& q_in_p) {
-    const Answer answer = base.collide(first ? turned_pair(pair, q_in_p) : pair);
-    if (!first) first = answer;
-    const Manifold<double>* const given = manifold_in(answer);
-    if (given == nullptr) {
-      no_manifold = answer;
-      return Manifold<double>{};
-    }
-    Manifold<double> one = one_point_of(answer, *given, base.declaration.points);
+    const PairCase asked = is_first ? pair : turned_pair(pair, q_in_p);
+    is_first = false;
+    const Answer answer = base.collide(asked);
+    if (manifold_in(answer) == nullptr) no_manifold = answer;
+    Manifold<double> one = point_on_b(asked, base.declaration, answer);
     one.points[0].position /= placed.local_per_world;
     return one;
   };
