@@ -98,6 +98,9 @@ Vector2<double> of_plane(const btVector3& v) {
 class Memory {
  public:
   KeptAnswer next(const PairCase& pair) {
+    if (total_radius(pair) > 0 && !is_round(pair)) {
+      return Unsupported{"takes no polygons with mitred skins"};
+    }
     if (!bodies_) bodies_ = std::make_unique<Bodies>(pair);
     const int frame = frame_++;
     if (!bodies_->step(place_of(c_body(pair.a)), place_of(c_body(pair.b)), frame)) {

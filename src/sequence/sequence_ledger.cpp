@@ -57,6 +57,18 @@ bool detected_by_epa(const FrameView& view, const FrameJudgement& judgement) {
   return find_explanation("bullet-epa", {right, got, judgement.kind}) != nullptr;
 }
 
+/// Where the solver of penetrations is asked about shapes that are apart, the distance is that of
+/// its points, and the normal an axis of before; the anchor on A lies along it.
+bool axis_across_gap(const FrameView& view, const FrameJudgement& judgement) {
+  constexpr double asked_within = 0.001;  // gGjkEpaPenetrationTolerance
+  if (!judgement.point || judgement.kind == Kind::extent) return false;
+  const KeptPoint& point = point_of(view, judgement);
+  const double bound = view.bound().birth.consistency;
+  const exact::PenetrationCurve curve(view.truth, exact::Skin::round);
+  return view.is_born(point) && point.depth <= bound && point.depth >= -asked_within - bound &&
+         std::abs(point.depth - curve.least()) <= bound;
+}
+
 constexpr std::string_view kWorldNormal = "the normal stays in the world while both bodies turn";
 constexpr std::string_view kWorldNormalSource =
     "Bullet 3.24, btPersistentManifold.cpp, refreshContactPoints: m_normalWorldOnB is never turned";
@@ -64,6 +76,9 @@ constexpr std::string_view kAreas =
     "a fifth point takes the slot of one that is deepest or at an end: areas on a line are 0";
 constexpr std::string_view kAreasSource = "Bullet 3.24, btPersistentManifold.cpp, sortCachedPoints";
 
+constexpr std::string_view kAxisSource =
+    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual: "
+    "normalInB = m_cachedSeparatingAxis where calcPenDepth is false";
 constexpr std::string_view kEpaSource =
     "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual, and btGjkEpa2.cpp";
 
@@ -79,6 +94,9 @@ constexpr std::array kSequenceLedger{
     entry_of("bullet-cached-slot-by-areas", "bullet-cached", kAreas, kAreasSource, slot_by_areas),
     entry_of("bullet-cached-detection", "bullet-cached",
              "what is detected is wrong as bullet-epa's answers are", kEpaSource, detected_by_epa),
+    entry_of("bullet-cached-axis-across-gap", "bullet-cached",
+             "a gap below 0.001 has its width as distance, and an axis of before as normal",
+             kAxisSource, axis_across_gap),
     entry_of("cached-bullet-world-normal", "cached-bullet", kWorldNormal, kWorldNormalSource,
              normal_of_the_world),
     entry_of("cached-bullet-slot-by-areas", "cached-bullet", kAreas, kAreasSource, slot_by_areas),
