@@ -125,13 +125,13 @@ std::optional<Collider> find_made_over(std::string_view prefix, std::string_view
   const std::string_view over = name.substr(prefix.size());
   const Collider collider = find_collider(over);
   if (collider.declaration.claims != Claims::point) {
-    throw UserError(
-        fmt::format("{}: {} does not claim one point a pair, as gjk does", name, over));
+    throw UserError(fmt::format("{}: {} does not claim one point a pair, as gjk does", name, over));
   }
   if (collider.declaration.alters_shapes) {
-    throw UserError(fmt::format("{}: {} alters shapes; it is made over those that take them as "
-                                "they are",
-                                name, over));
+    throw UserError(
+        fmt::format("{}: {} alters shapes; it is made over those that take them as "
+                    "they are",
+                    name, over));
   }
   return collider;
 }

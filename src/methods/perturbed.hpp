@@ -86,23 +86,42 @@ class Alongside {
   /// The last place in front of both cores along the tangent, or against it.
   Scalar last(bool is_along) const { return is_along ? high_ : low_; }
 
+  /// How deep the cores overlap at a place, with both radii, or at a vertex within `off` of it, a
+  /// length; none where no core is in front of the other.
+  std::optional<Scalar> depth_at(Scalar place, Scalar off) const {
+    if (low_ > high_) return std::nullopt;
+    return depth_of(overlap_at(place, off));
+  }
   /// The contact point at a place: a vertex's own where one is within `off`, a length, and no
   /// farther out than both cores reach. On the incident core. None where they are apart there.
   std::optional<ContactPoint<Scalar>> point_at(Scalar place, Scalar off) const {
     if (low_ > high_) return std::nullopt;
-    const Scalar at = std::clamp(nearest_vertex(place, off), low_, high_);
-    // Both ends of an edge are placed within 6 u E.
-    const Scalar near = 2 * clipping::separation_roundoff(a_, b_);
-    const auto on_a = outermost_place<Scalar>(a_, normal_, along_, at, near);
-    const auto on_b = outermost_place<Scalar>(b_, -normal_, along_, at, near);
-    const Scalar separation = normal_.dot(on_b.position - on_a.position);
-    const Scalar depth = a_.radius + b_.radius - separation;
+    const Overlap overlap = overlap_at(place, off);
+    const Scalar depth = depth_of(overlap);
     if (depth < 0) return std::nullopt;
-    const Vector2<Scalar>& position = reference_ == Side::a ? on_b.position : on_a.position;
-    return ContactPoint<Scalar>{position, depth, {on_a.feature, on_b.feature}};
+    const OutlinePlace<Scalar>& incident = reference_ == Side::a ? overlap.on_b : overlap.on_a;
+    return ContactPoint<Scalar>{
+        incident.position, depth, {overlap.on_a.feature, overlap.on_b.feature}};
   }
 
  private:
+  /// Where a line along the normal leaves A's core, and where it enters B's.
+  struct Overlap {
+    OutlinePlace<Scalar> on_a;
+    OutlinePlace<Scalar> on_b;
+  };
+  Overlap overlap_at(Scalar place, Scalar off) const {
+    const Scalar at = std::clamp(nearest_vertex(place, off), low_, high_);
+    // Both ends of an edge are placed within 6 u E.
+    const Scalar near = 2 * clipping::separation_roundoff(a_, b_);
+    return {outermost_place<Scalar>(a_, normal_, along_, at, near),
+            outermost_place<Scalar>(b_, -normal_, along_, at, near)};
+  }
+
+  Scalar depth_of(const Overlap& overlap) const {
+    return a_.radius + b_.radius - normal_.dot(overlap.on_b.position - overlap.on_a.position);
+  }
+
   struct Ends {
     Scalar low = std::numeric_limits<Scalar>::infinity();
     Scalar high = -std::numeric_limits<Scalar>::infinity();

@@ -47,12 +47,7 @@ UsedVertices used(const ConvexPolygon<float>& shape) {
 }
 
 Answer by_shrunk_shapes(const PairCase& pair, float) {
-  const auto shrunk = [](const ConvexPolygon<float>& polygon) {
-    return methods::shrink(polygon, static_cast<float>(kShrunkPart * methods::inradius(polygon)));
-  };
-  PairCase of_shrunk = pair;
-  of_shrunk.a.polygon = shrunk(pair.a.polygon);
-  of_shrunk.b.polygon = shrunk(pair.b.polygon);
+  const PairCase of_shrunk = shrunk_pair(pair);
   PartialManifold answer;
   answer.manifold = std::get<Manifold<double>>(closest_points<float>(of_shrunk, 0));
   answer.used = UsedShapes{used(of_shrunk.a.polygon), used(of_shrunk.b.polygon)};
@@ -60,6 +55,13 @@ Answer by_shrunk_shapes(const PairCase& pair, float) {
 }
 
 }  // namespace
+
+PairCase shrunk_pair(const PairCase& pair) {
+  const auto shrunk = [](const ConvexPolygon<float>& polygon) {
+    return methods::shrink(polygon, static_cast<float>(kShrunkPart * methods::inradius(polygon)));
+  };
+  return {{shrunk(pair.a.polygon), pair.a.pose}, {shrunk(pair.b.polygon), pair.b.pose}};
+}
 
 Collider make_gjk() {
   return of_closest_points<float>(

@@ -75,6 +75,9 @@ Collider make_gjk64();
 /// The same of polygons that are shrunk first, as the article has it; says the shapes used.
 Collider make_gjk_shrunk();
 
+/// The pair as `gjk-shrunk` has it: polygons shrunk by a quarter of their inradius.
+PairCase shrunk_pair(const PairCase& pair);
+
 /// Clipping, with the faces by GJK and EPA; polygons alone.
 Collider make_gjk_clip();
 
