@@ -84,8 +84,7 @@ std::string methods_table(const std::vector<MethodRow>& rows);
 /// Where the rows come from, and "rows": as `bench_json` has them, with method, depths,
 /// points_missing, extent_lost, and of frames frames_to_complete, completed, lingering, flicker.
 nlohmann::ordered_json methods_json(const std::vector<MethodRow>& rows,
-                                    const std::vector<MethodSubject>& subjects,
-                                    std::uint64_t seed);
+                                    const std::vector<MethodSubject>& subjects, std::uint64_t seed);
 
 /// Draws a bar a subject for each of what frames show: time, depth error, extent lost, frames until
 /// complete, flicker.

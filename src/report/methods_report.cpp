@@ -82,22 +82,21 @@ std::string complete_after(const FrameErrors& frames) {
 }
 
 std::string table_of_frames(const std::vector<MethodRow>& rows) {
-  std::string text = fmt::format("{:<20}{:>8}{:>8}{:>10}{:>10}{:>9}{:>8}{:>9}{:>8}{:>8}\n", "",
-                                 "ns", "ns", "depth", "normal", "points", "extent", "frames to",
-                                 "", "");
+  std::string text =
+      fmt::format("{:<20}{:>8}{:>8}{:>10}{:>10}{:>9}{:>8}{:>9}{:>8}{:>8}\n", "", "ns", "ns",
+                  "depth", "normal", "points", "extent", "frames to", "", "");
   text += fmt::format("{:<20}{:>8}{:>8}{:>10}{:>10}{:>9}{:>8}{:>9}{:>8}{:>8}\n", "", "a pair",
                       "a frame", "off", "off", "missing", "lost", "complete", "linger", "flicker");
   std::string method;
   for (const MethodRow* const row : rows_of_subjects(rows, "frames")) {
     if (row->method != method) text += row->method + "\n";
     method = row->method;
-    text += fmt::format(
-        "  {:<18}{:>8}{:>8}{:>10.2g}{:>10.2g}{:>9.2f}{:>8}{:>9}{:>8}{:>8}\n", row->subject.name,
-        nanoseconds(find_row(rows, row->subject.name, "mixed")), nanoseconds(row),
-        row->errors.of_size.depth.p999, row->errors.of_size.normal.p999,
-        row->errors.points_missing, percent(row->errors.extent_lost),
-        complete_after(*row->frames), percent(row->frames->lingering),
-        percent(row->frames->flicker));
+    text += fmt::format("  {:<18}{:>8}{:>8}{:>10.2g}{:>10.2g}{:>9.2f}{:>8}{:>9}{:>8}{:>8}\n",
+                        row->subject.name, nanoseconds(find_row(rows, row->subject.name, "mixed")),
+                        nanoseconds(row), row->errors.of_size.depth.p999,
+                        row->errors.of_size.normal.p999, row->errors.points_missing,
+                        percent(row->errors.extent_lost), complete_after(*row->frames),
+                        percent(row->frames->lingering), percent(row->frames->flicker));
   }
   return text;
 }
@@ -183,8 +182,8 @@ std::string drawn_panel(const Panel& panel, const std::vector<Bar>& bars, std::s
   for (const Bar& bar : bars) most = std::max(most, panel.figure(*bar.row).value_or(0));
   const double from = panel.is_logarithmic ? (number == 0 ? 10 : kLeastDrawn) : 0;
   // Room for the number at the longest bar's end.
-  const double to = panel.is_logarithmic ? most * std::pow(most / from, 0.75)
-                                         : 1.45 * std::max(most, 1.0);
+  const double to =
+      panel.is_logarithmic ? most * std::pow(most / from, 0.75) : 1.45 * std::max(most, 1.0);
   std::string text = fmt::format(
       "unset label\nset lmargin at screen {}\nset rmargin at screen {}\n"
       "set title \"{}\" noenhanced offset 0,-0.6\n{} logscale x\nset xrange [{}:{}]\n",
@@ -193,10 +192,11 @@ std::string drawn_panel(const Panel& panel, const std::vector<Bar>& bars, std::s
   for (const Bar& bar : bars) {
     const std::optional<double> figure = panel.figure(*bar.row);
     const double end = std::max(figure.value_or(from), from);
-    rows += fmt::format("{} {} {} {} {} {} {}\n", from, bar.height, from, end, bar.height - 0.38,
-                        bar.height + 0.38, std::stoi(std::string(bar.colour.substr(1)), nullptr, 16));
-    const std::string said =
-        figure ? fmt::format(fmt::runtime(panel.format), *figure) : std::string(number == 3 ? "never" : "not timed");
+    rows +=
+        fmt::format("{} {} {} {} {} {} {}\n", from, bar.height, from, end, bar.height - 0.38,
+                    bar.height + 0.38, std::stoi(std::string(bar.colour.substr(1)), nullptr, 16));
+    const std::string said = figure ? fmt::format(fmt::runtime(panel.format), *figure)
+                                    : std::string(number == 3 ? "never" : "not timed");
     text += fmt::format("set label \"{}\" at {},{} left offset 0.4,0 noenhanced\n", said, end,
                         bar.height);
   }
@@ -215,8 +215,7 @@ std::string drawn_panel(const Panel& panel, const std::vector<Bar>& bars, std::s
     }
   }
   text += fmt::format(
-      "plot $panel{} using 1:2:3:4:5:6:7 with boxxyerror linecolor rgb variable notitle\n",
-      number);
+      "plot $panel{} using 1:2:3:4:5:6:7 with boxxyerror linecolor rgb variable notitle\n", number);
   return text;
 }
 

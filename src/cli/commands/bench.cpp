@@ -94,8 +94,8 @@ std::vector<MethodSubject> all_methods() {
   std::vector<MethodSubject> all;
   for (const auto& some : {own_methods(), methods_of_engines()}) {
     for (const MethodSubject& one : some) {
-      const auto last = std::ranges::find(all.rbegin(), all.rend(), one.method,
-                                          &MethodSubject::method);
+      const auto last =
+          std::ranges::find(all.rbegin(), all.rend(), one.method, &MethodSubject::method);
       all.insert(last.base() == all.begin() ? all.end() : last.base(), one);
     }
   }
@@ -185,8 +185,9 @@ void add_bench_arguments(CLI::App& app, BenchArguments& options) {
       ->excludes(collider)
       ->excludes(regime)
       ->excludes(csv);
-  app.add_option("--picture", options.pictures,
-                 "run time against error, or what the ways trade; FILE.svg or FILE.png, again for another")
+  app.add_option(
+         "--picture", options.pictures,
+         "run time against error, or what the ways trade; FILE.svg or FILE.png, again for another")
       ->type_name("FILE")
       ->allow_extra_args(false);
 }

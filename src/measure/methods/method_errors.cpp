@@ -1,6 +1,8 @@
 #include "measure/methods/method_errors.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace manifuzz {
 namespace {
@@ -62,16 +64,14 @@ void MethodCollector::add_errors(std::uint64_t index, const TrueContact& truth,
   constexpr double unit = 0x1p-24;
   const double length = unit * truth.truth->extent();
   of_extent_.add(index, {.normal = normal / unit, .position = 0, .depth = depth / length});
-  of_size_.add(index,
-               {.normal = normal, .position = 0, .depth = depth / truth.truth->size()});
+  of_size_.add(index, {.normal = normal, .position = 0, .depth = depth / truth.truth->size()});
 }
 
 void MethodCollector::add_frame(const TrueContact& truth, const ExtentLeftOut& left,
                                 const TouchingPoints& said, bool is_start) {
   const double off = 2 * (truth.for_float.bounds.position + truth.for_float.bounds.separation);
   points_ += said.points.size();
-  lingering_ +=
-      static_cast<std::uint64_t>(lingering_points(truth.truth->pair(), said, off));
+  lingering_ += static_cast<std::uint64_t>(lingering_points(truth.truth->pair(), said, off));
   if (!is_start && truth.clip.is_decided && truth.clip == clip_before_) {
     ++steps_;
     if (said.points.size() != points_before_) ++flickers_;
@@ -80,7 +80,8 @@ void MethodCollector::add_frame(const TrueContact& truth, const ExtentLeftOut& l
   points_before_ = said.points.size();
   if (!truth.clip.is_decided || truth.clip.count < 2) return end_contact();
   ++lasting_.frames;
-  const bool is_complete = left.points == 0 && left.lost <= (1 - kSpannedShare) * left.run + left.bound;
+  const bool is_complete =
+      left.points == 0 && left.lost <= (1 - kSpannedShare) * left.run + left.bound;
   if (is_complete && !lasting_.complete_after) lasting_.complete_after = lasting_.frames;
 }
 
@@ -108,7 +109,8 @@ FrameErrors MethodCollector::frames() const {
   std::vector<double> after;
   double completed = 0;
   for (const std::optional<int>& frames : ended.completed_) {
-    after.push_back(frames ? *frames : INFINITY);
+    after.push_back(frames ? static_cast<double>(*frames)
+                           : std::numeric_limits<double>::infinity());
     completed += frames ? 1 : 0;
   }
   const auto share = [](double count, double of) { return of > 0 ? count / of : 0; };

@@ -48,7 +48,8 @@ class MethodCollector {
   std::uint64_t lingering_ = 0;
   std::uint64_t steps_ = 0;  ///< from a frame to the next whose clips have as many points
   std::uint64_t flickers_ = 0;
-  std::vector<std::optional<int>> completed_;  ///< of each contact that lasted: after how many frames
+  std::vector<std::optional<int>>
+      completed_;  ///< of each contact that lasted: after how many frames
   Lasting lasting_;
   ClipNow clip_before_;
   std::size_t points_before_ = 0;

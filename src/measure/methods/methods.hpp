@@ -45,7 +45,8 @@ struct FrameErrors {
   std::optional<double> frames_to_complete{};
   double completed = 0;  ///< the share of such contacts that ever have both
   double lingering = 0;  ///< the share of points said to touch where the shapes do not
-  double flicker = 0;    ///< the share of frames in which the number of points changes, the clip's not
+  double flicker =
+      0;  ///< the share of frames in which the number of points changes, the clip's not
 };
 
 /// One subject over one workload.
@@ -61,7 +62,7 @@ struct MethodRow {
 
 struct MethodsOptions {
   std::uint64_t seed = 1;
-  std::size_t judged = 5'000;     ///< pairs a workload
+  std::size_t judged = 5'000;  ///< pairs a workload
   std::size_t sequences = 60;  ///< of each motion
   TimingOptions timing;
 };
