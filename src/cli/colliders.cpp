@@ -78,6 +78,8 @@ const std::vector<ColliderEntry>& colliders() {
       {"gjk64", make_gjk64},
       {"gjk-shrunk", make_gjk_shrunk},
       {"gjk-clip", make_gjk_clip},
+      {"perturbed", make_perturbed},
+      {"perturbed64", make_perturbed64},
       {"box2d", [] { return make_box2d(); }},
       {"chipmunk", make_chipmunk},
       {"bullet-epa",
@@ -112,16 +114,33 @@ const ColliderEntry* find_entry(std::string_view name) {
 
 std::optional<Collider> find_installed(const std::string& name) {
   try {
-    const ColliderEntry* const entry = find_entry(name);
-    return entry == nullptr ? std::nullopt : std::optional(entry->make());
+    return find_collider(name);
   } catch (const UserError&) {
     return std::nullopt;
   }
 }
 
+std::optional<Collider> find_made_over(std::string_view prefix, std::string_view name) {
+  if (!name.starts_with(prefix)) return std::nullopt;
+  const std::string_view over = name.substr(prefix.size());
+  const Collider collider = find_collider(over);
+  if (collider.declaration.claims != Claims::point) {
+    throw UserError(fmt::format("{}: {} does not claim one point a pair, as gjk does", name, over));
+  }
+  if (collider.declaration.alters_shapes) {
+    throw UserError(
+        fmt::format("{}: {} alters shapes; it is made over those that take them as "
+                    "they are",
+                    name, over));
+  }
+  return collider;
+}
+
 Collider find_collider(std::string_view name) {
   if (const ColliderEntry* const entry = find_entry(name)) return entry->make();
+  if (const auto base = find_made_over("perturbed+", name)) return make_perturbed_over(*base);
   std::vector<std::string_view> names = names_of(colliders());
+  names.emplace_back("perturbed+NAME");
   names.emplace_back("./LIBRARY.so");
   throw UserError(no_such("collider", name, names));
 }

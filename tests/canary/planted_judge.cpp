@@ -4,6 +4,7 @@
 #include "judging/bounds.cpp"
 #include "judging/by_curve.cpp"
 #include "judging/compare.cpp"
+#include "judging/extent.cpp"
 #include "judging/judge.cpp"
 #include "judging/ledger.cpp"
 #include "judging/ledger/box2d_deviations.cpp"
