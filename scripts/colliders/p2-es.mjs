@@ -7,10 +7,14 @@ const snippet = `import * as p2 from "p2-es";
 function bodyOf(corners, radius, [x, y], [c, s]) {
   const vertices = corners.map(([u, v]) => [Math.hypot(c, s) * u, Math.hypot(c, s) * v]);
   const body = new p2.Body({ position: [x, y], angle: Math.atan2(s, c) });
-  const [[u, v]] = vertices;
-  if (corners.length > 1) return [body, new p2.Convex({ vertices }), body.position, body.angle];
-  body.toWorldFrame(body.position, [u, v]);
-  return [body, new p2.Circle({ radius }), body.position, 0];
+  const [[x0, y0], [x1, y1] = [x0, y0]] = vertices;
+  if (corners.length > 2) return [body, new p2.Convex({ vertices }), body.position, body.angle];
+  body.toWorldFrame(body.position, [(x0 + x1) / 2, (y0 + y1) / 2]);
+  body.angle += Math.atan2(y1 - y0, x1 - x0); // a capsule lies along its x axis
+  const shape = corners.length === 1
+    ? new p2.Circle({ radius })
+    : new p2.Capsule({ length: Math.hypot(x1 - x0, y1 - y0), radius });
+  return [body, shape, body.position, body.angle];
 }
 
 const a = bodyOf(@a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@);
