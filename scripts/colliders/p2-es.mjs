@@ -67,6 +67,15 @@ function placedOf(body) {
   return { body: bodyAt([body.world[0].x, body.world[0].y], 0), shape };
 }
 
+// Of vertices that rounding to floats has made clockwise it makes no Convex, and throws.
+function placedOrNull(body) {
+  try {
+    return placedOf(body);
+  } catch {
+    return null;
+  }
+}
+
 function whyNot(a, b) {
   if ([a, b].some(({ count, radius }) => count > 2 && radius > 0)) return "has no rounded polygons";
   if ([a, b].every(({ count }) => count > 1) && (a.count === 2 || b.count === 2)) {
@@ -78,7 +87,8 @@ function whyNot(a, b) {
 function collide(a, b) {
   const unsupported = whyNot(a, b);
   if (unsupported) return { unsupported };
-  const [placedA, placedB] = [placedOf(a), placedOf(b)];
+  const [placedA, placedB] = [placedOrNull(a), placedOrNull(b)];
+  if (!placedA || !placedB) return { unsupported: "its Convex is not counter-clockwise in floats" };
   const swapped = placedA.shape.type > placedB.shape.type;
   const [first, second] = swapped ? [placedB, placedA] : [placedA, placedB];
   const narrowphase = new p2.Narrowphase();
