@@ -48,9 +48,6 @@ Collider of_libccd(std::string_view name, std::string_view how) {
   return of_engine(name, "libccd-dev", fmt::format("libccd's {}, of prisms", how));
 }
 
-/// How long node may take to load an engine: Rapier's is 2.4 MB of WebAssembly.
-constexpr double kNodeStartSeconds = 10;
-
 /// An engine of npm's, asked through its adapter.
 Collider of_node(std::string_view name, std::string_view package) {
   const std::filesystem::path folder(MANIFUZZ_NODE_COLLIDERS);
@@ -59,8 +56,7 @@ Collider of_node(std::string_view name, std::string_view package) {
         "{} is not installed; scripts/setup installs it where node and npm are", package));
   }
   const auto adapter = folder / fmt::format("{}.mjs", name);
-  return described(collider_of_command("node " + quoted_for_shell(adapter.string()), kSecondsMax,
-                                       kNodeStartSeconds),
+  return described(collider_of_command("node " + quoted_for_shell(adapter.string()), kSecondsMax),
                    fmt::format("{} of npm, under node", package));
 }
 
