@@ -1,3 +1,4 @@
+#include "oracle/bullet/bullet_cached.hpp"
 #include "oracle/bullet/bullet_pass.hpp"
 
 namespace manifuzz {
@@ -8,6 +9,10 @@ std::function<void()> bullet_epa_pass(std::span<const PairCase>) {
 
 std::function<void()> bullet_minkowski_pass(std::span<const PairCase>) {
   return {};
+}
+
+std::optional<SequenceCollider> make_bullet_cached() {
+  return std::nullopt;
 }
 
 }  // namespace manifuzz

@@ -13,6 +13,13 @@
 #include "report/outputs.hpp"
 
 namespace manifuzz {
+
+std::string left_out(std::string_view name, std::string_view package) {
+  return fmt::format(
+      "the build left out {}; scripts/setup --engines installs {}, and scripts/build builds it",
+      name, package);
+}
+
 namespace {
 
 /// Over a case.
@@ -33,9 +40,7 @@ Collider of_engine(std::string_view name, std::string_view package, std::string 
   const std::filesystem::path library =
       std::filesystem::path(MANIFUZZ_ENGINES) / fmt::format("{}.so", name);
   if (!std::filesystem::exists(library)) {
-    throw UserError(fmt::format(
-        "the build left out {}; scripts/setup --engines installs {}, and scripts/build builds it",
-        name, package));
+    throw UserError(left_out(name, package));
   }
   return described(collider_in_own_process(library.string(), kSecondsMax), std::move(description));
 }

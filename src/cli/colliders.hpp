@@ -20,6 +20,9 @@ struct ColliderEntry {
   bool is_ours = false;  ///< of this repository, not one that it is held against
 };
 
+/// Why an engine is not there: one line for people.
+std::string left_out(std::string_view name, std::string_view package);
+
 /// Every collider there is, in the order of `list colliders`.
 const std::vector<ColliderEntry>& colliders();
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collider/collider.hpp"
+#include "geometry/angular_disc.hpp"
 
 namespace manifuzz {
 
@@ -31,17 +32,25 @@ struct KeptManifold {
   std::vector<KeptPoint> points;
 };
 
+/// How large a shape is taken to be: how far it reaches from its own origin, radius included, or
+/// Bullet's angular motion disc.
+enum class ShapeMeasure { reach, angular_disc };
+
 /// A length that depends on the shapes: `absolute`, a world length, plus `relative` times the
-/// smaller shape's reach from its own origin, radius included.
+/// smaller shape's measure.
 struct ShapeLength {
   double absolute = 0;
   double relative = 0;
+  ShapeMeasure measure = ShapeMeasure::reach;
 
   double of(const PairCase& pair) const {
-    const auto reach_of = [](const ConvexPolygon<float>& shape) {
-      return reach(shape) + static_cast<double>(shape.radius);
-    };
-    return absolute + relative * std::min(reach_of(pair.a.polygon), reach_of(pair.b.polygon));
+    return absolute + relative * std::min(measured(pair.a.polygon), measured(pair.b.polygon));
+  }
+
+ private:
+  double measured(const ConvexPolygon<float>& shape) const {
+    return measure == ShapeMeasure::reach ? reach(shape) + static_cast<double>(shape.radius)
+                                          : angular_disc(polygon_cast<double>(shape));
   }
 };
 

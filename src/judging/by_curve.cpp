@@ -60,11 +60,11 @@ class ByCurve {
  public:
   /// `tolerance`: how far it may stop short of the least depth, a world length.
   ByCurve(const exact::Truth& truth, const Declaration& declaration, const Said& said,
-          double tolerance = 0)
+          const CurveBounds& bounds, double tolerance = 0)
       : truth_(truth),
         declaration_(declaration),
         said_(said),
-        bounds_(curve_bounds(truth.pair(), declaration, truth.extent())),
+        bounds_(bounds),
         tolerance_(tolerance),
         curve_(truth, exact::skin_of(truth)),
         nearest_(truth, curve_, bounds_.touching, bounds_.normal) {}
@@ -272,20 +272,19 @@ CurveBounds curve_bounds(const PairCase& pair, const Declaration& declaration, d
 }
 
 CurveJudgement judge_by_curve(const exact::Truth& truth, const Declaration& declaration,
-                              const Answer& answer) {
+                              const Answer& answer, const CurveBounds& bounds) {
   const Said said = said_by(answer);
-  const CurveJudgement strictly = ByCurve(truth, declaration, said).judge();
+  const CurveJudgement strictly = ByCurve(truth, declaration, said, bounds).judge();
   const double tolerance = tolerance_of(truth, declaration);
   if (strictly.kind == Kind::none || tolerance == 0) return strictly;
-  CurveJudgement judgement = ByCurve(truth, declaration, said, tolerance).judge();
+  CurveJudgement judgement = ByCurve(truth, declaration, said, bounds, tolerance).judge();
   judgement.is_by_tolerance = judgement.kind == Kind::none;
   return judgement;
 }
 
 std::optional<AlongNormal> said_along(const Answer& answer) {
   const Said said = said_by(answer);
-  if (!said.normal) return std::nullopt;
-  return AlongNormal{*said.normal, said.depth};
+  return said.normal ? std::optional(AlongNormal{*said.normal, said.depth}) : std::nullopt;
 }
 
 bool touches(const Answer& answer) {
@@ -294,7 +293,8 @@ bool touches(const Answer& answer) {
 
 bool is_reversed(const exact::Truth& truth, const ColliderAnswer& given) {
   const Said said = said_by(given.answer);
-  return said.touches && ByCurve(truth, given.declaration, said).is_reversed();
+  const CurveBounds bounds = curve_bounds(truth.pair(), given.declaration, truth.extent());
+  return said.touches && ByCurve(truth, given.declaration, said, bounds).is_reversed();
 }
 
 }  // namespace manifuzz

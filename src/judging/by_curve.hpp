@@ -37,9 +37,15 @@ struct CurveJudgement {
   std::optional<bool> witness{};     ///< every point lies where it claims, with that overlap
 };
 
-/// Of a manifold, complete or not, or a penetration; whatever the collider's frame, in A's.
+/// Of a manifold, complete or not, or a penetration; whatever the collider's frame, in A's. Within
+/// these bounds, or those of its declaration.
 CurveJudgement judge_by_curve(const exact::Truth& truth, const Declaration& declaration,
-                              const Answer& answer);
+                              const Answer& answer, const CurveBounds& bounds);
+inline CurveJudgement judge_by_curve(const exact::Truth& truth, const Declaration& declaration,
+                                     const Answer& answer) {
+  return judge_by_curve(truth, declaration, answer,
+                        curve_bounds(truth.pair(), declaration, truth.extent()));
+}
 
 /// A depth along a normal.
 struct AlongNormal {

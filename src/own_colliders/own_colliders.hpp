@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "collider/collider.hpp"
+#include "collider/sequence_collider.hpp"
 #include "geometry/pair_case.hpp"
 
 namespace manifuzz {
@@ -76,6 +77,22 @@ Collider make_gjk_shrunk();
 
 /// Clipping, with the faces by GJK and EPA; polygons alone.
 Collider make_gjk_clip();
+
+/// Points of `gjk` kept over frames, in float; hints are kept too.
+SequenceCollider make_cached();
+
+/// The same of `gjk64`, in double.
+SequenceCollider make_cached64();
+
+/// Points of `gjk` kept by Bullet's rules.
+SequenceCollider make_cached_bullet();
+
+/// Points of any collider that claims one (`Claims::point`) and alters no shapes, kept over frames
+/// in double; named cached+NAME.
+SequenceCollider cached_over(const Collider& one_point);
+
+/// The same by Bullet's rules; named cached-bullet+NAME.
+SequenceCollider cached_bullet_over(const Collider& one_point);
 
 // A namespace of its own, as clipping has, keeps planted copies apart.
 namespace own {

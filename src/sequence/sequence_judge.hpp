@@ -11,15 +11,19 @@
 
 namespace manifuzz {
 
-/// What is wrong in one frame; kind `none` where nothing is.
+/// What is wrong in one frame; kind `none` where nothing is, or float cannot say.
 struct FrameJudgement {
   Kind kind = Kind::none;
-  std::optional<std::size_t> point{};  ///< which of the frame's points, if it is one
-  double magnitude = 0;                ///< as a share of the size
-  double bound = 0;                    ///< within which it would be right, as a share too
+  /// Which of the frame's points, if it is one; of `extent` one of the frame before, that is gone.
+  std::optional<std::size_t> point{};
+  double magnitude = 0;  ///< as a share of the size; of directions their difference
+  double bound = 0;      ///< within which it would be right, likewise
+  bool is_ill_posed = false;
+  const LedgerEntry* explanation = nullptr;  ///< of what is wrong
 };
 
-/// The verdict on a whole sequence: that of the gravest frame, the first of equals.
+/// The verdict on a whole sequence: that of the gravest frame, the first of equals; what nobody
+/// explains comes before what the ledger does.
 struct SequenceJudgement {
   Bucket bucket{};
   double magnitude = 0;

@@ -1,0 +1,70 @@
+#include "cli/sequence_colliders.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "cli/colliders.hpp"
+#include "oracle/bullet/bullet_cached.hpp"
+#include "own_colliders/own_colliders.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// A way to keep the points of another collider, by what stands before that one's name.
+struct Way {
+  std::string_view prefix;
+  SequenceCollider (*over)(const Collider& one_point);
+};
+
+SequenceCollider bullet_cached() {
+  const auto found = make_bullet_cached();
+  if (!found) throw UserError(left_out("bullet-cached", "libbullet-dev"));
+  return *found;
+}
+
+constexpr Way kWays[] = {{"cached+", cached_over}, {"cached-bullet+", cached_bullet_over}};
+
+SequenceCollider kept_over(const Way& way, std::string_view name) {
+  const Collider collider = find_collider(name);
+  if (collider.declaration.claims != Claims::point) {
+    throw UserError(fmt::format("{}{}: {} does not claim one point a pair, as gjk does", way.prefix,
+                                name, name));
+  }
+  if (collider.declaration.alters_shapes) {
+    throw UserError(fmt::format("{}{}: {} alters shapes; points are kept of shapes as they are",
+                                way.prefix, name, name));
+  }
+  return way.over(collider);
+}
+
+}  // namespace
+
+const std::vector<SequenceColliderEntry>& sequence_colliders() {
+  static const std::vector<SequenceColliderEntry> all = {
+      {"cached", make_cached, true},
+      {"cached64", make_cached64, true},
+      {"cached-bullet", make_cached_bullet, true},
+      {"bullet-cached", bullet_cached},
+  };
+  return all;
+}
+
+const SequenceColliderEntry* find_sequence_entry(std::string_view name) {
+  const auto entry = std::ranges::find(sequence_colliders(), name, &SequenceColliderEntry::name);
+  return entry == sequence_colliders().end() ? nullptr : &*entry;
+}
+
+SequenceCollider find_sequence_collider(std::string_view name) {
+  if (const SequenceColliderEntry* const entry = find_sequence_entry(name)) return entry->make();
+  for (const Way& way : kWays) {
+    if (name.starts_with(way.prefix)) return kept_over(way, name.substr(way.prefix.size()));
+  }
+  std::vector<std::string_view> names = names_of(sequence_colliders());
+  names.emplace_back("cached+NAME");
+  names.emplace_back("cached-bullet+NAME");
+  throw UserError(no_such("collider that keeps points", name, names));
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,124 @@
+#include "sequence/sequence_ledger.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "sequence/kept_point.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// The point of which a fault is, in the frame that it is of.
+const KeptPoint& point_of(const FrameView& view, const FrameJudgement& judgement) {
+  const auto& points = judgement.kind == Kind::extent ? view.points_before() : view.points();
+  return points[*judgement.point];
+}
+
+/// The normal stays as it was in the world while both bodies turn: what is wrong is the normal, or
+/// that the point is taken for too stale along it, or not so.
+bool normal_of_the_world(const FrameView& view, const FrameJudgement& judgement) {
+  if (!judgement.point) return false;
+  const KeptPoint& point = point_of(view, judgement);
+  const KeptPoint& birth = view.birth_of(point);
+  const double bound = view.bound().normal;
+  if ((point.normal - birth.normal).norm() > bound) return false;
+  if (judgement.kind == Kind::normal) return !view.is_born(point);
+  if (judgement.kind != Kind::extent) return false;
+  const AnchorsNow now = anchors_now(view.pair(), point, point.normal);
+  return -now.depth > view.keeping().gap.of(view.pair()) - view.bound().gap ||
+         now.drift > view.keeping().drift.of(view.pair()) - view.bound().gap;
+}
+
+/// A point too many takes the slot of an old one as areas between four have it, and on a line all
+/// areas are 0.
+bool slot_by_areas(const FrameView& view, const FrameJudgement& judgement) {
+  if (judgement.kind != Kind::extent) return false;
+  const auto& before = view.points_before();
+  const bool was_full = static_cast<int>(before.size()) == view.keeping().points_max;
+  return was_full && std::ranges::any_of(view.points(), [&](const KeptPoint& point) {
+           return view.is_born(point) && std::ranges::none_of(before, [&](const KeptPoint& old) {
+                    return old.id == point.id;
+                  });
+         });
+}
+
+/// The answer as bullet-epa would give it: the same queries of the same prisms, and nothing kept.
+bool detected_by_epa(const FrameView& view, const FrameJudgement& judgement) {
+  Manifold<double> got;
+  if (judgement.point) {
+    if (judgement.kind == Kind::extent) return false;
+    const KeptPoint& point = point_of(view, judgement);
+    if (!view.is_born(point)) return false;
+    got = detected_on_b(view.pair(), point);
+  }
+  const Declaration& declaration = view.subject.declaration;
+  const auto truth = std::make_shared<const exact::Truth>(view.pair());
+  const Admissible right = admissible(truth, declaration);
+  return find_explanation("bullet-epa", {right, got, judgement.kind}) != nullptr;
+}
+
+/// Where the solver of penetrations is asked about shapes that are apart, the distance is that of
+/// its points, and the normal an axis of before; the anchor on A lies along it.
+bool axis_across_gap(const FrameView& view, const FrameJudgement& judgement) {
+  constexpr double asked_within = 0.001;  // gGjkEpaPenetrationTolerance
+  if (!judgement.point || judgement.kind == Kind::extent) return false;
+  const KeptPoint& point = point_of(view, judgement);
+  const double bound = view.bound().birth.consistency;
+  const exact::PenetrationCurve curve(view.truth, exact::Skin::round);
+  return view.is_born(point) && point.depth <= bound && point.depth >= -asked_within - bound &&
+         std::abs(point.depth - curve.least()) <= bound;
+}
+
+constexpr std::string_view kWorldNormal = "the normal stays in the world while both bodies turn";
+constexpr std::string_view kWorldNormalSource =
+    "Bullet 3.24, btPersistentManifold.cpp, refreshContactPoints: m_normalWorldOnB is never turned";
+constexpr std::string_view kAreas =
+    "a fifth point takes the slot of one that is deepest or at an end: areas on a line are 0";
+constexpr std::string_view kAreasSource = "Bullet 3.24, btPersistentManifold.cpp, sortCachedPoints";
+
+constexpr std::string_view kAxisSource =
+    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual: "
+    "normalInB = m_cachedSeparatingAxis where calcPenDepth is false";
+constexpr std::string_view kEpaSource =
+    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual, and btGjkEpa2.cpp";
+
+constexpr SequenceEntry entry_of(std::string_view id, std::string_view collider,
+                                 std::string_view description, std::string_view source,
+                                 bool (*explains)(const FrameView&, const FrameJudgement&)) {
+  return {{.id = id, .collider = collider, .description = description, .source = source}, explains};
+}
+
+constexpr std::array kSequenceLedger{
+    entry_of("bullet-cached-world-normal", "bullet-cached", kWorldNormal, kWorldNormalSource,
+             normal_of_the_world),
+    entry_of("bullet-cached-slot-by-areas", "bullet-cached", kAreas, kAreasSource, slot_by_areas),
+    entry_of("bullet-cached-detection", "bullet-cached",
+             "what is detected is wrong as bullet-epa's answers are", kEpaSource, detected_by_epa),
+    entry_of("bullet-cached-axis-across-gap", "bullet-cached",
+             "a gap below 0.001 has its width as distance, and an axis of before as normal",
+             kAxisSource, axis_across_gap),
+    entry_of("cached-bullet-world-normal", "cached-bullet", kWorldNormal, kWorldNormalSource,
+             normal_of_the_world),
+    entry_of("cached-bullet-slot-by-areas", "cached-bullet", kAreas, kAreasSource, slot_by_areas),
+};
+
+}  // namespace
+
+std::span<const SequenceEntry> sequence_ledger() {
+  return kSequenceLedger;
+}
+
+const LedgerEntry* find_sequence_explanation(const FrameView& view,
+                                             const FrameJudgement& judgement) {
+  // What keeps the points of another collider is named after both.
+  const std::string_view name = view.subject.declaration.name;
+  const std::string_view keeper = name.substr(0, name.find('+'));
+  for (const SequenceEntry& known : kSequenceLedger) {
+    if (known.entry.collider == keeper && known.explains(view, judgement)) {
+      return &known.entry;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace manifuzz
