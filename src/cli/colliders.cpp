@@ -54,19 +54,15 @@ Collider of_libccd(std::string_view name, std::string_view how) {
 }
 
 /// An engine of npm's, asked through its adapter.
-Collider of_node(std::string_view name, std::string_view package) {
+Collider of_node(std::string_view name) {
   const std::filesystem::path folder(MANIFUZZ_NODE_COLLIDERS);
-  if (!std::filesystem::exists(folder / "node_modules" / package)) {
-    throw UserError(fmt::format(
-        "{} is not installed; scripts/setup installs it where node and npm are", package));
+  if (!std::filesystem::exists(folder / "node_modules" / name)) {
+    throw UserError(
+        fmt::format("{} is not installed; scripts/setup installs it where node and npm are", name));
   }
   const auto adapter = folder / fmt::format("{}.mjs", name);
   return described(collider_of_command("node " + quoted_for_shell(adapter.string()), kSecondsMax),
-                   fmt::format("{} of npm, under node", package));
-}
-
-Collider of_node(std::string_view name) {
-  return of_node(name, name);
+                   fmt::format("{} of npm, under node", name));
 }
 
 }  // namespace
@@ -105,14 +101,6 @@ const std::vector<ColliderEntry>& colliders() {
       {"libccd-mpr", [] { return of_libccd("libccd-mpr", "ccdMPRPenetration"); }},
       {"planck", [] { return of_node("planck"); }},
       {"phaser-box2d", [] { return of_node("phaser-box2d"); }},
-      {"box2d-core", [] { return of_node("box2d-core", "@box2d/core"); }},
-      {"matter-js", [] { return of_node("matter-js"); }},
-      {"nape-js", [] { return of_node("nape-js", "@newkrok/nape-js"); }},
-      {"p2-es", [] { return of_node("p2-es"); }},
-      {"rapier2d", [] { return of_node("rapier2d", "@dimforge/rapier2d-compat"); }},
-      {"rapier2d-contact",
-       [] { return of_node("rapier2d-contact", "@dimforge/rapier2d-compat"); }},
-      {"sat", [] { return of_node("sat"); }},
   };
   return all;
 }

@@ -1,4 +1,4 @@
-// Rapier's contact manifolds for manifuzz: `manifuzz fuzz --subject-command "node rapier2d.mjs"`.
+// Rapier's contact manifolds for manifuzz: `manifuzz fuzz --subject-command "node rapier2d-manifold.mjs"`.
 import { serve, toWorld } from "./protocol.mjs";
 import { collidersOf, declaration, snippetThat } from "./rapier2d-bodies.mjs";
 
