@@ -102,9 +102,19 @@ const valueOf = (vector) => ({ x: vector.get_x(), y: vector.get_y() });
 
 const [STATIC, DYNAMIC] = [phys.BodyType.get_STATIC(), phys.BodyType.get_DYNAMIC()];
 
+const polygonOf = (body) => body.get_shapes().at(0).get_castPolygon();
+
 function isValid(body) {
-  const of = body.get_shapes().at(0);
-  return of.isCircle() || of.get_castPolygon().validity() === shape.ValidationResult.get_VALID();
+  const polygon = polygonOf(body);
+  return polygon === null || polygon.validity() === shape.ValidationResult.get_VALID();
+}
+
+// It drops corners that lie together or on a line, each within 1e-8: those that it has kept.
+function keptOf({ vertices, stored }, body) {
+  const kept = polygonOf(body)?.get_localVerts();
+  const corners = kept && Array.from({ length: kept.get_length() }, (_, i) => valueOf(kept.at(i)));
+  const has = ({ x, y }) => !corners || corners.some((corner) => corner.x === x && corner.y === y);
+  return stored.vertices.filter((_, i) => has(vertices[i])).map(({ x, y }) => [x, y]);
 }
 
 function collide(a, b) {
@@ -112,7 +122,9 @@ function collide(a, b) {
   if (lacks) return { unsupported: "has neither capsules nor polygons with a radius" };
   const bodies = [bodyOf(STATIC, a), bodyOf(DYNAMIC, b)];
   if (!bodies.every(isValid)) return { unsupported: "takes no such polygon: its validity() is none" };
-  return contactsOf(bodies);
+  const shapes = { a: keptOf(a, bodies[0]), b: keptOf(b, bodies[1]) };
+  const altered = shapes.a.length < a.count || shapes.b.length < b.count;
+  return altered ? { ...contactsOf(bodies), shapes } : contactsOf(bodies);
 }
 
 serve(declaration, collide);

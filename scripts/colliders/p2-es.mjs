@@ -7,10 +7,14 @@ const snippet = `import * as p2 from "p2-es";
 function bodyOf(corners, radius, [x, y], [c, s]) {
   const vertices = corners.map(([u, v]) => [Math.hypot(c, s) * u, Math.hypot(c, s) * v]);
   const body = new p2.Body({ position: [x, y], angle: Math.atan2(s, c) });
-  const [[u, v]] = vertices;
-  if (corners.length > 1) return [body, new p2.Convex({ vertices }), body.position, body.angle];
-  body.toWorldFrame(body.position, [u, v]);
-  return [body, new p2.Circle({ radius }), body.position, 0];
+  const [[x0, y0], [x1, y1] = [x0, y0]] = vertices;
+  if (corners.length > 2) return [body, new p2.Convex({ vertices }), body.position, body.angle];
+  body.toWorldFrame(body.position, [(x0 + x1) / 2, (y0 + y1) / 2]);
+  body.angle += Math.atan2(y1 - y0, x1 - x0); // a capsule lies along its x axis
+  const shape = corners.length === 1
+    ? new p2.Circle({ radius })
+    : new p2.Capsule({ length: Math.hypot(x1 - x0, y1 - y0), radius });
+  return [body, shape, body.position, body.angle];
 }
 
 const a = bodyOf(@a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@);
@@ -63,6 +67,15 @@ function placedOf(body) {
   return { body: bodyAt([body.world[0].x, body.world[0].y], 0), shape };
 }
 
+// Of vertices that rounding to floats has made clockwise it makes no Convex, and throws.
+function placedOrNull(body) {
+  try {
+    return placedOf(body);
+  } catch {
+    return null;
+  }
+}
+
 function whyNot(a, b) {
   if ([a, b].some(({ count, radius }) => count > 2 && radius > 0)) return "has no rounded polygons";
   if ([a, b].every(({ count }) => count > 1) && (a.count === 2 || b.count === 2)) {
@@ -74,7 +87,8 @@ function whyNot(a, b) {
 function collide(a, b) {
   const unsupported = whyNot(a, b);
   if (unsupported) return { unsupported };
-  const [placedA, placedB] = [placedOf(a), placedOf(b)];
+  const [placedA, placedB] = [placedOrNull(a), placedOrNull(b)];
+  if (!placedA || !placedB) return { unsupported: "its Convex is not counter-clockwise in floats" };
   const swapped = placedA.shape.type > placedB.shape.type;
   const [first, second] = swapped ? [placedB, placedA] : [placedA, placedB];
   const narrowphase = new p2.Narrowphase();

@@ -5,6 +5,36 @@ import { versionOf } from "./protocol.mjs";
 await RAPIER.init();
 const { ActiveCollisionTypes, ColliderDesc, RigidBodyDesc, World } = RAPIER;
 
+// `ask` prints how many points there are, and them.
+export const snippetThat = (ask) => `import RAPIER from "@dimforge/rapier2d-compat";
+
+await RAPIER.init();
+const { ActiveCollisionTypes, ColliderDesc, RigidBodyDesc } = RAPIER;
+
+function shapeOf(vertices, radius) {
+  const flat = new Float32Array(vertices.flat());
+  const [[x, y], [u, v] = [0, 0]] = vertices;
+  if (vertices.length === 1) return ColliderDesc.ball(radius).setTranslation(x, y);
+  if (vertices.length === 2 && radius === 0) return ColliderDesc.segment({ x, y }, { x: u, y: v });
+  if (vertices.length > 2 && radius === 0) return ColliderDesc.convexPolyline(flat);
+  if (vertices.length > 2) return ColliderDesc.roundConvexPolyline(flat, radius);
+  return ColliderDesc.capsule(Math.hypot(u - x, v - y) / 2, radius) // along its y axis
+    .setTranslation((x + u) / 2, (y + v) / 2).setRotation(Math.atan2(x - u, v - y));
+}
+
+function colliderOf(desc, body, [x, y], [c, s]) {
+  body.setTranslation(x, y).setRotation(Math.atan2(s, c));
+  desc.setActiveCollisionTypes(ActiveCollisionTypes.ALL);
+  return world.createCollider(desc, world.createRigidBody(body));
+}
+
+const world = new RAPIER.World({ x: 0, y: 0 });
+world.timestep = 0;
+const a = colliderOf(shapeOf(@a.vertices[]@, @a.radius@), RigidBodyDesc.fixed(), @a.position[]@, @a.rotation[]@);
+const b = colliderOf(shapeOf(@b.vertices[]@, @b.radius@), RigidBodyDesc.kinematicPositionBased(), @b.position[]@, @b.rotation[]@);
+console.log("A keeps", a.vertices(), "B keeps", b.vertices());
+${ask}`;
+
 export const declaration = {
   version: versionOf("@dimforge/rapier2d-compat"),
   scalar: "float32",

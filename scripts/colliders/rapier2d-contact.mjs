@@ -1,8 +1,12 @@
 // Rapier's contactCollider for manifuzz: `manifuzz fuzz --subject-command "node rapier2d-contact.mjs"`.
 import { serve } from "./protocol.mjs";
-import { collidersOf, declaration } from "./rapier2d-bodies.mjs";
+import { collidersOf, declaration, snippetThat } from "./rapier2d-bodies.mjs";
 
-const contact = { ...declaration, name: "rapier2d-contact", claims: "point" };
+const snippet = snippetThat(`const contact = a.contactCollider(b, 0);
+console.log(contact === null ? "0 points" : "1 points", contact);
+`);
+
+const contact = { ...declaration, name: "rapier2d-contact", claims: "point", snippet };
 
 function answerOf(_, [a, b]) {
   const found = a.contactCollider(b, 0);

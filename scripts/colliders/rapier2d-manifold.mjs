@@ -1,11 +1,23 @@
 // Rapier's contact manifolds for manifuzz: `manifuzz fuzz --subject-command "node rapier2d-manifold.mjs"`.
 import { serve, toWorld } from "./protocol.mjs";
-import { collidersOf, declaration } from "./rapier2d-bodies.mjs";
+import { collidersOf, declaration, snippetThat } from "./rapier2d-bodies.mjs";
+
+const snippet = snippetThat(`world.step();
+let points = [];
+world.contactPair(a, b, (found, flipped) => {
+  const local = (i) => (flipped ? found.localContactPoint2(i) : found.localContactPoint1(i));
+  const all = Array.from({ length: found.numContacts() }, (_, i) => [local(i), found.contactDist(i)]);
+  points = all.filter(([, distance]) => distance <= 0); // others are for its solver
+  console.log(flipped ? "from B" : "from A", found.normal());
+});
+console.log(points.length, "points in A's frame, with distances", points);
+`);
 
 const manifold = {
   ...declaration,
   name: "rapier2d",
   claims: "manifold",
+  snippet,
   one_point_enough: true, // of capsules at an angle of more than 22.5 degrees
 };
 
