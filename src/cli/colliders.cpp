@@ -65,6 +65,17 @@ Collider of_node(std::string_view name) {
                    fmt::format("{} of npm, under node", name));
 }
 
+/// An engine that is asked through Rust, as a library that cargo made.
+Collider of_cargo(std::string_view name, std::string_view library, std::string description) {
+  const std::filesystem::path path = std::filesystem::path(MANIFUZZ_NODE_COLLIDERS) /
+                                     "rust/target/release" / fmt::format("lib{}.so", library);
+  if (!std::filesystem::exists(path)) {
+    throw UserError(fmt::format(
+        "{} is not built; scripts/colliders/rust/install builds it where cargo is", name));
+  }
+  return described(collider_in_own_process(path.string(), kSecondsMax), std::move(description));
+}
+
 }  // namespace
 
 const std::vector<ColliderEntry>& colliders() {
@@ -103,6 +114,20 @@ const std::vector<ColliderEntry>& colliders() {
       {"libccd-mpr", [] { return of_libccd("libccd-mpr", "ccdMPRPenetration"); }},
       {"planck", [] { return of_node("planck"); }},
       {"phaser-box2d", [] { return of_node("phaser-box2d"); }},
+      {"box2d3",
+       [] { return of_cargo("box2d3", "manifuzz_box2d3", "Box2D 3.2's b2Collide functions"); }},
+      {"parry2d",
+       [] { return of_cargo("parry2d", "manifuzz_parry2d", "parry's GJK and EPA, in float"); }},
+      {"parry2d-f64",
+       [] {
+         return of_cargo("parry2d-f64", "manifuzz_parry2d_f64", "parry's GJK and EPA, in double");
+       }},
+      {"parry2d-simplified",
+       [] {
+         return of_cargo("parry2d-simplified", "manifuzz_parry2d_simplified",
+                         "parry, polygons without the vertices that it drops");
+       }},
+      {"cute_c2", [] { return of_cargo("cute_c2", "manifuzz_cute_c2", "cute_c2's c2Collide"); }},
   };
   return all;
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "judging/ledger/box2d3_entries.hpp"
 #include "judging/ledger/box2d_entries.hpp"
 #include "judging/ledger/bullet_entries.hpp"
 #include "judging/ledger/chipmunk_entries.hpp"
@@ -25,7 +26,7 @@ constexpr auto joined(const Entries&... entries) {
 
 constexpr std::array kLedger =
     joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk,
-           ledger_of::kOfBullet, ledger_of::kOfLibccd);
+           ledger_of::kOfBullet, ledger_of::kOfLibccd, ledger_of::kOfBox2d3);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

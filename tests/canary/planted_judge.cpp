@@ -7,6 +7,7 @@
 #include "judging/extent.cpp"
 #include "judging/judge.cpp"
 #include "judging/ledger.cpp"
+#include "judging/ledger/box2d3_deviations.cpp"
 #include "judging/ledger/box2d_deviations.cpp"
 #include "judging/ledger/bullet_deviations.cpp"
 #include "judging/ledger/chipmunk_deviations.cpp"

@@ -69,6 +69,22 @@ bool direction_of_rounded_places(const Deviation& deviation);
 /// Cores are nearest at a vertex of each, and of the clip of their edges one point is given.
 bool one_point_between_corners(const Deviation& deviation);
 
+/// A circle whose centre is within float's epsilon of another core in Box2D 3.2: the normal has no
+/// length.
+bool no_normal_within_box2d3_epsilon(const Deviation& deviation);
+/// Two capsules in Box2D 3.2: the answer is what b2CollideCapsules makes, which is as
+/// phaser-box2d's without the slips, but that A's edge is kept up to 0.0005.
+bool slop_in_box2d3_capsules(const Deviation& deviation);
+/// A circle and a segment or capsule in Box2D 3.2: the normal is the direction to the place on the
+/// core that is nearest as floats have it.
+bool direction_of_rounded_place(const Deviation& deviation);
+/// No contact though corners with radii overlap: no face of either core is farther than 0.0005,
+/// and the incident edge is beyond the reference face's ends.
+bool corner_beyond_slab(const Deviation& deviation);
+/// A round pair with two edges in Box2D 3.2: the best face's normal, though corners beside it are
+/// nearer by up to 0.0005.
+bool face_within_box2d3_slop(const Deviation& deviation);
+
 // Of b2CollidePolygons, whose operations are repeated: the answer is what they give.
 
 /// Edges all but parallel: the nearest places as doubles have them are corners though one is on an
