@@ -98,7 +98,7 @@ Collider make_gjk_clip() {
   return own::collider_of<float>(
       {.name = "gjk-clip",
        .version = MANIFUZZ_VERSION,
-       .description = "faces by GJK and EPA, points by clipping, in float"},
+       .description = "faces by GJK and EPA, points by clipping, in float; of polygons"},
       clipped, nullptr);
 }
 
