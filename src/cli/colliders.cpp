@@ -60,6 +60,53 @@ Collider of_node(std::string_view name) {
                    fmt::format("{} of npm, under node", name));
 }
 
+/// An engine that an adapter in another language asks, in a folder of that language. `installed`
+/// is what scripts/setup leaves there.
+std::filesystem::path of_language(std::string_view name, std::string_view language,
+                                  std::string_view installed) {
+  const auto folder = std::filesystem::path(MANIFUZZ_NODE_COLLIDERS) / language;
+  if (!std::filesystem::exists(folder / installed)) {
+    throw UserError(fmt::format(
+        "{} is not installed; scripts/setup --engines installs it where the tools are that "
+        "scripts/colliders/{}/README.md names",
+        name, language));
+  }
+  return folder;
+}
+
+Collider of_java(std::string_view name, std::string_view program, std::string description) {
+  const auto installed = of_language(name, "java", "installed/Protocol.class") / "installed";
+  const std::string classes = fmt::format("{0}:{0}/*", installed.string());
+  return described(collider_of_command(fmt::format("java -XX:+UseSerialGC -cp {} {}",
+                                                   quoted_for_shell(classes), program),
+                                       kSecondsMax),
+                   std::move(description));
+}
+
+Collider make_pymunk() {
+  const auto folder = of_language("pymunk", "python", "installed/requirements.txt");
+  const std::string python = (folder / "installed/bin/python").string();
+  return described(collider_of_command(quoted_for_shell(python) + " " +
+                                           quoted_for_shell((folder / "munk.py").string()),
+                                       kSecondsMax),
+                   "Munk2D, pymunk's Chipmunk, under Python");
+}
+
+Collider make_cp() {
+  const auto folder = of_language("cp", "go", "installed/libmanifuzz_cp.so");
+  return described(
+      collider_in_own_process((folder / "installed/libmanifuzz_cp.so").string(), kSecondsMax),
+      "cp, Chipmunk in Go, in a process of its own");
+}
+
+Collider make_godot3() {
+  if (!std::filesystem::exists("/usr/bin/godot3-server")) of_language("godot3", "gdscript", "-");
+  const auto folder = of_language("godot3", "gdscript", "relay.py");
+  return described(collider_of_command(
+                       "python3 " + quoted_for_shell((folder / "relay.py").string()), kSecondsMax),
+                   "Godot 3.2's collide_and_get_contacts, in godot3-server");
+}
+
 }  // namespace
 
 const std::vector<ColliderEntry>& colliders() {
@@ -96,6 +143,16 @@ const std::vector<ColliderEntry>& colliders() {
       {"libccd-mpr", [] { return of_libccd("libccd-mpr", "ccdMPRPenetration"); }},
       {"planck", [] { return of_node("planck"); }},
       {"phaser-box2d", [] { return of_node("phaser-box2d"); }},
+      {"dyn4j-sat",
+       [] { return of_java("dyn4j-sat", "Dyn4j sat", "dyn4j's Sat and its clipping, in Java"); }},
+      {"dyn4j-gjk",
+       [] {
+         return of_java("dyn4j-gjk", "Dyn4j gjk", "dyn4j's Gjk, Epa and its clipping, in Java");
+       }},
+      {"jbox2d", [] { return of_java("jbox2d", "Jbox2d", "jbox2d's Collision, in Java"); }},
+      {"pymunk", make_pymunk},
+      {"cp", make_cp},
+      {"godot3", make_godot3},
   };
   return all;
 }
