@@ -22,7 +22,6 @@ inline constexpr Budget kOfJbox2dNoContactOnTiedFeatures[] = {{"corner_corner", 
                                                               {"ulp", 4800}};
 inline constexpr Budget kOfJbox2dEdgeSlabNotWidened[] = {
     {"capsules", 25000}, {"mixed_shapes", 11000}, {"voronoi_lines", 32000}};
-inline constexpr Budget kOfJbox2dEdgeHysteresis[] = {{"capsules", 200}, {"mixed_shapes", 200}};
 inline constexpr Budget kOfJbox2dCoincidentPoints[] = {{"cores_touch", 43000}};
 inline constexpr Budget kOfJbox2dDirectionOfRoundings[] = {{"cores_touch", 1600}};
 inline constexpr Budget kOfJbox2dEdgeRadius[] = {
@@ -65,14 +64,6 @@ inline constexpr std::array kOfJbox2d{
                 .source = "jbox2d 2.2.1.1, EPCollider.collide: side offsets without m_radius",
                 .budgets = kOfJbox2dEdgeSlabNotWidened,
                 .explains = edge_slab_not_widened},
-    LedgerEntry{.id = "jbox2d-edge-hysteresis",
-                .collider = "jbox2d",
-                .description =
-                    "a capsule's own face is kept though the polygon's is less deep, by 2 % of "
-                    "its depth and 0.001",
-                .source = "jbox2d 2.2.1.1, EPCollider.collide: k_relativeTol, k_absoluteTol",
-                .budgets = kOfJbox2dEdgeHysteresis,
-                .explains = edge_face_kept_by_hysteresis},
     LedgerEntry{.id = "jbox2d-coincident-points",
                 .collider = "jbox2d",
                 .description = "a normal along the world's x axis, into the edge: a circle's "

@@ -43,54 +43,60 @@ inline constexpr Budget kOfMunkDepthByCrossing[] = {
     {"capsules", 600},      {"cores_touch", 11000}, {"in_line", 74000},      {"large_radii", 21000},
     {"mixed_shapes", 1000}, {"side_planes", 200},   {"voronoi_lines", 10000}};
 inline constexpr Budget kOfMunkZeroNormal[] = {{"boxes", 200}, {"cores_touch", 13000}};
-inline constexpr Budget kOfCpNormalOfWorldVertices[] = {{"boxes", 600},
-                                                        {"corner_corner", 2600},
-                                                        {"corner_face", 3000},
-                                                        {"deep", 600},
-                                                        {"far_from_origin", 870000},
-                                                        {"generic", 1000},
-                                                        {"micro_edge", 11000},
-                                                        {"near_collinear", 13000},
-                                                        {"near_parallel", 400},
-                                                        {"off_unit", 2800},
-                                                        {"scaled", 1800},
-                                                        {"sliver", 7000},
-                                                        {"tie_bias", 3200},
-                                                        {"tied_faces", 200},
-                                                        {"ulp", 52000}};
+inline constexpr Budget kOfCpNormalOfWorldVertices[] = {
+    {"boxes", 1000},         {"deep", 800},          {"far_from_origin", 590000}, {"generic", 600},
+    {"near_collinear", 400}, {"near_parallel", 200}, {"off_unit", 200},           {"regular", 600},
+    {"scaled", 1600},        {"ulp", 35000}};
 inline constexpr Budget kOfCpCornerOnCorner[] = {
-    {"corner_corner", 800}, {"deep", 1400},   {"grid", 260000},  {"off_unit", 3200},
-    {"scaled", 3000},       {"sliver", 2800}, {"tie_bias", 600}, {"tied_faces", 1800},
-    {"touching", 18000},    {"ulp", 7800}};
-inline constexpr Budget kOfCpCollinearApart[] = {{"grid", 6800}, {"tied_faces", 200}, {"ulp", 200}};
+    {"corner_corner", 3000}, {"deep", 2000},      {"grid", 270000},
+    {"off_unit", 1800},      {"scaled", 2600},    {"sliver", 4800},
+    {"tied_faces", 2600},    {"touching", 18000}, {"ulp", 9200}};
+inline constexpr Budget kOfCpCollinearApart[] = {{"grid", 6000}, {"ulp", 200}};
 inline constexpr Budget kOfCpWrongSupportEdge[] = {
-    {"near_collinear", 11000}, {"tied_faces", 9400}, {"ulp", 600}};
+    {"near_collinear", 9000}, {"tied_faces", 4400}, {"ulp", 1600}};
 inline constexpr Budget kOfCpSwappedDistance[] = {
-    {"capsules", 280000},    {"circles", 150000},      {"cores_touch", 370000},
-    {"in_line", 210000},     {"large_radii", 180000},  {"mixed_shapes", 280000},
-    {"side_planes", 240000}, {"tilted_edges", 190000}, {"voronoi_lines", 330000}};
-inline constexpr Budget kOfCpPolygonRadiusSign[] = {{"circles", 350000},
-                                                    {"cores_touch", 72000},
-                                                    {"large_radii", 73000},
-                                                    {"mixed_shapes", 88000},
+    {"capsules", 270000},    {"circles", 150000},      {"cores_touch", 380000},
+    {"in_line", 200000},     {"large_radii", 180000},  {"mixed_shapes", 300000},
+    {"side_planes", 230000}, {"tilted_edges", 200000}, {"voronoi_lines", 320000}};
+inline constexpr Budget kOfCpPolygonRadiusSign[] = {{"circles", 340000},
+                                                    {"cores_touch", 66000},
+                                                    {"large_radii", 71000},
+                                                    {"mixed_shapes", 89000},
                                                     {"voronoi_lines", 190000}};
-inline constexpr Budget kOfCpDirectionOfRoundings[] = {{"cores_touch", 120000}};
-inline constexpr Budget kOfCpRoundCornerOnCorner[] = {{"capsules", 200}, {"cores_touch", 47000}};
+inline constexpr Budget kOfCpDirectionOfRoundings[] = {{"cores_touch", 110000}};
+inline constexpr Budget kOfCpRoundCornerOnCorner[] = {
+    {"capsules", 200}, {"cores_touch", 40000}, {"mixed_shapes", 200}};
 inline constexpr Budget kOfCpRoundCollinear[] = {{"in_line", 200000}};
 inline constexpr Budget kOfCpDepthByCrossing[] = {
-    {"capsules", 130000},    {"cores_touch", 140000},  {"in_line", 150000},
-    {"large_radii", 330000}, {"mixed_shapes", 150000}, {"round_corners", 380000},
-    {"side_planes", 160000}, {"tilted_edges", 35000},  {"voronoi_lines", 150000}};
-inline constexpr Budget kOfCpShortNormal[] = {
-    {"near_parallel", 98000},   {"tied_faces", 210000},    {"micro_edge", 390000},
-    {"near_collinear", 430000}, {"corner_corner", 200000}, {"corner_face", 240000},
-    {"touching", 180000},       {"deep", 43000},           {"tie_bias", 320000},
-    {"scaled", 570000},         {"off_unit", 180000},      {"ulp", 190000},
-    {"circles", 240000},        {"capsules", 200},         {"round_corners", 1600},
-    {"mixed_shapes", 55000},    {"voronoi_lines", 120000}, {"cores_touch", 210000},
-    {"large_radii", 330000},    {"side_planes", 1400},     {"boxes", 400},
-    {"far_from_origin", 49000}, {"generic", 53000},        {"regular", 9000},
-    {"sliver", 160000}};
+    {"capsules", 6600},      {"cores_touch", 31000}, {"in_line", 72000},
+    {"large_radii", 270000}, {"mixed_shapes", 5200}, {"round_corners", 7000},
+    {"side_planes", 3400},   {"tilted_edges", 400},  {"voronoi_lines", 11000}};
+inline constexpr Budget kOfCpShortNormal[] = {{"capsules", 130000},
+                                              {"circles", 240000},
+                                              {"cores_touch", 170000},
+                                              {"corner_corner", 200000},
+                                              {"corner_face", 250000},
+                                              {"deep", 47000},
+                                              {"far_from_origin", 320000},
+                                              {"generic", 52000},
+                                              {"in_line", 68000},
+                                              {"large_radii", 86000},
+                                              {"micro_edge", 410000},
+                                              {"mixed_shapes", 200000},
+                                              {"near_collinear", 450000},
+                                              {"near_parallel", 87000},
+                                              {"off_unit", 200000},
+                                              {"regular", 9200},
+                                              {"round_corners", 390000},
+                                              {"scaled", 570000},
+                                              {"side_planes", 150000},
+                                              {"sliver", 170000},
+                                              {"tie_bias", 310000},
+                                              {"tied_faces", 200000},
+                                              {"tilted_edges", 37000},
+                                              {"touching", 160000},
+                                              {"ulp", 190000},
+                                              {"voronoi_lines", 250000}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfMunk{

@@ -68,7 +68,8 @@ bool zero_normal_of_one_middle(const Deviation& d) {
 bool normal_short_by_cp(const Deviation& d) {
   const double length = d.got.normal.norm();
   if (d.got.count == 0 || !(length > 0 && length < 1)) return false;
-  if (!is_short_as_made(d, 1 / length - 1)) return false;
+  const double missing = 1 / length - 1;
+  if (missing <= d.right.bounds.normal || !is_short_as_made(d, missing)) return false;
   Manifold<double> unit = d.got;
   unit.normal /= length;
   const Deviation mended{d.right, unit, d.kind};
