@@ -44,7 +44,12 @@ std::vector<std::pair<PairCase, int>> pairs_for(const Collider& collider) {
   std::vector<std::pair<PairCase, int>> pairs;
   for (const int a : {1, 2, 4}) {
     for (const int b : {1, 2, 4}) {
-      const PairCase pair = pair_of(a, b);
+      PairCase pair = pair_of(a, b);
+      const Declaration& declaration = collider.declaration;
+      if (!declaration.takes_radius && !declaration.takes_round) {
+        if (a > 2) pair.a.polygon.radius = 0;
+        if (b > 2) pair.b.polygon.radius = 0;
+      }
       const Answer answer = ask(collider, pair);
       if (const auto* const found = manifold_in(answer)) pairs.emplace_back(pair, found->count);
     }
