@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "cli/engines.hpp"
 #include "cli/options.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "own_colliders/own_colliders.hpp"
@@ -53,82 +54,51 @@ Collider of_libccd(std::string_view name, std::string_view how) {
   return of_engine(name, "libccd-dev", fmt::format("libccd's {}, of prisms", how));
 }
 
-/// An engine of npm's, asked through its adapter.
-Collider of_node(std::string_view name) {
-  const std::filesystem::path folder(MANIFUZZ_NODE_COLLIDERS);
-  if (!std::filesystem::exists(folder / "node_modules" / name)) {
-    throw UserError(
-        fmt::format("{} is not installed; scripts/setup installs it where node and npm are", name));
-  }
-  const auto adapter = folder / fmt::format("{}.mjs", name);
-  return described(collider_of_command("node " + quoted_for_shell(adapter.string()), kSecondsMax),
-                   fmt::format("{} of npm, under node", name));
-}
-
-/// An engine that is asked through Rust, as a library that cargo made.
-Collider of_cargo(std::string_view name, std::string_view library, std::string description) {
-  const std::filesystem::path path = std::filesystem::path(MANIFUZZ_NODE_COLLIDERS) /
-                                     "rust/target/release" / fmt::format("lib{}.so", library);
-  if (!std::filesystem::exists(path)) {
-    throw UserError(fmt::format(
-        "{} is not built; scripts/colliders/rust/install builds it where cargo is", name));
-  }
-  return described(collider_in_own_process(path.string(), kSecondsMax), std::move(description));
-}
+/// Those that are built in, or linked where they are installed.
+const std::vector<ColliderEntry> kLinked = {
+    {"clip", [] { return make_clip(); }, true},
+    {"clip64", [] { return make_clip64(); }, true},
+    {"pair", [] { return manifuzz::make_pair(); }, true},
+    {"batch", [] { return make_batch(); }, true},
+    {"batch64", [] { return make_batch64(); }, true},
+    {"gjk", make_gjk},
+    {"gjk64", make_gjk64},
+    {"gjk-shrunk", make_gjk_shrunk},
+    {"gjk-clip", make_gjk_clip},
+    {"perturbed", make_perturbed},
+    {"perturbed64", make_perturbed64},
+    {"box2d", [] { return make_box2d(); }},
+    {"chipmunk", make_chipmunk},
+    {"bullet-epa",
+     [] { return of_bullet("bullet-epa", "btGjkPairDetector with its EPA, of prisms"); }},
+    {"bullet-minkowski",
+     [] {
+       return of_bullet("bullet-minkowski", "btGjkPairDetector with its 42 directions, of prisms");
+     }},
+    {"bullet-convex2d",
+     [] {
+       return of_bullet("bullet-convex2d",
+                        "btConvex2dConvex2dAlgorithm with its 42 directions, of flat hulls");
+     }},
+    {"bullet-perturbed",
+     [] {
+       return of_bullet("bullet-perturbed",
+                        "btConvexConvexAlgorithm, perturbed three times, of prisms");
+     }},
+    {"libccd-gjk", [] { return of_libccd("libccd-gjk", "ccdGJKPenetration"); }},
+    {"libccd-mpr", [] { return of_libccd("libccd-mpr", "ccdMPRPenetration"); }},
+};
 
 }  // namespace
 
 const std::vector<ColliderEntry>& colliders() {
-  static const std::vector<ColliderEntry> all = {
-      {"clip", [] { return make_clip(); }, true},
-      {"clip64", [] { return make_clip64(); }, true},
-      {"pair", [] { return manifuzz::make_pair(); }, true},
-      {"batch", [] { return make_batch(); }, true},
-      {"batch64", [] { return make_batch64(); }, true},
-      {"gjk", make_gjk},
-      {"gjk64", make_gjk64},
-      {"gjk-shrunk", make_gjk_shrunk},
-      {"gjk-clip", make_gjk_clip},
-      {"perturbed", make_perturbed},
-      {"perturbed64", make_perturbed64},
-      {"box2d", [] { return make_box2d(); }},
-      {"chipmunk", make_chipmunk},
-      {"bullet-epa",
-       [] { return of_bullet("bullet-epa", "btGjkPairDetector with its EPA, of prisms"); }},
-      {"bullet-minkowski",
-       [] {
-         return of_bullet("bullet-minkowski",
-                          "btGjkPairDetector with its 42 directions, of prisms");
-       }},
-      {"bullet-convex2d",
-       [] {
-         return of_bullet("bullet-convex2d",
-                          "btConvex2dConvex2dAlgorithm with its 42 directions, of flat hulls");
-       }},
-      {"bullet-perturbed",
-       [] {
-         return of_bullet("bullet-perturbed",
-                          "btConvexConvexAlgorithm, perturbed three times, of prisms");
-       }},
-      {"libccd-gjk", [] { return of_libccd("libccd-gjk", "ccdGJKPenetration"); }},
-      {"libccd-mpr", [] { return of_libccd("libccd-mpr", "ccdMPRPenetration"); }},
-      {"planck", [] { return of_node("planck"); }},
-      {"phaser-box2d", [] { return of_node("phaser-box2d"); }},
-      {"box2d3",
-       [] { return of_cargo("box2d3", "manifuzz_box2d3", "Box2D 3.2's b2Collide functions"); }},
-      {"parry2d",
-       [] { return of_cargo("parry2d", "manifuzz_parry2d", "parry's GJK and EPA, in float"); }},
-      {"parry2d-f64",
-       [] {
-         return of_cargo("parry2d-f64", "manifuzz_parry2d_f64", "parry's GJK and EPA, in double");
-       }},
-      {"parry2d-simplified",
-       [] {
-         return of_cargo("parry2d-simplified", "manifuzz_parry2d_simplified",
-                         "parry, polygons without the vertices that it drops");
-       }},
-      {"cute_c2", [] { return of_cargo("cute_c2", "manifuzz_cute_c2", "cute_c2's c2Collide"); }},
-  };
+  static const std::vector<ColliderEntry> all = [] {
+    std::vector<ColliderEntry> entries = kLinked;
+    for (const Engine& engine : engines()) {
+      entries.push_back({engine.name, [&engine] { return collider_of(engine); }});
+    }
+    return entries;
+  }();
   return all;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +17,7 @@ namespace manifuzz {
 
 struct ColliderEntry {
   std::string_view name;
-  Collider (*make)();
+  std::function<Collider()> make;
   bool is_ours = false;  ///< of this repository, not one that it is held against
 };
 

@@ -16,6 +16,7 @@
 #include "judging/ledger/phaser_deviations.cpp"
 #include "judging/ledger/phaser_polygons.cpp"
 #include "judging/ledger/planck_deviations.cpp"
+#include "judging/ledger/ported_deviations.cpp"
 #include "judging/malformed.cpp"
 #include "judging/manifold_error.cpp"
 #include "judging/mitred_contact.cpp"

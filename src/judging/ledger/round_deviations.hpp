@@ -41,6 +41,19 @@ bool normal_across_collinear(const Deviation& deviation);
 /// it is off by that much more, or the wrong end was taken of an edge along the normal.
 bool depth_by_crossing(const Deviation& deviation);
 
+/// Whether the answer would be right of a collider that declares what Chipmunk does.
+bool is_right_of_chipmunk(const Deviation& deviation);
+/// Munk2D: a normal without length. Boxes around both shapes have one middle, so that GJK begins
+/// with one support point twice.
+bool zero_normal_of_one_middle(const Deviation& deviation);
+/// cp: a normal that is shorter than unit as 1e-15 beside the length that it is divided by makes
+/// it, and right else, or wrong in a way of Chipmunk's.
+bool normal_short_by_cp(const Deviation& deviation);
+
+/// jbox2d: no contact of an edge and a polygon that are farther apart than 0.02, the radii that it
+/// takes for theirs.
+bool edge_radius_of_settings(const Deviation& deviation);
+
 /// An edge against a polygon in planck, clipped between the very ends of the reference face.
 bool planck_edge_slab_not_widened(const Deviation& deviation);
 /// The same, where the face is not the one of the greatest separation: the edge's towards the
