@@ -16,6 +16,7 @@ constexpr manifuzz_claims claims() {
       manifuzz_bullet::claims_of_point(1e-4, "btGjkEpa2.cpp: EPA_ACCURACY 0.0001");
   of_manifold.answers = MANIFUZZ_CLAIMS_MANIFOLD;
   of_manifold.second_point = MANIFUZZ_SECOND_POINT_BY_CLIP;
+  of_manifold.one_point_enough = 1;  // what turns find is all that there is
   return of_manifold;
 }
 

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "oracle/external/external_collider.hpp"
 #include "process/child.hpp"
+#include "process/patience.hpp"
 #include "process/pool.hpp"
 
 namespace manifuzz {
@@ -136,15 +137,16 @@ class HostedLibrary {
   /// lost.
   std::optional<Lost> wait_for_answers(const std::function<bool()>& go_on) {
     int seen = 0;
-    Clock::time_point seen_at = Clock::now();
+    Patience patience;
+    patience.begin(child_.process());
     while (!wait_readable(child_.from(), kPollSeconds)) {
       const int answered = (*shared_)->answered.load(std::memory_order_acquire);
       if (answered != seen) {
         seen = answered;
-        seen_at = Clock::now();
+        patience.begin(child_.process());
       }
       const bool stopped = !go_on();
-      if (!stopped && seconds_since(seen_at) <= seconds_max_) continue;
+      if (!stopped && !patience.is_over(seconds_max_)) continue;
       child_.stop();
       if (stopped) return std::nullopt;
       return Lost{Lost::How::timed_out, fmt::format("no answer in {} s", seconds_max_)};

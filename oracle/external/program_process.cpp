@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "exchange/json.hpp"
 #include "oracle/external/external_collider.hpp"
+#include "process/patience.hpp"
 
 namespace manifuzz {
 namespace {
@@ -50,7 +51,8 @@ BatchResult ProgramProcess::exchange(std::span<const PairCase> pairs, std::span<
     lines += '\n';
   }
   std::string_view unwritten = lines;
-  Clock::time_point began_at = Clock::now();  // with the start, or with the case at work
+  Patience patience;
+  patience.begin(child_.process());  // with the start, or with the case at work
   bool reads = true;
   bool has_errors = true;
   while (result.answered < pairs.size() && result.end == BatchEnd::answered) {
@@ -64,11 +66,13 @@ BatchResult ProgramProcess::exchange(std::span<const PairCase> pairs, std::span<
     const bool open = watched[0].revents == 0 || read_some();
     take_lines(pairs, answers, result);
     if (watched[1].revents != 0) has_errors = pass_on_errors();
-    if (result.answered > before || is_ready() != was_ready) began_at = Clock::now();
+    if (result.answered > before || is_ready() != was_ready) {
+      patience.begin(child_.process());
+    }
     if (result.answered > before) error_output_.begin_case();
     if (result.answered == pairs.size() || result.end != BatchEnd::answered) break;
     const double most = is_ready() ? case_seconds : start_seconds;
-    const bool is_late = seconds_since(began_at) > most;
+    const bool is_late = patience.is_over(most);
     if (!open || (is_late && !reads)) {
       result.end = BatchEnd::exited;
     } else if (!go_on()) {

@@ -3,7 +3,7 @@ import {
   CircleShape, CollideCircles, CollideEdgeCircle, CollideEdgePolygon, CollidePolygonCircle,
   CollidePolygons, ContactFeatureType, EdgeShape, Manifold, ManifoldType, PolygonShape, Settings,
 } from "planck";
-import { serve, toWorld, versionOf } from "./protocol.mjs";
+import { centroidOf, serve, toWorld, versionOf } from "./protocol.mjs";
 
 const snippet = `import * as planck from "planck";
 
@@ -58,19 +58,6 @@ const declaration = {
   normal: "a_to_b",
   snippet,
 };
-
-// What CollideEdgePolygon takes the edge's front by; PolygonShape(vertices) would compute it.
-function centroidOf([corner, ...others]) {
-  let [x, y, area] = [0, 0, 0];
-  others.slice(1).forEach((q, i) => {
-    const p = others[i];
-    const part = (p.x - corner.x) * (q.y - corner.y) - (p.y - corner.y) * (q.x - corner.x);
-    x += part * (p.x + q.x - 2 * corner.x);
-    y += part * (p.y + q.y - 2 * corner.y);
-    area += part;
-  });
-  return { x: corner.x + x / (3 * area), y: corner.y + y / (3 * area) };
-}
 
 // Filled as it stands: PolygonShape(vertices) would weld and reorder.
 function polygonOf(body) {

@@ -14,6 +14,9 @@
 //   round     whether corners are round; always so of circles, segments and capsules
 //   pose      {p: {x, y}, q: {c, s}}, the rotation unit to the bits of a double: vertex v stands at
 //             toWorld(pose, v) = [c v.x - s v.y + p.x, s v.x + c v.y + p.y] in the world
+//   world     {x, y}, where the vertices stand in the world, each coordinate rounded once: for an
+//             engine in double that turns by an angle, which then is 0; what is stored, exactly, is
+//   stored    {vertices, rotation}, of floats: with the position, all that an engine in float needs
 // Every length, depths too, is in the world's unit. Both bodies are new for each call: the engine
 // may keep them and change them.
 //
@@ -64,14 +67,34 @@ function readBody({ vertices, radius = 0, rounding, position = [0, 0], rotation 
   const stored = vertices.map(vectorOf);
   const { x: cos, y: sin } = vectorOf(rotation);
   const length = Math.sqrt(cos * cos + sin * sin);
+  const at = vectorOf(position);
   return {
+    stored: { vertices: stored, rotation: { c: cos, s: sin } },
+    get world() {
+      return stored.map(({ x, y }) => ({
+        x: sumOf(cos * x, -sin * y, at.x),
+        y: sumOf(sin * x, cos * y, at.y),
+      }));
+    },
     vertices: stored.map(({ x, y }) => ({ x: length * x, y: length * y })),
     normals: stored.map((corner, i) => normalOf(corner, stored[(i + 1) % stored.length])),
     count: stored.length,
     radius: Math.fround(radius),
     round: stored.length < 3 || rounding === "round",
-    pose: { p: vectorOf(position), q: { c: cos / length, s: sin / length } },
+    pose: { p: at, q: { c: cos / length, s: sin / length } },
   };
+}
+
+// Of three numbers; a product of two floats is exact in double, and so is what each sum loses.
+function sumOf(a, b, c) {
+  const first = a + b;
+  const sum = first + c;
+  return sum + (lostIn(a, b, first) + lostIn(first, c, sum));
+}
+
+function lostIn(a, b, sum) {
+  const shareOfB = sum - a;
+  return a - (sum - shareOfB) + (b - shareOfB);
 }
 
 function vectorOf([x, y]) {
@@ -87,6 +110,19 @@ function normalOf(from, to) {
 
 export function toWorld({ p, q }, { x, y }) {
   return [q.c * x - q.s * y + p.x, q.s * x + q.c * y + p.y];
+}
+
+// Of a polygon. Box2D's edges take their front by it, and it computes it where a polygon is set.
+export function centroidOf([corner, ...others]) {
+  let [x, y, area] = [0, 0, 0];
+  others.slice(1).forEach((q, i) => {
+    const p = others[i];
+    const part = (p.x - corner.x) * (q.y - corner.y) - (p.y - corner.y) * (q.x - corner.x);
+    x += part * (p.x + q.x - 2 * corner.x);
+    y += part * (p.y + q.y - 2 * corner.y);
+    area += part;
+  });
+  return { x: corner.x + x / (3 * area), y: corner.y + y / (3 * area) };
 }
 
 export function versionOf(name) {

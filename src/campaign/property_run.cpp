@@ -98,6 +98,7 @@ struct RunSlot {
   std::atomic<std::uint64_t> checks{0};
   PairCase at_work;
   int cases = 0;             ///< before anything failed
+  int applied = 0;           ///< of these
   bool has_failing = false;  ///< `failing` is the smallest so far, for the reason `why`
   PairCase failing;
   SharedText<512> why;
@@ -159,7 +160,10 @@ void run_rapidcheck(const Property& property, const Collider& subject, const Pro
     RC_TAG(drawn.regime, std::string(name_of(outcome.kind, kOutcomeNames)));
     const Standing where = standing(exact::Truth(drawn.pair));
     RC_CLASSIFY(where.touching, std::string("touching"));
-    if (!slot.has_failing && !is_over()) ++slot.cases;
+    if (!slot.has_failing && !is_over()) {
+      ++slot.cases;
+      slot.applied += static_cast<int>(outcome.kind != Outcome::Kind::not_applicable);
+    }
     if (outcome.kind != Outcome::Kind::fails) return;
     slot.why.set(outcome.why);  // whatever it is shrunk to fails alike
     slot.magnitude = outcome.magnitude;
@@ -206,6 +210,7 @@ void end_halfway(RunSlot& slot, Ending ending) {
 PropertyResult result_of(const RunSlot& slot, const PropertyPlan& plan) {
   PropertyResult result{.passed = slot.passed,
                         .cases = slot.cases,
+                        .applied = slot.applied,
                         .magnitude = slot.magnitude,
                         .report = slot.report.str(),
                         .failing = {},

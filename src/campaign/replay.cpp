@@ -100,9 +100,10 @@ Replayed replayed(const CorpusCase& recorded, const Judgement& judgement, const 
     return replay_wrong(recorded, judgement, subject, oracle, known);
   }
   const bool is_unsupported = judgement.bucket.verdict == Verdict::unsupported;
+  const bool shows_nothing = is_unsupported || judgement.bucket.verdict == Verdict::ill_posed;
   for (const LedgerEntry& entry : ledger()) {
     const bool is_witness =
-        !is_unsupported && oracle.declaration.name == entry.collider &&
+        !shows_nothing && oracle.declaration.name == entry.collider &&
         fs::path(recorded.path).filename() == fs::path(witness_of(entry)).filename();
     if (is_witness && judgement.explanation != &entry) {
       return {false, fmt::format("a witness of {}", entry.id), got};

@@ -28,6 +28,7 @@ struct PropertyPlan {
 struct PropertyResult {
   bool passed = false;
   int cases = 0;                    ///< that were asked about, before anything was shrunk
+  int applied = 0;                  ///< of these, those to which it applies
   double magnitude = 0;             ///< of the failure, as a share of the size
   std::string report;               ///< what RapidCheck says: the distribution, or the failure
   std::optional<PairCase> failing;  ///< the smallest found, or the one that the collider died of
@@ -113,6 +114,9 @@ struct CheckedProperty {
   bool holds() const { return result.passed || is_accepted; }
   /// Whether there was no time for a single case.
   bool is_left_out() const { return result.passed && result.cases == 0; }
+  /// Whether it passes because it said something of no case: the collider does not offer what it
+  /// takes, perhaps.
+  bool is_vacuous() const { return result.passed && result.cases > 0 && result.applied == 0; }
 };
 
 /// Every one of these properties, until somebody asks to stop or, each with its share of what time

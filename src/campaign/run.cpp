@@ -72,9 +72,12 @@ void add_allowances(const Declaration& declaration, std::vector<std::string>& al
   } else if (declaration.claims == Claims::point) {
     add("claims one point: that there is no second one is not judged");
   } else if (!declaration.clips) {
-    add("does not clip: reference, features and the extent of its points are not judged");
+    add("does not clip: reference and features are not judged");
   }
-  if (declaration.one_point_enough) add("may give one point of two");
+  if (declaration.one_point_enough) {
+    add(declaration.clips ? "may give one point of two"
+                          : "may give one point of two: the extent of its points is not judged");
+  }
   if (declaration.speculative > 0) {
     add(fmt::format("may see contact across gaps up to {}", declaration.speculative));
   }

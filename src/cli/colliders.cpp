@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "cli/engines.hpp"
 #include "cli/options.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "own_colliders/own_colliders.hpp"
@@ -53,55 +54,51 @@ Collider of_libccd(std::string_view name, std::string_view how) {
   return of_engine(name, "libccd-dev", fmt::format("libccd's {}, of prisms", how));
 }
 
-/// An engine of npm's, asked through its adapter.
-Collider of_node(std::string_view name) {
-  const std::filesystem::path folder(MANIFUZZ_NODE_COLLIDERS);
-  if (!std::filesystem::exists(folder / "node_modules" / name)) {
-    throw UserError(
-        fmt::format("{} is not installed; scripts/setup installs it where node and npm are", name));
-  }
-  const auto adapter = folder / fmt::format("{}.mjs", name);
-  return described(collider_of_command("node " + quoted_for_shell(adapter.string()), kSecondsMax),
-                   fmt::format("{} of npm, under node", name));
-}
+/// Those that are built in, or linked where they are installed.
+const std::vector<ColliderEntry> kLinked = {
+    {"clip", [] { return make_clip(); }, true},
+    {"clip64", [] { return make_clip64(); }, true},
+    {"pair", [] { return manifuzz::make_pair(); }, true},
+    {"batch", [] { return make_batch(); }, true},
+    {"batch64", [] { return make_batch64(); }, true},
+    {"gjk", make_gjk},
+    {"gjk64", make_gjk64},
+    {"gjk-shrunk", make_gjk_shrunk},
+    {"gjk-clip", make_gjk_clip},
+    {"perturbed", make_perturbed},
+    {"perturbed64", make_perturbed64},
+    {"box2d", [] { return make_box2d(); }},
+    {"chipmunk", make_chipmunk},
+    {"bullet-epa",
+     [] { return of_bullet("bullet-epa", "btGjkPairDetector with its EPA, of prisms"); }},
+    {"bullet-minkowski",
+     [] {
+       return of_bullet("bullet-minkowski", "btGjkPairDetector with its 42 directions, of prisms");
+     }},
+    {"bullet-convex2d",
+     [] {
+       return of_bullet("bullet-convex2d",
+                        "btConvex2dConvex2dAlgorithm with its 42 directions, of flat hulls");
+     }},
+    {"bullet-perturbed",
+     [] {
+       return of_bullet("bullet-perturbed",
+                        "btConvexConvexAlgorithm, perturbed three times, of prisms");
+     }},
+    {"libccd-gjk", [] { return of_libccd("libccd-gjk", "ccdGJKPenetration"); }},
+    {"libccd-mpr", [] { return of_libccd("libccd-mpr", "ccdMPRPenetration"); }},
+};
 
 }  // namespace
 
 const std::vector<ColliderEntry>& colliders() {
-  static const std::vector<ColliderEntry> all = {
-      {"clip", [] { return make_clip(); }, true},
-      {"clip64", [] { return make_clip64(); }, true},
-      {"pair", [] { return manifuzz::make_pair(); }, true},
-      {"batch", [] { return make_batch(); }, true},
-      {"batch64", [] { return make_batch64(); }, true},
-      {"gjk", make_gjk},
-      {"gjk64", make_gjk64},
-      {"gjk-shrunk", make_gjk_shrunk},
-      {"gjk-clip", make_gjk_clip},
-      {"box2d", [] { return make_box2d(); }},
-      {"chipmunk", make_chipmunk},
-      {"bullet-epa",
-       [] { return of_bullet("bullet-epa", "btGjkPairDetector with its EPA, of prisms"); }},
-      {"bullet-minkowski",
-       [] {
-         return of_bullet("bullet-minkowski",
-                          "btGjkPairDetector with its 42 directions, of prisms");
-       }},
-      {"bullet-convex2d",
-       [] {
-         return of_bullet("bullet-convex2d",
-                          "btConvex2dConvex2dAlgorithm with its 42 directions, of flat hulls");
-       }},
-      {"bullet-perturbed",
-       [] {
-         return of_bullet("bullet-perturbed",
-                          "btConvexConvexAlgorithm, perturbed three times, of prisms");
-       }},
-      {"libccd-gjk", [] { return of_libccd("libccd-gjk", "ccdGJKPenetration"); }},
-      {"libccd-mpr", [] { return of_libccd("libccd-mpr", "ccdMPRPenetration"); }},
-      {"planck", [] { return of_node("planck"); }},
-      {"phaser-box2d", [] { return of_node("phaser-box2d"); }},
-  };
+  static const std::vector<ColliderEntry> all = [] {
+    std::vector<ColliderEntry> entries = kLinked;
+    for (const Engine& engine : engines()) {
+      entries.push_back({engine.name, [&engine] { return collider_of(engine); }});
+    }
+    return entries;
+  }();
   return all;
 }
 
@@ -112,16 +109,33 @@ const ColliderEntry* find_entry(std::string_view name) {
 
 std::optional<Collider> find_installed(const std::string& name) {
   try {
-    const ColliderEntry* const entry = find_entry(name);
-    return entry == nullptr ? std::nullopt : std::optional(entry->make());
+    return find_collider(name);
   } catch (const UserError&) {
     return std::nullopt;
   }
 }
 
+std::optional<Collider> find_made_over(std::string_view prefix, std::string_view name) {
+  if (!name.starts_with(prefix)) return std::nullopt;
+  const std::string_view over = name.substr(prefix.size());
+  const Collider collider = find_collider(over);
+  if (collider.declaration.claims != Claims::point) {
+    throw UserError(fmt::format("{}: {} does not claim one point a pair, as gjk does", name, over));
+  }
+  if (collider.declaration.alters_shapes) {
+    throw UserError(
+        fmt::format("{}: {} alters shapes; it is made over those that take them as "
+                    "they are",
+                    name, over));
+  }
+  return collider;
+}
+
 Collider find_collider(std::string_view name) {
   if (const ColliderEntry* const entry = find_entry(name)) return entry->make();
+  if (const auto base = find_made_over("perturbed+", name)) return make_perturbed_over(*base);
   std::vector<std::string_view> names = names_of(colliders());
+  names.emplace_back("perturbed+NAME");
   names.emplace_back("./LIBRARY.so");
   throw UserError(no_such("collider", name, names));
 }

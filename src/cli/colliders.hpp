@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +17,7 @@ namespace manifuzz {
 
 struct ColliderEntry {
   std::string_view name;
-  Collider (*make)();
+  std::function<Collider()> make;
   bool is_ours = false;  ///< of this repository, not one that it is held against
 };
 
@@ -36,8 +37,13 @@ std::optional<Collider> find_installed(const std::string& name);
 /// that is an error line.
 NamedColliders::Find find_installed_or_named(std::vector<std::filesystem::path> corpora);
 
-/// The collider of that name. Throws UserError that lists the names.
+/// The collider of that name, or perturbed+NAME over another that gives points. Throws UserError
+/// that lists the names.
 Collider find_collider(std::string_view name);
+
+/// What PREFIX+NAME is made over, the collider NAME, where `name` begins with `prefix`. Throws
+/// UserError where that does not give one point a pair, of shapes as they are.
+std::optional<Collider> find_made_over(std::string_view prefix, std::string_view name);
 
 /// How a collider is named on the command line.
 struct ColliderChoice {

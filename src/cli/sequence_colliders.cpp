@@ -26,19 +26,6 @@ SequenceCollider bullet_cached() {
 
 constexpr Way kWays[] = {{"cached+", cached_over}, {"cached-bullet+", cached_bullet_over}};
 
-SequenceCollider kept_over(const Way& way, std::string_view name) {
-  const Collider collider = find_collider(name);
-  if (collider.declaration.claims != Claims::point) {
-    throw UserError(fmt::format("{}{}: {} does not claim one point a pair, as gjk does", way.prefix,
-                                name, name));
-  }
-  if (collider.declaration.alters_shapes) {
-    throw UserError(fmt::format("{}{}: {} alters shapes; points are kept of shapes as they are",
-                                way.prefix, name, name));
-  }
-  return way.over(collider);
-}
-
 }  // namespace
 
 const std::vector<SequenceColliderEntry>& sequence_colliders() {
@@ -59,7 +46,7 @@ const SequenceColliderEntry* find_sequence_entry(std::string_view name) {
 SequenceCollider find_sequence_collider(std::string_view name) {
   if (const SequenceColliderEntry* const entry = find_sequence_entry(name)) return entry->make();
   for (const Way& way : kWays) {
-    if (name.starts_with(way.prefix)) return kept_over(way, name.substr(way.prefix.size()));
+    if (const auto one_point = find_made_over(way.prefix, name)) return way.over(*one_point);
   }
   std::vector<std::string_view> names = names_of(sequence_colliders());
   names.emplace_back("cached+NAME");

@@ -136,9 +136,12 @@ inline bool is_judged_by_curve(const Declaration& declaration, const PairCase& p
 /// Whether it may be asked a case with these shapes, by what it declares of vertices and rounding.
 inline bool takes_shapes(const Declaration& declaration, const PairCase& pair) {
   const auto takes = [&](const ConvexPolygon<float>& shape) {
-    const bool has_round_corners = shape.count >= kMinVertices && shape.is_round();
+    const bool is_polygon = shape.count >= kMinVertices;
+    const bool has_round_corners = is_polygon && shape.is_round();
+    const bool has_radius = is_polygon && shape.radius > 0 && is_round(pair);
     return shape.count >= declaration.min_vertices && shape.count <= declaration.max_vertices &&
-           (!has_round_corners || declaration.takes_round);
+           (!has_round_corners || declaration.takes_round) &&
+           (!has_radius || declaration.takes_radius || declaration.takes_round);
   };
   return takes(pair.a.polygon) && takes(pair.b.polygon);
 }

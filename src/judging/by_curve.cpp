@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "judging/extent.hpp"
 #include "judging/mitred_contact.hpp"
 #include "judging/round_contact.hpp"
 #include "oracle/exact/witness.hpp"
@@ -98,8 +99,9 @@ class ByCurve {
     if (said_.manifold == nullptr) return result_;
     result_.witness = has_witnesses(along);
     if (!*result_.witness) return found(Kind::witness, witness_error(along), bounds_.along);
-    if (!is_round_ || declaration_.claims != Claims::manifold) return result_;
+    if (declaration_.claims != Claims::manifold) return result_;
     const Bounds of_clip = bounds(truth_.pair(), declaration_, truth_.extent());
+    if (!is_round_) return judge_extent(of_clip);
     const auto second = second_point_mismatch(truth_, declaration_, of_clip, *said_.manifold);
     return second ? found(second->kind, second->magnitude, second->bound) : result_;
   }
@@ -110,6 +112,16 @@ class ByCurve {
     result_.magnitude = magnitude;
     result_.bound = bound;
     return result_;
+  }
+
+  CurveJudgement judge_extent(Bounds of_clip) {
+    if (!promises_extent(declaration_)) return result_;
+    of_clip.separation *= 2;  // so much more than the least depth a face may have that it takes
+    const ExtentLeftOut left =
+        extent_left_out(truth_, declaration_.tie_bias, of_clip, *said_.manifold);
+    const double bound = left.bound + 2 * tolerance_;
+    if (left.lost <= bound) return result_;
+    return found(said_.manifold->count < 2 ? Kind::count : Kind::extent, left.lost, bound);
   }
 
   bool touches_as_it_should() {

@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "judging/ledger/box2d3_entries.hpp"
 #include "judging/ledger/box2d_entries.hpp"
 #include "judging/ledger/bullet_entries.hpp"
 #include "judging/ledger/chipmunk_entries.hpp"
 #include "judging/ledger/javascript_entries.hpp"
+#include "judging/ledger/jbox2d_entries.hpp"
 #include "judging/ledger/libccd_entries.hpp"
+#include "judging/ledger/munk_entries.hpp"
 
 namespace manifuzz {
 namespace {
@@ -25,7 +28,8 @@ constexpr auto joined(const Entries&... entries) {
 
 constexpr std::array kLedger =
     joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk,
-           ledger_of::kOfBullet, ledger_of::kOfLibccd);
+           ledger_of::kOfMunk, ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet,
+           ledger_of::kOfLibccd, ledger_of::kOfBox2d3);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

@@ -46,14 +46,15 @@ std::optional<Manifold<Scalar>> contact_inside_faces(const ConvexPolygon<Scalar>
                                                      const NearestFaces<Scalar>& faces,
                                                      PlaceAtFace what, Scalar roundoff) {
   const Scalar separation = faces.separation();
+  const Scalar apart = 2 * roundoff;  // both of two separations are rounded
   const FoundFace<Scalar>* best = nullptr;
   PlaceOfOther<Scalar> place_at_best;
   for (const FoundFace<Scalar>& face : std::span(faces.all.data(), faces.count)) {
-    if (face.found.separation < separation - roundoff) continue;
+    if (face.found.separation < separation - apart) continue;
     if (best != nullptr && face.found.separation <= best->found.separation) continue;
     const ConvexPolygon<Scalar>& polygon = face.side == Side::a ? a : b;
     const ConvexPolygon<Scalar>& other = face.side == Side::a ? b : a;
-    const auto place = place_inside_face(polygon, face.found, other, what, separation + roundoff);
+    const auto place = place_inside_face(polygon, face.found, other, what, separation + apart);
     if (!place) continue;
     best = &face;
     place_at_best = *place;

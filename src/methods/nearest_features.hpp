@@ -31,6 +31,21 @@ struct NearestFeatures {
   int epa_iterations = 0;                      ///< supports that EPA asked for
 };
 
+/// The vertices at which walks from those of a feature of 1 or 2 end, the nearest. From one end
+/// alone, a walk may stop short of the other: just inside the edge by rounding, and it is far away.
+template <class Scalar>
+clipping::NearestPlaces<Scalar> nearest_from(const ConvexPolygon<Scalar>& a,
+                                             const ConvexPolygon<Scalar>& b,
+                                             const Simplex& feature) {
+  const auto walk_from = [&](SupportPair p) { return clipping::walk_nearer(a, p.a, b, p.b); };
+  const auto of_first = walk_from(feature.vertices[0]);
+  if (feature.count == 1) return of_first;
+  const auto of_last = walk_from(feature.vertices[1]);
+  return clipping::squared_length(of_last.apart) < clipping::squared_length(of_first.apart)
+             ? of_last
+             : of_first;
+}
+
 /// By GJK, and where they overlap by EPA. `hint` is what the last step left, and is left for the
 /// next one: where a face separates mitred skins, that face.
 template <class Scalar>
@@ -53,8 +68,7 @@ NearestFeatures<Scalar> nearest_features(const ConvexPolygon<Scalar>& a,
     nearest.epa_iterations = expanded.iterations;
     feature = expanded.edge;
   } else {
-    const auto [of_first_a, of_first_b] = feature.vertices[0];
-    nearest.vertices = clipping::walk_nearer(a, of_first_a, b, of_first_b);
+    nearest.vertices = nearest_from(a, b, feature);
     const auto& [of_a, of_b] = nearest.vertices.features;
     if (feature.count == 1) feature.vertices[0] = {of_a.index, of_b.index};
   }

@@ -6,26 +6,16 @@
 namespace manifuzz {
 namespace {
 
-/// What `contact` makes of the placed pair and of B's pose in A's frame, as an answer.
-template <class Scalar, class Contact>
-Answer answer_of(const PairCase& pair, const Contact& contact) {
-  const auto placed = clipping::placed_pair<Scalar>(pair);
-  Manifold<Scalar> manifold =
-      contact(placed.a, placed.b, relative_pose(placed.pose_a, placed.pose_b));
-  for (int i = 0; i < manifold.count; ++i) manifold.points[i].position *= placed.local_per_world;
-  return manifold_cast<double>(manifold);
-}
-
 template <class Scalar>
 Answer closest_points(const PairCase& pair, Scalar) {
-  return answer_of<Scalar>(pair, [](const auto& a, const auto& b, const Pose<Scalar>& b_in_a) {
+  return own::answer_of<Scalar>(pair, [](const auto& a, const auto& b, const Pose<Scalar>& b_in_a) {
     methods::Simplex hint;
     return methods::contact_by_gjk(a, b, b_in_a, hint).manifold;
   });
 }
 
 Answer clipped(const PairCase& pair, float) {
-  return answer_of<float>(pair, [](const auto& a, const auto& b, const Pose<float>& b_in_a) {
+  return own::answer_of<float>(pair, [](const auto& a, const auto& b, const Pose<float>& b_in_a) {
     methods::Simplex hint;
     return methods::clip_by_gjk(a, transform(b_in_a, b), hint);
   });
@@ -57,12 +47,7 @@ UsedVertices used(const ConvexPolygon<float>& shape) {
 }
 
 Answer by_shrunk_shapes(const PairCase& pair, float) {
-  const auto shrunk = [](const ConvexPolygon<float>& polygon) {
-    return methods::shrink(polygon, static_cast<float>(kShrunkPart * methods::inradius(polygon)));
-  };
-  PairCase of_shrunk = pair;
-  of_shrunk.a.polygon = shrunk(pair.a.polygon);
-  of_shrunk.b.polygon = shrunk(pair.b.polygon);
+  const PairCase of_shrunk = shrunk_pair(pair);
   PartialManifold answer;
   answer.manifold = std::get<Manifold<double>>(closest_points<float>(of_shrunk, 0));
   answer.used = UsedShapes{used(of_shrunk.a.polygon), used(of_shrunk.b.polygon)};
@@ -70,6 +55,13 @@ Answer by_shrunk_shapes(const PairCase& pair, float) {
 }
 
 }  // namespace
+
+PairCase shrunk_pair(const PairCase& pair) {
+  const auto shrunk = [](const ConvexPolygon<float>& polygon) {
+    return methods::shrink(polygon, static_cast<float>(kShrunkPart * methods::inradius(polygon)));
+  };
+  return {{shrunk(pair.a.polygon), pair.a.pose}, {shrunk(pair.b.polygon), pair.b.pose}};
+}
 
 Collider make_gjk() {
   return of_closest_points<float>(
@@ -98,7 +90,7 @@ Collider make_gjk_clip() {
   return own::collider_of<float>(
       {.name = "gjk-clip",
        .version = MANIFUZZ_VERSION,
-       .description = "faces by GJK and EPA, points by clipping, in float"},
+       .description = "faces by GJK and EPA, points by clipping, in float; of polygons"},
       clipped, nullptr);
 }
 

@@ -75,8 +75,20 @@ Collider make_gjk64();
 /// The same of polygons that are shrunk first, as the article has it; says the shapes used.
 Collider make_gjk_shrunk();
 
+/// The pair as `gjk-shrunk` has it: polygons shrunk by a quarter of their inradius.
+PairCase shrunk_pair(const PairCase& pair);
+
 /// Clipping, with the faces by GJK and EPA; polygons alone.
 Collider make_gjk_clip();
+
+/// `gjk` asked up to twice more, with one shape turned a little each way; up to two points.
+Collider make_perturbed();
+
+/// The same in double.
+Collider make_perturbed64();
+
+/// Any collider asked so that answers with one point; mapped back and measured in double.
+Collider make_perturbed_over(const Collider& base);
 
 /// Points of `gjk` kept over frames, in float; hints are kept too.
 SequenceCollider make_cached();
@@ -96,6 +108,16 @@ SequenceCollider cached_bullet_over(const Collider& one_point);
 
 // A namespace of its own, as clipping has, keeps planted copies apart.
 namespace own {
+
+/// What `contact(a, b, b_in_a)` makes of a pair, a manifold in the scalar, as an answer.
+template <class Scalar, class Contact>
+Answer answer_of(const PairCase& pair, const Contact& contact) {
+  const auto placed = clipping::placed_pair<Scalar>(pair);
+  Manifold<Scalar> manifold =
+      contact(placed.a, placed.b, relative_pose(placed.pose_a, placed.pose_b));
+  for (int i = 0; i < manifold.count; ++i) manifold.points[i].position *= placed.local_per_world;
+  return manifold_cast<double>(manifold);
+}
 
 /// What all of these have in common: `collide_one(pair, bias)` gives the answers, in the scalar.
 template <class Scalar, class CollideOne>

@@ -43,6 +43,7 @@ class Child {
   /// ended, if it had by itself.
   std::string stop();
 
+  pid_t process() const { return process_; }
   int to() const { return to_; }          ///< where to write to it; writes do not block
   int from() const { return from_; }      ///< where to read from it; reads do not block
   int errors() const { return errors_; }  ///< the same of its standard error

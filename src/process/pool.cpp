@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "process/child.hpp"
+#include "process/patience.hpp"
 
 namespace manifuzz {
 
@@ -32,8 +33,8 @@ class WatchedChild {
   bool is_running() const { return process_ > 0; }
 
   void start(const std::function<void()>& body) {
-    progressed_at_ = Clock::now();
     process_ = spawn(body);
+    patience_.begin(process_);
   }
 
   /// How it ended, once it has.
@@ -45,9 +46,9 @@ class WatchedChild {
     }
     if (progress != progress_) {
       progress_ = progress;
-      progressed_at_ = Clock::now();
+      patience_.begin(process_);
     }
-    if (seconds_since(progressed_at_) <= seconds_max) return std::nullopt;
+    if (!patience_.is_over(seconds_max)) return std::nullopt;
     kill();
     return Ending::timed_out;
   }
@@ -60,7 +61,7 @@ class WatchedChild {
 
   pid_t process_ = 0;
   std::uint64_t progress_ = 0;
-  Clock::time_point progressed_at_;
+  Patience patience_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "measure/bench/bench.hpp"
 #include "measure/digest.hpp"
+#include "measure/methods/methods.hpp"
 #include "measure/scene/scene_run.hpp"
 #include "measure/stress/stress.hpp"
 
@@ -75,6 +76,19 @@ std::vector<PlotPoint> front(std::vector<PlotPoint> points);
 /// Draws run time against error over the first workload, a point for each that gives manifolds,
 /// and their front as a line.
 void write_bench_plot(const std::string& path, const std::vector<BenchRow>& rows);
+
+/// The ways to contact points beside each other, for people: by pairs and frames, then by vertices
+/// and depths.
+std::string methods_table(const std::vector<MethodRow>& rows);
+
+/// Where the rows come from, and "rows": as `bench_json` has them, with method, depths,
+/// points_missing, extent_lost, and of frames frames_to_complete, completed, lingering, flicker.
+nlohmann::ordered_json methods_json(const std::vector<MethodRow>& rows,
+                                    const std::vector<MethodSubject>& subjects, std::uint64_t seed);
+
+/// Draws a bar a subject for each of what frames show: time, depth error, extent lost, frames until
+/// complete, flicker.
+void write_methods_plot(const std::string& path, const std::vector<MethodRow>& rows);
 
 /// Sweep by collider: breaking points; then the walks. For people.
 std::string stress_table(const StressPlan& plan, const StressResult& result);

@@ -2,6 +2,7 @@
 // of theirs.
 #include "canary/planted.hpp"
 #include "own_colliders/gjk.cpp"
+#include "own_colliders/perturbed.cpp"
 
 namespace manifuzz {
 namespace {
@@ -34,10 +35,11 @@ Collider asked_with(const std::string& name, methods::Simplex (*hint_of_pair)(co
   Collider collider = make_gjk();
   collider.declaration.name = name;
   collider.collide = [hint_of_pair](const PairCase& pair) {
-    return answer_of<float>(pair, [&](const auto& a, const auto& b, const Pose<float>& b_in_a) {
-      methods::Simplex hint = hint_of_pair(pair);
-      return methods::contact_by_gjk(a, b, b_in_a, hint).manifold;
-    });
+    return own::answer_of<float>(pair,
+                                 [&](const auto& a, const auto& b, const Pose<float>& b_in_a) {
+                                   methods::Simplex hint = hint_of_pair(pair);
+                                   return methods::contact_by_gjk(a, b, b_in_a, hint).manifold;
+                                 });
   };
   return collider;
 }
@@ -56,8 +58,9 @@ Collider make_gjk_again() {
   });
 }
 
-[[maybe_unused]] const bool planted = canary::add_methods(
-    {PLANTED_BUGS}, {make_gjk, make_gjk64, make_gjk_hinted, make_gjk_again, make_gjk_clip});
+[[maybe_unused]] const bool planted =
+    canary::add_methods({PLANTED_BUGS}, {make_gjk, make_gjk64, make_gjk_hinted, make_gjk_again,
+                                         make_gjk_clip, make_perturbed, make_perturbed64});
 
 }  // namespace
 }  // namespace manifuzz

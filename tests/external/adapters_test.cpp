@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "external/campaigns.hpp"
 #include "generating/regime.hpp"
+#include "support/installed_collider.hpp"
 #include "support/skip.hpp"
 #include "support/source_tree.hpp"
 #include "support/temporary_folder.hpp"
@@ -78,22 +79,28 @@ TEST_CASE("the clipping in Python is right in every regime") {
   CHECK(result.tally->touching() > kCases / 3);
 }
 
-TEST_CASE("dyn4j answers, and mostly as it should") {
-  if (!is_there("javac")) return skip("there is no javac");
-  const fs::path jar = adapters() / "dyn4j-6.0.0.jar";
-  if (!fs::exists(jar)) return skip("dyn4j is not installed; scripts/setup --tests does it");
-  const Collider dyn4j =
-      adapter("java -cp " + quoted_for_shell(jar.string()), adapters() / "Dyn4j.java");
-  CHECK(dyn4j.declaration.name == "dyn4j");
-  CHECK(dyn4j.declaration.version == "6.0.0");
-  Plan plan = plan_of(dyn4j);
-  plan.context.radius = 0.0F;
-  const JobsResult result = run(plan);
-  CHECK(result.tally->cases() == kCases);
-  CHECK(result.tally->touching() > kCases / 3);
-  CHECK(result.tally->count(Verdict::agree) > kCases - kCases / 20);
-  const auto lost = {Verdict::crashed, Verdict::timed_out, Verdict::malformed};
-  for (const Verdict verdict : lost) CHECK(result.tally->count(verdict) == 0);
+TEST_CASE("engines of other languages answer, and mostly as they should") {
+  // Below the shares of right answers that were measured, 0.89 to 0.98.
+  for (const auto& [name, share] :
+       {std::pair("dyn4j-sat", 0.92), std::pair("dyn4j-gjk", 0.92), std::pair("jbox2d", 0.95),
+        std::pair("pymunk", 0.92), std::pair("cp", 0.85), std::pair("godot3", 0.8)}) {
+    const auto engine = installed_collider(name);
+    if (!engine) continue;
+    INFO(name);
+    CHECK(engine->declaration.name == name);
+    Plan plan = plan_of(*engine);
+    plan.context.radius = 0.0F;
+    plan.regimes.clear();
+    for (const Regime& regime : polygon_regimes()) plan.regimes.push_back(&regime);
+    const JobsResult result = run(plan);
+    CHECK(result.tally->cases() == kCases);
+    CHECK(result.tally->touching() > kCases / 3);
+    const auto right = result.tally->count(Verdict::agree) + result.tally->count(Verdict::tie) +
+                       result.tally->count(Verdict::ill_posed);
+    CHECK(static_cast<double>(right) > share * static_cast<double>(kCases));
+    const auto lost = {Verdict::crashed, Verdict::timed_out, Verdict::malformed};
+    for (const Verdict verdict : lost) CHECK(result.tally->count(verdict) == 0);
+  }
 }
 
 TEST_CASE("a body is to an adapter in JavaScript what protocol.mjs says") {

@@ -44,7 +44,12 @@ std::vector<std::pair<PairCase, int>> pairs_for(const Collider& collider) {
   std::vector<std::pair<PairCase, int>> pairs;
   for (const int a : {1, 2, 4}) {
     for (const int b : {1, 2, 4}) {
-      const PairCase pair = pair_of(a, b);
+      PairCase pair = pair_of(a, b);
+      const Declaration& declaration = collider.declaration;
+      if (!declaration.takes_radius && !declaration.takes_round) {
+        if (a > 2) pair.a.polygon.radius = 0;
+        if (b > 2) pair.b.polygon.radius = 0;
+      }
       const Answer answer = ask(collider, pair);
       if (const auto* const found = manifold_in(answer)) pairs.emplace_back(pair, found->count);
     }
@@ -85,6 +90,10 @@ void check_script(std::string_view engine) {
                  [](const std::string& file) { return "node '" + file + "'"; });
 }
 
+fs::path adapters_in(std::string_view language) {
+  return source_dir() / "scripts/colliders" / language;
+}
+
 }  // namespace
 
 TEST_CASE("Box2D's program compiles and runs on shapes of every kind") {
@@ -103,4 +112,46 @@ TEST_CASE("planck's program runs on shapes of every kind") {
 
 TEST_CASE("phaser-box2d's program runs on shapes of every kind") {
   check_script("phaser-box2d");
+}
+
+TEST_CASE("the programs of dyn4j and jbox2d run on shapes of every kind") {
+  for (const char* const engine : {"dyn4j-sat", "dyn4j-gjk", "jbox2d"}) {
+    const auto collider = installed_collider(engine);
+    if (!collider) continue;
+    INFO(engine);
+    const TemporaryFolder folder;
+    check_programs(*collider, folder.path(), "Snippet.java", [](const std::string& file) {
+      return "java -cp '" + (adapters_in("java") / "installed/*").string() + "' '" + file + "'";
+    });
+  }
+}
+
+TEST_CASE("pymunk's program runs on shapes of every kind") {
+  const auto collider = installed_collider("pymunk");
+  if (!collider) return;
+  const TemporaryFolder folder;
+  check_programs(*collider, folder.path(), "snippet.py", [](const std::string& file) {
+    return "'" + (adapters_in("python") / "installed/bin/python").string() + "' '" + file + "'";
+  });
+}
+
+TEST_CASE("cp's program runs on shapes of every kind") {
+  const auto collider = installed_collider("cp");
+  if (!collider) return;
+  const TemporaryFolder folder;
+  for (const char* const file : {"go.mod", "go.sum"}) {
+    fs::copy_file(adapters_in("go") / file, folder.path() / file);
+  }
+  check_programs(*collider, folder.path(), "snippet.go", [&](const std::string& file) {
+    return "cd '" + folder.path().string() + "' && go run '" + file + "'";
+  });
+}
+
+TEST_CASE("Godot's program runs on shapes of every kind") {
+  const auto collider = installed_collider("godot3");
+  if (!collider) return;
+  const TemporaryFolder folder;
+  check_programs(*collider, folder.path(), "snippet.gd", [&](const std::string& file) {
+    return "cd '" + folder.path().string() + "' && godot3-server --no-window -s '" + file + "'";
+  });
 }

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
+#include "cli/sequence_colliders.hpp"
 #include "corpus/corpus.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "oracle/box2d/round_shapes.hpp"
@@ -28,6 +29,7 @@ struct BenchArguments {
   std::vector<std::string> regimes;
   std::vector<std::string> colliders;
   bool quick = false;
+  bool methods = false;
   std::string json;
   std::string csv;
   std::vector<std::string> pictures;
@@ -63,12 +65,89 @@ std::vector<BenchSubject> chosen_subjects(const std::vector<std::string>& names)
   return all;
 }
 
+/// The ways of engines, as far as this build has them.
+std::vector<MethodSubject> methods_of_engines() {
+  const auto untimed = [](const std::string& name) { return engine(name, nullptr); };
+  std::vector<MethodSubject> all{
+      {"clipping", {.name = "box2d", .prepare = box2d_pass, .collider = make_box2d}},
+      {"closest points", engine("bullet-epa", bullet_epa_pass)},
+      {"closest points", engine("libccd-gjk", libccd_gjk_pass)},
+      {"closest points", engine("libccd-mpr", libccd_mpr_pass)},
+      {"GJK, then clipping", engine("chipmunk", chipmunk_pass)},
+      {"points kept",
+       {.name = "bullet-cached"},
+       [] { return find_sequence_collider("bullet-cached"); }},
+      {"perturbed", untimed("bullet-perturbed")}};
+  std::erase_if(all, [](const MethodSubject& one) {
+    try {
+      if (one.keeper) one.keeper();
+      return !one.keeper && !find_installed(one.bench.name);
+    } catch (const UserError&) {
+      return true;
+    }
+  });
+  return all;
+}
+
+/// Ours and the engines', each of a way beside the others of it.
+std::vector<MethodSubject> all_methods() {
+  std::vector<MethodSubject> all;
+  for (const auto& some : {own_methods(), methods_of_engines()}) {
+    for (const MethodSubject& one : some) {
+      const auto last =
+          std::ranges::find(all.rbegin(), all.rend(), one.method, &MethodSubject::method);
+      all.insert(last.base() == all.begin() ? all.end() : last.base(), one);
+    }
+  }
+  return all;
+}
+
+MethodsOptions quick_methods() {
+  return {.judged = 500, .sequences = 8, .timing = quick_bench().timing};
+}
+
+/// Prints and writes what a run gave: its table, its rows and its pictures.
+int write_results(const BenchArguments& options, const nlohmann::ordered_json& json,
+                  const std::string& table,
+                  const std::function<void(const std::string& path)>& draw) {
+  std::string text;
+  if (options.json == "-") {
+    text = json_text(json);
+  } else if (!leaves_out_tables({options.json, options.csv})) {
+    text = machine_line(json) + table;
+  }
+  Outputs outputs;
+  outputs.write(true, [&] { write_to_reader(text); });
+  outputs.write(!options.csv.empty(), [&] { write_file(options.csv, bench_csv(json)); });
+  outputs.write(!options.json.empty() && options.json != "-",
+                [&] { write_file(options.json, json_text(json)); });
+  for (const std::string& picture : options.pictures) {
+    outputs.write(true, [&] { draw(picture); });
+  }
+  return outputs.are_written() ? 0 : 2;
+}
+
+int bench_methods(const BenchArguments& options) {
+  const std::vector<MethodSubject> subjects = all_methods();
+  MethodsOptions how = options.quick ? quick_methods() : MethodsOptions{};
+  how.seed = options.seed.value_or(how.seed);
+  const std::vector<MethodRow> rows = [&] {
+    const ProgressLine line;
+    return run_methods(subjects, how, [&](std::size_t w) {
+      line.show(fmt::format("workload {} of {}", w + 1, method_workload_count()));
+    });
+  }();
+  return write_results(options, methods_json(rows, subjects, how.seed), methods_table(rows),
+                       [&](const std::string& path) { write_methods_plot(path, rows); });
+}
+
 int bench(const BenchArguments& options) {
   CommandFiles files{{{"--json", options.json}, {"--csv", options.csv, OutputPath::Kind::file}}};
   for (const std::string& picture : options.pictures) {
     files.outputs.push_back({"--picture", picture, OutputPath::Kind::file, kPictureEndings});
   }
   check_outputs(files);
+  if (options.methods) return bench_methods(options);
   const std::vector<BenchSubject> subjects = chosen_subjects(options.colliders);
   const auto chosen = chosen_by_name(regimes(), options.regimes, "regime", "--regime");
   const auto workloads = options.quick ? std::vector{usual_workload()} : all_workloads(chosen);
@@ -80,30 +159,17 @@ int bench(const BenchArguments& options) {
       line.show(fmt::format("workload {} of {}", w + 1, workloads.size()));
     });
   }();
-  const nlohmann::ordered_json json = bench_json(rows, subjects, how.seed);
-  std::string text;
-  if (options.json == "-") {
-    text = json_text(json);
-  } else if (!leaves_out_tables({options.json, options.csv})) {
-    text = machine_line(json) + bench_table(rows);
-  }
-  Outputs outputs;
-  outputs.write(true, [&] { write_to_reader(text); });
-  outputs.write(!options.csv.empty(), [&] { write_file(options.csv, bench_csv(json)); });
-  outputs.write(!options.json.empty() && options.json != "-",
-                [&] { write_file(options.json, json_text(json)); });
-  for (const std::string& picture : options.pictures) {
-    outputs.write(true, [&] { write_bench_plot(picture, rows); });
-  }
-  return outputs.are_written() ? 0 : 2;
+  return write_results(options, bench_json(rows, subjects, how.seed), bench_table(rows),
+                       [&](const std::string& path) { write_bench_plot(path, rows); });
 }
 
 void add_bench_arguments(CLI::App& app, BenchArguments& options) {
   add_whole_number(app, "--seed", options.seed, "what the cases depend on; 1 if not given");
-  app.add_option("--collider", options.colliders,
-                 "one to time besides box2d, again for more; all if not given")
-      ->type_name("C")
-      ->allow_extra_args(false);
+  CLI::Option* const collider =
+      app.add_option("--collider", options.colliders,
+                     "one to time besides box2d, again for more; all if not given")
+          ->type_name("C")
+          ->allow_extra_args(false);
   CLI::Option* const regime =
       app.add_option("--regime", options.regimes,
                      "a regime besides generic, again for more; all if not given")
@@ -112,9 +178,16 @@ void add_bench_arguments(CLI::App& app, BenchArguments& options) {
   app.add_flag("--quick", options.quick, "the usual workload alone, in less than 30 s")
       ->excludes(regime);
   add_json(app, options.json, "the rows as JSON");
-  app.add_option("--csv", options.csv, "the rows with commas")->type_name("FILE");
-  app.add_option("--picture", options.pictures,
-                 "run time against error, FILE.svg or FILE.png, again for another")
+  CLI::Option* const csv =
+      app.add_option("--csv", options.csv, "the rows with commas")->type_name("FILE");
+  app.add_flag("--methods", options.methods,
+               "the article's other ways to contact points beside clipping, over pairs and frames")
+      ->excludes(collider)
+      ->excludes(regime)
+      ->excludes(csv);
+  app.add_option(
+         "--picture", options.pictures,
+         "run time against error, or what the ways trade; FILE.svg or FILE.png, again for another")
       ->type_name("FILE")
       ->allow_extra_args(false);
 }
@@ -122,7 +195,8 @@ void add_bench_arguments(CLI::App& app, BenchArguments& options) {
 }  // namespace
 
 const Command kBench{"bench", "Run time against error, for every collider in one run.",
-                     "manifuzz bench --quick --picture bench.svg",
+                     "manifuzz bench --quick --picture bench.svg\n"
+                     "manifuzz bench --methods --picture methods.svg",
                      define<BenchArguments, add_bench_arguments, bench>};
 
 }  // namespace manifuzz

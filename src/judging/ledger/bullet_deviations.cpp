@@ -196,6 +196,7 @@ bool turned_by_perturbation(const Deviation& d) {
   declaration.takes_round = true;
   declaration.clips = false;
   declaration.points = PointsAt::surface_b;
+  declaration.one_point_enough = true;
   declaration.tolerance.absolute = kBreakingThreshold;
   return is_turned_little && judge_by_curve(*d.right.truth, declaration, d.got).kind == Kind::none;
 }

@@ -189,6 +189,10 @@ bool is_across_chord(const Deviation& d, const Fault& is_at_fault) {
 
 }  // namespace
 
+bool is_right_of_chipmunk(const Deviation& d) {
+  return is_right(d, d.got);
+}
+
 bool sign_of_swapped_distance(const Deviation& d) {
   return is_round(d.right.pair()) && d.got.count > 0 && is_swapped(d.right.pair()) &&
          is_without_depth(d.got) && is_right(d, with_depths(d));

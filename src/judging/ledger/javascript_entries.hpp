@@ -80,7 +80,7 @@ inline constexpr std::array kOfJavaScript{
                 .description =
                     "no contact, or too little depth, of a capsule and a polygon near corners: "
                     "what lies within the radii beyond the reference face's ends is cut off",
-                .source = "planck 1.4.2, src/collision/shape/CollideEdgePolygon.ts, "
+                .source = "planck 1.5.0, src/collision/shape/CollideEdgePolygon.ts, "
                           "CollideEdgePolygon: sideOffset1, without the radius that "
                           "CollidePolygons adds",
                 .budgets = kOfPlanckEdgeSlabNotWidened,
@@ -90,7 +90,7 @@ inline constexpr std::array kOfJavaScript{
                 .description =
                     "of a capsule and a polygon, a face that is not the least deep: the capsule's "
                     "towards the centroid, or the polygon's by 2 % of the separation",
-                .source = "planck 1.4.2, src/collision/shape/CollideEdgePolygon.ts, "
+                .source = "planck 1.5.0, src/collision/shape/CollideEdgePolygon.ts, "
                           "CollideEdgePolygon: front = offset1 >= 0.0; polygonAxis.separation > "
                           "k_relativeTol * edgeAxis.separation + k_absoluteTol",
                 .budgets = kOfPlanckEdgeHysteresis,
@@ -99,7 +99,7 @@ inline constexpr std::array kOfJavaScript{
                 .collider = "planck",
                 .description = "a normal along the world's x axis: a circle's centre is within "
                                "1e-9 of another's or of an edge's end",
-                .source = "planck 1.4.2, src/collision/Manifold.ts, getWorldManifold: "
+                .source = "planck 1.5.0, src/collision/Manifold.ts, getWorldManifold: "
                           "lengthSqr > EPSILON * EPSILON; src/common/Math.ts: EPSILON = 1e-9",
                 .budgets = kOfPlanckAxisWithinEpsilon,
                 .explains = axis_within_planck_epsilon},
@@ -107,7 +107,7 @@ inline constexpr std::array kOfJavaScript{
                 .collider = "planck",
                 .description = "a face's normal beyond its corner: a circle's centre is within "
                                "1e-9 of a polygon",
-                .source = "planck 1.4.2, src/collision/shape/CollideCirclePolygon.ts, "
+                .source = "planck 1.5.0, src/collision/shape/CollideCirclePolygon.ts, "
                           "CollidePolygonCircle: separation < EPSILON",
                 .budgets = kOfPlanckFaceWithinEpsilon,
                 .explains = face_within_planck_epsilon},
@@ -116,7 +116,7 @@ inline constexpr std::array kOfJavaScript{
                 .description =
                     "no contact for overlapping polygons: the bias keeps A's shallower face, whose "
                     "side planes the incident edge misses",
-                .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
+                .source = "planck 1.5.0, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
                           "k_tol = 0.1 * Settings.linearSlop, then `if (np1 < 2) return`",
                 .budgets = kOfPlanckNoContactUnderBias,
                 .explains = no_contact_under_bias},
@@ -125,7 +125,7 @@ inline constexpr std::array kOfJavaScript{
                 .description =
                     "no contact for overlapping polygons: faces or edges tie in double, the wrong "
                     "one is kept, and its slab misses the deepest vertex",
-                .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, findMaxSeparation "
+                .source = "planck 1.5.0, src/collision/shape/CollidePolygon.ts, findMaxSeparation "
                           "and findIncidentEdge: first of equals",
                 .budgets = kOfPlanckNoContactOnTiedFeatures,
                 .explains = no_contact_on_tied_features},
@@ -134,7 +134,7 @@ inline constexpr std::array kOfJavaScript{
                 .description = "a normal off by the roundoff of vertices over the face's length: "
                                "planck takes it from them, and they hold what (cos, sin) lacks of "
                                "unit length, since planck takes a transpose for the inverse",
-                .source = "planck 1.4.2, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
+                .source = "planck 1.5.0, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
                           "localNormal of v12 - v11; scripts/colliders/protocol.mjs, readBody",
                 .budgets = kOfPlanckNormalOfScaledVertices,
                 .explains = normal_of_rounded_vertices},

@@ -8,13 +8,14 @@
 #include "judging/ledger/round_deviations.hpp"
 #include "oracle/exact/curve.hpp"
 
-// phaser-box2d on circles and capsules.
+// phaser-box2d on circles and capsules, and Box2D 3.2, whose functions it has translated.
 
 namespace manifuzz {
 namespace {
 
-constexpr double kEpsilonOfPhaser = 1e-10;  // math_functions_h.js: eps
-constexpr double kSlopOfPhaser = 0.005;     // core_h.js: b2_linearSlop
+constexpr double kEpsilonOfPhaser = 1e-10;    // math_functions_h.js: eps
+constexpr double kSlopOfPhaser = 0.005;       // core_h.js: b2_linearSlop
+constexpr double kEpsilonOfBox2d3 = 0x1p-23;  // math_functions.h: FLT_EPSILON
 
 /// A capsule's core, in A's frame, from the first end of A's.
 struct Core {
@@ -106,8 +107,15 @@ std::vector<double> depths_of(const std::array<double, 2>& gaps, double radius) 
   return depths;
 }
 
+/// What Box2D 3.2 has changed since, of which phaser-box2d is a copy.
+struct Edition {
+  double bias = 0;                    ///< by which A's side is preferred
+  double epsilon = kEpsilonOfPhaser;  ///< up to which a distance has no direction
+};
+
 /// b2CollideCapsules, as it stands or with its three slips mended.
-FoundByPhaser capsules_by_phaser(const Core& a, const Core& b, double radius, bool is_mended) {
+FoundByPhaser capsules_by_phaser(const Core& a, const Core& b, double radius, bool is_mended,
+                                 const Edition& edition = {}) {
   const Vector2<double> apart = nearest_vector(a, b);
   const double distance = apart.norm();
   if (distance > radius + 4 * kSlopOfPhaser) return {};
@@ -118,7 +126,7 @@ FoundByPhaser capsules_by_phaser(const Core& a, const Core& b, double radius, bo
   if (!of_b.is_outside(a.length()) && !of_a.is_outside(b.length())) {
     const BestSide on_a = best_side(a, b, is_mended);
     const BestSide on_b = best_side(b, a, is_mended);
-    const bool is_by_a = on_a.separation >= on_b.separation;
+    const bool is_by_a = on_a.separation + edition.bias >= on_b.separation;
     const auto gaps = is_by_a ? clipped(b, of_b, a.length(), a.from, on_a.normal)
                               : clipped(a, of_a, b.length(), b.from, on_b.normal);
     if (std::min(gaps[0], gaps[1]) <= distance + kSlopOfPhaser) {
@@ -126,7 +134,7 @@ FoundByPhaser capsules_by_phaser(const Core& a, const Core& b, double radius, bo
     }
   }
   const Vector2<double> left(-u1.y(), u1.x());
-  return {distance > kEpsilonOfPhaser ? Vector2<double>(apart / distance) : left,
+  return {distance > edition.epsilon ? Vector2<double>(apart / distance) : left,
           depths_of({distance, INFINITY}, radius)};
 }
 
@@ -154,6 +162,16 @@ bool is_given(const Deviation& d, const FoundByPhaser& found, const SlackOfCapsu
     if (std::abs(depths[i] - found.depths[i]) > slack.depth) return false;
   }
   return (d.got.normal.normalized() - found.normal).norm() <= slack.normal;
+}
+
+/// Whether the normal of a circle that is as near as that has no length, and all else is right.
+bool has_no_normal_within(const Deviation& d, double epsilon) {
+  const PairCase& pair = d.right.pair();
+  if (d.got.count != 1 || (pair.a.polygon.count != 1 && pair.b.polygon.count != 1)) return false;
+  const double bound = 4 * d.right.bounds.separation;
+  const double least = exact::PenetrationCurve(*d.right.truth, exact::Skin::round).least();
+  return d.got.normal.norm() <= epsilon && total_radius(pair) - least <= epsilon + bound &&
+         std::abs(d.got.points[0].depth - least) <= epsilon + bound;
 }
 
 std::optional<std::array<Core, 2>> capsule_cores(const PairCase& pair) {
@@ -200,13 +218,20 @@ bool direction_of_rounded_places(const Deviation& d) {
 }
 
 bool no_normal_within_phaser_epsilon(const Deviation& d) {
-  const PairCase& pair = d.right.pair();
-  if (d.got.count != 1 || (pair.a.polygon.count != 1 && pair.b.polygon.count != 1)) return false;
-  const double bound = 4 * d.right.bounds.separation;
-  const double least = exact::PenetrationCurve(*d.right.truth, exact::Skin::round).least();
-  return d.got.normal.norm() <= kEpsilonOfPhaser &&
-         total_radius(pair) - least <= kEpsilonOfPhaser + bound &&
-         std::abs(d.got.points[0].depth - least) <= kEpsilonOfPhaser + bound;
+  return has_no_normal_within(d, kEpsilonOfPhaser);
+}
+
+bool no_normal_within_box2d3_epsilon(const Deviation& d) {
+  return has_no_normal_within(d, kEpsilonOfBox2d3);
+}
+
+bool slop_in_box2d3_capsules(const Deviation& d) {
+  const auto cores = capsule_cores(d.right.pair());
+  if (!cores) return false;
+  const FoundByPhaser found =
+      capsules_by_phaser((*cores)[0], (*cores)[1], total_radius(d.right.pair()), true,
+                         {0.1 * kSlopOfPhaser, kEpsilonOfBox2d3});
+  return (d.got.count > 0 || found.is_clipped) && is_given(d, found, as_rounded(d));
 }
 
 bool one_point_between_corners(const Deviation& d) {

@@ -41,6 +41,19 @@ bool normal_across_collinear(const Deviation& deviation);
 /// it is off by that much more, or the wrong end was taken of an edge along the normal.
 bool depth_by_crossing(const Deviation& deviation);
 
+/// Whether the answer would be right of a collider that declares what Chipmunk does.
+bool is_right_of_chipmunk(const Deviation& deviation);
+/// Munk2D: a normal without length. Boxes around both shapes have one middle, so that GJK begins
+/// with one support point twice.
+bool zero_normal_of_one_middle(const Deviation& deviation);
+/// cp: a normal that is shorter than unit as 1e-15 beside the length that it is divided by makes
+/// it, and right else, or wrong in a way of Chipmunk's.
+bool normal_short_by_cp(const Deviation& deviation);
+
+/// jbox2d: no contact of an edge and a polygon that are farther apart than 0.02, the radii that it
+/// takes for theirs.
+bool edge_radius_of_settings(const Deviation& deviation);
+
 /// An edge against a polygon in planck, clipped between the very ends of the reference face.
 bool planck_edge_slab_not_widened(const Deviation& deviation);
 /// The same, where the face is not the one of the greatest separation: the edge's towards the
@@ -68,6 +81,22 @@ bool no_normal_within_phaser_epsilon(const Deviation& deviation);
 bool direction_of_rounded_places(const Deviation& deviation);
 /// Cores are nearest at a vertex of each, and of the clip of their edges one point is given.
 bool one_point_between_corners(const Deviation& deviation);
+
+/// A circle whose centre is within float's epsilon of another core in Box2D 3.2: the normal has no
+/// length.
+bool no_normal_within_box2d3_epsilon(const Deviation& deviation);
+/// Two capsules in Box2D 3.2: the answer is what b2CollideCapsules makes, which is as
+/// phaser-box2d's without the slips, but that A's edge is kept up to 0.0005.
+bool slop_in_box2d3_capsules(const Deviation& deviation);
+/// A circle and a segment or capsule in Box2D 3.2: the normal is the direction to the place on the
+/// core that is nearest as floats have it.
+bool direction_of_rounded_place(const Deviation& deviation);
+/// No contact though corners with radii overlap: no face of either core is farther than 0.0005,
+/// and the incident edge is beyond the reference face's ends.
+bool corner_beyond_slab(const Deviation& deviation);
+/// A round pair with two edges in Box2D 3.2: the best face's normal, though corners beside it are
+/// nearer by up to 0.0005.
+bool face_within_box2d3_slop(const Deviation& deviation);
 
 // Of b2CollidePolygons, whose operations are repeated: the answer is what they give.
 

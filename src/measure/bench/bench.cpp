@@ -69,7 +69,10 @@ std::optional<std::vector<PairCase>> draw_workload(
     if (i >= kDrawsMax * spec.pairs) return std::nullopt;
     PairCase pair = generate(seed, *spec.regime, i, context);
     if (!fits(pair, spec.vertices) || !is_taken(pair)) continue;
-    const bool touches = exact::separation_of(exact::Truth(pair)) <= total_radius(pair);
+    const double overlap = total_radius(pair) - exact::separation_of(exact::Truth(pair));
+    const bool touches = overlap >= 0;
+    const double share = overlap / size(pair);
+    if (touches && (share < spec.overlap[0] || share >= spec.overlap[1])) continue;
     std::size_t& left = touches ? touching_left : apart_left;
     if (left == 0) continue;
     --left;
@@ -114,8 +117,8 @@ void initialize(const TimingOptions& options) {
   benchmark::Initialize(&count, arguments.data());
 }
 
-/// Times the subjects over one workload, on Google Benchmark, their repetitions in random order;
-/// the kernels then use the widest instruction set again.
+}  // namespace
+
 std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
                                   std::span<const PairCase> pairs, const TimingOptions& options) {
   initialize(options);
@@ -146,6 +149,8 @@ std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
   }
   return timings;
 }
+
+namespace {
 
 struct Measurement {
   Collider collider;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -19,6 +21,8 @@ struct WorkloadSpec {
   std::optional<int> vertices;  ///< of both polygons; mixed where there is none
   double touching = 0.5;        ///< the share of pairs that touch
   std::size_t pairs = 1024;     ///< as many as are gone through before the first comes again
+  /// By which share of the size those that touch overlap: from the first to below the second.
+  std::array<double, 2> overlap{0, std::numeric_limits<double>::infinity()};
 };
 
 /// The regime `generic`, mixed counts, half touching, in the second cache.
@@ -59,6 +63,11 @@ struct Timing {
   double ns_per_pair = 0;         ///< the median of the repetitions
   double speedup_over_box2d = 0;  ///< the median of their ratios, each to Box2D's of its number
 };
+
+/// Times the subjects over the same pairs, on Google Benchmark, their repetitions in random order;
+/// the kernels then use the widest instruction set again. One of them is the ratios' base.
+std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
+                                  std::span<const PairCase> pairs, const TimingOptions& options);
 
 /// What this repository offers, the kernels once for every instruction set of this machine; and
 /// the one-point answer of the separating axis alone, which is the cheapest that is right in depth.

@@ -8,7 +8,9 @@
 #include "kernel/pair.hpp"
 #include "kernel/target.hpp"
 #include "measure/bench/bench.hpp"
+#include "methods/clip_by_gjk.hpp"
 #include "methods/closest_points.hpp"
+#include "methods/perturbed.hpp"
 #include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
@@ -65,6 +67,29 @@ BenchSubject gjk_subject(std::string name, Collider (*make)()) {
       .name = std::move(name),
       .prepare = [](std::span<const PairCase> pairs) { return gjk_pass<Scalar>(pairs, hinted); },
       .collider = make};
+}
+
+Pass gjk_shrunk_pass(std::span<const PairCase> pairs) {
+  std::vector<PairCase> shrunk;
+  for (const PairCase& pair : pairs) shrunk.push_back(shrunk_pair(pair));
+  return gjk_pass<float>(shrunk, false);
+}
+
+Pass gjk_clip_pass(std::span<const PairCase> pairs) {
+  return one_by_one<float>(pairs, [](const auto& pair, const Pose<float>& b_in_a) {
+    methods::Simplex hint;
+    return methods::clip_by_gjk(pair.a, transform(b_in_a, pair.b), hint);
+  });
+}
+
+Pass perturbed_pass(std::span<const PairCase> pairs) {
+  return one_by_one<float>(pairs, [](const auto& pair, const Pose<float>& b_in_a) {
+    methods::Simplex hint;
+    return methods::contact_by_perturbing(
+        pair.a, pair.b, b_in_a, [&hint](const auto& p, const auto& q, const Pose<float>& q_in_p) {
+          return methods::contact_by_gjk(p, q, q_in_p, hint).manifold;
+        });
+  });
 }
 
 /// The deepest vertex behind the face of greatest separation, looked for once the face is known. A
@@ -216,7 +241,10 @@ std::vector<BenchSubject> own_subjects() {
       {.name = "sat", .prepare = sat_pass, .collider = make_sat},
       gjk_subject<float, false>("gjk", make_gjk),
       gjk_subject<float, true>("gjk+hint", make_gjk),
-      gjk_subject<double, false>("gjk64", make_gjk64)};
+      gjk_subject<double, false>("gjk64", make_gjk64),
+      {.name = "gjk-clip", .prepare = gjk_clip_pass, .collider = make_gjk_clip},
+      {.name = "gjk-shrunk", .prepare = gjk_shrunk_pass, .collider = make_gjk_shrunk},
+      {.name = "perturbed", .prepare = perturbed_pass, .collider = make_perturbed}};
   for (const std::string& target : kernel::targets()) {
     if (target == "SCALAR") continue;  // the clean code in lanes of one
     add_pair_queries(all, target);

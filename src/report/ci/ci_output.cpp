@@ -181,9 +181,10 @@ TestSuite property_suite(std::span<const CheckedProperty> checked, const Collide
       });
     }
     suite.table.push_back({test.name,
-                           one.result.passed ? "ok"
-                           : one.is_accepted ? "accepted"
-                                             : "FAIL",
+                           one.is_vacuous()    ? "applies to none"
+                           : one.result.passed ? "ok"
+                           : one.is_accepted   ? "accepted"
+                                               : "FAIL",
                            std::to_string(one.result.cases), fmt::format("{:.2f}", one.seconds)});
     suite.tests.push_back(test);
   }

@@ -1,6 +1,7 @@
 #include "measure/bench/bench.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 #include <catch2/catch.hpp>
@@ -35,6 +36,30 @@ TEST_CASE("bench measures every subject and writes what it found") {
   std::string heading;
   std::getline(lines, heading);
   CHECK(heading.starts_with("collider,query,input"));
+}
+
+TEST_CASE("bench compares the ways to contact points, and draws what they trade") {
+  const test::TemporaryFolder folder;
+  const std::string json = (folder.path() / "methods.json").string();
+  const std::string picture = (folder.path() / "methods.svg").string();
+  const auto outcome =
+      test::run_manifuzz({"bench", "--methods", "--quick", "--json", json, "--picture", picture});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK(std::filesystem::file_size(picture) > 1000);
+  const auto report = nlohmann::json::parse(std::ifstream(json));
+  int frames = 0;
+  for (const auto& row : report.at("rows")) {
+    if (row.at("collider") == "clip") {
+      CHECK(row.at("points_missing") == 0);
+      CHECK(row.at("extent_lost") == 0);
+    }
+    if (row.at("input") != "frame") continue;
+    ++frames;
+    if (row.at("collider") == "clip") CHECK(row.at("frames_to_complete") == 1);
+    if (row.at("collider") == "gjk") CHECK(row.at("frames_to_complete").is_null());
+  }
+  CHECK(frames >= 11);
 }
 
 TEST_CASE("bench's errors are those of the same manifolds") {

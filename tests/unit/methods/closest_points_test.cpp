@@ -58,7 +58,10 @@ TEST_CASE("cases that rounding decided wrongly once are right") {
       Row{"deep", 102, 64164}, Row{"cores_touch", 102, 115942}, Row{"cores_touch", 102, 112353},
       Row{"micro_edge", 77, 9753}, Row{"micro_edge", 77, 23712}, Row{"large_radii", 77, 69588},
       Row{"large_radii", 77, 93836}, Row{"near_collinear", 1, 2204}, Row{"tied_faces", 1, 673},
-      Row{"tied_faces", 1, 4346}, Row{"side_planes", 1, 9947}, Row{"cores_touch", 1, 2144});
+      Row{"tied_faces", 1, 4346}, Row{"side_planes", 1, 9947}, Row{"cores_touch", 1, 2144},
+      Row{"tied_faces", 1001, 919412}, Row{"tied_faces", 1001, 3197861},
+      Row{"off_unit", 1001, 947958}, Row{"side_planes", 1001, 2122216},
+      Row{"side_planes", 1001, 1978692});
   CAPTURE(row.regime, row.index);
   const PairCase pair = generate(row.seed, *find_regime(row.regime), row.index);
   CHECK(test::is_right(pair, make_gjk()));

@@ -5,9 +5,14 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 #include <catch2/catch.hpp>
+
+#include "process/child.hpp"
+#include "process/patience.hpp"
 
 using namespace manifuzz;
 
@@ -83,6 +88,32 @@ TEST_CASE("how a child ends is told") {
   raise(SIGINT);
   CHECK(run_in_child(pauses, kLong, first_signal) == Ending::stopped);
   CHECK_FALSE(has_children());
+}
+
+TEST_CASE("what waits for a processor is not late, and what sleeps is") {
+  const auto spins = [] {
+    const auto begin = Clock::now();
+    while (seconds_since(begin) < kLong) {
+    }
+  };
+  std::vector<pid_t> rivals;
+  for (unsigned i = 0; i <= 4 * std::thread::hardware_concurrency(); ++i) {
+    rivals.push_back(spawn(spins));
+  }
+  Patience with_rivals;
+  with_rivals.begin(rivals.front());
+  CHECK_FALSE(with_rivals.is_over(kLong));
+  const pid_t sleeper = spawn([] { pause(); });
+  Patience asleep;
+  asleep.begin(sleeper);
+  CHECK_FALSE(asleep.is_over(kLong));
+  while (!asleep.is_over(0.5)) usleep(1000);
+  CHECK_FALSE(with_rivals.is_over(0.45));
+  CHECK(seconds_waited(rivals.front()) > 0.1);
+  CHECK(seconds_waited(sleeper) < 0.1);
+  for (const pid_t rival : rivals) kill_and_wait(rival);
+  kill_and_wait(sleeper);
+  CHECK(seconds_waited(sleeper) == 0);
 }
 
 TEST_CASE("once there is hurry jobs are told, and end by themselves") {

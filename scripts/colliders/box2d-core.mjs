@@ -1,0 +1,151 @@
+// @box2d/core's b2Collide functions for manifuzz: `manifuzz fuzz --subject-command "node box2d-core.mjs"`.
+import * as box2d from "@box2d/core";
+import { centroidOf, serve, toWorld, versionOf } from "./protocol.mjs";
+
+const snippet = `import * as box2d from "@box2d/core";
+
+function shapeOf(vertices, radius, unit) {
+  const scaled = vertices.map(([x, y]) => new box2d.b2Vec2(unit * x, unit * y));
+  if (scaled.length === 1) return new box2d.b2CircleShape().Set(scaled[0], radius);
+  const given = { m_radius: radius };
+  if (scaled.length === 2) return Object.assign(new box2d.b2EdgeShape().SetTwoSided(...scaled), given);
+  const shape = new box2d.b2PolygonShape(); // filled as it stands: Set would weld
+  shape.m_normals = vertices.map(([x, y], i) => {
+    const [u, v] = vertices[(i + 1) % vertices.length].map((next, k) => next - [x, y][k]);
+    const length = Math.sqrt(u * u + v * v);
+    return new box2d.b2Vec2(v / length, -u / length);
+  });
+  return Object.assign(shape, { m_vertices: scaled, m_count: scaled.length, m_radius: radius });
+}
+
+function body(vertices, radius, position, rotation) {
+  const floats = (list) => list.map(Math.fround);
+  const [c, s] = floats(rotation);
+  const unit = Math.sqrt(c * c + s * s); // what it lacks of 1 goes into the vertices
+  const pose = new box2d.b2Transform();
+  pose.p.Set(...floats(position));
+  Object.assign(pose.q, { c: c / unit, s: s / unit });
+  return [shapeOf(vertices.map(floats), Math.fround(radius), unit), pose];
+}
+
+const a = body(@a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@);
+const b = body(@b.vertices[]@, @b.radius@, @b.position[]@, @b.rotation[]@);
+// In the order in which its functions take them; a circle before a polygon, say, is turned about.
+const kinds = ["Edge", "Polygon", "Circle"];
+const kind = ([shape]) => kinds.findIndex((name) => shape instanceof box2d["b2" + name + "Shape"]);
+const [first, second] = kind(a) > kind(b) ? [b, a] : [a, b];
+const [i, j] = [kind(first), kind(second)];
+const name = "b2Collide" + (i === j ? kinds[i] + "s" : kinds[i] + "And" + kinds[j]);
+const manifold = new box2d.b2Manifold();
+box2d[name](manifold, ...first, ...second);
+console.log(name, first === a ? "A first" : "B first", manifold.pointCount, "points");
+const world = new box2d.b2WorldManifold();
+world.Initialize(manifold, first[1], first[0].m_radius, second[1], second[0].m_radius);
+console.log(world);
+`;
+
+const declaration = {
+  name: "box2d-core",
+  version: versionOf("@box2d/core"),
+  scalar: "float64",
+  frame: "world",
+  tie_bias: 0.1 * box2d.b2_linearSlop,
+  vertices_max: 8,
+  takes_radius: true,
+  vertices_min: 1,
+  takes_round: true,
+  points: "clip",
+  normal: "a_to_b",
+  snippet,
+};
+
+const vectorOf = ({ x, y }) => new box2d.b2Vec2(x, y);
+
+function poseOf({ pose: { p, q } }) {
+  const pose = new box2d.b2Transform();
+  pose.p.Copy(p);
+  Object.assign(pose.q, q);
+  return pose;
+}
+
+// Filled as it stands: b2PolygonShape.Set would weld and reorder.
+function polygonOf(body) {
+  const shape = new box2d.b2PolygonShape();
+  shape.m_vertices = body.vertices.map(vectorOf);
+  shape.m_normals = body.normals.map(vectorOf);
+  shape.m_count = body.count;
+  shape.m_centroid = vectorOf(centroidOf(body.vertices));
+  shape.m_radius = body.radius;
+  return shape;
+}
+
+function shapeOf(body) {
+  if (body.count > 2) return polygonOf(body);
+  const corners = body.vertices.map(vectorOf);
+  if (body.count === 1) return new box2d.b2CircleShape().Set(corners[0], body.radius);
+  const edge = new box2d.b2EdgeShape().SetTwoSided(...corners);
+  edge.m_radius = body.radius;
+  return edge;
+}
+
+function worldManifoldOf(manifold, first, second) {
+  const world = new box2d.b2WorldManifold();
+  world.Initialize(manifold, poseOf(first), first.radius, poseOf(second), second.radius);
+  return world;
+}
+
+// In the order in which its functions take them: edges, polygons, circles.
+const rank = ({ count }) => (count === 1 ? 2 : count === 2 ? 0 : 1);
+const collideBy = [
+  [null, box2d.b2CollideEdgeAndPolygon, box2d.b2CollideEdgeAndCircle],
+  [null, box2d.b2CollidePolygons, box2d.b2CollidePolygonAndCircle],
+  [null, null, box2d.b2CollideCircles],
+];
+
+// Points are midway between both surfaces; the second's is half of the separation farther.
+function collideRound(a, b) {
+  const swapped = rank(a) > rank(b);
+  const [first, second] = swapped ? [b, a] : [a, b];
+  const mitred = [a, b].some(({ count, round }) => count > 2 && round) && a.radius + b.radius > 0;
+  if (rank(second) === 0) return { unsupported: "has no edge against edge" };
+  if (mitred && rank(second) !== 2) return { unsupported: "its polygons' corners are mitred" };
+  const manifold = new box2d.b2Manifold();
+  collideBy[rank(first)][rank(second)](
+    manifold, shapeOf(first), poseOf(first), shapeOf(second), poseOf(second));
+  if (manifold.pointCount === 0) return { points: [] };
+
+  const world = worldManifoldOf(manifold, first, second);
+  const { x, y } = world.normal;
+  const points = world.points.slice(0, manifold.pointCount).map((midpoint, i) => ({
+    position: [
+      midpoint.x + (world.separations[i] / 2) * x, midpoint.y + (world.separations[i] / 2) * y],
+    depth: Math.max(0, -world.separations[i]),
+  }));
+  return { points, normal: swapped ? [-x, -y] : [x, y] };
+}
+
+// An index that the shape lacks cannot be written: such a point goes without features.
+function featuresOf({ id: { cf } }, a, b) {
+  if (cf.indexA >= a.count || cf.indexB >= b.count) return {};
+  const name = (type, index) => (type === box2d.b2ContactFeatureType.e_face ? "f" : "v") + index;
+  return { features: [name(cf.typeA, cf.indexA), name(cf.typeB, cf.indexB)] };
+}
+
+function collide(a, b) {
+  if (a.round || b.round) return collideRound(a, b);
+  const manifold = new box2d.b2Manifold();
+  box2d.b2CollidePolygons(manifold, shapeOf(a), poseOf(a), shapeOf(b), poseOf(b));
+  if (manifold.pointCount === 0) return { points: [] };
+
+  const world = worldManifoldOf(manifold, a, b);
+  const byA = manifold.type === box2d.b2ManifoldType.e_faceA;
+  const incident = byA ? b : a;
+  const points = manifold.points.slice(0, manifold.pointCount).map((point, i) => ({
+    position: toWorld(incident.pose, point.localPoint),
+    depth: Math.max(0, -world.separations[i]),
+    ...featuresOf(point, a, b),
+  }));
+  return { points, normal: [world.normal.x, world.normal.y], reference: byA ? "a" : "b" };
+}
+
+serve(declaration, collide);

@@ -1,0 +1,216 @@
+import java.io.IOException;
+import org.jbox2d.collision.Collision;
+import org.jbox2d.collision.Manifold;
+import org.jbox2d.collision.WorldManifold;
+import org.jbox2d.collision.shapes.CircleShape;
+import org.jbox2d.collision.shapes.EdgeShape;
+import org.jbox2d.collision.shapes.PolygonShape;
+import org.jbox2d.collision.shapes.Shape;
+import org.jbox2d.common.Transform;
+import org.jbox2d.common.Vec2;
+import org.jbox2d.pooling.normal.DefaultWorldPool;
+
+/** jbox2d's Collision: polygons, circles, and edges with either. */
+public class Jbox2d {
+  // tie_bias: k_relativeTol 0.98 and k_absoluteTol 0.001 of Collision.collidePolygons.
+  private static final String DECLARATION = """
+      {"name": "jbox2d", "version": "2.2.1.1", "scalar": "float32", "frame": "world",
+       "tie_bias": {"absolute": 0.001, "relative": 0.02, "towards": "a"}, "vertices_max": 8,
+       "takes_radius": true, "vertices_min": 1, "takes_round": true, "points": "clip",
+       "normal": "a_to_b"}""";
+
+  private static final String SNIPPET = """
+      import org.jbox2d.collision.*;
+      import org.jbox2d.collision.shapes.*;
+      import org.jbox2d.common.*;
+      import org.jbox2d.pooling.normal.DefaultWorldPool;
+
+      public class Snippet {
+        static Vec2 at(double[] place) {
+          return new Vec2((float) place[0], (float) place[1]);
+        }
+
+        static Shape shapeOf(double[][] vertices, double radius) {
+          Shape shape;
+          if (vertices.length == 1) {
+            shape = new CircleShape();
+            ((CircleShape) shape).m_p.set(at(vertices[0]));
+          } else if (vertices.length == 2) {
+            shape = new EdgeShape();
+            ((EdgeShape) shape).set(at(vertices[0]), at(vertices[1]));
+          } else { // filled as it stands: PolygonShape.set would weld and reorder
+            PolygonShape polygon = new PolygonShape();
+            polygon.m_count = vertices.length;
+            for (int i = 0; i < vertices.length; ++i) {
+              Vec2 edge = at(vertices[(i + 1) % vertices.length]).sub(at(vertices[i]));
+              double length = Math.hypot(edge.x, edge.y);
+              polygon.m_vertices[i].set(at(vertices[i]));
+              polygon.m_normals[i].set((float) (edge.y / length), (float) (-edge.x / length));
+            }
+            polygon.computeCentroidToOut(polygon.m_vertices, polygon.m_count, polygon.m_centroid);
+            shape = polygon;
+          }
+          shape.m_radius = (float) radius;
+          return shape;
+        }
+
+        static Transform poseOf(double[] position, double[] rotation) {
+          Transform pose = new Transform();
+          pose.p.set(at(position));
+          pose.q.c = (float) rotation[0];
+          pose.q.s = (float) rotation[1];
+          return pose;
+        }
+
+        public static void main(String[] arguments) {
+          Shape a = shapeOf(new double[][] @a.vertices{}@, @a.radius@);
+          Shape b = shapeOf(new double[][] @b.vertices{}@, @b.radius@);
+          Transform atA = poseOf(new double[] @a.position{}@, new double[] @a.rotation{}@);
+          Transform atB = poseOf(new double[] @b.position{}@, new double[] @b.rotation{}@);
+          // In the order in which its functions take them: edges, polygons, circles.
+          boolean swap = a instanceof CircleShape && !(b instanceof CircleShape)
+              || b instanceof EdgeShape && !(a instanceof EdgeShape);
+          Shape one = swap ? b : a, two = swap ? a : b;
+          Transform atOne = swap ? atB : atA, atTwo = swap ? atA : atB;
+          Collision collision = new Collision(new DefaultWorldPool(10, 10));
+          Manifold manifold = new Manifold();
+          if (one instanceof EdgeShape edge && two instanceof PolygonShape polygon) {
+            collision.collideEdgeAndPolygon(manifold, edge, atOne, polygon, atTwo);
+          } else if (one instanceof EdgeShape edge && two instanceof CircleShape circle) {
+            collision.collideEdgeAndCircle(manifold, edge, atOne, circle, atTwo);
+          } else if (one instanceof PolygonShape first && two instanceof PolygonShape second) {
+            collision.collidePolygons(manifold, first, atOne, second, atTwo);
+          } else if (one instanceof PolygonShape polygon && two instanceof CircleShape circle) {
+            collision.collidePolygonAndCircle(manifold, polygon, atOne, circle, atTwo);
+          } else if (one instanceof CircleShape first && two instanceof CircleShape second) {
+            collision.collideCircles(manifold, first, atOne, second, atTwo);
+          }
+          WorldManifold world = new WorldManifold();
+          world.initialize(manifold, atOne, one.m_radius, atTwo, two.m_radius);
+          System.out.println(manifold.pointCount + " points, normal " + world.normal
+              + (swap ? " from B to A" : " from A to B"));
+          for (int i = 0; i < manifold.pointCount; ++i) System.out.println(world.points[i]);
+        }
+      }
+      """;
+
+  private static final Collision COLLISION = new Collision(new DefaultWorldPool(10, 10));
+
+  private static Vec2 vectorOf(float[] place) {
+    return new Vec2(place[0], place[1]);
+  }
+
+  // Filled as it stands: PolygonShape.set would weld and reorder.
+  private static PolygonShape polygonOf(Protocol.Body body) {
+    PolygonShape polygon = new PolygonShape();
+    polygon.m_count = body.count();
+    for (int i = 0; i < polygon.m_count; ++i) {
+      double[] normal = body.normal(i);
+      polygon.m_vertices[i].set(vectorOf(body.vertices()[i]));
+      polygon.m_normals[i].set((float) normal[0], (float) normal[1]);
+    }
+    polygon.computeCentroidToOut(polygon.m_vertices, polygon.m_count, polygon.m_centroid);
+    return polygon;
+  }
+
+  private static Shape shapeOf(Protocol.Body body) {
+    Shape shape;
+    if (body.count() == 1) {
+      shape = new CircleShape();
+      ((CircleShape) shape).m_p.set(vectorOf(body.vertices()[0]));
+    } else if (body.count() == 2) {
+      EdgeShape edge = new EdgeShape();
+      edge.set(vectorOf(body.vertices()[0]), vectorOf(body.vertices()[1]));
+      shape = edge;
+    } else {
+      shape = polygonOf(body);
+    }
+    shape.m_radius = body.radius();
+    return shape;
+  }
+
+  private static Transform poseOf(Protocol.Body body) {
+    Transform pose = new Transform();
+    pose.p.set(vectorOf(body.position()));
+    pose.q.c = body.rotation()[0];
+    pose.q.s = body.rotation()[1];
+    return pose;
+  }
+
+  // In the order in which its functions take them: edges, polygons, circles.
+  private static int rank(Protocol.Body body) {
+    return body.count() == 1 ? 2 : body.count() == 2 ? 0 : 1;
+  }
+
+  private static Manifold manifoldOf(Shape one, Transform atOne, Shape two, Transform atTwo) {
+    Manifold manifold = new Manifold();
+    if (one instanceof EdgeShape edge && two instanceof PolygonShape polygon) {
+      COLLISION.collideEdgeAndPolygon(manifold, edge, atOne, polygon, atTwo);
+    } else if (one instanceof EdgeShape edge && two instanceof CircleShape circle) {
+      COLLISION.collideEdgeAndCircle(manifold, edge, atOne, circle, atTwo);
+    } else if (one instanceof PolygonShape first && two instanceof PolygonShape second) {
+      COLLISION.collidePolygons(manifold, first, atOne, second, atTwo);
+    } else if (one instanceof PolygonShape polygon && two instanceof CircleShape circle) {
+      COLLISION.collidePolygonAndCircle(manifold, polygon, atOne, circle, atTwo);
+    } else if (one instanceof CircleShape first && two instanceof CircleShape second) {
+      COLLISION.collideCircles(manifold, first, atOne, second, atTwo);
+    } else {
+      throw new Protocol.Unsupported("has no edge against edge");
+    }
+    return manifold;
+  }
+
+  private static boolean isMitred(Protocol.Body body) {
+    return body.count() > 2 && body.round();
+  }
+
+  private static Protocol.Answer collide(Protocol.Body a, Protocol.Body b) {
+    boolean areRound = a.round() || b.round();
+    boolean swapped = rank(a) > rank(b);
+    Protocol.Body one = swapped ? b : a;
+    Protocol.Body two = swapped ? a : b;
+    if (rank(two) == 1 && a.radius() + b.radius() > 0 && (isMitred(a) || isMitred(b))) {
+      throw new Protocol.Unsupported("its polygons' corners are mitred");
+    }
+    Transform atOne = poseOf(one);
+    Transform atTwo = poseOf(two);
+    Manifold manifold = manifoldOf(shapeOf(one), atOne, shapeOf(two), atTwo);
+    Protocol.Answer answer = new Protocol.Answer();
+    if (manifold.pointCount == 0) return answer;
+
+    // Its world manifold has midpoints and no separations. On either side of a midpoint, along the
+    // normal, are both surfaces; how far, the solver takes from the same clip points and plane.
+    WorldManifold world = new WorldManifold();
+    world.initialize(manifold, atOne, one.radius(), atTwo, two.radius());
+    boolean byTwo = manifold.type == Manifold.ManifoldType.FACE_B;
+    Protocol.Body incident = byTwo ? one : two;
+    for (int i = 0; i < manifold.pointCount; ++i) {
+      Vec2 local = manifold.points[i].localPoint;
+      double[] clipped = incident.toWorld(local.x, local.y);
+      double separation = separationOf(manifold, i, world.normal, atOne, atTwo) - one.radius() - two.radius();
+      if (separation > 0 && areRound) continue; // of edges, there for the solver alone
+      // Of round shapes on the surface, a radius from the core.
+      double out = (byTwo ? 1 : -1) * (areRound ? incident.radius() : 0);
+      answer.add(clipped[0] + out * world.normal.x, clipped[1] + out * world.normal.y,
+          Math.max(0, -separation));
+    }
+    double sign = swapped ? -1 : 1;
+    answer.setNormal(sign * world.normal.x, sign * world.normal.y);
+    if (!areRound) answer.setReference(byTwo ? "b" : "a");
+    return answer;
+  }
+
+  // As PositionSolverManifold.initialize has it, radii left out.
+  private static float separationOf(
+      Manifold manifold, int i, Vec2 normal, Transform atOne, Transform atTwo) {
+    boolean byTwo = manifold.type == Manifold.ManifoldType.FACE_B;
+    Vec2 plane = Transform.mul(byTwo ? atTwo : atOne, manifold.localPoint);
+    Vec2 point = Transform.mul(byTwo ? atOne : atTwo, manifold.points[i].localPoint);
+    float along = Vec2.dot(point.sub(plane), normal);
+    return byTwo ? -along : along;
+  }
+
+  public static void main(String[] arguments) throws IOException {
+    Protocol.serve(DECLARATION, SNIPPET, Jbox2d::collide);
+  }
+}

@@ -1,0 +1,42 @@
+// Rapier's contact manifolds for manifuzz: `manifuzz fuzz --subject-command "node rapier2d-manifold.mjs"`.
+import { serve, toWorld } from "./protocol.mjs";
+import { collidersOf, declaration, snippetThat } from "./rapier2d-bodies.mjs";
+
+const snippet = snippetThat(`world.step();
+let points = [];
+world.contactPair(a, b, (found, flipped) => {
+  const local = (i) => (flipped ? found.localContactPoint2(i) : found.localContactPoint1(i));
+  const all = Array.from({ length: found.numContacts() }, (_, i) => [local(i), found.contactDist(i)]);
+  points = all.filter(([, distance]) => distance <= 0); // others are for its solver
+  console.log(flipped ? "from B" : "from A", found.normal());
+});
+console.log(points.length, "points in A's frame, with distances", points);
+`);
+
+const manifold = {
+  ...declaration,
+  name: "rapier2d",
+  claims: "manifold",
+  snippet,
+  one_point_enough: true, // of capsules at an angle of more than 22.5 degrees
+};
+
+// Its narrow phase may have turned the pair about. Points across a gap are there for its solver.
+function answerOf(world, [a, b], [placed], { pose }) {
+  world.step();
+  let answer = { points: [] };
+  world.contactPair(a, b, (found, flipped) => {
+    const local = (i) => (flipped ? found.localContactPoint2(i) : found.localContactPoint1(i));
+    const outward = flipped ? found.localNormal2() : found.localNormal1();
+    const points = Array.from({ length: found.numContacts() }, (_, i) => i)
+      .filter((i) => !(found.contactDist(i) > 0))
+      .map((i) => ({ local: pairOf(placed.toCase(local(i))), depth: -found.contactDist(i) }));
+    const normal = toWorld({ p: { x: 0, y: 0 }, q: pose.q }, placed.turned(outward));
+    if (points.length > 0) answer = { points, normal };
+  });
+  return answer;
+}
+
+const pairOf = ({ x, y }) => [x, y];
+
+serve(manifold, (a, b) => collidersOf(a, b, (...made) => answerOf(...made, a)));

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+
+#include "judging/ledger/round_deviations.hpp"
+
+namespace manifuzz::ledger_of {
+
+// Box2D 3.2.0, in float. Budgets are twice what 1,000,000 cases against clip64 showed, rounded up.
+inline constexpr Budget kOfBox2d3NoContactOnTiedFeatures[] = {
+    {"sliver", 11000},     {"tied_faces", 43000}, {"near_collinear", 60000},
+    {"corner_corner", 60}, {"scaled", 61},        {"ulp", 7600}};
+inline constexpr Budget kOfBox2d3CornerBeyondSlab[] = {{"capsules", 130},
+                                                       {"round_corners", 670},
+                                                       {"mixed_shapes", 250},
+                                                       {"cores_touch", 25000},
+                                                       {"side_planes", 370}};
+inline constexpr Budget kOfBox2d3CapsuleSlop[] = {{"capsules", 7800},       {"mixed_shapes", 3400},
+                                                  {"in_line", 21000},       {"tilted_edges", 15000},
+                                                  {"voronoi_lines", 14000}, {"cores_touch", 11000},
+                                                  {"large_radii", 78000}};
+inline constexpr Budget kOfBox2d3OnePointBetweenCorners[] = {
+    {"capsules", 370},     {"round_corners", 19000}, {"mixed_shapes", 2000}, {"tilted_edges", 3700},
+    {"voronoi_lines", 61}, {"cores_touch", 1600},    {"large_radii", 36000}};
+inline constexpr Budget kOfBox2d3FaceWithinSlop[] = {
+    {"capsules", 370},      {"round_corners", 7900}, {"mixed_shapes", 1300}, {"in_line", 910},
+    {"tilted_edges", 1300}, {"voronoi_lines", 7500}, {"cores_touch", 7000},  {"large_radii", 1100}};
+inline constexpr Budget kOfBox2d3NoNormalWithinEpsilon[] = {{"cores_touch", 310000}};
+inline constexpr Budget kOfBox2d3DirectionOfRoundedPlace[] = {{"cores_touch", 83000}};
+
+/// The entries, the first that explains before others.
+inline constexpr std::array kOfBox2d3{
+    LedgerEntry{.id = "box2d3-no-contact-on-tied-features",
+                .collider = "box2d3",
+                .description = "no contact for overlapping polygons: faces or edges tie in float, "
+                               "the wrong one is kept, and its slab misses the deepest vertex",
+                .source = "Box2D 3.2.0, src/manifold.c, b2FindMaxSeparation: `si > maxSeparation`, "
+                          "b2CollidePolygons: `dot < minDot`, first of equals",
+                .budgets = kOfBox2d3NoContactOnTiedFeatures,
+                .explains = no_contact_on_tied_features},
+    LedgerEntry{.id = "box2d3-corner-beyond-slab",
+                .collider = "box2d3",
+                .description =
+                    "no contact of corners with radii: no face is farther than 0.0005, and edges "
+                    "are clipped though they are beside each other",
+                .source = "Box2D 3.2.0, src/manifold.c, b2CollidePolygons: separationA > 0.1f * "
+                          "linearSlop; b2ClipPolygons: `upper2 < lower1 || upper1 < lower2`, "
+                          "without the radii",
+                .budgets = kOfBox2d3CornerBeyondSlab,
+                .explains = corner_beyond_slab},
+    LedgerEntry{.id = "box2d3-capsule-slop",
+                .collider = "box2d3",
+                .description =
+                    "of two capsules, an edge's normal within 0.005 of the distance, A's within "
+                    "0.0005 of B's, A's left side where cores touch, and one point where a core's "
+                    "ends are both beyond the other's",
+                .source = "Box2D 3.2.0, src/manifold.c, b2CollideCapsules: sp <= distance + "
+                          "B2_LINEAR_SLOP; separationA + 0.1f * B2_LINEAR_SLOP >= separationB; "
+                          "normal = b2LeftPerp( u1 ); outsideA, outsideB",
+                .budgets = kOfBox2d3CapsuleSlop,
+                .explains = slop_in_box2d3_capsules},
+    LedgerEntry{.id = "box2d3-one-point-between-corners",
+                .collider = "box2d3",
+                .description = "one point of two: cores are nearest at a vertex of each",
+                .source = "Box2D 3.2.0, src/manifold.c, b2CollidePolygons and b2CollideCapsules: a "
+                          "single point between the nearest vertices",
+                .budgets = kOfBox2d3OnePointBetweenCorners,
+                .explains = one_point_between_corners},
+    LedgerEntry{.id = "box2d3-face-within-slop",
+                .collider = "box2d3",
+                .description = "a face's normal though corners beside it are nearer, by up to "
+                               "0.0005: a round pair with two edges",
+                .source = "Box2D 3.2.0, src/manifold.c, b2CollidePolygons: separation + 0.1f * "
+                          "linearSlop < minSeparation; separationA > 0.1f * linearSlop",
+                .budgets = kOfBox2d3FaceWithinSlop,
+                .explains = face_within_box2d3_slop},
+    LedgerEntry{.id = "box2d3-no-normal-within-epsilon",
+                .collider = "box2d3",
+                .description = "a normal of no length: a circle's centre is within 1.2e-7 of the "
+                               "other core",
+                .source = "Box2D 3.2.0, include/box2d/math_functions.h, b2GetLengthAndNormalize: "
+                          "*length < FLT_EPSILON",
+                .budgets = kOfBox2d3NoNormalWithinEpsilon,
+                .explains = no_normal_within_box2d3_epsilon},
+    LedgerEntry{.id = "box2d3-direction-of-rounded-place",
+                .collider = "box2d3",
+                .description = "a circle's centre all but on a capsule's core: the normal is the "
+                               "direction of roundings between both",
+                .source = "Box2D 3.2.0, src/manifold.c, b2CollideCapsuleAndCircle: pA = b2MulAdd( "
+                          "p1, s, e )",
+                .budgets = kOfBox2d3DirectionOfRoundedPlace,
+                .explains = direction_of_rounded_place},
+};
+
+}  // namespace manifuzz::ledger_of
