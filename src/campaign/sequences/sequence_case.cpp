@@ -97,9 +97,8 @@ SequenceCollider watched(const SequenceCollider& subject, const std::function<vo
 }
 
 Judgement counted(const SequenceJudgement& judgement) {
-  return {.bucket = judgement.bucket,
-          .magnitude = judgement.magnitude,
-          .bound = bound_of(judgement)};
+  return {
+      .bucket = judgement.bucket, .magnitude = judgement.magnitude, .bound = bound_of(judgement)};
 }
 
 bool is_alike(const SequenceJudgement& judgement, const SequenceJudgement& root) {

@@ -65,17 +65,18 @@ int list(const std::optional<std::string>& what) {
 }
 
 void add_list_arguments(CLI::App& app, std::optional<std::string>& what) {
-  app.add_option("WHAT", what,
-                 "colliders, regimes, motions, ledger, sweeps or scenes; these lists themselves if not "
-                 "given");
+  app.add_option(
+      "WHAT", what,
+      "colliders, regimes, motions, ledger, sweeps or scenes; these lists themselves if not "
+      "given");
 }
 
 }  // namespace
 
-const Command kList{
-    "list", "What there is, a line each.",
-    "manifuzz list\nmanifuzz list colliders\nmanifuzz list regimes\nmanifuzz list motions\nmanifuzz list ledger\n"
-    "manifuzz list sweeps\nmanifuzz list scenes",
-    define<std::optional<std::string>, add_list_arguments, list>};
+const Command kList{"list", "What there is, a line each.",
+                    "manifuzz list\nmanifuzz list colliders\nmanifuzz list regimes\nmanifuzz list "
+                    "motions\nmanifuzz list ledger\n"
+                    "manifuzz list sweeps\nmanifuzz list scenes",
+                    define<std::optional<std::string>, add_list_arguments, list>};
 
 }  // namespace manifuzz

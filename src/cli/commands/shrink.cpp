@@ -54,8 +54,8 @@ int shrink_file(const ShrinkArguments& options) {
   if (given.is_sequence()) {
     Interruption interruption(kUntilSignal);
     write_data(options.output,
-               format_case(shrunk_sequence(
-                   given, keeper_for(given, options.colliders.subject), interruption)));
+               format_case(shrunk_sequence(given, keeper_for(given, options.colliders.subject),
+                                           interruption)));
     return 0;
   }
   SubjectAndOracle asked = options.colliders;

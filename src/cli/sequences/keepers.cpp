@@ -27,9 +27,10 @@ bool keeps_points(const ColliderChoice& choice) {
 
 SequenceCollider find_keeper(const ColliderChoice& choice) {
   if (!choice.command.empty()) {
-    throw UserError(fmt::format("--{}-command: takes pair cases; a sequence takes --{} with one of "
-                                "`manifuzz list colliders` that keeps points",
-                                choice.role, choice.role));
+    throw UserError(
+        fmt::format("--{}-command: takes pair cases; a sequence takes --{} with one of "
+                    "`manifuzz list colliders` that keeps points",
+                    choice.role, choice.role));
   }
   try {
     return find_sequence_collider(choice.name);
@@ -65,43 +66,38 @@ SequenceCollider keeper_for(const CorpusCase& given, ColliderChoice choice) {
 void expect_none_of(const std::vector<PairOption>& options) {
   for (const PairOption& option : options) {
     if (!option.is_given) continue;
-    throw UserError(
-        fmt::format("{}: is of pair cases; leave it out for sequences", option.name));
+    throw UserError(fmt::format("{}: is of pair cases; leave it out for sequences", option.name));
   }
 }
 
 int collide_sequences(const ColliderChoice& choice, const std::string& file) {
   const SequenceCollider keeper = find_keeper(choice);
-  answer_each_sequence(
-      file, [&](const Sequence& sequence, std::size_t index, std::string& lines) {
-        const std::vector<KeptAnswer> answers = ask_sequence(keeper, sequence);
-        for (std::size_t k = 0; k < answers.size(); ++k) {
-          if (k > 0) lines += '\n';
-          append_kept_answer(lines, sequence.at(k), keeper.declaration.name, {index, k},
-                             answers[k]);
-        }
-      });
+  answer_each_sequence(file, [&](const Sequence& sequence, std::size_t index, std::string& lines) {
+    const std::vector<KeptAnswer> answers = ask_sequence(keeper, sequence);
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+      if (k > 0) lines += '\n';
+      append_kept_answer(lines, sequence.at(k), keeper.declaration.name, {index, k}, answers[k]);
+    }
+  });
   return 0;
 }
 
 int judge_sequences(const ColliderChoice& choice, const std::string& file) {
   const SequenceCollider keeper = find_keeper(choice);
   bool is_any_unexplained = false;
-  answer_each_sequence(
-      file, [&](const Sequence& sequence, std::size_t index, std::string& lines) {
-        JudgedSequence judged{{}, keeper, ask_sequence(keeper, sequence), {}};
-        judged.given.set(sequence);
-        judged.judgement = judge_sequence(sequence, keeper, judged.answers);
-        append_sequence_judgement(lines, index, judged);
-        is_any_unexplained =
-            is_any_unexplained || is_unexplained(judged.judgement.bucket.verdict);
-      });
+  answer_each_sequence(file, [&](const Sequence& sequence, std::size_t index, std::string& lines) {
+    JudgedSequence judged{{}, keeper, ask_sequence(keeper, sequence), {}};
+    judged.given.set(sequence);
+    judged.judgement = judge_sequence(sequence, keeper, judged.answers);
+    append_sequence_judgement(lines, index, judged);
+    is_any_unexplained = is_any_unexplained || is_unexplained(judged.judgement.bucket.verdict);
+  });
   return is_any_unexplained ? 1 : 0;
 }
 
 bool names_motion(const std::vector<std::string>& names) {
-  return std::ranges::any_of(
-      names, [](const std::string& name) { return find_motion(name) != nullptr; });
+  return std::ranges::any_of(names,
+                             [](const std::string& name) { return find_motion(name) != nullptr; });
 }
 
 int generate_sequences(const SequenceDraw& draw) {
