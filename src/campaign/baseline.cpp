@@ -24,7 +24,7 @@ bool is_over_budget(double per_million, std::string_view regime, std::uint64_t h
 std::vector<LedgerResult> ledger_counts(const Tally& tally, const Plan& plan) {
   std::vector<LedgerResult> counts;
   for (const LedgerEntry& entry : ledger()) {
-    if (entry.collider != plan.in_ledger().name) continue;
+    if (entry.collider != plan.oracle.declaration.name) continue;
     LedgerResult count{std::string(entry.id), 0, {}, {}};
     for (std::size_t r = 0; r < plan.regimes.size(); ++r) {
       const std::uint64_t hits = tally.explained[index_of(entry)][r];

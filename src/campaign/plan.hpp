@@ -175,10 +175,6 @@ struct Plan {
   Sequence sequence(CaseNumber number) const {
     return draw_sequence(seed, *sequences->motions[regime_of(number)], index_of(number));
   }
-  /// Whose mistakes the ledger may explain.
-  const Declaration& in_ledger() const {
-    return sequences ? subject.declaration : oracle.declaration;
-  }
 };
 
 /// Those of these names; without names all that have cases which the colliders take.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "collider/sequence_collider.hpp"
+#include "oracle/exact/arithmetic.hpp"
 #include "oracle/exact/placed.hpp"
 
 namespace manifuzz {

@@ -97,14 +97,12 @@ SequenceCollider watched(const SequenceCollider& subject, const std::function<vo
 }
 
 Judgement counted(const SequenceJudgement& judgement) {
-  return {.bucket = judgement.bucket,
-          .magnitude = judgement.magnitude,
-          .bound = bound_of(judgement),
-          .explanation = judgement.explanation};
+  return {
+      .bucket = judgement.bucket, .magnitude = judgement.magnitude, .bound = bound_of(judgement)};
 }
 
 bool is_alike(const SequenceJudgement& judgement, const SequenceJudgement& root) {
-  return is_alike(counted(judgement), counted(root));
+  return is_alike(counted(judgement), counted(root)) && judgement.explanation == root.explanation;
 }
 
 Standing standing(const Sequence& sequence) {

@@ -25,7 +25,7 @@ struct JudgedSequence {
 /// The same collider; `on_frame` runs before each frame that it is asked.
 SequenceCollider watched(const SequenceCollider& subject, const std::function<void()>& on_frame);
 
-/// What campaigns count of a verdict.
+/// What campaigns count of a verdict; the ledger of sequences is not counted.
 Judgement counted(const SequenceJudgement& judgement);
 
 /// Whether it is the same finding: its bucket, its ledger entry, and 0.3 to 3 times its magnitude,

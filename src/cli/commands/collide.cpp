@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
+#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "report/words.hpp"
 
@@ -22,6 +23,10 @@ struct CollideArguments {
 int collide_cases(const CollideArguments& options) {
   if (!options.collider.is_given()) {
     throw UserError("--collider is required; `manifuzz list colliders` names them");
+  }
+  if (keeps_points(options.collider)) {
+    expect_none_of({{"--tie-bias", options.tie_bias.has_value()}});
+    return collide_sequences(options.collider, options.file);
   }
   const Collider collider = find_collider(options.collider, options.external, options.tie_bias);
   answer_each(options.file, [&collider](const PairCase& pair, std::size_t, std::string& line) {
@@ -41,9 +46,10 @@ void add_collide_arguments(CLI::App& app, CollideArguments& options) {
 }  // namespace
 
 const Command kCollide{
-    "collide", "Cases in, manifolds out, a JSON object a line.",
+    "collide", "Cases in, manifolds out, a JSON object a line; of sequences a line a frame.",
     "manifuzz collide --collider clip corpus/seeds/regime-boxes.json\n"
-    "manifuzz generate --regime boxes --cases 100 | manifuzz collide --collider box2d",
+    "manifuzz generate --regime boxes --cases 100 | manifuzz collide --collider box2d\n"
+    "manifuzz generate --regime sliding --cases 1 | manifuzz collide --collider cached",
     define<CollideArguments, add_collide_arguments, collide_cases>};
 
 }  // namespace manifuzz

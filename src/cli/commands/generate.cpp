@@ -6,6 +6,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "cli/options.hpp"
+#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "generating/regime.hpp"
 
@@ -22,6 +23,11 @@ struct GenerateArguments {
 };
 
 int generate_cases(const GenerateArguments& options) {
+  if (names_motion(options.regimes)) {
+    expect_none_of({{"--radius", options.radius.has_value()}});
+    return generate_sequences(
+        {options.regimes, options.seed, options.first.value_or(0), options.cases.value_or(10)});
+  }
   const std::vector<const Regime*> chosen =
       chosen_by_name(regimes(), options.regimes, "regime", "--regime");
   const std::uint64_t first = options.first.value_or(0);
@@ -58,8 +64,10 @@ void add_generate_arguments(CLI::App& app, GenerateArguments& options) {
 
 }  // namespace
 
-const Command kGenerate{"generate", "Cases of the named regimes, one JSON object a line.",
-                        "manifuzz generate --seed 1 --regime sliver --cases 1000 > slivers.jsonl",
-                        define<GenerateArguments, add_generate_arguments, generate_cases>};
+const Command kGenerate{
+    "generate", "Cases of the named regimes, or sequences of the named motions, a line each.",
+    "manifuzz generate --seed 1 --regime sliver --cases 1000 > slivers.jsonl\n"
+    "manifuzz generate --seed 1 --regime turning_platform --cases 10",
+    define<GenerateArguments, add_generate_arguments, generate_cases>};
 
 }  // namespace manifuzz

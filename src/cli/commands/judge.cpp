@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
+#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "exchange/json.hpp"
 #include "judging/manifold_error.hpp"
@@ -25,6 +26,10 @@ struct JudgeArguments {
 
 int judge_cases(const JudgeArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
+  if (keeps_points(asked.subject)) {
+    expect_none_of({{"--manifolds", !options.manifolds.empty()}});
+    return judge_sequences(asked.subject, options.file);
+  }
   const Collider subject = find_collider(asked.subject, asked.external);
   const Collider oracle = find_collider(asked.oracle, asked.external);
   if (options.manifolds == "-" && options.file == "-") {

@@ -8,21 +8,32 @@
 #include "base/text.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
+#include "cli/sequence_colliders.hpp"
 #include "report/outputs.hpp"
+#include "report/sequence/sequence_report.hpp"
 
 namespace manifuzz {
 namespace {
 
-std::string list_colliders() {
+/// What `line_of` says of each that is there, a line each.
+template <class Entry>
+std::string lines_of_colliders(const std::vector<Entry>& entries, const auto& line_of) {
   std::string lines;
-  for (const auto& entry : colliders()) {
+  for (const Entry& entry : entries) {
     try {
-      lines += collider_line(entry.make().declaration);
+      lines += line_of(entry.make());
     } catch (const UserError& error) {
       lines += fmt::format("{:<17} not there: {}\n", entry.name, error.what());
     }
   }
   return lines;
+}
+
+std::string list_colliders() {
+  return lines_of_colliders(
+             colliders(),
+             [](const Collider& collider) { return collider_line(collider.declaration); }) +
+         lines_of_colliders(sequence_colliders(), keeper_line);
 }
 
 struct Catalogue {
@@ -34,6 +45,7 @@ struct Catalogue {
 constexpr Catalogue kCatalogues[] = {
     {"colliders", "what can be a subject or an oracle", list_colliders},
     {"regimes", "the families of cases that fuzz and generate draw from", list_regimes},
+    {"motions", "the families of sequences, for colliders that keep points", list_motions},
     {"ledger", "the known deviations of oracles, with their sources", list_ledger},
     {"sweeps", "what stress turns until a collider breaks", list_sweeps},
     {"scenes", "the scenes that scene runs", list_scenes}};
@@ -53,17 +65,18 @@ int list(const std::optional<std::string>& what) {
 }
 
 void add_list_arguments(CLI::App& app, std::optional<std::string>& what) {
-  app.add_option("WHAT", what,
-                 "colliders, regimes, ledger, sweeps or scenes; these lists themselves if not "
-                 "given");
+  app.add_option(
+      "WHAT", what,
+      "colliders, regimes, motions, ledger, sweeps or scenes; these lists themselves if not "
+      "given");
 }
 
 }  // namespace
 
-const Command kList{
-    "list", "What there is, a line each.",
-    "manifuzz list\nmanifuzz list colliders\nmanifuzz list regimes\nmanifuzz list ledger\n"
-    "manifuzz list sweeps\nmanifuzz list scenes",
-    define<std::optional<std::string>, add_list_arguments, list>};
+const Command kList{"list", "What there is, a line each.",
+                    "manifuzz list\nmanifuzz list colliders\nmanifuzz list regimes\nmanifuzz list "
+                    "motions\nmanifuzz list ledger\n"
+                    "manifuzz list sweeps\nmanifuzz list scenes",
+                    define<std::optional<std::string>, add_list_arguments, list>};
 
 }  // namespace manifuzz

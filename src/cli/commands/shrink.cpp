@@ -7,9 +7,11 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "campaign/sequences/save_sequence.hpp"
 #include "campaign/shrink_saved.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
+#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "report/outputs.hpp"
 
@@ -47,12 +49,20 @@ int shrink_file(const ShrinkArguments& options) {
   if (std::filesystem::is_directory(options.given.name, unknown)) return shrink_folder(options);
   const std::string file = case_file(options.given);
   check_outputs({{{"--output", options.output}}, {file}});
+  const CorpusCase given = read_case_file(
+      file, keeps_points(options.colliders.subject) ? CaseKind::sequence : CaseKind::either);
+  if (given.is_sequence()) {
+    Interruption interruption(kUntilSignal);
+    write_data(options.output,
+               format_case(shrunk_sequence(given, keeper_for(given, options.colliders.subject),
+                                           interruption)));
+    return 0;
+  }
   SubjectAndOracle asked = options.colliders;
   if (!asked.subject.is_given()) asked.subject.name = "clip";
   if (!asked.oracle.is_given()) asked.oracle.name = "box2d";
   const Collider subject = find_collider(asked.subject, asked.external);
   const Collider oracle = find_collider(asked.oracle, asked.external);
-  const CorpusCase given = read_case_file(file);
   Interruption interruption(kUntilSignal);
   const std::string text = format_case(shrunk_case(given, subject, oracle, interruption));
   options.output == "-" ? write_output(text) : write_file(options.output, text);

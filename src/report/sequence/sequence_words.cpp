@@ -11,31 +11,32 @@
 namespace manifuzz {
 namespace {
 
-/// What is wrong in a frame of a kind; `off` is by how much.
-std::string wrong_in_words(Kind kind, const std::string& off) {
+/// What is wrong in a frame of a kind; `off` is by how much, `is_kept`: with a point that is not
+/// new.
+std::string wrong_in_words(Kind kind, bool is_kept, const std::string& off) {
   switch (kind) {
     case Kind::missed_contact:
       return "nothing is kept, and they overlap by " + off;
     case Kind::phantom_contact:
-      return "a point is new where they are apart by " + off;
+      return "a new point where they are apart by " + off;
     case Kind::normal:
-      return "a normal is off by " + off;
+      return (is_kept ? "the normal did not turn with its body, off by "
+                      : "a new point's normal is off by ") +
+             off;
     case Kind::depth:
-      return "no point is as deep as they overlap, by " + off;
+      return "no point is as deep as they overlap: short by " + off;
     case Kind::position:
-      return "an anchor is off the surface by " + off;
-    case Kind::count:
-      return "the points leave out a depth of " + off;
+      return "an anchor has moved on its body by " + off;
     case Kind::reversed:
-      return "a normal points from B to A";
+      return "a new point's normal points from B to A";
     case Kind::inconsistent:
-      return "a depth is not that between its anchors, by " + off;
+      return "a depth is not what lies between its anchors, off by " + off;
     case Kind::not_minimal:
       return "along a new point's normal they overlap by " + off + " more than the least";
     case Kind::witness:
-      return "a new point is not where they overlap as it says, by " + off;
+      return "a new point is not where they overlap as it says, off by " + off;
     case Kind::extent:
-      return "the points span less of the contact than they should, by " + off;
+      return "a point is gone that should be kept: " + off + " of the contact is lost";
     case Kind::lingering:
       return "a point is kept past what is declared, by " + off;
     default:
@@ -78,10 +79,14 @@ std::string frame_in_words(const JudgedSequence& judged, std::size_t frame) {
   }
   if (frame >= judged.judgement.frames.size()) return "not judged";
   const FrameJudgement& verdict = judged.judgement.frames[frame];
+  if (verdict.is_ill_posed) return "rounding hides the answer";
   if (verdict.kind == Kind::none) return "right";
   const double length = verdict.magnitude * size(judged.given.sequence().at(frame));
   const bool is_direction = verdict.kind == Kind::normal;
-  return wrong_in_words(verdict.kind, brief(is_direction ? verdict.magnitude : length));
+  const std::vector<KeptPoint> points = points_in(judged, frame);
+  const bool is_kept = verdict.point && *verdict.point < points.size() &&
+                       points[*verdict.point].born != static_cast<int>(frame);
+  return wrong_in_words(verdict.kind, is_kept, brief(is_direction ? verdict.magnitude : length));
 }
 
 std::string verdict_sentence(const JudgedSequence& judged) {
