@@ -70,8 +70,8 @@ double greatest_depth(const FrameView& view) {
 /// How far a point is to one side of all that are there, at least, whichever of its anchors counts.
 double beyond_all(const FrameView& view, const KeptPoint& gone, const Vector2<double>& side) {
   const auto least_and_most = [&](const KeptPoint& point) {
-    return std::minmax(place_along(view.pair(), Side::a, point.anchor_a, side),
-                       place_along(view.pair(), Side::b, point.anchor_b, side));
+    return std::minmax({place_along(view.pair(), Side::a, point.anchor_a, side),
+                        place_along(view.pair(), Side::b, point.anchor_b, side)});
   };
   const double place = least_and_most(gone).first;
   double beyond = std::numeric_limits<double>::infinity();

@@ -15,8 +15,8 @@ FrameJudgement of_length(const FrameView& view, Kind kind, double magnitude, dou
 }
 
 /// The point as a detection of its own, on one side's surface, in A's frame.
-Manifold<double> detected(const PairCase& pair, const KeptPoint& point,
-                          const Vector2<double>& place) {
+Manifold<double> detected_at(const PairCase& pair, const KeptPoint& point,
+                             const Vector2<double>& place) {
   Manifold<double> manifold;
   manifold.count = 1;
   manifold.normal = local_normal(pair, point.normal);
@@ -25,17 +25,16 @@ Manifold<double> detected(const PairCase& pair, const KeptPoint& point,
   return manifold;
 }
 
-FrameJudgement judge_on_surface(const FrameView& view, const KeptPoint& point, PointsAt side) {
+/// By the anchor on A; the one on B is a depth away.
+FrameJudgement judge_detection(const FrameView& view, const KeptPoint& point) {
   Declaration declaration = view.subject.declaration;
   declaration.claims = Claims::point;
-  declaration.points = side;
+  declaration.points = PointsAt::surface_a;
   // Across gaps that it keeps it may detect as well, its depth rounded as at birth.
   const double gap = rounded_limit(view.keeping().gap.of(view.pair()), declaration);
   declaration.speculative = std::max(declaration.speculative, gap) + view.bound().birth.consistency;
-  const Vector2<double> place =
-      side == PointsAt::surface_a ? point.anchor_a : anchor_b_in_a(view.pair(), point);
   const CurveJudgement curve = judge_by_curve(
-      view.truth, declaration, detected(view.pair(), point, place), view.bound().birth);
+      view.truth, declaration, detected_at(view.pair(), point, point.anchor_a), view.bound().birth);
   if (curve.kind == Kind::normal || curve.kind == Kind::reversed) {
     return {.kind = curve.kind, .magnitude = curve.magnitude, .bound = curve.bound};
   }
@@ -106,7 +105,7 @@ void add_lingering(std::vector<FrameJudgement>& found, const FrameView& view,
 }  // namespace
 
 FrameJudgement judge_birth(const FrameView& view, const KeptPoint& point) {
-  FrameJudgement found = judge_on_surface(view, point, PointsAt::surface_a);
+  FrameJudgement found = judge_detection(view, point);
   if (is_wrong(found)) return found;
   const AnchorsNow now = anchors_now(view.pair(), point, point.normal);
   const KeptBounds& bound = view.bound();
@@ -117,7 +116,11 @@ FrameJudgement judge_birth(const FrameView& view, const KeptPoint& point) {
   if (now.drift > 2 * bound.birth.across) {
     return of_length(view, Kind::witness, now.drift, 2 * bound.birth.across);
   }
-  return judge_on_surface(view, point, PointsAt::surface_b);
+  return {};
+}
+
+Manifold<double> detected_on_b(const PairCase& pair, const KeptPoint& point) {
+  return detected_at(pair, point, anchor_b_in_a(pair, point));
 }
 
 std::vector<FrameJudgement> judge_kept(const FrameView& view, const KeptPoint& point) {

@@ -50,6 +50,9 @@ struct FrameView {
 std::optional<std::string> why_malformed(const Keeping& keeping,
                                          std::span<const KeptAnswer> answers, std::size_t frame);
 
+/// A point as a detection of its own, on B's surface, in A's frame.
+Manifold<double> detected_on_b(const PairCase& pair, const KeptPoint& point);
+
 /// What is wrong with a point that is born in this frame: by the penetration curve.
 FrameJudgement judge_birth(const FrameView& view, const KeptPoint& point);
 

@@ -88,7 +88,7 @@ class SequenceJudge {
     const FrameView view{sequence_, subject_, answers_, frame, truth, bounds_};
     std::vector<FrameJudgement> found = judge_frame(view);
     for (FrameJudgement& judgement : found)
-      judgement.explanation = find_explanation(view, judgement);
+      judgement.explanation = find_sequence_explanation(view, judgement);
     const auto gravest = std::ranges::min_element(found, is_graver);
     result_.frames.push_back(gravest == found.end() ? FrameJudgement{} : *gravest);
     if (result_.frames.size() == 1 || is_graver(result_.frames.back(), worst_)) {

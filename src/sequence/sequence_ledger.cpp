@@ -22,7 +22,7 @@ bool normal_of_the_world(const FrameView& view, const FrameJudgement& judgement)
   const KeptPoint& birth = view.birth_of(point);
   const double bound = view.bound().normal;
   if ((point.normal - birth.normal).norm() > bound) return false;
-  if (judgement.kind == Kind::normal) return true;
+  if (judgement.kind == Kind::normal) return !view.is_born(point);
   if (judgement.kind != Kind::extent) return false;
   const AnchorsNow now = anchors_now(view.pair(), point, point.normal);
   return -now.depth > view.keeping().gap.of(view.pair()) - view.bound().gap ||
@@ -42,12 +42,45 @@ bool slot_by_areas(const FrameView& view, const FrameJudgement& judgement) {
          });
 }
 
+/// The answer as bullet-epa would give it: the same queries of the same prisms, and nothing kept.
+bool detected_by_epa(const FrameView& view, const FrameJudgement& judgement) {
+  Manifold<double> got;
+  if (judgement.point) {
+    if (judgement.kind == Kind::extent) return false;
+    const KeptPoint& point = point_of(view, judgement);
+    if (!view.is_born(point)) return false;
+    got = detected_on_b(view.pair(), point);
+  }
+  const Declaration& declaration = view.subject.declaration;
+  const auto truth = std::make_shared<const exact::Truth>(view.pair());
+  const Admissible right = admissible(truth, declaration);
+  return find_explanation("bullet-epa", {right, got, judgement.kind}) != nullptr;
+}
+
+/// Where the solver of penetrations is asked about shapes that are apart, the distance is that of
+/// its points, and the normal an axis of before; the anchor on A lies along it.
+bool axis_across_gap(const FrameView& view, const FrameJudgement& judgement) {
+  constexpr double asked_within = 0.001;  // gGjkEpaPenetrationTolerance
+  if (!judgement.point || judgement.kind == Kind::extent) return false;
+  const KeptPoint& point = point_of(view, judgement);
+  const double bound = view.bound().birth.consistency;
+  const exact::PenetrationCurve curve(view.truth, exact::Skin::round);
+  return view.is_born(point) && point.depth <= bound && point.depth >= -asked_within - bound &&
+         std::abs(point.depth - curve.least()) <= bound;
+}
+
 constexpr std::string_view kWorldNormal = "the normal stays in the world while both bodies turn";
 constexpr std::string_view kWorldNormalSource =
     "Bullet 3.24, btPersistentManifold.cpp, refreshContactPoints: m_normalWorldOnB is never turned";
 constexpr std::string_view kAreas =
     "a fifth point takes the slot of one that is deepest or at an end: areas on a line are 0";
 constexpr std::string_view kAreasSource = "Bullet 3.24, btPersistentManifold.cpp, sortCachedPoints";
+
+constexpr std::string_view kAxisSource =
+    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual: "
+    "normalInB = m_cachedSeparatingAxis where calcPenDepth is false";
+constexpr std::string_view kEpaSource =
+    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual, and btGjkEpa2.cpp";
 
 constexpr SequenceEntry entry_of(std::string_view id, std::string_view collider,
                                  std::string_view description, std::string_view source,
@@ -59,6 +92,11 @@ constexpr std::array kSequenceLedger{
     entry_of("bullet-cached-world-normal", "bullet-cached", kWorldNormal, kWorldNormalSource,
              normal_of_the_world),
     entry_of("bullet-cached-slot-by-areas", "bullet-cached", kAreas, kAreasSource, slot_by_areas),
+    entry_of("bullet-cached-detection", "bullet-cached",
+             "what is detected is wrong as bullet-epa's answers are", kEpaSource, detected_by_epa),
+    entry_of("bullet-cached-axis-across-gap", "bullet-cached",
+             "a gap below 0.001 has its width as distance, and an axis of before as normal",
+             kAxisSource, axis_across_gap),
     entry_of("cached-bullet-world-normal", "cached-bullet", kWorldNormal, kWorldNormalSource,
              normal_of_the_world),
     entry_of("cached-bullet-slot-by-areas", "cached-bullet", kAreas, kAreasSource, slot_by_areas),
@@ -70,7 +108,8 @@ std::span<const SequenceEntry> sequence_ledger() {
   return kSequenceLedger;
 }
 
-const LedgerEntry* find_explanation(const FrameView& view, const FrameJudgement& judgement) {
+const LedgerEntry* find_sequence_explanation(const FrameView& view,
+                                             const FrameJudgement& judgement) {
   // What keeps the points of another collider is named after both.
   const std::string_view name = view.subject.declaration.name;
   const std::string_view keeper = name.substr(0, name.find('+'));

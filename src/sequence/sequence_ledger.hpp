@@ -17,6 +17,7 @@ struct SequenceEntry {
 std::span<const SequenceEntry> sequence_ledger();
 
 /// The first entry that explains what this collider did in a frame, or nullptr.
-const LedgerEntry* find_explanation(const FrameView& view, const FrameJudgement& judgement);
+const LedgerEntry* find_sequence_explanation(const FrameView& view,
+                                             const FrameJudgement& judgement);
 
 }  // namespace manifuzz

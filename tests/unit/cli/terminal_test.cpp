@@ -20,9 +20,9 @@ const std::string kYellow = "\x1b[33m";
 const std::string kErased = "\r\x1b[K";
 
 /// A campaign in which Box2D is at fault.
-std::vector<std::string> campaign(const TemporaryFolder& folder,
-                                  const std::vector<std::string>& more,
-                                  const char* cases = "5000") {
+std::vector<std::string> box2d_campaign(const TemporaryFolder& folder,
+                                        const std::vector<std::string>& more,
+                                        const char* cases = "5000") {
   const std::vector<std::string> words{
       manifuzz_path(), "fuzz", "--subject", "box2d",
       "--oracle",      "clip", "--regime",  "tie_bias",
@@ -45,7 +45,7 @@ bool has_colour(const std::string& text) {
 
 TEST_CASE("a terminal shows what decides the status in red, what is new in yellow") {
   const TemporaryFolder folder;
-  const std::string text = shown({"TERM=xterm"}, campaign(folder, {"--no-save"}));
+  const std::string text = shown({"TERM=xterm"}, box2d_campaign(folder, {"--no-save"}));
   CHECK_THAT(text, Contains(kYellow + "new "));
   CHECK_THAT(text, Contains(kRed + "subject/subject_wrong/missed_contact"));
   CHECK_THAT(text, Contains(kRed + "subject_wrong "));
@@ -70,13 +70,14 @@ TEST_CASE("without its colours the text is what a pipe gets") {
 
 TEST_CASE("nothing is coloured where it is not wanted, or no terminal shows it") {
   const TemporaryFolder folder;
-  const auto all = campaign(folder, {"--no-save"});
+  const auto all = box2d_campaign(folder, {"--no-save"});
   CHECK_FALSE(has_colour(run_program(all).out));
   CHECK_FALSE(has_colour(shown({"TERM=dumb"}, all)));
   CHECK_FALSE(has_colour(shown({"-u", "TERM"}, all)));
   CHECK_FALSE(has_colour(shown({"TERM=xterm", "NO_COLOR=1"}, all)));
   CHECK(has_colour(shown({"TERM=xterm", "NO_COLOR="}, all)));
-  CHECK_FALSE(has_colour(shown({"TERM=xterm"}, campaign(folder, {"--no-save", "--no-color"}))));
+  CHECK_FALSE(
+      has_colour(shown({"TERM=xterm"}, box2d_campaign(folder, {"--no-save", "--no-color"}))));
   CHECK_FALSE(has_colour(shown({"TERM=xterm"}, {manifuzz_path(), "--no-color", "fuz"})));
   CHECK_FALSE(has_colour(shown({"TERM=xterm"}, {manifuzz_path(), "fuzz", "--sed", "--no-color"})));
 }
@@ -93,17 +94,17 @@ TEST_CASE("each stream is coloured for itself") {
 
 TEST_CASE("progress is for terminals, and not for quiet ones") {
   const TemporaryFolder folder;
-  CHECK_THAT(shown({"TERM=xterm"}, campaign(folder, {}, "100")),
+  CHECK_THAT(shown({"TERM=xterm"}, box2d_campaign(folder, {}, "100")),
              Contains("\rshrinking ") && Contains(kErased));
   const TemporaryFolder another;
-  const Outcome piped = run_program(campaign(another, {}, "100"));
+  const Outcome piped = run_program(box2d_campaign(another, {}, "100"));
   CHECK(piped.err.empty());
   CHECK(piped.out.find('\r') == std::string::npos);
   for (const char* terminal : {"TERM=xterm", "TERM=dumb"}) {
     const TemporaryFolder third;
     const bool is_able = terminal == std::string("TERM=xterm");
-    const auto command =
-        campaign(third, is_able ? std::vector<std::string>{"--quiet"} : std::vector<std::string>{});
+    const auto command = box2d_campaign(
+        third, is_able ? std::vector<std::string>{"--quiet"} : std::vector<std::string>{});
     CHECK(shown({terminal}, command).find(kErased) == std::string::npos);
   }
 }
@@ -111,11 +112,12 @@ TEST_CASE("progress is for terminals, and not for quiet ones") {
 TEST_CASE("a quiet campaign says what decides its status, where a file has the rest") {
   const TemporaryFolder folder;
   const std::string json = (folder.path() / "summary.json").string();
-  const Outcome loud = run_program(campaign(folder, {"--no-save", "--json", json}));
+  const Outcome loud = run_program(box2d_campaign(folder, {"--no-save", "--json", json}));
   CHECK_THAT(loud.out, Contains("box2d against clip"));
-  CHECK_THAT(run_program(campaign(folder, {"--no-save", "--quiet"})).out,
+  CHECK_THAT(run_program(box2d_campaign(folder, {"--no-save", "--quiet"})).out,
              Contains("box2d against clip"));
-  const Outcome quiet = run_program(campaign(folder, {"--no-save", "--quiet", "--json", json}));
+  const Outcome quiet =
+      run_program(box2d_campaign(folder, {"--no-save", "--quiet", "--json", json}));
   CHECK(quiet.status == 1);
   CHECK(quiet.err.empty());
   CHECK(quiet.out.starts_with("new subject/"));

@@ -102,6 +102,13 @@ TEST_CASE("the deepest point stays, and the farthest to either side; the others 
   CHECK(ids(kept) == Ids{1, 4, 5});
 }
 
+TEST_CASE("ends are told in A's frame, however B is turned in it") {
+  Kept kept;
+  const Pose<double> quarter{{3, 4}, {0, 1}};
+  for (const double x : {-1.0, 1.0, 0.0}) kept.frame(quarter, below_top(x, 0.5 + x / 8));
+  CHECK(ids(kept) == Ids{0, 1});
+}
+
 TEST_CASE("of equal depths the last born is the deepest") {
   Kept kept;
   for (const double x : {-1.0, 1.0, 0.25, -0.25}) kept.frame(kHere, below_top(x, 0.5));

@@ -34,7 +34,9 @@ class Keeper {
     methods::reduce(cache_, b_in_a_);
     KeptManifold kept;
     for (const Point& point : cache_.all()) kept.points.push_back(said_of(point, pair));
-    if (is(Mistake::too_many)) kept.points.resize(4, {.id = 99, .born = cache_.frame});
+    for (int id = 100; is(Mistake::too_many) && kept.points.size() < 4; ++id) {
+      kept.points.push_back({.id = id, .born = cache_.frame, .normal = {1, 0}});
+    }
     ++cache_.frame;
     last_ = kept;
     return kept;
@@ -58,7 +60,7 @@ class Keeper {
     if (!found) return;
     const double aside = 0.3 * size(pair) / length_;
     const Vector2<double> tangent = counter_clockwise_quarter(found->normal);
-    if (is(Mistake::anchor_aside)) found->on_a += aside * tangent;
+    if (is(Mistake::anchor_aside)) found->on_b += aside * tangent;
     if (is(Mistake::both_aside)) {
       const double far = 10 * (extent(pair) + total_radius(pair)) / length_;
       found->on_a += far * tangent;

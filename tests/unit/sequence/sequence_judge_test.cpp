@@ -1,8 +1,6 @@
 #include "sequence/sequence_judge.hpp"
 
-#include <map>
-#include <set>
-#include <string>
+#include <cmath>
 
 #include <catch2/catch.hpp>
 
@@ -18,62 +16,29 @@ SequenceJudgement judged(const SequenceCollider& subject, const Sequence& sequen
   return judge_sequence(sequence, subject, answers);
 }
 
-/// How many sequences were wrong, by kind; `malformed` has none.
-std::map<std::string, int> wrong_kinds(const SequenceCollider& subject, int sequences,
-                                       std::string_view only = {}) {
-  std::map<std::string, int> kinds;
-  for (const Motion& motion : motions()) {
-    if (!only.empty() && only != motion.name) continue;
-    for (int i = 0; i < sequences; ++i) {
-      const Bucket bucket = judged(subject, draw_sequence(3, motion, i)).bucket;
-      if (bucket.fault == Fault::none) continue;
-      ++kinds[bucket.verdict == Verdict::malformed ? "malformed"
-                                                   : std::string(name_of(bucket.kind, kKindNames))];
-    }
-  }
-  return kinds;
-}
-
-/// Whether these are the only kinds that a mistake shows in, and the first of them shows.
-void check_kinds(Mistake mistake, std::string_view motion, const std::string& kind,
-                 const std::set<std::string>& besides = {}) {
-  const auto kinds = wrong_kinds(keeper_with(mistake), 300, motion);
-  INFO("mistake " << static_cast<int>(mistake) << " in " << motion);
-  for (const auto& [name, count] : kinds) {
-    INFO(name << ' ' << count);
-    CHECK((name == kind || besides.contains(name)));
-  }
-  CHECK(kinds.contains(kind));
-  if (kinds.contains(kind)) CHECK(kinds.at(kind) >= 5);
+Bucket bucket_of(const Sequence& sequence, const SequenceCollider& subject,
+                 std::span<const KeptAnswer> answers) {
+  return judge_sequence(sequence, subject, answers).bucket;
 }
 
 }  // namespace
 
-TEST_CASE("keepers without a mistake are right in every motion") {
-  for (const SequenceCollider& subject :
-       {keeper_with(Mistake::none), keeper_with(Mistake::keeps_nothing), make_cached(),
-        make_cached64()}) {
-    INFO(subject.declaration.name);
-    CHECK(wrong_kinds(subject, 100).empty());
-  }
+TEST_CASE("keepers are right without a mistake, and wrong in the kind of theirs with one") {
+  const auto complaint = complaint_about(bucket_of);
+  INFO(complaint.value_or(""));
+  CHECK_FALSE(complaint.has_value());
 }
 
-TEST_CASE("a keeper with one mistake is wrong in the kind of its mistake") {
-  check_kinds(Mistake::stale_normal, "turning_platform", "normal");
-  check_kinds(Mistake::past_gap, "apart_and_back", "lingering");
-  check_kinds(Mistake::past_drift, "sliding", "lingering");
-  check_kinds(Mistake::past_turn, "rocking", "lingering");
-  check_kinds(Mistake::stale_depth, "apart_and_back", "inconsistent");
-  check_kinds(Mistake::drops_deepest, "rocking", "extent");
-  check_kinds(Mistake::drops_end, "rocking", "extent");
-  check_kinds(Mistake::false_birth, "sliding", "inconsistent", {"not_minimal", "witness", "depth"});
-  check_kinds(Mistake::anchor_aside, "resting", "witness");
-  check_kinds(Mistake::both_aside, "resting", "witness");
-  check_kinds(Mistake::moves_anchors, "sliding", "position");
-  check_kinds(Mistake::detects_no_more, "apart_and_back", "missed_contact", {"depth"});
-  check_kinds(Mistake::shares_ids, "rocking", "malformed", {"extent", "normal"});
-  check_kinds(Mistake::born_before, "sliding", "malformed");
-  check_kinds(Mistake::too_many, "resting", "malformed");
+TEST_CASE("what cached keeps is right in every motion") {
+  for (const SequenceCollider& subject : {make_cached(), make_cached64()}) {
+    for (const Motion& motion : motions()) {
+      for (int i = 0; i < 100; ++i) {
+        INFO(subject.declaration.name << ' ' << motion.name << ' ' << i);
+        const Bucket bucket = judged(subject, draw_sequence(3, motion, i)).bucket;
+        REQUIRE(bucket.fault == Fault::none);
+      }
+    }
+  }
 }
 
 TEST_CASE("what is lost, unsupported or not finite decides a sequence") {

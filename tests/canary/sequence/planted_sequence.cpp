@@ -1,0 +1,22 @@
+// Copied with the bugs planted into the judge of sequences, and compiled under a namespace of
+// theirs.
+#include "canary/sequence/sequence_bugs.hpp"
+#include "sequence/extent.cpp"
+#include "sequence/frame_judge.cpp"
+#include "sequence/kept_bounds.cpp"
+#include "sequence/kept_point.cpp"
+#include "sequence/sequence_judge.cpp"
+#include "sequence/sequence_ledger.cpp"
+
+namespace manifuzz {
+namespace {
+
+Bucket bucket_of(const Sequence& sequence, const SequenceCollider& subject,
+                 std::span<const KeptAnswer> answers) {
+  return judge_sequence(sequence, subject, answers).bucket;
+}
+
+[[maybe_unused]] const bool planted = canary::add_sequence_judges({PLANTED_BUGS}, bucket_of);
+
+}  // namespace
+}  // namespace manifuzz
