@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "cli/options.hpp"
+#include "cli/sequence_colliders.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "own_colliders/own_colliders.hpp"
 #include "report/outputs.hpp"
@@ -121,6 +122,12 @@ std::optional<Collider> find_installed(const std::string& name) {
 
 Collider find_collider(std::string_view name) {
   if (const ColliderEntry* const entry = find_entry(name)) return entry->make();
+  if (find_sequence_entry(name) != nullptr) {
+    throw UserError(
+        fmt::format("{} keeps points over frames: it takes sequences, and these are "
+                    "pair cases",
+                    name));
+  }
   std::vector<std::string_view> names = names_of(colliders());
   names.emplace_back("./LIBRARY.so");
   throw UserError(no_such("collider", name, names));
