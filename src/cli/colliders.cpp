@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "cli/engines.hpp"
 #include "cli/options.hpp"
+#include "cli/sequence_colliders.hpp"
 #include "oracle/box2d/box2d.hpp"
 #include "own_colliders/own_colliders.hpp"
 #include "report/outputs.hpp"
@@ -134,6 +135,12 @@ std::optional<Collider> find_made_over(std::string_view prefix, std::string_view
 Collider find_collider(std::string_view name) {
   if (const ColliderEntry* const entry = find_entry(name)) return entry->make();
   if (const auto base = find_made_over("perturbed+", name)) return make_perturbed_over(*base);
+  if (find_sequence_entry(name) != nullptr) {
+    throw UserError(
+        fmt::format("{} keeps points over frames: it takes sequences, and these are "
+                    "pair cases",
+                    name));
+  }
   std::vector<std::string_view> names = names_of(colliders());
   names.emplace_back("perturbed+NAME");
   names.emplace_back("./LIBRARY.so");

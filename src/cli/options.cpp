@@ -147,8 +147,10 @@ void add_seed(CLI::App& app, std::optional<std::uint64_t>& seed) {
 }
 
 void add_regimes(CLI::App& app, std::vector<std::string>& names) {
-  app.add_option("--regime", names,
-                 "a regime to draw from, again for more; all by turns if not given")
+  app.add_option(
+         "--regime", names,
+         "a regime, or of sequences a motion, to draw from, again for more; all by turns if not "
+         "given")
       ->type_name("R")
       ->allow_extra_args(false);
 }

@@ -9,8 +9,10 @@
 #include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "campaign/run.hpp"
+#include "campaign/sequences/sequence_plan.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
+#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"
 #include "report/ci/ci_output.hpp"
@@ -46,15 +48,30 @@ struct FuzzArguments {
   CiOutput ci;
 };
 
-/// All of the plan that options decide; what is wrong with them comes before a seed is drawn.
-Plan plan_of(const FuzzArguments& options) {
-  Plan plan;
+/// Which cases, and who is asked about them.
+void plan_cases(Plan& plan, const FuzzArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
+  if (keeps_points(asked.subject)) {
+    expect_none_of({{"--oracle", asked.oracle.name != SubjectAndOracle().oracle.name},
+                    {"--oracle-command", !asked.oracle.command.empty()},
+                    {"--tie-bias", options.tie_bias.has_value()},
+                    {"--radius", options.radius.has_value()},
+                    {"--judge-every", options.judge_every.has_value()},
+                    {"--report", !options.report.empty()}});
+    return plan_sequences(plan, find_keeper(asked.subject), options.regimes);
+  }
   plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
   plan.oracle = find_collider(asked.oracle, asked.external);
+  expect_no_motions(options.regimes);
   plan.regimes = regimes_for({&plan.subject, &plan.oracle}, options.regimes);
   if (options.radius) plan.context.radius = radius_of(*options.radius);
   narrow_to_colliders(plan);
+}
+
+/// All of the plan that options decide; what is wrong with them comes before a seed is drawn.
+Plan plan_of(const FuzzArguments& options) {
+  Plan plan;
+  plan_cases(plan, options);
   plan.first = options.first.value_or(0);
   plan.cases = options.cases;
   expect_indices(plan.first, plan.cases.value_or(1), plan.regimes.size());
@@ -72,7 +89,9 @@ Plan plan_of(const FuzzArguments& options) {
 /// The beginning of a command that repeats a case: whatever it depends on besides regime, seed and
 /// index.
 std::string repeating_command(const FuzzArguments& options) {
-  std::string command = fmt::format("{} fuzz {}", this_program(), options_again(options.colliders));
+  SubjectAndOracle again = options.colliders;
+  if (keeps_points(again.subject)) again.oracle.name.clear();
+  std::string command = fmt::format("{} fuzz {}", this_program(), options_again(again));
   if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
   if (options.radius) command += fmt::format(" --radius {}", *options.radius);
   if (options.judge_every) command += fmt::format(" --judge-every {}", *options.judge_every);
@@ -130,8 +149,9 @@ CommandFiles files_of(const FuzzArguments& options) {
 Campaign run_with_progress(const Plan& plan, const Known& known, const FuzzArguments& options) {
   const SaveTo save_to{.folder = options.no_save ? "" : options.corpus,
                        .shrink_seconds = options.shrink_seconds.value_or(kShrinkSeconds)};
-  const Origin origin{repeating_command(options),
-                      provenance(plan.seed, {plan.subject.declaration, plan.oracle.declaration})};
+  std::vector<Declaration> asked{plan.subject.declaration};
+  if (!plan.sequences) asked.push_back(plan.oracle.declaration);
+  const Origin origin{repeating_command(options), provenance(plan.seed, asked)};
   const ProgressLine line;
   return run_campaign(plan, known, save_to, origin,
                       [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
@@ -148,7 +168,7 @@ int fuzz(FuzzArguments& options) {
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
-  Known known = known_of(corpus.cases, options.today);
+  Known known = known_of(plan.sequences ? corpus.sequences : corpus.cases, options.today);
   if (baseline) add_baseline(*baseline, plan, known);
   Campaign campaign = run_with_progress(plan, known, options);
   if (baseline) hold_against(*baseline, campaign.result);
@@ -192,9 +212,12 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
 }  // namespace
 
 const Command kFuzz{
-    "fuzz", "A campaign: random cases to two colliders; what differs is judged, shrunk, saved.",
+    "fuzz",
+    "A campaign: random cases to two colliders; what differs is judged, shrunk, saved. A subject "
+    "that keeps points gets sequences, of the motions that --regime names, and is judged alone.",
     "manifuzz fuzz --regime sliver --seed 1 --cases 100000\n"
-    "manifuzz fuzz --until-new --regime sliver --seed 1 --cases 20000",
+    "manifuzz fuzz --until-new --regime sliver --seed 1 --cases 20000\n"
+    "manifuzz fuzz --subject cached --regime turning_platform --seed 1 --cases 1000",
     define<FuzzArguments, add_fuzz_arguments, fuzz>};
 
 }  // namespace manifuzz

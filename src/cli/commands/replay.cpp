@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
+#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"
 #include "report/ci/ci_output.hpp"
@@ -29,19 +30,24 @@ int replay(ReplayArguments& options) {
   if (paths.empty()) paths.emplace_back("corpus");
   check_outputs({{{"--json", options.json}}, paths}, options.ci);
   const SubjectAndOracle& asked = options.colliders;
-  NamedColliders colliders(find_installed_or_named(paths),
-                           given_collider(asked.subject, asked.external),
-                           given_collider(asked.oracle, asked.external));
-  const Corpus corpus = read_corpus(paths);
+  const bool is_of_sequences = keeps_points(asked.subject);
+  NamedColliders colliders(
+      find_installed_or_named(paths),
+      is_of_sequences ? std::nullopt : given_collider(asked.subject, asked.external),
+      given_collider(asked.oracle, asked.external));
+  NamedKeepers keepers = named_keepers(asked.subject);
+  const Corpus corpus = taken_by(asked.subject, read_corpus(paths));
   const std::size_t unread = corpus.errors.size();
   write_complaints(corpus.errors);
-  if (corpus.cases.empty() && unread == 0) {
+  if (corpus.cases.empty() && corpus.sequences.empty() && unread == 0) {
     throw UserError("replay: there is no case; name files or folders of cases");
   }
 
   Interruption interruption(kUntilSignal);
-  const ReplayRun run =
+  ReplayRun run =
       replay_cases(corpus.cases, colliders, known_of(corpus.cases, options.today), interruption);
+  run.add(replay_sequences(corpus.sequences, keepers, known_of(corpus.sequences, options.today),
+                           interruption));
   Outputs outputs;
   if (run.left_out > 0) outputs.add_error("replay: interrupted before it was done");
   outputs.write(!options.ci.stdout_is_data, [&] { write_to_reader(replay_text(run)); });
@@ -77,7 +83,7 @@ void add_replay_arguments(CLI::App& app, ReplayArguments& options) {
 
 }  // namespace
 
-const Command kReplay{"replay", "Every corpus case again: the subject must be right.",
+const Command kReplay{"replay", "Every corpus case and sequence again: the subject must be right.",
                       "manifuzz replay corpus --subject clip --oracle box2d",
                       define<ReplayArguments, add_replay_arguments, replay>};
 

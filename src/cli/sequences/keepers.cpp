@@ -9,6 +9,7 @@
 #include "campaign/sequences/sequence_case.hpp"
 #include "cli/options.hpp"
 #include "cli/sequence_colliders.hpp"
+#include "report/outputs.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/sequence/sequence_report.hpp"
 #include "sequence/kept_json.hpp"
@@ -98,6 +99,29 @@ int judge_sequences(const ColliderChoice& choice, const std::string& file) {
 bool names_motion(const std::vector<std::string>& names) {
   return std::ranges::any_of(names,
                              [](const std::string& name) { return find_motion(name) != nullptr; });
+}
+
+void expect_no_motions(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (find_motion(name) == nullptr) continue;
+    throw UserError(fmt::format(
+        "--regime: {} is a motion, of sequences; they take a subject that keeps points: --subject "
+        "{}",
+        name, kUsualKeeper));
+  }
+}
+
+Corpus taken_by(const ColliderChoice& subject, Corpus corpus) {
+  if (!subject.is_given()) return corpus;
+  const bool is_keeper = keeps_points(subject);
+  std::vector<CorpusCase>& others = is_keeper ? corpus.cases : corpus.sequences;
+  if (!others.empty()) {
+    write_remark(fmt::format("left out: {} {}, which --{}{} does not take", others.size(),
+                             is_keeper ? "pair cases" : "sequences", subject.role,
+                             subject.command.empty() ? " " + subject.name : "-command"));
+  }
+  others.clear();
+  return corpus;
 }
 
 int generate_sequences(const SequenceDraw& draw) {

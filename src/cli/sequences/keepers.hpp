@@ -51,6 +51,13 @@ int generate_sequences(const SequenceDraw& draw);
 /// Whether a regime's name is a motion's.
 bool names_motion(const std::vector<std::string>& names);
 
+/// Fails where one is, and says who takes it.
+void expect_no_motions(const std::vector<std::string>& names);
+
+/// What of a corpus the subject takes, if one was named: pair cases or sequences, else both. Says
+/// on stderr what is left out.
+Corpus taken_by(const ColliderChoice& subject, Corpus corpus);
+
 /// The text of a sequence and, where a file is named for it, its filmstrip.
 int show_sequence(const CorpusCase& given, const ColliderChoice& choice,
                   const std::string& picture);
