@@ -258,17 +258,18 @@ void keep_two(const Alongside<Scalar>& seen, const ContactPoint<Scalar>& low,
 /// manifold of 0 or 1 points in A's frame, B standing at `b_in_a`, and is asked once more for each
 /// turn: one each way at least where the contact may go on. The article's way of shapes that are
 /// perturbed, each point measured on the shapes as they stand. Polygons that are sharp or mitred:
-/// points are on cores.
+/// points are on cores. `detection_roundoff`, a length, is how much of a separation may be rounding
+/// in a detection that rounds more than the scalar does.
 template <class Scalar, class Detect>
 Manifold<Scalar> contact_by_perturbing(const ConvexPolygon<Scalar>& a,
                                        const ConvexPolygon<Scalar>& b, const Pose<Scalar>& b_in_a,
-                                       const Detect& detect) {
+                                       const Detect& detect, Scalar detection_roundoff = 0) {
   Manifold<Scalar> manifold = detect(a, b, b_in_a);
   // What only touches has no end that is deeper than rounding.
   if (manifold.count == 0 || !(manifold.points[0].depth > 0)) return manifold;
   const ConvexPolygon<Scalar> placed = transform(b_in_a, b);
   const Alongside<Scalar> seen(a, placed, manifold);
-  const Scalar roundoff = clipping::separation_roundoff(a, placed);
+  const Scalar roundoff = std::max(clipping::separation_roundoff(a, placed), detection_roundoff);
   // A detection's point is off by 10 u E, turned and mapped back by three rotations and the sums
   // with the pivot: less than 32 u E in all.
   const Scalar off = 8 * roundoff;
