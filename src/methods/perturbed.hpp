@@ -7,21 +7,23 @@
 #include "clipping/deepest_contact.hpp"
 
 // The article's third way without clipping: a detection that finds one point is asked again with
-// one shape turned a little, once each way.
+// one shape turned a little, each way.
 //
-//   turn      about the farthest place, along the contact, where both shapes may touch, and so that
-//             the point found first is lifted: by (its depth) / (its distance from there), the
-//             slope of the chord from the point to a contact of no depth at that place
+//   turn      about the point found first, by the chord from there to the farthest place along the
+//             contact where both shapes are in front of each other, and lifted by the point's
+//             depth: at both ends of the chord the shapes then just touch
 //   map back  what the turned shapes have for a point to where the shape stands
 //   measure   how deep both shapes overlap there, anew, along the normal found first
 //
-// The chord is what decides the angle. A shape is convex, so that the overlap over the contact's
-// places is concave: it lies above the chord wherever the contact ends at that place or past it.
-// Turned by the chord, what is as deep as the chord has no depth, and what is deeper is found;
-// turned by more, places could be found that do not touch. So an end is found if it is above the
-// chord, which ends of long edges are; an end that is below it, of an edge that is short beside
-// what both shapes have in front of each other, and steep, is not. To turn A or to turn B back is
-// the same question: both are asked in A's frame, and the pose alone is turned, no vertex.
+// The chord is what decides the angle. Shapes are convex, so their overlap over the contact's
+// places is concave: between the chord's ends it is above the chord, and what is most above it the
+// turned shapes have for their deepest point. If that place does not touch as the shapes stand, the
+// contact ends before it, and the next chord goes there. If the chord's own end touches, the chord
+// goes to no depth instead, and the end is above it. So both ends are found, however short an edge
+// is, unless it is tilted by more than turns go: a turn is not a shear, and by more than an eighth
+// of a half turn (Bullet's limit, too) other faces of the turned shapes come into play. To turn A
+// or to turn B back is the same question: both are asked in A's frame, and the pose alone is
+// turned, no vertex.
 
 namespace manifuzz::methods {
 
@@ -79,6 +81,10 @@ class Alongside {
     high_ = std::min(high_a, high_b);
   }
 
+  /// The contact's normal.
+  const Vector2<Scalar>& normal() const { return normal_; }
+  /// Whose face the normal is of.
+  Side reference() const { return reference_; }
   /// The tangent: the normal turned by a quarter counter-clockwise.
   const Vector2<Scalar>& along() const { return along_; }
   /// How far along the tangent a point lies.
@@ -157,34 +163,73 @@ class Alongside {
   Scalar high_ = 0;
 };
 
-/// A turn about a pivot.
+/// A turn about a pivot, and a shift.
 template <class Scalar>
 struct TurnAbout {
-  Vector2<Scalar> pivot{0, 0};     ///< stays where it is
+  Vector2<Scalar> pivot{0, 0};     ///< what is turned about
   Vector2<Scalar> rotation{1, 0};  ///< (cos, sin)
+  Vector2<Scalar> shift{0, 0};     ///< after the turn
 
   /// A pose that is turned.
   Pose<Scalar> turned(const Pose<Scalar>& pose) const {
-    return {pivot + rotate<Scalar>(rotation, pose.position - pivot),
+    return {pivot + shift + rotate<Scalar>(rotation, pose.position - pivot),
             rotate(rotation, pose.rotation)};
   }
   /// Where a point was before.
   Vector2<Scalar> back(const Vector2<Scalar>& point) const {
-    return pivot + rotate_back<Scalar>(rotation, point - pivot);
+    return pivot + rotate_back<Scalar>(rotation, point - shift - pivot);
   }
 };
 
-/// The turn of B that lifts a contact's point by the chord from it to the last place along the
-/// tangent, or against it; none where the point is that place but for `roundoff`, a length.
+/// The tangent of an eighth of a half turn, the largest turn.
+inline constexpr double kSteepestChord = 0.41421356237309503;
+
+/// The turn of B after which the shapes just touch both at a contact's point and at a place that is
+/// `run` away from it along the tangent, a length with a sign, where they overlap by `depth`, a
+/// length; if that is more than 0, or too far below, at the point alone.
 template <class Scalar>
-std::optional<TurnAbout<Scalar>> turn_by_chord(const Alongside<Scalar>& seen,
-                                               const ContactPoint<Scalar>& point, bool is_along,
-                                               Scalar roundoff) {
-  const Scalar run = seen.last(is_along) - seen.place(point.position);
-  if (is_along ? run <= roundoff : run >= -roundoff) return std::nullopt;
-  const Scalar length = std::hypot(run, point.depth);
-  const Scalar sine = std::copysign(point.depth / length, run);
-  return TurnAbout<Scalar>{point.position + run * seen.along(), {std::abs(run) / length, sine}};
+TurnAbout<Scalar> turn_by_chord(const Alongside<Scalar>& seen, const ContactPoint<Scalar>& point,
+                                Scalar run, Scalar depth) {
+  const Scalar steepest = static_cast<Scalar>(kSteepestChord) * std::abs(run);
+  const Scalar rise = std::min(point.depth - std::min(depth, Scalar(0)), steepest);
+  const Scalar length = std::hypot(run, rise);
+  const Scalar sine = std::copysign(rise / length, run);
+  const Vector2<Scalar> rotation(std::abs(run) / length, sine);
+  // Away from the reference face, which has been turned where it is B's.
+  const bool is_turned = seen.reference() == Side::b;
+  const Vector2<Scalar> up = is_turned ? rotate(rotation, seen.normal()) : seen.normal();
+  return {point.position, rotation, point.depth * up};
+}
+
+/// The other end of a contact, along the tangent from the point found first or against it; none
+/// where no place is found that touches, deeper than `roundoff`, and is farther away than `off`,
+/// lengths both. `detect_turned(turn)` is the detection with B turned.
+template <class Scalar, class Detect>
+std::optional<ContactPoint<Scalar>> end_of_contact(const Alongside<Scalar>& seen,
+                                                   const ContactPoint<Scalar>& first, bool is_along,
+                                                   Scalar roundoff, Scalar off,
+                                                   const Detect& detect_turned) {
+  const Scalar from = seen.place(first.position);
+  const Scalar way = is_along ? 1 : -1;
+  Scalar run = way * (seen.last(is_along) - from);
+  while (run > off) {
+    const auto depth = seen.depth_at(from + way * run, Scalar(0));
+    if (!depth) return std::nullopt;
+    const TurnAbout<Scalar> turn = turn_by_chord(seen, first, way * run, *depth);
+    const Manifold<Scalar> found = detect_turned(turn);
+    if (found.count == 0 || found.points[0].depth <= roundoff) return std::nullopt;
+    const Vector2<Scalar>& position = found.points[0].position;
+    // What lies on A has not been turned.
+    const bool is_on_b = found.reference == Side::a;
+    const Scalar found_run = way * (seen.place(is_on_b ? turn.back(position) : position) - from);
+    const bool is_beyond = found_run > off;
+    if (const auto point = seen.point_at(from + way * found_run, off); point && is_beyond) {
+      return point;
+    }
+    if (!is_beyond || found_run >= run - off) return std::nullopt;
+    run = found_run;
+  }
+  return std::nullopt;
 }
 
 /// Of the point found first, which is the deepest, and of what was found on either side of it along
@@ -210,38 +255,33 @@ void keep_two(const Alongside<Scalar>& seen, const ContactPoint<Scalar>& low,
 }
 
 /// The manifold of two shapes by a detection that finds one point: `detect(a, b, b_in_a)` gives a
-/// manifold of 0 or 1 points in A's frame, B standing at `b_in_a`, and is asked three times at
-/// most. The article's way of shapes that are perturbed, each point measured on the shapes as they
-/// stand. Polygons that are sharp or mitred: points are on cores.
+/// manifold of 0 or 1 points in A's frame, B standing at `b_in_a`, and is asked once more for each
+/// turn: one each way at least where the contact may go on. The article's way of shapes that are
+/// perturbed, each point measured on the shapes as they stand. Polygons that are sharp or mitred:
+/// points are on cores. `detection_roundoff`, a length, is how much of a separation may be rounding
+/// in a detection that rounds more than the scalar does.
 template <class Scalar, class Detect>
 Manifold<Scalar> contact_by_perturbing(const ConvexPolygon<Scalar>& a,
                                        const ConvexPolygon<Scalar>& b, const Pose<Scalar>& b_in_a,
-                                       const Detect& detect) {
+                                       const Detect& detect, Scalar detection_roundoff = 0) {
   Manifold<Scalar> manifold = detect(a, b, b_in_a);
   // What only touches has no end that is deeper than rounding.
   if (manifold.count == 0 || !(manifold.points[0].depth > 0)) return manifold;
   const ConvexPolygon<Scalar> placed = transform(b_in_a, b);
   const Alongside<Scalar> seen(a, placed, manifold);
-  const Scalar roundoff = clipping::separation_roundoff(a, placed);
+  const Scalar roundoff = std::max(clipping::separation_roundoff(a, placed), detection_roundoff);
   // A detection's point is off by 10 u E, turned and mapped back by three rotations and the sums
   // with the pivot: less than 32 u E in all.
   const Scalar off = 8 * roundoff;
   const ContactPoint<Scalar> first = manifold.points[0];
-  ContactPoint<Scalar> low = first;
-  ContactPoint<Scalar> high = first;
-  for (const bool is_along : {true, false}) {
-    const auto turn = turn_by_chord(seen, first, is_along, off);
-    if (!turn) continue;
-    const Manifold<Scalar> found = detect(a, b, turn->turned(b_in_a));
-    if (found.count == 0) continue;
-    const Vector2<Scalar>& position = found.points[0].position;
-    // What lies on A has not been turned.
-    const bool is_on_b = found.reference == Side::a;
-    const auto point = seen.point_at(seen.place(is_on_b ? turn->back(position) : position), off);
-    if (!point) continue;
-    if (seen.place(point->position) < seen.place(low.position)) low = *point;
-    if (seen.place(point->position) > seen.place(high.position)) high = *point;
-  }
+  const auto detect_turned = [&](const TurnAbout<Scalar>& turn) {
+    return detect(a, b, turn.turned(b_in_a));
+  };
+  const auto end = [&](bool is_along) {
+    return end_of_contact(seen, first, is_along, roundoff, off, detect_turned).value_or(first);
+  };
+  const ContactPoint<Scalar> high = end(true);
+  const ContactPoint<Scalar> low = end(false);
   keep_two(seen, low, high, roundoff, off, manifold);
   return manifold;
 }

@@ -44,7 +44,12 @@ Answer perturbed_answers(const Collider& base, const PairCase& pair) {
     one.points[0].position /= placed.local_per_world;
     return one;
   };
-  Manifold<double> manifold = methods::contact_by_perturbing(placed.a, placed.b, b_in_a, detect);
+  // Turned poses are rounded to floats, whatever the collider computes in.
+  constexpr double kFloatRoundings = 0x1p29;
+  const double roundoff =
+      kFloatRoundings * clipping::separation_roundoff(placed.a, transform(b_in_a, placed.b));
+  Manifold<double> manifold =
+      methods::contact_by_perturbing(placed.a, placed.b, b_in_a, detect, roundoff);
   if (no_manifold) return *no_manifold;
   for (int i = 0; i < manifold.count; ++i) manifold.points[i].position *= placed.local_per_world;
   return manifold;

@@ -82,16 +82,15 @@ std::string complete_after(const FrameErrors& frames) {
 }
 
 std::string table_of_frames(const std::vector<MethodRow>& rows) {
-  std::string text =
-      fmt::format("{:<20}{:>8}{:>8}{:>10}{:>10}{:>9}{:>8}{:>9}{:>8}{:>8}\n", "", "ns", "ns",
-                  "depth", "normal", "points", "extent", "frames to", "", "");
-  text += fmt::format("{:<20}{:>8}{:>8}{:>10}{:>10}{:>9}{:>8}{:>9}{:>8}{:>8}\n", "", "a pair",
+  std::string text = fmt::format("{:<19}{:>8}{:>8}{:>9}{:>9}{:>9}{:>8}{:>11}{:>8}{:>9}\n", "", "ns",
+                                 "ns", "depth", "normal", "points", "extent", "frames to", "", "");
+  text += fmt::format("{:<19}{:>8}{:>8}{:>9}{:>9}{:>9}{:>8}{:>11}{:>8}{:>9}\n", "", "a pair",
                       "a frame", "off", "off", "missing", "lost", "complete", "linger", "flicker");
   std::string method;
   for (const MethodRow* const row : rows_of_subjects(rows, "frames")) {
     if (row->method != method) text += row->method + "\n";
     method = row->method;
-    text += fmt::format("  {:<18}{:>8}{:>8}{:>10.2g}{:>10.2g}{:>9.2f}{:>8}{:>9}{:>8}{:>8}\n",
+    text += fmt::format("  {:<17}{:>8}{:>8}{:>9.1g}{:>9.1g}{:>9.2f}{:>8}{:>11}{:>8}{:>9}\n",
                         row->subject.name, nanoseconds(find_row(rows, row->subject.name, "mixed")),
                         nanoseconds(row), row->errors.of_size.depth.p999,
                         row->errors.of_size.normal.p999, row->errors.points_missing,
@@ -139,17 +138,17 @@ struct Panel {
 constexpr double kLeastDrawn = 1e-9;
 
 std::vector<Panel> panels() {
-  return {{"time a frame, ns", "{:.0f}", true,
+  return {{"time of\\na frame, ns", "{:.0f}", true,
            [](const MethodRow& row) {
              return row.timing ? std::optional(row.timing->ns_per_pair) : std::nullopt;
            }},
-          {"depth off, share of size\\n(99.9% of contacts)", "{:.0e}", true,
+          {"depth off by\\n(share of size)", "{:.0e}", true,
            [](const MethodRow& row) { return row.errors.of_size.depth.p999; }},
-          {"contact not spanned,\\n% of its extent", "{:.1f}", false,
+          {"contact not\\nspanned, %", "{:.1f}", false,
            [](const MethodRow& row) { return 100 * row.errors.extent_lost; }},
-          {"frames until both\\nends are there", "{:.0f}", false,
+          {"frames until it\\nis spanned", "{:.0f}", false,
            [](const MethodRow& row) { return row.frames->frames_to_complete; }},
-          {"number of points\\nflickers, % of frames", "{:.1f}", false,
+          {"flickers, %\\nof frames", "{:.1f}", false,
            [](const MethodRow& row) { return 100 * row.frames->flicker; }}};
 }
 
@@ -244,7 +243,8 @@ Json methods_json(const std::vector<MethodRow>& rows, const std::vector<MethodSu
 void write_methods_plot(const std::string& path, const std::vector<MethodRow>& rows) {
   const std::vector<Bar> bars = bars_of(rows_of_subjects(rows, "frames"));
   std::string text = fmt::format(
-      "set multiplot title \"Ways to contact points, over the same moving polygons\" noenhanced\n"
+      "set multiplot title \"Ways to contact points, over the same moving polygons: the shorter a "
+      "bar, the better\" noenhanced\n"
       "set tmargin at screen 0.86\nset bmargin at screen 0.03\n"
       "set yrange [{}:0]\nunset ytics\nunset xtics\nset border 2 linecolor '#999999'\n"
       "set style fill solid 0.85 noborder\n",

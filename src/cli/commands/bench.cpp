@@ -103,7 +103,7 @@ std::vector<MethodSubject> all_methods() {
 }
 
 MethodsOptions quick_methods() {
-  return {.judged = 500, .sequences = 8, .timing = quick_bench().timing};
+  return {.judged = 500, .sequences = 40, .timing = quick_bench().timing};
 }
 
 /// Prints and writes what a run gave: its table, its rows and its pictures.

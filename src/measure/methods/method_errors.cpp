@@ -33,12 +33,11 @@ void MethodCollector::add(std::uint64_t index, const TrueContact& truth,
     return;
   }
   ++counts_.cases;
-  const bool touches = !said.points.empty();
-  if (touches && !truth.for_float.may_touch) ++counts_.phantom;
+  if (said.touches && !truth.for_float.may_touch) ++counts_.phantom;
   ExtentLeftOut left;
   if (truth.for_float.must_touch) {
     ++counts_.contacts;
-    if (!touches) ++counts_.missed;
+    if (!said.touches) ++counts_.missed;
     left = extent_left_out(*truth.truth, {},
                            bounds(truth.truth->pair(), declaration, truth.truth->extent()),
                            said.ends());
@@ -47,7 +46,7 @@ void MethodCollector::add(std::uint64_t index, const TrueContact& truth,
       extent_lost_ += *share;
       ++extents_;
     }
-    if (touches) add_errors(index, truth, said);
+    if (said.touches) add_errors(index, truth, said);
   }
   add_frame(truth, left, said, is_start);
 }
@@ -60,7 +59,7 @@ void MethodCollector::add_errors(std::uint64_t index, const TrueContact& truth,
   for (const Vector2<double>& right : minima) {
     normal = std::min(normal, (said.normal - right).norm());
   }
-  const double depth = std::abs(said.points.front().depth - truth.curve.least());
+  const double depth = std::abs(said.depth - truth.curve.least());
   constexpr double unit = 0x1p-24;
   const double length = unit * truth.truth->extent();
   of_extent_.add(index, {.normal = normal / unit, .position = 0, .depth = depth / length});

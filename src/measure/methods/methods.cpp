@@ -69,17 +69,16 @@ Frames apart(std::vector<PairCase> pairs) {
   return frames;
 }
 
-/// Asks a keeper for frame after frame, a new one for each sequence.
+/// Asks a keeper for frame after frame; what it keeps of each sequence lasts from pass to pass.
 std::function<void()> pass_of_keeper(const SequenceCollider& keeper, const Frames& frames) {
-  return [keeper, frames, said = std::make_shared<KeptAnswer>()] {
+  using Ask = std::function<KeptAnswer(const PairCase&)>;
+  const auto asks = std::make_shared<std::vector<Ask>>();
+  for (std::size_t i = 0; i < frames.starts.size(); ++i) asks->push_back(keeper.begin());
+  return [&frames, asks, said = std::make_shared<KeptAnswer>()] {
     std::size_t sequence = 0;
-    std::function<KeptAnswer(const PairCase&)> ask;
     for (std::size_t i = 0; i < frames.pairs.size(); ++i) {
-      if (sequence < frames.starts.size() && frames.starts[sequence] == i) {
-        ask = keeper.begin();
-        ++sequence;
-      }
-      *said = ask(frames.pairs[i]);
+      if (sequence < frames.starts.size() && frames.starts[sequence] == i) ++sequence;
+      *said = (*asks)[sequence - 1](frames.pairs[i]);
     }
   };
 }

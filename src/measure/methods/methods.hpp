@@ -62,8 +62,8 @@ struct MethodRow {
 
 struct MethodsOptions {
   std::uint64_t seed = 1;
-  std::size_t judged = 5'000;  ///< pairs a workload
-  std::size_t sequences = 60;  ///< of each motion
+  std::size_t judged = 5'000;   ///< pairs a workload
+  std::size_t sequences = 250;  ///< of each motion
   TimingOptions timing;
 };
 

@@ -11,6 +11,8 @@ namespace {
 void deepest_first(TouchingPoints& said) {
   std::erase_if(said.points, [](const ContactPoint<double>& point) { return !(point.depth >= 0); });
   std::ranges::stable_sort(said.points, std::greater{}, &ContactPoint<double>::depth);
+  said.touches = !said.points.empty();
+  if (said.touches) said.depth = said.points.front().depth;
 }
 
 Pose<double> b_in_a(const PairCase& pair) {
@@ -21,11 +23,6 @@ Pose<double> b_in_a(const PairCase& pair) {
 }
 
 }  // namespace
-
-Penetration TouchingPoints::deepest() const {
-  if (points.empty()) return {};
-  return {.touches = true, .normal = normal, .depth = points.front().depth};
-}
 
 Manifold<double> TouchingPoints::ends() const {
   Manifold<double> manifold;
@@ -41,6 +38,10 @@ Manifold<double> TouchingPoints::ends() const {
 
 TouchingPoints touching_points(const Answer& answer) {
   TouchingPoints said;
+  if (const auto* const whole = std::get_if<Penetration>(&answer)) {
+    const Vector2<double> none(0, 0);
+    return {true, whole->touches, whole->normal.value_or(none), whole->depth, {}};
+  }
   const Manifold<double>* const manifold = manifold_in(answer);
   if (manifold == nullptr) return said;
   said.is_answered = true;
@@ -66,17 +67,31 @@ TouchingPoints touching_points(const PairCase& pair, const KeptAnswer& answer) {
   return said;
 }
 
+namespace {
+
+/// How many points a clip has; none where rounding may show another number.
+std::optional<int> decided_count(const Admissible& right, const exact::Clip& clip) {
+  if (may_miss(right, clip) || clip.count < 2) return std::nullopt;
+  int count = 0;
+  for (const exact::ClipPoint& point : points_of(clip)) {
+    if (is_at_zero_depth(right, clip, point)) return std::nullopt;
+    count += compare_depth(clip, point, 0) > 0 ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace
+
 ClipNow clip_now(const Admissible& right) {
   if (!right.may_touch) return {.is_decided = true, .count = 0};
-  if (!right.must_touch || right.candidates.size() != 1) return {};
-  const exact::Clip& clip = *right.candidates.front();
-  if (may_miss(right, clip) || clip.count < 2) return {};
-  ClipNow now{.is_decided = true, .count = 0};
-  for (const exact::ClipPoint& point : points_of(clip)) {
-    if (is_at_zero_depth(right, clip, point)) return {};
-    now.count += compare_depth(clip, point, 0) > 0 ? 1 : 0;
-  }
-  return now;
+  if (!right.must_touch || right.candidates.empty()) return {};
+  // Faces that are parallel tie; their clips have as many points.
+  const auto first = decided_count(right, *right.candidates.front());
+  const bool is_decided =
+      first && std::ranges::all_of(right.candidates, [&](const exact::Clip* clip) {
+        return decided_count(right, *clip) == first;
+      });
+  return is_decided ? ClipNow{.is_decided = true, .count = *first} : ClipNow{};
 }
 
 int lingering_points(const PairCase& pair, const TouchingPoints& said, double bound) {

@@ -8,14 +8,15 @@
 
 namespace manifuzz {
 
-/// The points with which an answer says that shapes touch, kept or not, in A's frame.
+/// What an answer says of shapes that touch, by points that are kept or not, in A's frame.
 struct TouchingPoints {
   bool is_answered = false;  ///< there is an answer
-  Vector2<double> normal{0, 0};
-  std::vector<ContactPoint<double>> points;  ///< of depth 0 or more, the deepest first
+  bool touches = false;
+  Vector2<double> normal{0, 0};  ///< from A to B; of points the deepest's
+  double depth = 0;              ///< of points the deepest's
+  std::vector<ContactPoint<double>>
+      points;  ///< of depth 0 or more, the deepest first; if it gives any
 
-  /// The deepest alone, as an answer of the pair as a whole.
-  Penetration deepest() const;
   /// The two that are farthest from each other along the tangent, or the only one.
   Manifold<double> ends() const;
 };
