@@ -17,11 +17,11 @@ std::string list_motions();
 
 /// How deep the shapes truly overlap in a frame, and along which normals, in the world, from A to
 /// B: each at which the depth is least within the subject's bound.
-struct TrueContact {
+struct TrueOverlap {
   double depth = 0;  ///< a world length; negative across a gap
   std::vector<Vector2<double>> normals;
 };
-TrueContact true_contact(const PairCase& pair, const Declaration& subject);
+TrueOverlap true_overlap(const PairCase& pair, const Declaration& subject);
 
 /// What is wrong in a frame, or "right"; of an answer that never came, what became of it.
 std::string frame_in_words(const JudgedSequence& judged, std::size_t frame);

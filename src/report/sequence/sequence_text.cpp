@@ -71,7 +71,7 @@ void write_frame(std::string& text, const JudgedSequence& judged, std::size_t fr
   text += fmt::format("frame {}: {}\n", frame, is_wrong ? bad(words) : words);
   add_row(text, "A", pose_in_words(pair.a.pose));
   add_row(text, "B", pose_in_words(pair.b.pose));
-  const TrueContact truth = true_contact(pair, judged.subject.declaration);
+  const TrueOverlap truth = true_overlap(pair, judged.subject.declaration);
   std::string true_words = fmt::format("{} {}, normal", truth.depth < 0 ? "apart by" : "overlap",
                                        digits_of(truth.depth < 0 ? -truth.depth : truth.depth));
   for (const Vector2<double>& normal : truth.normals) {
@@ -127,8 +127,8 @@ void append_sequence_judgement(std::string& lines, std::size_t sequence,
   for (std::size_t k = 0; k < judged.given.frames.size(); ++k) {
     static constexpr FrameJudgement kNotJudged{};
     const FrameJudgement& frame = k < judgement.frames.size() ? judgement.frames[k] : kNotJudged;
-    const TrueContact truth =
-        true_contact(judged.given.sequence().at(k), judged.subject.declaration);
+    const TrueOverlap truth =
+        true_overlap(judged.given.sequence().at(k), judged.subject.declaration);
     if (k > 0) lines += '\n';
     fmt::format_to(std::back_inserter(lines),
                    "{{\"sequence\": {}, \"frame\": {}, \"penetration\": {{\"depth\": ", sequence,

@@ -53,11 +53,11 @@ std::string length_in_words(const ShapeLength& length) {
 
 }  // namespace
 
-TrueContact true_contact(const PairCase& pair, const Declaration& subject) {
+TrueOverlap true_overlap(const PairCase& pair, const Declaration& subject) {
   const exact::Truth truth(pair);
   const exact::PenetrationCurve curve(truth, exact::skin_of(truth));
   const double bound = bounds(pair, subject).separation;
-  TrueContact contact{curve.least(), {}};
+  TrueOverlap contact{curve.least(), {}};
   for (const Vector2<double>& normal : curve.minima(std::isfinite(bound) ? bound : 0)) {
     contact.normals.push_back(world_normal(pair, normal));
   }
