@@ -32,7 +32,7 @@ constexpr std::string_view kFilmstripStyle = R"(
 .anchor.a{fill:#0072b2;stroke:#ffffff;stroke-width:1}
 .anchor.b{fill:#e69f00;stroke:#ffffff;stroke-width:1}
 .born{fill:none;stroke:#14181f;stroke-width:1.4}
-.wrong-words{fill:#a01030;font-weight:bold}
+.wrong-words{fill:#a01030}
 )";
 
 /// A pair as it stands in a frame, seen from A's position.
@@ -186,7 +186,8 @@ class Filmstrip {
               "legend");
     double y = panel.bottom() + 17;
     const auto write = [&](const std::string& words, std::string_view css) {
-      y = write_down(svg_, words, {panel.x, y}, panel.right(), kFrameWordsFont, css);
+      const Font font{kFrameWordsFont.size, css == "wrong-words"};
+      y = write_down(svg_, words, {panel.x, y}, panel.right(), font, css);
     };
     write(frame_in_words(judged_, frame), is_wrong(frame) ? "wrong-words" : "legend");
     const TrueOverlap truth = true_overlap(pair_at(frame), judged_.subject.declaration);
