@@ -87,23 +87,22 @@ class ByCurve {
     if (said_.touches && said_.depth >= 0) result_.minimal = is_minimal(along);
     const bool is_right = *result_.consistent && result_.minimal.value_or(true);
     if (!is_right && is_reversed()) return found(Kind::reversed, 2, bounds_.normal);
-    if (*result_.consistent && !is_right && is_excess_small(along)) {
+    if (*result_.consistent && !is_right && is_least(curve_, along)) {
       return found(Kind::normal, nearest_.error(*said_.normal), nearest_.bound());
     }
-    if (!*result_.consistent) {
+    if (!*result_.consistent)
       return found(Kind::inconsistent, depth_error(along), bounds_.consistency);
-    }
-    if (!result_.minimal.value_or(true)) {
+    if (!result_.minimal.value_or(true))
       return found(Kind::not_minimal, std::abs(*result_.excess), bounds_.minimality);
-    }
     if (said_.manifold == nullptr) return result_;
     result_.witness = has_witnesses(along);
     if (!*result_.witness) return found(Kind::witness, witness_error(along), bounds_.along);
     if (declaration_.claims != Claims::manifold) return result_;
     const Bounds of_clip = bounds(truth_.pair(), declaration_, truth_.extent());
-    if (!is_round_) return judge_extent(of_clip);
-    const auto second = second_point_mismatch(truth_, declaration_, of_clip, *said_.manifold);
-    return second ? found(second->kind, second->magnitude, second->bound) : result_;
+    const auto ends =
+        is_round_ ? second_point_mismatch(truth_, declaration_, of_clip, *said_.manifold)
+                  : extent_mismatch(truth_, declaration_, of_clip, tolerance_, *said_.manifold);
+    return ends ? found(ends->kind, ends->magnitude, ends->bound) : result_;
   }
 
  private:
@@ -112,16 +111,6 @@ class ByCurve {
     result_.magnitude = magnitude;
     result_.bound = bound;
     return result_;
-  }
-
-  CurveJudgement judge_extent(Bounds of_clip) {
-    if (!promises_extent(declaration_)) return result_;
-    of_clip.separation *= 2;  // so much more than the least depth a face may have that it takes
-    const ExtentLeftOut left =
-        extent_left_out(truth_, declaration_.tie_bias, of_clip, *said_.manifold);
-    const double bound = left.bound + 2 * tolerance_;
-    if (left.lost <= bound) return result_;
-    return found(said_.manifold->count < 2 ? Kind::count : Kind::extent, left.lost, bound);
   }
 
   bool touches_as_it_should() {
@@ -180,7 +169,6 @@ class ByCurve {
     return is_round_ && (!truth_.has_faces() || truth_.compare_separation(-bounds_.touching) >= 0);
   }
 
-  bool is_excess_small(const Along& along) const { return is_least(curve_, along); }
   bool is_minimal(const Along& along) const {
     if (nearest_.may_be_near() && nearest_.error(along.local_normal()) <= nearest_.bound())
       return true;

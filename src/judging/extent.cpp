@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "judging/admissible.hpp"
-
 namespace manifuzz {
 namespace {
 
@@ -74,9 +72,16 @@ ExtentLeftOut extent_left_out(const exact::Truth& truth, const TieBias& tie_bias
   return least.value_or(ExtentLeftOut{});
 }
 
-bool promises_extent(const Declaration& declaration) {
-  return declaration.claims == Claims::manifold && !declaration.clips &&
-         !declaration.one_point_enough;
+std::optional<Mismatch> extent_mismatch(const exact::Truth& truth, const Declaration& declaration,
+                                        const Bounds& bounds, double tolerance,
+                                        const Manifold<double>& manifold) {
+  if (declaration.clips || declaration.one_point_enough) return std::nullopt;
+  Bounds of_faces = bounds;
+  of_faces.separation *= 2;  // so much more than the least depth a face may have that it takes
+  const ExtentLeftOut left = extent_left_out(truth, declaration.tie_bias, of_faces, manifold);
+  const double bound = left.bound + 2 * tolerance;
+  if (left.lost <= bound) return std::nullopt;
+  return Mismatch{manifold.count < 2 ? Kind::count : Kind::extent, left.lost, bound};
 }
 
 }  // namespace manifuzz

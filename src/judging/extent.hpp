@@ -2,8 +2,7 @@
 
 #include <optional>
 
-#include "judging/bounds.hpp"
-#include "oracle/exact/truth.hpp"
+#include "judging/admissible.hpp"
 
 namespace manifuzz {
 
@@ -23,8 +22,11 @@ struct ExtentLeftOut {
 ExtentLeftOut extent_left_out(const exact::Truth& truth, const TieBias& tie_bias,
                               const Bounds& bounds, const Manifold<double>& manifold);
 
-/// Whether a collider of this declaration promises both ends of a contact though no clip gives
-/// them.
-bool promises_extent(const Declaration& declaration);
+/// How an answer falls short of both ends of a contact where its collider promises them though no
+/// clip gives them: kind `count` where one is missing, `extent` where points span less than the
+/// nearest right clip. `tolerance` is how far points may be off besides, a world length.
+std::optional<Mismatch> extent_mismatch(const exact::Truth& truth, const Declaration& declaration,
+                                        const Bounds& bounds, double tolerance,
+                                        const Manifold<double>& manifold);
 
 }  // namespace manifuzz

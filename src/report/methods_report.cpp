@@ -146,9 +146,9 @@ std::vector<Panel> panels() {
            [](const MethodRow& row) { return row.errors.of_size.depth.p999; }},
           {"contact not\\nspanned, %", "{:.1f}", false,
            [](const MethodRow& row) { return 100 * row.errors.extent_lost; }},
-          {"frames until it\\nis spanned", "{:.0f}", false,
+          {"frames until\\nall is spanned", "{:.0f}", false,
            [](const MethodRow& row) { return row.frames->frames_to_complete; }},
-          {"flickers, %\\nof frames", "{:.1f}", false,
+          {"points come or go,\\n% of frames", "{:.1f}", false,
            [](const MethodRow& row) { return 100 * row.frames->flicker; }}};
 }
 
