@@ -283,8 +283,8 @@ std::optional<Collider> given_collider(const ColliderChoice& choice,
 
 std::string options_again(const SubjectAndOracle& colliders) {
   const std::string subject = option_again(colliders.subject);
-  return subject + (subject.empty() ? "" : " ") +
-         options_again(colliders.oracle, colliders.external);
+  const std::string rest = options_again(colliders.oracle, colliders.external);
+  return subject + (subject.empty() || rest.empty() ? "" : " ") + rest;
 }
 
 std::string options_again(const ColliderChoice& choice, const ExternalOptions& external) {
