@@ -99,10 +99,10 @@ class ByCurve {
     if (!*result_.witness) return found(Kind::witness, witness_error(along), bounds_.along);
     if (declaration_.claims != Claims::manifold) return result_;
     const Bounds of_clip = bounds(truth_.pair(), declaration_, truth_.extent());
-    const auto ends =
+    const auto second =
         is_round_ ? second_point_mismatch(truth_, declaration_, of_clip, *said_.manifold)
                   : extent_mismatch(truth_, declaration_, of_clip, tolerance_, *said_.manifold);
-    return ends ? found(ends->kind, ends->magnitude, ends->bound) : result_;
+    return second ? found(second->kind, second->magnitude, second->bound) : result_;
   }
 
  private:
