@@ -149,9 +149,10 @@ void read_json_file(const std::string& path, RunFiles& files) {
     if (const KindKey* const kind = kind_of(root)) {
       files.results.push_back(result_of(path, tree, *kind));
     } else {
-      CorpusCase known = read_case(root, path == "-" ? FormatKey::optional : FormatKey::required);
+      CorpusCase known = read_case(root, path == "-" ? FormatKey::optional : FormatKey::required,
+                                   CaseKind::either);
       known.path = path;
-      files.corpus.cases.push_back(std::move(known));
+      files.corpus.add(std::move(known));
     }
   });
 }

@@ -55,7 +55,6 @@ Collider of_libccd(std::string_view name, std::string_view how) {
   return of_engine(name, "libccd-dev", fmt::format("libccd's {}, of prisms", how));
 }
 
-/// Those that are built in, or linked where they are installed.
 const std::vector<ColliderEntry> kLinked = {
     {"clip", [] { return make_clip(); }, true},
     {"clip64", [] { return make_clip64(); }, true},
@@ -91,6 +90,10 @@ const std::vector<ColliderEntry> kLinked = {
 };
 
 }  // namespace
+
+const std::vector<ColliderEntry>& linked_colliders() {
+  return kLinked;
+}
 
 const std::vector<ColliderEntry>& colliders() {
   static const std::vector<ColliderEntry> all = [] {

@@ -24,6 +24,9 @@ struct ColliderEntry {
 /// Why an engine is not there: one line for people.
 std::string left_out(std::string_view name, std::string_view package);
 
+/// Those that are built in, or linked where they are installed: not what adapters ask.
+const std::vector<ColliderEntry>& linked_colliders();
+
 /// Every collider there is, in the order of `list colliders`.
 const std::vector<ColliderEntry>& colliders();
 

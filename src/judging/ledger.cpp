@@ -8,7 +8,6 @@
 #include "judging/ledger/bullet_entries.hpp"
 #include "judging/ledger/chipmunk_entries.hpp"
 #include "judging/ledger/javascript_entries.hpp"
-#include "judging/ledger/jbox2d_entries.hpp"
 #include "judging/ledger/libccd_entries.hpp"
 #include "judging/ledger/munk_entries.hpp"
 

@@ -214,9 +214,10 @@ Violations long_files(const std::vector<SourceFile>& files) {
   Violations found;
   for (const SourceFile& file : files) {
     const std::size_t lines = lines_of(file.text).size();
-    const bool is_written_by_npm = file.path.ends_with("/package-lock.json");
+    const bool is_lock_file =
+        file.path.ends_with("/package-lock.json") || file.path.ends_with("/Cargo.lock");
     const bool counts = counted.contains(first_part(file.path)) && is_source(file.path);
-    if (counts && !is_written_by_npm && lines > kMaxLines) {
+    if (counts && !is_lock_file && lines > kMaxLines) {
       found.push_back(fmt::format("{}: {} lines, at most {}", file.path, lines, kMaxLines));
     }
   }

@@ -40,7 +40,7 @@ struct StressArguments {
   std::string store;
 };
 
-/// The colliders that are named, or every one that is there.
+/// The colliders that are named, or every linked one that is there.
 std::vector<StressSubject> chosen_subjects(const StressArguments& options) {
   std::vector<StressSubject> chosen;
   const auto add = [&chosen](const Collider& collider) {
@@ -53,7 +53,7 @@ std::vector<StressSubject> chosen_subjects(const StressArguments& options) {
   }
   if (!options.program.command.empty()) add(find_collider(options.program, options.outside));
   if (!chosen.empty()) return chosen;
-  for (const ColliderEntry& entry : colliders()) {
+  for (const ColliderEntry& entry : linked_colliders()) {
     try {
       const Collider collider = entry.make();
       if (!options.quick || !collider.is_isolated()) add(collider);

@@ -98,7 +98,7 @@ TEST_CASE("show refuses bad input in one line") {
       {"show", good, "--oracle", "clop"},
       {"show", good, "--svg", folder.path().string()},
       {"show", good, "--svg", good + "/case.svg"},
-      {"show", good, "--svg", (folder.path() / "case.png").string()},
+      {"show", good, "--svg", (folder.path() / "case.jpg").string()},
       {"show", good, "--svg", (folder.path() / "case").string()},
       {"show", good, "--map", (folder.path() / "map.svg").string()},
       {"show", good, "--map", "-"},

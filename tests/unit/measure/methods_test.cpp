@@ -91,7 +91,7 @@ TEST_CASE("of points that are kept those that touch count, the deepest first") {
   CHECK(said.ends().count == 2);
 }
 
-TEST_CASE("clipping leaves nothing out and does not flicker; the deepest point alone leaves all") {
+TEST_CASE("clipping leaves nothing out and does not flicker, the deepest point alone leaves all") {
   const auto measured = [](const Collider& collider) {
     MethodCollector collector;
     for (std::uint64_t i = 0; i < 100; ++i) {
