@@ -55,49 +55,49 @@ Collider of_libccd(std::string_view name, std::string_view how) {
   return of_engine(name, "libccd-dev", fmt::format("libccd's {}, of prisms", how));
 }
 
-const std::vector<ColliderEntry> kLinked = {
-    {"clip", [] { return make_clip(); }, true},
-    {"clip64", [] { return make_clip64(); }, true},
-    {"pair", [] { return manifuzz::make_pair(); }, true},
-    {"batch", [] { return make_batch(); }, true},
-    {"batch64", [] { return make_batch64(); }, true},
-    {"gjk", make_gjk},
-    {"gjk64", make_gjk64},
-    {"gjk-shrunk", make_gjk_shrunk},
-    {"gjk-clip", make_gjk_clip},
-    {"perturbed", make_perturbed},
-    {"perturbed64", make_perturbed64},
-    {"box2d", [] { return make_box2d(); }},
-    {"chipmunk", make_chipmunk},
-    {"bullet-epa",
-     [] { return of_bullet("bullet-epa", "btGjkPairDetector with its EPA, of prisms"); }},
-    {"bullet-minkowski",
-     [] {
-       return of_bullet("bullet-minkowski", "btGjkPairDetector with its 42 directions, of prisms");
-     }},
-    {"bullet-convex2d",
-     [] {
-       return of_bullet("bullet-convex2d",
-                        "btConvex2dConvex2dAlgorithm with its 42 directions, of flat hulls");
-     }},
-    {"bullet-perturbed",
-     [] {
-       return of_bullet("bullet-perturbed",
-                        "btConvexConvexAlgorithm, perturbed three times, of prisms");
-     }},
-    {"libccd-gjk", [] { return of_libccd("libccd-gjk", "ccdGJKPenetration"); }},
-    {"libccd-mpr", [] { return of_libccd("libccd-mpr", "ccdMPRPenetration"); }},
-};
-
 }  // namespace
 
 const std::vector<ColliderEntry>& linked_colliders() {
-  return kLinked;
+  static const std::vector<ColliderEntry> all = {
+      {"clip", [] { return make_clip(); }, true},
+      {"clip64", [] { return make_clip64(); }, true},
+      {"pair", [] { return manifuzz::make_pair(); }, true},
+      {"batch", [] { return make_batch(); }, true},
+      {"batch64", [] { return make_batch64(); }, true},
+      {"gjk", make_gjk},
+      {"gjk64", make_gjk64},
+      {"gjk-shrunk", make_gjk_shrunk},
+      {"gjk-clip", make_gjk_clip},
+      {"perturbed", make_perturbed},
+      {"perturbed64", make_perturbed64},
+      {"box2d", [] { return make_box2d(); }},
+      {"chipmunk", make_chipmunk},
+      {"bullet-epa",
+       [] { return of_bullet("bullet-epa", "btGjkPairDetector with its EPA, of prisms"); }},
+      {"bullet-minkowski",
+       [] {
+         return of_bullet("bullet-minkowski",
+                          "btGjkPairDetector with its 42 directions, of prisms");
+       }},
+      {"bullet-convex2d",
+       [] {
+         return of_bullet("bullet-convex2d",
+                          "btConvex2dConvex2dAlgorithm with its 42 directions, of flat hulls");
+       }},
+      {"bullet-perturbed",
+       [] {
+         return of_bullet("bullet-perturbed",
+                          "btConvexConvexAlgorithm, perturbed three times, of prisms");
+       }},
+      {"libccd-gjk", [] { return of_libccd("libccd-gjk", "ccdGJKPenetration"); }},
+      {"libccd-mpr", [] { return of_libccd("libccd-mpr", "ccdMPRPenetration"); }},
+  };
+  return all;
 }
 
 const std::vector<ColliderEntry>& colliders() {
   static const std::vector<ColliderEntry> all = [] {
-    std::vector<ColliderEntry> entries = kLinked;
+    std::vector<ColliderEntry> entries = linked_colliders();
     for (const Engine& engine : engines()) {
       entries.push_back({engine.name, [&engine] { return collider_of(engine); }});
     }

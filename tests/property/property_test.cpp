@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -41,8 +42,11 @@ bool has_every_property(std::string_view collider) {
          collider == "gjk64" || collider.starts_with("batch") || collider == "box2d";
 }
 
-/// Bullet and libccd are wrong in ways that nobody has named, too.
+/// The others are wrong in ways that nobody has named, too.
 bool is_explained_in_full(std::string_view collider) {
+  const bool is_linked = std::ranges::any_of(
+      linked_colliders(), [&](const ColliderEntry& entry) { return entry.name == collider; });
+  if (!is_linked) return collider == "planck" || collider == "phaser-box2d";
   return !collider.starts_with("bullet-") && !collider.starts_with("libccd-");
 }
 

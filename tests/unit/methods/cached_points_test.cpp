@@ -88,7 +88,7 @@ TEST_CASE("of two points in reach the nearer one is replaced") {
   CHECK(ids(kept) == Ids{0, 1});
 }
 
-TEST_CASE("the deepest point stays, and the farthest to either side; the others go") {
+TEST_CASE("the deepest point stays, and the farthest to either side, the others go") {
   Kept kept;
   for (const auto& [x, depth] : {std::pair(0.0, 0.5), {-1.0, 0.25}, {1.0, 0.125}}) {
     kept.frame(kHere, below_top(x, depth));
