@@ -92,7 +92,8 @@ void add_allowances(const Declaration& declaration, std::vector<std::string>& al
 Settings settings_of(const Plan& plan) {
   std::vector<std::string> allowances;
   Declaration of_subject = plan.subject.declaration;
-  if (plan.sequences) of_subject.claims = Claims::manifold;  // a point at a time, but all are judged
+  if (plan.sequences)
+    of_subject.claims = Claims::manifold;  // a point at a time, but all are judged
   add_allowances(of_subject, allowances);
   add_allowances(plan.oracle.declaration, allowances);
   return {.subject = plan.subject.declaration.name,

@@ -1,6 +1,7 @@
 #include "corpus/shrink_sequence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -50,6 +51,68 @@ ConvexPolygon<float> plain_box(float width, float height) {
   const std::vector<Vector2<float>> corners{
       {-width, -height}, {width, -height}, {width, height}, {-width, height}};
   return make_polygon<float>(corners);
+}
+
+/// Turns whose numbers are short.
+constexpr std::array<std::array<float, 2>, 6> kPlainTurns{
+    {{1, 0}, {0, 1}, {0.6F, 0.8F}, {0.8F, 0.6F}, {0.96F, 0.28F}, {0.28F, 0.96F}}};
+
+/// What may happen in the second frame to a body that stands on another: both are turned about the
+/// origin, or the upper one is turned, slid or lifted.
+std::vector<FramePoses> plain_second_frames(const FramePoses& first) {
+  std::vector<FramePoses> frames;
+  for (const auto& turn : kPlainTurns) {
+    for (const float sign : {1.0F, -1.0F}) {
+      const Vector2<float> rotation(turn[0], sign * turn[1]);
+      const Vector2<float> moved = rotate(rotation, first.b.position);
+      frames.push_back({{first.a.position, rotation}, {moved, rotation}});
+      frames.push_back({first.a, {first.b.position, rotation}});
+    }
+  }
+  for (const float by : {1.0F, 0.5F, 0.1F, 0.01F, -0.1F, -1.0F}) {
+    for (const Vector2<float>& way : {Vector2<float>(by, 0), Vector2<float>(0, by)}) {
+      frames.push_back({first.a, {first.b.position + way, {1, 0}}});
+    }
+  }
+  return frames;
+}
+
+/// The plainest sequences of one frame and of two: a box on a box, as deep as this, and then what
+/// may happen. What fails in any of them has one form, wherever it was found.
+const std::vector<Sequence>& plain_sequences() {
+  static const std::vector<Sequence> all = [] {
+    std::vector<Sequence> sequences;
+    const ConvexPolygon<float> box = plain_box(1, 1);
+    for (const bool has_second : {false, true}) {
+      for (const float depth : {1.0F, 0.5F, 0.1F, 0.01F, 0.0F, -0.01F}) {
+        const FramePoses first{{}, {{0, 2 - depth}, {1, 0}}};
+        if (!has_second) sequences.push_back({box, box, {first}});
+        for (const FramePoses& second : plain_second_frames(first)) {
+          if (has_second) sequences.push_back({box, box, {first, second}});
+        }
+      }
+    }
+    return sequences;
+  }();
+  return all;
+}
+
+/// The rotation of one body, in one frame, plain.
+Sequences with_a_plain_turn(const Sequence& sequence) {
+  std::vector<Sequence> all;
+  for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
+    for (Pose<float> FramePoses::*body : {&FramePoses::a, &FramePoses::b}) {
+      for (const auto& turn : kPlainTurns) {
+        for (const float cos : {turn[0], -turn[0]}) {
+          for (const float sin : {turn[1], -turn[1]}) {
+            Sequence& turned = all.emplace_back(sequence);
+            (turned.frames[k].*body).rotation = {cos, sin};
+          }
+        }
+      }
+    }
+  }
+  return rc::seq::fromContainer(std::move(all));
 }
 
 /// Either shape, or both, a plain box.
@@ -168,7 +231,8 @@ SequenceComplexity complexity(const Sequence& sequence) {
 rc::Seq<Sequence> simpler_sequences(const Sequence& sequence) {
   const SequenceComplexity limit = complexity(sequence);
   Sequences proposals = rc::seq::concat(
-      with_fewer_frames(sequence), with_plain_shapes(sequence), with_less_motion(sequence),
+      with_fewer_frames(sequence), rc::seq::fromContainer(plain_sequences()),
+      with_plain_shapes(sequence), with_less_motion(sequence), with_a_plain_turn(sequence),
       rc::makeSeq<ChangedAlike>(sequence), simpler_in_a_frame(sequence));
   return rc::seq::mapMaybe(std::move(proposals), [limit](const Sequence& proposal) {
     const MaybeSequence valid = revalidated(proposal);

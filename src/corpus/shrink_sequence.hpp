@@ -20,8 +20,9 @@ struct SequenceComplexity {
 SequenceComplexity complexity(const Sequence& sequence);
 
 /// Every simpler sequence next to this one, the boldest first: without half of its frames, a
-/// quarter, ..., one, from the end, from the start and between; with plain shapes; with what makes
-/// a case simpler done in all frames alike, then in one. All valid, all of less complexity. Lazy.
+/// quarter, ..., one, from the end, from the start and between; the plainest there are, a box on a
+/// box; with plain shapes, less motion, plain turns; with what makes a case simpler done in all
+/// frames alike, then in one. All valid, all of less complexity. Lazy.
 rc::Seq<Sequence> simpler_sequences(const Sequence& sequence);
 
 /// All that tells two sequences apart.
