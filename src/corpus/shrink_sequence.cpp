@@ -228,18 +228,37 @@ SequenceComplexity complexity(const Sequence& sequence) {
   return result;
 }
 
-rc::Seq<Sequence> simpler_sequences(const Sequence& sequence) {
-  const SequenceComplexity limit = complexity(sequence);
-  Sequences proposals = rc::seq::concat(
-      with_fewer_frames(sequence), rc::seq::fromContainer(plain_sequences()),
-      with_plain_shapes(sequence), with_less_motion(sequence), with_a_plain_turn(sequence),
-      rc::makeSeq<ChangedAlike>(sequence), simpler_in_a_frame(sequence));
-  return rc::seq::mapMaybe(std::move(proposals), [limit](const Sequence& proposal) {
-    const MaybeSequence valid = revalidated(proposal);
-    return valid && complexity(*valid) < limit ? rc::Maybe<Sequence>(*valid)
-                                               : rc::Maybe<Sequence>(rc::Nothing);
-  });
+namespace {
+
+/// One kind of change: what it makes of a sequence, the boldest first.
+using Pass = Sequences (*)(const Sequence&);
+
+Sequences plainest_sequences(const Sequence&) {
+  return rc::seq::fromContainer(plain_sequences());
 }
+
+Sequences changed_alike(const Sequence& sequence) {
+  return rc::makeSeq<ChangedAlike>(sequence);
+}
+
+constexpr std::array<Pass, 7> kPasses{with_fewer_frames, plainest_sequences, with_plain_shapes,
+                                      with_less_motion,  with_a_plain_turn,  changed_alike,
+                                      simpler_in_a_frame};
+
+/// The first of a pass that is valid, simpler, and fails.
+MaybeSequence first_smaller(Pass pass, const Sequence& sequence, ShrinkGate<Sequence>& gate) {
+  const SequenceComplexity limit = complexity(sequence);
+  Sequences proposals = pass(sequence);
+  while (gate.complete) {
+    const rc::Maybe<Sequence> proposal = proposals.next();
+    if (!proposal) break;
+    MaybeSequence valid = revalidated(*proposal);
+    if (valid && complexity(*valid) < limit && gate.passes(*valid)) return valid;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 ShrunkSequence shrink(const Sequence& sequence,
                       const std::function<bool(const Sequence&)>& still_fails,
@@ -247,9 +266,18 @@ ShrunkSequence shrink(const Sequence& sequence,
   ShrinkGate<Sequence> gate{still_fails, evaluations_max, {numbers_of(sequence)}};
   const MaybeSequence positive_zeros = revalidated(sequence);
   const bool is_tidy = positive_zeros && gate.fails(*positive_zeros);
-  const auto simpler = [](const Sequence& parent) { return simpler_sequences(parent); };
-  return {smallest(is_tidy ? *positive_zeros : sequence, simpler, gate), gate.evaluations,
-          gate.complete};
+  Sequence smallest = is_tidy ? *positive_zeros : sequence;
+  // Each pass until it finds nothing more; all of them until none does.
+  for (bool is_smaller = true; is_smaller;) {
+    is_smaller = false;
+    for (const Pass pass : kPasses) {
+      while (const MaybeSequence next = first_smaller(pass, smallest, gate)) {
+        smallest = *next;
+        is_smaller = true;
+      }
+    }
+  }
+  return {smallest, gate.evaluations, gate.complete};
 }
 
 }  // namespace manifuzz

@@ -1,12 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "oracle/exact/placed.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/sequence/sequence_report.hpp"
 #include "report/sequence/strip_frames.hpp"
@@ -15,18 +11,16 @@
 namespace manifuzz {
 namespace {
 
-constexpr double kGutter = 14;        // between frames, in pixels
-constexpr double kStripLine = 18;     // of text below a frame
-constexpr double kHeadRoom = 26;      // of a frame's heading, above its picture
-constexpr double kNormalLength = 62;  // of arrows, in pixels
-constexpr double kShownDegrees = 2;   // true normals nearer than this are not drawn
-constexpr std::size_t kColumnsMax = 4;
+constexpr double kGutter = 14;     // between frames, in pixels
+constexpr double kStripLine = 18;  // of text below a frame
+constexpr double kHeadRoom = 26;   // of a frame's heading, above its picture
+constexpr std::size_t kColumnsMax = 3;
 constexpr Font kHeadFont{13, true};
 constexpr Font kNoteFont{11.5};
-constexpr Font kMarkFont{11, true};
 
 constexpr std::string_view kStripStyle = R"(
-.wrong-frame{fill:none;stroke:#d1002c;stroke-width:3}
+.wrong-frame{fill:none;stroke:#d1002c;stroke-width:1}
+.wrong-frame.decides{stroke-width:3.4}
 .wrong-word{fill:#b00025}
 .right-word{fill:#006048}
 .anchor.a{fill:#0072b2;stroke:#ffffff;stroke-width:1.2}
@@ -42,89 +36,6 @@ constexpr std::string_view kStripStyle = R"(
 .spoke.a{stroke:#0072b2}
 .spoke.b{stroke:#b87900}
 )";
-
-std::string of_side(std::string_view kind, Side side) {
-  return fmt::format("{} {}", kind, side == Side::a ? "a" : "b");
-}
-
-/// One frame, in world directions and lengths, seen from A's position.
-struct StripFrame {
-  std::size_t number = 0;
-  PairCase pair;
-  exact::RoughPair polygons{};
-  std::array<Rim, 2> rims{};
-  std::vector<KeptPoint> points{};
-  TrueContact truth{};
-  const FrameJudgement* verdict = nullptr;  ///< none where nothing was judged
-
-  bool is_wrong() const { return verdict != nullptr && verdict->kind != Kind::none; }
-  const Rim& rim(Side side) const { return rims[static_cast<std::size_t>(side)]; }
-  Point anchor(const KeptPoint& point, Side side) const {
-    const Pose<float>& pose = pair[side].pose;
-    const Point& local = side == Side::a ? point.anchor_a : point.anchor_b;
-    const Point turned = rotate<double>(pose.rotation.cast<double>(), local);
-    return side == Side::a ? turned : Point(turned + origin(side));
-  }
-  Point origin(Side side) const {
-    return (pair[side].pose.position - pair.a.pose.position).cast<double>();
-  }
-  Box whole() const {
-    const Box a = box_around_rim(rims[0]);
-    const Box b = box_around_rim(rims[1]);
-    return box_around({{a.x, a.y}, {a.right(), a.bottom()}, {b.x, b.y}, {b.right(), b.bottom()}});
-  }
-  /// What is looked at: the kept points, or where the bodies are.
-  Point middle() const {
-    if (points.empty()) return whole().center();
-    Point sum(0, 0);
-    for (const KeptPoint& point : points) sum += anchor(point, Side::a) + anchor(point, Side::b);
-    return sum / (2 * static_cast<double>(points.size()));
-  }
-};
-
-StripFrame strip_frame(const JudgedSequence& judged, std::size_t number) {
-  StripFrame frame{.number = number, .pair = judged.given.sequence().at(number)};
-  frame.polygons = exact::place_roughly(frame.pair);
-  const Rounding corners = is_round(frame.pair) ? Rounding::round : Rounding::mitre;
-  for (const Side side : kSides) {
-    const auto radius = static_cast<double>(frame.pair[side].polygon.radius);
-    frame.rims[static_cast<std::size_t>(side)] = rim_of(frame.polygons[side], radius, corners);
-  }
-  frame.points = points_in(judged, number);
-  frame.truth = true_contact(frame.pair, judged.subject.declaration);
-  const auto& verdicts = judged.judgement.frames;
-  if (number < verdicts.size()) frame.verdict = &verdicts[number];
-  return frame;
-}
-
-/// The angle between two directions, in degrees.
-double degrees_between(const Point& p, const Point& q) {
-  return std::abs(std::atan2(p.x() * q.y() - p.y() * q.x(), p.dot(q))) * 180 / std::numbers::pi;
-}
-
-/// The true normal that is nearest to this one.
-Point nearest_truth(const StripFrame& frame, const Point& normal) {
-  return *std::ranges::min_element(
-      frame.truth.normals, {}, [&](const Point& truth) { return degrees_between(truth, normal); });
-}
-
-void arrow(Svg& svg, const Point& from, const Point& direction, const std::string& line,
-           const std::string& head) {
-  const Point to = from + kNormalLength * direction;
-  const Point across(-direction.y(), direction.x());
-  svg.line({from, to - 8 * direction}, line);
-  svg.polygon({to, to - 11 * direction + 5 * across, to - 11 * direction - 5 * across}, head);
-}
-
-/// A word on a light ground, in the frame.
-void label(Svg& svg, const Box& room, Point center, std::string_view text, const Font& font,
-           std::string_view css) {
-  const double width = text_width(text, font) + 6;
-  center.x() = std::clamp(center.x(), room.x + width / 2, room.right() - width / 2);
-  center.y() = std::clamp(center.y(), room.y + 9, room.bottom() - 9);
-  svg.box({center.x() - width / 2, center.y() - 9, width, 17}, "label", 3);
-  svg.text({center.x() - width / 2 + 3, center.y() + 4}, text, font, css);
-}
 
 class Filmstrip {
  public:
@@ -169,8 +80,6 @@ class Filmstrip {
   void write_title();
   void draw_row(std::size_t first);
   void draw_frame(const StripFrame& frame, const Box& box);
-  void draw_bodies(const StripFrame& frame, const View& view);
-  void draw_point(const StripFrame& frame, const View& view, std::size_t i);
   double write_notes(const StripFrame& frame, const Box& box);
   void write_legend();
 
@@ -224,71 +133,8 @@ void Filmstrip::draw_frame(const StripFrame& frame, const Box& box) {
                              : "quiet");
   svg_.box(box, "frame", 4);
   const View view{box, is_cut_ ? frame.middle() : frame.whole().center(), scale_};
-  draw_bodies(frame, view);
-  for (std::size_t i = 0; i < frame.points.size(); ++i) draw_point(frame, view, i);
-  if (frame.is_wrong()) svg_.box(box, "wrong-frame", 4);
-}
-
-void Filmstrip::draw_bodies(const StripFrame& frame, const View& view) {
-  const double tolerance = 0.25 / scale_;
-  std::array<Region, 2> seen;
-  for (const Side side : kSides) {
-    const auto i = static_cast<std::size_t>(side);
-    seen[i] = region_of(frame.rim(side), view.shown(), tolerance);
-    fill_rim(svg_, view, frame.rim(side), seen[i], of_side("fill", side));
-  }
-  const Region both = intersection(seen[0], seen[1]);
-  svg_.polygon(intersection(view.place(both), view.frame), "overlap");
-  for (const Side side : kSides) {
-    const auto i = static_cast<std::size_t>(side);
-    draw_rim(svg_, view, frame.rim(side), seen[i], of_side("outline", side));
-    // From the middle to a corner, so that a turn is seen.
-    const exact::RoughPolygon& polygon = frame.polygons[side];
-    const Region core(polygon.vertices.begin(), polygon.vertices.begin() + polygon.count);
-    const Point middle = middle_of(core);
-    Point corner = core.front();
-    if (core.size() == 1) {
-      const double radius = frame.pair[side].polygon.radius;
-      corner += radius * frame.pair[side].pose.rotation.cast<double>();
-    }
-    const auto spoke = inside(view.place(Segment{middle, corner}), view.frame);
-    if (spoke) svg_.line(*spoke, of_side("spoke", side));
-    const Region visible = intersection(view.place(seen[i]), view.frame);
-    if (!visible.empty()) {
-      label(svg_, view.frame.grown(-4), middle_of(visible), side == Side::a ? "A" : "B", kHeadFont,
-            of_side("letter", side));
-    }
-  }
-}
-
-void Filmstrip::draw_point(const StripFrame& frame, const View& view, std::size_t i) {
-  const KeptPoint& point = frame.points[i];
-  const Point on_a = view.place(frame.anchor(point, Side::a));
-  const Point on_b = view.place(frame.anchor(point, Side::b));
-  if (!view.frame.contains(on_a) || !view.frame.contains(on_b)) return;
-  const bool is_to_blame =
-      frame.is_wrong() && frame.verdict->kind != Kind::extent && frame.verdict->point == i;
-  const Point from = (on_a + on_b) / 2;
-  const Point normal = unit_or_zero(point.normal);
-  const Point truth = nearest_truth(frame, normal);
-  const double off = degrees_between(truth, normal);
-  const Box room = view.frame.grown(-4);
-  if (off > kShownDegrees) {
-    const Point along = View::direction(truth);
-    arrow(svg_, from, along, "truth", "truth-head");
-    label(svg_, room, from + (kNormalLength + 16) * along, "true", kMarkFont, "right-word");
-  }
-  const Point along = View::direction(normal);
-  const std::string wrong = is_to_blame ? " wrong" : "";
-  arrow(svg_, from, along, "kept" + wrong, "kept-head" + wrong);
-  svg_.line({on_a, on_b}, "joined");
-  svg_.circle(on_b, 6, "anchor b");
-  svg_.circle(on_a, 3.6, "anchor a");
-  const std::string words = is_to_blame && off > kShownDegrees
-                                ? fmt::format("{}: {:.0f} degrees off", point.id, off)
-                                : fmt::format("{}", point.id);
-  const double out = kNormalLength + 16;
-  label(svg_, room, from + out * along, words, kMarkFont, is_to_blame ? "wrong-word" : "title");
+  draw_strip_frame(svg_, frame, view);
+  if (frame.is_wrong()) svg_.box(box, frame.decides ? "wrong-frame decides" : "wrong-frame", 4);
 }
 
 double Filmstrip::write_notes(const StripFrame& frame, const Box& box) {
@@ -335,7 +181,7 @@ void Filmstrip::write_legend() {
     svg_.polygon({at + Point(30, 0), at + Point(19, 5), at + Point(19, -5)}, head);
   };
   entry(30, "its normal, from A to B", [&](const Point& at) { pointing(at, "kept", "kept-head"); });
-  entry(30, "the same, wrong",
+  entry(30, "one that is wrong",
         [&](const Point& at) { pointing(at, "kept wrong", "kept-head wrong"); });
   entry(30, "the true normal, along which they overlap least",
         [&](const Point& at) { pointing(at, "truth", "truth-head"); });
