@@ -1,6 +1,7 @@
 #include "corpus/shrink_sequence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -50,6 +51,68 @@ ConvexPolygon<float> plain_box(float width, float height) {
   const std::vector<Vector2<float>> corners{
       {-width, -height}, {width, -height}, {width, height}, {-width, height}};
   return make_polygon<float>(corners);
+}
+
+/// Turns whose numbers are short.
+constexpr std::array<std::array<float, 2>, 6> kPlainTurns{
+    {{1, 0}, {0, 1}, {0.6F, 0.8F}, {0.8F, 0.6F}, {0.96F, 0.28F}, {0.28F, 0.96F}}};
+
+/// What may happen in the second frame to a body that stands on another: both are turned about the
+/// origin, or the upper one is turned, slid or lifted.
+std::vector<FramePoses> plain_second_frames(const FramePoses& first) {
+  std::vector<FramePoses> frames;
+  for (const auto& turn : kPlainTurns) {
+    for (const float sign : {1.0F, -1.0F}) {
+      const Vector2<float> rotation(turn[0], sign * turn[1]);
+      const Vector2<float> moved = rotate(rotation, first.b.position);
+      frames.push_back({{first.a.position, rotation}, {moved, rotation}});
+      frames.push_back({first.a, {first.b.position, rotation}});
+    }
+  }
+  for (const float by : {1.0F, 0.5F, 0.1F, 0.01F, -0.1F, -1.0F}) {
+    for (const Vector2<float>& way : {Vector2<float>(by, 0), Vector2<float>(0, by)}) {
+      frames.push_back({first.a, {first.b.position + way, {1, 0}}});
+    }
+  }
+  return frames;
+}
+
+/// The plainest sequences of one frame and of two: a box on a box, as deep as this, and then what
+/// may happen. What fails in any of them has one form, wherever it was found.
+const std::vector<Sequence>& plain_sequences() {
+  static const std::vector<Sequence> all = [] {
+    std::vector<Sequence> sequences;
+    const ConvexPolygon<float> box = plain_box(1, 1);
+    for (const bool has_second : {false, true}) {
+      for (const float depth : {1.0F, 0.5F, 0.1F, 0.01F, 0.0F, -0.01F}) {
+        const FramePoses first{{}, {{0, 2 - depth}, {1, 0}}};
+        if (!has_second) sequences.push_back({box, box, {first}});
+        for (const FramePoses& second : plain_second_frames(first)) {
+          if (has_second) sequences.push_back({box, box, {first, second}});
+        }
+      }
+    }
+    return sequences;
+  }();
+  return all;
+}
+
+/// The rotation of one body, in one frame, plain.
+Sequences with_a_plain_turn(const Sequence& sequence) {
+  std::vector<Sequence> all;
+  for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
+    for (Pose<float> FramePoses::*body : {&FramePoses::a, &FramePoses::b}) {
+      for (const auto& turn : kPlainTurns) {
+        for (const float cos : {turn[0], -turn[0]}) {
+          for (const float sin : {turn[1], -turn[1]}) {
+            Sequence& turned = all.emplace_back(sequence);
+            (turned.frames[k].*body).rotation = {cos, sin};
+          }
+        }
+      }
+    }
+  }
+  return rc::seq::fromContainer(std::move(all));
 }
 
 /// Either shape, or both, a plain box.
@@ -165,17 +228,37 @@ SequenceComplexity complexity(const Sequence& sequence) {
   return result;
 }
 
-rc::Seq<Sequence> simpler_sequences(const Sequence& sequence) {
-  const SequenceComplexity limit = complexity(sequence);
-  Sequences proposals = rc::seq::concat(
-      with_fewer_frames(sequence), with_plain_shapes(sequence), with_less_motion(sequence),
-      rc::makeSeq<ChangedAlike>(sequence), simpler_in_a_frame(sequence));
-  return rc::seq::mapMaybe(std::move(proposals), [limit](const Sequence& proposal) {
-    const MaybeSequence valid = revalidated(proposal);
-    return valid && complexity(*valid) < limit ? rc::Maybe<Sequence>(*valid)
-                                               : rc::Maybe<Sequence>(rc::Nothing);
-  });
+namespace {
+
+/// One kind of change: what it makes of a sequence, the boldest first.
+using Pass = Sequences (*)(const Sequence&);
+
+Sequences plainest_sequences(const Sequence&) {
+  return rc::seq::fromContainer(plain_sequences());
 }
+
+Sequences changed_alike(const Sequence& sequence) {
+  return rc::makeSeq<ChangedAlike>(sequence);
+}
+
+constexpr std::array<Pass, 7> kPasses{with_fewer_frames, plainest_sequences, with_plain_shapes,
+                                      with_less_motion,  with_a_plain_turn,  changed_alike,
+                                      simpler_in_a_frame};
+
+/// The first of a pass that is valid, simpler, and fails.
+MaybeSequence first_smaller(Pass pass, const Sequence& sequence, ShrinkGate<Sequence>& gate) {
+  const SequenceComplexity limit = complexity(sequence);
+  Sequences proposals = pass(sequence);
+  while (gate.complete) {
+    const rc::Maybe<Sequence> proposal = proposals.next();
+    if (!proposal) break;
+    MaybeSequence valid = revalidated(*proposal);
+    if (valid && complexity(*valid) < limit && gate.passes(*valid)) return valid;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 ShrunkSequence shrink(const Sequence& sequence,
                       const std::function<bool(const Sequence&)>& still_fails,
@@ -183,9 +266,18 @@ ShrunkSequence shrink(const Sequence& sequence,
   ShrinkGate<Sequence> gate{still_fails, evaluations_max, {numbers_of(sequence)}};
   const MaybeSequence positive_zeros = revalidated(sequence);
   const bool is_tidy = positive_zeros && gate.fails(*positive_zeros);
-  const auto simpler = [](const Sequence& parent) { return simpler_sequences(parent); };
-  return {smallest(is_tidy ? *positive_zeros : sequence, simpler, gate), gate.evaluations,
-          gate.complete};
+  Sequence smallest = is_tidy ? *positive_zeros : sequence;
+  // Each pass until it finds nothing more; all of them until none does.
+  for (bool is_smaller = true; is_smaller;) {
+    is_smaller = false;
+    for (const Pass pass : kPasses) {
+      while (const MaybeSequence next = first_smaller(pass, smallest, gate)) {
+        smallest = *next;
+        is_smaller = true;
+      }
+    }
+  }
+  return {smallest, gate.evaluations, gate.complete};
 }
 
 }  // namespace manifuzz

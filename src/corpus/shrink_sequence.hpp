@@ -1,8 +1,7 @@
 #pragma once
 
 #include <functional>
-
-#include <rapidcheck.h>
+#include <vector>
 
 #include "corpus/shrink.hpp"
 #include "geometry/sequence.hpp"
@@ -19,11 +18,6 @@ struct SequenceComplexity {
 
 SequenceComplexity complexity(const Sequence& sequence);
 
-/// Every simpler sequence next to this one, the boldest first: without half of its frames, a
-/// quarter, ..., one, from the end, from the start and between; with plain shapes; with what makes
-/// a case simpler done in all frames alike, then in one. All valid, all of less complexity. Lazy.
-rc::Seq<Sequence> simpler_sequences(const Sequence& sequence);
-
 /// All that tells two sequences apart.
 std::vector<float> numbers_of(const Sequence& sequence);
 
@@ -33,7 +27,10 @@ struct ShrunkSequence {
   bool complete = true;  ///< false where the limit came before the minimum
 };
 
-/// The smallest sequence that `still_fails`, as `shrink` of a pair case gives it. Deterministic.
+/// The smallest sequence that `still_fails`: without half of its frames, a quarter, ..., one, from
+/// the end, from the start and between; then the plainest there are, a box on a box; with plain
+/// shapes, less motion, plain turns; then with what makes a case simpler done in all frames alike,
+/// and in one. No sequence is tried twice. Deterministic.
 ShrunkSequence shrink(const Sequence& sequence,
                       const std::function<bool(const Sequence&)>& still_fails,
                       int evaluations_max = kShrinkEvaluations);

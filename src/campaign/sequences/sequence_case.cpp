@@ -83,6 +83,11 @@ double bound_of(const SequenceJudgement& judgement) {
   return judgement.frame < judgement.frames.size() ? judgement.frames[judgement.frame].bound : 0;
 }
 
+/// Whether the bodies touch in the frame that decides.
+bool touches_where_decided(const Sequence& sequence, const SequenceJudgement& judgement) {
+  return standing(exact::Truth(sequence.at(judgement.frame))).touching;
+}
+
 }  // namespace
 
 SequenceCollider watched(const SequenceCollider& subject, const std::function<void()>& on_frame) {
@@ -156,6 +161,7 @@ ShrunkSequence shrink_finding(const Sequence& sequence, const SequenceCollider& 
   const Verdict verdict = root.bucket.verdict;
   const bool is_lost = verdict == Verdict::crashed || verdict == Verdict::timed_out;
   const bool is_here = is_lost || subject.is_isolated;
+  const bool is_touching = touches_where_decided(sequence, root);
   Interruption::Limits limits = interruption.until_signal();
   if (deadline) limits.stopped_at = std::min(limits.stopped_at.value_or(*deadline), *deadline);
   Interruption shrinking(limits);
@@ -168,6 +174,7 @@ ShrunkSequence shrink_finding(const Sequence& sequence, const SequenceCollider& 
         is_lost ? judge_in_child(candidate, subject, shrinking)
                 : judge_sequence(candidate, subject, ask_sequence(subject, candidate));
     if (!is_alike(judgement, root)) return false;
+    if (touches_where_decided(candidate, judgement) != is_touching) return false;
     slot->best[static_cast<std::size_t>(slot->accepted + 1) % 2].set(candidate);
     ++slot->accepted;
     return true;

@@ -48,7 +48,8 @@ JudgedSequence judged_sequence(const CorpusCase& given, const SequenceCollider& 
 SequenceJudgement judge_in_child(const Sequence& sequence, const SequenceCollider& subject,
                                  Interruption& interruption);
 
-/// The smallest sequence that is the same finding, as `shrink_finding` of a pair case gives it.
+/// The smallest sequence that is the same finding, with bodies that touch in the frame that decides
+/// if they did; otherwise as `shrink_finding` of a pair case.
 ShrunkSequence shrink_finding(const Sequence& sequence, const SequenceCollider& subject,
                               Interruption& interruption, const Deadline& deadline = {});
 

@@ -29,8 +29,8 @@ std::string frame_in_words(const JudgedSequence& judged, std::size_t frame);
 /// The points of a frame; none where there is no answer.
 std::vector<KeptPoint> points_in(const JudgedSequence& judged, std::size_t frame);
 
-/// The verdict as a sentence: "cached wrong in frame 3 of 0 to 5: a point is kept past what is
-/// declared".
+/// The verdict as a sentence: "cached is wrong in frame 3: a point is kept past what is declared,
+/// by 0.01".
 std::string verdict_sentence(const JudgedSequence& judged);
 
 /// The sequence for a terminal: verdict, shapes, and frame by frame where the bodies stand, what is

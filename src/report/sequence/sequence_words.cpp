@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -20,7 +22,7 @@ std::string wrong_in_words(Kind kind, bool is_kept, const std::string& off) {
     case Kind::phantom_contact:
       return "a new point where they are apart by " + off;
     case Kind::normal:
-      return (is_kept ? "the normal did not turn with its body, off by "
+      return (is_kept ? "the normal did not turn with its body: off by "
                       : "a new point's normal is off by ") +
              off;
     case Kind::depth:
@@ -44,7 +46,13 @@ std::string wrong_in_words(Kind kind, bool is_kept, const std::string& off) {
   }
 }
 
-/// "across 0.02 of the smaller shape".
+/// The angle between unit vectors that differ by so much.
+std::string angle_in_words(double difference) {
+  const double degrees = 360 / std::numbers::pi * std::asin(std::min(difference / 2, 1.0));
+  return fmt::format("{:.2g} degrees", degrees);
+}
+
+/// "0.02 of the smaller shape".
 std::string length_in_words(const ShapeLength& length) {
   if (length.relative == 0) return brief(length.absolute);
   const std::string share = brief(length.relative) + " of the smaller shape";
@@ -86,21 +94,25 @@ std::string frame_in_words(const JudgedSequence& judged, std::size_t frame) {
   const std::vector<KeptPoint> points = points_in(judged, frame);
   const bool is_kept = verdict.point && *verdict.point < points.size() &&
                        points[*verdict.point].born != static_cast<int>(frame);
-  return wrong_in_words(verdict.kind, is_kept, brief(is_direction ? verdict.magnitude : length));
+  return wrong_in_words(verdict.kind, is_kept,
+                        is_direction ? angle_in_words(verdict.magnitude) : brief(length));
 }
 
 std::string verdict_sentence(const JudgedSequence& judged) {
   const SequenceJudgement& judgement = judged.judgement;
   const std::string& name = judged.subject.declaration.name;
-  const std::size_t frames = judged.given.frames.size();
-  if (judgement.bucket.verdict == Verdict::agree) {
-    return fmt::format("{} is right in all {} frames", name, frames);
+  const std::string words = frame_in_words(judged, judgement.frame);
+  switch (judgement.bucket.verdict) {
+    case Verdict::agree:
+      return fmt::format("{} is right in each of {} frames", name, judged.given.frames.size());
+    case Verdict::known:
+      return fmt::format("{} is wrong in frame {} (known): {}", name, judgement.frame, words);
+    case Verdict::subject_wrong:
+      return fmt::format("{} is wrong in frame {}: {}", name, judgement.frame, words);
+    default:
+      return fmt::format("{}, {} in frame {}: {}", to_string(judgement.bucket.verdict), name,
+                         judgement.frame, words);
   }
-  const std::string known = judgement.explanation != nullptr
-                                ? fmt::format(" (known: {})", judgement.explanation->id)
-                                : "";
-  return fmt::format("{}, {} in frame {} of {}{}: {}", to_string(judgement.bucket.verdict), name,
-                     judgement.frame, frames, known, frame_in_words(judged, judgement.frame));
 }
 
 std::string keeper_line(const SequenceCollider& keeper) {
