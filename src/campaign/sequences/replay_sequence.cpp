@@ -33,11 +33,19 @@ ReplayRun replay_sequences(const std::vector<CorpusCase>& sequences, NamedKeeper
       sequences, interruption, [&](const CorpusCase& recorded) -> std::optional<ReplayedCase> {
         const NamedKeepers::Keeper* const subject = keepers.subject_of(recorded);
         if (subject == nullptr) return std::nullopt;
+        const Collider& declared = subject->declared;
+        if (!subject->asked.begin) {
+          return ReplayedCase{&recorded,
+                              {.expected = "", .got = "", .is_unsupported = true},
+                              0,
+                              &declared,
+                              &oracle};
+        }
         const SequenceJudgement judgement =
             judge_in_child(recorded.sequence(), subject->asked, interruption);
-        return ReplayedCase{
-            &recorded, replayed(recorded, counted(judgement), subject->declared, oracle, known), 0,
-            &subject->declared, &oracle};
+        return ReplayedCase{&recorded,
+                            replayed(recorded, counted(judgement), declared, oracle, known), 0,
+                            &declared, &oracle};
       });
 }
 

@@ -14,7 +14,8 @@ namespace manifuzz {
 /// The colliders that keep points which sequences name, each made once.
 class NamedKeepers {
  public:
-  /// Makes the collider of that name, or nothing.
+  /// Makes the collider of that name, or nothing; where one of that name is known and not
+  /// installed, it cannot begin.
   using Find = std::function<std::optional<SequenceCollider>(const std::string& name)>;
 
   /// The same as it is asked, and as it is counted.

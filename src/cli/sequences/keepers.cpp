@@ -50,7 +50,10 @@ NamedKeepers named_keepers(const ColliderChoice& choice) {
     try {
       return find_sequence_collider(name);
     } catch (const UserError&) {
-      return std::nullopt;
+      if (find_sequence_entry(name) == nullptr) return std::nullopt;
+      SequenceCollider absent;
+      absent.declaration.name = name;
+      return absent;
     }
   };
   return {find, keeps_points(choice) ? std::optional(find_keeper(choice)) : std::nullopt};

@@ -116,15 +116,13 @@ void FrameDrawing::write_labels() {
     const bool is_blamed = frame.is_to_blame(i);
     const std::string words =
         frame.has_wrong_normal(i)
-            ? fmt::format("{}, {:.0f} degrees from true", point.id, frame.degrees_off(i))
+            ? fmt::format("{}: {:.0f} degrees off", point.id, frame.degrees_off(i))
             : std::to_string(point.id);
+    if (frame.has_wrong_normal(i)) {
+      write_label(beyond(i, nearest_truth(frame, point.normal)), "true", kMarkFont, "right-word");
+    }
     write_label(beyond(i, unit_or_zero(point.normal)), words, kMarkFont,
                 is_blamed ? "wrong-word" : "title");
-  }
-  for (std::size_t i = 0; i < frame.points.size(); ++i) {
-    if (frame.degrees_off(i) <= kShownDegrees) continue;
-    const Point truth = nearest_truth(frame, frame.points[i].normal);
-    write_label(beyond(i, truth), "true", kMarkFont, "right-word");
   }
   for (const Side side : kSides) {
     const auto& at = letters[static_cast<std::size_t>(side)];

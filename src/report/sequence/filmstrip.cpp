@@ -45,7 +45,8 @@ class Filmstrip {
     for (const std::size_t number : frames_that_matter(judged)) {
       frames_.push_back(strip_frame(judged, number));
     }
-    const std::size_t columns = std::min(frames_.size(), kColumnsMax);
+    // Four stand better as two and two.
+    const std::size_t columns = frames_.size() == 4 ? 2 : std::min(frames_.size(), kColumnsMax);
     width_ = (kPictureWidth - 2 * kPictureEdge - kGutter * static_cast<double>(columns - 1)) /
              static_cast<double>(columns);
     width_ = std::min(width_, 560.0);
