@@ -49,7 +49,8 @@ std::string wrong_in_words(Kind kind, bool is_kept, const std::string& off) {
 /// The angle between unit vectors that differ by so much.
 std::string angle_in_words(double difference) {
   const double degrees = 360 / std::numbers::pi * std::asin(std::min(difference / 2, 1.0));
-  return fmt::format("{:.2g} degrees", degrees);
+  return degrees < 10 ? fmt::format("{:.2g} degrees", degrees)
+                      : fmt::format("{:.0f} degrees", degrees);
 }
 
 /// "0.02 of the smaller shape".
