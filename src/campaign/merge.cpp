@@ -37,7 +37,7 @@ auto badness(const CorpusCase* witness) {
 }
 
 auto size_of(const CorpusCase* known) {
-  return std::pair(complexity(known->pair), badness(known));
+  return std::tuple(known->frames.size(), complexity(known->pair), badness(known));
 }
 
 using Members = std::vector<const CorpusCase*>;
@@ -53,7 +53,7 @@ MergedFinding merged_finding(const Members& members) {
   }
   MergedFinding kept{*std::ranges::min(members, {}, size_of), {}};
   const CorpusCase& worst = *std::ranges::min(as_seen, {}, badness);
-  if (worst.pair != kept.smallest.pair) kept.worst = worst;
+  if (!worst.is_of_same(kept.smallest)) kept.worst = worst;
   const auto accepted = std::ranges::find_if(
       members, [](const CorpusCase* known) { return known->accepted.has_value(); });
   if (accepted != members.end()) kept.smallest.accepted = (*accepted)->accepted;
@@ -233,7 +233,7 @@ std::vector<MergedFinding> merged_findings(const std::vector<CorpusCase>& cases)
 }
 
 MergedRuns merged_runs(const RunFiles& files) {
-  MergedRuns runs{merged_findings(files.corpus.cases), {}, files.corpus.errors};
+  MergedRuns runs{merged_findings(files.corpus.all()), {}, files.corpus.errors};
   if (const Settings* const usual = usual_settings(files.results)) {
     runs.result.emplace();
     runs.result->settings = *usual;

@@ -45,8 +45,9 @@ double magnitude_of(const CorpusCase& known) {
 void keep_worst(const std::filesystem::path& file, CorpusCase worst) {
   std::error_code unknown;
   const std::filesystem::path beside = worst_beside(file);
-  const bool has_worse = std::filesystem::exists(beside, unknown) &&
-                         magnitude_of(read_case_file(beside.string())) >= magnitude_of(worst);
+  const bool has_worse =
+      std::filesystem::exists(beside, unknown) &&
+      magnitude_of(read_case_file(beside.string(), CaseKind::either)) >= magnitude_of(worst);
   if (has_worse) return;
   if (worst.found) worst.found->is_unshrunk = false;
   worst.accepted.reset();  // that stands in the file of the smallest
@@ -63,9 +64,11 @@ std::string replace(const CorpusCase& given, const CorpusCase& smallest) {
   }
   std::error_code unknown;
   const bool has_worst = std::filesystem::exists(worst_beside(old), unknown);
-  keep_worst(file, has_worst ? read_case_file(worst_beside(old).string()) : given);
+  keep_worst(file,
+             has_worst ? read_case_file(worst_beside(old).string(), CaseKind::either) : given);
   // Another case may have been shrunk to the same one before.
-  const bool is_to_be_accepted = smallest.accepted && !read_case_file(file.string()).accepted;
+  const bool is_to_be_accepted =
+      smallest.accepted && !read_case_file(file.string(), CaseKind::either).accepted;
   if (is_to_be_accepted) write_acceptance(file.string(), smallest.accepted);
   std::filesystem::remove(old, unknown);
   std::filesystem::remove(worst_beside(old), unknown);
@@ -78,28 +81,27 @@ bool is_left_unshrunk(const CorpusCase& known) {
          known.path.ends_with(".json") && !is_worst(known.path);
 }
 
-/// The file of the smallest. Throws UserError and Interrupted.
-std::string shrink_in_place(const CorpusCase& known, NamedColliders& colliders,
-                            Interruption& interruption) {
+}  // namespace
+
+CorpusCase shrunk_by_names(const CorpusCase& known, NamedColliders& colliders,
+                           Interruption& interruption) {
   const Collider* const subject = colliders.subject_of(known);
   const Collider* const oracle = colliders.oracle_of(known);
   if (subject == nullptr || oracle == nullptr) {
     throw UserError(fmt::format("{}: its subject '{}' is not at hand; name it with --subject",
                                 printable(known.path, 200), printable(known.expect->subject)));
   }
-  return replace(known, shrunk_case(known, *subject, *oracle, interruption));
+  return shrunk_case(known, *subject, *oracle, interruption);
 }
 
-}  // namespace
-
-ShrunkInPlace shrink_in_place(std::span<const CorpusCase> cases, NamedColliders& colliders,
-                              Interruption& interruption,
+ShrunkInPlace shrink_in_place(std::span<const CorpusCase> cases,
+                              const std::function<CorpusCase(const CorpusCase&)>& smallest_of,
                               const std::function<void(const std::string& file)>& on_shrunk) {
   ShrunkInPlace shrunk;
   for (const CorpusCase& known : cases) {
     if (!is_left_unshrunk(known)) continue;
     try {
-      shrunk.files.push_back(shrink_in_place(known, colliders, interruption));
+      shrunk.files.push_back(replace(known, smallest_of(known)));
       on_shrunk(shrunk.files.back());
     } catch (const UserError& error) {
       shrunk.errors.emplace_back(error.what());  // the others can be shrunk all the same

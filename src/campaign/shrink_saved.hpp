@@ -22,11 +22,16 @@ struct ShrunkInPlace {
   std::vector<std::string> errors;  ///< a line for each that could not be shrunk
 };
 
-/// Shrinks those of these cases, each in its file's place: the worst seen stays beside the
-/// smallest. `on_shrunk` is told of each file. Throws Interrupted, and what was shrunk until then
-/// stays.
-ShrunkInPlace shrink_in_place(std::span<const CorpusCase> cases, NamedColliders& colliders,
-                              Interruption& interruption,
+/// The smallest case that is the same finding, by the colliders that it names. Throws UserError
+/// where they are not at hand, and as `shrunk_case`.
+CorpusCase shrunk_by_names(const CorpusCase& known, NamedColliders& colliders,
+                           Interruption& interruption);
+
+/// Shrinks those of these cases by `smallest_of`, each in its file's place: the worst seen stays
+/// beside the smallest. `on_shrunk` is told of each file. Throws Interrupted, and what was shrunk
+/// until then stays.
+ShrunkInPlace shrink_in_place(std::span<const CorpusCase> cases,
+                              const std::function<CorpusCase(const CorpusCase&)>& smallest_of,
                               const std::function<void(const std::string& file)>& on_shrunk);
 
 }  // namespace manifuzz

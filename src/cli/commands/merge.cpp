@@ -52,7 +52,7 @@ int merge(const MergeArguments& options) {
   write_merged(options, runs);
   write_to_reader(options.json == "-"
                       ? json_text(json_of(*runs.result))
-                      : merged_text(runs, files.corpus.cases.size(), options.output));
+                      : merged_text(runs, files.corpus.all().size(), options.output));
   if (runs.errors.empty()) return 0;
   throw UserError(fmt::format(
       "merge: {} of the files could not be read or added; the rest is merged", runs.errors.size()));

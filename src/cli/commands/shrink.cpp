@@ -30,18 +30,29 @@ int shrink_folder(const ShrinkArguments& options) {
   if (options.output != "-") {
     throw UserError("--output: a folder's cases are shrunk where they are; leave it out");
   }
-  const Corpus corpus = read_corpus_folder(folder);
-  NamedColliders colliders(find_installed_or_named({folder}),
-                           given_collider(options.colliders.subject, options.colliders.external),
-                           given_collider(options.colliders.oracle, options.colliders.external));
+  const ColliderChoice& asked = options.colliders.subject;
+  const Corpus corpus = taken_by(asked, read_corpus_folder(folder));
+  NamedColliders colliders(
+      find_installed_or_named({folder}),
+      keeps_points(asked) ? std::nullopt : given_collider(asked, options.colliders.external),
+      given_collider(options.colliders.oracle, options.colliders.external));
   Interruption interruption(kUntilSignal);
-  const ShrunkInPlace shrunk =
-      shrink_in_place(corpus.cases, colliders, interruption,
-                      [](const std::string& file) { write_output(file + '\n'); });
-  write_complaints(shrunk.errors);
+  const auto tell = [](const std::string& file) { write_output(file + '\n'); };
+  const ShrunkInPlace of_pairs = shrink_in_place(
+      corpus.cases,
+      [&](const CorpusCase& known) { return shrunk_by_names(known, colliders, interruption); },
+      tell);
+  const ShrunkInPlace of_sequences = shrink_in_place(
+      corpus.sequences,
+      [&](const CorpusCase& known) {
+        return shrunk_sequence(known, keeper_for(known, asked), interruption);
+      },
+      tell);
+  write_complaints(of_pairs.errors);
+  write_complaints(of_sequences.errors);
   write_remark(fmt::format("{}: {} of {} cases shrunk", printable(folder.string(), 200),
-                           shrunk.files.size(), corpus.cases.size()));
-  return shrunk.errors.empty() ? 0 : 2;
+                           of_pairs.files.size() + of_sequences.files.size(), corpus.all().size()));
+  return of_pairs.errors.empty() && of_sequences.errors.empty() ? 0 : 2;
 }
 
 int shrink_file(const ShrinkArguments& options) {
