@@ -1,0 +1,139 @@
+#include <csignal>
+#include <thread>
+
+#include <catch2/catch.hpp>
+
+#include "campaign/sequences/replay_sequence.hpp"
+#include "campaign/sequences/save_sequence.hpp"
+#include "campaign/sequences/sequence_case.hpp"
+#include "sequence/motions.hpp"
+#include "unit/sequence/keepers.hpp"
+
+using namespace manifuzz;
+using test::keeper_with;
+using test::Mistake;
+
+namespace {
+
+/// The first sequence of a motion of which that kind is what is wrong.
+Sequence first_with(Kind kind, const std::string& motion, const SequenceCollider& subject) {
+  for (std::uint64_t index = 0; index < 500; ++index) {
+    const Sequence sequence = draw_sequence(1, *find_motion(motion), index);
+    const auto judgement = judge_sequence(sequence, subject, ask_sequence(subject, sequence));
+    if (judgement.bucket.kind == kind) return sequence;
+  }
+  FAIL("no such sequence");
+  return {};
+}
+
+/// Answers nothing, but in one frame does `otherwise`.
+SequenceCollider troubled(std::size_t at, const std::function<KeptAnswer()>& otherwise) {
+  SequenceCollider subject = keeper_with(Mistake::none);
+  subject.begin = [at, otherwise] {
+    return [at, otherwise, frame = std::size_t{0}](const PairCase&) mutable -> KeptAnswer {
+      return frame++ == at ? otherwise() : KeptManifold{};
+    };
+  };
+  return subject;
+}
+
+SequenceCollider crashing(std::size_t at) {
+  return troubled(at, []() -> KeptAnswer {
+    std::raise(SIGKILL);
+    return KeptManifold{};
+  });
+}
+
+Sequence apart_for(std::size_t frames) {
+  Sequence sequence = draw_sequence(1, motions().front(), 0);
+  sequence.frames.assign(frames, {{}, {{1000, 0}, {1, 0}}});
+  return sequence;
+}
+
+}  // namespace
+
+TEST_CASE("a stale normal shrinks to two frames, the same every time") {
+  const SequenceCollider subject = keeper_with(Mistake::stale_normal);
+  const Sequence sequence = first_with(Kind::normal, "turning_platform", subject);
+  REQUIRE(sequence.frames.size() > 2);
+  Interruption interruption;
+  const ShrunkSequence smallest = shrink_finding(sequence, subject, interruption);
+  CHECK(smallest.complete);
+  CHECK(smallest.sequence.frames.size() == 2);
+  const auto root = judge_in_child(sequence, subject, interruption);
+  const auto shrunk = judge_in_child(smallest.sequence, subject, interruption);
+  CHECK(is_alike(shrunk, root));
+  CHECK(complexity(smallest.sequence) < complexity(sequence));
+  CHECK(shrink_finding(sequence, subject, interruption).sequence == smallest.sequence);
+}
+
+TEST_CASE("what is wrong at birth shrinks to one frame") {
+  const SequenceCollider subject = keeper_with(Mistake::both_aside);
+  const Sequence sequence = first_with(Kind::witness, "sliding", subject);
+  Interruption interruption;
+  CHECK(shrink_finding(sequence, subject, interruption).sequence.frames.size() == 1);
+}
+
+TEST_CASE("shrinking ends at its limit, with what it has") {
+  int asked = 0;
+  const ShrunkSequence shrunk = shrink(
+      apart_for(40), [&](const Sequence&) { return ++asked > 0; }, 3);
+  CHECK_FALSE(shrunk.complete);
+  CHECK(asked == 3);
+  CHECK(shrunk.sequence.frames.size() < 40);
+}
+
+TEST_CASE("a keeper that dies or hangs in a frame is a verdict, and its answers before it stay") {
+  Interruption interruption;
+  const Sequence sequence = apart_for(5);
+  const auto answers = ask_in_child(crashing(3), sequence, interruption);
+  REQUIRE(answers.size() == 4);
+  CHECK(std::holds_alternative<KeptManifold>(answers[2]));
+  CHECK(std::get<Lost>(answers[3]).how == Lost::How::crashed);
+  CHECK(judge_in_child(sequence, crashing(3), interruption).bucket.verdict == Verdict::crashed);
+  const SequenceCollider hanging = troubled(0, []() -> KeptAnswer {
+    std::this_thread::sleep_for(std::chrono::hours(1));
+    return KeptManifold{};
+  });
+  CHECK(judge_in_child(sequence, hanging, interruption).bucket.verdict == Verdict::timed_out);
+}
+
+TEST_CASE("a crash shrinks to the frames that it takes") {
+  Interruption interruption;
+  CHECK(shrink_finding(apart_for(8), crashing(2), interruption).sequence.frames.size() == 3);
+}
+
+TEST_CASE("a sequence that is replayed passes by the rules of cases") {
+  const SequenceCollider wrong = keeper_with(Mistake::stale_normal);
+  Interruption interruption;
+  const Sequence sequence = first_with(Kind::normal, "turning_platform", wrong);
+  std::vector<CorpusCase> saved{
+      recorded_sequence(sequence, judge_in_child(sequence, wrong, interruption), wrong)};
+  const auto replay = [&](const SequenceCollider& subject) {
+    NamedKeepers keepers({}, subject);
+    return replay_sequences(saved, keepers, known_of(saved, "2026-11-23"), interruption)
+        .cases.at(0)
+        .result;
+  };
+  CHECK(saved.front().expect->bucket.starts_with("subject/subject_wrong/normal/"));
+  CHECK_FALSE(replay(wrong).passed);
+  SequenceCollider right = keeper_with(Mistake::none);
+  right.declaration.name = wrong.declaration.name;
+  CHECK(replay(right).passed);
+  saved.front().accepted = Acceptance{.because = "known"};
+  CHECK(replay(wrong).is_accepted);
+  CHECK(replay(right).is_stale);
+}
+
+TEST_CASE("a keeper that is not there is not asked, and one that is not installed fails nothing") {
+  std::vector<CorpusCase> saved(1);
+  saved.front().set(apart_for(2));
+  saved.front().expect.emplace().subject = "somebody's";
+  Interruption interruption;
+  NamedKeepers none([](const std::string&) { return std::nullopt; }, {});
+  CHECK(replay_sequences(saved, none, {}, interruption).unasked.size() == 1);
+  NamedKeepers absent([](const std::string&) { return SequenceCollider{}; }, {});
+  const ReplayRun run = replay_sequences(saved, absent, {}, interruption);
+  CHECK(run.unsupported() == 1);
+  CHECK(run.failed() == 0);
+}
