@@ -131,7 +131,7 @@ TEST_CASE("new buckets of sequences are shrunk and saved, and their commands rep
     CHECK(again["buckets"][0]["bucket"] == bucket["bucket"]);
     CHECK(again["buckets"][0]["new"] == false);
     const Outcome shown = run_manifuzz({"show", file, "--svg", "-"});
-    CHECK(shown.out.starts_with("<svg"));
+    CHECK(shown.out.find("<svg") != std::string::npos);
   }
   const std::string corpus = (folder.path() / "corpus").string();
   CHECK(run_manifuzz({"replay", corpus}).status == 0);

@@ -81,7 +81,7 @@ TEST_CASE("of many frames those are shown that matter") {
 TEST_CASE("the text of a sequence says frame by frame what is kept, born, and wrong") {
   const std::string text = sequence_text(judged(platform(3), Mistake::stale_normal));
   for (const char* const words : {"frame 0: right", "frame 2: the normal did not turn", "born",
-                                  "kept since frame 0", "overlap 0.01", "bucket", "magnitude"}) {
+                                  "kept since frame 1", "overlap 0.01", "bucket", "magnitude"}) {
     CAPTURE(text, words);
     CHECK(text.find(words) != std::string::npos);
   }

@@ -1,6 +1,7 @@
 #include "report/round_truth.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "report/words.hpp"
 #include "support/named_tests.hpp"
