@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "collider/collider.hpp"
+#include "collider/sequence_collider.hpp"
 #include "exchange/json.hpp"
 #include "oracle/external/error_output.hpp"
 #include "oracle/external/manifuzz_collider.h"
@@ -64,6 +65,24 @@ inline constexpr double kStartSecondsMax = 10;
 Collider collider_of_command(const std::string& command, double seconds_max,
                              double start_seconds_max = kStartSecondsMax);
 
+/// What a program declares of itself.
+struct ProgramDeclaration {
+  Declaration declaration;
+  bool normal_from_b = false;        ///< its normals point from B to A
+  std::optional<Keeping> keeping{};  ///< of the points that it keeps, if it says so
+};
+
+/// Reads its line {"declaration": {...}}; an empty line declares nothing. Throws UserError.
+ProgramDeclaration program_declaration(const std::string& command, const std::string& line);
+
+/// The case that a program is asked first, so that it can declare itself.
+PairCase overlapping_boxes();
+
+/// The same of a program that keeps points, and answers frames: a line each of {"sequence": id,
+/// "frame": k, ...case}. What it loses ends its sequence; it is started anew before the next.
+SequenceCollider keeper_of_command(const std::string& command, double seconds_max,
+                                   double start_seconds_max = kStartSecondsMax);
+
 /// How a collider from outside is called: by one of both.
 struct NamedSubject {
   std::string command;
@@ -113,6 +132,16 @@ class ProgramProcess {
   BatchResult ask(std::span<const PairCase> pairs, std::span<Answer> answers,
                   const std::function<bool()>& go_on);
 
+  /// The same of other lines, each with its end; what `take` throws is for `refuse`.
+  struct Lines {
+    std::string text;
+    std::size_t count = 0;
+    std::function<void(std::size_t index, const JsonView& answer)> take;
+    std::function<void(std::size_t index, const std::string& why)> refuse;
+    bool may_restart = true;  ///< else one that does not run any more has exited
+  };
+  BatchResult ask(const Lines& lines, const std::function<bool()>& go_on);
+
   /// Whether it writes more than it was asked for, within that time.
   bool writes_more(double seconds);
 
@@ -123,14 +152,13 @@ class ProgramProcess {
   const std::string& declaration() const { return declaration_; }
 
  private:
-  BatchResult exchange(std::span<const PairCase> pairs, std::span<Answer> answers,
-                       const std::function<bool()>& go_on);
+  BatchResult exchange(const Lines& lines, const std::function<bool()>& go_on);
   void start();
   bool is_ready() const { return has_answered_ || !declaration_.empty(); }
   bool write_some(std::string_view& text);
   bool read_some();
   bool pass_on_errors();
-  void take_lines(std::span<const PairCase> pairs, std::span<Answer> answers, BatchResult& result);
+  void take_lines(const Lines& lines, BatchResult& result);
 
   std::string command_;
   ErrorOutput error_output_;

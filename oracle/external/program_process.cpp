@@ -29,33 +29,48 @@ bool is_simple(const std::string& command) {
 
 BatchResult ProgramProcess::ask(std::span<const PairCase> pairs, std::span<Answer> answers,
                                 const std::function<bool()>& go_on) {
+  Lines lines{.text = {},
+              .count = pairs.size(),
+              .take =
+                  [&](std::size_t i, const JsonView& answer) {
+                    answers[i] = read_reported_answer(answer, pairs[i], conventions);
+                  },
+              .refuse =
+                  [&](std::size_t i, const std::string& why) {
+                    answers[i] = Lost{Lost::How::malformed, why};
+                  }};
+  for (const PairCase& pair : pairs) {
+    append_case_line(lines.text, pair);
+    lines.text += '\n';
+  }
+  return ask(lines, go_on);
+}
+
+BatchResult ProgramProcess::ask(const Lines& lines, const std::function<bool()>& go_on) {
   // What it wrote unasked belongs to no case: better begin anew.
   if (child_.running() && (!unread_.empty() || wait_readable(child_.from(), 0))) stop();
   const bool was_running = child_.running();
+  if (!was_running && !lines.may_restart) {
+    return {0, BatchEnd::exited, "it ended between two frames, or wrote what it was not asked"};
+  }
   if (!was_running) start();
-  BatchResult result = exchange(pairs, answers, go_on);
-  if (was_running && result.end == BatchEnd::exited && result.answered == 0) {
+  BatchResult result = exchange(lines, go_on);
+  if (was_running && lines.may_restart && result.end == BatchEnd::exited && result.answered == 0) {
     start();  // what it died of may lie before these cases
-    result = exchange(pairs, answers, go_on);
+    result = exchange(lines, go_on);
   }
   if (result.end == BatchEnd::stopped) stop();
   return result;
 }
 
-BatchResult ProgramProcess::exchange(std::span<const PairCase> pairs, std::span<Answer> answers,
-                                     const std::function<bool()>& go_on) {
+BatchResult ProgramProcess::exchange(const Lines& lines, const std::function<bool()>& go_on) {
   BatchResult result;
-  std::string lines;
-  for (const PairCase& pair : pairs) {
-    append_case_line(lines, pair);
-    lines += '\n';
-  }
-  std::string_view unwritten = lines;
+  std::string_view unwritten = lines.text;
   Patience patience;
   patience.begin(child_.process());  // with the start, or with the case at work
   bool reads = true;
   bool has_errors = true;
-  while (result.answered < pairs.size() && result.end == BatchEnd::answered) {
+  while (result.answered < lines.count && result.end == BatchEnd::answered) {
     std::array<pollfd, 3> watched{{{child_.from(), POLLIN, 0},
                                    {has_errors ? child_.errors() : -1, POLLIN, 0},
                                    {unwritten.empty() ? -1 : child_.to(), POLLOUT, 0}}};
@@ -64,13 +79,13 @@ BatchResult ProgramProcess::exchange(std::span<const PairCase> pairs, std::span<
     const std::size_t before = result.answered;
     const bool was_ready = is_ready();
     const bool open = watched[0].revents == 0 || read_some();
-    take_lines(pairs, answers, result);
+    take_lines(lines, result);
     if (watched[1].revents != 0) has_errors = pass_on_errors();
     if (result.answered > before || is_ready() != was_ready) {
       patience.begin(child_.process());
     }
     if (result.answered > before) error_output_.begin_case();
-    if (result.answered == pairs.size() || result.end != BatchEnd::answered) break;
+    if (result.answered == lines.count || result.end != BatchEnd::answered) break;
     const double most = is_ready() ? case_seconds : start_seconds;
     const bool is_late = patience.is_over(most);
     if (!open || (is_late && !reads)) {
@@ -138,16 +153,14 @@ bool ProgramProcess::pass_on_errors() {
   return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
-void ProgramProcess::take_lines(std::span<const PairCase> pairs, std::span<Answer> answers,
-                                BatchResult& result) {
-  while (result.answered < pairs.size()) {
+void ProgramProcess::take_lines(const Lines& lines, BatchResult& result) {
+  while (result.answered < lines.count) {
     const std::size_t end = unread_.find('\n');
     if (end == std::string::npos) break;
     const std::string line = unread_.substr(0, end);
     unread_.erase(0, end + 1);
     if (is_blank(line)) continue;
     bool is_answer = line.starts_with('{');  // perhaps one that cannot be read
-    Answer& answer = answers[result.answered];
     try {
       if (line.size() > kLongestCase) throw UserError("longer than 1 MiB");
       const JsonTree tree = parse_json(line);
@@ -157,14 +170,14 @@ void ProgramProcess::take_lines(std::span<const PairCase> pairs, std::span<Answe
         declaration_ = line;
         continue;
       }
-      answer = read_reported_answer(view, pairs[result.answered], conventions);
+      lines.take(result.answered, view);
     } catch (const UserError& error) {
       if (!is_answer) {
         result.end = BatchEnd::not_json;
         result.why = fmt::format("'{}': {}", printable(line), error.what());
         return;
       }
-      answer = Lost{Lost::How::malformed, error.what()};
+      lines.refuse(result.answered, error.what());
     }
     ++result.answered;
     has_answered_ = true;

@@ -159,13 +159,6 @@ bool is_library(const std::string& name) {
   return name.find('/') != std::string::npos || name.ends_with(".so");
 }
 
-double time_limit_of(const ExternalOptions& external) {
-  const double seconds = external.time_limit.value_or(kTimeLimit);
-  if (seconds > 0 && seconds <= kTimeLimitMax) return seconds;
-  throw UserError(fmt::format("--time-limit: {} s is no limit; more than 0, up to {} is expected",
-                              seconds, kTimeLimitMax));
-}
-
 Collider find_any(const ColliderChoice& choice, const ExternalOptions& external) {
   const double seconds = time_limit_of(external);
   if (external.in_process && external.time_limit) {
@@ -207,16 +200,24 @@ std::string option_again(const ColliderChoice& choice) {
     if (is_library(choice.name) && !is_library(name)) name = "./" + name;
     return fmt::format("--{} {}", choice.role, quoted_for_shell(name));
   }
-  return fmt::format("--{}-command {}", choice.role, quoted_for_shell(choice.command));
+  return fmt::format("--{}-command {}{}", choice.role, quoted_for_shell(choice.command),
+                     choice.keeps_points ? " --sequences" : "");
 }
 
 }  // namespace
+
+double time_limit_of(const ExternalOptions& external) {
+  const double seconds = external.time_limit.value_or(kTimeLimit);
+  if (seconds > 0 && seconds <= kTimeLimitMax) return seconds;
+  throw UserError(fmt::format("--time-limit: {} s is no limit; more than 0, up to {} is expected",
+                              seconds, kTimeLimitMax));
+}
 
 std::optional<ColliderChoice> named_choice(const ColliderChoice& by_name,
                                            const NamedSubjects& subjects) {
   const auto named = subjects.find(by_name.name);
   if (named == subjects.end()) return std::nullopt;
-  return ColliderChoice{by_name.role, named->second.library, named->second.command};
+  return ColliderChoice{by_name.role, named->second.library, named->second.command, false};
 }
 
 Collider find_named(const ColliderChoice& choice, const std::string& name,
@@ -251,6 +252,12 @@ void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& desc
   add_text(app, "--" + choice.role + "-command", choice.command, "COMMAND",
            "the same as a program: case lines in, manifold lines out")
       ->excludes(name);
+}
+
+void add_sequences(CLI::App& app, ColliderChoice& choice) {
+  app.add_flag("--sequences", choice.keeps_points,
+               "the program keeps points: it gets sequences, a frame a line")
+      ->needs("--" + choice.role + "-command");
 }
 
 void add_external_options(CLI::App& app, ExternalOptions& external) {

@@ -53,6 +53,7 @@ struct ColliderChoice {
   std::string role;     ///< the option's name without its dashes: subject, oracle, collider
   std::string name;     ///< one of `list colliders`, or a shared library; empty: none was named
   std::string command;  ///< or a program
+  bool keeps_points = false;  ///< the program does: it gets sequences
 
   bool is_given() const { return !name.empty() || !command.empty(); }
 };
@@ -73,6 +74,8 @@ struct SubjectAndOracle {
 
 /// Adds --ROLE and --ROLE-command; `choice.name` is the one that is taken where none is given.
 void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& description);
+/// Adds --sequences, which says that the program keeps points.
+void add_sequences(CLI::App& app, ColliderChoice& choice);
 /// Adds --in-process and --time-limit.
 void add_external_options(CLI::App& app, ExternalOptions& external);
 /// Adds all of these.
@@ -94,6 +97,9 @@ std::optional<ColliderChoice> named_choice(const ColliderChoice& by_name,
 /// name.
 Collider find_named(const ColliderChoice& choice, const std::string& name,
                     const ExternalOptions& external);
+
+/// The seconds that a library or a program may take over a case. Throws UserError.
+double time_limit_of(const ExternalOptions& external);
 
 /// The options that choose the same colliders, or one collider, again, for a shell.
 std::string options_again(const SubjectAndOracle& colliders);

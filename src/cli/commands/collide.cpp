@@ -26,7 +26,7 @@ int collide_cases(const CollideArguments& options) {
   }
   if (keeps_points(options.collider)) {
     expect_none_of({{"--tie-bias", options.tie_bias.has_value()}});
-    return collide_sequences(options.collider, options.file);
+    return collide_sequences(options.collider, options.external, options.file);
   }
   const Collider collider = find_collider(options.collider, options.external, options.tie_bias);
   answer_each(options.file, [&collider](const PairCase& pair, std::size_t, std::string& line) {
@@ -37,6 +37,7 @@ int collide_cases(const CollideArguments& options) {
 
 void add_collide_arguments(CLI::App& app, CollideArguments& options) {
   add_collider(app, options.collider, "which one; `manifuzz list colliders` names them");
+  add_sequences(app, options.collider);
   add_external_options(app, options.external);
   add_length(app, "--tie-bias", options.tie_bias,
              "by how much B's face must lead to be the reference");

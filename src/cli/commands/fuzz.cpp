@@ -58,7 +58,7 @@ void plan_cases(Plan& plan, const FuzzArguments& options) {
                     {"--radius", options.radius.has_value()},
                     {"--judge-every", options.judge_every.has_value()},
                     {"--report", !options.report.empty()}});
-    return plan_sequences(plan, find_keeper(asked.subject), options.regimes);
+    return plan_sequences(plan, find_keeper(asked.subject, asked.external), options.regimes);
   }
   plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
   plan.oracle = find_collider(asked.oracle, asked.external);
@@ -178,6 +178,7 @@ int fuzz(FuzzArguments& options) {
 
 void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
   add_subject_and_oracle(app, options.colliders);
+  add_sequences(app, options.colliders.subject);
   add_seed(app, options.seed);
   CLI::Option* const cases =
       add_whole_number(app, "--cases", options.cases, "how many cases, all regimes together", 1);

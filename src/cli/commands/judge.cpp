@@ -28,7 +28,7 @@ int judge_cases(const JudgeArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
   if (keeps_points(asked.subject)) {
     expect_none_of({{"--manifolds", !options.manifolds.empty()}});
-    return judge_sequences(asked.subject, options.file);
+    return judge_sequences(asked.subject, asked.external, options.file);
   }
   const Collider subject = find_collider(asked.subject, asked.external);
   const Collider oracle = find_collider(asked.oracle, asked.external);
@@ -56,6 +56,7 @@ int judge_cases(const JudgeArguments& options) {
 
 void add_judge_arguments(CLI::App& app, JudgeArguments& options) {
   add_subject_and_oracle(app, options.colliders);
+  add_sequences(app, options.colliders.subject);
   app.add_option("--manifolds", options.manifolds,
                  "the subject's answers, a line a case, in place of the subject's own")
       ->type_name("FILE");

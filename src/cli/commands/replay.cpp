@@ -35,7 +35,7 @@ int replay(ReplayArguments& options) {
       find_installed_or_named(paths),
       is_of_sequences ? std::nullopt : given_collider(asked.subject, asked.external),
       given_collider(asked.oracle, asked.external));
-  NamedKeepers keepers = named_keepers(asked.subject);
+  NamedKeepers keepers = named_keepers(asked.subject, asked.external);
   const Corpus corpus = taken_by(asked.subject, read_corpus(paths));
   const std::size_t unread = corpus.errors.size();
   write_complaints(corpus.errors);
@@ -75,6 +75,7 @@ void add_replay_arguments(CLI::App& app, ReplayArguments& options) {
                "the collider under test; if not given, the one that each case names, or clip");
   add_collider(app, options.colliders.oracle,
                "what it is held against; if not given, the one that each case names, or box2d");
+  add_sequences(app, options.colliders.subject);
   add_external_options(app, options.colliders.external);
   add_today(app, options.today);
   add_junit(app, options.ci.junit);

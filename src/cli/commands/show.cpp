@@ -74,7 +74,7 @@ int show(const ShowArguments& options) {
                     {"--map", options.map.has_value()},
                     {"--upstream", options.upstream},
                     {"--text-picture", options.text_picture}});
-    return show_sequence(given, options.colliders.subject, options.svg);
+    return show_sequence(given, options.colliders.subject, options.colliders.external, options.svg);
   }
   const Expectation recorded = given.expect.value_or(Expectation{});
   SubjectAndOracle asked = options.colliders;
@@ -108,6 +108,7 @@ void add_show_arguments(CLI::App& app, ShowArguments& options) {
                "the collider under test; if not given, the one the case names, or clip");
   add_collider(app, options.colliders.oracle,
                "the collider it is held against; if not given, the one the case names, or box2d");
+  add_sequences(app, options.colliders.subject);
   add_external_options(app, options.colliders.external);
   app.add_option(
          "--svg", options.svg,

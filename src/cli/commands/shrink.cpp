@@ -45,7 +45,8 @@ int shrink_folder(const ShrinkArguments& options) {
   const ShrunkInPlace of_sequences = shrink_in_place(
       corpus.sequences,
       [&](const CorpusCase& known) {
-        return shrunk_sequence(known, keeper_for(known, asked), interruption);
+        return shrunk_sequence(known, keeper_for(known, asked, options.colliders.external),
+                               interruption);
       },
       tell);
   write_complaints(of_pairs.errors);
@@ -65,8 +66,9 @@ int shrink_file(const ShrinkArguments& options) {
   if (given.is_sequence()) {
     Interruption interruption(kUntilSignal);
     write_data(options.output,
-               format_case(shrunk_sequence(given, keeper_for(given, options.colliders.subject),
-                                           interruption)));
+               format_case(shrunk_sequence(
+                   given, keeper_for(given, options.colliders.subject, options.colliders.external),
+                   interruption)));
     return 0;
   }
   SubjectAndOracle asked = options.colliders;
@@ -83,6 +85,7 @@ int shrink_file(const ShrinkArguments& options) {
 void add_shrink_arguments(CLI::App& app, ShrinkArguments& options) {
   add_case_argument(app, options.given);
   add_subject_and_oracle(app, options.colliders);
+  add_sequences(app, options.colliders.subject);
   app.add_option("--output", options.output, "where the smallest case goes, - for stdout")
       ->type_name("FILE")
       ->capture_default_str();

@@ -9,10 +9,10 @@
 #include "campaign/sequences/sequence_case.hpp"
 #include "cli/options.hpp"
 #include "cli/sequence_colliders.hpp"
+#include "exchange/kept_json.hpp"
 #include "report/outputs.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/sequence/sequence_report.hpp"
-#include "sequence/kept_json.hpp"
 #include "sequence/motions.hpp"
 
 namespace manifuzz {
@@ -23,15 +23,18 @@ bool keeps_points(std::string_view name) {
 }
 
 bool keeps_points(const ColliderChoice& choice) {
-  return choice.command.empty() && keeps_points(choice.name);
+  return choice.command.empty() ? keeps_points(choice.name) : choice.keeps_points;
 }
 
-SequenceCollider find_keeper(const ColliderChoice& choice) {
+SequenceCollider find_keeper(const ColliderChoice& choice, const ExternalOptions& external) {
   if (!choice.command.empty()) {
-    throw UserError(
-        fmt::format("--{}-command: takes pair cases; a sequence takes --{} with one of "
-                    "`manifuzz list colliders` that keeps points",
-                    choice.role, choice.role));
+    if (!choice.keeps_points) {
+      throw UserError(
+          fmt::format("--{}-command: gets pair cases, and this is a sequence; "
+                      "--sequences says that it keeps points",
+                      choice.role));
+    }
+    return keeper_of_command(choice.command, time_limit_of(external), external.start_seconds);
   }
   try {
     return find_sequence_collider(choice.name);
@@ -45,7 +48,7 @@ SequenceCollider find_keeper(const ColliderChoice& choice) {
   }
 }
 
-NamedKeepers named_keepers(const ColliderChoice& choice) {
+NamedKeepers named_keepers(const ColliderChoice& choice, const ExternalOptions& external) {
   const auto find = [](const std::string& name) -> std::optional<SequenceCollider> {
     try {
       return find_sequence_collider(name);
@@ -56,15 +59,16 @@ NamedKeepers named_keepers(const ColliderChoice& choice) {
       return absent;
     }
   };
-  return {find, keeps_points(choice) ? std::optional(find_keeper(choice)) : std::nullopt};
+  return {find, keeps_points(choice) ? std::optional(find_keeper(choice, external)) : std::nullopt};
 }
 
-SequenceCollider keeper_for(const CorpusCase& given, ColliderChoice choice) {
+SequenceCollider keeper_for(const CorpusCase& given, ColliderChoice choice,
+                            const ExternalOptions& external) {
   if (!choice.is_given()) {
     const bool names_one = given.expect && !given.expect->subject.empty();
     choice.name = names_one ? given.expect->subject : kUsualKeeper;
   }
-  return find_keeper(choice);
+  return find_keeper(choice, external);
 }
 
 void expect_none_of(const std::vector<PairOption>& options) {
@@ -74,8 +78,9 @@ void expect_none_of(const std::vector<PairOption>& options) {
   }
 }
 
-int collide_sequences(const ColliderChoice& choice, const std::string& file) {
-  const SequenceCollider keeper = find_keeper(choice);
+int collide_sequences(const ColliderChoice& choice, const ExternalOptions& external,
+                      const std::string& file) {
+  const SequenceCollider keeper = find_keeper(choice, external);
   answer_each_sequence(file, [&](const Sequence& sequence, std::size_t index, std::string& lines) {
     const std::vector<KeptAnswer> answers = ask_sequence(keeper, sequence);
     for (std::size_t k = 0; k < answers.size(); ++k) {
@@ -86,8 +91,9 @@ int collide_sequences(const ColliderChoice& choice, const std::string& file) {
   return 0;
 }
 
-int judge_sequences(const ColliderChoice& choice, const std::string& file) {
-  const SequenceCollider keeper = find_keeper(choice);
+int judge_sequences(const ColliderChoice& choice, const ExternalOptions& external,
+                    const std::string& file) {
+  const SequenceCollider keeper = find_keeper(choice, external);
   bool is_any_unexplained = false;
   answer_each_sequence(file, [&](const Sequence& sequence, std::size_t index, std::string& lines) {
     JudgedSequence judged{{}, keeper, ask_sequence(keeper, sequence), {}};
@@ -146,9 +152,10 @@ int generate_sequences(const SequenceDraw& draw) {
 }
 
 int show_sequence(const CorpusCase& given, const ColliderChoice& choice,
-                  const std::string& picture) {
+                  const ExternalOptions& external, const std::string& picture) {
   Interruption interruption(kUntilSignal);
-  const JudgedSequence judged = judged_sequence(given, keeper_for(given, choice), interruption);
+  const JudgedSequence judged =
+      judged_sequence(given, keeper_for(given, choice, external), interruption);
   const std::string svg = picture.empty() ? "" : filmstrip_svg(judged);
   if (picture == "-") {
     write_output(svg);

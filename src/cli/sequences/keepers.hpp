@@ -18,13 +18,14 @@ bool keeps_points(std::string_view name);
 bool keeps_points(const ColliderChoice& choice);
 
 /// The collider of that choice. Throws UserError where it keeps no points, or there is none.
-SequenceCollider find_keeper(const ColliderChoice& choice);
+SequenceCollider find_keeper(const ColliderChoice& choice, const ExternalOptions& external);
 
 /// The one that is given, or else those that files name.
-NamedKeepers named_keepers(const ColliderChoice& choice);
+NamedKeepers named_keepers(const ColliderChoice& choice, const ExternalOptions& external);
 
 /// The one that was asked for, else the one that the sequence names, else the usual one.
-SequenceCollider keeper_for(const CorpusCase& given, ColliderChoice choice);
+SequenceCollider keeper_for(const CorpusCase& given, ColliderChoice choice,
+                            const ExternalOptions& external);
 
 /// Fails where any of these options, which pair cases have alone, was given.
 struct PairOption {
@@ -34,10 +35,12 @@ struct PairOption {
 void expect_none_of(const std::vector<PairOption>& options);
 
 /// Sequences in, answers out, a line a frame.
-int collide_sequences(const ColliderChoice& choice, const std::string& file);
+int collide_sequences(const ColliderChoice& choice, const ExternalOptions& external,
+                      const std::string& file);
 
 /// Sequences in, a line a frame out; status 1 where something is wrong that nobody explains.
-int judge_sequences(const ColliderChoice& choice, const std::string& file);
+int judge_sequences(const ColliderChoice& choice, const ExternalOptions& external,
+                    const std::string& file);
 
 /// Sequences of these motions, a line each.
 struct SequenceDraw {
@@ -60,6 +63,6 @@ Corpus taken_by(const ColliderChoice& subject, Corpus corpus);
 
 /// The text of a sequence and, where a file is named for it, its filmstrip.
 int show_sequence(const CorpusCase& given, const ColliderChoice& choice,
-                  const std::string& picture);
+                  const ExternalOptions& external, const std::string& picture);
 
 }  // namespace manifuzz

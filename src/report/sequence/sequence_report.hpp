@@ -5,7 +5,7 @@
 
 #include "campaign/run.hpp"
 #include "campaign/sequences/sequence_case.hpp"
-#include "sequence/kept_json.hpp"
+#include "exchange/kept_json.hpp"
 
 namespace manifuzz {
 

@@ -1,0 +1,100 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "oracle/external/external_collider.hpp"
+#include "sequence/motions.hpp"
+#include "sequence/sequence_judge.hpp"
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/sequence/keepers.hpp"
+
+using namespace manifuzz;
+using namespace manifuzz::test;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+SequenceCollider keeping(const std::string& behaviour) {
+  return keeper_of_command(std::string(MANIFUZZ_TEST_KEEPING_PROGRAM) + " " + behaviour, 0.5);
+}
+
+SequenceJudgement judged(const SequenceCollider& subject, const Sequence& sequence) {
+  return judge_sequence(sequence, subject, ask_sequence(subject, sequence));
+}
+
+Json fuzz(const TemporaryFolder& folder, const std::string& behaviour,
+          const std::vector<std::string>& more) {
+  const Outcome outcome = run_manifuzz(with(
+      {"fuzz", "--subject-command", std::string(MANIFUZZ_TEST_KEEPING_PROGRAM) + " " + behaviour,
+       "--sequences", "--seed", "1", "--time-limit", "0.5", "--regime", "turning_platform",
+       "--corpus", (folder.path() / "corpus").string(), "--json", "-"},
+      more));
+  INFO(outcome.err);
+  Json json = Json::parse(outcome.out, nullptr, false);
+  REQUIRE(json.is_object());
+  json["status"] = outcome.status;
+  return json;
+}
+
+}  // namespace
+
+TEST_CASE("a program that keeps points is judged frame by frame, by what it declares") {
+  const SequenceCollider right = keeping("right");
+  CHECK(right.declaration.name == "keeping");
+  CHECK(right.declaration.claims == Claims::point);
+  CHECK(right.keeping.gap.relative == 0.02);
+  CHECK(right.keeping.points_max == 3);
+  const SequenceCollider stale = keeping("stale");
+  std::size_t wrong = 0;
+  for (std::uint64_t index = 0; index < 40; ++index) {
+    const Sequence sequence = draw_sequence(1, *find_motion("turning_platform"), index);
+    CHECK(judged(right, sequence).bucket.verdict != Verdict::subject_wrong);
+    const Bucket of_stale = judged(stale, sequence).bucket;
+    CHECK(of_stale == judged(keeper_with(Mistake::stale_normal), sequence).bucket);
+    wrong += of_stale.kind == Kind::normal ? 1 : 0;
+  }
+  CHECK(wrong > 0);
+}
+
+TEST_CASE("what a program loses is its sequence's verdict, and the next one begins anew") {
+  const Sequence sequence = draw_sequence(1, *find_motion("sliding"), 0);
+  const std::pair<const char*, Verdict> endings[] = {{"crashes", Verdict::crashed},
+                                                     {"hangs", Verdict::timed_out},
+                                                     {"garbage", Verdict::malformed},
+                                                     {"nonsense", Verdict::malformed}};
+  for (const auto& [behaviour, verdict] : endings) {
+    CAPTURE(behaviour);
+    const SequenceCollider subject = keeping(behaviour);
+    for (int again = 0; again < 2; ++again) {
+      const auto answers = ask_sequence(subject, sequence);
+      REQUIRE(answers.size() == 3);
+      CHECK(std::holds_alternative<KeptManifold>(answers[1]));
+      CHECK(judge_sequence(sequence, subject, answers).bucket.verdict == verdict);
+    }
+  }
+}
+
+TEST_CASE(
+    "a program that does not say how it keeps points is refused, as is one that is not there") {
+  CHECK_THROWS_WITH(keeping("undeclared"), Catch::Contains("\"keeping\" is missing"));
+  CHECK_THROWS_WITH(keeper_of_command("no-such-program-anywhere", 1),
+                    Catch::Contains("no-such-program-anywhere"));
+}
+
+TEST_CASE("campaigns of a program's sequences shrink, save and repeat what they find") {
+  const TemporaryFolder folder;
+  const Json run = fuzz(folder, "stale", {"--cases", "60", "--shrink-seconds", "60"});
+  CHECK(run["status"] == 1);
+  CHECK(run["verdicts"]["subject_wrong"].get<int>() > 0);
+  REQUIRE(run["buckets"].size() > 0);
+  const std::string file = run["buckets"][0]["file"];
+  CHECK(Json::parse(text_of(file))["frames"].size() == 2);
+  CHECK(run["buckets"][0]["command"].get<std::string>().find(" --sequences ") != std::string::npos);
+  CHECK(fuzz(folder, "right", {"--cases", "60"})["status"] == 0);
+  CHECK(run_manifuzz({"show", file, "--sequences", "--subject-command",
+                      std::string(MANIFUZZ_TEST_KEEPING_PROGRAM) + " stale"})
+            .out.find("did not turn with its body") != std::string::npos);
+  const Json dead = fuzz(folder, "crashes", {"--cases", "100", "--no-save"});
+  CHECK(dead["stopped_early"] == true);
+  CHECK(dead["verdicts"]["crashed"].get<int>() >= 20);
+}
