@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "judging/ledger/box2d3_entries.hpp"
-#include "judging/ledger/box2d_entries.hpp"
-#include "judging/ledger/bullet_entries.hpp"
-#include "judging/ledger/chipmunk_entries.hpp"
-#include "judging/ledger/javascript_entries.hpp"
-#include "judging/ledger/libccd_entries.hpp"
-#include "judging/ledger/munk_entries.hpp"
+#include "judging/ledger/box2d/box2d3_entries.hpp"
+#include "judging/ledger/box2d/box2d_entries.hpp"
+#include "judging/ledger/box2d/javascript_entries.hpp"
+#include "judging/ledger/bullet/bullet_entries.hpp"
+#include "judging/ledger/bullet/libccd_entries.hpp"
+#include "judging/ledger/chipmunk/chipmunk_entries.hpp"
+#include "judging/ledger/chipmunk/munk_entries.hpp"
 
 namespace manifuzz {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "judging/ledger/phaser_placed.hpp"
+#include "judging/ledger/box2d/phaser_placed.hpp"
 #include "judging/ledger/round_deviations.hpp"
 #include "oracle/exact/curve.hpp"
 
