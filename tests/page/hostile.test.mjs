@@ -87,6 +87,21 @@ onData('what the data says is text, never HTML', reportOf({cases: [names], error
   assert.ok((await page.textContent('footer')).includes(evil));
 });
 
+const sequence = {file: 'sequence.json', subject: 'cached', oracle: 'judge', verdict: 'known', bucket: 'subject/known/normal/none/a/gross', regime: 'rocking',
+  frames: 2, note: '', sentence: 'cached is wrong', count: null, commands: [], svg: '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20"></svg>'};
+const script = `<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20"><script>${evil}</script></svg>`;
+
+onData('a filmstrip is a picture, and what is said of it text', reportOf({sequences: [sequence, {...sequence, file: evil, subject: evil, regime: evil, note: evil,
+  sentence: evil, commands: [evil], svg: script}, {...sequence, svg: ''}]}), async (page) => {
+  assert.equal(await page.textContent('h1'), 'Nothing recorded as unexplained');
+  assert.equal(await page.locator('#sequences article').count(), 3);
+  assert.equal(await page.locator('#sequences img').count(), 2);
+  assert.equal(await page.locator('#sequences img').first().evaluate((image) => image.naturalWidth), 40);
+  assert.equal(await page.locator('#sequences b, #sequences script, #sequences svg').count(), 0);
+  assert.notEqual(await page.title(), 'owned');
+  assert.ok((await page.textContent('#sequences')).includes('not there to be asked'));
+});
+
 const long = 'long'.repeat(500);
 onData('very long words stick out nowhere', reportOf({cases: [{...sample, file: `${long}.json`, sentence: long, note: long, bucket: `a/b/${long}/d/e`,
   subject: long, commands: [long]}], errors: [long], command: long}), async (page) => {

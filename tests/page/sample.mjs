@@ -26,7 +26,7 @@ export function reportOf(parts = {}) {
   return {
     format: 'manifuzz/report/1', version: '0.1.0', command: 'manifuzz report corpus run.json --output page.html',
     sources: [{path: 'corpus', kind: 'cases', cases: parts.cases?.length ?? 0}], errors: [],
-    fuzz: [], replay: [], bench: [], stress: [], scene: [], cases: [], ...parts,
+    fuzz: [], replay: [], bench: [], stress: [], scene: [], cases: [], sequences: [], ...parts,
   };
 }
 

@@ -105,7 +105,9 @@ std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_j
   const std::string run = is_kept ? kept_path(options.json).string() : "this run";
   const RunFiles files{read_corpus_folder(options.corpus),
                        {{run, "fuzz", summary, campaign.result}}};
-  NamedColliders colliders(find_installed, campaign.plan.subject, campaign.plan.oracle);
+  const PageColliders colliders{
+      {find_installed, campaign.plan.subject, campaign.plan.oracle},
+      named_keepers(options.colliders.subject, options.colliders.external)};
   const std::string program = this_program();
   const std::string again =
       is_kept ? fmt::format("{} report {} {}", program, quoted_for_shell(options.corpus),

@@ -10,6 +10,7 @@
 #include "campaign/result.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
+#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "report/outputs.hpp"
 #include "report/page/page.hpp"
@@ -35,6 +36,14 @@ std::string repeating_command(const std::vector<std::filesystem::path>& paths,
   return command + " --output " + quoted_for_shell(output.string());
 }
 
+PageColliders page_colliders(const SubjectAndOracle& asked) {
+  const bool is_of_pairs = !keeps_points(asked.subject);
+  return {
+      {find_installed, is_of_pairs ? given_collider(asked.subject, asked.external) : std::nullopt,
+       given_collider(asked.oracle, asked.external)},
+      named_keepers(asked.subject, asked.external)};
+}
+
 int report(const ReportArguments& options) {
   std::vector<std::filesystem::path> paths;
   for (const std::string& path : options.paths) paths.push_back(kept_path(path));
@@ -42,18 +51,17 @@ int report(const ReportArguments& options) {
   check_outputs({{{"--output", options.output}}, paths});
   const RunFiles files = read_run_files(paths);
   write_complaints(files.corpus.errors);
-  if (files.corpus.cases.empty() && files.results.empty()) {
+  const std::size_t count = files.corpus.cases.size() + files.corpus.sequences.size();
+  if (count == 0 && files.results.empty()) {
     throw UserError("report: there is nothing to report; name folders of cases and --json files");
   }
-  const SubjectAndOracle& asked = options.colliders;
-  NamedColliders colliders(find_installed, given_collider(asked.subject, asked.external),
-                           given_collider(asked.oracle, asked.external));
+  const PageColliders colliders = page_colliders(options.colliders);
   const std::string html = page_of(files, colliders, options.maps.value_or(kMapsUsual),
                                    {this_program(), repeating_command(paths, options)});
   write_data(options.output, html);
   if (options.output != "-") {
-    write_remark(fmt::format("{}: {} cases, {} results", printable(options.output, 200),
-                             files.corpus.cases.size(), files.results.size()));
+    write_remark(fmt::format("{}: {} cases, {} results", printable(options.output, 200), count,
+                             files.results.size()));
   }
   if (files.corpus.errors.empty()) return 0;
   throw UserError(fmt::format("report: {} of the files could not be read; the page has the rest",

@@ -13,6 +13,7 @@
 #include "cli/options.hpp"
 #include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
+#include "report/picture/drawing.hpp"
 #include "report/picture/pictures.hpp"
 #include "report/words.hpp"
 
@@ -63,9 +64,7 @@ int show(const ShowArguments& options) {
   }
   const std::string file = case_file(options.given);
   const CorpusCase given = read_shown(file, options.colliders.subject);
-  const std::vector<std::string_view> of_case{".svg"};
-  check_outputs({{{"--svg", options.svg, OutputPath::Kind::data,
-                   given.is_sequence() ? kPictureEndings : of_case},
+  check_outputs({{{"--svg", options.svg, OutputPath::Kind::data, kPictureEndings},
                   {"--curve", options.curve, OutputPath::Kind::file, {".svg", ".png"}},
                   {"--map", options.map.value_or(""), OutputPath::Kind::file, {".png"}}},
                  {file}});
@@ -83,7 +82,10 @@ int show(const ShowArguments& options) {
   Interruption interruption(kUntilSignal);
   const JudgedCase judged = judged_case(given, subject, oracle, interruption);
   const bool is_picture_alone = options.svg == "-";
-  if (!options.svg.empty() && !is_picture_alone) write_file(options.svg, case_svg(judged));
+  if (!options.svg.empty() && !is_picture_alone) {
+    const bool is_png = options.svg.ends_with(".png");
+    write_file(options.svg, is_png ? png_of(case_svg(judged)) : case_svg(judged));
+  }
   if (!options.curve.empty()) {
     const bool is_png = options.curve.ends_with(".png");
     write_file(options.curve, is_png ? curve_png(judged) : curve_svg(judged));
@@ -110,11 +112,9 @@ void add_show_arguments(CLI::App& app, ShowArguments& options) {
                "the collider it is held against; if not given, the one the case names, or box2d");
   add_sequences(app, options.colliders.subject);
   add_external_options(app, options.colliders.external);
-  app.add_option(
-         "--svg", options.svg,
-         "a picture too, of a sequence its frames, FILE.png as well; - for the picture alone, "
-         "on stdout")
-      ->type_name("FILE.svg");
+  app.add_option("--svg", options.svg,
+                 "a picture too, of a sequence its frames; - for the picture alone, on stdout")
+      ->type_name("FILE.svg|FILE.png");
   add_text(app, "--curve", options.curve, "FILE.svg|FILE.png",
            "a picture of how deep they overlap in each direction, and where each answer stands");
   app.add_flag("--upstream", options.upstream,

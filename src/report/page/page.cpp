@@ -132,23 +132,6 @@ PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
   return page_case;
 }
 
-/// What runs say of a bucket: how often they met it, and the commands that repeat it.
-void add_runs(PageCase& page_case, const std::vector<ResultFile>& results) {
-  const auto& expect = page_case.judged.given.expect;
-  if (!expect) return;
-  for (const ResultFile& result : results) {
-    const bool is_of_these = result.campaign &&
-                             result.campaign->settings.oracle == expect->oracle &&
-                             result.campaign->settings.subject == expect->subject;
-    if (!is_of_these) continue;
-    for (const BucketResult& found : result.campaign->buckets) {
-      if (found.bucket != expect->bucket) continue;
-      page_case.count = page_case.count.value_or(0) + found.count;
-      page_case.commands.push_back(found.command);
-    }
-  }
-}
-
 void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size_t maps_max,
               Interruption& interruption) {
   std::set<std::tuple<std::string, std::string, std::string>> seen;
@@ -187,7 +170,9 @@ std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& collider
     const std::string shrunk = shrunk_beside(given.path);
     if (is_worst(given.path) && paths.contains(shrunk)) page_case.smallest = shrunk;
     page_case.commands.push_back(fmt::format("{} show {}", program, quoted_for_shell(given.path)));
-    add_runs(page_case, files.results);
+    BucketRuns runs = runs_of(given, files.results);
+    page_case.count = runs.count;
+    std::ranges::move(runs.commands, std::back_inserter(page_case.commands));
     cases.push_back(std::move(page_case));
   }
   return cases;
@@ -195,17 +180,39 @@ std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& collider
 
 }  // namespace
 
-std::string page_of(const RunFiles& files, NamedColliders& colliders, std::size_t maps_max,
+BucketRuns runs_of(const CorpusCase& given, const std::vector<ResultFile>& results) {
+  BucketRuns runs;
+  const auto& expect = given.expect;
+  if (!expect) return runs;
+  const std::string_view oracle = given.is_sequence() ? kJudgeName : expect->oracle;
+  for (const ResultFile& result : results) {
+    const bool is_of_these = result.campaign && result.campaign->settings.oracle == oracle &&
+                             result.campaign->settings.subject == expect->subject;
+    if (!is_of_these) continue;
+    for (const BucketResult& found : result.campaign->buckets) {
+      if (found.bucket != expect->bucket) continue;
+      runs.count = runs.count.value_or(0) + found.count;
+      runs.commands.push_back(found.command);
+    }
+  }
+  return runs;
+}
+
+std::string page_of(const RunFiles& files, PageColliders colliders, std::size_t maps_max,
                     const PageCommands& commands) {
   Interruption interruption(kUntilSignal);
   std::vector<PageCase> cases;
+  Json sequences;
   try {
-    cases = page_cases(files, colliders, commands.program, interruption);
-    add_maps(cases, colliders, maps_max, interruption);
+    cases = page_cases(files, colliders.of_pairs, commands.program, interruption);
+    add_maps(cases, colliders.of_pairs, maps_max, interruption);
+    sequences = page_sequences_json(files, colliders.of_sequences, commands.program, interruption);
   } catch (const Interrupted&) {
     throw UserError("the page: interrupted before it was done");
   }
-  const std::string data = script_text(data_of(files, cases, commands.again));
+  Json page_data = data_of(files, cases, commands.again);
+  page_data["sequences"] = std::move(sequences);
+  const std::string data = script_text(page_data);
   const std::array<std::pair<std::string_view, std::string_view>, 3> fillings{
       {{"@style@", kPageStyle}, {"@data@", data}, {"@script@", kPageScript}}};
   return filled(kPageTemplate, fillings);

@@ -13,6 +13,7 @@
 #include "campaign/named_colliders.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/result.hpp"
+#include "campaign/sequences/replay_sequence.hpp"
 #include "collider/collider.hpp"
 #include "report/picture/pictures.hpp"
 
@@ -33,8 +34,26 @@ struct PageCase {
 /// and lengths, seen from A's position; null where a number is not finite.
 nlohmann::ordered_json page_case_json(const PageCase& page_case);
 
+/// What runs say of a bucket.
+struct BucketRuns {
+  std::optional<std::uint64_t> count;  ///< how often they met it
+  std::vector<std::string> commands;   ///< that repeat it
+};
+BucketRuns runs_of(const CorpusCase& given, const std::vector<ResultFile>& results);
+
+/// The sequences of these files as the page's script reads them, each with its verdict and, where
+/// its collider is there to be asked, its filmstrip. Throws Interrupted.
+nlohmann::ordered_json page_sequences_json(const RunFiles& files, NamedKeepers& keepers,
+                                           const std::string& program, Interruption& interruption);
+
 /// Of so many buckets the neighbourhood is drawn where nobody says how many: a few seconds.
 inline constexpr std::size_t kMapsUsual = 12;
+
+/// Who is asked about what files do not answer themselves.
+struct PageColliders {
+  NamedColliders of_pairs;
+  NamedKeepers of_sequences;
+};
 
 /// How the page's commands call this program.
 struct PageCommands {
@@ -47,7 +66,7 @@ struct PageCommands {
 /// Answers are those that a file records; else its colliders are asked. At most `maps_max` buckets
 /// get the map of their smallest witness, those with somebody wrong first. Throws UserError where a
 /// signal interrupts it.
-std::string page_of(const RunFiles& files, NamedColliders& colliders, std::size_t maps_max,
+std::string page_of(const RunFiles& files, PageColliders colliders, std::size_t maps_max,
                     const PageCommands& commands);
 
 }  // namespace manifuzz

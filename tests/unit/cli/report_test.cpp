@@ -181,6 +181,18 @@ TEST_CASE("a page of nothing is an error, and nothing is written") {
   CHECK_FALSE(std::filesystem::exists(page));
 }
 
+TEST_CASE("a page has a sequence with its verdict and its filmstrip") {
+  const Json data = reported({in_corpus("sequences")});
+  REQUIRE(data["sequences"].size() == 3);
+  const Json& known = data["sequences"][0];
+  CHECK(known["subject"] == "cached-bullet");
+  CHECK(known["verdict"] == "known");
+  CHECK(known["frames"] == 2);
+  CHECK(known["sentence"].get<std::string>().starts_with("cached-bullet is wrong in frame 1"));
+  CHECK(known["svg"].get<std::string>().starts_with("<svg"));
+  CHECK(known["commands"][0].get<std::string>().ends_with("7483ed7d.json"));
+}
+
 TEST_CASE("results nested beyond reason are named, and the page has the rest") {
   const TemporaryFolder folder;
   const std::string deep = std::string(200000, '[') + std::string(200000, ']');

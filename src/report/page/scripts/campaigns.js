@@ -28,11 +28,16 @@ function countedIf(count, ...nouns) {
   return count > 0 && counted(count, ...nouns);
 }
 
+// Pair cases and sequences.
+function shownFiles() {
+  return [...report.cases, ...report.sequences];
+}
+
 // What a corpus keeps of pairs of colliders that no run here is of, and of properties: it was wrong once.
 function recordedWrongs() {
   const ran = new Set([...report.fuzz, ...report.replay].map(({ result }) => pairOf(result)));
-  const wrong = report.cases.filter((one) => UNEXPLAINED.has(one.verdict) && !ran.has(pairOf(one)));
-  return [countedIf(different(wrong.map((one) => one.bucket || one.id)), "bucket"),
+  const wrong = shownFiles().filter((one) => UNEXPLAINED.has(one.verdict) && !ran.has(pairOf(one)));
+  return [countedIf(different(wrong.map((one) => one.bucket || one.file)), "bucket"),
     countedIf(different(report.cases.map(({ property }) => property).filter(Boolean)), "property", "properties")]
     .filter(Boolean).map((count) => `${count} recorded as wrong`);
 }
@@ -63,7 +68,7 @@ function verdictSentence() {
   if (bad.length > 0) return { text: bad.join(", "), css: "bad" };
   const measured = ["bench", "stress", "scene"].filter((kind) => report[kind].length > 0);
   if (report.fuzz.length + report.replay.length > 0) return { text: "Nothing unexplained", css: "good" };
-  if (report.cases.length > 0) return { text: "Nothing recorded as unexplained", css: "good" };
+  if (shownFiles().length > 0) return { text: "Nothing recorded as unexplained", css: "good" };
   return { text: measured.length > 0 ? `Measured: ${measured.join(", ")}` : "Nothing to show", css: "good" };
 }
 
@@ -76,7 +81,7 @@ function summarySection() {
   return element("section", { id: "summary", "aria-label": "Summary" }, element("h1", { class: css }, text),
     element("p", { class: "headline" }, [pairs.slice(0, 3).join("; ") + (pairs.length > 3 ? ` and ${counted(pairs.length - 3, "more pair")}` : ""),
       ran && `${ran} in ${short(summed(report.fuzz, ({ seconds }) => seconds))} s`,
-      report.cases.length > 0 && `${counted(report.cases.length, "file")} shown`].filter(Boolean).join(" \u00b7 ")),
+      shownFiles().length > 0 && `${counted(shownFiles().length, "file")} shown`].filter(Boolean).join(" \u00b7 ")),
     report.errors.length > 0 && element("div", { class: "errors", role: "alert" },
       element("strong", {}, `${counted(report.errors.length, "file or part", "files or parts")} could not be read`),
       element("ul", {}, report.errors.map((error) => element("li", {}, error)))));

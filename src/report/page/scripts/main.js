@@ -77,6 +77,7 @@ function start() {
     section("campaigns", "Campaigns", runs(report.fuzz, fuzzParts)),
     section("replay", "Replay", runs(report.replay, replayParts)),
     section("cases", "Cases", report.cases.length > 0 ? casesParts() : []),
+    section("sequences", "Sequences", sequencesParts()),
     section("bench", "Bench", measured(report.bench, benchParts)),
     section("stress", "Stress", measured(report.stress, stressParts)),
     section("scenes", "Scenes", measured(report.scene, sceneParts))].filter(Boolean));
