@@ -189,7 +189,7 @@ TEST_CASE("a page has a sequence with its verdict and its filmstrip") {
   CHECK(known["verdict"] == "known");
   CHECK(known["frames"] == 2);
   CHECK(known["sentence"].get<std::string>().starts_with("cached-bullet is wrong in frame 1"));
-  CHECK(known["svg"].get<std::string>().starts_with("<svg"));
+  CHECK(known["svg"].get<std::string>().find("<svg") != std::string::npos);
   CHECK(known["commands"][0].get<std::string>().ends_with("7483ed7d.json"));
 }
 
