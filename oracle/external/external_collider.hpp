@@ -30,6 +30,8 @@ class Library {
   const manifuzz_declaration& declaration() const { return declaration_; }
   /// What `manifuzz_collide` returns; the manifold comes zeroed.
   int collide(const PairCase& pair, manifuzz_manifold& manifold) const;
+  /// The function itself.
+  decltype(&manifuzz_collide) function() const { return collide_; }
 
  private:
   manifuzz_declaration declaration_{};
@@ -48,6 +50,13 @@ Answer answer_of(int status, const manifuzz_manifold& manifold, const Declaratio
 /// A shared library after manifuzz_collider.h as a collider in this process: the fastest, but where
 /// it crashes, so does this process. Throws UserError where the library cannot be loaded.
 Collider collider_in_process(const std::string& path);
+
+/// `manifuzz_collide` of that library through all pairs once, their bodies filled in before and
+/// each manifold zeroed. Throws UserError where the library cannot be loaded.
+std::function<void()> library_pass(const std::string& path, std::span<const PairCase> pairs);
+
+/// The same of a function that does nothing: what the interface itself takes.
+std::function<void()> interface_pass(std::span<const PairCase> pairs);
 
 /// A shared library after manifuzz_collider.h as a collider in a process of its own: one that
 /// crashes, hangs longer than `seconds_max` over a case or scribbles over its memory loses that

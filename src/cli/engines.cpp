@@ -81,17 +81,36 @@ std::span<const Engine> engines() {
   return kEngines;
 }
 
+namespace {
+
+bool is_library(const Engine& engine) {
+  return engine.adapter.ends_with(".so");
+}
+
+/// The adapter's folder; throws UserError where it has nothing to ask.
+std::string folder_of(const Engine& engine) {
+  std::string folder = MANIFUZZ_ADAPTERS;
+  if (std::filesystem::exists(in_folder(engine.needs, folder))) return folder;
+  throw UserError(fmt::format("{} is not installed; scripts/setup --engines installs it, with {}",
+                              engine.name, engine.tools));
+}
+
+}  // namespace
+
+std::string library_of(const Engine& engine) {
+  if (is_library(engine)) return in_folder(engine.adapter, folder_of(engine));
+  throw UserError(
+      fmt::format("{} is a program, which takes most of its time to be asked; what is "
+                  "timed are libraries",
+                  engine.name));
+}
+
 Collider collider_of(const Engine& engine) {
-  const std::string folder = MANIFUZZ_ADAPTERS;
-  if (!std::filesystem::exists(in_folder(engine.needs, folder))) {
-    throw UserError(fmt::format("{} is not installed; scripts/setup --engines installs it, with {}",
-                                engine.name, engine.tools));
-  }
-  Collider collider =
-      engine.adapter.ends_with(".so")
-          ? collider_in_own_process(in_folder(engine.adapter, folder), engine.seconds_max)
-          : collider_of_command(in_folder(engine.adapter, quoted_for_shell(folder)),
-                                engine.seconds_max);
+  const std::string folder = folder_of(engine);
+  Collider collider = is_library(engine)
+                          ? collider_in_own_process(library_of(engine), engine.seconds_max)
+                          : collider_of_command(in_folder(engine.adapter, quoted_for_shell(folder)),
+                                                engine.seconds_max);
   collider.declaration.description = engine.description;
   return collider;
 }

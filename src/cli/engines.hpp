@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "collider/collider.hpp"
@@ -23,5 +24,8 @@ std::span<const Engine> engines();
 
 /// Throws UserError that says what would make it so, where it cannot be asked here.
 Collider collider_of(const Engine& engine);
+
+/// The engine's shared library. Throws the same, and where it is asked as a program.
+std::string library_of(const Engine& engine);
 
 }  // namespace manifuzz

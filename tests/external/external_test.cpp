@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
 #include "external/campaigns.hpp"
@@ -175,4 +176,18 @@ TEST_CASE("a collider is not asked what is beyond its limits") {
   CHECK(std::holds_alternative<Unsupported>(chipmunk.collide(pair)));
   pair.a.polygon.radius = pair.b.polygon.radius = 0;
   CHECK_FALSE(std::holds_alternative<Unsupported>(chipmunk.collide(pair)));
+}
+
+TEST_CASE("a library is timed beside what the interface takes, which is subtracted") {
+  const Outcome outcome =
+      run_manifuzz({"bench", "--quick", "--collider", MANIFUZZ_TEST_LIBRARY, "--json", "-"});
+  REQUIRE(outcome.status == 0);
+  const auto rows = nlohmann::json::parse(outcome.out).at("rows");
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0]["collider"] == "box2d");
+  CHECK_FALSE(rows[0].contains("ns_without_interface"));
+  CHECK(rows[1]["collider"] == "interface");
+  CHECK(rows[1]["ns_without_interface"] == 0);
+  CHECK(rows[2]["ns_without_interface"].get<double>() < rows[2]["ns_per_pair"].get<double>());
+  CHECK(rows[2].contains("error"));
 }

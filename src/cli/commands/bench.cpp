@@ -10,6 +10,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "cli/colliders.hpp"
+#include "cli/engines.hpp"
 #include "cli/options.hpp"
 #include "cli/sequence_colliders.hpp"
 #include "corpus/corpus.hpp"
@@ -17,6 +18,7 @@
 #include "oracle/box2d/round_shapes.hpp"
 #include "oracle/bullet/bullet_pass.hpp"
 #include "oracle/chipmunk/chipmunk_pass.hpp"
+#include "oracle/external/external_collider.hpp"
 #include "oracle/libccd/libccd_pass.hpp"
 #include "report/measurements.hpp"
 #include "report/outputs.hpp"
@@ -41,7 +43,7 @@ BenchSubject engine(const std::string& name,
 }
 
 /// Those that this build has.
-std::vector<BenchSubject> engines() {
+std::vector<BenchSubject> linked_engines() {
   std::vector<BenchSubject> all = {
       engine("chipmunk", chipmunk_pass), engine("bullet-epa", bullet_epa_pass),
       engine("bullet-minkowski", bullet_minkowski_pass), engine("libccd-gjk", libccd_gjk_pass),
@@ -50,18 +52,51 @@ std::vector<BenchSubject> engines() {
   return all;
 }
 
+/// A shared library in this process, its errors as they are where it is asked safely.
+BenchSubject library(const std::string& name, const std::string& path) {
+  return {.name = name,
+          .prepare = [path](std::span<const PairCase> pairs) { return library_pass(path, pairs); },
+          .collider = [path] { return collider_in_process(path); },
+          .is_library = true};
+}
+
+/// The libraries among these names, by name or path, which are taken out; behind an empty one.
+std::vector<BenchSubject> take_libraries(std::vector<std::string>& names) {
+  std::vector<BenchSubject> all;
+  std::erase_if(names, [&all](const std::string& name) {
+    const auto engine = std::ranges::find(engines(), name, &Engine::name);
+    if (engine != engines().end()) {
+      all.push_back(library(name, library_of(*engine)));
+    } else if (name.ends_with(".so")) {
+      all.push_back(library(Library(name).declaration().name, name));
+    } else {
+      return false;
+    }
+    return true;
+  });
+  if (all.empty()) return all;
+  all.insert(all.begin(),
+             {.name = std::string(kInterface), .prepare = interface_pass, .is_library = true});
+  return all;
+}
+
 /// Box2D, to whose time the others' are ratios, and those that are named.
-std::vector<BenchSubject> chosen_subjects(const std::vector<std::string>& names) {
-  std::vector<BenchSubject> all = engines();
+std::vector<BenchSubject> chosen_subjects(std::vector<std::string> names) {
+  const bool is_all = names.empty();
+  std::vector<BenchSubject> libraries = take_libraries(names);
+  std::vector<BenchSubject> all = linked_engines();
   all.insert(all.begin(),
              {{.name = "box2d", .prepare = box2d_pass, .collider = make_box2d},
               {.name = "box2d+world", .prepare = box2d::world_pass, .collider = make_box2d}});
   std::ranges::move(own_subjects(), std::back_inserter(all));
   std::set<std::string> wanted{std::string(kRatioBase)};
-  for (const BenchSubject* const one : chosen_by_name(all, names, "collider", "--collider")) {
-    wanted.insert(one->name);
+  if (is_all || !names.empty()) {
+    for (const BenchSubject* const one : chosen_by_name(all, names, "collider", "--collider")) {
+      wanted.insert(one->name);
+    }
   }
   std::erase_if(all, [&](const BenchSubject& one) { return !wanted.contains(one.name); });
+  std::ranges::move(libraries, std::back_inserter(all));
   return all;
 }
 
@@ -167,8 +202,8 @@ void add_bench_arguments(CLI::App& app, BenchArguments& options) {
   add_whole_number(app, "--seed", options.seed, "what the cases depend on; 1 if not given");
   CLI::Option* const collider =
       app.add_option("--collider", options.colliders,
-                     "one to time besides box2d, again for more; all if not given")
-          ->type_name("C")
+                     "one to time besides box2d, again for more; all but libraries if not given")
+          ->type_name("C|LIBRARY.so")
           ->allow_extra_args(false);
   CLI::Option* const regime =
       app.add_option("--regime", options.regimes,

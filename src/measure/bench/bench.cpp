@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -117,35 +118,55 @@ void initialize(const TimingOptions& options) {
   benchmark::Initialize(&count, arguments.data());
 }
 
+/// Of each repetition what `combined` makes of it and of the other's of its number.
+template <class Combine>
+double median_of(const std::vector<double>& seconds, const std::vector<double>& of_other,
+                 const Combine& combined) {
+  std::vector<double> all(std::min(seconds.size(), of_other.size()));
+  std::ranges::transform(seconds, of_other, all.begin(), combined);
+  return median(all);
+}
+
+void register_subject(const std::string& name, const BenchSubject& subject,
+                      std::span<const PairCase> pairs) {
+  const auto pass = subject.prepare(pairs);
+  const std::string target = subject.target;
+  benchmark::RegisterBenchmark(name.c_str(), [pass, target](benchmark::State& state) {
+    if (!target.empty()) kernel::use_target(target);
+    for ([[maybe_unused]] const auto once : state) pass();
+  });
+}
+
 }  // namespace
 
 std::vector<Timing> time_subjects(const std::vector<BenchSubject>& subjects,
                                   std::span<const PairCase> pairs, const TimingOptions& options) {
   initialize(options);
   const auto name_of = [](std::size_t i) { return fmt::format("subject {}", i); };
-  std::size_t base = subjects.size();
+  const auto index_of = [&](std::string_view name) {
+    const auto found = std::ranges::find(subjects, name, &BenchSubject::name);
+    return static_cast<std::size_t>(found - subjects.begin());
+  };
   for (std::size_t i = 0; i < subjects.size(); ++i) {
-    if (subjects[i].name == kRatioBase) base = i;
-    const auto pass = subjects[i].prepare(pairs);
-    const std::string target = subjects[i].target;
-    benchmark::RegisterBenchmark(name_of(i).c_str(), [pass, target](benchmark::State& state) {
-      if (!target.empty()) kernel::use_target(target);
-      for ([[maybe_unused]] const auto once : state) pass();
-    });
+    register_subject(name_of(i), subjects[i], pairs);
   }
-  assert(base < subjects.size());
+  assert(index_of(kRatioBase) < subjects.size());
   Collecting collected;
   benchmark::RunSpecifiedBenchmarks(&collected);
   benchmark::ClearRegisteredBenchmarks();
   kernel::use_target(kernel::targets().front());
 
   std::vector<Timing> timings;
-  const std::vector<double>& of_base = collected.seconds(name_of(base));
+  const std::vector<double>& of_base = collected.seconds(name_of(index_of(kRatioBase)));
+  const double ns_per_second = 1e9 / static_cast<double>(pairs.size());
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     const std::vector<double>& seconds = collected.seconds(name_of(i));
-    std::vector<double> ratios(std::min(seconds.size(), of_base.size()));
-    for (std::size_t k = 0; k < ratios.size(); ++k) ratios[k] = of_base[k] / seconds[k];
-    timings.push_back({1e9 * median(seconds) / static_cast<double>(pairs.size()), median(ratios)});
+    Timing timing{ns_per_second * median(seconds), median_of(of_base, seconds, std::divides<>())};
+    if (subjects[i].is_library) {
+      const std::vector<double>& empty = collected.seconds(name_of(index_of(kInterface)));
+      timing.ns_without_interface = ns_per_second * median_of(seconds, empty, std::minus<>());
+    }
+    timings.push_back(timing);
   }
   return timings;
 }
@@ -211,7 +232,7 @@ namespace {
 /// Whether it is timed over a workload: of polygons always, of round shapes where it takes all.
 bool takes_all(const BenchSubject& subject, const WorkloadSpec& spec,
                std::span<const PairCase> pairs) {
-  if (!spec.regime->is_round) return true;
+  if (!spec.regime->is_round || subject.name == kInterface) return true;
   if (!subject.collider) return false;
   const Collider collider = subject.collider();
   return std::ranges::all_of(pairs, [&](const PairCase& pair) { return takes(collider, pair); });

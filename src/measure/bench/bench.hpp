@@ -49,7 +49,11 @@ struct BenchSubject {
   std::function<std::function<void()>(std::span<const PairCase>)> prepare{};
   /// For the errors; empty where it gives no manifolds.
   std::function<Collider()> collider{};
+  bool is_library = false;  ///< asked through manifuzz_collider.h, as kInterface is
 };
+
+/// The subject that asks a library that does nothing.
+inline constexpr std::string_view kInterface = "interface";
 
 /// The subject to whose time every other's is a ratio.
 inline constexpr std::string_view kRatioBase = "box2d";
@@ -62,6 +66,8 @@ struct TimingOptions {
 struct Timing {
   double ns_per_pair = 0;         ///< the median of the repetitions
   double speedup_over_box2d = 0;  ///< the median of their ratios, each to Box2D's of its number
+  /// Of a library: the median of the differences to kInterface's repetitions.
+  std::optional<double> ns_without_interface = {};
 };
 
 /// Times the subjects over the same pairs, on Google Benchmark, their repetitions in random order;
