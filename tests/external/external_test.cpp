@@ -13,6 +13,7 @@
 #include "own_colliders/own_colliders.hpp"
 #include "process/child.hpp"
 #include "process/pool.hpp"
+#include "support/run_program.hpp"
 
 // Colliders in a process of their own: whatever they do, the campaign ends, counts it and leaves
 // nobody behind.
@@ -179,8 +180,8 @@ TEST_CASE("a collider is not asked what is beyond its limits") {
 }
 
 TEST_CASE("a library is timed beside what the interface takes, which is subtracted") {
-  const Outcome outcome =
-      run_manifuzz({"bench", "--quick", "--collider", MANIFUZZ_TEST_LIBRARY, "--json", "-"});
+  const test::Outcome outcome =
+      test::run_manifuzz({"bench", "--quick", "--collider", MANIFUZZ_TEST_LIBRARY, "--json", "-"});
   REQUIRE(outcome.status == 0);
   const auto rows = nlohmann::json::parse(outcome.out).at("rows");
   REQUIRE(rows.size() == 3);
