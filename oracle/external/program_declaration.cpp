@@ -69,6 +69,26 @@ int vertices_min_in(const JsonView& object) {
   return static_cast<int>(value->whole_number());
 }
 
+ShapeFamily family_in(const JsonView& value) {
+  const auto* const found = std::ranges::find(kShapeFamilyNames, value.string());
+  if (found == kShapeFamilyNames.end()) {
+    value.fail(fmt::format("\"{}\" is expected", fmt::join(kShapeFamilyNames, "\" or \"")));
+  }
+  return static_cast<ShapeFamily>(found - kShapeFamilyNames.begin());
+}
+
+std::vector<std::array<ShapeFamily, 2>> declines_in(const JsonView& object) {
+  std::vector<std::array<ShapeFamily, 2>> declines;
+  const auto value = object.find("declines");
+  if (!value) return declines;
+  for (const JsonView& pair : value->elements()) {
+    const auto both = pair.elements();
+    if (both.size() != 2) pair.fail("two families of shapes are expected");
+    declines.push_back({family_in(both[0]), family_in(both[1])});
+  }
+  return declines;
+}
+
 /// What is left out is taken to be the least that a collider can promise: float, in the world.
 Declaration read_declaration(const JsonView& object, const std::string& usual_name) {
   object.expect_keys({"name",        "version",          "scalar",       "frame",
@@ -76,7 +96,7 @@ Declaration read_declaration(const JsonView& object, const std::string& usual_na
                       "normal",      "snippet",          "claims",       "clips",
                       "depths",      "one_point_enough", "speculative",  "least_depth",
                       "rotation",    "alters_shapes",    "tolerance",    "vertices_min",
-                      "takes_round", "second_point",     "keeping"});
+                      "takes_round", "second_point",     "keeping",      "declines"});
   const auto bias = object.find("tie_bias");
   const auto tolerance = object.find("tolerance");
   const auto second_point = object.find("second_point");
@@ -93,6 +113,7 @@ Declaration read_declaration(const JsonView& object, const std::string& usual_na
           .takes_radius = flag_in(object, "takes_radius", true),
           .min_vertices = vertices_min_in(object),
           .takes_round = flag_in(object, "takes_round", second_point.has_value()),
+          .declines = declines_in(object),
           .second_point = second_point ? second_point_in(*second_point) : SecondPoint{},
           .claims =
               choice_in<Claims>(object, "claims", {"manifold", "point", "separation", "touching"}),

@@ -54,6 +54,7 @@ const declaration = {
   takes_radius: true,
   vertices_min: 1,
   takes_round: true,
+  declines: [["capsule", "capsule"], ["rounded", "capsule"], ["rounded", "polygon"], ["rounded", "rounded"]],
   points: "clip",
   normal: "a_to_b",
   snippet,

@@ -46,6 +46,7 @@ const declaration = {
   vertices_max: 8,
   takes_radius: false,
   vertices_min: 1,
+  declines: [["capsule", "circle"], ["capsule", "capsule"], ["capsule", "polygon"]],
   points: "midpoint",
   normal: "a_to_b",
   snippet,

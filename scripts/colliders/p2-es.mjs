@@ -39,6 +39,7 @@ const declaration = {
   vertices_max: 8,
   takes_radius: false,
   vertices_min: 1,
+  declines: [["capsule", "capsule"], ["capsule", "polygon"]],
   points: "clip",
   normal: "a_to_b",
   snippet,

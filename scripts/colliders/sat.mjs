@@ -25,6 +25,7 @@ const declaration = {
   vertices_max: 8,
   takes_radius: false,
   vertices_min: 1,
+  declines: [["capsule", "circle"], ["capsule", "capsule"], ["capsule", "polygon"]],
   claims: "separation",
   normal: "a_to_b",
   snippet,

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 #include "collider/used_shapes.hpp"
 #include "geometry/manifold.hpp"
@@ -46,6 +50,17 @@ struct Tolerance {
   bool is_none() const { return absolute == 0 && relative == 0; }
 };
 
+/// What engines tell shapes apart by: one, two, or more vertices, with mitred or round corners.
+enum class ShapeFamily { circle, capsule, polygon, rounded };
+inline constexpr std::array<std::string_view, 4> kShapeFamilyNames{"circle", "capsule", "polygon",
+                                                                   "rounded"};
+
+inline ShapeFamily shape_family(const ConvexPolygon<float>& shape) {
+  if (shape.count < kMinVertices)
+    return shape.count == 1 ? ShapeFamily::circle : ShapeFamily::capsule;
+  return shape.is_round() ? ShapeFamily::rounded : ShapeFamily::polygon;
+}
+
 /// What a collider declares of itself. It is judged by this, and by nothing else.
 struct Declaration {
   std::string name;         ///< in tables, options and the names of files
@@ -59,7 +74,9 @@ struct Declaration {
   bool takes_radius = true;         ///< false: rounded polygons are not asked
   int min_vertices = kMinVertices;  ///< 2: it takes segments and capsules too; 1: circles as well
   bool takes_round = false;         ///< polygons with round corners
-  SecondPoint second_point{};       ///< of round shapes that touch along edges
+  /// Round pairs of which it has no function, either way about, though it takes both shapes.
+  std::vector<std::array<ShapeFamily, 2>> declines{};
+  SecondPoint second_point{};  ///< of round shapes that touch along edges
   Claims claims = Claims::manifold;
   bool clips =
       true;  ///< a reference face clips an incident edge; else the penetration curve judges
@@ -133,6 +150,16 @@ inline bool is_judged_by_curve(const Declaration& declaration, const PairCase& p
   return is_round(pair) || is_judged_by_curve(declaration);
 }
 
+/// Whether it says that it has nothing for such a pair.
+inline bool declines(const Declaration& declaration, const PairCase& pair) {
+  if (!is_round(pair)) return false;
+  const ShapeFamily a = shape_family(pair.a.polygon);
+  const ShapeFamily b = shape_family(pair.b.polygon);
+  return std::ranges::any_of(declaration.declines, [&](const auto& declined) {
+    return declined == std::array{a, b} || declined == std::array{b, a};
+  });
+}
+
 /// Whether it may be asked a case with these shapes, by what it declares of vertices and rounding.
 inline bool takes_shapes(const Declaration& declaration, const PairCase& pair) {
   const auto takes = [&](const ConvexPolygon<float>& shape) {
@@ -143,7 +170,7 @@ inline bool takes_shapes(const Declaration& declaration, const PairCase& pair) {
            (!has_round_corners || declaration.takes_round) &&
            (!has_radius || declaration.takes_radius || declaration.takes_round);
   };
-  return takes(pair.a.polygon) && takes(pair.b.polygon);
+  return takes(pair.a.polygon) && takes(pair.b.polygon) && !declines(declaration, pair);
 }
 
 /// Whether it takes any round shapes.

@@ -35,6 +35,26 @@ TEST_CASE("a program that claims less than a manifold is judged by what it claim
   }
 }
 
+TEST_CASE("a program is not asked about the pairs that it declines, either way about") {
+  const auto declared = [](const std::string& declines) {
+    return program_declaration(
+               "mine", R"({"declaration": {"vertices_min": 1, "declines": )" + declines + "}}")
+        .declaration;
+  };
+  const std::array<Vector2<float>, 2> ends{Vector2<float>{-1, 0}, Vector2<float>{1, 0}};
+  PairCase pair = overlapping_boxes();
+  const Declaration declaration = declared(R"([["polygon", "capsule"]])");
+  CHECK(takes_shapes(declaration, pair));
+  pair.b.polygon = make_polygon<float>(ends, 0.25F);
+  CHECK_FALSE(takes_shapes(declaration, pair));
+  std::swap(pair.a, pair.b);
+  CHECK_FALSE(takes_shapes(declaration, pair));
+  pair.b = pair.a;
+  CHECK(takes_shapes(declaration, pair));
+  CHECK_THROWS_AS(declared(R"([["polygon"]])"), UserError);
+  CHECK_THROWS_AS(declared(R"([["polygon", "square"]])"), UserError);
+}
+
 TEST_CASE("a program whose normals point from B to A is found out, whatever it claims") {
   const JobsResult result = run_without_radii(program("reversed"));
   const std::uint64_t reversed = count_of(result, Kind::reversed);

@@ -16,7 +16,9 @@ public class Jbox2d {
   private static final String DECLARATION = """
       {"name": "jbox2d", "version": "2.2.1.1", "scalar": "float32", "frame": "world",
        "tie_bias": {"absolute": 0.001, "relative": 0.02, "towards": "a"}, "vertices_max": 8,
-       "takes_radius": true, "vertices_min": 1, "takes_round": true, "points": "clip",
+       "takes_radius": true, "vertices_min": 1, "takes_round": true,
+       "declines": [["capsule", "capsule"], ["rounded", "capsule"], ["rounded", "polygon"],
+                    ["rounded", "rounded"]], "points": "clip",
        "normal": "a_to_b"}""";
 
   private static final String SNIPPET = """
