@@ -9,6 +9,13 @@
 namespace manifuzz {
 namespace {
 
+/// Fails where an answer says that it is to another question.
+void check_number(const JsonView& answer, std::string_view key, std::size_t asked) {
+  const auto said = answer.is_object() ? answer.find(key) : std::nullopt;
+  if (!said || said->whole_number() == asked) return;
+  said->fail(fmt::format("is {} where {} was asked", said->whole_number(), asked));
+}
+
 /// A program that is asked frame after frame, and what its answers are read by.
 class KeepingProgram {
  public:
@@ -55,8 +62,12 @@ class KeepingProgram {
     ProgramProcess::Lines line{
         .text = {},
         .count = 1,
-        .take = [&](std::size_t,
-                    const JsonView& answer) { asked.answer = reader.read(answer, pair); },
+        .take =
+            [&](std::size_t, const JsonView& answer) {
+              check_number(answer, "sequence", number.sequence);
+              check_number(answer, "frame", number.frame);
+              asked.answer = reader.read(answer, pair);
+            },
         .refuse =
             [&](std::size_t, const std::string& why) {
               asked.answer = Lost{Lost::How::malformed, why};

@@ -48,10 +48,16 @@ BatchResult ProgramProcess::ask(std::span<const PairCase> pairs, std::span<Answe
 
 BatchResult ProgramProcess::ask(const Lines& lines, const std::function<bool()>& go_on) {
   // What it wrote unasked belongs to no case: better begin anew.
-  if (child_.running() && (!unread_.empty() || wait_readable(child_.from(), 0))) stop();
+  if (child_.running() && (!unread_.empty() || wait_readable(child_.from(), 0))) {
+    const bool has_more = !unread_.empty() || (read_some() && !unread_.empty());
+    stop();
+    if (has_more && !lines.may_restart) {
+      return {0, BatchEnd::extra_lines, "it answers more often than once a frame"};
+    }
+  }
   const bool was_running = child_.running();
   if (!was_running && !lines.may_restart) {
-    return {0, BatchEnd::exited, "it ended between two frames, or wrote what it was not asked"};
+    return {0, BatchEnd::exited, "it ended between two frames"};
   }
   if (!was_running) start();
   BatchResult result = exchange(lines, go_on);

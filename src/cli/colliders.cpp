@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
@@ -145,6 +146,7 @@ Collider find_collider(std::string_view name) {
                     name));
   }
   std::vector<std::string_view> names = names_of(colliders());
+  std::ranges::copy(names_of(sequence_colliders()), std::back_inserter(names));
   names.emplace_back("perturbed+NAME");
   names.emplace_back("./LIBRARY.so");
   throw UserError(no_such("collider", name, names));

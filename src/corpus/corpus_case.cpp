@@ -61,9 +61,14 @@ double read_share(const JsonView& value) {
   value.fail(fmt::format("{} is not a share; a number from 0 to 1 is expected", share));
 }
 
-Expectation read_expectation(const JsonView& object, const PairCase& pair) {
-  object.expect_keys(
-      {"subject", "oracle", "verdict", "bucket", "severity", "magnitude", "manifolds"});
+/// Of a sequence there is no oracle, and no neighbourhood.
+Expectation read_expectation(const JsonView& object, const CorpusCase& given) {
+  if (given.is_sequence()) {
+    object.expect_keys({"subject", "verdict", "bucket", "magnitude"});
+  } else {
+    object.expect_keys(
+        {"subject", "oracle", "verdict", "bucket", "severity", "magnitude", "manifolds"});
+  }
   Expectation expect{object.string_or("subject", ""),
                      object.string_or("oracle", ""),
                      object.string_or("verdict", ""),
@@ -73,7 +78,7 @@ Expectation read_expectation(const JsonView& object, const PairCase& pair) {
   if (const auto magnitude = object.find("magnitude")) expect.magnitude = magnitude->magnitude();
   if (const auto manifolds = object.find("manifolds")) {
     for (std::size_t i = 0; i < manifolds->length("an array of manifolds"); ++i) {
-      expect.manifolds.push_back(read_recorded_answer((*manifolds)[i], pair));
+      expect.manifolds.push_back(read_recorded_answer((*manifolds)[i], given.pair));
     }
   }
   return expect;
@@ -163,7 +168,7 @@ CorpusCase read_case(const JsonView& root, FormatKey format_key, CaseKind kind) 
   }
   if (const auto found = root.find("found")) corpus_case.found = read_found(*found);
   if (const auto expect = root.find("expect")) {
-    corpus_case.expect = read_expectation(*expect, corpus_case.pair);
+    corpus_case.expect = read_expectation(*expect, corpus_case);
   }
   if (const auto accepted = root.find("accepted")) {
     corpus_case.accepted = read_acceptance(*accepted);

@@ -64,6 +64,8 @@ Collider make_perturbed_over(const Collider& base) {
   declaration.name = "perturbed+" + base.declaration.name;
   declaration.description =
       base.declaration.name + ", asked again with one shape turned a little each way";
+  // Whatever the collider computes in, turned poses reach it as floats.
+  declaration.scalar = ScalarType::float32;
   declaration.takes_radius = false;
   declaration.takes_round = false;
   declaration.min_vertices = kMinVertices;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/json.hpp"
+#include "base/text.hpp"
 #include "exchange/json.hpp"
 
 namespace manifuzz {
@@ -51,11 +52,16 @@ void append_sequence(std::string& out, const Sequence& sequence, const LineBreak
 bool is_sequence(const JsonView& object) {
   if (!object.is_object()) return false;
   const auto format = object.find("format");
-  if (!format) return object.find("frames").has_value();
-  return format->is_string() && format->string() == kSequenceFormat;
+  if (!format || !format->is_string()) return object.find("frames").has_value();
+  return format->string().starts_with(kSequenceFormat.substr(0, kSequenceFormat.rfind('/') + 1));
 }
 
 Sequence read_sequence(const JsonView& object) {
+  const auto format = object.find("format");
+  if (format && format->string() != kSequenceFormat) {
+    format->fail(fmt::format("unknown format \"{}\"; \"{}\" is expected",
+                             printable(format->string()), kSequenceFormat));
+  }
   Sequence sequence{read_polygon(object.at("a")), read_polygon(object.at("b")), {}};
   const JsonView frames = object.at("frames");
   const std::size_t count = frames.length("an array of frames");

@@ -71,7 +71,8 @@ CorpusCase shrunk_sequence(const CorpusCase& given, const SequenceCollider& subj
                            Interruption& interruption) {
   const Sequence sequence = given.sequence();
   const SequenceJudgement root = judge_in_child(sequence, subject, interruption);
-  if (root.bucket.fault == Fault::none) {
+  const bool was_begun = given.found && given.found->is_unshrunk;
+  if (root.bucket.fault == Fault::none && !was_begun) {
     throw UserError(fmt::format(
         "{}: {} is {} on it; a sequence on which it is wrong is expected", given.path,
         subject.declaration.name,

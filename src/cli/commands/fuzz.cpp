@@ -56,8 +56,7 @@ void plan_cases(Plan& plan, const FuzzArguments& options) {
                     {"--oracle-command", !asked.oracle.command.empty()},
                     {"--tie-bias", options.tie_bias.has_value()},
                     {"--radius", options.radius.has_value()},
-                    {"--judge-every", options.judge_every.has_value()},
-                    {"--report", !options.report.empty()}});
+                    {"--judge-every", options.judge_every.has_value()}});
     return plan_sequences(plan, find_keeper(asked.subject, asked.external), options.regimes);
   }
   plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
