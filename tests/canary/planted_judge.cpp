@@ -17,6 +17,7 @@
 #include "judging/ledger/chipmunk/chipmunk_deviations.cpp"
 #include "judging/ledger/chipmunk/ported_deviations.cpp"
 #include "judging/ledger/differences.cpp"
+#include "judging/ledger/npm/box2d_core_deviations.cpp"
 #include "judging/malformed.cpp"
 #include "judging/manifold_error.cpp"
 #include "judging/mitred_contact.cpp"
