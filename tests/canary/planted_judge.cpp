@@ -18,6 +18,8 @@
 #include "judging/ledger/chipmunk/ported_deviations.cpp"
 #include "judging/ledger/differences.cpp"
 #include "judging/ledger/npm/box2d_core_deviations.cpp"
+#include "judging/ledger/npm/matter_deviations.cpp"
+#include "judging/ledger/npm/matter_replay.cpp"
 #include "judging/malformed.cpp"
 #include "judging/manifold_error.cpp"
 #include "judging/mitred_contact.cpp"
