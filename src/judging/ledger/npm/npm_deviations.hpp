@@ -36,4 +36,19 @@ bool neighbour_by_depth_of_matter(const Deviation& deviation);
 /// place where an edge is cut.
 bool vertices_inside_alone_by_matter(const Deviation& deviation);
 
+// Of p2 on circles, whose operations are repeated: the answer is what they give.
+
+/// A normal without length, and no depth: what it is made of is (0, 0).
+bool zero_normal_of_p2(const Deviation& deviation);
+/// A centre on a capsule's core, but for roundings: the sign of the normal is theirs, and the sign
+/// with which the capsule's radius counts; at an end, the direction.
+bool direction_of_roundings_of_p2(const Deviation& deviation);
+/// A capsule's first end, where another place of its core is nearer.
+bool first_end_of_p2(const Deviation& deviation);
+/// A face's contact where a vertex is the nearest, or another face.
+bool face_before_vertex_of_p2(const Deviation& deviation);
+/// A vertex' contact where a face is the nearest: the circle's own point behind that face is
+/// outside of the polygon.
+bool vertex_before_face_of_p2(const Deviation& deviation);
+
 }  // namespace manifuzz

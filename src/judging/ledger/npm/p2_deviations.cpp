@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <cmath>
+
+#include "judging/ledger/differences.hpp"
+#include "judging/ledger/npm/npm_deviations.hpp"
+#include "judging/ledger/npm/p2_replay.hpp"
+#include "oracle/exact/curve.hpp"
+
+// p2 on circles: what it finds is recomputed, and has to be the answer.
+
+namespace manifuzz {
+namespace {
+
+using ledger_of::ContactOfP2;
+using Branch = ContactOfP2::Branch;
+
+/// Whether the answer has this normal, of a length that is the same in both frames.
+bool has_normal(const Deviation& d, const Vector2<double>& normal) {
+  const Vector2<double> turn = d.right.pair().a.pose.rotation.cast<double>().normalized();
+  return (rotate<double>(turn, d.got.normal) - normal).norm() <= d.right.bounds.normal;
+}
+
+bool has_depth(const Deviation& d, double depth) {
+  return std::abs(d.got.points[0].depth - depth) <= d.right.bounds.separation;
+}
+
+/// What it finds, if that is the answer.
+std::optional<ContactOfP2> found_by_p2(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  if (d.got.count != 1 || !is_round(pair)) return std::nullopt;
+  const auto found = ledger_of::circle_contact_of_p2(pair);
+  if (!found || !has_normal(d, found->normal) || !has_depth(d, found->depth)) return std::nullopt;
+  return found;
+}
+
+/// How far the cores are apart; below 0 where they overlap.
+double distance_of_cores(const Deviation& d) {
+  return total_radius(d.right.pair()) - ledger_of::least_depth(d);
+}
+
+/// Whether the cores are nearest at a vertex of each, of another place than a circle's.
+std::optional<int> nearest_vertex_of_other(const Deviation& d) {
+  const exact::PenetrationCurve curve(*d.right.truth, exact::Skin::round);
+  const auto vertices = curve.nearest_vertices();
+  if (!vertices) return std::nullopt;
+  return d.right.pair().a.polygon.count == 1 ? (*vertices)[1] : (*vertices)[0];
+}
+
+}  // namespace
+
+bool zero_normal_of_p2(const Deviation& d) {
+  const auto found = found_by_p2(d);
+  return found && found->normal.isZero(0);
+}
+
+bool direction_of_roundings_of_p2(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  if (d.got.count != 1 || pair.a.polygon.count + pair.b.polygon.count != 3 ||
+      std::abs(distance_of_cores(d)) > 4 * d.right.bounds.separation) {
+    return false;
+  }
+  const auto found = ledger_of::circle_contact_of_p2(pair);
+  if (!found || found->normal.isZero(0)) return false;
+  // At an end it is the direction of their roundings.
+  if (found->branch != Branch::beside_line) {
+    return has_normal(d, found->normal) && has_depth(d, found->depth);
+  }
+  if (!has_normal(d, found->normal) && !has_normal(d, Vector2<double>(-found->normal))) {
+    return false;
+  }
+  // Beside it both signs are of roundings, V8's cosine's too: the normal's, and that of the
+  // capsule's radius.
+  const Side circle = pair.a.polygon.count == 1 ? Side::a : Side::b;
+  const auto of_capsule = static_cast<double>(pair[other(circle)].polygon.radius);
+  const auto of_circle = static_cast<double>(pair[circle].polygon.radius);
+  return has_depth(d, of_circle + of_capsule) ||
+         has_depth(d, std::max(of_circle - of_capsule, 0.0));
+}
+
+bool first_end_of_p2(const Deviation& d) {
+  const auto found = found_by_p2(d);
+  return found && found->branch == Branch::first_end && nearest_vertex_of_other(d) != 0;
+}
+
+bool face_before_vertex_of_p2(const Deviation& d) {
+  const auto found = found_by_p2(d);
+  return found && found->branch == Branch::face &&
+         (nearest_vertex_of_other(d).has_value() ||
+          std::abs(found->depth - ledger_of::least_depth(d)) > 4 * d.right.bounds.separation);
+}
+
+bool vertex_before_face_of_p2(const Deviation& d) {
+  const auto found = found_by_p2(d);
+  return found && found->branch == Branch::vertex;
+}
+
+}  // namespace manifuzz
