@@ -226,11 +226,15 @@ bool no_normal_within_box2d3_epsilon(const Deviation& d) {
 }
 
 bool slop_in_box2d3_capsules(const Deviation& d) {
-  const auto cores = capsule_cores(d.right.pair());
+  const PairCase& pair = d.right.pair();
+  const auto cores = capsule_cores(pair);
   if (!cores) return false;
-  const FoundByPhaser found =
-      capsules_by_phaser((*cores)[0], (*cores)[1], total_radius(d.right.pair()), true,
-                         {0.1 * kSlopOfPhaser, kEpsilonOfBox2d3});
+  // b2CollideSegmentAndCapsule has the segment first.
+  const bool is_swapped = pair.a.polygon.radius > 0 && pair.b.polygon.radius == 0;
+  FoundByPhaser found =
+      capsules_by_phaser((*cores)[is_swapped ? 1 : 0], (*cores)[is_swapped ? 0 : 1],
+                         total_radius(pair), true, {0.1 * kSlopOfPhaser, kEpsilonOfBox2d3});
+  if (is_swapped) found.normal = -found.normal;
   return (d.got.count > 0 || found.is_clipped) && is_given(d, found, as_rounded(d));
 }
 

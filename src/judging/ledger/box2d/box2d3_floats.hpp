@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "geometry/pair_case.hpp"
+
+// Box2D 3.2's arithmetic, in floats.
+
+namespace manifuzz::ledger_of::box2d3 {
+
+using Float2 = Vector2<float>;
+
+inline constexpr float kSlop = 0.005F;                                    // B2_LINEAR_SLOP
+inline constexpr float kTenth = 0.1F * kSlop;                             // 0.1f * linearSlop
+inline constexpr float kSpeculative = 4.0F * kSlop;                       // B2_SPECULATIVE_DISTANCE
+inline constexpr float kEpsilon = std::numeric_limits<float>::epsilon();  // FLT_EPSILON
+
+inline Float2 lerp(const Float2& a, const Float2& b, float t) {
+  return {(1.0F - t) * a.x() + t * b.x(), (1.0F - t) * a.y() + t * b.y()};
+}
+
+inline float dot(const Float2& a, const Float2& b) {
+  return a.x() * b.x() + a.y() * b.y();
+}
+
+inline float length_of(const Float2& v) {
+  return std::sqrt(dot(v, v));
+}
+
+inline Float2 normalized(const Float2& v) {
+  const float length = length_of(v);
+  if (length < kEpsilon) return {0, 0};
+  const float inverse = 1.0F / length;
+  return {inverse * v.x(), inverse * v.y()};
+}
+
+inline Float2 left_of(const Float2& v) {
+  return {-v.y(), v.x()};
+}
+
+/// Both shapes in the first one's frame, from its vertex 0.
+struct Placed {
+  ConvexPolygon<float> first;
+  ConvexPolygon<float> second;
+  Side side = Side::a;  ///< whose is the first
+
+  float radius() const { return first.radius + second.radius; }
+};
+
+/// b2SegmentDistance of edges that are longer than its epsilon.
+struct SegmentDistance {
+  float share1 = 0;
+  float share2 = 0;
+  Float2 between{0, 0};
+  float square = 0;
+
+  bool are_ends() const { return is_end(share1) && is_end(share2); }
+  static bool is_end(float share) { return share == 0 || share == 1; }
+};
+
+SegmentDistance segment_distance(const Float2& p1, const Float2& q1, const Float2& p2,
+                                 const Float2& q2);
+
+/// What was found in the first one's frame, from it to the second.
+struct Found {
+  Float2 normal{0, 0};
+  std::vector<float> separations{};
+  bool is_clipped = false;
+  bool is_disjoint = false;
+  bool is_unclipped = false;
+  bool are_apart = false;
+};
+
+/// b2CollideCapsules.
+Found collide_capsules(const Placed& placed);
+
+}  // namespace manifuzz::ledger_of::box2d3
