@@ -64,6 +64,14 @@ inline constexpr std::array kOfNape{
                           "c0x += dvx * t1, of any t1",
                 .budgets = kOfNapeJsEdgeExtendedToSlab,
                 .explains = edge_extended_to_slab},
+    LedgerEntry{.id = "nape-js-no-contact-on-tied-features",
+                .collider = "nape-js",
+                .description = "no contact for overlapping polygons: faces or edges tie in double, "
+                               "the wrong one is kept, and the incident edge, prolonged to its "
+                               "side planes, is in front of it",
+                .source = "@newkrok/nape-js 1.0.0, js/libs/nape-js.js, ZPP_Collide.contactCollide: "
+                          "min > max, k2 < min2, first of equals; c0d > 0 && c1d > 0",
+                .explains = no_contact_on_tied_features},
 };
 
 }  // namespace manifuzz::ledger_of

@@ -47,9 +47,11 @@ bool direction_of_roundings_of_p2(const Deviation& deviation);
 bool first_end_of_p2(const Deviation& deviation);
 /// A face's contact where a vertex is the nearest, or another face.
 bool face_before_vertex_of_p2(const Deviation& deviation);
-/// A vertex' contact where a face is the nearest: the circle's own point behind that face is
-/// outside of the polygon.
+/// A vertex' contact, or none, where a face is the nearest: the circle's own point behind that face
+/// is outside of the polygon.
 bool vertex_before_face_of_p2(const Deviation& deviation);
+/// Of p2's polygons: the normal is that of vertices rounded to float, over the face's length.
+bool normal_of_p2_floats(const Deviation& deviation);
 
 /// nape: the shapes that were used are those which its rule of corners that lie together, or on a
 /// line, leaves of the case's.

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "judging/ledger/differences.hpp"
 #include "judging/ledger/npm/npm_deviations.hpp"
@@ -90,8 +92,27 @@ bool face_before_vertex_of_p2(const Deviation& d) {
 }
 
 bool vertex_before_face_of_p2(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  const bool is_of_polygon = std::min(pair.a.polygon.count, pair.b.polygon.count) == 1 &&
+                             std::max(pair.a.polygon.count, pair.b.polygon.count) >= kMinVertices;
+  if (d.kind == Kind::missed_contact && is_of_polygon) {
+    return !ledger_of::circle_contact_of_p2(pair) && !nearest_vertex_of_other(d);
+  }
   const auto found = found_by_p2(d);
   return found && found->branch == Branch::vertex;
+}
+
+bool normal_of_p2_floats(const Deviation& d) {
+  constexpr double u = std::numeric_limits<float>::epsilon() / 2.0;
+  return d.kind == Kind::normal &&
+         std::ranges::any_of(d.right.candidates, [&](const exact::Clip* clip) {
+           const exact::FaceOf& face = clip->reference;
+           const Body& body = d.right.pair()[face.side];
+           // Two vertices, each rounded as it is stored, and their difference.
+           const double off = 3 * u * reach(body.polygon);
+           const double length = std::sqrt(exact::square<double>(d.right.pair(), face));
+           return is_near_normal(*clip, d.got.normal, d.right.bounds.normal + off / length);
+         });
 }
 
 }  // namespace manifuzz
