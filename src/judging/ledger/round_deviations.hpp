@@ -94,6 +94,8 @@ bool direction_of_rounded_place(const Deviation& deviation);
 
 // Of Box2D 3.2, whose operations are repeated in floats: the answer is what they give.
 
+/// Two capsules: with the slop, the bias to A's edge and the one point that doubles have too.
+bool capsules_of_box2d3(const Deviation& deviation);
 /// Two capsules: floats decide otherwise than doubles which side, end or place is nearer, or make
 /// another normal of the direction between nearest places.
 bool roundings_in_box2d3_capsules(const Deviation& deviation);

@@ -32,9 +32,9 @@ BestSide best_side(const Float2& axis, const Float2& origin, const Float2& p, co
   return {-normal, behind};
 }
 
-/// Distances of both ends of a core that is clipped, from a side of the other.
-std::array<float, 2> clipped_core(const Float2& p, const Float2& q, const Along& along,
-                                  float length, const Float2& origin, const Float2& normal) {
+/// Both ends of a core that is clipped by the other.
+std::array<Float2, 2> clipped_core(const Float2& p, const Float2& q, const Along& along,
+                                   float length) {
   Float2 from = p;
   Float2 to = q;
   if (along.from < 0 && along.to > 0) {
@@ -47,7 +47,7 @@ std::array<float, 2> clipped_core(const Float2& p, const Float2& q, const Along&
   } else if (along.to > length && along.from < length) {
     to = lerp(q, p, (along.to - length) / (along.to - along.from));
   }
-  return {dot(from - origin, normal), dot(to - origin, normal)};
+  return {from, to};
 }
 
 }  // namespace
@@ -75,7 +75,9 @@ SegmentDistance segment_distance(const Float2& p1, const Float2& q1, const Float
     found.share2 = 1;
     found.share1 = std::clamp((d12 - rd1) / dd1, 0.0F, 1.0F);
   }
-  found.between = p2 + found.share2 * d2 - (p1 + found.share1 * d1);
+  found.closest1 = p1 + found.share1 * d1;
+  found.closest2 = p2 + found.share2 * d2;
+  found.between = found.closest2 - found.closest1;
   found.square = dot(found.between, found.between);
   return found;
 }
@@ -101,18 +103,26 @@ Found collide_capsules(const Placed& placed) {
     const BestSide on_first = best_side(u1, p1, p2, q2);
     const BestSide on_second = best_side(u2, p2, p1, q1);
     const bool is_by_first = on_first.separation + kTenth >= on_second.separation;
-    const auto gaps = is_by_first ? clipped_core(p2, q2, of_second, length1, p1, on_first.normal)
-                                  : clipped_core(p1, q1, of_first, length2, p2, on_second.normal);
-    found.normal = is_by_first ? on_first.normal : Float2(-on_second.normal);
+    const auto ends = is_by_first ? clipped_core(p2, q2, of_second, length1)
+                                  : clipped_core(p1, q1, of_first, length2);
+    const Float2& out = is_by_first ? on_first.normal : on_second.normal;
+    const Float2& origin = is_by_first ? p1 : p2;
+    const float of_reference = is_by_first ? placed.first.radius : placed.second.radius;
+    const float of_incident = is_by_first ? placed.second.radius : placed.first.radius;
+    const std::array gaps{dot(ends[0] - origin, out), dot(ends[1] - origin, out)};
     if (std::min(gaps[0], gaps[1]) <= distance + kSlop) {
-      found.separations = {gaps[0] - radius, gaps[1] - radius};
+      found.normal = is_by_first ? out : Float2(-out);
+      for (const std::size_t k : {0U, 1U}) {
+        found.points.push_back(clipped_point(ends[k], out, gaps[k], of_reference, of_incident));
+      }
       found.is_clipped = true;
       return found;
     }
   }
   const bool has_direction = dot(nearest.between, nearest.between) > kEpsilon * kEpsilon;
   found.normal = has_direction ? normalized(nearest.between) : left_of(u1);
-  found.separations = {distance - radius};
+  found.points = {
+      single_point(nearest.closest1, nearest.closest2, found.normal, distance - radius, placed)};
   return found;
 }
 

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
-#include <vector>
 
 #include "judging/ledger/box2d/box2d3_replay.hpp"
 #include "judging/ledger/differences.hpp"
@@ -28,23 +26,29 @@ Vector2<float> to_centre_by_box2d3(const Body& core, const Body& circle) {
   return centre - (from + before / edge.dot(edge) * edge);
 }
 
-/// What it finds of two shapes with edges, if that is the answer.
+/// What it finds of two shapes with edges, if that is the answer: the same floats, but for their
+/// way through the world, by a rotation that is not unit.
 std::optional<ledger_of::ContactOfBox2d3> found_by_box2d3(const Deviation& d) {
   const PairCase& pair = d.right.pair();
+  const Bounds& bounds = d.right.bounds;
   auto found = ledger_of::contact_of_box2d3(pair);
-  if (!found || d.got.count != static_cast<int>(found->depths.size())) return std::nullopt;
-  std::vector<double> depths;
-  for (int i = 0; i < d.got.count; ++i) depths.push_back(d.got.points[i].depth);
-  std::ranges::sort(depths, std::greater());
-  // The same floats: what is left is the way through the world, of a rotation that is not unit.
-  for (std::size_t i = 0; i < depths.size(); ++i) {
-    if (std::abs(depths[i] - found->depths[i]) > d.right.bounds.separation) return std::nullopt;
-  }
+  if (!found || d.got.count != static_cast<int>(found->points.size())) return std::nullopt;
   const Vector2<double> turn = pair.a.pose.rotation.cast<double>().normalized();
   if (d.got.count > 0 &&
-      (rotate<double>(turn, d.got.normal) - found->normal).norm() > d.right.bounds.normal) {
+      (rotate<double>(turn, d.got.normal) - found->normal).norm() > bounds.normal) {
     return std::nullopt;
   }
+  // Of two sharp polygons the judge has moved the points to the incident edge.
+  const auto is_same = [&](const ContactPoint<double>& p,
+                           const ledger_of::ContactOfBox2d3::Point& q) {
+    return std::abs(p.depth - q.depth) <= bounds.separation &&
+           (!is_round(pair) || (to_world(pair, p.position) - q.at).norm() <= bounds.position);
+  };
+  const auto is_given = [&](const ledger_of::ContactOfBox2d3::Point& q) {
+    return std::any_of(d.got.points.begin(), d.got.points.begin() + d.got.count,
+                       [&](const ContactPoint<double>& p) { return is_same(p, q); });
+  };
+  if (!std::ranges::all_of(found->points, is_given)) return std::nullopt;
   return found;
 }
 
@@ -85,6 +89,10 @@ bool corner_beyond_slab(const Deviation& d) {
   const auto found = found_by_box2d3(d);
   return found && d.got.count == 0 && found->is_disjoint && !found->are_apart &&
          ledger_of::least_depth(d) > d.right.bounds.separation;
+}
+
+bool capsules_of_box2d3(const Deviation& d) {
+  return found_by_box2d3(d) && slop_in_box2d3_capsules(d);
 }
 
 bool roundings_in_box2d3_capsules(const Deviation& d) {

@@ -70,7 +70,7 @@ inline constexpr std::array kOfBox2d3{
                           "B2_LINEAR_SLOP; separationA + 0.1f * B2_LINEAR_SLOP >= separationB; "
                           "normal = b2LeftPerp( u1 ); outsideA, outsideB",
                 .budgets = kOfBox2d3CapsuleSlop,
-                .explains = slop_in_box2d3_capsules},
+                .explains = capsules_of_box2d3},
     LedgerEntry{.id = "box2d3-one-point-between-corners",
                 .collider = "box2d3",
                 .description = "one point of two: cores are nearest at a vertex of each",

@@ -53,6 +53,8 @@ struct Placed {
 struct SegmentDistance {
   float share1 = 0;
   float share2 = 0;
+  Float2 closest1{0, 0};
+  Float2 closest2{0, 0};
   Float2 between{0, 0};
   float square = 0;
 
@@ -63,10 +65,31 @@ struct SegmentDistance {
 SegmentDistance segment_distance(const Float2& p1, const Float2& q1, const Float2& p2,
                                  const Float2& q2);
 
+/// A point halfway between both surfaces.
+struct PointOf {
+  Float2 at;
+  float separation = 0;  ///< of the surfaces
+};
+
+/// Of a place on the incident core that is so far from the reference core along its normal.
+inline PointOf clipped_point(const Float2& place, const Float2& normal, float distance,
+                             float of_reference, float of_incident) {
+  return {place + 0.5F * (of_reference - of_incident - distance) * normal,
+          distance - (of_reference + of_incident)};
+}
+
+/// Of the nearest places on both cores.
+inline PointOf single_point(const Float2& on_first, const Float2& on_second, const Float2& normal,
+                            float separation, const Placed& placed) {
+  const Float2 from = on_first + placed.first.radius * normal;
+  const Float2 to = on_second + -placed.second.radius * normal;
+  return {lerp(from, to, 0.5F), separation};
+}
+
 /// What was found in the first one's frame, from it to the second.
 struct Found {
   Float2 normal{0, 0};
-  std::vector<float> separations{};
+  std::vector<PointOf> points{};
   bool is_clipped = false;
   bool is_disjoint = false;
   bool is_unclipped = false;

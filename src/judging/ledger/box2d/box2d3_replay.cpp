@@ -1,7 +1,7 @@
 #include "judging/ledger/box2d/box2d3_replay.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <limits>
 
 #include "judging/ledger/box2d/box2d3_floats.hpp"
 
@@ -72,7 +72,7 @@ int most_opposed(const ConvexPolygon<float>& of, const Float2& normal) {
 
 /// b2ClipPolygons.
 void clip_edges(Found& found, const ConvexPolygon<float>& on, int face,
-                const ConvexPolygon<float>& of, int edge, float radius) {
+                const ConvexPolygon<float>& of, int edge) {
   const Float2& normal = on.normals[face];
   const Float2 tangent = box2d3::left_of(normal);
   const Float2& v11 = on.vertices[face];
@@ -91,8 +91,10 @@ void clip_edges(Found& found, const ConvexPolygon<float>& on, int face,
       is_low && is_long ? box2d3::lerp(v22, v21, (0.0F - lower2) / (upper2 - lower2)) : v22;
   const Float2 upper =
       is_high && is_long ? box2d3::lerp(v22, v21, (upper1 - lower2) / (upper2 - lower2)) : v21;
-  found.separations = {box2d3::dot(lower - v11, normal) - radius,
-                       box2d3::dot(upper - v11, normal) - radius};
+  for (const Float2& place : {lower, upper}) {
+    const float distance = box2d3::dot(place - v11, normal);
+    found.points.push_back(box2d3::clipped_point(place, normal, distance, on.radius, of.radius));
+  }
   found.is_clipped = true;
 }
 
@@ -118,15 +120,16 @@ Found polygons(const Placed& placed) {
     if (separation > box2d3::kSpeculative) return found;
   }
   found.normal = is_by_a ? a.normals[i] : Float2(-b.normals[j]);
-  clip_edges(found, is_by_a ? a : b, is_by_a ? i : j, is_by_a ? b : a, is_by_a ? j : i, radius);
-  const float least = found.is_disjoint ? std::numeric_limits<float>::max()
-                                        : std::min(found.separations[0], found.separations[1]);
+  clip_edges(found, is_by_a ? a : b, is_by_a ? i : j, is_by_a ? b : a, is_by_a ? j : i);
+  const float least = found.is_disjoint
+                          ? std::numeric_limits<float>::max()
+                          : std::min(found.points[0].separation, found.points[1].separation);
   if (!found.are_apart || separation + box2d3::kTenth >= least || !nearest.are_ends()) return found;
   const float inverse = 1.0F / std::sqrt(nearest.square);
   const Float2& from = a.vertices[nearest.share1 == 0 ? i : a.next(i)];
   const Float2& to = b.vertices[nearest.share2 == 0 ? j : b.next(j)];
   found.normal = {(to.x() - from.x()) * inverse, (to.y() - from.y()) * inverse};
-  found.separations = {separation};
+  found.points = {box2d3::single_point(from, to, found.normal, separation, placed)};
   found.is_clipped = false;
   return found;
 }
@@ -139,11 +142,15 @@ std::optional<ContactOfBox2d3> contact_of_box2d3(const PairCase& pair) {
   ContactOfBox2d3 contact;
   contact.is_of_capsules = pair.a.polygon.count == 2 && pair.b.polygon.count == 2;
   const Found found = contact.is_of_capsules ? box2d3::collide_capsules(placed) : polygons(placed);
-  for (const float separation : found.separations) {
-    if (separation <= 0) contact.depths.push_back(-static_cast<double>(separation));
+  const Body& first = pair[placed.side];
+  const Pose<double> pose{first.pose.position.cast<double>(), first.pose.rotation.cast<double>()};
+  for (const box2d3::PointOf& point : found.points) {
+    if (point.separation > 0) continue;
+    const Float2 at = point.at + first.polygon.vertices[0];
+    contact.points.push_back(
+        {transform<double>(pose, at.cast<double>()), -static_cast<double>(point.separation)});
   }
-  std::ranges::sort(contact.depths, std::greater());
-  const Vector2<double> turn = pair[placed.side].pose.rotation.cast<double>().normalized();
+  const Vector2<double> turn = pose.rotation.normalized();
   contact.normal = rotate<double>(turn, found.normal.cast<double>());
   if (placed.side == Side::b) contact.normal = -contact.normal;
   contact.is_clipped = found.is_clipped;

@@ -13,12 +13,17 @@ namespace manifuzz::ledger_of {
 /// What it finds of two shapes with edges.
 struct ContactOfBox2d3 {
   Vector2<double> normal{0, 0};  ///< from A to B, in the world
-  std::vector<double> depths{};  ///< of its points that are no gaps, the deepest first
-  bool is_of_capsules = false;   ///< b2CollideCapsules found it
-  bool is_clipped = false;       ///< along an edge's normal, not one point between nearest places
-  bool is_disjoint = false;      ///< both edges miss each other along the reference face
-  bool is_unclipped = false;     ///< the incident edge is too short to be clipped, and sticks out
-  bool are_apart = false;        ///< a face is farther than 0.0005
+  /// A point halfway between both surfaces, in the world.
+  struct Point {
+    Vector2<double> at;
+    double depth = 0;
+  };
+  std::vector<Point> points{};  ///< those that are no gaps
+  bool is_of_capsules = false;  ///< b2CollideCapsules found it
+  bool is_clipped = false;      ///< along an edge's normal, not one point between nearest places
+  bool is_disjoint = false;     ///< both edges miss each other along the reference face
+  bool is_unclipped = false;    ///< the incident edge is too short to be clipped, and sticks out
+  bool are_apart = false;       ///< a face is farther than 0.0005
 };
 
 /// Nothing of a circle.

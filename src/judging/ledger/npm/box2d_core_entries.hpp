@@ -88,7 +88,7 @@ inline constexpr std::array kOfBox2dCore{
                 .source = "@box2d/core 0.11.0, collision/b2_collide_polygon.js, b2CollidePolygons: "
                           "localTangent of v12 - v11; scripts/colliders/protocol.mjs, readBody",
                 .budgets = kOfBox2dCoreNormalOfScaledVertices,
-                .explains = normal_of_rounded_vertices},
+                .explains = normal_alone_of_rounded_vertices},
     LedgerEntry{
         .id = "box2d-core-edge-slab-not-widened",
         .collider = "box2d-core",

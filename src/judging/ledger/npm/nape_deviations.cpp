@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -83,28 +84,74 @@ bool is_axis_of_nape(const Deviation& d, Side circle, const Vector2<double>& cen
          std::abs(d.got.points[0].depth - total_radius(pair)) <= bound;
 }
 
-/// An end of the incident edge that is given as it is, though it is beyond a side plane by no more
-/// than epsilon of the edge; the answer with the place where it is cut.
-bool is_right_if_clipped(const Deviation& d, const exact::Clip& clip) {
-  Manifold<double> mended = d.got;
-  bool is_mended = false;
+/// contactCollide's clip of an incident edge, seen from A's position in the world.
+struct ClipOfNape {
+  std::array<Vector2<double>, 2> ends;
+  std::array<double, 2> depths{};
+  bool is_unclipped = false;  ///< an end beyond a side plane stays as it is
+};
+
+ClipOfNape clip_by_nape(const exact::Clip& clip) {
   const exact::RoughPair placed = exact::place_roughly(*clip.pair);
+  const exact::RoughPolygon& on = placed[clip.reference.side];
+  const exact::RoughPolygon& of = placed[other(clip.reference.side)];
+  const Vector2<double>& out = on.normals[clip.reference.index];
+  const Vector2<double> along(-out.y(), out.x());
+  const Vector2<double>& corner = on.vertices[clip.reference.index];
+  const double length = (on.vertices[on.next(clip.reference.index)] - corner).dot(along);
+  const Vector2<double>& upper = of.vertices[clip.incident];
+  const Vector2<double>& lower = of.vertices[of.next(clip.incident)];
+  const double high = (upper - corner).dot(along);
+  const double low = (lower - corner).dot(along);
+  // Its t and t2, as shares of the edge from the end that they move.
+  const double of_upper = (high - length) / (high - low);
+  const double of_lower = -low / (high - low);
+  ClipOfNape found{.ends = {upper, lower}};
+  if (of_upper > kEpsilonOfNape) found.ends[0] += of_upper * (lower - upper);
+  if (of_lower > kEpsilonOfNape) found.ends[1] += of_lower * (upper - lower);
+  for (const std::size_t k : {0U, 1U}) found.depths[k] = -(found.ends[k] - corner).dot(out);
+  const auto is_left = [](double share) { return share > 0 && share <= kEpsilonOfNape; };
+  found.is_unclipped = is_left(of_upper) || is_left(of_lower);
+  return found;
+}
+
+/// Whether that is the answer: those of its ends that are no gaps.
+bool is_clip_of_nape(const Deviation& d, const exact::Clip& clip, const ClipOfNape& found) {
+  if (!is_near_normal(clip, d.got.normal, d.right.bounds.normal)) return false;
+  // What is prolonged, or cut, is off by its roundings over the cosine.
+  const double bound = 4 * d.right.bounds.separation / std::max(clip.cosine, kEpsilonOfNape);
   const Vector2<double> turn = d.right.pair().a.pose.rotation.cast<double>();
-  for (const exact::ClipPoint& cut : points_of(clip)) {
-    if (!cut.crossing) continue;
-    const Vector2<double>& corner =
-        placed[other(clip.reference.side)].vertices[clip.vertex(cut.end)];
-    const double beyond = (corner - rotate<double>(turn, cut.position())).norm();
-    if (beyond > kEpsilonOfNape * clip.edge_length + d.right.bounds.separation) continue;
-    for (int i = 0; i < mended.count; ++i) {
-      ContactPoint<double>& point = mended.points[i];
-      if ((rotate<double>(turn, point.position) - corner).norm() > d.right.bounds.position)
-        continue;
-      point = {cut.position(), cut.depth(), cut.features};
-      is_mended = true;
+  int given = 0;
+  for (const std::size_t k : {0U, 1U}) {
+    if (found.depths[k] < -bound) continue;
+    const bool is_there = std::any_of(
+        d.got.points.begin(), d.got.points.begin() + d.got.count,
+        [&](const ContactPoint<double>& point) {
+          return (rotate<double>(turn, point.position) - found.ends[k]).norm() <= bound &&
+                 std::abs(point.depth - found.depths[k]) <= bound;
+        });
+    if (!is_there && found.depths[k] > bound) return false;
+    given += is_there ? 1 : 0;
+  }
+  return given >= d.got.count;
+}
+
+/// Whether the answer is its clip of one of the faces and edges within bound, of which
+/// `is_at_fault` tells.
+template <class Fault>
+bool any_clip_of_nape(const Deviation& d, const Fault& is_at_fault) {
+  for (const Side side : {Side::a, Side::b}) {
+    for (const exact::Clip* clip : clips_within(*d.right.truth, side, d.right.bounds)) {
+      const ClipOfNape found = clip_by_nape(*clip);
+      if (is_at_fault(*clip, found) && is_clip_of_nape(d, *clip, found)) return true;
     }
   }
-  return is_mended && mismatch(mended, clip, d.right).kind == Kind::none;
+  return false;
+}
+
+bool is_of_clip(Kind kind) {
+  return kind == Kind::position || kind == Kind::depth || kind == Kind::count ||
+         kind == Kind::phantom_contact;
 }
 
 }  // namespace
@@ -121,10 +168,7 @@ bool axis_within_nape_epsilon(const Deviation& d) {
   const PairCase& pair = d.right.pair();
   const Vector2<double> turn = pair.a.pose.rotation.cast<double>().normalized();
   const Vector2<double> normal = rotate<double>(turn, d.got.normal);
-  if (std::abs(std::abs(normal.x()) - 1) > d.right.bounds.normal ||
-      std::abs(normal.y()) > d.right.bounds.normal) {
-    return false;
-  }
+  if ((normal - Vector2<double>(-1, 0)).norm() > 2 * d.right.bounds.normal) return false;
   const exact::RoughPair placed = exact::place_roughly(pair);
   for (const Side side : {Side::a, Side::b}) {
     const exact::RoughPolygon& of = placed[other(side)];
@@ -139,9 +183,14 @@ bool axis_within_nape_epsilon(const Deviation& d) {
 }
 
 bool unclipped_within_nape_epsilon(const Deviation& d) {
-  return (d.kind == Kind::position || d.kind == Kind::depth) &&
-         std::ranges::any_of(d.right.candidates, [&](const exact::Clip* clip) {
-           return is_right_if_clipped(d, *clip);
+  return is_of_clip(d.kind) && any_clip_of_nape(d, [](const exact::Clip&, const ClipOfNape& found) {
+           return found.is_unclipped;
+         });
+}
+
+bool edge_extended_by_nape(const Deviation& d) {
+  return is_of_clip(d.kind) && any_clip_of_nape(d, [&](const exact::Clip& clip, const ClipOfNape&) {
+           return compare_gap(clip, -d.right.bounds.separation) > 0;
          });
 }
 

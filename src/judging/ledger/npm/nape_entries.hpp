@@ -12,9 +12,11 @@ inline constexpr Budget kOfNapeJsCornersSpliced[] = {
     {"scaled", 79000}, {"sliver", 1200},      {"tied_faces", 130000},
     {"ulp", 42000}};
 inline constexpr Budget kOfNapeJsAxisWithinEpsilon[] = {{"cores_touch", 140000}};
-inline constexpr Budget kOfNapeJsNormalOfScaledVertices[] = {
-    {"micro_edge", 36000}, {"near_collinear", 200}, {"regular", 200},
-    {"sliver", 580},       {"tie_bias", 200},       {"ulp", 2200}};
+inline constexpr Budget kOfNapeJsNormalOfScaledVertices[] = {{"micro_edge", 36000},
+                                                             {"near_collinear", 200},
+                                                             {"sliver", 580},
+                                                             {"tie_bias", 200},
+                                                             {"ulp", 2200}};
 inline constexpr Budget kOfNapeJsUnclippedWithinEpsilon[] = {
     {"near_collinear", 390}, {"regular", 390}, {"ulp", 200}};
 inline constexpr Budget kOfNapeJsEdgeExtendedToSlab[] = {{"near_collinear", 390}};
@@ -47,7 +49,7 @@ inline constexpr std::array kOfNape{
                 .source = "@newkrok/nape-js 1.0.0, js/libs/nape-js.js, ZPP_Polygon.validate_laxi: "
                           "edge.lnormx of u - v; scripts/colliders/protocol.mjs, readBody",
                 .budgets = kOfNapeJsNormalOfScaledVertices,
-                .explains = normal_of_rounded_vertices},
+                .explains = normal_alone_of_rounded_vertices},
     LedgerEntry{.id = "nape-js-unclipped-within-epsilon",
                 .collider = "nape-js",
                 .description = "a point beyond a side plane by less than 1e-8 of the incident "
@@ -63,7 +65,7 @@ inline constexpr std::array kOfNape{
                 .source = "@newkrok/nape-js 1.0.0, js/libs/nape-js.js, ZPP_Collide.contactCollide: "
                           "c0x += dvx * t1, of any t1",
                 .budgets = kOfNapeJsEdgeExtendedToSlab,
-                .explains = edge_extended_to_slab},
+                .explains = edge_extended_by_nape},
     LedgerEntry{.id = "nape-js-no-contact-on-tied-features",
                 .collider = "nape-js",
                 .description = "no contact for overlapping polygons: faces or edges tie in double, "

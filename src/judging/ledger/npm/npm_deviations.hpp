@@ -56,11 +56,17 @@ bool normal_of_p2_floats(const Deviation& deviation);
 /// nape: the shapes that were used are those which its rule of corners that lie together, or on a
 /// line, leaves of the case's.
 bool corners_spliced_by_nape(const Deviation& deviation);
-/// nape: a circle whose centre is within 1e-8 of another's or of a corner: the normal is along the
-/// world's x axis, the depth that of two points at one place, and the point the centre.
+/// nape: a circle whose centre is within 1e-8 of another's or of a corner: the normal is against
+/// the world's x axis, the depth that of two points at one place, and the point the centre.
 bool axis_within_nape_epsilon(const Deviation& deviation);
 /// nape: an end of the incident edge is not cut, being beyond a side plane by less than 1e-8 of the
 /// edge's length.
 bool unclipped_within_nape_epsilon(const Deviation& deviation);
+/// nape: the incident edge misses the slab, and the answer is of it as prolonged to both side
+/// planes.
+bool edge_extended_by_nape(const Deviation& deviation);
+/// The normal is that of vertices that were rounded on the way, and all else is right but for what
+/// such a normal moves.
+bool normal_alone_of_rounded_vertices(const Deviation& deviation);
 
 }  // namespace manifuzz

@@ -26,12 +26,20 @@ bool has_depth(const Deviation& d, double depth) {
   return std::abs(d.got.points[0].depth - depth) <= d.right.bounds.separation;
 }
 
+bool has_place(const Deviation& d, const Vector2<double>& place) {
+  return (to_world(d.right.pair(), d.got.points[0].position) - place).norm() <=
+         d.right.bounds.position;
+}
+
 /// What it finds, if that is the answer.
 std::optional<ContactOfP2> found_by_p2(const Deviation& d) {
   const PairCase& pair = d.right.pair();
   if (d.got.count != 1 || !is_round(pair)) return std::nullopt;
   const auto found = ledger_of::circle_contact_of_p2(pair);
-  if (!found || !has_normal(d, found->normal) || !has_depth(d, found->depth)) return std::nullopt;
+  if (!found || !has_normal(d, found->normal) || !has_depth(d, found->depth) ||
+      !has_place(d, found->at)) {
+    return std::nullopt;
+  }
   return found;
 }
 
@@ -61,22 +69,28 @@ bool direction_of_roundings_of_p2(const Deviation& d) {
       std::abs(distance_of_cores(d)) > 4 * d.right.bounds.separation) {
     return false;
   }
+  // At an end it is the direction of their roundings.
   const auto found = ledger_of::circle_contact_of_p2(pair);
   if (!found || found->normal.isZero(0)) return false;
-  // At an end it is the direction of their roundings.
-  if (found->branch != Branch::beside_line) {
-    return has_normal(d, found->normal) && has_depth(d, found->depth);
-  }
-  if (!has_normal(d, found->normal) && !has_normal(d, Vector2<double>(-found->normal))) {
-    return false;
-  }
-  // Beside it both signs are of roundings, V8's cosine's too: the normal's, and that of the
-  // capsule's radius.
+  if (found->branch != Branch::beside_line) return found_by_p2(d).has_value();
+  // Beside it both signs are of roundings, V8's cosine's too: the normal's, and that of the side on
+  // which the capsule's radius is added.
   const Side circle = pair.a.polygon.count == 1 ? Side::a : Side::b;
   const auto of_capsule = static_cast<double>(pair[other(circle)].polygon.radius);
   const auto of_circle = static_cast<double>(pair[circle].polygon.radius);
-  return has_depth(d, of_circle + of_capsule) ||
-         has_depth(d, std::max(of_circle - of_capsule, 0.0));
+  const Vector2<double> centre = transform<double>(
+      {pair[circle].pose.position.cast<double>(), pair[circle].pose.rotation.cast<double>()},
+      pair[circle].polygon.vertices[0].cast<double>());
+  for (const double sign : {-1.0, 1.0}) {
+    const Vector2<double> normal = sign * found->normal;
+    const Vector2<double> out = circle == Side::a ? normal : Vector2<double>(-normal);
+    if (!has_normal(d, normal)) continue;
+    for (const double side : {-1.0, 1.0}) {
+      const double depth = std::max(of_circle - side * of_capsule, 0.0);
+      if (has_depth(d, depth) && has_place(d, centre + side * of_capsule * out)) return true;
+    }
+  }
+  return false;
 }
 
 bool first_end_of_p2(const Deviation& d) {

@@ -93,7 +93,10 @@ Stored centre_of_circle(const Body& body) {
 /// The normal and the points of a contact equation, from the circle to the other shape.
 ContactOfP2 contact(Branch branch, const Stored& normal, const Stored& on_circle,
                     const Stored& on_other) {
-  return {branch, {normal.x, normal.y}, std::max(0.0, -dot(normal, on_other - on_circle))};
+  return {branch,
+          {normal.x, normal.y},
+          std::max(0.0, -dot(normal, on_other - on_circle)),
+          {on_other.x, on_other.y}};
 }
 
 /// A point relative to a body, which is then added to its position again.

@@ -17,6 +17,7 @@ struct ContactOfP2 {
   Branch branch = Branch::circles;
   Vector2<double> normal{0, 0};  ///< from A to B, in the world
   double depth = 0;
+  Vector2<double> at{0, 0};  ///< on the other shape, or the second circle; in the world
 };
 
 /// Nothing where it finds no contact, or neither shape is a circle.
