@@ -42,21 +42,21 @@ inline Float2 left_of(const Float2& v) {
 
 /// Both shapes in the first one's frame, from its vertex 0.
 struct Placed {
-  ConvexPolygon<float> first;
-  ConvexPolygon<float> second;
-  Side side = Side::a;  ///< whose is the first
+  ConvexPolygon<float> first;   ///< its vertex 0 at (0, 0)
+  ConvexPolygon<float> second;  ///< moved along
+  Side side = Side::a;          ///< whose is the first
 
   float radius() const { return first.radius + second.radius; }
 };
 
 /// b2SegmentDistance of edges that are longer than its epsilon.
 struct SegmentDistance {
-  float share1 = 0;
-  float share2 = 0;
-  Float2 closest1{0, 0};
-  Float2 closest2{0, 0};
-  Float2 between{0, 0};
-  float square = 0;
+  float share1 = 0;       ///< of the first edge, from its first end
+  float share2 = 0;       ///< of the second
+  Float2 closest1{0, 0};  ///< the place on the first
+  Float2 closest2{0, 0};  ///< the place on the second
+  Float2 between{0, 0};   ///< from the one to the other
+  float square = 0;       ///< of its length
 
   bool are_ends() const { return is_end(share1) && is_end(share2); }
   static bool is_end(float share) { return share == 0 || share == 1; }
@@ -67,7 +67,7 @@ SegmentDistance segment_distance(const Float2& p1, const Float2& q1, const Float
 
 /// A point halfway between both surfaces.
 struct PointOf {
-  Float2 at;
+  Float2 at;             ///< from the first one's vertex 0
   float separation = 0;  ///< of the surfaces
 };
 
@@ -88,9 +88,9 @@ inline PointOf single_point(const Float2& on_first, const Float2& on_second, con
 
 /// What was found in the first one's frame, from it to the second.
 struct Found {
-  Float2 normal{0, 0};
-  std::vector<PointOf> points{};
-  bool is_clipped = false;
+  Float2 normal{0, 0};            ///< as long as the engine makes it
+  std::vector<PointOf> points{};  ///< those across gaps too
+  bool is_clipped = false;        ///< the rest as in ContactOfBox2d3
   bool is_disjoint = false;
   bool is_unclipped = false;
   bool are_apart = false;

@@ -15,8 +15,8 @@ struct ContactOfBox2d3 {
   Vector2<double> normal{0, 0};  ///< from A to B, in the world
   /// A point halfway between both surfaces, in the world.
   struct Point {
-    Vector2<double> at;
-    double depth = 0;
+    Vector2<double> at;  ///< its place
+    double depth = 0;    ///< 0 or more
   };
   std::vector<Point> points{};  ///< those that are no gaps
   bool is_of_capsules = false;  ///< b2CollideCapsules found it

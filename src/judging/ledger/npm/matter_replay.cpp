@@ -39,7 +39,7 @@ std::string to_three_decimals(double value) {
   const double magnitude = std::abs(value);
   const double whole = std::floor(magnitude);
   const double eighths = (magnitude - whole) * 8;
-  // Only eighths and halves of them end on a 5 in the fourth decimal.
+  // Of what doubles hold only odd sixteenths are halfway between two of three decimals.
   const double sixteenths = 2 * eighths;
   const bool is_half = sixteenths == std::floor(sixteenths) && eighths != std::floor(eighths);
   const std::string digits =

@@ -23,9 +23,9 @@ BodyOfMatter body_of_matter(const Body& body);
 
 /// The least overlap of two bodies along some axes.
 struct LeastOverlap {
-  Vector2<double> axis{0, 0};
-  double overlap = 0;
-  bool is_of_first = false;  ///< the first body reaches farther into the second along the axis
+  Vector2<double> axis{0, 0};  ///< unit, in the world
+  double overlap = 0;          ///< along it, a world length; of bodies apart 0 or less
+  bool is_of_first = false;    ///< the first body reaches farther into the second along the axis
 };
 
 LeastOverlap least_overlap(const BodyOfMatter& first, const BodyOfMatter& second,
@@ -33,19 +33,19 @@ LeastOverlap least_overlap(const BodyOfMatter& first, const BodyOfMatter& second
 
 /// Two vertices of a body: the farthest along a direction, and the farther of its neighbours.
 struct SupportsOfMatter {
-  std::array<int, 2> index{};
+  std::array<int, 2> index{};       ///< the farthest, then its neighbour
   std::array<bool, 2> is_inside{};  ///< the other body, by Vertices.contains
 };
 
 /// What it finds.
 struct CollisionOfMatter {
-  BodyOfMatter a;
-  BodyOfMatter b;
-  Vector2<double> normal{0, 0};  ///< from A to B
-  bool is_turned = false;        ///< the centres give the other sign than the overlap has
-  double depth = 0;
-  SupportsOfMatter of_a{};
-  SupportsOfMatter of_b{};
+  BodyOfMatter a;                         ///< A as it is placed
+  BodyOfMatter b;                         ///< B as it is placed
+  Vector2<double> normal{0, 0};           ///< from A to B
+  bool is_turned = false;                 ///< the centres give the other sign than the overlap has
+  double depth = 0;                       ///< that overlap
+  SupportsOfMatter of_a{};                ///< along the normal
+  SupportsOfMatter of_b{};                ///< against it
   std::vector<Vector2<double>> points{};  ///< in the world
   bool gives_two_of_b = false;            ///< A's supports are not asked
   bool is_none_inside = false;            ///< the one point is A's support, which is not inside B

@@ -14,10 +14,10 @@ namespace manifuzz::ledger_of {
 struct ContactOfP2 {
   /// By which of its branches.
   enum class Branch { circles, beside_line, first_end, second_end, face, vertex };
-  Branch branch = Branch::circles;
-  Vector2<double> normal{0, 0};  ///< from A to B, in the world
-  double depth = 0;
-  Vector2<double> at{0, 0};  ///< on the other shape, or the second circle; in the world
+  Branch branch = Branch::circles;  ///< which of them
+  Vector2<double> normal{0, 0};     ///< from A to B, in the world
+  double depth = 0;                 ///< a world length, 0 or more
+  Vector2<double> at{0, 0};         ///< on the other shape, or the second circle; in the world
 };
 
 /// Nothing where it finds no contact, or neither shape is a circle.
