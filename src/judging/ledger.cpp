@@ -10,6 +10,10 @@
 #include "judging/ledger/bullet/libccd_entries.hpp"
 #include "judging/ledger/chipmunk/chipmunk_entries.hpp"
 #include "judging/ledger/chipmunk/munk_entries.hpp"
+#include "judging/ledger/npm/box2d_core_entries.hpp"
+#include "judging/ledger/npm/matter_entries.hpp"
+#include "judging/ledger/npm/nape_entries.hpp"
+#include "judging/ledger/npm/p2_entries.hpp"
 
 namespace manifuzz {
 namespace {
@@ -28,7 +32,8 @@ constexpr auto joined(const Entries&... entries) {
 constexpr std::array kLedger =
     joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk,
            ledger_of::kOfMunk, ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet,
-           ledger_of::kOfLibccd, ledger_of::kOfBox2d3);
+           ledger_of::kOfLibccd, ledger_of::kOfBox2d3, ledger_of::kOfBox2dCore,
+           ledger_of::kOfMatter, ledger_of::kOfP2, ledger_of::kOfNape);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

@@ -91,12 +91,28 @@ bool slop_in_box2d3_capsules(const Deviation& deviation);
 /// A circle and a segment or capsule in Box2D 3.2: the normal is the direction to the place on the
 /// core that is nearest as floats have it.
 bool direction_of_rounded_place(const Deviation& deviation);
+
+// Of Box2D 3.2, whose operations are repeated in floats: the answer is what they give.
+
+/// Two capsules: with the slop, the bias to A's edge and the one point that doubles have too.
+bool capsules_of_box2d3(const Deviation& deviation);
+/// Two capsules: floats decide otherwise than doubles which side, end or place is nearer, or make
+/// another normal of the direction between nearest places.
+bool roundings_in_box2d3_capsules(const Deviation& deviation);
 /// No contact though corners with radii overlap: no face of either core is farther than 0.0005,
 /// and the incident edge is beyond the reference face's ends.
 bool corner_beyond_slab(const Deviation& deviation);
-/// A round pair with two edges in Box2D 3.2: the best face's normal, though corners beside it are
-/// nearer by up to 0.0005.
+/// A round pair with a polygon: edges are clipped along a face's normal though a vertex of each is
+/// nearer.
 bool face_within_box2d3_slop(const Deviation& deviation);
+/// The normal between two corners is their difference over the distance of the same places as
+/// shares of their edges give them: not unit, by the roundings of these over the distance.
+bool normal_over_box2d3_distance(const Deviation& deviation);
+/// The incident edge is shorter along the face than float's epsilon, and not clipped.
+bool edge_below_box2d3_epsilon(const Deviation& deviation);
+/// No contact: edges that are apart miss each other along the reference face, by roundings, and are
+/// nearest, by roundings, not at their ends.
+bool neither_clipped_nor_corner(const Deviation& deviation);
 
 // Of b2CollidePolygons, whose operations are repeated: the answer is what they give.
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "judging/ledger/box2d/box2d3_replay.hpp"
 #include "judging/ledger/differences.hpp"
 #include "judging/ledger/round_deviations.hpp"
 #include "oracle/exact/curve.hpp"
@@ -9,8 +11,6 @@
 
 namespace manifuzz {
 namespace {
-
-constexpr double kFaceSlopOfBox2d3 = 0.0005;  // manifold.c: 0.1f * linearSlop
 
 /// b2CollideCapsuleAndCircle's difference from the nearest place on the core to the circle's
 /// centre, in the core's frame.
@@ -26,19 +26,37 @@ Vector2<float> to_centre_by_box2d3(const Body& core, const Body& circle) {
   return centre - (from + before / edge.dot(edge) * edge);
 }
 
-/// Whether an incident edge is, along a face, beyond its ends, or too near them to tell.
-bool is_beyond_ends(const Deviation& d, const exact::RoughPair& placed, exact::FaceOf face,
-                    int incident) {
-  const exact::RoughPolygon& on = placed[face.side];
-  const exact::RoughPolygon& of = placed[other(face.side)];
-  const Vector2<double>& out = on.normals[face.index];
-  const Vector2<double> along(-out.y(), out.x());
-  const Vector2<double>& corner = on.vertices[face.index];
-  const double length = (on.vertices[on.next(face.index)] - corner).dot(along);
-  const double first = (of.vertices[incident] - corner).dot(along);
-  const double last = (of.vertices[of.next(incident)] - corner).dot(along);
-  const double bound = 2 * d.right.bounds.separation;
-  return std::max(first, last) <= bound || std::min(first, last) >= length - bound;
+/// What it finds of two shapes with edges, if that is the answer: the same floats, but for their
+/// way through the world, by a rotation that is not unit.
+std::optional<ledger_of::ContactOfBox2d3> found_by_box2d3(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  const Bounds& bounds = d.right.bounds;
+  auto found = ledger_of::contact_of_box2d3(pair);
+  if (!found || d.got.count != static_cast<int>(found->points.size())) return std::nullopt;
+  const Vector2<double> turn = pair.a.pose.rotation.cast<double>().normalized();
+  if (d.got.count > 0 &&
+      (rotate<double>(turn, d.got.normal) - found->normal).norm() > bounds.normal) {
+    return std::nullopt;
+  }
+  // Of two sharp polygons the judge has moved the points to the incident edge.
+  const auto is_same = [&](const ContactPoint<double>& p,
+                           const ledger_of::ContactOfBox2d3::Point& q) {
+    return std::abs(p.depth - q.depth) <= bounds.separation &&
+           (!is_round(pair) || (to_world(pair, p.position) - q.at).norm() <= bounds.position);
+  };
+  const auto is_given = [&](const ledger_of::ContactOfBox2d3::Point& q) {
+    return std::any_of(d.got.points.begin(), d.got.points.begin() + d.got.count,
+                       [&](const ContactPoint<double>& p) { return is_same(p, q); });
+  };
+  if (!std::ranges::all_of(found->points, is_given)) return std::nullopt;
+  return found;
+}
+
+/// Whether round shapes' cores are apart, and nearest at a vertex of each.
+bool are_nearest_at_vertices(const Deviation& d) {
+  if (!is_round(d.right.pair())) return false;
+  const exact::PenetrationCurve curve(*d.right.truth, exact::Skin::round);
+  return curve.are_cores_apart() && curve.nearest_vertices().has_value();
 }
 
 }  // namespace
@@ -68,41 +86,40 @@ bool direction_of_rounded_place(const Deviation& d) {
 }
 
 bool corner_beyond_slab(const Deviation& d) {
-  const exact::Truth& truth = *d.right.truth;
-  const double bound = 2 * d.right.bounds.separation;
-  if (d.got.count > 0 || total_radius(d.right.pair()) == 0 || !truth.has_faces(Side::a) ||
-      !truth.has_faces(Side::b) || ledger_of::least_depth(d) <= bound) {
-    return false;
-  }
-  const double most = std::max(truth.separation(Side::a), truth.separation(Side::b));
-  if (most > kFaceSlopOfBox2d3 + bound) return false;
-  const exact::RoughPair placed = exact::place_roughly(truth.stored());
-  return std::ranges::any_of(exact::all_faces(truth.stored()), [&](const exact::FaceOf& face) {
-    return truth.separation(face) >= most - bound &&
-           std::ranges::any_of(
-               truth.incident_edges(face, d.right.bounds.incident_dot),
-               [&](int incident) { return is_beyond_ends(d, placed, face, incident); });
-  });
+  const auto found = found_by_box2d3(d);
+  return found && d.got.count == 0 && found->is_disjoint && !found->are_apart &&
+         ledger_of::least_depth(d) > d.right.bounds.separation;
+}
+
+bool capsules_of_box2d3(const Deviation& d) {
+  return found_by_box2d3(d) && slop_in_box2d3_capsules(d);
+}
+
+bool roundings_in_box2d3_capsules(const Deviation& d) {
+  const auto found = found_by_box2d3(d);
+  return found && found->is_of_capsules && !slop_in_box2d3_capsules(d);
 }
 
 bool face_within_box2d3_slop(const Deviation& d) {
-  const exact::Truth& truth = *d.right.truth;
-  const PairCase& pair = d.right.pair();
-  const double bound = 4 * d.right.bounds.separation;
-  const double lost = ledger_of::least_depth(d) - ledger_of::deepest(d.got);
-  if (d.got.count == 0 || !is_round(pair) || lost < -bound || lost > kFaceSlopOfBox2d3 + bound) {
-    return false;
-  }
-  const exact::RoughPair placed = exact::place_roughly(truth.stored());
-  const Vector2<double> normal =
-      rotate<double>(pair.a.pose.rotation.cast<double>(), d.got.normal).normalized();
-  return std::ranges::any_of(exact::all_faces(truth.stored()), [&](const exact::FaceOf& face) {
-    const Vector2<double>& out = placed[face.side].normals[face.index];
-    const Vector2<double> of_face = face.side == Side::a ? out : Vector2<double>(-out);
-    return pair[face.side].polygon.count >= 2 &&
-           truth.separation(face) >= truth.separation() - bound &&
-           (normal - of_face).norm() <= 2 * d.right.bounds.normal;
-  });
+  const auto found = found_by_box2d3(d);
+  return found && !found->is_of_capsules && found->is_clipped && are_nearest_at_vertices(d);
+}
+
+bool normal_over_box2d3_distance(const Deviation& d) {
+  const auto found = found_by_box2d3(d);
+  return found && !found->is_of_capsules && found->are_apart && !found->is_clipped &&
+         d.got.count == 1 && std::abs(d.got.normal.norm() - 1) > d.right.bounds.normal;
+}
+
+bool edge_below_box2d3_epsilon(const Deviation& d) {
+  const auto found = found_by_box2d3(d);
+  return found && found->is_unclipped;
+}
+
+bool neither_clipped_nor_corner(const Deviation& d) {
+  const auto found = found_by_box2d3(d);
+  return found && d.got.count == 0 && found->is_disjoint && found->are_apart &&
+         ledger_of::least_depth(d) > d.right.bounds.separation;
 }
 
 }  // namespace manifuzz

@@ -6,7 +6,8 @@
 
 namespace manifuzz::ledger_of {
 
-// Box2D 3.2.0, in float. Budgets are twice what 1,000,000 cases against clip64 showed, rounded up.
+// Box2D 3.2.0, in float. Budgets are twice what 1,000,000 cases against clip64 showed, of what
+// floats decide otherwise 300,000, rounded up.
 inline constexpr Budget kOfBox2d3NoContactOnTiedFeatures[] = {
     {"sliver", 11000},     {"tied_faces", 43000}, {"near_collinear", 60000},
     {"corner_corner", 60}, {"scaled", 61},        {"ulp", 7600}};
@@ -27,6 +28,17 @@ inline constexpr Budget kOfBox2d3FaceWithinSlop[] = {
     {"tilted_edges", 1300}, {"voronoi_lines", 7500}, {"cores_touch", 7000},  {"large_radii", 1100}};
 inline constexpr Budget kOfBox2d3NoNormalWithinEpsilon[] = {{"cores_touch", 310000}};
 inline constexpr Budget kOfBox2d3DirectionOfRoundedPlace[] = {{"cores_touch", 83000}};
+
+inline constexpr Budget kOfBox2d3CapsuleRoundings[] = {
+    {"capsules", 200}, {"cores_touch", 1000}, {"large_radii", 15000}, {"voronoi_lines", 200}};
+inline constexpr Budget kOfBox2d3NormalOverRoundedDistance[] = {{"capsules", 3000},
+                                                                {"cores_touch", 1000},
+                                                                {"mixed_shapes", 2400},
+                                                                {"round_corners", 1800},
+                                                                {"voronoi_lines", 400}};
+inline constexpr Budget kOfBox2d3EdgeBelowEpsilon[] = {{"scaled", 200}};
+inline constexpr Budget kOfBox2d3NeitherClippedNorCorner[] = {{"side_planes", 600},
+                                                              {"voronoi_lines", 800}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfBox2d3{
@@ -58,7 +70,7 @@ inline constexpr std::array kOfBox2d3{
                           "B2_LINEAR_SLOP; separationA + 0.1f * B2_LINEAR_SLOP >= separationB; "
                           "normal = b2LeftPerp( u1 ); outsideA, outsideB",
                 .budgets = kOfBox2d3CapsuleSlop,
-                .explains = slop_in_box2d3_capsules},
+                .explains = capsules_of_box2d3},
     LedgerEntry{.id = "box2d3-one-point-between-corners",
                 .collider = "box2d3",
                 .description = "one point of two: cores are nearest at a vertex of each",
@@ -90,6 +102,38 @@ inline constexpr std::array kOfBox2d3{
                           "p1, s, e )",
                 .budgets = kOfBox2d3DirectionOfRoundedPlace,
                 .explains = direction_of_rounded_place},
+    LedgerEntry{.id = "box2d3-capsule-roundings",
+                .collider = "box2d3",
+                .description = "of two capsules, what floats decide otherwise than doubles: which "
+                               "side, end or place is nearer, and by which direction",
+                .source = "Box2D 3.2.0, src/manifold.c, b2CollideCapsules: denom = dd1 * dd2 - d12 "
+                          "* d12; s1p > s1n; outsideA, outsideB; normal = b2Normalize( normal )",
+                .budgets = kOfBox2d3CapsuleRoundings,
+                .explains = roundings_in_box2d3_capsules},
+    LedgerEntry{.id = "box2d3-normal-over-rounded-distance",
+                .collider = "box2d3",
+                .description = "a normal between corners that is not unit: their difference over "
+                               "the rounded distance of the same places on their edges",
+                .source = "Box2D 3.2.0, src/manifold.c, b2CollidePolygons: normal.x *= "
+                          "invDistance, of result.distanceSquared",
+                .budgets = kOfBox2d3NormalOverRoundedDistance,
+                .explains = normal_over_box2d3_distance},
+    LedgerEntry{.id = "box2d3-edge-below-epsilon",
+                .collider = "box2d3",
+                .description = "an end beyond a side plane: an incident edge that is shorter than "
+                               "1.2e-7 along the face is not clipped",
+                .source = "Box2D 3.2.0, src/manifold.c, b2ClipPolygons: upper2 - lower2 > "
+                          "FLT_EPSILON",
+                .budgets = kOfBox2d3EdgeBelowEpsilon,
+                .explains = edge_below_box2d3_epsilon},
+    LedgerEntry{.id = "box2d3-neither-clipped-nor-corner",
+                .collider = "box2d3",
+                .description = "no contact of edges that are apart: floats have them miss each "
+                               "other along the face, yet nearest inside of one",
+                .source = "Box2D 3.2.0, src/manifold.c, b2ClipPolygons: upper2 < lower1 || upper1 "
+                          "< lower2; b2CollidePolygons: result.fraction1 == 0.0f",
+                .budgets = kOfBox2d3NeitherClippedNorCorner,
+                .explains = neither_clipped_nor_corner},
 };
 
 }  // namespace manifuzz::ledger_of

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "judging/ledger/box2d/phaser_placed.hpp"
+#include "judging/ledger/differences.hpp"
 #include "judging/ledger/round_deviations.hpp"
 #include "oracle/exact/curve.hpp"
 
@@ -164,14 +165,15 @@ bool is_given(const Deviation& d, const FoundByPhaser& found, const SlackOfCapsu
   return (d.got.normal.normalized() - found.normal).norm() <= slack.normal;
 }
 
-/// Whether the normal of a circle that is as near as that has no length, and all else is right.
-bool has_no_normal_within(const Deviation& d, double epsilon) {
+/// Whether the normal of a circle that is as near as that has no length, and the answer is that
+/// deep.
+bool has_no_normal_within(const Deviation& d, double epsilon, double depth) {
   const PairCase& pair = d.right.pair();
   if (d.got.count != 1 || (pair.a.polygon.count != 1 && pair.b.polygon.count != 1)) return false;
-  const double bound = 4 * d.right.bounds.separation;
-  const double least = exact::PenetrationCurve(*d.right.truth, exact::Skin::round).least();
-  return d.got.normal.norm() <= epsilon && total_radius(pair) - least <= epsilon + bound &&
-         std::abs(d.got.points[0].depth - least) <= epsilon + bound;
+  const double bound = epsilon + 4 * d.right.bounds.separation;
+  return d.got.normal.norm() <= epsilon &&
+         total_radius(pair) - ledger_of::least_depth(d) <= bound &&
+         std::abs(d.got.points[0].depth - depth) <= bound;
 }
 
 std::optional<std::array<Core, 2>> capsule_cores(const PairCase& pair) {
@@ -218,19 +220,27 @@ bool direction_of_rounded_places(const Deviation& d) {
 }
 
 bool no_normal_within_phaser_epsilon(const Deviation& d) {
-  return has_no_normal_within(d, kEpsilonOfPhaser);
+  return has_no_normal_within(d, kEpsilonOfPhaser, ledger_of::least_depth(d));
 }
 
 bool no_normal_within_box2d3_epsilon(const Deviation& d) {
-  return has_no_normal_within(d, kEpsilonOfBox2d3);
+  // At a polygon's corner the depth is taken along the normal.
+  const PairCase& pair = d.right.pair();
+  const bool has_polygon = std::max(pair.a.polygon.count, pair.b.polygon.count) >= kMinVertices;
+  return has_no_normal_within(d, kEpsilonOfBox2d3, ledger_of::least_depth(d)) ||
+         (has_polygon && has_no_normal_within(d, kEpsilonOfBox2d3, 0));
 }
 
 bool slop_in_box2d3_capsules(const Deviation& d) {
-  const auto cores = capsule_cores(d.right.pair());
+  const PairCase& pair = d.right.pair();
+  const auto cores = capsule_cores(pair);
   if (!cores) return false;
-  const FoundByPhaser found =
-      capsules_by_phaser((*cores)[0], (*cores)[1], total_radius(d.right.pair()), true,
-                         {0.1 * kSlopOfPhaser, kEpsilonOfBox2d3});
+  // b2CollideSegmentAndCapsule has the segment first.
+  const bool is_swapped = pair.a.polygon.radius > 0 && pair.b.polygon.radius == 0;
+  FoundByPhaser found =
+      capsules_by_phaser((*cores)[is_swapped ? 1 : 0], (*cores)[is_swapped ? 0 : 1],
+                         total_radius(pair), true, {0.1 * kSlopOfPhaser, kEpsilonOfBox2d3});
+  if (is_swapped) found.normal = -found.normal;
   return (d.got.count > 0 || found.is_clipped) && is_given(d, found, as_rounded(d));
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "judging/ledger/box2d/epsilon_deviations.hpp"
 #include "judging/ledger/round_deviations.hpp"
 
 // planck and phaser-box2d on circles: their epsilons are 1e-9 and 1e-10, which doubles resolve.
@@ -25,7 +26,28 @@ bool is_depth_of(const Deviation& d, double distance) {
          4 * d.right.bounds.separation;
 }
 
-/// Whether the normal is a face's of a polygon that a circle's centre is within `epsilon` of.
+}  // namespace
+
+namespace ledger_of {
+
+bool is_axis_within(const Deviation& d, double epsilon) {
+  const PairCase& pair = d.right.pair();
+  if (d.got.count != 1 || !has_circle(pair)) return false;
+  const double bound = epsilon + 2 * d.right.bounds.separation;
+  const exact::RoughPair placed = exact::place_roughly(pair);
+  // The world's x axis, from the first shape: an edge, a polygon, or A.
+  const bool is_turned = pair.a.polygon.count == 1 && pair.b.polygon.count > 1;
+  const Vector2<double> axis(is_turned ? -1 : 1, 0);
+  if ((world_normal(d) - axis).norm() > 2 * d.right.bounds.normal) return false;
+  for (int i = 0; i < placed.a.count; ++i) {
+    for (int j = 0; j < placed.b.count; ++j) {
+      const Vector2<double> apart = placed.b.vertices[j] - placed.a.vertices[i];
+      if (apart.norm() <= bound && is_depth_of(d, apart.dot(axis))) return true;
+    }
+  }
+  return false;
+}
+
 bool is_face_within(const Deviation& d, double epsilon) {
   const PairCase& pair = d.right.pair();
   if (d.got.count != 1 || !has_circle(pair)) return false;
@@ -48,32 +70,18 @@ bool is_face_within(const Deviation& d, double epsilon) {
   return false;
 }
 
-}  // namespace
+}  // namespace ledger_of
 
 bool axis_within_planck_epsilon(const Deviation& d) {
-  const PairCase& pair = d.right.pair();
-  if (d.got.count != 1 || !has_circle(pair)) return false;
-  const double bound = kEpsilonOfPlanck + 2 * d.right.bounds.separation;
-  const exact::RoughPair placed = exact::place_roughly(pair);
-  // The world's x axis, from the first shape: an edge, a polygon, or A.
-  const bool is_turned = pair.a.polygon.count == 1 && pair.b.polygon.count > 1;
-  const Vector2<double> axis(is_turned ? -1 : 1, 0);
-  if ((world_normal(d) - axis).norm() > 2 * d.right.bounds.normal) return false;
-  for (int i = 0; i < placed.a.count; ++i) {
-    for (int j = 0; j < placed.b.count; ++j) {
-      const Vector2<double> apart = placed.b.vertices[j] - placed.a.vertices[i];
-      if (apart.norm() <= bound && is_depth_of(d, apart.dot(axis))) return true;
-    }
-  }
-  return false;
+  return ledger_of::is_axis_within(d, kEpsilonOfPlanck);
 }
 
 bool face_within_planck_epsilon(const Deviation& d) {
-  return is_face_within(d, kEpsilonOfPlanck);
+  return ledger_of::is_face_within(d, kEpsilonOfPlanck);
 }
 
 bool face_within_phaser_epsilon(const Deviation& d) {
-  return is_face_within(d, kEpsilonOfPhaserFaces);
+  return ledger_of::is_face_within(d, kEpsilonOfPhaserFaces);
 }
 
 }  // namespace manifuzz
