@@ -12,6 +12,7 @@
 #include "judging/ledger/chipmunk/munk_entries.hpp"
 #include "judging/ledger/separating_axes/cute_entries.hpp"
 #include "judging/ledger/separating_axes/dyn4j_entries.hpp"
+#include "judging/ledger/separating_axes/godot_entries.hpp"
 #include "judging/ledger/separating_axes/sat_entries.hpp"
 
 namespace manifuzz {
@@ -32,7 +33,7 @@ constexpr std::array kLedger =
     joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk,
            ledger_of::kOfMunk, ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet,
            ledger_of::kOfLibccd, ledger_of::kOfBox2d3, ledger_of::kOfDyn4jSat,
-           ledger_of::kOfDyn4jGjk, ledger_of::kOfCute, ledger_of::kOfSat);
+           ledger_of::kOfDyn4jGjk, ledger_of::kOfCute, ledger_of::kOfSat, ledger_of::kOfGodot);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

@@ -71,4 +71,17 @@ bool fault_of_cute(const Deviation& deviation);
 /// No contact of polygons: of features that tie in float one is kept that misses.
 bool tied_features_in_cute(const Deviation& deviation);
 
+/// What Godot 3.2 is at fault with.
+enum class FaultOfGodot : unsigned {
+  short_difference = 1,  ///< normal and depth are those of the difference of rounded points
+  first_ends = 2,        ///< of two edges, places are on the planes through their first ends
+  first_edge = 4,        ///< of a polygon's edges within 0.36 degrees the first is met
+  segment_length = 8     ///< a segment's normal is as long as the segment
+};
+/// One of these.
+template <FaultOfGodot kFault>
+bool fault_of_godot(const Deviation& deviation);
+/// No support is found of coordinates beyond 1e10.
+bool coordinates_beyond_godot(const Deviation& deviation);
+
 }  // namespace manifuzz

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "judging/ledger/separating_axes/godot_shapes.hpp"
+#include "judging/ledger/separating_axes/replayed.hpp"
+
+namespace manifuzz::as_godot {
+
+/// What Shape2D.collide_and_get_contacts gives, as relay.py takes it: points on A, one depth.
+struct GodotAnswer {
+  replayed::Contact contact;
+  Vector2<double> axis{0, 0};  ///< of the least overlap, from A to B
+  double depth = 0;            ///< along it
+  bool is_unset = false;       ///< a support was not found
+};
+
+/// sat_2d_calculate_penetration.
+GodotAnswer by_godot(const PairCase& pair, const Mends& mends);
+
+}  // namespace manifuzz::as_godot
