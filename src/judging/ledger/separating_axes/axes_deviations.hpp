@@ -76,7 +76,8 @@ enum class FaultOfGodot : unsigned {
   short_difference = 1,  ///< normal and depth are those of the difference of rounded points
   first_ends = 2,        ///< of two edges, places are on the planes through their first ends
   first_edge = 4,        ///< of a polygon's edges within 0.36 degrees the first is met
-  segment_length = 8     ///< a segment's normal is as long as the segment
+  segment_length = 8,    ///< a segment's normal is as long as the segment
+  tested_axis = 16       ///< the axis is between two rounded places, or one of several that tie
 };
 /// One of these.
 template <FaultOfGodot kFault>

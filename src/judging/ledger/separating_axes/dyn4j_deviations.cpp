@@ -138,7 +138,10 @@ bool first_of_equal_axes_in_dyn4j(const Deviation& d) {
 }
 
 bool no_normal_of_one_centre_in_dyn4j(const Deviation& d) {
-  return is_fault_of_detector(d, as_dyn4j::by_axes, as_dyn4j::End::circles);
+  const ByDyn4j replayed(d, as_dyn4j::by_axes);
+  const as_dyn4j::Found& found = replayed.found();
+  return found.end == as_dyn4j::End::circles && found.normal.norm() <= as_dyn4j::kEpsilon &&
+         replayed.needs(kFaultOfDetector);
 }
 
 bool epa_within_epsilon_in_dyn4j(const Deviation& d) {

@@ -140,26 +140,30 @@ Supports Shape::capsule_supports(Vector2<float> n) const {
 }
 
 Supports Shape::polygon_supports(const Vector2<float>& n, const Mends& mends) const {
+  const auto count = static_cast<int>(points_.size());
+  const auto product = [&](int i) {
+    const Vector2<float> along = points_[(i + 1) % count] - points_[i];
+    return static_cast<double>(normalized(tangent_of(along)).dot(n));
+  };
   int farthest = -1;
   int edge = -1;
   float most = -1e10F;
-  double nearest = kValidSupport;
-  const auto count = static_cast<int>(points_.size());
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count && edge < 0; ++i) {
     const float d = n.dot(points_[i]);
     if (d > most) {
       farthest = i;
       most = d;
     }
-    const Vector2<float> along = points_[(i + 1) % count] - points_[i];
-    const auto product = static_cast<double>(normalized(tangent_of(along)).dot(n));
-    if (!(product > nearest)) continue;
-    edge = i;
-    if (!mends.is_edge_nearest) break;
-    nearest = product;
+    if (!mends.is_edge_farthest && product(i) > kValidSupport) edge = i;
+  }
+  if (farthest < 0) return {};
+  if (mends.is_edge_farthest) {
+    const int before = (farthest + count - 1) % count;
+    edge = product(before) > product(farthest) ? before : farthest;
+    if (!(product(edge) > kValidSupport)) edge = -1;
   }
   if (edge >= 0) return {{points_[edge], points_[(edge + 1) % count]}, 2};
-  return farthest < 0 ? Supports{} : Supports{{points_[farthest], {0, 0}}, 1};
+  return {{points_[farthest], {0, 0}}, 1};
 }
 
 }  // namespace manifuzz::as_godot

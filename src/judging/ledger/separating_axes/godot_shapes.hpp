@@ -19,9 +19,9 @@ Vector2<float> tangent_of(const Vector2<float>& v);
 
 /// What of the engine is to be mended: the ledger's entries compare answers.
 struct Mends {
-  bool is_segment_unit = false;  ///< a segment's normal is unit
-  bool is_edge_nearest = false;  ///< of a polygon's edges the nearest to the direction
-  bool is_along_edges = false;   ///< edges are met where they are, not at their first ends
+  bool is_segment_unit = false;   ///< a segment's normal is unit
+  bool is_edge_farthest = false;  ///< a polygon's edge ends at the vertex that is farthest
+  bool is_along_edges = false;    ///< edges are met where they are, not at their first ends
 };
 
 /// The supports along a direction: an edge where there are two, none where there is no maximum.

@@ -153,17 +153,19 @@ replayed::Contact contact_of(const std::vector<PointPair>& pairs) {
 
 }  // namespace
 
-GodotAnswer by_godot(const PairCase& pair, const Mends& mends) {
+GodotAnswer by_godot(const PairCase& pair, const Mends& mends,
+                     const std::optional<Vector2<double>>& axis) {
   const Shape of_a(pair.a);
   const Shape of_b(pair.b);
   const bool is_swapped = of_a.type() > of_b.type();
   const Shape& a = is_swapped ? of_b : of_a;
   const Shape& b = is_swapped ? of_a : of_b;
   BestAxis best;
-  for (const Vector2<float>& axis : axes_of(a, b)) {
-    if (!test_axis(a, b, axis, best)) return {};
+  for (const Vector2<float>& tested : axes_of(a, b)) {
+    if (!test_axis(a, b, tested, best) && !axis) return {};
   }
   GodotAnswer answer;
+  if (axis) best.axis = (is_swapped ? *axis : Vector2<double>(-*axis)).cast<float>();
   if (best.axis.isZero(0)) return answer;
   answer.axis = (is_swapped ? best.axis : Vector2<float>(-best.axis)).cast<double>();
   answer.depth = static_cast<double>(best.depth);

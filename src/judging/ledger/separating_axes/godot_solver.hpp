@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "judging/ledger/separating_axes/godot_shapes.hpp"
 #include "judging/ledger/separating_axes/replayed.hpp"
 
@@ -13,7 +15,8 @@ struct GodotAnswer {
   bool is_unset = false;       ///< a support was not found
 };
 
-/// sat_2d_calculate_penetration.
-GodotAnswer by_godot(const PairCase& pair, const Mends& mends);
+/// sat_2d_calculate_penetration; where an axis is given, from A to B, as if it had found that.
+GodotAnswer by_godot(const PairCase& pair, const Mends& mends,
+                     const std::optional<Vector2<double>>& axis = std::nullopt);
 
 }  // namespace manifuzz::as_godot
