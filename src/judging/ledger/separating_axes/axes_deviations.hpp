@@ -82,7 +82,5 @@ enum class FaultOfGodot : unsigned {
 /// One of these.
 template <FaultOfGodot kFault>
 bool fault_of_godot(const Deviation& deviation);
-/// No support is found of coordinates beyond 1e10.
-bool coordinates_beyond_godot(const Deviation& deviation);
 
 }  // namespace manifuzz

@@ -71,8 +71,4 @@ template bool fault_of_godot<FaultOfGodot::first_edge>(const Deviation&);
 template bool fault_of_godot<FaultOfGodot::segment_length>(const Deviation&);
 template bool fault_of_godot<FaultOfGodot::tested_axis>(const Deviation&);
 
-bool coordinates_beyond_godot(const Deviation& d) {
-  return d.got.count == 0 && as_godot::by_godot(d.right.pair(), {}).is_unset;
-}
-
 }  // namespace manifuzz

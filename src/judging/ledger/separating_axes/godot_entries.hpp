@@ -97,12 +97,6 @@ inline constexpr std::array kOfGodot{
                           "dmax < best_depth; TEST_POINT: ((m_a) - (m_b)).normalized()",
                 .budgets = kOfGodotTestedAxis,
                 .explains = fault_of_godot<FaultOfGodot::tested_axis>},
-    LedgerEntry{.id = "godot3-coordinates-beyond",
-                .collider = "godot3",
-                .description = "no contact of coordinates beyond 1e10: no support is found",
-                .source = "Godot 3.2.3, servers/physics_2d/shape_2d_sw.cpp, "
-                          "ConvexPolygonShape2DSW::get_supports: d = -1e10",
-                .explains = coordinates_beyond_godot},
 };
 
 }  // namespace manifuzz::ledger_of

@@ -171,8 +171,7 @@ GodotAnswer by_godot(const PairCase& pair, const Mends& mends,
   answer.depth = static_cast<double>(best.depth);
   const Supports on_a = a.supports(-best.axis, mends);
   const Supports on_b = b.supports(best.axis, mends);
-  answer.is_unset = on_a.count == 0 || on_b.count == 0;
-  if (answer.is_unset) return answer;
+  if (on_a.count == 0 || on_b.count == 0) return answer;
   auto pairs = pairs_of(on_a, on_b, best.axis, mends);
   if (is_swapped) {
     for (PointPair& one : pairs) std::swap(one.first, one.second);

@@ -12,7 +12,6 @@ struct GodotAnswer {
   replayed::Contact contact;
   Vector2<double> axis{0, 0};  ///< of the least overlap, from A to B
   double depth = 0;            ///< along it
-  bool is_unset = false;       ///< a support was not found
 };
 
 /// sat_2d_calculate_penetration; where an axis is given, from A to B, as if it had found that.
