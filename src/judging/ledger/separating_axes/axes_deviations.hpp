@@ -13,6 +13,10 @@ bool axis_of_exact_touch_in_sat(const Deviation& deviation);
 /// SAT.js 0.9.0: the centres of two circles are at one place, and the normal has no length.
 bool no_normal_of_one_centre_in_sat(const Deviation& deviation);
 
+/// jbox2d 2.2.1.1: of a polygon's faces a local maximum of the separation is kept, to which the
+/// direction between the centroids has led.
+bool local_maximum_in_jbox2d(const Deviation& deviation);
+
 // dyn4j 6.0.0, whose Sat or Gjk finds a normal and a depth.
 
 /// Sat: the least overlap is on the other side than the centres, which decide for the sign.
