@@ -14,6 +14,11 @@
 #include "judging/ledger/npm/matter_entries.hpp"
 #include "judging/ledger/npm/nape_entries.hpp"
 #include "judging/ledger/npm/p2_entries.hpp"
+#include "judging/ledger/separating_axes/cute_entries.hpp"
+#include "judging/ledger/separating_axes/dyn4j_entries.hpp"
+#include "judging/ledger/separating_axes/godot_entries.hpp"
+#include "judging/ledger/separating_axes/jbox2d_entries.hpp"
+#include "judging/ledger/separating_axes/sat_entries.hpp"
 
 namespace manifuzz {
 namespace {
@@ -29,11 +34,7 @@ constexpr auto joined(const Entries&... entries) {
   return all;
 }
 
-constexpr std::array kLedger =
-    joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk,
-           ledger_of::kOfMunk, ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet,
-           ledger_of::kOfLibccd, ledger_of::kOfBox2d3, ledger_of::kOfBox2dCore,
-           ledger_of::kOfMatter, ledger_of::kOfP2, ledger_of::kOfNape);
+constexpr std::array kLedger = joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk, ledger_of::kOfMunk, ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet, ledger_of::kOfLibccd, ledger_of::kOfBox2d3, ledger_of::kOfBox2dCore, ledger_of::kOfMatter, ledger_of::kOfP2, ledger_of::kOfNape, ledger_of::kOfDyn4jSat, ledger_of::kOfDyn4jGjk, ledger_of::kOfCute, ledger_of::kOfSat, ledger_of::kOfGodot, ledger_of::kOfJbox2dSearch);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

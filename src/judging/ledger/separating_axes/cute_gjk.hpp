@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/pair_case.hpp"
+
+namespace manifuzz::as_cute {
+
+// What cute_c2 1.08 makes of a case, its operations and the adapter's repeated in their order, in
+// float: the numbers are the engine's to the last bit.
+
+/// c2x.
+struct Placing {
+  Vector2<float> rotation{1, 0};
+  Vector2<float> at{0, 0};
+};
+
+/// c2Mulrv, c2MulrvT, c2Mulxv, c2MulxvT.
+Vector2<float> turned(const Placing& by, const Vector2<float>& v);
+Vector2<float> turned_back(const Placing& by, const Vector2<float>& v);
+Vector2<float> placed(const Placing& by, const Vector2<float>& v);
+Vector2<float> placed_back(const Placing& by, const Vector2<float>& v);
+
+/// c2Norm, c2Skew, c2CCW90.
+Vector2<float> unit_of(const Vector2<float>& v);
+Vector2<float> skew_of(const Vector2<float>& v);
+Vector2<float> ccw90_of(const Vector2<float>& v);
+
+/// A c2Circle or c2Capsule, which are in the world, or a c2Poly with its c2x.
+struct Shape {
+  std::vector<Vector2<float>> vertices;
+  std::vector<Vector2<float>> normals;
+  float radius = 0;
+  Placing placing;
+
+  explicit Shape(const Body& body);
+
+  std::size_t count() const { return vertices.size(); }
+  std::size_t next(std::size_t i) const { return i + 1 == count() ? 0 : i + 1; }
+  Vector2<float> vertex(std::size_t i) const { return placed(placing, vertices[i]); }
+  /// c2Support.
+  std::size_t support(const Vector2<float>& along) const;
+};
+
+/// Where two shapes without radii are nearest; a distance of 0 where the origin is found inside.
+struct Nearest {
+  Vector2<float> on_a{0, 0};
+  Vector2<float> on_b{0, 0};
+  float distance = 0;
+};
+
+/// c2GJK, without radii.
+Nearest nearest_by_cute(const Shape& a, const Shape& b);
+
+}  // namespace manifuzz::as_cute

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+
+#include "judging/ledger/separating_axes/axes_deviations.hpp"
+
+namespace manifuzz::ledger_of {
+
+// Godot 3.2.3, in float. Budgets are twice what 300,000 cases against clip64 showed, rounded up.
+inline constexpr Budget kOfGodotShortDifference[] = {
+    {"boxes", 250000},        {"capsules", 260000},        {"circles", 220000},
+    {"cores_touch", 73000},   {"corner_corner", 250000},   {"corner_face", 230000},
+    {"deep", 1600},           {"far_from_origin", 180000}, {"generic", 390000},
+    {"in_line", 210000},      {"large_radii", 340000},     {"micro_edge", 150000},
+    {"mixed_shapes", 280000}, {"near_collinear", 140000},  {"near_parallel", 120000},
+    {"off_unit", 230000},     {"regular", 310000},         {"scaled", 300000},
+    {"side_planes", 120000},  {"sliver", 420000},          {"tie_bias", 520000},
+    {"tied_faces", 240000},   {"tilted_edges", 170000},    {"touching", 700000},
+    {"ulp", 260000},          {"voronoi_lines", 310000}};
+inline constexpr Budget kOfGodotSegmentLength[] = {{"capsules", 61000},     {"cores_touch", 79000},
+                                                   {"in_line", 29000},      {"mixed_shapes", 93000},
+                                                   {"side_planes", 37000},  {"tilted_edges", 41000},
+                                                   {"voronoi_lines", 26000}};
+inline constexpr Budget kOfGodotFirstEdge[] = {
+    {"corner_corner", 200}, {"corner_face", 390},     {"generic", 200},
+    {"micro_edge", 200},    {"near_collinear", 7200}, {"near_parallel", 200},
+    {"sliver", 120000},     {"tied_faces", 20000},    {"ulp", 8600}};
+inline constexpr Budget kOfGodotFirstEnds[] = {{"capsules", 780},
+                                               {"cores_touch", 3900},
+                                               {"corner_corner", 200},
+                                               {"corner_face", 580},
+                                               {"deep", 5700},
+                                               {"far_from_origin", 580},
+                                               {"generic", 1600},
+                                               {"in_line", 6400},
+                                               {"micro_edge", 3300},
+                                               {"mixed_shapes", 580},
+                                               {"near_collinear", 16000},
+                                               {"near_parallel", 52000},
+                                               {"off_unit", 6800},
+                                               {"regular", 1600},
+                                               {"scaled", 3300},
+                                               {"side_planes", 1400},
+                                               {"sliver", 14000},
+                                               {"tie_bias", 5700},
+                                               {"tied_faces", 2400},
+                                               {"tilted_edges", 4900},
+                                               {"ulp", 6800}};
+inline constexpr Budget kOfGodotTestedAxis[] = {
+    {"capsules", 580},        {"circles", 390},   {"cores_touch", 2000},
+    {"far_from_origin", 780}, {"in_line", 70000}, {"large_radii", 120000},
+    {"side_planes", 7600},    {"sliver", 200},    {"voronoi_lines", 28000}};
+
+/// The entries, the first that explains before others.
+inline constexpr std::array kOfGodot{
+    LedgerEntry{.id = "godot3-short-difference",
+                .collider = "godot3",
+                .description = "the normal and the depth of a short difference of points that are "
+                               "rounded in the world",
+                .source = "Godot 3.2.3, servers/physics_2d/body_pair_2d_sw.cpp, "
+                          "_contact_added_callback: (p_point_A - p_point_B).normalized()",
+                .budgets = kOfGodotShortDifference,
+                .explains = fault_of_godot<FaultOfGodot::short_difference>},
+    LedgerEntry{
+        .id = "godot3-segment-length",
+        .collider = "godot3",
+        .description =
+            "another support, or none of an edge: a segment's normal is as long as the segment",
+        .source = "Godot 3.2.3, servers/physics_2d/shape_2d_sw.cpp, SegmentShape2DSW::set_data: n "
+                  "= (b - a).tangent()",
+        .budgets = kOfGodotSegmentLength,
+        .explains = fault_of_godot<FaultOfGodot::segment_length>},
+    LedgerEntry{.id = "godot3-first-edge",
+                .collider = "godot3",
+                .description = "another edge's contact: the first of a polygon's edges within 0.36 "
+                               "degrees of the normal",
+                .source = "Godot 3.2.3, servers/physics_2d/shape_2d_sw.cpp, "
+                          "ConvexPolygonShape2DSW::get_supports: points[i].normal.dot(p_normal) > "
+                          "_SEGMENT_IS_VALID_SUPPORT_THRESHOLD",
+                .budgets = kOfGodotFirstEdge,
+                .explains = fault_of_godot<FaultOfGodot::first_edge>},
+    LedgerEntry{
+        .id = "godot3-first-ends",
+        .collider = "godot3",
+        .description = "another depth or place, or no contact: an edge is met on the plane through "
+                       "its first end, up to 0.36 degrees off",
+        .source =
+            "Godot 3.2.3, servers/physics_2d/collision_solver_2d_sat.cpp, "
+            "_generate_contacts_edge_edge: dA = n.dot(p_points_A[0]), dB = n.dot(p_points_B[0])",
+        .budgets = kOfGodotFirstEnds,
+        .explains = fault_of_godot<FaultOfGodot::first_ends>},
+    LedgerEntry{.id = "godot3-tested-axis",
+                .collider = "godot3",
+                .description = "another normal of nearly the least depth: an axis between rounded "
+                               "places, or one of several whose overlaps are equal in float",
+                .source = "Godot 3.2.3, servers/physics_2d/collision_solver_2d_sat.cpp, test_axis: "
+                          "dmax < best_depth; TEST_POINT: ((m_a) - (m_b)).normalized()",
+                .budgets = kOfGodotTestedAxis,
+                .explains = fault_of_godot<FaultOfGodot::tested_axis>},
+};
+
+}  // namespace manifuzz::ledger_of

@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "judging/ledger/separating_axes/axes_deviations.hpp"
+#include "judging/ledger/separating_axes/replayed.hpp"
+
+// jbox2d 2.2.1.1: Collision.collidePolygons is repeated in float, and again without its climbing.
+
+namespace manifuzz {
+namespace {
+
+/// A PolygonShape and its Transform, as the adapter fills them.
+struct PolygonOfJbox2d {
+  const Body& body;
+
+  int count() const { return body.polygon.count; }
+  int next(int i) const { return i + 1 < count() ? i + 1 : 0; }
+  int previous(int i) const { return i > 0 ? i - 1 : count() - 1; }
+  const Vector2<float>& vertex(int i) const { return body.polygon.vertices[i]; }
+  Vector2<float> turned(const Vector2<float>& v) const {
+    const Vector2<float>& q = body.pose.rotation;
+    return {q.x() * v.x() - q.y() * v.y(), q.y() * v.x() + q.x() * v.y()};
+  }
+  Vector2<float> turned_back(const Vector2<float>& v) const {
+    const Vector2<float>& q = body.pose.rotation;
+    return {q.x() * v.x() + q.y() * v.y(), -q.y() * v.x() + q.x() * v.y()};
+  }
+  Vector2<float> placed(const Vector2<float>& v) const { return turned(v) + body.pose.position; }
+  /// Protocol.java, normal.
+  Vector2<float> normal(int i) const {
+    const Vector2<double> edge = vertex(next(i)).cast<double>() - vertex(i).cast<double>();
+    const double length = std::sqrt(edge.x() * edge.x() + edge.y() * edge.y());
+    return {static_cast<float>(edge.y() / length), static_cast<float>(-edge.x() / length)};
+  }
+  /// PolygonShape.computeCentroidToOut.
+  Vector2<float> centroid() const {
+    constexpr float kThird = 1.0F / 3.0F;
+    Vector2<float> sum(0, 0);
+    float area = 0;
+    for (int i = 0; i < count(); ++i) {
+      const Vector2<float>& p = vertex(i);
+      const Vector2<float>& q = vertex(next(i));
+      const float triangle = 0.5F * (p.x() * q.y() - p.y() * q.x());
+      area += triangle;
+      sum += (Vector2<float>(0, 0) + p + q) * (triangle * kThird);
+    }
+    return sum * (1.0F / area);
+  }
+};
+
+/// EdgeResults.
+struct EdgeOfJbox2d {
+  int index = 0;
+  float separation = -std::numeric_limits<float>::max();
+};
+
+/// edgeSeparation.
+EdgeOfJbox2d edge_separation(const PolygonOfJbox2d& of, int edge, const PolygonOfJbox2d& opposing) {
+  const Vector2<float> normal = of.turned(of.normal(edge));
+  const Vector2<float> local = opposing.turned_back(normal);
+  int deepest = 0;
+  for (int i = 1; i < opposing.count(); ++i) {
+    if (opposing.vertex(i).dot(local) < opposing.vertex(deepest).dot(local)) deepest = i;
+  }
+  const Vector2<float> between =
+      opposing.placed(opposing.vertex(deepest)) - of.placed(of.vertex(edge));
+  return {edge, between.dot(normal)};
+}
+
+/// findMaxSeparation; mended it looks at all edges.
+EdgeOfJbox2d max_separation(const PolygonOfJbox2d& of, const PolygonOfJbox2d& opposing,
+                            bool is_mended) {
+  const auto at = [&](int edge) { return edge_separation(of, edge, opposing); };
+  EdgeOfJbox2d best;
+  if (is_mended) {
+    for (int i = 0; i < of.count(); ++i) {
+      if (at(i).separation > best.separation) best = at(i);
+    }
+    return best;
+  }
+  const Vector2<float> local = of.turned_back(
+      Vector2<float>(opposing.placed(opposing.centroid()) - of.placed(of.centroid())));
+  int start = 0;
+  for (int i = 1; i < of.count(); ++i) {
+    if (of.normal(i).dot(local) > of.normal(start).dot(local)) start = i;
+  }
+  best = at(start);
+  const EdgeOfJbox2d before = at(of.previous(start));
+  const EdgeOfJbox2d after = at(of.next(start));
+  const bool is_back = before.separation > best.separation && before.separation > after.separation;
+  if (!is_back && !(after.separation > best.separation)) return best;
+  best = is_back ? before : after;
+  for (;;) {
+    const EdgeOfJbox2d further = at(is_back ? of.previous(best.index) : of.next(best.index));
+    if (!(further.separation > best.separation)) return best;
+    best = further;
+  }
+}
+
+using EndsOfJbox2d = std::array<Vector2<float>, 2>;
+
+/// clipSegmentToLine: whether both ends are left.
+bool clip_to_line(EndsOfJbox2d& ends, const Vector2<float>& normal, float offset) {
+  const float first = normal.dot(ends[0]) - offset;
+  const float second = normal.dot(ends[1]) - offset;
+  if (first > 0 && second > 0) return false;
+  if (first * second < 0) {
+    const Vector2<float> crossing = (ends[1] - ends[0]) * (first / (first - second)) + ends[0];
+    ends = first <= 0 ? EndsOfJbox2d{ends[0], crossing} : EndsOfJbox2d{ends[1], crossing};
+    return true;
+  }
+  return first <= 0 && second <= 0;
+}
+
+/// findIncidentEdge.
+EndsOfJbox2d incident_of_jbox2d(const PolygonOfJbox2d& of, const Vector2<float>& normal) {
+  const Vector2<float> local = of.turned_back(normal);
+  int most_against = 0;
+  for (int i = 1; i < of.count(); ++i) {
+    if (local.dot(of.normal(i)) < local.dot(of.normal(most_against))) most_against = i;
+  }
+  return {of.placed(of.vertex(most_against)), of.placed(of.vertex(of.next(most_against)))};
+}
+
+/// collidePolygons, of polygons without radii or with mitred ones.
+replayed::Contact by_jbox2d(const PairCase& pair, bool is_mended) {
+  const PolygonOfJbox2d a{pair.a};
+  const PolygonOfJbox2d b{pair.b};
+  const float radius = pair.a.polygon.radius + pair.b.polygon.radius;
+  const EdgeOfJbox2d of_a = max_separation(a, b, is_mended);
+  const EdgeOfJbox2d of_b = max_separation(b, a, is_mended);
+  if (of_a.separation > radius || of_b.separation > radius) return {};
+  const bool is_b = of_b.separation > 0.98F * of_a.separation + 0.001F;
+  const PolygonOfJbox2d& reference = is_b ? b : a;
+  const int edge = is_b ? of_b.index : of_a.index;
+  EndsOfJbox2d ends = incident_of_jbox2d(is_b ? a : b, reference.turned(reference.normal(edge)));
+  const Vector2<float> from = reference.vertex(edge);
+  const Vector2<float> to = reference.vertex(reference.next(edge));
+  const Vector2<float> along = to - from;
+  const Vector2<float> tangent =
+      reference.turned(along * (1.0F / std::sqrt(along.x() * along.x() + along.y() * along.y())));
+  const Vector2<float> normal(tangent.y(), -tangent.x());
+  const Vector2<float> first = reference.placed(from);
+  const Vector2<float> last = reference.placed(to);
+  if (!clip_to_line(ends, -tangent, -tangent.dot(first) + radius) ||
+      !clip_to_line(ends, tangent, tangent.dot(last) + radius)) {
+    return {};
+  }
+  replayed::Contact contact{(is_b ? -normal : normal).cast<double>(), {}};
+  for (const Vector2<float>& end : ends) {
+    const float separation = normal.dot(end) - normal.dot(first);
+    if (separation > radius) continue;
+    const auto depth = static_cast<double>(std::max(radius - separation, 0.0F));
+    contact.points.push_back({end.cast<double>(), depth});
+  }
+  return contact;
+}
+
+}  // namespace
+
+bool local_maximum_in_jbox2d(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  if (std::min(pair.a.polygon.count, pair.b.polygon.count) < kMinVertices || is_round(pair)) {
+    return false;
+  }
+  Declaration declaration;
+  declaration.frame = RoundingFrame::world;
+  return replayed::is_same_answer(d, by_jbox2d(pair, false)) &&
+         replayed::is_right_answer(d, declaration, by_jbox2d(pair, true));
+}
+
+}  // namespace manifuzz
