@@ -10,6 +10,9 @@
 #include "judging/ledger/bullet/libccd_entries.hpp"
 #include "judging/ledger/chipmunk/chipmunk_entries.hpp"
 #include "judging/ledger/chipmunk/munk_entries.hpp"
+#include "judging/ledger/parry/parry_entries.hpp"
+#include "judging/ledger/parry/parry_f64_entries.hpp"
+#include "judging/ledger/parry/parry_simplified_entries.hpp"
 
 namespace manifuzz {
 namespace {
@@ -28,7 +31,8 @@ constexpr auto joined(const Entries&... entries) {
 constexpr std::array kLedger =
     joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk,
            ledger_of::kOfMunk, ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet,
-           ledger_of::kOfLibccd, ledger_of::kOfBox2d3);
+           ledger_of::kOfLibccd, ledger_of::kOfBox2d3, ledger_of::kOfParry, ledger_of::kOfParryF64,
+           ledger_of::kOfParrySimplified);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

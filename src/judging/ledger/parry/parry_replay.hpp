@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+
+#include "geometry/manifold.hpp"
+#include "judging/ledger/parry/parry_epa.hpp"
+#include "judging/ledger/parry/parry_gjk.hpp"
+
+namespace manifuzz::parry {
+
+/// Which function of contact_manifolds collides the pair.
+enum class Route { balls, ball, capsules, features };
+
+/// A point of a ContactManifold: on both surfaces, each in its shape's frame.
+template <class Real>
+struct TrackedPoint {
+  Vector2<Real> on_a{0, 0};
+  Vector2<Real> on_b{0, 0};
+  Real distance = 0;
+};
+
+/// What parry finds, and how.
+template <class Real>
+struct Replay {
+  Route route = Route::features;
+  Placed<Real> a;
+  Placed<Real> b;
+  Pose<Real> between;  ///< b's frame in a's
+  std::vector<TrackedPoint<Real>> points{};
+  Vector2<Real> normal{0, 0};  ///< in a's frame
+
+  GjkResult<Real> gjk{};               ///< of features, and of a ball and a polygon
+  EpaResult<Real> epa{};               ///< the same
+  std::array<std::size_t, 2> faces{};  ///< of features: those that are clipped, of polygons
+  bool is_clipped = false;             ///< of features: they overlap along the normal's tangent
+  Vector2<Real> apart{0, 0};  ///< of capsules and a ball: the difference that becomes the normal
+  bool is_inside = false;     ///< of a ball: its centre is inside of the other shape
+  std::vector<TrackedPoint<Real>> both_ends{};  ///< of capsules: both ends of the clip
+};
+
+/// contact_manifold_convex_convex without prediction.
+template <class Real>
+Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b);
+
+/// The points that a replay of features would have with these faces clipped.
+template <class Real>
+std::vector<TrackedPoint<Real>> clipped_by(const Replay<Real>& replay,
+                                           const std::array<std::size_t, 2>& faces);
+
+/// The direction that was found, in A's frame: unit, but for roundings.
+template <class Real>
+Vector2<double> direction_of(const Replay<Real>& replay, const PairCase& pair);
+
+}  // namespace manifuzz::parry
