@@ -21,6 +21,7 @@
 #include "judging/ledger/parry/parry_deviations.cpp"
 #include "judging/ledger/parry/parry_replay.cpp"
 #include "judging/ledger/parry/parry_round_deviations.cpp"
+#include "judging/ledger/parry/rapier_adapters.cpp"
 #include "judging/malformed.cpp"
 #include "judging/manifold_error.cpp"
 #include "judging/mitred_contact.cpp"

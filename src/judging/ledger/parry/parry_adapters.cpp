@@ -41,8 +41,8 @@ Placed<Real> placed_by_parry(const exact::StoredBody& body) {
 
 }  // namespace
 
-template <class Real>
-Vector2<double> direction_of(const Replay<Real>& replay, const PairCase& pair) {
+template <class Scalar>
+Vector2<double> AsAdapters<Scalar>::direction(const Replay<Real>& replay, const PairCase& pair) {
   return local_normal(pair,
                       rotate<Real>(replay.a.pose.rotation, replay.normal).template cast<double>());
 }
@@ -50,7 +50,7 @@ Vector2<double> direction_of(const Replay<Real>& replay, const PairCase& pair) {
 template <class Scalar>
 Manifold<double> AsAdapters<Scalar>::answer(const Replay<Real>& replay, const PairCase& pair) {
   Manifold<double> answer;
-  answer.normal = direction_of(replay, pair);
+  answer.normal = direction(replay, pair);
   for (const TrackedPoint<Real>& point : replay.points) {
     if (point.distance > 0) continue;
     const Vector2<Real> middle =
@@ -82,7 +82,5 @@ std::optional<Replay<Scalar>> AsAdapters<Scalar>::as_reported(const Deviation& d
 
 template struct AsAdapters<float>;
 template struct AsAdapters<double>;
-template Vector2<double> direction_of(const Replay<float>&, const PairCase&);
-template Vector2<double> direction_of(const Replay<double>&, const PairCase&);
 
 }  // namespace manifuzz::parry

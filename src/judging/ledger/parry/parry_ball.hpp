@@ -69,7 +69,7 @@ void collide_ball(Replay<Real>& replay) {
     normal = -normal;
     distance = -distance;
   }
-  if (!(distance <= radius)) return;
+  if (!(distance <= radius + replay.prediction)) return;
   const Vector2<Real> of_ball = rotate_back<Real>(between.rotation, Vector2<Real>(-normal));
   const Vector2<Real> on_ball = of_ball * radius;
   const Real overlap = distance - radius;

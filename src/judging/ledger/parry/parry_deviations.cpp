@@ -128,9 +128,10 @@ bool equal_corners_of_gjk(const Deviation& d) {
   return replay && replay->gjk.is_refused && is_refusal(replay->gjk.end);
 }
 
-#define MANIFUZZ_OF_PARRY(predicate)                        \
-  template bool predicate<parry::Floats>(const Deviation&); \
-  template bool predicate<parry::Doubles>(const Deviation&);
+#define MANIFUZZ_OF_PARRY(predicate)                         \
+  template bool predicate<parry::Floats>(const Deviation&);  \
+  template bool predicate<parry::Doubles>(const Deviation&); \
+  template bool predicate<parry::Rapier>(const Deviation&);
 
 MANIFUZZ_OF_PARRY(clip_of_face_by_cosine)
 MANIFUZZ_OF_PARRY(normal_of_corner_cones)

@@ -18,7 +18,18 @@ struct AsAdapters {
   using Real = Scalar;
   /// The replay of an answer; none where it gives another.
   static std::optional<Replay<Real>> as_reported(const Deviation& deviation);
+  /// The direction that was found, in A's frame: unit, but for roundings.
+  static Vector2<double> direction(const Replay<Real>& replay, const PairCase& pair);
   /// What is answered of a replay.
+  static Manifold<double> answer(const Replay<Real>& replay, const PairCase& pair);
+  static const Declaration& declaration();
+};
+/// rapier2d-compat 0.21.0, which has parry2d 0.31.1 inside, asked for contact manifolds.
+struct Rapier {
+  using Real = float;
+  /// As of `AsAdapters`.
+  static std::optional<Replay<Real>> as_reported(const Deviation& deviation);
+  static Vector2<double> direction(const Replay<Real>& replay, const PairCase& pair);
   static Manifold<double> answer(const Replay<Real>& replay, const PairCase& pair);
   static const Declaration& declaration();
 };

@@ -73,7 +73,7 @@ bool is_right(const Deviation& d, const ReplayOf<Engine>& mended) {
 /// D along the direction that was found, less D*; infinite where it found none.
 template <class Engine>
 double excess_of(const Deviation& d, const ReplayOf<Engine>& replay) {
-  const Vector2<double> direction = direction_of(replay, d.right.pair());
+  const Vector2<double> direction = Engine::direction(replay, d.right.pair());
   if (direction.isZero(0) || !direction.allFinite()) return INFINITY;
   return exact::Along(*d.right.truth, direction).depth() - ledger_of::least_depth(d);
 }
@@ -82,7 +82,7 @@ double excess_of(const Deviation& d, const ReplayOf<Engine>& replay) {
 template <class Engine>
 double error_of_direction(const Deviation& d, const ReplayOf<Engine>& replay) {
   const exact::PenetrationCurve curve(*d.right.truth, exact::skin_of(*d.right.truth));
-  const Vector2<double> direction = direction_of(replay, d.right.pair());
+  const Vector2<double> direction = Engine::direction(replay, d.right.pair());
   double least = INFINITY;
   if (direction.isZero(0) || !direction.allFinite()) return least;
   for (const Vector2<double>& right : curve.minima(bound_of(d))) {

@@ -53,7 +53,7 @@ inline constexpr Budget kOfParrySecondPoint[] = {
 inline constexpr Budget kOfParryCrossingCapsules[] = {
     {"capsules", 18000},    {"cores_touch", 64000}, {"in_line", 310000},
     {"mixed_shapes", 3200}, {"tilted_edges", 7600}, {"voronoi_lines", 3400}};
-inline constexpr Budget kOfParryNearlyParallel[] = {{"large_radii", 200}, {"tilted_edges", 2200}};
+inline constexpr Budget kOfParryNearlyParallel[] = {{"large_radii", 800}, {"tilted_edges", 2200}};
 inline constexpr Budget kOfParryCornerOfChord[] = {{"cores_touch", 2600}};
 inline constexpr Budget kOfParryCentreOnSurface[] = {{"circles", 8800},
                                                      {"cores_touch", 140000},

@@ -56,19 +56,14 @@ std::vector<ClippedPoint<Real>> clipped(Ends<Real> a, Ends<Real> b, const Vector
 }
 
 template <class Real>
-Vector2<Real> turned_about(const Replay<Real>& replay) {
-  return rotate_back<Real>(replay.between.rotation, Vector2<Real>(-replay.normal));
-}
-
-template <class Real>
 void add_radii(const Replay<Real>& replay, std::vector<TrackedPoint<Real>>& points) {
   const Real of_a = replay.a.shape.radius;
   const Real of_b = replay.b.shape.radius;
   if (of_a == 0 && of_b == 0) return;
-  const Vector2<Real> normal_of_b = turned_about(replay);
+  const Vector2<Real> out_of_b = normal_of_b(replay);
   for (TrackedPoint<Real>& point : points) {
     point.on_a += replay.normal * of_a;
-    point.on_b += normal_of_b * of_b;
+    point.on_b += out_of_b * of_b;
     point.distance -= of_a + of_b;
   }
 }
@@ -82,7 +77,7 @@ Ends<Real> face_of(const Shape<Real>& shape, std::size_t face) {
 template <class Real>
 void clip_features(Replay<Real>& replay, const Vector2<Real>& on_a, const Vector2<Real>& on_b) {
   replay.faces = {replay.a.shape.support_face(replay.normal),
-                  replay.b.shape.support_face(turned_about(replay))};
+                  replay.b.shape.support_face(normal_of_b(replay))};
   replay.points = clipped_by(replay, replay.faces);
   replay.is_clipped = !replay.points.empty();
   if (replay.is_clipped) return;
@@ -97,7 +92,7 @@ void collide_features(Replay<Real>& replay) {
   const Operands<Real> operands{&replay.a.shape, &replay.b.shape, replay.between};
   const auto towards = try_normalize(replay.between.position).value_or(Vector2<Real>(1, 0));
   Simplex<Real> simplex(corner_along(operands, towards));
-  const Real radii = Real(0) + replay.a.shape.radius + replay.b.shape.radius;
+  const Real radii = replay.prediction + replay.a.shape.radius + replay.b.shape.radius;
   replay.gjk = Gjk<Real>(operands, radii, simplex).run();
   Vector2<Real> on_a = replay.gjk.on_a;
   Vector2<Real> on_b = replay.gjk.on_b;
@@ -182,7 +177,7 @@ void collide_capsules(Replay<Real>& replay) {
   replay.apart = on_b - on_a;
   replay.normal = try_normalize(replay.apart).value_or(Vector2<Real>(0, 1));
   const Real distance = replay.apart.dot(replay.normal);
-  if (!(distance <= Real(0) + replay.a.shape.radius + replay.b.shape.radius)) return;
+  if (!(distance <= replay.prediction + replay.a.shape.radius + replay.b.shape.radius)) return;
   replay.points.push_back({on_a, inverse_transform(replay.between, on_b), distance});
   add_second(replay, a, b, on_a);
   add_radii(replay, replay.points);
@@ -194,10 +189,10 @@ void collide_balls(Replay<Real>& replay) {
   replay.apart = replay.between.position;
   const Real centres = length_of(replay.apart);
   const Real distance = centres - replay.a.shape.radius - replay.b.shape.radius;
-  if (!(distance < 0)) return;
+  if (!(distance < replay.prediction)) return;
   replay.normal = centres != 0 ? Vector2<Real>(replay.apart / centres) : Vector2<Real>(0, 1);
   replay.points.push_back({replay.normal * replay.a.shape.radius,
-                           turned_about(replay) * replay.b.shape.radius, distance});
+                           normal_of_b(replay) * replay.b.shape.radius, distance});
 }
 
 }  // namespace
@@ -219,8 +214,9 @@ std::vector<TrackedPoint<Real>> clipped_by(const Replay<Real>& replay,
 }
 
 template <class Real>
-Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b) {
-  Replay<Real> replay{.a = a, .b = b, .between = composed(inverse(a.pose), b.pose)};
+Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real prediction) {
+  Replay<Real> replay{
+      .a = a, .b = b, .between = composed(inverse(a.pose), b.pose), .prediction = prediction};
   if (a.shape.is_ball() && b.shape.is_ball()) {
     replay.route = Route::balls;
     collide_balls(replay);
@@ -236,8 +232,8 @@ Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b) {
   return replay;
 }
 
-template Replay<float> replayed(const Placed<float>&, const Placed<float>&);
-template Replay<double> replayed(const Placed<double>&, const Placed<double>&);
+template Replay<float> replayed(const Placed<float>&, const Placed<float>&, float);
+template Replay<double> replayed(const Placed<double>&, const Placed<double>&, double);
 template std::vector<TrackedPoint<float>> clipped_by(const Replay<float>&,
                                                      const std::array<std::size_t, 2>&);
 template std::vector<TrackedPoint<double>> clipped_by(const Replay<double>&,

@@ -25,7 +25,9 @@ struct Replay {
   Route route = Route::features;
   Placed<Real> a;
   Placed<Real> b;
-  Pose<Real> between;  ///< b's frame in a's
+  Pose<Real> between;       ///< b's frame in a's
+  Real prediction = 0;      ///< how far apart shapes may be whose points it gives
+  bool is_swapped = false;  ///< a is the case's B
   std::vector<TrackedPoint<Real>> points{};
   Vector2<Real> normal{0, 0};  ///< in a's frame
 
@@ -38,17 +40,19 @@ struct Replay {
   std::vector<TrackedPoint<Real>> both_ends{};  ///< of capsules: both ends of the clip
 };
 
-/// contact_manifold_convex_convex without prediction.
+/// contact_manifold_convex_convex.
 template <class Real>
-Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b);
+Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real prediction = 0);
 
 /// The points that a replay of features would have with these faces clipped.
 template <class Real>
 std::vector<TrackedPoint<Real>> clipped_by(const Replay<Real>& replay,
                                            const std::array<std::size_t, 2>& faces);
 
-/// The direction that was found, in A's frame: unit, but for roundings.
+/// The normal that it gives of b: from b to a, in b's frame.
 template <class Real>
-Vector2<double> direction_of(const Replay<Real>& replay, const PairCase& pair);
+Vector2<Real> normal_of_b(const Replay<Real>& replay) {
+  return rotate_back<Real>(replay.between.rotation, Vector2<Real>(-replay.normal));
+}
 
 }  // namespace manifuzz::parry

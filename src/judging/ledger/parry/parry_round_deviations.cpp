@@ -126,9 +126,10 @@ bool circle_by_epa_chord(const Deviation& d) {
          excess <= 100 * parry::kEpsilonOf<Engine> + bound_of(d);
 }
 
-#define MANIFUZZ_OF_PARRY(predicate)                        \
-  template bool predicate<parry::Floats>(const Deviation&); \
-  template bool predicate<parry::Doubles>(const Deviation&);
+#define MANIFUZZ_OF_PARRY(predicate)                         \
+  template bool predicate<parry::Floats>(const Deviation&);  \
+  template bool predicate<parry::Doubles>(const Deviation&); \
+  template bool predicate<parry::Rapier>(const Deviation&);
 
 MANIFUZZ_OF_PARRY(second_point_of_parry_capsules)
 MANIFUZZ_OF_PARRY(crossing_of_parry_capsules)

@@ -53,7 +53,7 @@ inline constexpr Budget kOfParrySimplifiedSecondPoint[] = {
 inline constexpr Budget kOfParrySimplifiedCrossingCapsules[] = {
     {"capsules", 18000},    {"cores_touch", 64000}, {"in_line", 310000},
     {"mixed_shapes", 3200}, {"tilted_edges", 7600}, {"voronoi_lines", 3400}};
-inline constexpr Budget kOfParrySimplifiedNearlyParallel[] = {{"large_radii", 200},
+inline constexpr Budget kOfParrySimplifiedNearlyParallel[] = {{"large_radii", 800},
                                                               {"tilted_edges", 2200}};
 inline constexpr Budget kOfParrySimplifiedCornerOfChord[] = {{"cores_touch", 2400}};
 inline constexpr Budget kOfParrySimplifiedCentreOnSurface[] = {{"circles", 8600},
