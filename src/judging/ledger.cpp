@@ -13,6 +13,7 @@
 #include "judging/ledger/parry/parry_entries.hpp"
 #include "judging/ledger/parry/parry_f64_entries.hpp"
 #include "judging/ledger/parry/parry_simplified_entries.hpp"
+#include "judging/ledger/parry/rapier_contact_entries.hpp"
 #include "judging/ledger/parry/rapier_entries.hpp"
 
 namespace manifuzz {
@@ -33,7 +34,7 @@ constexpr std::array kLedger =
     joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk,
            ledger_of::kOfMunk, ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet,
            ledger_of::kOfLibccd, ledger_of::kOfBox2d3, ledger_of::kOfParry, ledger_of::kOfParryF64,
-           ledger_of::kOfParrySimplified, ledger_of::kOfRapier);
+           ledger_of::kOfParrySimplified, ledger_of::kOfRapier, ledger_of::kOfRapierContact);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

@@ -18,6 +18,7 @@
 #include "judging/ledger/chipmunk/ported_deviations.cpp"
 #include "judging/ledger/differences.cpp"
 #include "judging/ledger/parry/parry_adapters.cpp"
+#include "judging/ledger/parry/parry_contact.cpp"
 #include "judging/ledger/parry/parry_deviations.cpp"
 #include "judging/ledger/parry/parry_replay.cpp"
 #include "judging/ledger/parry/parry_round_deviations.cpp"

@@ -31,7 +31,7 @@ ProjectedCentre<Real> on_capsule(const Shape<Real>& shape, const Vector2<Real>& 
 template <class Real>
 ProjectedCentre<Real> on_support_map(Replay<Real>& replay, const Shape<Real>& shape,
                                      const Vector2<Real>& centre) {
-  const Operands<Real> operands{&shape, nullptr, {centre, {1, 0}}, shape.radius > 0};
+  const Operands<Real> operands{&shape, nullptr, {centre, {1, 0}}, true};
   const auto towards = try_normalize(centre).value_or(Vector2<Real>(1, 0));
   Simplex<Real> simplex(corner_along(operands, towards));
   replay.gjk = Gjk<Real>(operands, std::numeric_limits<Real>::max(), simplex).run();

@@ -15,9 +15,11 @@ using parry::GjkEnd;
 using parry::Route;
 
 template <class Engine>
-std::optional<parry::ReplayOf<Engine>> replay_of_features(const Deviation& d) {
+std::optional<parry::ReplayOf<Engine>> replay_of_search(const Deviation& d) {
   auto replay = Engine::as_reported(d);
-  if (replay && replay->route != Route::features) replay.reset();
+  if (replay && replay->route != Route::features && replay->route != Route::supports) {
+    replay.reset();
+  }
   return replay;
 }
 
@@ -41,12 +43,12 @@ bool is_right_with_other_faces(const Deviation& d, parry::ReplayOf<Engine> repla
   return false;
 }
 
-/// The farthest a - b of both cores.
+/// The farthest a - b of both shapes.
 double reach_of_difference(const Deviation& d) {
   const ledger_of::Difference difference(d.right.pair());
   double most = 0;
   for (const Vector2<double>& corner : difference.corners()) most = std::max(most, corner.norm());
-  return most;
+  return most + total_radius(d.right.pair());
 }
 
 /// Whether GJK's direction is that of its step, between cores that it knows to be apart.
@@ -64,21 +66,22 @@ bool is_refusal(GjkEnd end) {
 
 template <class Engine>
 bool clip_of_face_by_cosine(const Deviation& d) {
-  const auto replay = replay_of_features<Engine>(d);
-  return replay && !replay->normal.isZero(0) && is_right_with_other_faces<Engine>(d, *replay);
+  const auto replay = replay_of_search<Engine>(d);
+  return replay && replay->route == Route::features && !replay->normal.isZero(0) &&
+         is_right_with_other_faces<Engine>(d, *replay);
 }
 
 template <class Engine>
 bool normal_of_corner_cones(const Deviation& d) {
-  const auto replay = replay_of_features<Engine>(d);
+  const auto replay = replay_of_search<Engine>(d);
   // Within both cones, no other corner is farther along it: D would be the radii.
   return replay && replay->epa.end == EpaEnd::corner &&
-         parry::excess_of<Engine>(d, *replay) - cores_apart(d) > bound_of(d);
+         parry::excess_of<Engine>(d, *replay) - parry::shapes_apart(d, *replay) > bound_of(d);
 }
 
 template <class Engine>
 bool contact_lost_by_epa(const Deviation& d) {
-  const auto replay = replay_of_features<Engine>(d);
+  const auto replay = replay_of_search<Engine>(d);
   return replay && d.got.count == 0 && replay->epa.end == EpaEnd::lost;
 }
 
@@ -96,30 +99,33 @@ bool direction_of_parry_places(const Deviation& d) {
 
 template <class Engine>
 bool stop_of_gjk(const Deviation& d) {
-  const auto replay = replay_of_features<Engine>(d);
-  const double apart = cores_apart(d);
-  if (!replay || replay->gjk.end != GjkEnd::near_enough || apart <= 0) return false;
+  const auto replay = replay_of_search<Engine>(d);
+  if (!replay || replay->gjk.end != GjkEnd::near_enough) return false;
+  const double apart = parry::shapes_apart(d, *replay);
   // D along it is the radii less min_bound, and max_bound is no less than the distance.
   const double share = parry::relative_of<Engine>();
-  return parry::excess_of<Engine>(d, *replay) <= share / (1 - share) * apart + bound_of(d);
+  return apart > 0 &&
+         parry::excess_of<Engine>(d, *replay) <= share / (1 - share) * apart + bound_of(d);
 }
 
 template <class Engine>
 bool touching_of_gjk(const Deviation& d) {
-  const auto replay = replay_of_features<Engine>(d);
-  return replay && !replay->gjk.is_refused &&
-         (replay->gjk.end == GjkEnd::stalled_touching ||
-          replay->gjk.end == GjkEnd::refused_touching) &&
-         std::abs(cores_apart(d)) <=
-             parry::relative_of<Engine>() * reach_of_difference(d) + bound_of(d);
+  const auto replay = replay_of_search<Engine>(d);
+  if (!replay || replay->gjk.is_refused ||
+      (replay->gjk.end != GjkEnd::stalled_touching &&
+       replay->gjk.end != GjkEnd::refused_touching)) {
+    return false;
+  }
+  return std::abs(parry::shapes_apart(d, *replay)) <=
+         parry::relative_of<Engine>() * reach_of_difference(d) + bound_of(d);
 }
 
 template <class Engine>
 bool origin_within_tolerance(const Deviation& d) {
-  const auto replay = replay_of_features<Engine>(d);
+  const auto replay = replay_of_search<Engine>(d);
   if (!replay || replay->epa.end != EpaEnd::backward) return false;
   const double tolerance = 10 * parry::kEpsilonOf<Engine> * std::max(1.0, reach_of_difference(d));
-  return std::abs(cores_apart(d)) <= tolerance + bound_of(d);
+  return std::abs(parry::shapes_apart(d, *replay)) <= tolerance + bound_of(d);
 }
 
 template <class Engine>
@@ -131,7 +137,8 @@ bool equal_corners_of_gjk(const Deviation& d) {
 #define MANIFUZZ_OF_PARRY(predicate)                         \
   template bool predicate<parry::Floats>(const Deviation&);  \
   template bool predicate<parry::Doubles>(const Deviation&); \
-  template bool predicate<parry::Rapier>(const Deviation&);
+  template bool predicate<parry::Rapier>(const Deviation&);  \
+  template bool predicate<parry::RapierContact>(const Deviation&);
 
 MANIFUZZ_OF_PARRY(clip_of_face_by_cosine)
 MANIFUZZ_OF_PARRY(normal_of_corner_cones)

@@ -33,6 +33,15 @@ struct Rapier {
   static Manifold<double> answer(const Replay<Real>& replay, const PairCase& pair);
   static const Declaration& declaration();
 };
+/// The same asked by contactCollider.
+struct RapierContact {
+  using Real = float;
+  /// As of `AsAdapters`.
+  static std::optional<Replay<Real>> as_reported(const Deviation& deviation);
+  static Vector2<double> direction(const Replay<Real>& replay, const PairCase& pair);
+  static Manifold<double> answer(const Replay<Real>& replay, const PairCase& pair);
+  static const Declaration& declaration();
+};
 using Floats = AsAdapters<float>;
 using Doubles = AsAdapters<double>;
 
@@ -88,9 +97,9 @@ bool centre_on_surface(const Deviation& deviation);
 /// A circle whose centre GJK projects on a polygon within its relative tolerance.
 template <class Engine>
 bool circle_by_gjk_stop(const Deviation& deviation);
-/// A circle whose centre is inside of a rounded polygon: its place is on a chord, and not on the
-/// surface.
+/// EPA ends on a chord that is inside of the surface: the depth is too small, and the places are
+/// not on it. Of contact manifolds, a circle's centre and a rounded polygon alone.
 template <class Engine>
-bool circle_by_epa_chord(const Deviation& deviation);
+bool chord_of_epa(const Deviation& deviation);
 
 }  // namespace manifuzz

@@ -46,6 +46,12 @@ inline double cores_apart(const Deviation& d) {
   return total_radius(d.right.pair()) - ledger_of::least_depth(d);
 }
 
+/// How far the shapes are apart that GJK was asked about: cores, or shapes with their radii.
+template <class Real>
+double shapes_apart(const Deviation& d, const Replay<Real>& replay) {
+  return replay.route == Route::supports ? -ledger_of::least_depth(d) : cores_apart(d);
+}
+
 /// Whether the replay gives the answer, to a bound.
 inline bool is_same_answer(const Deviation& d, const Manifold<double>& answer) {
   if (answer.count != d.got.count) return false;

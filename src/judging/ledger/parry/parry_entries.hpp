@@ -65,7 +65,7 @@ inline constexpr Budget kOfParryCircleByGjk[] = {{"circles", 250000},
                                                  {"large_radii", 80000},
                                                  {"mixed_shapes", 59000},
                                                  {"voronoi_lines", 120000}};
-inline constexpr Budget kOfParryCircleByEpa[] = {{"cores_touch", 120000}};
+inline constexpr Budget kOfParryEpaChord[] = {{"cores_touch", 120000}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfParry{
@@ -96,8 +96,8 @@ inline constexpr std::array kOfParry{
              centre_on_surface<parry::Floats>),
     of_parry("parry2d-circle-by-gjk", "parry2d", kCircleByGjk, kOfParryCircleByGjk,
              circle_by_gjk_stop<parry::Floats>),
-    of_parry("parry2d-circle-by-epa", "parry2d", kCircleByEpa, kOfParryCircleByEpa,
-             circle_by_epa_chord<parry::Floats>),
+    of_parry("parry2d-epa-chord", "parry2d", kEpaChord, kOfParryEpaChord,
+             chord_of_epa<parry::Floats>),
 };
 
 }  // namespace manifuzz::ledger_of

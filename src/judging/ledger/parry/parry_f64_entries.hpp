@@ -46,7 +46,7 @@ inline constexpr Budget kOfParryF64CircleByGjk[] = {{"circles", 360000},
                                                     {"large_radii", 100000},
                                                     {"mixed_shapes", 90000},
                                                     {"voronoi_lines", 210000}};
-inline constexpr Budget kOfParryF64CircleByEpa[] = {{"cores_touch", 130000}};
+inline constexpr Budget kOfParryF64EpaChord[] = {{"cores_touch", 130000}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfParryF64{
@@ -76,8 +76,8 @@ inline constexpr std::array kOfParryF64{
              kOfParryF64CentreOnSurface, centre_on_surface<parry::Doubles>),
     of_parry("parry2d-f64-circle-by-gjk", "parry2d-f64", kCircleByGjk, kOfParryF64CircleByGjk,
              circle_by_gjk_stop<parry::Doubles>),
-    of_parry("parry2d-f64-circle-by-epa", "parry2d-f64", kCircleByEpa, kOfParryF64CircleByEpa,
-             circle_by_epa_chord<parry::Doubles>),
+    of_parry("parry2d-f64-epa-chord", "parry2d-f64", kEpaChord, kOfParryF64EpaChord,
+             chord_of_epa<parry::Doubles>),
 };
 
 }  // namespace manifuzz::ledger_of

@@ -71,9 +71,12 @@ inline constexpr ParryFault kCircleByGjk{
     "double 4.7e-8) of the distance and the root of that",
     "parry2d, src/query/point/point_support_map.rs: gjk::project_origin; gjk.rs: max_bound - "
     "min_bound <= _eps_rel * max_bound"};
-inline constexpr ParryFault kCircleByEpa{
-    "a circle's centre inside of a rounded polygon: the depth is that of a chord of its corner",
-    "parry2d, src/query/epa/epa2.rs, EPA::closest_points: best_face.closest_points(), niter > 100"};
+inline constexpr ParryFault kEpaChord{
+    "normal, depth and places are those of a chord that EPA ends on, inside of the surface: of "
+    "round "
+    "shapes, and of faces that are nearly in line",
+    "parry2d, src/query/epa/epa2.rs, EPA::closest_points: best_face.closest_points(), of the face "
+    "with the least support; niter > 100"};
 
 /// An entry of a collider on such a fault.
 constexpr LedgerEntry of_parry(std::string_view id, std::string_view collider,

@@ -89,24 +89,9 @@ void clip_features(Replay<Real>& replay, const Vector2<Real>& on_a, const Vector
 
 template <class Real>
 void collide_features(Replay<Real>& replay) {
-  const Operands<Real> operands{&replay.a.shape, &replay.b.shape, replay.between};
-  const auto towards = try_normalize(replay.between.position).value_or(Vector2<Real>(1, 0));
-  Simplex<Real> simplex(corner_along(operands, towards));
   const Real radii = replay.prediction + replay.a.shape.radius + replay.b.shape.radius;
-  replay.gjk = Gjk<Real>(operands, radii, simplex).run();
-  Vector2<Real> on_a = replay.gjk.on_a;
-  Vector2<Real> on_b = replay.gjk.on_b;
-  replay.normal = replay.gjk.direction;
-  if (replay.gjk.is_intersection) {
-    replay.epa = Epa<Real>(operands, simplex).run();
-    on_a = replay.epa.on_a;
-    on_b = replay.epa.on_b;
-    replay.normal = replay.epa.normal;
-    if (replay.epa.end == EpaEnd::lost) return;
-  } else if (!replay.gjk.has_points) {
-    return;
-  }
-  clip_features(replay, on_a, on_b);
+  const auto places = searched<Real>(replay, false, radii);
+  if (places) clip_features(replay, (*places)[0], (*places)[1]);
 }
 
 /// closest_points_segment_segment_with_locations_nD: the shares of both second ends.

@@ -82,8 +82,8 @@ bool nearly_parallel_parry_capsules(const Deviation& d) {
 
 template <class Engine>
 bool corner_of_epa_chord(const Deviation& d) {
-  const auto replay = replay_of_circle<Engine>(d);
-  return replay && replay->epa.is_of_chord;
+  const auto replay = Engine::as_reported(d);
+  return replay && replay->route != Route::features && replay->epa.is_of_chord;
 }
 
 template <class Engine>
@@ -114,12 +114,16 @@ bool circle_by_gjk_stop(const Deviation& d) {
 }
 
 template <class Engine>
-bool circle_by_epa_chord(const Deviation& d) {
-  const auto replay = replay_of_circle<Engine>(d);
-  if (!replay || d.got.count == 0 || !has_polygon(d)) return false;
+bool chord_of_epa(const Deviation& d) {
+  const auto replay = Engine::as_reported(d);
+  if (!replay || replay->route == Route::features || d.got.count == 0) return false;
   const bool is_exhausted = replay->epa.end == EpaEnd::exhausted;
-  if (!is_exhausted && replay->epa.end != EpaEnd::converged) return false;
-  // The chord is inside of the surface, and so is the depth too small.
+  if (!is_exhausted && replay->epa.end != EpaEnd::converged &&
+      replay->epa.end != EpaEnd::backward) {
+    return false;
+  }
+  // The chord is inside of the surface, so the depth is too small; what supports its face is found
+  // no farther than the tolerance.
   const double least = ledger_of::least_depth(d);
   const double excess = is_exhausted ? 0 : parry::excess_of<Engine>(d, *replay);
   return ledger_of::deepest(d.got) <= least + bound_of(d) &&
@@ -129,7 +133,8 @@ bool circle_by_epa_chord(const Deviation& d) {
 #define MANIFUZZ_OF_PARRY(predicate)                         \
   template bool predicate<parry::Floats>(const Deviation&);  \
   template bool predicate<parry::Doubles>(const Deviation&); \
-  template bool predicate<parry::Rapier>(const Deviation&);
+  template bool predicate<parry::Rapier>(const Deviation&);  \
+  template bool predicate<parry::RapierContact>(const Deviation&);
 
 MANIFUZZ_OF_PARRY(second_point_of_parry_capsules)
 MANIFUZZ_OF_PARRY(crossing_of_parry_capsules)
@@ -137,7 +142,7 @@ MANIFUZZ_OF_PARRY(nearly_parallel_parry_capsules)
 MANIFUZZ_OF_PARRY(corner_of_epa_chord)
 MANIFUZZ_OF_PARRY(centre_on_surface)
 MANIFUZZ_OF_PARRY(circle_by_gjk_stop)
-MANIFUZZ_OF_PARRY(circle_by_epa_chord)
+MANIFUZZ_OF_PARRY(chord_of_epa)
 
 #undef MANIFUZZ_OF_PARRY
 

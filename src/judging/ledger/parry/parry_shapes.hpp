@@ -104,10 +104,16 @@ struct Shape {
 
   /// Of the core and its radius, if that is asked for.
   Vector2<Real> support(const Vector2<Real>& along, bool is_round) const {
-    if (!is_round) return farthest_corner(along);
-    const Real reciprocal = Real(1) / length_of(along);
-    const Vector2<Real> unit = along * reciprocal;
+    if (!is_round || radius == 0) return farthest_corner(along);
+    const Vector2<Real> unit = unit_of(along);
     return farthest_corner(unit) + unit * radius;
+  }
+
+  /// A capsule's is y where there is none.
+  Vector2<Real> unit_of(const Vector2<Real>& along) const {
+    const auto unit = try_normalize(along);
+    if (unit || is_capsule()) return unit.value_or(Vector2<Real>(0, 1));
+    return along * (Real(1) / length_of(along));
   }
 
   /// ConvexPolygon::local_support_feature: the face, the first of equals.
@@ -127,12 +133,12 @@ struct Operands {
   const Shape<Real>* a = nullptr;
   const Shape<Real>* b = nullptr;  ///< none: ConstantOrigin
   Pose<Real> between;              ///< B's frame in A's
-  bool is_round = false;           ///< A has its radius
+  bool is_round = false;           ///< with their radii
 
   Vector2<Real> of_a(const Vector2<Real>& along) const { return a->support(along, is_round); }
   Vector2<Real> of_b(const Vector2<Real>& along) const {
     if (b == nullptr) return between.position;
-    return transform(between, b->support(rotate_back(between.rotation, along), false));
+    return transform(between, b->support(rotate_back(between.rotation, along), is_round));
   }
 };
 

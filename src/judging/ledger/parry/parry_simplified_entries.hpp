@@ -66,7 +66,7 @@ inline constexpr Budget kOfParrySimplifiedCircleByGjk[] = {{"circles", 240000},
                                                            {"large_radii", 77000},
                                                            {"mixed_shapes", 58000},
                                                            {"voronoi_lines", 120000}};
-inline constexpr Budget kOfParrySimplifiedCircleByEpa[] = {{"cores_touch", 120000}};
+inline constexpr Budget kOfParrySimplifiedEpaChord[] = {{"cores_touch", 120000}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfParrySimplified{
@@ -99,8 +99,8 @@ inline constexpr std::array kOfParrySimplified{
              kOfParrySimplifiedCentreOnSurface, centre_on_surface<parry::Floats>),
     of_parry("parry2d-simplified-circle-by-gjk", "parry2d-simplified", kCircleByGjk,
              kOfParrySimplifiedCircleByGjk, circle_by_gjk_stop<parry::Floats>),
-    of_parry("parry2d-simplified-circle-by-epa", "parry2d-simplified", kCircleByEpa,
-             kOfParrySimplifiedCircleByEpa, circle_by_epa_chord<parry::Floats>),
+    of_parry("parry2d-simplified-epa-chord", "parry2d-simplified", kEpaChord,
+             kOfParrySimplifiedEpaChord, chord_of_epa<parry::Floats>),
 };
 
 }  // namespace manifuzz::ledger_of

@@ -1,7 +1,7 @@
 #include "judging/ledger/parry/parry_engines.hpp"
 
-// scripts/colliders/rapier2d-bodies.mjs and rapier2d-manifold.mjs: what they hand to Rapier, what
-// Rapier hands to parry, and what is made of a manifold.
+// scripts/colliders/rapier2d-bodies.mjs and rapier2d-manifold.mjs, rapier2d-contact.mjs: what they
+// hand to Rapier, what Rapier hands to parry, and what is made of a manifold.
 
 namespace manifuzz::parry {
 namespace {
@@ -118,6 +118,39 @@ std::optional<Replay<float>> Rapier::as_reported(const Deviation& d) {
     if (is_same_answer(d, answer(replay, d.right.pair()))) return replay;
   }
   return std::nullopt;
+}
+
+Vector2<double> RapierContact::direction(const Replay<float>& replay, const PairCase& pair) {
+  const Vector2<float> in_world = rotate<float>(replay.a.pose.rotation, replay.normal);
+  return local_normal(pair, in_world.cast<double>());
+}
+
+Manifold<double> RapierContact::answer(const Replay<float>& replay, const PairCase& pair) {
+  Manifold<double> answer;
+  if (replay.points.empty() || replay.points[0].distance > 0) return answer;
+  answer.count = 1;
+  answer.normal = direction(replay, pair);
+  const Vector2<float> in_world = transform(replay.a.pose, replay.points[0].on_a);
+  answer.points[0].position = to_local(pair.a.pose, in_world.cast<double>());
+  answer.points[0].depth = -static_cast<double>(replay.points[0].distance);
+  return answer;
+}
+
+const Declaration& RapierContact::declaration() {
+  static const Declaration made = [] {
+    Declaration rapier = Rapier::declaration();
+    rapier.claims = Claims::point;
+    rapier.one_point_enough = false;
+    return rapier;
+  }();
+  return made;
+}
+
+std::optional<Replay<float>> RapierContact::as_reported(const Deviation& d) {
+  const exact::StoredPair& stored = d.right.truth->stored();
+  Replay<float> replay = replayed_contact(placed_by_rapier(stored.a), placed_by_rapier(stored.b));
+  if (!is_same_answer(d, answer(replay, d.right.pair()))) return std::nullopt;
+  return replay;
 }
 
 }  // namespace manifuzz::parry
