@@ -18,21 +18,48 @@ void contact_of_balls(Replay<Real>& replay) {
                            normal_of_b(replay) * replay.b.shape.radius, std::sqrt(square) - radii});
 }
 
-/// Segment::feature_normal of the side that the centre is on; of any other shape here there is
-/// none where its surface is at the centre.
+/// Segment::feature_normal of the side that the centre is on.
 template <class Real>
-std::optional<Vector2<Real>> normal_at(const Shape<Real>& shape, const Vector2<Real>& centre) {
-  if (shape.corners.size() != 2 || shape.radius > 0) return std::nullopt;
+Vector2<Real> normal_of_segment(const Shape<Real>& shape, const Vector2<Real>& centre) {
   const Projection<Real> place = project_on_segment(centre, shape.corners[0], shape.corners[1]);
   const Vector2<Real> along = shape.corners[1] - shape.corners[0];
   const auto direction = try_normalize(along);
-  if (!direction) return Vector2<Real>(0, 1);
+  if (!direction) return {0, 1};
   if (place.vertex_count == 1) {
     return place.first == 0 ? *direction : Vector2<Real>(-*direction);
   }
   const bool is_first = cross<Real>(Vector2<Real>(centre - place.point), along) >= 0;
   const Vector2<Real> normal(direction->y(), -direction->x());
   return is_first ? normal : Vector2<Real>(-normal);
+}
+
+/// ConvexPolygon::feature_normal of support_feature_id_toward: the first face within a degree, or
+/// the farthest corner's.
+template <class Real>
+std::optional<Vector2<Real>> normal_of_polygon(const Shape<Real>& shape,
+                                               const Vector2<Real>& towards) {
+  const auto direction = try_normalize(towards);
+  if (!direction) return std::nullopt;
+  constexpr double degree = 3.14159265358979323846 / 180;
+  const auto cosine = static_cast<Real>(std::cos(static_cast<Real>(degree)));
+  for (const Vector2<Real>& normal : shape.normals) {
+    if (normal.dot(*direction) >= cosine) return normal;
+  }
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < shape.corners.size(); ++i) {
+    if (shape.corners[i].dot(*direction) > shape.corners[best].dot(*direction)) best = i;
+  }
+  const std::size_t before = best == 0 ? shape.normals.size() - 1 : best - 1;
+  return try_normalize(Vector2<Real>(shape.normals[before] + shape.normals[best]));
+}
+
+/// feature_normal_at_point: none of a shape with a radius.
+template <class Real>
+std::optional<Vector2<Real>> normal_at(const Replay<Real>& replay, const Shape<Real>& shape,
+                                       const Vector2<Real>& centre) {
+  if (shape.radius > 0) return std::nullopt;
+  if (shape.corners.size() == 2) return normal_of_segment(shape, centre);
+  return normal_of_polygon(shape, replay.is_inside ? Vector2<Real>(-replay.apart) : replay.apart);
 }
 
 template <class Real>
@@ -51,7 +78,7 @@ void contact_of_ball(Replay<Real>& replay) {
   if (length >= kEpsilon<Real>) {
     distance = nearest.is_inside ? -length - radius : length - radius;
     if (!nearest.is_inside) normal = -normal;
-  } else if (const auto of_feature = normal_at(shape, centre)) {
+  } else if (const auto of_feature = normal_at(replay, shape, centre)) {
     normal = *of_feature;
   } else {
     normal = try_normalize(nearest.point).value_or(Vector2<Real>(0, 1));

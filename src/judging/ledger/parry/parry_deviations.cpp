@@ -72,6 +72,18 @@ bool clip_of_face_by_cosine(const Deviation& d) {
 }
 
 template <class Engine>
+bool edge_along_normal(const Deviation& d) {
+  auto replay = replay_of_search<Engine>(d);
+  if (!replay || replay->route != Route::features || replay->normal.isZero(0)) return false;
+  return std::ranges::any_of(std::array{std::array{true, false}, std::array{false, true}},
+                             [&](const std::array<bool, 2>& are_turned) {
+                               replay->points =
+                                   parry::clipped_by(*replay, replay->faces, are_turned);
+                               return parry::is_right<Engine>(d, *replay);
+                             });
+}
+
+template <class Engine>
 bool normal_of_corner_cones(const Deviation& d) {
   const auto replay = replay_of_search<Engine>(d);
   // Within both cones, no other corner is farther along it: D would be the radii.
@@ -141,6 +153,7 @@ bool equal_corners_of_gjk(const Deviation& d) {
   template bool predicate<parry::RapierContact>(const Deviation&);
 
 MANIFUZZ_OF_PARRY(clip_of_face_by_cosine)
+MANIFUZZ_OF_PARRY(edge_along_normal)
 MANIFUZZ_OF_PARRY(normal_of_corner_cones)
 MANIFUZZ_OF_PARRY(contact_lost_by_epa)
 MANIFUZZ_OF_PARRY(direction_of_parry_places)

@@ -71,6 +71,8 @@ inline constexpr Budget kOfParryEpaChord[] = {{"cores_touch", 120000}};
 inline constexpr std::array kOfParry{
     of_parry("parry2d-face-by-cosine", "parry2d", kFaceByCosine, kOfParryFaceByCosine,
              clip_of_face_by_cosine<parry::Floats>),
+    of_parry("parry2d-edge-along-normal", "parry2d", kEdgeAlongNormal, {},
+             edge_along_normal<parry::Floats>),
     of_parry("parry2d-corner-cones", "parry2d", kCornerCones, kOfParryCornerCones,
              normal_of_corner_cones<parry::Floats>),
     of_parry("parry2d-lost-by-epa", "parry2d", kLostByEpa, kOfParryLostByEpa,

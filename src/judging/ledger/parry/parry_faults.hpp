@@ -17,6 +17,10 @@ inline constexpr ParryFault kFaceByCosine{
     "points too few, too shallow or too near: faces are clipped whose normals are the nearest to "
     "the direction as cosines tell, not those that touch",
     "parry2d, src/shape/convex_polygon.rs, local_support_feature: `dot > max_dot`"};
+inline constexpr ParryFault kEdgeAlongNormal{
+    "no contact, or too shallow: an edge along the normal is clipped, and its first end is taken "
+    "though its other is the nearest",
+    "parry2d, src/query/clip/clip_segment_segment.rs: utils::inv(range2[1] - range2[0]), 0 of 0"};
 inline constexpr ParryFault kCornerCones{
     "a normal outside the cone of a corner that touches a corner: it is turned into A's cone, then "
     "into B's, and not back",

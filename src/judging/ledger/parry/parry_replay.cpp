@@ -184,12 +184,15 @@ void collide_balls(Replay<Real>& replay) {
 
 template <class Real>
 std::vector<TrackedPoint<Real>> clipped_by(const Replay<Real>& replay,
-                                           const std::array<std::size_t, 2>& faces) {
+                                           const std::array<std::size_t, 2>& faces,
+                                           const std::array<bool, 2>& are_turned) {
+  Ends<Real> a = face_of(replay.a.shape, faces[0]);
   Ends<Real> b = face_of(replay.b.shape, faces[1]);
   for (Vector2<Real>& end : b) end = transform(replay.between, end);
+  if (are_turned[0]) std::swap(a[0], a[1]);
+  if (are_turned[1]) std::swap(b[0], b[1]);
   std::vector<TrackedPoint<Real>> points;
-  for (const ClippedPoint<Real>& point :
-       clipped(face_of(replay.a.shape, faces[0]), b, replay.normal)) {
+  for (const ClippedPoint<Real>& point : clipped(a, b, replay.normal)) {
     const Vector2<Real> apart = point.on_b - point.on_a;
     points.push_back(
         {point.on_a, inverse_transform(replay.between, point.on_b), apart.dot(replay.normal)});
@@ -220,8 +223,10 @@ Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real predict
 template Replay<float> replayed(const Placed<float>&, const Placed<float>&, float);
 template Replay<double> replayed(const Placed<double>&, const Placed<double>&, double);
 template std::vector<TrackedPoint<float>> clipped_by(const Replay<float>&,
-                                                     const std::array<std::size_t, 2>&);
+                                                     const std::array<std::size_t, 2>&,
+                                                     const std::array<bool, 2>&);
 template std::vector<TrackedPoint<double>> clipped_by(const Replay<double>&,
-                                                      const std::array<std::size_t, 2>&);
+                                                      const std::array<std::size_t, 2>&,
+                                                      const std::array<bool, 2>&);
 
 }  // namespace manifuzz::parry

@@ -48,10 +48,12 @@ Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real predict
 template <class Real>
 Replay<Real> replayed_contact(const Placed<Real>& a, const Placed<Real>& b);
 
-/// The points that a replay of features would have with these faces clipped.
+/// The points that a replay of features would have with these faces clipped, each from its first
+/// end or turned about.
 template <class Real>
 std::vector<TrackedPoint<Real>> clipped_by(const Replay<Real>& replay,
-                                           const std::array<std::size_t, 2>& faces);
+                                           const std::array<std::size_t, 2>& faces,
+                                           const std::array<bool, 2>& are_turned = {});
 
 /// The normal that it gives of b: from b to a, in b's frame.
 template <class Real>

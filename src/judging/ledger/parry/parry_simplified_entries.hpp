@@ -72,6 +72,8 @@ inline constexpr Budget kOfParrySimplifiedEpaChord[] = {{"cores_touch", 120000}}
 inline constexpr std::array kOfParrySimplified{
     of_parry("parry2d-simplified-face-by-cosine", "parry2d-simplified", kFaceByCosine,
              kOfParrySimplifiedFaceByCosine, clip_of_face_by_cosine<parry::Floats>),
+    of_parry("parry2d-simplified-edge-along-normal", "parry2d-simplified", kEdgeAlongNormal, {},
+             edge_along_normal<parry::Floats>),
     of_parry("parry2d-simplified-corner-cones", "parry2d-simplified", kCornerCones,
              kOfParrySimplifiedCornerCones, normal_of_corner_cones<parry::Floats>),
     of_parry("parry2d-simplified-lost-by-epa", "parry2d-simplified", kLostByEpa,
