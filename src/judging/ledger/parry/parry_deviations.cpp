@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <numeric>
+
+#include "judging/ledger/parry/parry_engines.hpp"
+
+// parry2d on polygons, segments and capsules against them: GJK, EPA and the clip of features.
+
+namespace manifuzz {
+namespace {
+
+using parry::bound_of;
+using parry::cores_apart;
+using parry::EpaEnd;
+using parry::GjkEnd;
+using parry::Route;
+
+template <class Engine>
+std::optional<parry::ReplayOf<Engine>> replay_of_search(const Deviation& d) {
+  auto replay = Engine::as_reported(d);
+  if (replay && replay->route != Route::features && replay->route != Route::supports) {
+    replay.reset();
+  }
+  return replay;
+}
+
+template <class Real>
+std::vector<std::size_t> faces_of(const parry::Shape<Real>& shape) {
+  std::vector<std::size_t> faces(std::max<std::size_t>(shape.normals.size(), 1));
+  std::iota(faces.begin(), faces.end(), std::size_t{0});
+  return faces;
+}
+
+/// Whether the answer would be right with another pair of faces clipped along the same direction.
+template <class Engine>
+bool is_right_with_other_faces(const Deviation& d, parry::ReplayOf<Engine> replay) {
+  for (const std::size_t of_a : faces_of(replay.a.shape)) {
+    for (const std::size_t of_b : faces_of(replay.b.shape)) {
+      if (std::array{of_a, of_b} == replay.faces) continue;
+      replay.points = parry::clipped_by(replay, {of_a, of_b});
+      if (parry::is_right<Engine>(d, replay)) return true;
+    }
+  }
+  return false;
+}
+
+/// The farthest a - b of both shapes.
+double reach_of_difference(const Deviation& d) {
+  const ledger_of::Difference difference(d.right.pair());
+  double most = 0;
+  for (const Vector2<double>& corner : difference.corners()) most = std::max(most, corner.norm());
+  return most + total_radius(d.right.pair());
+}
+
+/// Whether GJK's direction is that of its step, between cores that it knows to be apart.
+bool is_between_places(GjkEnd end) {
+  return end == GjkEnd::stalled_apart || end == GjkEnd::refused_apart ||
+         end == GjkEnd::full_apart || end == GjkEnd::near_enough;
+}
+
+bool is_refusal(GjkEnd end) {
+  return end == GjkEnd::refused_apart || end == GjkEnd::refused_touching ||
+         end == GjkEnd::refused_inside || end == GjkEnd::stalled_inside;
+}
+
+}  // namespace
+
+template <class Engine>
+bool clip_of_face_by_cosine(const Deviation& d) {
+  const auto replay = replay_of_search<Engine>(d);
+  return replay && replay->route == Route::features && !replay->normal.isZero(0) &&
+         is_right_with_other_faces<Engine>(d, *replay);
+}
+
+template <class Engine>
+bool edge_along_normal(const Deviation& d) {
+  auto replay = replay_of_search<Engine>(d);
+  if (!replay || replay->route != Route::features || replay->normal.isZero(0)) return false;
+  return std::ranges::any_of(std::array{std::array{true, false}, std::array{false, true}},
+                             [&](const std::array<bool, 2>& are_turned) {
+                               replay->points =
+                                   parry::clipped_by(*replay, replay->faces, are_turned);
+                               return parry::is_right<Engine>(d, *replay);
+                             });
+}
+
+template <class Engine>
+bool normal_of_corner_cones(const Deviation& d) {
+  const auto replay = replay_of_search<Engine>(d);
+  // Within both cones, no other corner is farther along it: D would be the radii.
+  return replay && replay->epa.end == EpaEnd::corner &&
+         parry::excess_of<Engine>(d, *replay) - parry::shapes_apart(d, *replay) > bound_of(d);
+}
+
+template <class Engine>
+bool contact_lost_by_epa(const Deviation& d) {
+  const auto replay = replay_of_search<Engine>(d);
+  return replay && d.got.count == 0 && replay->epa.end == EpaEnd::lost;
+}
+
+template <class Engine>
+bool direction_of_parry_places(const Deviation& d) {
+  const auto replay = Engine::as_reported(d);
+  const double apart = cores_apart(d);
+  if (!replay || d.got.count == 0 || apart <= 0 || ledger_of::is_of_points(d.kind)) return false;
+  const bool is_of_places =
+      replay->route == Route::capsules ||
+      (replay->route == Route::features && is_between_places(replay->gjk.end));
+  return is_of_places && parry::is_depth_right(d) &&
+         parry::error_of_direction<Engine>(d, *replay) * apart <= bound_of(d);
+}
+
+template <class Engine>
+bool stop_of_gjk(const Deviation& d) {
+  const auto replay = replay_of_search<Engine>(d);
+  if (!replay || replay->gjk.end != GjkEnd::near_enough) return false;
+  const double apart = parry::shapes_apart(d, *replay);
+  // D along it is the radii less min_bound, and max_bound is no less than the distance.
+  const double share = parry::relative_of<Engine>();
+  return apart > 0 &&
+         parry::excess_of<Engine>(d, *replay) <= share / (1 - share) * apart + bound_of(d);
+}
+
+template <class Engine>
+bool touching_of_gjk(const Deviation& d) {
+  const auto replay = replay_of_search<Engine>(d);
+  if (!replay || replay->gjk.is_refused ||
+      (replay->gjk.end != GjkEnd::stalled_touching &&
+       replay->gjk.end != GjkEnd::refused_touching)) {
+    return false;
+  }
+  return std::abs(parry::shapes_apart(d, *replay)) <=
+         parry::relative_of<Engine>() * reach_of_difference(d) + bound_of(d);
+}
+
+template <class Engine>
+bool origin_within_tolerance(const Deviation& d) {
+  const auto replay = replay_of_search<Engine>(d);
+  if (!replay || replay->epa.end != EpaEnd::backward) return false;
+  const double tolerance = 10 * parry::kEpsilonOf<Engine> * std::max(1.0, reach_of_difference(d));
+  return std::abs(parry::shapes_apart(d, *replay)) <= tolerance + bound_of(d);
+}
+
+template <class Engine>
+bool equal_corners_of_gjk(const Deviation& d) {
+  const auto replay = Engine::as_reported(d);
+  return replay && replay->gjk.is_refused && is_refusal(replay->gjk.end);
+}
+
+#define MANIFUZZ_OF_PARRY(predicate)                         \
+  template bool predicate<parry::Floats>(const Deviation&);  \
+  template bool predicate<parry::Doubles>(const Deviation&); \
+  template bool predicate<parry::Rapier>(const Deviation&);  \
+  template bool predicate<parry::RapierContact>(const Deviation&);
+
+MANIFUZZ_OF_PARRY(clip_of_face_by_cosine)
+MANIFUZZ_OF_PARRY(edge_along_normal)
+MANIFUZZ_OF_PARRY(normal_of_corner_cones)
+MANIFUZZ_OF_PARRY(contact_lost_by_epa)
+MANIFUZZ_OF_PARRY(direction_of_parry_places)
+MANIFUZZ_OF_PARRY(stop_of_gjk)
+MANIFUZZ_OF_PARRY(touching_of_gjk)
+MANIFUZZ_OF_PARRY(origin_within_tolerance)
+MANIFUZZ_OF_PARRY(equal_corners_of_gjk)
+
+#undef MANIFUZZ_OF_PARRY
+
+}  // namespace manifuzz

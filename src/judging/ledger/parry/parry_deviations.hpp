@@ -1,0 +1,109 @@
+#pragma once
+
+#include <optional>
+
+#include "judging/compare.hpp"
+
+namespace manifuzz {
+namespace parry {
+
+template <class Real>
+struct Replay;
+
+// The colliders whose answers are replayed.
+
+/// parry2d 0.30.2 as its adapters ask it, in a scalar.
+template <class Scalar>
+struct AsAdapters {
+  using Real = Scalar;
+  /// The replay of an answer; none where it gives another.
+  static std::optional<Replay<Real>> as_reported(const Deviation& deviation);
+  /// The direction that was found, in A's frame: unit, but for roundings.
+  static Vector2<double> direction(const Replay<Real>& replay, const PairCase& pair);
+  /// What is answered of a replay.
+  static Manifold<double> answer(const Replay<Real>& replay, const PairCase& pair);
+  static const Declaration& declaration();
+};
+/// rapier2d-compat 0.21.0, which has parry2d 0.31.1 inside, asked for contact manifolds.
+struct Rapier {
+  using Real = float;
+  /// As of `AsAdapters`.
+  static std::optional<Replay<Real>> as_reported(const Deviation& deviation);
+  static Vector2<double> direction(const Replay<Real>& replay, const PairCase& pair);
+  static Manifold<double> answer(const Replay<Real>& replay, const PairCase& pair);
+  static const Declaration& declaration();
+};
+/// The same asked by contactCollider.
+struct RapierContact {
+  using Real = float;
+  /// As of `AsAdapters`.
+  static std::optional<Replay<Real>> as_reported(const Deviation& deviation);
+  static Vector2<double> direction(const Replay<Real>& replay, const PairCase& pair);
+  static Manifold<double> answer(const Replay<Real>& replay, const PairCase& pair);
+  static const Declaration& declaration();
+};
+using Floats = AsAdapters<float>;
+using Doubles = AsAdapters<double>;
+
+}  // namespace parry
+
+// What the ledger's entries on parry look for. Each repeats all that parry does with the case, in
+// its order and its scalar, requires that this gives the answer, and sees where it left: then
+// holds what the named fault allows against the truth, or mends it.
+
+/// The same direction with other faces clipped would be right: the nearest by cosine was taken.
+template <class Engine>
+bool clip_of_face_by_cosine(const Deviation& deviation);
+/// The same edges clipped, one of them from its other end, would be right: it is along the normal,
+/// and its first end is taken for all of it.
+template <class Engine>
+bool edge_along_normal(const Deviation& deviation);
+/// EPA of a simplex of one corner: a normal that is outside of a corner's cone.
+template <class Engine>
+bool normal_of_corner_cones(const Deviation& deviation);
+/// No contact: EPA's first faces, or a new one, have the origin outside, and it gives None.
+template <class Engine>
+bool contact_lost_by_epa(const Deviation& deviation);
+/// The normal is the direction between places on cores that are apart: off by their roundings over
+/// the distance. The depth is right.
+template <class Engine>
+bool direction_of_parry_places(const Deviation& deviation);
+/// GJK stopped within its relative tolerance of the distance.
+template <class Engine>
+bool stop_of_gjk(const Deviation& deviation);
+/// GJK took for touching what is within its relative tolerance of the farthest support point.
+template <class Engine>
+bool touching_of_gjk(const Deviation& deviation);
+/// EPA gives the first new face that is nearer than the one it came from: the origin was within
+/// GJK's tolerance of the simplex.
+template <class Engine>
+bool origin_within_tolerance(const Deviation& deviation);
+/// GJK's simplex refused a corner that is not where another is, and the search ended.
+template <class Engine>
+bool equal_corners_of_gjk(const Deviation& deviation);
+
+/// Two capsules: both ends of the clip would be right; one point is missing or another was taken.
+template <class Engine>
+bool second_point_of_parry_capsules(const Deviation& deviation);
+/// Two capsules whose cores overlap, or touch to rounding: their distance gives the normal.
+template <class Engine>
+bool crossing_of_parry_capsules(const Deviation& deviation);
+/// Two capsules whose nearest places are off by roundings over the square of the sine between both.
+template <class Engine>
+bool nearly_parallel_parry_capsules(const Deviation& deviation);
+/// A circle whose centre EPA projects on the end of a chord instead of its nearest place.
+template <class Engine>
+bool corner_of_epa_chord(const Deviation& deviation);
+/// A circle whose centre is on the other's surface, or core: the normal is a direction of
+/// roundings, or that from the other's origin.
+template <class Engine>
+bool centre_on_surface(const Deviation& deviation);
+/// A circle whose centre GJK projects on a polygon within its relative tolerance.
+template <class Engine>
+bool circle_by_gjk_stop(const Deviation& deviation);
+/// EPA ends on a chord that is inside of the surface: the depth is too small, and the places are
+/// not on it. Of contact manifolds, a circle's centre and a rounded polygon alone.
+template <class Engine>
+bool chord_of_epa(const Deviation& deviation);
+
+}  // namespace manifuzz

@@ -1,0 +1,232 @@
+#include "judging/ledger/parry/parry_replay.hpp"
+
+#include <algorithm>
+
+#include "judging/ledger/parry/parry_ball.hpp"
+
+// contact_manifolds_pfm_pfm.rs, contact_manifolds_capsule_capsule.rs and what they call.
+
+namespace manifuzz::parry {
+namespace {
+
+/// Of capsules: utils/consts.rs.
+constexpr double kCosineOfEighth = 0.92387953251;
+constexpr double kSineOfEighth = 0.38268343236;
+
+template <class Real>
+using Ends = std::array<Vector2<Real>, 2>;
+
+template <class Real>
+struct ClippedPoint {
+  Vector2<Real> on_a;
+  Vector2<Real> on_b;
+};
+
+/// Of a segment from one place along a tangent to another, the point at a place.
+template <class Real>
+Vector2<Real> point_at(const Ends<Real>& ends, const std::array<Real, 2>& range, Real place) {
+  const Real run = range[1] - range[0];
+  const Real share = (place - range[0]) * (run == 0 ? Real(0) : Real(1) / run);
+  return ends[0] + (ends[1] - ends[0]) * share;
+}
+
+/// clip_segment_segment_with_normal: none, or two.
+template <class Real>
+std::vector<ClippedPoint<Real>> clipped(Ends<Real> a, Ends<Real> b, const Vector2<Real>& normal) {
+  const Vector2<Real> tangent(-normal.y(), normal.x());
+  std::array<Real, 2> along_a{a[0].dot(tangent), a[1].dot(tangent)};
+  std::array<Real, 2> along_b{b[0].dot(tangent), b[1].dot(tangent)};
+  if (along_a[1] < along_a[0]) {
+    std::swap(along_a[0], along_a[1]);
+    std::swap(a[0], a[1]);
+  }
+  if (along_b[1] < along_b[0]) {
+    std::swap(along_b[0], along_b[1]);
+    std::swap(b[0], b[1]);
+  }
+  if (along_b[0] > along_a[1] || along_a[0] > along_b[1]) return {};
+  std::vector<ClippedPoint<Real>> found;
+  found.push_back(along_b[0] > along_a[0]
+                      ? ClippedPoint<Real>{point_at(a, along_a, along_b[0]), b[0]}
+                      : ClippedPoint<Real>{a[0], point_at(b, along_b, along_a[0])});
+  found.push_back(along_b[1] < along_a[1]
+                      ? ClippedPoint<Real>{point_at(a, along_a, along_b[1]), b[1]}
+                      : ClippedPoint<Real>{a[1], point_at(b, along_b, along_a[1])});
+  return found;
+}
+
+template <class Real>
+void add_radii(const Replay<Real>& replay, std::vector<TrackedPoint<Real>>& points) {
+  const Real of_a = replay.a.shape.radius;
+  const Real of_b = replay.b.shape.radius;
+  if (of_a == 0 && of_b == 0) return;
+  const Vector2<Real> out_of_b = normal_of_b(replay);
+  for (TrackedPoint<Real>& point : points) {
+    point.on_a += replay.normal * of_a;
+    point.on_b += out_of_b * of_b;
+    point.distance -= of_a + of_b;
+  }
+}
+
+template <class Real>
+Ends<Real> face_of(const Shape<Real>& shape, std::size_t face) {
+  if (!shape.is_polygon()) return {shape.corners[0], shape.corners[1]};
+  return {shape.corners[face], shape.corners[(face + 1) % shape.corners.size()]};
+}
+
+template <class Real>
+void clip_features(Replay<Real>& replay, const Vector2<Real>& on_a, const Vector2<Real>& on_b) {
+  replay.faces = {replay.a.shape.support_face(replay.normal),
+                  replay.b.shape.support_face(normal_of_b(replay))};
+  replay.points = clipped_by(replay, replay.faces);
+  replay.is_clipped = !replay.points.empty();
+  if (replay.is_clipped) return;
+  const Vector2<Real> apart = on_b - on_a;
+  replay.points.push_back(
+      {on_a, inverse_transform(replay.between, on_b), apart.dot(replay.normal)});
+  add_radii(replay, replay.points);
+}
+
+template <class Real>
+void collide_features(Replay<Real>& replay) {
+  const Real radii = replay.prediction + replay.a.shape.radius + replay.b.shape.radius;
+  const auto places = searched<Real>(replay, false, radii);
+  if (places) clip_features(replay, (*places)[0], (*places)[1]);
+}
+
+/// closest_points_segment_segment_with_locations_nD: the shares of both second ends.
+template <class Real>
+std::array<Real, 2> nearest_shares(const Ends<Real>& a, const Ends<Real>& b) {
+  const Vector2<Real> d1 = a[1] - a[0];
+  const Vector2<Real> d2 = b[1] - b[0];
+  const Vector2<Real> r = a[0] - b[0];
+  const auto clamped = [](Real share) { return std::clamp(share, Real(0), Real(1)); };
+  const Real aa = d1.dot(d1);
+  const Real e = d2.dot(d2);
+  const Real f = d2.dot(r);
+  if (aa <= kEpsilon<Real> && e <= kEpsilon<Real>) return {0, 0};
+  if (aa <= kEpsilon<Real>) return {0, clamped(f / e)};
+  const Real c = d1.dot(r);
+  if (e <= kEpsilon<Real>) return {clamped(-c / aa), 0};
+  const Real b12 = d1.dot(d2);
+  const Real ae = aa * e;
+  const Real bb = b12 * b12;
+  const Real denominator = ae - bb;
+  // ulps_eq! with its defaults: within epsilon, or four floats.
+  const Real least = std::min(ae, bb);
+  Real fourth = least;
+  for (int i = 0; i < 4; ++i) fourth = std::nextafter(fourth, std::numeric_limits<Real>::max());
+  const bool are_equal = std::abs(ae - bb) <= kEpsilon<Real> || std::max(ae, bb) <= fourth;
+  Real s = 0;
+  if (denominator > kEpsilon<Real> && !are_equal) s = clamped((b12 * f - c * e) / denominator);
+  const Real t = (b12 * s + f) / e;
+  if (t < 0) return {clamped(-c / aa), 0};
+  if (t > 1) return {clamped((b12 - c) / aa), 1};
+  return {s, t};
+}
+
+template <class Real>
+Vector2<Real> between_ends(const Ends<Real>& ends, Real share) {
+  return ends[0] * (Real(1) - share) + ends[1] * share;
+}
+
+/// The second point, where cores are nearly parallel and beside each other.
+template <class Real>
+void add_second(Replay<Real>& replay, const Ends<Real>& a, const Ends<Real>& b,
+                const Vector2<Real>& first) {
+  for (const ClippedPoint<Real>& end : clipped(a, b, replay.normal)) {
+    const Vector2<Real> apart = end.on_b - end.on_a;
+    replay.both_ends.push_back(
+        {end.on_a, inverse_transform(replay.between, end.on_b), apart.dot(replay.normal)});
+  }
+  const auto along_a = try_normalize(Vector2<Real>(a[1] - a[0]));
+  const auto along_b = try_normalize(Vector2<Real>(b[1] - b[0]));
+  if (!along_a || !along_b || replay.both_ends.empty()) return;
+  if (!(std::abs(along_a->dot(*along_b)) >= Real(kCosineOfEighth)) ||
+      !(std::abs(along_a->dot(replay.normal)) < Real(kSineOfEighth))) {
+    return;
+  }
+  const Vector2<Real> off = replay.both_ends[0].on_a - first;
+  replay.points.push_back(off.dot(off) > kEpsilon<Real> * Real(100) ? replay.both_ends[0]
+                                                                    : replay.both_ends[1]);
+}
+
+template <class Real>
+void collide_capsules(Replay<Real>& replay) {
+  const Ends<Real> a = face_of(replay.a.shape, 0);
+  Ends<Real> b = face_of(replay.b.shape, 0);
+  for (Vector2<Real>& end : b) end = transform(replay.between, end);
+  const auto [s, t] = nearest_shares(a, b);
+  const Vector2<Real> on_a = between_ends(a, s);
+  const Vector2<Real> on_b = between_ends(b, t);
+  replay.apart = on_b - on_a;
+  replay.normal = try_normalize(replay.apart).value_or(Vector2<Real>(0, 1));
+  const Real distance = replay.apart.dot(replay.normal);
+  if (!(distance <= replay.prediction + replay.a.shape.radius + replay.b.shape.radius)) return;
+  replay.points.push_back({on_a, inverse_transform(replay.between, on_b), distance});
+  add_second(replay, a, b, on_a);
+  add_radii(replay, replay.points);
+  add_radii(replay, replay.both_ends);
+}
+
+template <class Real>
+void collide_balls(Replay<Real>& replay) {
+  replay.apart = replay.between.position;
+  const Real centres = length_of(replay.apart);
+  const Real distance = centres - replay.a.shape.radius - replay.b.shape.radius;
+  if (!(distance < replay.prediction)) return;
+  replay.normal = centres != 0 ? Vector2<Real>(replay.apart / centres) : Vector2<Real>(0, 1);
+  replay.points.push_back({replay.normal * replay.a.shape.radius,
+                           normal_of_b(replay) * replay.b.shape.radius, distance});
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<TrackedPoint<Real>> clipped_by(const Replay<Real>& replay,
+                                           const std::array<std::size_t, 2>& faces,
+                                           const std::array<bool, 2>& are_turned) {
+  Ends<Real> a = face_of(replay.a.shape, faces[0]);
+  Ends<Real> b = face_of(replay.b.shape, faces[1]);
+  for (Vector2<Real>& end : b) end = transform(replay.between, end);
+  if (are_turned[0]) std::swap(a[0], a[1]);
+  if (are_turned[1]) std::swap(b[0], b[1]);
+  std::vector<TrackedPoint<Real>> points;
+  for (const ClippedPoint<Real>& point : clipped(a, b, replay.normal)) {
+    const Vector2<Real> apart = point.on_b - point.on_a;
+    points.push_back(
+        {point.on_a, inverse_transform(replay.between, point.on_b), apart.dot(replay.normal)});
+  }
+  add_radii(replay, points);
+  return points;
+}
+
+template <class Real>
+Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real prediction) {
+  Replay<Real> replay{
+      .a = a, .b = b, .between = composed(inverse(a.pose), b.pose), .prediction = prediction};
+  if (a.shape.is_ball() && b.shape.is_ball()) {
+    replay.route = Route::balls;
+    collide_balls(replay);
+  } else if (a.shape.is_ball() || b.shape.is_ball()) {
+    replay.route = Route::ball;
+    collide_ball(replay);
+  } else if (a.shape.is_capsule() && b.shape.is_capsule()) {
+    replay.route = Route::capsules;
+    collide_capsules(replay);
+  } else {
+    collide_features(replay);
+  }
+  return replay;
+}
+
+template Replay<float> replayed(const Placed<float>&, const Placed<float>&, float);
+template Replay<double> replayed(const Placed<double>&, const Placed<double>&, double);
+template std::vector<TrackedPoint<float>> clipped_by(const Replay<float>&,
+                                                     const std::array<std::size_t, 2>&,
+                                                     const std::array<bool, 2>&);
+template std::vector<TrackedPoint<double>> clipped_by(const Replay<double>&,
+                                                      const std::array<std::size_t, 2>&,
+                                                      const std::array<bool, 2>&);
+
+}  // namespace manifuzz::parry

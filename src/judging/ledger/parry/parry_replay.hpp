@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+
+#include "geometry/manifold.hpp"
+#include "judging/ledger/parry/parry_epa.hpp"
+#include "judging/ledger/parry/parry_gjk.hpp"
+
+namespace manifuzz::parry {
+
+/// Which function collides the pair: of contact_manifolds, or contact_support_map_support_map.
+enum class Route { balls, ball, capsules, features, supports };
+
+/// A point of a ContactManifold: on both surfaces, each in its shape's frame.
+template <class Real>
+struct TrackedPoint {
+  Vector2<Real> on_a{0, 0};
+  Vector2<Real> on_b{0, 0};
+  Real distance = 0;
+};
+
+/// What parry finds, and how.
+template <class Real>
+struct Replay {
+  Route route = Route::features;
+  Placed<Real> a;
+  Placed<Real> b;
+  Pose<Real> between;       ///< b's frame in a's
+  Real prediction = 0;      ///< how far apart shapes may be whose points it gives
+  bool is_swapped = false;  ///< a is the case's B
+  std::vector<TrackedPoint<Real>> points{};
+  Vector2<Real> normal{0, 0};  ///< in a's frame
+
+  GjkResult<Real> gjk{};               ///< of features, supports, and of a ball and a polygon
+  EpaResult<Real> epa{};               ///< the same
+  std::array<std::size_t, 2> faces{};  ///< of features: those that are clipped, of polygons
+  bool is_clipped = false;             ///< of features: they overlap along the normal's tangent
+  Vector2<Real> apart{0, 0};  ///< of capsules and a ball: the difference that becomes the normal
+  bool is_inside = false;     ///< of a ball: its centre is inside of the other shape
+  std::vector<TrackedPoint<Real>> both_ends{};  ///< of capsules: both ends of the clip
+};
+
+/// contact_manifold_convex_convex.
+template <class Real>
+Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real prediction = 0);
+
+/// contact without prediction: one point, of shapes with their radii.
+template <class Real>
+Replay<Real> replayed_contact(const Placed<Real>& a, const Placed<Real>& b);
+
+/// The points that a replay of features would have with these faces clipped, each from its first
+/// end or turned about.
+template <class Real>
+std::vector<TrackedPoint<Real>> clipped_by(const Replay<Real>& replay,
+                                           const std::array<std::size_t, 2>& faces,
+                                           const std::array<bool, 2>& are_turned = {});
+
+/// The normal that it gives of b: from b to a, in b's frame.
+template <class Real>
+Vector2<Real> normal_of_b(const Replay<Real>& replay) {
+  return rotate_back<Real>(replay.between.rotation, Vector2<Real>(-replay.normal));
+}
+
+/// contact_support_map_support_map_with_params: the places on both, in a's frame, and the normal of
+/// the replay; none of those without contact.
+template <class Real>
+std::optional<std::array<Vector2<Real>, 2>> searched(Replay<Real>& replay, bool is_round,
+                                                     Real farthest) {
+  const Operands<Real> operands{&replay.a.shape, &replay.b.shape, replay.between, is_round};
+  const auto towards = try_normalize(replay.between.position).value_or(Vector2<Real>(1, 0));
+  Simplex<Real> simplex(corner_along(operands, towards));
+  replay.gjk = Gjk<Real>(operands, farthest, simplex).run();
+  if (replay.gjk.is_intersection) {
+    replay.epa = Epa<Real>(operands, simplex).run();
+    if (replay.epa.end == EpaEnd::lost) return std::nullopt;
+    replay.normal = replay.epa.normal;
+    return std::array{replay.epa.on_a, replay.epa.on_b};
+  }
+  if (!replay.gjk.has_points) return std::nullopt;
+  replay.normal = replay.gjk.direction;
+  return std::array{replay.gjk.on_a, replay.gjk.on_b};
+}
+
+}  // namespace manifuzz::parry

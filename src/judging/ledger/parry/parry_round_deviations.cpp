@@ -1,0 +1,149 @@
+#include <algorithm>
+
+#include "judging/ledger/parry/parry_engines.hpp"
+
+// parry2d on circles against any shape, and on two capsules.
+
+namespace manifuzz {
+namespace {
+
+using parry::bound_of;
+using parry::cores_apart;
+using parry::EpaEnd;
+using parry::GjkEnd;
+using parry::Route;
+
+/// The replay of a circle against another shape.
+template <class Engine>
+std::optional<parry::ReplayOf<Engine>> replay_of_circle(const Deviation& d) {
+  auto replay = Engine::as_reported(d);
+  if (replay && replay->route != Route::ball) replay.reset();
+  return replay;
+}
+
+template <class Engine>
+std::optional<parry::ReplayOf<Engine>> replay_of_capsules(const Deviation& d) {
+  auto replay = Engine::as_reported(d);
+  if (replay && replay->route != Route::capsules) replay.reset();
+  return replay;
+}
+
+/// How far a circle's centre is from the other's surface; below zero it is inside.
+double centre_from_surface(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  const Body& circle = pair.a.polygon.count == 1 ? pair.a : pair.b;
+  return static_cast<double>(circle.polygon.radius) - ledger_of::least_depth(d);
+}
+
+bool has_polygon(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  return std::max(pair.a.polygon.count, pair.b.polygon.count) >= kMinVertices;
+}
+
+/// How far closest_points_segment_segment may be from the nearest places of two cores.
+template <class Engine>
+double error_of_places(const Deviation& d) {
+  const exact::RoughPair placed = exact::place_roughly(d.right.pair());
+  const Vector2<double> along_a = placed.a.vertices[1] - placed.a.vertices[0];
+  const Vector2<double> along_b = placed.b.vertices[1] - placed.b.vertices[0];
+  const double shorter = std::min(along_a.norm(), along_b.norm());
+  // a <= _eps: the first end of a core that is so short.
+  if (shorter * shorter <= parry::kEpsilonOf<Engine>) return shorter + bound_of(d);
+  // b f - c e loses as much as the denominator is smaller than its terms.
+  const double sine = cross(along_a, along_b) / (along_a.norm() * along_b.norm());
+  return bound_of(d) / (sine * sine);
+}
+
+}  // namespace
+
+template <class Engine>
+bool second_point_of_parry_capsules(const Deviation& d) {
+  auto replay = replay_of_capsules<Engine>(d);
+  if (!replay || (d.kind != Kind::count && d.kind != Kind::extent)) return false;
+  replay->points = replay->both_ends;
+  return parry::is_right<Engine>(d, *replay);
+}
+
+template <class Engine>
+bool crossing_of_parry_capsules(const Deviation& d) {
+  const auto replay = replay_of_capsules<Engine>(d);
+  return replay && !ledger_of::is_of_points(d.kind) && cores_apart(d) <= bound_of(d);
+}
+
+template <class Engine>
+bool nearly_parallel_parry_capsules(const Deviation& d) {
+  const auto replay = replay_of_capsules<Engine>(d);
+  const double apart = cores_apart(d);
+  if (!replay || ledger_of::is_of_points(d.kind) || apart <= 0) return false;
+  const double off = error_of_places<Engine>(d);
+  if (static_cast<double>(parry::length_of(replay->apart)) - apart > off) return false;
+  return d.got.count == 0 || parry::error_of_direction<Engine>(d, *replay) * apart <= off;
+}
+
+template <class Engine>
+bool corner_of_epa_chord(const Deviation& d) {
+  const auto replay = Engine::as_reported(d);
+  return replay && replay->route != Route::features && replay->epa.is_of_chord;
+}
+
+template <class Engine>
+bool centre_on_surface(const Deviation& d) {
+  const auto replay = replay_of_circle<Engine>(d);
+  if (!replay || d.got.count == 0) return false;
+  const double surface = std::abs(centre_from_surface(d));
+  if (has_polygon(d) && replay->gjk.end == GjkEnd::on_simplex) {
+    return surface <= 10 * parry::kEpsilonOf<Engine> + bound_of(d);
+  }
+  const double error = parry::error_of_direction<Engine>(d, *replay);
+  // A capsule's surface is found from its core, a polygon's from a corner.
+  const double nearest = has_polygon(d) ? surface : std::min(surface, cores_apart(d));
+  return parry::is_depth_right(d) && error * nearest <= bound_of(d);
+}
+
+template <class Engine>
+bool circle_by_gjk_stop(const Deviation& d) {
+  const auto replay = replay_of_circle<Engine>(d);
+  const double surface = centre_from_surface(d);
+  if (!replay || replay->gjk.end != GjkEnd::near_enough || surface <= 0) return false;
+  // The place is in the shape, and no farther than the distance over 1 - _eps_rel.
+  const double share = parry::relative_of<Engine>() / (1 - parry::relative_of<Engine>());
+  const double found = static_cast<double>(parry::length_of(replay->apart));
+  if (std::abs(found - surface) > share * surface + bound_of(d)) return false;
+  return d.got.count == 0 || parry::error_of_direction<Engine>(d, *replay) <=
+                                 std::sqrt(2 * share) * (1 + share) + bound_of(d) / surface;
+}
+
+template <class Engine>
+bool chord_of_epa(const Deviation& d) {
+  const auto replay = Engine::as_reported(d);
+  if (!replay || replay->route == Route::features || d.got.count == 0) return false;
+  const bool is_exhausted = replay->epa.end == EpaEnd::exhausted;
+  if (!is_exhausted && replay->epa.end != EpaEnd::converged &&
+      replay->epa.end != EpaEnd::backward) {
+    return false;
+  }
+  // The chord is inside of the surface, so the depth is too small; what supports its face is found
+  // no farther than the tolerance.
+  const double least = ledger_of::least_depth(d);
+  const double excess = is_exhausted ? 0 : parry::excess_of<Engine>(d, *replay);
+  return ledger_of::deepest(d.got) <= least + bound_of(d) &&
+         excess <= 100 * parry::kEpsilonOf<Engine> + bound_of(d);
+}
+
+#define MANIFUZZ_OF_PARRY(predicate)                         \
+  template bool predicate<parry::Floats>(const Deviation&);  \
+  template bool predicate<parry::Doubles>(const Deviation&); \
+  template bool predicate<parry::Rapier>(const Deviation&);  \
+  template bool predicate<parry::RapierContact>(const Deviation&);
+
+MANIFUZZ_OF_PARRY(second_point_of_parry_capsules)
+MANIFUZZ_OF_PARRY(crossing_of_parry_capsules)
+MANIFUZZ_OF_PARRY(nearly_parallel_parry_capsules)
+MANIFUZZ_OF_PARRY(corner_of_epa_chord)
+MANIFUZZ_OF_PARRY(centre_on_surface)
+MANIFUZZ_OF_PARRY(circle_by_gjk_stop)
+MANIFUZZ_OF_PARRY(chord_of_epa)
+
+#undef MANIFUZZ_OF_PARRY
+
+}  // namespace manifuzz
