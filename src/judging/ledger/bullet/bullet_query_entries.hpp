@@ -21,6 +21,18 @@ inline constexpr std::string_view kRelativeErrorEnds =
 inline constexpr std::string_view kFlatSimplex =
     "Bullet 3.24, btVoronoiSimplexSolver.cpp, pointOutsideOfPlane: signd * signd < "
     "(1e-4) * (1e-4); updateClosestVectorAndPoints: isValid";
+inline constexpr std::string_view kGjkApart =
+    "Bullet 3.24, btGjkEpa2.cpp, GJK::Evaluate: length2() < GJK_DUPLICATED_EPS "
+    "ends it; btGjkPairDetector.cpp: distance2 of the second GJK";
+inline constexpr std::string_view kFallBack =
+    "Bullet 3.24, btGjkEpa2.cpp, EPA::Evaluate: eStatus::FallBack, "
+    "m_normal = -guess";
+inline constexpr std::string_view kDisplacedPoint =
+    "Bullet 3.24, btMinkowskiPenetrationDepthSolver.cpp, calcPenDepth: "
+    "pb = res.m_pointInWorld, v = minNorm";
+inline constexpr std::string_view kDetectorAxis =
+    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual: "
+    "normalInB = m_cachedSeparatingAxis";
 inline constexpr std::string_view kTurnedBack =
     "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual: d1 > d0, "
     "normalInB *= -1";
@@ -67,6 +79,18 @@ inline constexpr std::array kOfBulletQuery{
         .description = "the normal is reversed by what compares distances along both directions",
         .source = kTurnedBack,
         .explains = normal_turned_back<BulletAsked::epa>},
+    LedgerEntry{.id = "bullet-epa-gjk-apart",
+                .collider = "bullet-epa",
+                .description =
+                    "the GJK of the EPA finds them apart, ended by a corner within 0.01 of another",
+                .source = kGjkApart,
+                .explains = epa_finds_apart},
+    LedgerEntry{
+        .id = "bullet-epa-fall-back",
+        .collider = "bullet-epa",
+        .description = "EPA finds no tetrahedron about the origin: its guess, and a depth of 0",
+        .source = kFallBack,
+        .explains = epa_falls_back},
     LedgerEntry{
         .id = "bullet-epa-invalid-hull",
         .collider = "bullet-epa",
@@ -84,6 +108,12 @@ inline constexpr std::array kOfBulletQuery{
                 .description = "a face within 0.0001 of a curved shape, and not tangent to it",
                 .source = kChord,
                 .explains = epa_at_chord},
+    LedgerEntry{.id = "bullet-epa-axis-of-roundings",
+                .collider = "bullet-epa",
+                .description = "the direction between the closest points of cores so near that the "
+                               "roundings of these turn it",
+                .source = kDetectorAxis,
+                .explains = axis_turned_by_roundings<BulletAsked::epa>},
     LedgerEntry{.id = "bullet-minkowski-touching-axis",
                 .collider = "bullet-minkowski",
                 .description = "cores within 0.001 of touching: the normal is the direction "
@@ -110,11 +140,17 @@ inline constexpr std::array kOfBulletQuery{
         .source = kFlatSimplex,
         .explains = stopped_at_flat_simplex<BulletAsked::directions>},
     LedgerEntry{
-        .id = "bullet-minkowski-turned-back",
+        .id = "bullet-minkowski-displaced-point",
         .collider = "bullet-minkowski",
-        .description = "the normal is reversed by what compares distances along both directions",
-        .source = kTurnedBack,
-        .explains = normal_turned_back<BulletAsked::directions>},
+        .description = "the point is that of a query beside it, whose direction is not the normal",
+        .source = kDisplacedPoint,
+        .explains = point_of_displaced_query<BulletAsked::directions>},
+    LedgerEntry{.id = "bullet-minkowski-axis-of-roundings",
+                .collider = "bullet-minkowski",
+                .description = "the direction between the closest points of cores so near that the "
+                               "roundings of these turn it",
+                .source = kDetectorAxis,
+                .explains = axis_turned_by_roundings<BulletAsked::directions>},
     LedgerEntry{.id = "bullet-convex2d-touching-axis",
                 .collider = "bullet-convex2d",
                 .description = "cores within 0.001 of touching: the normal is the direction "
@@ -141,11 +177,17 @@ inline constexpr std::array kOfBulletQuery{
         .source = kFlatSimplex,
         .explains = stopped_at_flat_simplex<BulletAsked::flat>},
     LedgerEntry{
-        .id = "bullet-convex2d-turned-back",
+        .id = "bullet-convex2d-displaced-point",
         .collider = "bullet-convex2d",
-        .description = "the normal is reversed by what compares distances along both directions",
-        .source = kTurnedBack,
-        .explains = normal_turned_back<BulletAsked::flat>},
+        .description = "the point is that of a query beside it, whose direction is not the normal",
+        .source = kDisplacedPoint,
+        .explains = point_of_displaced_query<BulletAsked::flat>},
+    LedgerEntry{.id = "bullet-convex2d-axis-of-roundings",
+                .collider = "bullet-convex2d",
+                .description = "the direction between the closest points of cores so near that the "
+                               "roundings of these turn it",
+                .source = kDetectorAxis,
+                .explains = axis_turned_by_roundings<BulletAsked::flat>},
 };
 
 }  // namespace manifuzz::ledger_of

@@ -6,6 +6,7 @@
 
 #include "judging/ledger/bullet/bullet_epa.hpp"
 #include "judging/ledger/differences.hpp"
+#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 namespace {
@@ -108,6 +109,31 @@ bool stopped_at_flat_simplex(const Deviation& d) {
 }
 
 template <BulletAsked asked>
+bool point_of_displaced_query(const Deviation& d) {
+  if (!ledger_of::is_of_points(d.kind)) return false;
+  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+    constexpr float roundings = 4 * std::numeric_limits<float>::epsilon();
+    const ledger_of::Space beside = query.directions.beside.normal;
+    return query.answer.normal_of == NormalOf::solver && !query.answer.is_axis_deeper &&
+           (beside - query.directions.direction.normalized()).norm() > roundings;
+  });
+}
+
+template <BulletAsked asked>
+bool axis_turned_by_roundings(const Deviation& d) {
+  if (d.got.count == 0) return false;
+  return is_repeated(d, asked, [&](const RepeatedQuery& query) {
+    if (!is_of_own_axis(query)) return false;
+    const double roundings = 4 * d.right.bounds.separation;
+    const auto length = static_cast<double>(query.answer.loop.axis.norm());
+    const exact::PenetrationCurve curve(*d.right.truth, exact::skin_of(*d.right.truth));
+    return std::ranges::any_of(curve.minima(roundings), [&](const Vector2<double>& normal) {
+      return (d.got.normal - normal).norm() * length <= roundings;
+    });
+  });
+}
+
+template <BulletAsked asked>
 bool normal_turned_back(const Deviation& d) {
   return is_repeated(d, asked, [](const RepeatedQuery& query) {
     return query.answer.is_turned && !query.answer.is_axis_deeper;
@@ -127,9 +153,21 @@ bool epa_beside_face(const Deviation& d) {
 }
 
 bool epa_at_chord(const Deviation& d) {
-  if (total_radius(d.right.pair()) == 0) return false;
+  if (total_radius(d.right.pair()) == 0 || !ledger_of::is_of_points(d.kind)) return false;
   return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
     return is_of_epa(query, EpaEnd::accuracy_reached) && !query.epa.is_beside_face;
+  });
+}
+
+bool epa_finds_apart(const Deviation& d) {
+  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
+    return query.answer.normal_of == NormalOf::solver_apart;
+  });
+}
+
+bool epa_falls_back(const Deviation& d) {
+  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
+    return is_of_epa(query, EpaEnd::fall_back);
   });
 }
 
@@ -139,6 +177,8 @@ bool epa_at_chord(const Deviation& d) {
   template bool stopped_at_near_corner<BulletAsked::asked>(const Deviation&);    \
   template bool stopped_by_relative_error<BulletAsked::asked>(const Deviation&); \
   template bool stopped_at_flat_simplex<BulletAsked::asked>(const Deviation&);   \
+  template bool point_of_displaced_query<BulletAsked::asked>(const Deviation&);  \
+  template bool axis_turned_by_roundings<BulletAsked::asked>(const Deviation&);  \
   template bool normal_turned_back<BulletAsked::asked>(const Deviation&);
 MANIFUZZ_BULLET_ASKED(epa)
 MANIFUZZ_BULLET_ASKED(directions)

@@ -27,9 +27,20 @@ bool stopped_by_relative_error(const Deviation& deviation);
 /// negative weights.
 template <BulletAsked>
 bool stopped_at_flat_simplex(const Deviation& deviation);
-/// The normal was reversed by what is to mend the solver's.
+/// The solver's normal and depth with a point of the displaced query, whose own normal is another.
+template <BulletAsked>
+bool point_of_displaced_query(const Deviation& deviation);
+/// The axis of its own query, from the right normal by no more than what roundings of the points
+/// that it is between turn it: they are that near to each other.
+template <BulletAsked>
+bool axis_turned_by_roundings(const Deviation& deviation);
+/// The normal was reversed by what is to mend the solver's; the point was not.
 template <BulletAsked>
 bool normal_turned_back(const Deviation& deviation);
+/// The solver's GJK found them apart, where the detector's own query had found them to touch.
+bool epa_finds_apart(const Deviation& deviation);
+/// EPA::Evaluate found no tetrahedron about the origin: its guess and a depth of 0.
+bool epa_falls_back(const Deviation& deviation);
 
 /// EPA::Evaluate ended at a hull that it could not expand, and gives the face it had.
 bool epa_at_invalid_hull(const Deviation& deviation);
