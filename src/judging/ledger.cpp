@@ -7,6 +7,7 @@
 #include "judging/ledger/box2d/box2d_entries.hpp"
 #include "judging/ledger/box2d/javascript_entries.hpp"
 #include "judging/ledger/bullet/bullet_entries.hpp"
+#include "judging/ledger/bullet/bullet_epa_entries.hpp"
 #include "judging/ledger/bullet/bullet_query_entries.hpp"
 #include "judging/ledger/bullet/libccd_entries.hpp"
 #include "judging/ledger/chipmunk/chipmunk_entries.hpp"
@@ -26,10 +27,10 @@ constexpr auto joined(const Entries&... entries) {
   return all;
 }
 
-constexpr std::array kLedger =
-    joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk,
-           ledger_of::kOfMunk, ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet,
-           ledger_of::kOfBulletQuery, ledger_of::kOfLibccd, ledger_of::kOfBox2d3);
+constexpr std::array kLedger = joined(
+    ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk, ledger_of::kOfMunk,
+    ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet, ledger_of::kOfBulletEpa,
+    ledger_of::kOfBulletQuery, ledger_of::kOfLibccd, ledger_of::kOfBox2d3);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

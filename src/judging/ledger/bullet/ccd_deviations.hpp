@@ -10,6 +10,9 @@ namespace manifuzz {
 /// nextSupport compared the tolerance, a length, with a product or a square of lengths that was
 /// below it, though what they are of is longer: an element inside the difference.
 bool polytope_left_by_squares(const Deviation& deviation);
+/// The corner that it asked for next is one of the element's own, within the tolerance: expansion
+/// replaces one triangle, which leaves the polytope not convex.
+bool polytope_left_at_own_corner(const Deviation& deviation);
 /// The nearest element's square is 0, for an element inside the difference that the origin is on.
 bool polytope_left_at_zero(const Deviation& deviation);
 /// A simplex that touches the origin was taken for the difference's boundary.

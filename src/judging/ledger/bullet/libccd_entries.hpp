@@ -52,10 +52,37 @@ inline constexpr Budget kOfLibccdMprFaceOfRay[] = {
     {"deep", 1000000},        {"tie_bias", 170000},    {"far_from_origin", 110000},
     {"scaled", 150000},       {"off_unit", 120000},    {"ulp", 180000}};
 
-inline constexpr Budget kOfLibccdGjkLeftBySquares[] = {{"deep", 1000000}};
-inline constexpr Budget kOfLibccdGjkLeftAtZero[] = {{"deep", 1000000}};
-inline constexpr Budget kOfLibccdGjkLeftTouching[] = {{"deep", 1000000}};
-inline constexpr Budget kOfLibccdMprCornerOfRay[] = {{"deep", 1000000}};
+inline constexpr Budget kOfLibccdGjkLeftBySquares[] = {{"boxes", 1800},
+                                                       {"corner_corner", 5200},
+                                                       {"corner_face", 32000},
+                                                       {"deep", 100000},
+                                                       {"far_from_origin", 38000},
+                                                       {"generic", 14000},
+                                                       {"micro_edge", 96000},
+                                                       {"near_collinear", 48000},
+                                                       {"near_parallel", 36000},
+                                                       {"off_unit", 35000},
+                                                       {"regular", 4400},
+                                                       {"scaled", 57000},
+                                                       {"sliver", 130000},
+                                                       {"tie_bias", 45000},
+                                                       {"tied_faces", 62000},
+                                                       {"touching", 1400},
+                                                       {"ulp", 44000}};
+inline constexpr Budget kOfLibccdGjkLeftAtOwnCorner[] = {
+    {"deep", 22000},      {"grid", 540}, {"near_collinear", 140}, {"scaled", 4200}, {"sliver", 270},
+    {"tied_faces", 3000}, {"ulp", 940}};
+inline constexpr Budget kOfLibccdGjkLeftAtZero[] = {
+    {"deep", 800},          {"grid", 6600},   {"micro_edge", 270}, {"near_collinear", 940},
+    {"near_parallel", 540}, {"regular", 400}, {"sliver", 270},     {"tied_faces", 3100},
+    {"touching", 140},      {"ulp", 400}};
+inline constexpr Budget kOfLibccdGjkLeftTouching[] = {{"micro_edge", 270},
+                                                      {"near_collinear", 670},
+                                                      {"near_parallel", 270},
+                                                      {"tied_faces", 400},
+                                                      {"ulp", 270}};
+inline constexpr Budget kOfLibccdMprCornerOfRay[] = {
+    {"boxes", 400}, {"deep", 150000}, {"sliver", 2800}, {"ulp", 7000}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfLibccd{
@@ -82,6 +109,14 @@ inline constexpr std::array kOfLibccd{
                           "dist < epa_tolerance",
                 .budgets = kOfLibccdGjkLeftBySquares,
                 .explains = polytope_left_by_squares},
+    LedgerEntry{.id = "libccd-gjk-left-at-own-corner",
+                .collider = "libccd-gjk",
+                .description = "an element inside the difference: expanded by one triangle at a "
+                               "time, the polytope is not convex",
+                .source = "libccd 2.1, src/ccd.c, expandPolytope; nextSupport: "
+                          "ccdVec3PointTriDist2 < epa_tolerance",
+                .budgets = kOfLibccdGjkLeftAtOwnCorner,
+                .explains = polytope_left_at_own_corner},
     LedgerEntry{.id = "libccd-gjk-left-at-zero",
                 .collider = "libccd-gjk",
                 .description = "hardly a depth: the origin is on a face of a polytope, inside the "
