@@ -7,6 +7,8 @@
 #include "judging/ledger/box2d/box2d_entries.hpp"
 #include "judging/ledger/box2d/javascript_entries.hpp"
 #include "judging/ledger/bullet/bullet_entries.hpp"
+#include "judging/ledger/bullet/bullet_epa_entries.hpp"
+#include "judging/ledger/bullet/bullet_query_entries.hpp"
 #include "judging/ledger/bullet/libccd_entries.hpp"
 #include "judging/ledger/chipmunk/chipmunk_entries.hpp"
 #include "judging/ledger/chipmunk/munk_entries.hpp"
@@ -39,7 +41,7 @@ constexpr auto joined(const Entries&... entries) {
   return all;
 }
 
-constexpr std::array kLedger = joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk, ledger_of::kOfMunk, ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet, ledger_of::kOfLibccd, ledger_of::kOfBox2d3, ledger_of::kOfBox2dCore, ledger_of::kOfMatter, ledger_of::kOfP2, ledger_of::kOfNape, ledger_of::kOfDyn4jSat, ledger_of::kOfDyn4jGjk, ledger_of::kOfCute, ledger_of::kOfSat, ledger_of::kOfGodot, ledger_of::kOfJbox2dSearch, ledger_of::kOfParry, ledger_of::kOfParryF64, ledger_of::kOfParrySimplified, ledger_of::kOfRapier, ledger_of::kOfRapierContact);
+constexpr std::array kLedger = joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk, ledger_of::kOfMunk, ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet, ledger_of::kOfLibccd, ledger_of::kOfBox2d3, ledger_of::kOfBox2dCore, ledger_of::kOfMatter, ledger_of::kOfP2, ledger_of::kOfNape, ledger_of::kOfDyn4jSat, ledger_of::kOfDyn4jGjk, ledger_of::kOfCute, ledger_of::kOfSat, ledger_of::kOfGodot, ledger_of::kOfJbox2dSearch, ledger_of::kOfParry, ledger_of::kOfParryF64, ledger_of::kOfParrySimplified, ledger_of::kOfRapier, ledger_of::kOfRapierContact, ledger_of::kOfBulletEpa, ledger_of::kOfBulletQuery);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

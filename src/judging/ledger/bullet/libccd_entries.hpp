@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "judging/ledger/bullet/ccd_deviations.hpp"
+#include "judging/ledger/bullet/libccd_ray.hpp"
 #include "judging/ledger/gjk_deviations.hpp"
 
 namespace manifuzz::ledger_of {
@@ -50,6 +52,38 @@ inline constexpr Budget kOfLibccdMprFaceOfRay[] = {
     {"deep", 1000000},        {"tie_bias", 170000},    {"far_from_origin", 110000},
     {"scaled", 150000},       {"off_unit", 120000},    {"ulp", 180000}};
 
+inline constexpr Budget kOfLibccdGjkLeftBySquares[] = {{"boxes", 1800},
+                                                       {"corner_corner", 5200},
+                                                       {"corner_face", 32000},
+                                                       {"deep", 100000},
+                                                       {"far_from_origin", 38000},
+                                                       {"generic", 14000},
+                                                       {"micro_edge", 96000},
+                                                       {"near_collinear", 48000},
+                                                       {"near_parallel", 36000},
+                                                       {"off_unit", 35000},
+                                                       {"regular", 4400},
+                                                       {"scaled", 57000},
+                                                       {"sliver", 130000},
+                                                       {"tie_bias", 45000},
+                                                       {"tied_faces", 62000},
+                                                       {"touching", 1400},
+                                                       {"ulp", 44000}};
+inline constexpr Budget kOfLibccdGjkLeftAtOwnCorner[] = {
+    {"deep", 22000},      {"grid", 540}, {"near_collinear", 140}, {"scaled", 4200}, {"sliver", 270},
+    {"tied_faces", 3000}, {"ulp", 940}};
+inline constexpr Budget kOfLibccdGjkLeftAtZero[] = {
+    {"deep", 800},          {"grid", 6600},   {"micro_edge", 270}, {"near_collinear", 940},
+    {"near_parallel", 540}, {"regular", 400}, {"sliver", 270},     {"tied_faces", 3100},
+    {"touching", 140},      {"ulp", 400}};
+inline constexpr Budget kOfLibccdGjkLeftTouching[] = {{"micro_edge", 270},
+                                                      {"near_collinear", 670},
+                                                      {"near_parallel", 270},
+                                                      {"tied_faces", 400},
+                                                      {"ulp", 270}};
+inline constexpr Budget kOfLibccdMprCornerOfRay[] = {
+    {"boxes", 400}, {"deep", 150000}, {"sliver", 2800}, {"ulp", 7000}};
+
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfLibccd{
     LedgerEntry{
@@ -68,6 +102,35 @@ inline constexpr std::array kOfLibccd{
                 .source = "libccd 2.1, src/ccd.c, nextSupport: dist - el->dist < epa_tolerance",
                 .budgets = kOfLibccdGjkToleranceOfSquares,
                 .explains = tolerance_of_squares},
+    LedgerEntry{.id = "libccd-gjk-left-by-squares",
+                .collider = "libccd-gjk",
+                .description = "the same of a face that is tilted out of the plane, repeated",
+                .source = "libccd 2.1, src/ccd.c, nextSupport: dist - el->dist < epa_tolerance, "
+                          "dist < epa_tolerance",
+                .budgets = kOfLibccdGjkLeftBySquares,
+                .explains = polytope_left_by_squares},
+    LedgerEntry{.id = "libccd-gjk-left-at-own-corner",
+                .collider = "libccd-gjk",
+                .description = "an element inside the difference: expanded by one triangle at a "
+                               "time, the polytope is not convex",
+                .source = "libccd 2.1, src/ccd.c, expandPolytope; nextSupport: "
+                          "ccdVec3PointTriDist2 < epa_tolerance",
+                .budgets = kOfLibccdGjkLeftAtOwnCorner,
+                .explains = polytope_left_at_own_corner},
+    LedgerEntry{.id = "libccd-gjk-left-at-zero",
+                .collider = "libccd-gjk",
+                .description = "hardly a depth: the origin is on a face of a polytope, inside the "
+                               "difference",
+                .source = "libccd 2.1, src/ccd.c, nextSupport: ccdIsZero(el->dist)",
+                .budgets = kOfLibccdGjkLeftAtZero,
+                .explains = polytope_left_at_zero},
+    LedgerEntry{.id = "libccd-gjk-left-touching",
+                .collider = "libccd-gjk",
+                .description = "hardly a depth: a triangle about the origin seems to be on the "
+                               "difference's boundary",
+                .source = "libccd 2.1, src/ccd.c, simplexToPolytope3: ccdIsZero(dist)",
+                .budgets = kOfLibccdGjkLeftTouching,
+                .explains = polytope_left_touching},
     LedgerEntry{.id = "libccd-mpr-face-of-ray",
                 .collider = "libccd-mpr",
                 .description = "the face through which the ray from the centres leaves the "
@@ -77,6 +140,14 @@ inline constexpr std::array kOfLibccd{
                     "the ray from v0 leaves",
                 .budgets = kOfLibccdMprFaceOfRay,
                 .explains = translation_to_face_of_ray},
+    LedgerEntry{.id = "libccd-mpr-corner-of-ray",
+                .collider = "libccd-mpr",
+                .description = "a corner, where the origin is on the line from the difference's "
+                               "middle to it, and not the nearest face",
+                .source = "libccd 2.1, src/mpr.c, discoverPortal: ccdIsZero(ccdVec3Len2(&dir)), "
+                          "return 2; findPenetrSegment: depth is that of v1",
+                .budgets = kOfLibccdMprCornerOfRay,
+                .explains = translation_to_corner_of_ray},
 };
 
 }  // namespace manifuzz::ledger_of

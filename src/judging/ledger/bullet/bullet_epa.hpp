@@ -1,0 +1,30 @@
+#pragma once
+
+#include "judging/ledger/bullet/bullet_query.hpp"
+
+namespace manifuzz::ledger_of {
+
+/// How EPA::Evaluate of btGjkEpa2.cpp ends.
+enum class EpaEnd {
+  none,
+  invalid_hull,
+  out_of_faces,
+  out_of_vertices,
+  accuracy_reached,
+  fall_back
+};
+
+/// What btGjkEpaPenetrationDepthSolver did.
+struct EpaTrace {
+  EpaEnd end = EpaEnd::none;
+  Space normal{0, 0, 0};  ///< outwards of the face it ends at
+  float depth = 0;        ///< that face's d
+  /// The origin's projection to the plane of that face is not in it: d is an edge's or a corner's
+  /// distance (getedgedist), but what n * d makes of it is not on the face.
+  bool is_beside_face = false;
+};
+
+/// btGjkEpaPenetrationDepthSolver::calcPenDepth; `trace` is an EpaTrace.
+SolverAnswer solve_by_epa(const BulletPair& pair, void* trace);
+
+}  // namespace manifuzz::ledger_of

@@ -1,0 +1,175 @@
+#pragma once
+
+#include <array>
+
+#include "judging/ledger/bullet/bullet_query_entries.hpp"
+
+namespace manifuzz::ledger_of {
+
+// Bullet 3.24, its query repeated in float. Budgets are twice what 300,000 cases against clip64
+// showed, rounded up.
+
+inline constexpr std::string_view kGjkApart =
+    "Bullet 3.24, btGjkEpa2.cpp, GJK::Evaluate: length2() < GJK_DUPLICATED_EPS "
+    "ends it; btGjkPairDetector.cpp: distance2 of the second GJK";
+inline constexpr std::string_view kFallBack =
+    "Bullet 3.24, btGjkEpa2.cpp, EPA::Evaluate: eStatus::FallBack, "
+    "m_normal = -guess";
+inline constexpr std::string_view kTurnedBack =
+    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual: d1 > d0, "
+    "normalInB *= -1";
+inline constexpr std::string_view kInvalidHull =
+    "Bullet 3.24, btGjkEpa2.cpp, EPA::Evaluate: eStatus::InvalidHull, which "
+    "Penetration takes as any but Failed";
+inline constexpr std::string_view kBesideFace =
+    "Bullet 3.24, btGjkEpa2.cpp, EPA::newface: getedgedist is d; EPA::Evaluate: "
+    "projection = outer.n * outer.d";
+inline constexpr std::string_view kChord =
+    "Bullet 3.24, btGjkEpa2.cpp, EPA::Evaluate: wdist > EPA_ACCURACY, and the face "
+    "decides";
+
+inline constexpr Budget kOfBulletEpaTouchingAxis[] = {
+    {"capsules", 2000},     {"cores_touch", 600000}, {"in_line", 160000}, {"micro_edge", 200},
+    {"mixed_shapes", 3000}, {"round_corners", 5000}, {"scaled", 5800},    {"side_planes", 3400},
+    {"sliver", 200},        {"tie_bias", 200},       {"tied_faces", 800}, {"tilted_edges", 2200},
+    {"ulp", 200},           {"voronoi_lines", 1400}};
+inline constexpr Budget kOfBulletEpaNearCorner[] = {{"large_radii", 1600}, {"micro_edge", 400},
+                                                    {"scaled", 15000},     {"side_planes", 400},
+                                                    {"tied_faces", 200},   {"ulp", 600}};
+inline constexpr Budget kOfBulletEpaRelativeError[] = {
+    {"capsules", 200},     {"circles", 200},      {"cores_touch", 600},   {"large_radii", 22000},
+    {"mixed_shapes", 400}, {"side_planes", 1000}, {"voronoi_lines", 1400}};
+inline constexpr Budget kOfBulletEpaFlatSimplex[] = {
+    {"capsules", 400},     {"cores_touch", 2800}, {"in_line", 2600},
+    {"large_radii", 1000}, {"mixed_shapes", 400}, {"round_corners", 400},
+    {"scaled", 18000},     {"side_planes", 400},  {"ulp", 800}};
+inline constexpr Budget kOfBulletEpaTurnedBack[] = {{"boxes", 1600},
+                                                    {"cores_touch", 38000},
+                                                    {"corner_corner", 1000},
+                                                    {"deep", 400},
+                                                    {"far_from_origin", 400},
+                                                    {"generic", 200},
+                                                    {"in_line", 16000},
+                                                    {"micro_edge", 2400},
+                                                    {"off_unit", 1400},
+                                                    {"regular", 400},
+                                                    {"scaled", 2800},
+                                                    {"side_planes", 200},
+                                                    {"sliver", 800},
+                                                    {"tie_bias", 4600},
+                                                    {"tied_faces", 1400},
+                                                    {"tilted_edges", 200},
+                                                    {"ulp", 1000}};
+inline constexpr Budget kOfBulletEpaGjkApart[] = {
+    {"cores_touch", 200},  {"corner_corner", 200},  {"in_line", 200},
+    {"micro_edge", 1200},  {"near_collinear", 200}, {"off_unit", 200},
+    {"scaled", 800},       {"tied_faces", 400},     {"ulp", 200},
+    {"voronoi_lines", 200}};
+inline constexpr Budget kOfBulletEpaFallBack[] = {{"micro_edge", 400},    {"near_collinear", 2600},
+                                                  {"near_parallel", 800}, {"scaled", 1000},
+                                                  {"tilted_edges", 200},  {"ulp", 200}};
+inline constexpr Budget kOfBulletEpaInvalidHull[] = {
+    {"boxes", 200},           {"capsules", 3400},     {"cores_touch", 410000},
+    {"corner_corner", 2000},  {"deep", 1000},         {"grid", 600},
+    {"in_line", 1200},        {"micro_edge", 4800},   {"mixed_shapes", 4400},
+    {"near_collinear", 2000}, {"near_parallel", 200}, {"regular", 200},
+    {"round_corners", 14000}, {"scaled", 7600},       {"side_planes", 1600},
+    {"sliver", 1000},         {"tie_bias", 6000},     {"tied_faces", 3600},
+    {"tilted_edges", 600},    {"ulp", 2000},          {"voronoi_lines", 5200}};
+inline constexpr Budget kOfBulletEpaBesideFace[] = {
+    {"cores_touch", 200},  {"corner_corner", 2400}, {"in_line", 200},       {"micro_edge", 3200},
+    {"mixed_shapes", 200}, {"near_collinear", 400}, {"near_parallel", 200}, {"regular", 400},
+    {"sliver", 400},       {"tie_bias", 200},       {"tied_faces", 3000},   {"touching", 2200},
+    {"ulp", 1200}};
+inline constexpr Budget kOfBulletEpaChord[] = {{"capsules", 20000},      {"cores_touch", 230000},
+                                               {"in_line", 150000},      {"mixed_shapes", 15000},
+                                               {"round_corners", 27000}, {"side_planes", 2600},
+                                               {"tilted_edges", 15000},  {"voronoi_lines", 8400}};
+inline constexpr Budget kOfBulletEpaAxisOfRoundings[] = {{"capsules", 200},
+                                                         {"cores_touch", 3000},
+                                                         {"in_line", 1200},
+                                                         {"round_corners", 200},
+                                                         {"side_planes", 200}};
+
+/// The entries, the first that explains before others.
+inline constexpr std::array kOfBulletEpa{
+    LedgerEntry{.id = "bullet-epa-touching-axis",
+                .collider = "bullet-epa",
+                .description = "cores within 0.001 of touching: the normal is the direction "
+                               "between two points of them, which roundings may make",
+                .source = kDetectorKeepsAxis,
+                .budgets = kOfBulletEpaTouchingAxis,
+                .explains = axis_of_touching_cores<BulletAsked::epa>},
+    LedgerEntry{
+        .id = "bullet-epa-near-corner",
+        .collider = "bullet-epa",
+        .description =
+            "the query ends at a corner within 0.01 of another, short of the closest points",
+        .source = kNearCorner,
+        .budgets = kOfBulletEpaNearCorner,
+        .explains = stopped_at_near_corner<BulletAsked::epa>},
+    LedgerEntry{.id = "bullet-epa-relative-error",
+                .collider = "bullet-epa",
+                .description = "the query ends where its squared distance, 1e18 at first, falls by "
+                               "less than a millionth",
+                .source = kRelativeErrorEnds,
+                .budgets = kOfBulletEpaRelativeError,
+                .explains = stopped_by_relative_error<BulletAsked::epa>},
+    LedgerEntry{
+        .id = "bullet-epa-flat-simplex",
+        .collider = "bullet-epa",
+        .description = "the query ends at four corners in a plane, within 0.0001 of a determinant",
+        .source = kFlatSimplex,
+        .budgets = kOfBulletEpaFlatSimplex,
+        .explains = stopped_at_flat_simplex<BulletAsked::epa>},
+    LedgerEntry{
+        .id = "bullet-epa-turned-back",
+        .collider = "bullet-epa",
+        .description = "the normal is reversed by what compares distances along both directions",
+        .source = kTurnedBack,
+        .budgets = kOfBulletEpaTurnedBack,
+        .explains = normal_turned_back<BulletAsked::epa>},
+    LedgerEntry{.id = "bullet-epa-gjk-apart",
+                .collider = "bullet-epa",
+                .description =
+                    "the GJK of the EPA finds them apart, ended by a corner within 0.01 of another",
+                .source = kGjkApart,
+                .budgets = kOfBulletEpaGjkApart,
+                .explains = epa_finds_apart},
+    LedgerEntry{
+        .id = "bullet-epa-fall-back",
+        .collider = "bullet-epa",
+        .description = "EPA finds no tetrahedron about the origin: its guess, and a depth of 0",
+        .source = kFallBack,
+        .budgets = kOfBulletEpaFallBack,
+        .explains = epa_falls_back},
+    LedgerEntry{
+        .id = "bullet-epa-invalid-hull",
+        .collider = "bullet-epa",
+        .description = "EPA ends at a hull that it cannot expand, with the face that it had",
+        .source = kInvalidHull,
+        .budgets = kOfBulletEpaInvalidHull,
+        .explains = epa_at_invalid_hull},
+    LedgerEntry{
+        .id = "bullet-epa-beside-face",
+        .collider = "bullet-epa",
+        .description = "the depth of a face's edge along the face's normal, the point off the face",
+        .source = kBesideFace,
+        .budgets = kOfBulletEpaBesideFace,
+        .explains = epa_beside_face},
+    LedgerEntry{.id = "bullet-epa-chord",
+                .collider = "bullet-epa",
+                .description = "a face within 0.0001 of a curved shape, and not tangent to it",
+                .source = kChord,
+                .budgets = kOfBulletEpaChord,
+                .explains = epa_at_chord},
+    LedgerEntry{.id = "bullet-epa-axis-of-roundings",
+                .collider = "bullet-epa",
+                .description = "the direction between the closest points of cores so near that the "
+                               "roundings of these turn it",
+                .source = kDetectorAxis,
+                .budgets = kOfBulletEpaAxisOfRoundings,
+                .explains = axis_turned_by_roundings<BulletAsked::epa>},
+};
+
+}  // namespace manifuzz::ledger_of

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "judging/ledger/bullet/voronoi_simplex.hpp"
+
+namespace manifuzz::ledger_of {
+
+/// Why the loop of btGjkPairDetector ends, as its m_degenerateSimplex says.
+enum class QueryEnd {
+  none = 0,
+  equal_vertex = 1,    ///< inSimplex
+  no_closer = 2,       ///< the corner is no farther along the axis
+  degenerate = 3,      ///< the simplex has no closest point
+  at_origin = 6,       ///< the closest point is nearer than 0.001, the root of REL_ERROR2
+  apart = 10,          ///< by more than the caller asks for
+  little_closer = 11,  ///< by less than REL_ERROR2 of the squared distance
+  no_less = 12,        ///< the squared distance is hardly less than before
+  full = 13,
+};
+
+/// One loop of btGjkPairDetector, without margins.
+struct QueryLoop {
+  QueryEnd end = QueryEnd::none;
+  bool is_by_threshold = false;  ///< it ended at another corner than the simplex holds
+  Space axis{0, 1, 0};           ///< from B to A
+  float square = 1e18F;          ///< of the distance
+  DifferenceCorner closest{};
+};
+
+/// What a depth solver says: calcPenDepth.
+struct SolverAnswer {
+  bool is_deep = false;  ///< what it returns
+  Space axis{0, 0, 0};
+  Space on_a{0, 0, 0};
+  Space on_b{0, 0, 0};
+};
+
+/// Whose normal btGjkPairDetector gives.
+enum class NormalOf { nobody, query, solver, solver_apart };
+
+/// The answer of btGjkPairDetector::getClosestPointsNonVirtual, and how it came.
+struct BulletAnswer {
+  NormalOf normal_of = NormalOf::nobody;
+  Space normal{0, 0, 0};
+  Space on_b{0, 0, 0};
+  float distance = 0;
+  QueryLoop loop;
+  bool is_solver_asked = false;
+  bool is_axis_deeper = false;  ///< the query's axis took the place of the solver's: d2 > d0
+  bool is_turned = false;       ///< d1 > d0: the normal was reversed
+};
+
+using DepthSolver = SolverAnswer (*)(const BulletPair& pair, void* trace);
+
+/// Without a solver where that is null, which is given `trace`.
+BulletAnswer ask_detector(const BulletPair& pair, DepthSolver solver, void* trace,
+                          float square_max);
+
+/// What btMinkowskiPenetrationDepthSolver did.
+struct MinkowskiTrace {
+  float overlap = 0;  ///< least of all directions'
+  Space direction{0, 0, 0};
+  BulletAnswer beside;  ///< of the displaced query
+};
+
+/// btMinkowskiPenetrationDepthSolver::calcPenDepth; `trace` is a MinkowskiTrace.
+SolverAnswer solve_by_directions(const BulletPair& pair, void* trace);
+
+}  // namespace manifuzz::ledger_of

@@ -1,0 +1,188 @@
+#include "judging/ledger/bullet/query_deviations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "judging/ledger/bullet/bullet_epa.hpp"
+#include "judging/ledger/differences.hpp"
+#include "oracle/exact/curve.hpp"
+
+namespace manifuzz {
+namespace {
+
+using ledger_of::BulletAnswer;
+using ledger_of::EpaEnd;
+using ledger_of::NormalOf;
+using ledger_of::QueryEnd;
+using ledger_of::QueryLoop;
+
+/// What an engine answers, repeated.
+struct RepeatedQuery {
+  BulletAnswer answer;
+  ledger_of::MinkowskiTrace directions;
+  ledger_of::EpaTrace epa;
+
+  /// The loop whose closest points the answer is made of: the first one, or the displaced one.
+  const QueryLoop& deciding() const {
+    return answer.normal_of == NormalOf::solver ? directions.beside.loop : answer.loop;
+  }
+};
+
+RepeatedQuery repeat_query(const PairCase& pair, BulletAsked asked) {
+  RepeatedQuery query;
+  if (asked == BulletAsked::epa) {
+    query.answer = ledger_of::ask_detector(ledger_of::prisms_of(pair), ledger_of::solve_by_epa,
+                                           &query.epa, 1e18F);
+    return query;
+  }
+  const ledger_of::BulletPair hulls =
+      asked == BulletAsked::flat ? ledger_of::flat_hulls_of(pair) : ledger_of::prisms_of(pair);
+  query.answer = ledger_of::ask_detector(hulls, ledger_of::solve_by_directions, &query.directions,
+                                         ledger_of::farthest_square_of(hulls));
+  return query;
+}
+
+/// Whether it is what was answered: but for the adapter's and the manifold's own roundings, which
+/// are the bound's.
+bool is_answered(const Deviation& d, const BulletAnswer& answer) {
+  const double bound = d.right.bounds.separation;
+  const auto distance = static_cast<double>(answer.distance);
+  const bool is_found = answer.normal_of != NormalOf::nobody;
+  if (d.got.count == 0) return !is_found || distance >= -bound;
+  if (!is_found || distance > bound) return false;
+  const Vector2<double> normal(static_cast<double>(-answer.normal.x()),
+                               static_cast<double>(-answer.normal.y()));
+  const double in_plane = normal.norm();
+  if (std::abs(static_cast<double>(answer.normal.z())) > in_plane) return false;
+  constexpr double roundings = 4 * std::numeric_limits<float>::epsilon();
+  const Vector2<double> got =
+      rotate<double>(d.right.pair().a.pose.rotation.cast<double>(), d.got.normal).normalized();
+  return (got - normal / in_plane).norm() <= roundings &&
+         std::abs(ledger_of::deepest(d.got) - std::max(-distance * in_plane, 0.0)) <= bound;
+}
+
+/// The same, and that it came about as asked.
+template <class CameAbout>
+bool is_repeated(const Deviation& d, BulletAsked asked, const CameAbout& came_about) {
+  const RepeatedQuery query = repeat_query(d.right.pair(), asked);
+  return came_about(query) && is_answered(d, query.answer);
+}
+
+bool is_of_own_axis(const RepeatedQuery& query) {
+  return query.answer.is_axis_deeper || query.answer.normal_of == NormalOf::query;
+}
+
+bool is_of_epa(const RepeatedQuery& query, EpaEnd end) {
+  return query.answer.normal_of == NormalOf::solver && !query.answer.is_axis_deeper &&
+         query.epa.end == end;
+}
+
+}  // namespace
+
+template <BulletAsked asked>
+bool axis_of_touching_cores(const Deviation& d) {
+  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+    return is_of_own_axis(query) && query.answer.loop.end == QueryEnd::at_origin;
+  });
+}
+
+template <BulletAsked asked>
+bool stopped_at_near_corner(const Deviation& d) {
+  return is_repeated(d, asked,
+                     [](const RepeatedQuery& query) { return query.deciding().is_by_threshold; });
+}
+
+template <BulletAsked asked>
+bool stopped_by_relative_error(const Deviation& d) {
+  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+    const QueryEnd end = query.deciding().end;
+    return end == QueryEnd::little_closer || end == QueryEnd::no_less;
+  });
+}
+
+template <BulletAsked asked>
+bool stopped_at_flat_simplex(const Deviation& d) {
+  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+    return query.deciding().end == QueryEnd::degenerate;
+  });
+}
+
+template <BulletAsked asked>
+bool point_of_displaced_query(const Deviation& d) {
+  if (!ledger_of::is_of_points(d.kind)) return false;
+  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+    constexpr float roundings = 4 * std::numeric_limits<float>::epsilon();
+    const ledger_of::Space beside = query.directions.beside.normal;
+    return query.answer.normal_of == NormalOf::solver && !query.answer.is_axis_deeper &&
+           (beside - query.directions.direction.normalized()).norm() > roundings;
+  });
+}
+
+template <BulletAsked asked>
+bool axis_turned_by_roundings(const Deviation& d) {
+  if (d.got.count == 0) return false;
+  return is_repeated(d, asked, [&](const RepeatedQuery& query) {
+    if (!is_of_own_axis(query)) return false;
+    const double roundings = 4 * d.right.bounds.separation;
+    const auto length = static_cast<double>(query.answer.loop.axis.norm());
+    const exact::PenetrationCurve curve(*d.right.truth, exact::skin_of(*d.right.truth));
+    return std::ranges::any_of(curve.minima(roundings), [&](const Vector2<double>& normal) {
+      return (d.got.normal - normal).norm() * length <= roundings;
+    });
+  });
+}
+
+template <BulletAsked asked>
+bool normal_turned_back(const Deviation& d) {
+  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+    return query.answer.is_turned && !query.answer.is_axis_deeper;
+  });
+}
+
+bool epa_at_invalid_hull(const Deviation& d) {
+  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
+    return is_of_epa(query, EpaEnd::invalid_hull);
+  });
+}
+
+bool epa_beside_face(const Deviation& d) {
+  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
+    return is_of_epa(query, EpaEnd::accuracy_reached) && query.epa.is_beside_face;
+  });
+}
+
+bool epa_at_chord(const Deviation& d) {
+  if (total_radius(d.right.pair()) == 0 || !ledger_of::is_of_points(d.kind)) return false;
+  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
+    return is_of_epa(query, EpaEnd::accuracy_reached) && !query.epa.is_beside_face;
+  });
+}
+
+bool epa_finds_apart(const Deviation& d) {
+  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
+    return query.answer.normal_of == NormalOf::solver_apart;
+  });
+}
+
+bool epa_falls_back(const Deviation& d) {
+  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
+    return is_of_epa(query, EpaEnd::fall_back);
+  });
+}
+
+// The functions of each way to ask.
+#define MANIFUZZ_BULLET_ASKED(asked)                                             \
+  template bool axis_of_touching_cores<BulletAsked::asked>(const Deviation&);    \
+  template bool stopped_at_near_corner<BulletAsked::asked>(const Deviation&);    \
+  template bool stopped_by_relative_error<BulletAsked::asked>(const Deviation&); \
+  template bool stopped_at_flat_simplex<BulletAsked::asked>(const Deviation&);   \
+  template bool point_of_displaced_query<BulletAsked::asked>(const Deviation&);  \
+  template bool axis_turned_by_roundings<BulletAsked::asked>(const Deviation&);  \
+  template bool normal_turned_back<BulletAsked::asked>(const Deviation&);
+MANIFUZZ_BULLET_ASKED(epa)
+MANIFUZZ_BULLET_ASKED(directions)
+MANIFUZZ_BULLET_ASKED(flat)
+#undef MANIFUZZ_BULLET_ASKED
+
+}  // namespace manifuzz

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "judging/compare.hpp"
+
+namespace manifuzz {
+
+// What the ledger's entries on Bullet look for that repeat its query in its own floats: the answer
+// is what the repeated query gives, and that came about by the named rule.
+
+/// How Bullet was asked: prisms with its EPA or with its fixed directions, or flat hulls with
+/// these.
+enum class BulletAsked { epa, directions, flat };
+
+/// btGjkPairDetector keeps its own query's axis though that ended below 0.001, the root of
+/// REL_ERROR2, or takes it back from the depth solver: its direction is the roundings'.
+template <BulletAsked>
+bool axis_of_touching_cores(const Deviation& deviation);
+/// The loop whose distance decides ended at a corner that is another than the simplex holds, within
+/// VORONOI_DEFAULT_EQUAL_VERTEX_THRESHOLD.
+template <BulletAsked>
+bool stopped_at_near_corner(const Deviation& deviation);
+/// It ended though corners were left, since the squared distance fell by less than REL_ERROR2 of
+/// it, or by no more than a rounding.
+template <BulletAsked>
+bool stopped_by_relative_error(const Deviation& deviation);
+/// It ended at four corners that pointOutsideOfPlane takes for coplanar, or at a closest point of
+/// negative weights.
+template <BulletAsked>
+bool stopped_at_flat_simplex(const Deviation& deviation);
+/// The solver's normal and depth with a point of the displaced query, whose own normal is another.
+template <BulletAsked>
+bool point_of_displaced_query(const Deviation& deviation);
+/// The axis of its own query, from the right normal by no more than what roundings of the points
+/// that it is between turn it: they are that near to each other.
+template <BulletAsked>
+bool axis_turned_by_roundings(const Deviation& deviation);
+/// The normal was reversed by what is to mend the solver's; the point was not.
+template <BulletAsked>
+bool normal_turned_back(const Deviation& deviation);
+/// The solver's GJK found them apart, where the detector's own query had found them to touch.
+bool epa_finds_apart(const Deviation& deviation);
+/// EPA::Evaluate found no tetrahedron about the origin: its guess and a depth of 0.
+bool epa_falls_back(const Deviation& deviation);
+
+/// EPA::Evaluate ended at a hull that it could not expand, and gives the face it had.
+bool epa_at_invalid_hull(const Deviation& deviation);
+/// EPA::Evaluate ended at a face beside which the origin is: getedgedist's distance along n is not
+/// on the face.
+bool epa_beside_face(const Deviation& deviation);
+/// EPA::Evaluate ended within EPA_ACCURACY of a curved corner: its face is not tangent there.
+bool epa_at_chord(const Deviation& deviation);
+
+}  // namespace manifuzz

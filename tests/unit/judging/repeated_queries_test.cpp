@@ -1,0 +1,141 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "judging/by_curve.hpp"
+#include "judging/ledger/bullet/bullet_epa.hpp"
+#include "judging/ledger/bullet/ccd_deviations.hpp"
+#include "judging/ledger/bullet/ccd_polytope.hpp"
+#include "judging/ledger/bullet/libccd_ray.hpp"
+#include "judging/ledger/bullet/query_deviations.hpp"
+
+// Bullet's and libccd's queries as the ledger repeats them, of pairs by hand. That they answer as
+// the engines do, the witnesses show.
+
+using namespace manifuzz;
+using namespace manifuzz::ledger_of;
+
+namespace {
+
+Body body_at(std::span<const Vector2<float>> corners, float x, float y, float radius = 0) {
+  Body body;
+  body.polygon = make_polygon<float>(corners);
+  body.polygon.radius = radius;
+  if (corners.size() < 3) body.polygon.rounding = Rounding::round;
+  body.pose.position = {x, y};
+  return body;
+}
+
+Body square_of_two(float x, float y) {
+  const std::array<Vector2<float>, 4> corners{Vector2<float>{-1, -1}, Vector2<float>{1, -1},
+                                              Vector2<float>{1, 1}, Vector2<float>{-1, 1}};
+  return body_at(corners, x, y);
+}
+
+Body circle_of_half(float x, float y) {
+  const std::array<Vector2<float>, 1> middle{Vector2<float>{0, 0}};
+  return body_at(middle, x, y, 0.5F);
+}
+
+/// Two squares that overlap by 0.3 along x, and by 1.5 along y.
+PairCase squares_side_by_side() {
+  return {square_of_two(0, 0), square_of_two(1.7F, 0.5F)};
+}
+
+/// What a predicate says of one point.
+bool is_explained(bool (*predicate)(const Deviation&), const PairCase& pair,
+                  const Vector2<double>& normal, double depth, Kind kind = Kind::inconsistent,
+                  ScalarType scalar = ScalarType::float32) {
+  Declaration declaration;
+  declaration.scalar = scalar;
+  declaration.frame = RoundingFrame::world;
+  declaration.min_vertices = 1;
+  declaration.takes_round = true;
+  Manifold<double> manifold;
+  manifold.count = 1;
+  manifold.normal = normal.normalized();
+  manifold.points[0].depth = depth;
+  const Admissible right = admissible(pair, declaration);
+  return predicate({right, manifold, kind});
+}
+
+}  // namespace
+
+TEST_CASE("the repeated EPA finds the depth of two squares, from B to A") {
+  EpaTrace trace;
+  const BulletAnswer answer =
+      ask_detector(prisms_of(squares_side_by_side()), solve_by_epa, &trace, 1e18F);
+  CHECK(answer.normal_of == NormalOf::solver);
+  CHECK(trace.end == EpaEnd::accuracy_reached);
+  CHECK(answer.normal.x() == Approx(-1));
+  CHECK(answer.distance == Approx(-0.3));
+  CHECK(answer.on_b.x() == Approx(0.7));
+}
+
+TEST_CASE("the repeated directions find the one along which two squares overlap least") {
+  MinkowskiTrace trace;
+  const BulletAnswer answer =
+      ask_detector(prisms_of(squares_side_by_side()), solve_by_directions, &trace, 1e18F);
+  CHECK(answer.normal_of == NormalOf::solver);
+  CHECK(trace.overlap == Approx(0.748829));
+  CHECK(answer.normal.x() == Approx(-0.951058));
+}
+
+TEST_CASE("the repeated query finds squares apart") {
+  const PairCase pair{square_of_two(0, 0), square_of_two(3, 0.5F)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
+  CHECK(answer.normal_of == NormalOf::query);
+  CHECK_FALSE(answer.is_solver_asked);
+  CHECK(answer.distance == Approx(1));
+}
+
+TEST_CASE("EPA ends at an invalid hull of concentric circles, and its answer alone is explained") {
+  const PairCase pair{circle_of_half(0, 0), circle_of_half(0, 0)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
+  REQUIRE(trace.end == EpaEnd::invalid_hull);
+  const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
+  const double depth = -answer.distance * normal.norm();
+  const auto is_it = [&](const Vector2<double>& along, double deep) {
+    return is_explained(epa_at_invalid_hull, pair, along, deep);
+  };
+  CHECK(is_it(normal, depth));
+  CHECK_FALSE(is_it(-normal, depth));
+  CHECK_FALSE(is_it(normal, depth - 1e-4));
+  CHECK_FALSE(is_explained(epa_falls_back, pair, normal, depth));
+}
+
+TEST_CASE("the axis of circles whose centres are within 0.001 is kept") {
+  const PairCase pair{circle_of_half(0, 0), circle_of_half(0, 5e-4F)};
+  const auto is_it = [&](const Vector2<double>& normal, double depth) {
+    return is_explained(axis_of_touching_cores<BulletAsked::directions>, pair, normal, depth);
+  };
+  CHECK(is_it({0, 1}, 1 - 5e-4));
+  CHECK_FALSE(is_it({0, 1}, 1 - 6e-4));
+  CHECK_FALSE(is_it({1, 0}, 1 - 5e-4));
+  CHECK_FALSE(
+      is_explained(stopped_at_near_corner<BulletAsked::directions>, pair, {0, 1}, 1 - 5e-4));
+}
+
+TEST_CASE("the repeated polytope ends at the nearest face of two squares") {
+  const CcdAnswer answer = ccd_penetration(squares_side_by_side());
+  CHECK(answer.end == CcdEnd::along);
+  CHECK(answer.nearest.place.x() == Approx(0.3));
+  CHECK_FALSE(is_explained(polytope_left_by_squares, squares_side_by_side(), {1, 0}, 0.3,
+                           Kind::inconsistent, ScalarType::float64));
+  CHECK(ccd_penetration({square_of_two(0, 0), square_of_two(3, 0.5F)}).end == CcdEnd::none);
+}
+
+TEST_CASE("the corner of the ray is the one beyond the middle, where the origin is on the way") {
+  // The origin is on the diagonal of the difference, whose corner is (1.5, 1.5) away.
+  const PairCase diagonal{square_of_two(0, 0), square_of_two(0.5F, 0.5F)};
+  const auto is_it = [](const PairCase& pair, const Vector2<double>& normal, double depth) {
+    return is_explained(translation_to_corner_of_ray, pair, normal, depth, Kind::not_minimal,
+                        ScalarType::float64);
+  };
+  CHECK(is_it(diagonal, {1, 1}, std::hypot(1.5, 1.5)));
+  CHECK_FALSE(is_it(diagonal, {1, 1}, 1.5));
+  CHECK_FALSE(is_it(diagonal, {1, 0}, 1.5));
+  CHECK_FALSE(is_it(squares_side_by_side(), {0.3, 1.5}, std::hypot(0.3, 1.5)));
+}
