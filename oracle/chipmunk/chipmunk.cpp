@@ -14,7 +14,7 @@
 namespace {
 
 constexpr const char* kSnippet = R"(@language cpp
-@point pointA $a, pointB $b, distance $s
+@point point $p, distance $s
 #include <chipmunk/chipmunk.h>
 #include <cstdio>
 

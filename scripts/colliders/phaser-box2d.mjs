@@ -6,7 +6,8 @@ import {
 import { serve, versionOf } from "./protocol.mjs";
 
 const snippet = `@language js
-@point $m, separation $s
+@point point $m, separation $s
+@none no point of a separation of 0 or less
 import * as phaser from "phaser-box2d/dist/PhaserBox2D.js";
 
 @each @*.circle? const @* = Object.assign(new phaser.b2Circle(), {

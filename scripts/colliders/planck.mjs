@@ -11,7 +11,7 @@ import * as planck from "planck";
 
 @each @*.circle? const @* = new planck.CircleShape(@*.unit_vertices({ x: $X, y: $Y })@, @*.wide_radius@);
 @each @*.segment? const @* = new planck.EdgeShape(@*.unit_vertices({ x: $X, y: $Y })@);
-@each @*.segment? @*.rounded? @*.m_radius = @*.wide_radius@;
+@each @*.segment? @*.m_radius = @*.wide_radius@;
 @each @*.polygon? const @* = Object.assign(new planck.PolygonShape(), { // its constructor would weld vertices
 @each @*.polygon?   m_vertices: [@*.unit_vertices({ x: $X, y: $Y })@],
 @each @*.polygon?   m_normals: [@*.unit_normals({ x: $X, y: $Y })@],

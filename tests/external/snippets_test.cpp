@@ -130,6 +130,25 @@ TEST_CASE("Chipmunk's program compiles and runs on shapes of every kind") {
                  });
 }
 
+TEST_CASE("the programs of Box2D 3 and cute_c2 compile and run on shapes of every kind") {
+  const std::string crates = "\"$HOME\"/.cargo/registry/src/*/";
+  const std::string built = "'" + (adapters_in("rust") / "target/release/build").string() + "'";
+  for (const auto& [engine, with] :
+       {std::pair<std::string, std::string>{
+            "box2d3", "-I " + crates + "boxdd-sys-0.6.0/third-party/box2d/include " + built +
+                          "/boxdd-sys-*/out/*.a -lm -lpthread"},
+        {"cute_c2", "-I " + crates + "c2-sys-0.1.0/cute-header " + crates + "c2-sys-0.1.0/cute-header/cute_c2.c -lm"}}) {
+    const auto collider = installed_collider(engine);
+    if (!collider) continue;
+    INFO(engine);
+    const TemporaryFolder folder;
+    const std::string program = (folder.path() / "snippet").string();
+    check_programs(*collider, folder.path(), "snippet.c", [&](const std::string& file) {
+      return "cc '" + file + "' -o '" + program + "' " + with + " && '" + program + "'";
+    });
+  }
+}
+
 TEST_CASE("planck's program runs on shapes of every kind") {
   check_script("planck", "planck");
 }

@@ -4,7 +4,7 @@
 
 static const char kSnippet[] =
     "@language go\n"
-    "@point PointA $a, PointB $b, Distance $s\n"
+    "@point point $p, Distance $s\n"
     "package main\n"
     "import \"fmt\"\n"
     "import \"github.com/jakecoffman/cp/v2\"\n"

@@ -5,7 +5,7 @@ from pymunk._chipmunk_cffi import ffi, lib
 from protocol import serve
 
 SNIPPET = '''@language python
-@point pointA $a, pointB $b, distance $s
+@point point $p, distance $s
 from pymunk._chipmunk_cffi import ffi, lib
 
 @each @*.circle? @* = lib.cpCircleShapeNew(ffi.NULL, @*.wide_radius@, @*.vertices(($X, $Y))@)

@@ -13,15 +13,6 @@
 namespace manifuzz {
 namespace {
 
-std::string place_text(const Vector2<double>& place) {
-  const Vector2<double> plain = without_negative_zeros(place);
-  return fmt::format("({:.7g}, {:.7g})", plain.x(), plain.y());
-}
-
-std::string figure(double value) {
-  return fmt::format("{:.7g}", value + 0.0);
-}
-
 /// A contact in the world, in one engine's terms.
 class EngineTerms {
  public:
@@ -48,7 +39,7 @@ class EngineTerms {
 
   /// `on`: on whose surface, or the middle where there is none.
   std::string point(const Vector2<double>& world_place, double depth, std::optional<Side> on,
-                    const Vector2<double>& world_unit) const {
+                    const Vector2<double>& world_unit, bool is_clamped) const {
     const double back = on ? 0.0 : depth / 2;
     const Vector2<double> on_a =
         on == Side::b ? world_place + depth * world_unit : world_place + back * world_unit;
@@ -59,28 +50,30 @@ class EngineTerms {
     boost::replace_all(text, "$a", place_text(on_a));
     boost::replace_all(text, "$b", place_text(on_b));
     boost::replace_all(text, "$d", figure(depth));
-    boost::replace_all(text, "$s", figure(-depth));
+    boost::replace_all(text, "$s", is_clamped && depth == 0 ? "of 0 or above" : figure(-depth));
     return text;
   }
 
   /// Of the engine's own answer, whose points lie where it declares.
   std::string got(const Manifold<double>& manifold) const {
-    if (!is_judged_by_curve(declaration_, pair_)) return contact(manifold, manifold.reference);
+    if (!is_judged_by_curve(declaration_, pair_)) return contact(manifold, manifold.reference, true);
     switch (declaration_.points) {
       case PointsAt::midpoint:
-        return contact(manifold, std::nullopt);
+        return contact(manifold, std::nullopt, true);
       case PointsAt::surface_a:
-        return contact(manifold, Side::b);  // the incident side's
+        return contact(manifold, Side::b, true);  // the incident side's
       case PointsAt::surface_b:
-        return contact(manifold, Side::a);
+        return contact(manifold, Side::a, true);
       default:  // of round shapes on the second's surface
-        return contact(manifold, program_.is_b_first ? Side::b : Side::a);
+        return contact(manifold, program_.is_b_first ? Side::b : Side::a, true);
     }
   }
 
   /// `reference`: points are on the other side's surface, or core where corners are mitred.
-  std::string contact(const Manifold<double>& manifold, std::optional<Side> reference) const {
-    if (manifold.count <= 0) return "no contact";
+  /// `is_clamped`: a depth of 0 may stand for less.
+  std::string contact(const Manifold<double>& manifold, std::optional<Side> reference,
+                      bool is_clamped) const {
+    if (manifold.count <= 0) return program_.none;
     const Vector2<double> normal_there = world_normal(pair_, manifold.normal);
     const double length = normal_there.norm();
     const Vector2<double> unit = length > 0 ? normal_there / length : Vector2<double>(0, 0);
@@ -97,18 +90,30 @@ class EngineTerms {
           at += (*on == Side::a ? radius : -radius) * unit;
         }
       }
-      parts.push_back(point(at, depth, on, unit));
+      parts.push_back(point(at, depth, on, unit, is_clamped));
     }
     return fmt::format("{}", fmt::join(parts, "; "));
   }
 
   std::string penetration(const Penetration& said) const {
-    if (!said.touches) return "no contact";
+    if (!said.touches) return none();
     if (!said.normal) return "contact";
     return fmt::format("{}; overlap {}", normal(*said.normal), figure(said.depth));
   }
 
+  const std::string& none() const { return program_.none; }
+
  private:
+  std::string figure(double value) const {
+    const bool is_float = declaration_.scalar == ScalarType::float32;
+    return is_float ? fmt::format("{:.7g}", value + 0.0) : fmt::format("{:.9g}", value + 0.0);
+  }
+
+  std::string place_text(const Vector2<double>& place) const {
+    const Vector2<double> plain = without_negative_zeros(place);
+    return fmt::format("({}, {})", figure(plain.x()), figure(plain.y()));
+  }
+
   const PairCase& pair_;
   const Declaration& declaration_;
   const Program& program_;
@@ -117,9 +122,9 @@ class EngineTerms {
 std::string in_terms(const EngineTerms& terms, const Declaration& declaration,
                      const Manifold<double>& right) {
   if (declaration.claims == Claims::manifold || declaration.claims == Claims::point) {
-    return terms.contact(right, right.reference);
+    return terms.contact(right, right.reference, false);
   }
-  if (right.count == 0) return "no contact";
+  if (right.count == 0) return terms.none();
   if (declaration.claims == Claims::touching) return "contact";
   Penetration penetration{.touches = true, .normal = right.normal, .depth = right.points[0].depth};
   if (right.count > 1) penetration.depth = std::max(penetration.depth, right.points[1].depth);
@@ -174,7 +179,7 @@ std::string expected_in_words(const PairCase& pair, const DeclaredAnswer& asked,
   const EngineTerms terms(pair, asked.declaration, program);
   const std::vector<Manifold<double>> right =
       manifolds_to_show(admissible(pair, asked.declaration), asked.declaration);
-  if (right.empty()) return "no contact";
+  if (right.empty()) return program.none;
   const Manifold<double>& shown = nearest_to(right, claim_of(asked.answer));
   const std::string text = in_terms(terms, asked.declaration, shown);
   if (right.size() == 1) return text;

@@ -139,6 +139,15 @@ void fill_in_forms(std::string& line, const std::string& start, const Figures& f
   }
 }
 
+/// How far a shape reaches from its origin, as floats have it.
+float reach_of(const ConvexPolygon<float>& shape) {
+  float farthest = 0;
+  for (const Vector2<float>& v : shape.corners()) {
+    farthest = std::max(farthest, std::hypot(v.x(), v.y()));
+  }
+  return farthest + shape.radius;
+}
+
 void fill_in(std::string& line, char name, const Body& body) {
   for (const std::string_view key : kSnippetKeys) {
     const std::string start = fmt::format("@{}.{}", name, key);
@@ -147,6 +156,8 @@ void fill_in(std::string& line, char name, const Body& body) {
       boost::replace_all(line, start + "@", number_text(body.polygon.radius));
     } else if (key == "wide_radius") {
       boost::replace_all(line, start + "@", number_text(static_cast<double>(body.polygon.radius)));
+    } else if (key == "reach") {
+      boost::replace_all(line, start + "@", number_text(reach_of(body.polygon)));
     } else if (key == "count") {
       boost::replace_all(line, start + "@", std::to_string(body.polygon.count));
     } else {
@@ -199,6 +210,7 @@ bool take_directive(const std::string& line, Program& program) {
   };
   if (const auto language = said("@language ")) return program.language = *language, true;
   if (const auto point = said("@point ")) return program.point = *point, true;
+  if (const auto none = said("@none ")) return program.none = *none, true;
   if (said("@no_normal")) return program.has_normal = false, true;
   if (said("@b_first")) return program.is_b_first = true, true;
   return false;

@@ -1,6 +1,6 @@
 @language rust
 @point contact_points $p, depths $d
-// cargo add c2-sys@0.1.0 (cute_c2 1.08 in C) or c2-sys@0.2.0 (by hand in Rust)
+// cargo add c2-sys@0.2.0
 use c2_sys::*;
 fn main() {
 @each     let x = c2x { p: @*.position(c2v { x: $x_f32, y: $y_f32 })@, r: @*.rotation(c2r { c: $x_f32, s: $y_f32 })@ };

@@ -1,4 +1,5 @@
 @language rust
+@none no point of a dist of 0 or less
 @point local_p1 in the world $a, local_p2 in the world $b, dist $s
 // cargo add parry2d-f64@0.30.2
 use parry2d_f64::{math::*, query::*, shape::*};
