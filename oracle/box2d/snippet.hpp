@@ -14,7 +14,7 @@ int main() {
 @each @*.segment?   b2EdgeShape @*;
 @each @*.segment?   @*.SetTwoSided(@*.vertices(b2Vec2($x, $y))@);
 @each @*.polygon?   b2PolygonShape @*; @*.m_count = @*.count@; @*.m_radius = @*.radius@;  // Set would weld vertices
-@each @*.polygon?   const b2Vec2 of@^[] = {@*.vertices({$x, $y})@}, out@^[] = {@*.normals({$x, $y})@};
+@each @*.polygon?   const b2Vec2 of@^[] = {@*.vertices(b2Vec2($x, $y))@}, out@^[] = {@*.normals(b2Vec2($x, $y))@};
 @each @*.polygon?   std::copy_n(of@^, @*.count@, @*.m_vertices), std::copy_n(out@^, @*.count@, @*.m_normals);
 @each @!*.polygon?   @*.m_radius = @*.radius@;
   b2Transform atA{b2Vec2(@a.position($x, $y)@), b2Rot(0)}, atB{b2Vec2(@b.position($x, $y)@), b2Rot(0)};
@@ -36,8 +36,7 @@ int main() {
 @a.polygon? @b.segment?   world.Initialize(&manifold, atB, b.m_radius, atA, a.m_radius);
 @a.circle? @!b.circle?   world.Initialize(&manifold, atB, b.m_radius, atA, a.m_radius);
   std::printf("%d points, normal (%.9g, %.9g)\n", manifold.pointCount, world.normal.x, world.normal.y);
-  for (int i = 0; i < manifold.pointCount; ++i)
-    std::printf("(%.9g, %.9g), %.9g\n", world.points[i].x, world.points[i].y, world.separations[i]);
+  for (int i = 0; i < manifold.pointCount; ++i) std::printf("(%.9g, %.9g), %.9g\n", world.points[i].x, world.points[i].y, world.separations[i]);
 }
 )";
 
