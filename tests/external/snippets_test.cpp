@@ -137,7 +137,8 @@ TEST_CASE("the programs of Box2D 3 and cute_c2 compile and run on shapes of ever
        {std::pair<std::string, std::string>{
             "box2d3", "-I " + crates + "boxdd-sys-0.6.0/third-party/box2d/include " + built +
                           "/boxdd-sys-*/out/*.a -lm -lpthread"},
-        {"cute_c2", "-I " + crates + "c2-sys-0.1.0/cute-header " + crates + "c2-sys-0.1.0/cute-header/cute_c2.c -lm"}}) {
+        {"cute_c2", "-I " + crates + "c2-sys-0.1.0/cute-header " + crates +
+                        "c2-sys-0.1.0/cute-header/cute_c2.c -lm"}}) {
     const auto collider = installed_collider(engine);
     if (!collider) continue;
     INFO(engine);

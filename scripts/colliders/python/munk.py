@@ -12,7 +12,8 @@ from pymunk._chipmunk_cffi import ffi, lib
 @each @*.segment? @* = lib.cpSegmentShapeNew(ffi.NULL, @*.vertices(($X, $Y))@, @*.wide_radius@)
 @each @*.polygon? # pymunk.Poly would take the hull; this is what it calls
 @each @*.polygon? @* = lib.cpPolyShapeNewRaw(ffi.NULL, @*.count@, [@*.vertices(($X, $Y))@], @*.wide_radius@)
-@each lib.cpShapeUpdate(@*, (@*.rotation($X, $Y, -$Y, $X)@, @*.position($X, $Y)@))  # cos, sin, -sin, cos, x, y
+@each @!*.placed? lib.cpShapeUpdate(@*, (1, 0, 0, 1, 0, 0))  # cos, sin, -sin, cos, x, y
+@each @*.placed? lib.cpShapeUpdate(@*, (@*.rotation($X, $Y, -1 * $Y, $X)@, @*.position($X, $Y)@))
 set = lib.@asked(cpShapesCollide)@(a, b)  # what Shape.shapes_collide calls
 print(set.count, "points, normal", (set.normal.x, set.normal.y))
 for point in set.points[0:set.count]:

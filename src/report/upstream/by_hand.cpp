@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -26,7 +27,10 @@ class Drawn {
   std::string at(Side side, int vertex) const {
     const Vector2<double> place =
         placed_[side].vertices[vertex] + pair_.a.pose.position.cast<double>();
-    return fmt::format("({:.9g}, {:.9g})", place.x() + 0.0, place.y() + 0.0);
+    // Floats have seven digits, places in the world may need more.
+    const bool is_far = std::max(std::abs(place.x()), std::abs(place.y())) >= 1e4;
+    return fmt::format("({:.{}g}, {:.{}g})", place.x() + 0.0, is_far ? 10 : 7, place.y() + 0.0,
+                       is_far ? 10 : 7);
   }
 
   static char name(Side side) { return side == Side::a ? 'A' : 'B'; }

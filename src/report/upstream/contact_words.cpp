@@ -56,7 +56,8 @@ class EngineTerms {
 
   /// Of the engine's own answer, whose points lie where it declares.
   std::string got(const Manifold<double>& manifold) const {
-    if (!is_judged_by_curve(declaration_, pair_)) return contact(manifold, manifold.reference, true);
+    if (!is_judged_by_curve(declaration_, pair_))
+      return contact(manifold, manifold.reference, true);
     switch (declaration_.points) {
       case PointsAt::midpoint:
         return contact(manifold, std::nullopt, true);

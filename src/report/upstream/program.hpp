@@ -12,7 +12,7 @@ struct Program {
   std::string function;                      ///< that it asks; empty where it does not say
   std::string language;                      ///< of the fence around it
   std::string point = "point $p, depth $d";  ///< how the engine gives a point, see point_in_words
-  std::string none = "no contact";  ///< how it says that there is none
+  std::string none = "no contact";           ///< how it says that there is none
   bool has_normal = true;                    ///< whether it gives a normal at all
   bool is_b_first = false;                   ///< it is asked with B before A
 };

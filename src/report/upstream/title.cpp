@@ -73,6 +73,32 @@ double depth_along(const PairCase& pair, const Claim& claim) {
   return exact::Along(truth, *claim.normal).depth();
 }
 
+/// A wrong normal is the lesser news then.
+bool is_far_too_deep(const PairCase& pair, const Claim& claim) {
+  return claim.depth - true_depth(pair) > 0.1 * size(pair);
+}
+
+std::string inconsistent_in_words(const PairCase& pair, const Claim& claim) {
+  const double depth = depth_along(pair, claim);
+  const std::string shapes = shapes_in_words(pair);
+  const std::string along =
+      depth >= 0 ? fmt::format("{} that overlap by {} along the normal given", shapes, plain(depth))
+                 : fmt::format("{} {} apart along the normal given", shapes, plain(-depth));
+  if (plain(depth) != plain(claim.depth)) {
+    return fmt::format("{} are reported {} deep", along, plain(claim.depth));
+  }
+  return fmt::format("{} are reported {} too {}", along, plain(std::abs(claim.depth - depth)),
+                     claim.depth > depth ? "deep" : "shallow");
+}
+
+std::string not_minimal_in_words(const PairCase& pair, const Claim& claim) {
+  const double needed = depth_along(pair, claim);
+  const double least = true_depth(pair);
+  const bool is_plain = plain(needed) != plain(least);
+  return fmt::format("{} are pushed apart along a direction that needs {}{}", pair_in_words(pair),
+                     plain(is_plain ? needed : needed - least), is_plain ? "" : " more");
+}
+
 std::string lost_in_words(Verdict verdict) {
   if (verdict == Verdict::crashed) return "crash the program";
   return verdict == Verdict::timed_out ? "are not answered in time" : "get an invalid answer";
@@ -84,12 +110,13 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const Claim claim = claim_of(asked.answer);
   // A magnitude is a share of the size; people want to see the length.
   const std::string off = plain(judged.judgement.magnitude * size(pair));
+  const std::string phantom =
+      fmt::format("{} are reported {} deep", pair_words, plain(claim.depth));
   switch (judged.judgement.bucket.kind) {
     case Kind::missed_contact:
       return pair_words + " have no contact";
     case Kind::phantom_contact:
-      if (claim.depth <= 0) return pair_words + " are in contact";
-      return fmt::format("{} are reported {} deep", pair_words, plain(claim.depth));
+      return claim.depth <= 0 ? pair_words + " are in contact" : phantom;
     case Kind::normal:
       return fmt::format(
           "the normal of {} {}", pair_words,
@@ -111,18 +138,9 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
     case Kind::reversed:
       return fmt::format("the normal of {} is reversed", pair_words);
     case Kind::inconsistent:
-      return fmt::format(
-          "{} along the normal given are reported {} deep",
-          [&] {
-            const double depth = depth_along(pair, claim);
-            return depth >= 0
-                       ? fmt::format("{} that overlap by {}", shapes_in_words(pair), plain(depth))
-                       : fmt::format("{} {} apart", shapes_in_words(pair), plain(-depth));
-          }(),
-          plain(claim.depth));
+      return inconsistent_in_words(pair, claim);
     case Kind::not_minimal:
-      return fmt::format("{} are pushed apart along a direction that needs {}", pair_words,
-                         plain(depth_along(pair, claim)));
+      return not_minimal_in_words(pair, claim);
     case Kind::witness:
       return fmt::format("a contact point of {} lies {} away from where they overlap", pair_words,
                          off);
@@ -133,16 +151,20 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
   }
 }
 
-/// An impulse of so little error is not seen, but checks for it fail.
+/// Of a size, or of a unit normal: so little is not seen, but checks fail by it.
 constexpr double kUnseen = 1e-3;
 
-std::string seen_of_normal(double magnitude) {
-  if (magnitude < kUnseen) {
-    return "nothing on a screen, but what takes the normal for exact, such as an assertion or a "
-           "comparison with another platform, fails";
+constexpr std::string_view kUnseenInWords =
+    "nothing on a screen, but what takes these figures for exact, such as an assertion or a "
+    "comparison between platforms, fails";
+
+std::string seen_of_depth(const PairCase& pair, const Claim& claim) {
+  const double depth = depth_along(pair, claim);
+  if (claim.depth <= depth) {
+    return fmt::format("the bodies stay {} inside each other", plain(depth - claim.depth));
   }
-  return "impulses act along a wrong direction or with a wrong strength, so bodies sink into each "
-         "other or jump aside";
+  return fmt::format("the bodies are pushed {} apart where {} suffices", plain(claim.depth),
+                     plain(std::max(depth, 0.0)));
 }
 
 }  // namespace
@@ -156,13 +178,20 @@ std::string upstream_title(const JudgedCase& judged, const DeclaredAnswer& asked
 std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const PairCase& pair = judged.given.pair;
   const Claim claim = claim_of(asked.answer);
-  switch (judged.judgement.bucket.kind) {
+  const Kind kind = judged.judgement.bucket.kind;
+  const bool is_of_figures = kind == Kind::normal || kind == Kind::depth ||
+                             kind == Kind::inconsistent || kind == Kind::not_minimal ||
+                             kind == Kind::position || kind == Kind::witness;
+  if (is_of_figures && judged.judgement.magnitude < kUnseen) return std::string(kUnseenInWords);
+  switch (kind) {
     case Kind::missed_contact:
       return "nothing holds the bodies apart here, so they move further into each other";
     case Kind::phantom_contact:
       return "bodies that do not touch are stopped or pushed across the gap";
     case Kind::normal:
-      return seen_of_normal(judged.judgement.magnitude);
+      if (is_far_too_deep(pair, claim)) return seen_of_depth(pair, claim);
+      return "impulses act along a wrong direction or with a wrong strength, so bodies sink into "
+             "each other or jump aside";
     case Kind::position:
     case Kind::witness:
       return "the impulse has a wrong lever arm, so the bodies get a spin that they should not "
@@ -175,14 +204,8 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
     case Kind::reversed:
       return "the bodies are pushed further into each other";
     case Kind::depth:
-    case Kind::inconsistent: {
-      const double depth = depth_along(pair, claim);
-      if (claim.depth > depth) {
-        return fmt::format("the bodies are pushed {} apart where {} suffices", plain(claim.depth),
-                           plain(std::max(depth, 0.0)));
-      }
-      return fmt::format("the bodies stay {} inside each other", plain(depth - claim.depth));
-    }
+    case Kind::inconsistent:
+      return seen_of_depth(pair, claim);
     case Kind::not_minimal:
       return fmt::format("the bodies are pushed {} along one direction where {} suffices",
                          plain(depth_along(pair, claim)), plain(true_depth(pair)));

@@ -210,7 +210,7 @@ TEST_CASE("a report says what was got, what is right, and how to see it") {
   judged.oracle.answer = Manifold<double>{};
   judged.judgement = judge(judged.given.pair, {judged.subject.declaration, judged.subject.answer},
                            {judged.oracle.declaration, judged.oracle.answer});
-  judged.given.expect = Expectation{.severity = 0.5};
+  judged.given.expect.emplace().severity = 0.5;
   const std::string report = upstream_report(judged, "--subject clip");
   INFO(report);
   CHECK(
