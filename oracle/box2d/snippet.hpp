@@ -2,76 +2,41 @@
 
 namespace manifuzz::box2d {
 
-/// A program that shows one case, of any shapes that Box2D takes; report/upstream.cpp fills it in.
-inline constexpr const char* kSnippet = R"(#include <box2d/box2d.h>
+/// A program that shows one case, of any shapes that Box2D takes; report/upstream fills it in.
+inline constexpr const char* kSnippet = R"(@language cpp
+@point world.points $m, separations $s
+#include <box2d/box2d.h>
+#include <algorithm>
 #include <cstdio>
-#include <type_traits>
-
-template <int count>
-auto shape(const b2Vec2 (&vertices)[count], const b2Vec2 (&normals)[count], float radius) {
-  if constexpr (count == 1) {
-    b2CircleShape circle;
-    circle.m_p = vertices[0];
-    circle.m_radius = radius;
-    return circle;
-  } else if constexpr (count == 2) {
-    b2EdgeShape edge;
-    edge.SetTwoSided(vertices[0], vertices[1]);
-    edge.m_radius = radius;
-    return edge;
-  } else {
-    b2PolygonShape polygon;  // filled as it stands: Set would weld and reorder
-    for (int i = 0; i < count; ++i) {
-      polygon.m_vertices[i] = vertices[i];
-      polygon.m_normals[i] = normals[i];
-    }
-    polygon.m_count = count;
-    polygon.m_radius = radius;
-    return polygon;
-  }
-}
-
-b2Transform pose(b2Vec2 position, b2Vec2 rotation) {
-  b2Transform transform;
-  transform.p = position;
-  transform.q.c = rotation.x;
-  transform.q.s = rotation.y;
-  return transform;
-}
-
-template <class A, class B>
-void show(const A& a, const b2Transform& pose_a, const B& b, const b2Transform& pose_b) {
-  constexpr bool edge_a = std::is_same_v<A, b2EdgeShape>, edge_b = std::is_same_v<B, b2EdgeShape>;
-  constexpr bool circle_a = std::is_same_v<A, b2CircleShape>;
-  constexpr bool circle_b = std::is_same_v<B, b2CircleShape>;
-  b2Manifold manifold;
-  if constexpr ((circle_a && !circle_b) || (edge_b && !edge_a)) {
-    std::printf("B first: edges, then polygons, then circles\n");
-    return show(b, pose_b, a, pose_a);
-  } else if constexpr (circle_a) {
-    b2CollideCircles(&manifold, &a, pose_a, &b, pose_b);
-  } else if constexpr (edge_a && circle_b) {
-    b2CollideEdgeAndCircle(&manifold, &a, pose_a, &b, pose_b);
-  } else if constexpr (edge_a) {
-    b2CollideEdgeAndPolygon(&manifold, &a, pose_a, &b, pose_b);
-  } else if constexpr (circle_b) {
-    b2CollidePolygonAndCircle(&manifold, &a, pose_a, &b, pose_b);
-  } else {
-    b2CollidePolygons(&manifold, &a, pose_a, &b, pose_b);
-  }
-  std::printf("%d points\n", manifold.pointCount);
-  b2WorldManifold world;
-  world.Initialize(&manifold, pose_a, a.m_radius, pose_b, b.m_radius);
-  for (int i = 0; i < manifold.pointCount; ++i) {
-    std::printf("(%.9g, %.9g), separation %.9g\n", world.points[i].x, world.points[i].y,
-                world.separations[i]);
-  }
-}
-
 int main() {
-  const auto a = shape<@a.count@>(@a.vertices{}@, @a.normals{}@, @a.radius@);
-  const auto b = shape<@b.count@>(@b.vertices{}@, @b.normals{}@, @b.radius@);
-  show(a, pose(@a.position{}@, @a.rotation{}@), b, pose(@b.position{}@, @b.rotation{}@));
+@each @*.circle?   b2CircleShape @*;
+@each @*.circle?   @*.m_p.Set(@*.vertices($x, $y)@);
+@each @*.segment?   b2EdgeShape @*;
+@each @*.segment?   @*.SetTwoSided(@*.vertices(b2Vec2($x, $y))@);
+@each @*.polygon?   b2PolygonShape @*; @*.m_count = @*.count@; @*.m_radius = @*.radius@;  // Set would weld vertices
+@each @*.polygon?   const b2Vec2 of@^[] = {@*.vertices(b2Vec2($x, $y))@}, out@^[] = {@*.normals(b2Vec2($x, $y))@};
+@each @*.polygon?   std::copy_n(of@^, @*.count@, @*.m_vertices), std::copy_n(out@^, @*.count@, @*.m_normals);
+@each @!*.polygon?   @*.m_radius = @*.radius@;
+  b2Transform atA{b2Vec2(@a.position($x, $y)@), b2Rot(0)}, atB{b2Vec2(@b.position($x, $y)@), b2Rot(0)};
+@each @*.turned?   @*.rotation(at@^.q.c = $x, at@^.q.s = $y)@;
+  b2Manifold manifold; b2WorldManifold world{};
+@a.polygon? @b.segment? @b_first
+@a.circle? @!b.circle? @b_first
+@a.polygon? @b.polygon?   @asked(b2CollidePolygons)@(&manifold, &a, atA, &b, atB);
+@a.circle? @b.circle?   @asked(b2CollideCircles)@(&manifold, &a, atA, &b, atB);
+@a.segment? @b.polygon?   @asked(b2CollideEdgeAndPolygon)@(&manifold, &a, atA, &b, atB);
+@a.segment? @b.circle?   @asked(b2CollideEdgeAndCircle)@(&manifold, &a, atA, &b, atB);
+@a.polygon? @b.circle?   @asked(b2CollidePolygonAndCircle)@(&manifold, &a, atA, &b, atB);
+@a.polygon? @b.segment?   @asked(b2CollideEdgeAndPolygon)@(&manifold, &b, atB, &a, atA);
+@a.circle? @b.segment?   @asked(b2CollideEdgeAndCircle)@(&manifold, &b, atB, &a, atA);
+@a.circle? @b.polygon?   @asked(b2CollidePolygonAndCircle)@(&manifold, &b, atB, &a, atA);
+@a.segment?   world.Initialize(&manifold, atA, a.m_radius, atB, b.m_radius);
+@a.polygon? @!b.segment?   world.Initialize(&manifold, atA, a.m_radius, atB, b.m_radius);
+@a.circle? @b.circle?   world.Initialize(&manifold, atA, a.m_radius, atB, b.m_radius);
+@a.polygon? @b.segment?   world.Initialize(&manifold, atB, b.m_radius, atA, a.m_radius);
+@a.circle? @!b.circle?   world.Initialize(&manifold, atB, b.m_radius, atA, a.m_radius);
+  std::printf("%d points, normal (%.9g, %.9g)\n", manifold.pointCount, world.normal.x, world.normal.y);
+  for (int i = 0; i < manifold.pointCount; ++i) std::printf("(%.9g, %.9g), %.9g\n", world.points[i].x, world.points[i].y, world.separations[i]);
 }
 )";
 

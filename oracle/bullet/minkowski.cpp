@@ -4,6 +4,9 @@
 
 #include "oracle/bullet/pair_detector.hpp"
 
+#define MANIFUZZ_BULLET_SOLVER "btMinkowskiPenetrationDepthSolver"
+#include "oracle/bullet/snippet.hpp"
+
 extern "C" {
 
 extern const manifuzz_declaration manifuzz_collider = {
@@ -18,7 +21,7 @@ extern const manifuzz_declaration manifuzz_collider = {
     .tie_bias = 0,
     .vertices_max = MANIFUZZ_VERTICES_MAX,
     .takes_radius = 0,
-    .snippet = nullptr,
+    .snippet = manifuzz_bullet::kSnippet,
     .claims = manifuzz_bullet::claims_of_point(0, nullptr),
 };
 

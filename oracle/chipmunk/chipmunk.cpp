@@ -13,34 +13,24 @@
 
 namespace {
 
-constexpr const char* kSnippet = R"(#include <cstdio>
+constexpr const char* kSnippet = R"(@language cpp
+@point point $p, distance $s
 #include <chipmunk/chipmunk.h>
-
-struct Point { float x, y; };
-
-cpBody* body = cpBodyNew(1, 1);
-
-template <int count>
-cpShape* make(const Point (&vertices)[count], float radius, Point position, Point rotation) {
-  cpVect wide[count];
-  for (int i = 0; i < count; ++i) wide[i] = cpv(vertices[i].x, vertices[i].y);
-  cpShape* shape = count == 1   ? cpCircleShapeNew(body, radius, wide[0])
-                   : count == 2 ? cpSegmentShapeNew(body, wide[0], wide[count - 1], radius)
-                                : cpPolyShapeNewRaw(body, count, wide, radius);
-  const double c = rotation.x, s = rotation.y;
-  cpShapeUpdate(shape, cpTransformNew(c, s, -s, c, position.x, position.y));
-  return shape;
-}
+#include <cstdio>
 
 int main() {
-  cpShape* a = make<@a.count@>(@a.vertices{}@, @a.radius@, @a.position{}@, @a.rotation{}@);
-  cpShape* b = make<@b.count@>(@b.vertices{}@, @b.radius@, @b.position{}@, @b.rotation{}@);
-  const cpContactPointSet set = cpShapesCollide(a, b);
+  cpBody* body = cpBodyNew(1, 1);
+@each @*.circle?   cpShape* @* = cpCircleShapeNew(body, @*.wide_radius@, @*.vertices(cpv($X, $Y))@);
+@each @*.segment?   cpShape* @* = cpSegmentShapeNew(body, @*.vertices(cpv($X, $Y))@, @*.wide_radius@);
+@each @*.polygon?   const cpVect of@^[] = {@*.vertices({$X, $Y})@};
+@each @*.polygon?   cpShape* @* = cpPolyShapeNewRaw(body, @*.count@, of@^, @*.wide_radius@);
+@each @!*.placed?   cpShapeUpdate(@*, cpTransformIdentity);
+@each @*.placed?   cpShapeUpdate(@*, cpTransformNew(@*.rotation($X, $Y, -1 * $Y, $X)@, @*.position($X, $Y)@));
+  const cpContactPointSet set = @asked(cpShapesCollide)@(a, b);
   std::printf("%d points, normal (%.17g, %.17g)\n", set.count, set.normal.x, set.normal.y);
   for (int i = 0; i < set.count; ++i) {
     const auto [on_a, on_b, distance] = set.points[i];
-    std::printf("(%.17g, %.17g) on A, (%.17g, %.17g) on B, distance %.17g\n", on_a.x, on_a.y,
-                on_b.x, on_b.y, distance);
+    std::printf("(%g, %g), (%g, %g), %.17g\n", on_a.x, on_a.y, on_b.x, on_b.y, distance);
   }
 }
 )";

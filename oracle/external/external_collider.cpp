@@ -10,15 +10,12 @@
 #include <fmt/ranges.h>
 
 #include "base/text.hpp"
+#include "collider/snippet.hpp"
 
 namespace manifuzz {
 namespace {
 
 constexpr std::size_t kNameLengthMax = 40;
-
-/// What a snippet may ask for of either body.
-constexpr std::array<std::string_view, 6> kSnippetKeys{"vertices", "normals", "position",
-                                                       "rotation", "radius",  "count"};
 
 constexpr std::size_t kVersionLengthMax = 60;
 
@@ -26,21 +23,30 @@ bool is_plain(std::string_view text) {
   return std::ranges::all_of(text, [](unsigned char c) { return c >= ' ' && c < 0x7f; });
 }
 
-/// Every @a.NAME@ and @b.NAME@ must be one that report/upstream.cpp fills in.
+/// Throws where a snippet says what is none of these.
+template <class Words>
+void expect_known(std::string_view word, const Words& words, std::string_view prefix) {
+  if (std::ranges::find(words, word) != words.end()) return;
+  throw UserError(fmt::format("{}snippet: there is no '{}'{}; there are {}", prefix,
+                              printable(word), did_you_mean(word, words), fmt::join(words, ", ")));
+}
+
+/// Every @a.NAME@, with brackets or not, and every condition @a.NAME? must be known to
+/// report/upstream/program.cpp; b as a.
 void check_snippet(std::string_view snippet, std::string_view prefix) {
-  for (std::size_t at = snippet.find('@'); at != std::string_view::npos;) {
-    const std::size_t end = snippet.find('@', at + 1);
-    if (end == std::string_view::npos) return;
-    const std::string_view word = snippet.substr(at + 1, end - at - 1);
-    at = end;
-    if (!word.starts_with("a.") && !word.starts_with("b.")) continue;
-    const std::string_view key = word.substr(2, word.find_first_of("[{(") - 2);
-    if (std::ranges::find(kSnippetKeys, key) == kSnippetKeys.end()) {
-      throw UserError(fmt::format("{}snippet: there is no '@{}@'{}; there are {}", prefix,
-                                  printable(word), did_you_mean(key, kSnippetKeys),
-                                  fmt::join(kSnippetKeys, ", ")));
+  for (std::size_t at = snippet.find('@'); at != snippet.npos; at = snippet.find('@', at + 1)) {
+    std::string_view rest = snippet.substr(at + 1);
+    if (rest.starts_with('!')) rest.remove_prefix(1);
+    if (!rest.starts_with("a.") && !rest.starts_with("b.")) continue;
+    rest.remove_prefix(2);
+    const std::size_t end = rest.find_first_of("@?[{( \n");
+    if (end == rest.npos || rest[end] == ' ' || rest[end] == '\n') continue;
+    const std::string_view word = rest.substr(0, end);
+    if (rest[end] == '?') {
+      expect_known(word, kSnippetConditions, prefix);
+    } else {
+      expect_known(word, kSnippetKeys, prefix);
     }
-    at = snippet.find('@', end + 1);
   }
 }
 

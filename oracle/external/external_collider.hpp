@@ -77,7 +77,6 @@ Collider collider_of_command(const std::string& command, double seconds_max,
 /// What a program declares of itself.
 struct ProgramDeclaration {
   Declaration declaration;
-  bool normal_from_b = false;        ///< its normals point from B to A
   std::optional<Keeping> keeping{};  ///< of the points that it keeps, if it says so
 };
 

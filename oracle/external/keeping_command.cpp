@@ -38,7 +38,7 @@ class KeepingProgram {
                       "across which gaps, drifts and turns",
                       command_));
     }
-    normal_from_b_ = read.normal_from_b;
+    normal_from_b_ = read.declaration.normal_from_b;
     return read;
   }
 

@@ -173,6 +173,7 @@ Declaration declaration_of(const manifuzz_declaration& declared) {
       .alters_shapes = declared.claims.alters_shapes != 0,
       .tolerance = {declared.claims.tolerance_absolute, declared.claims.tolerance_relative},
       .tolerance_source = text_of(declared.claims.tolerance_source),
+      .normal_from_b = declared.normal == MANIFUZZ_B_TO_A,
       .snippet = text_of(declared.snippet)};
   check_declaration(declaration, "manifuzz_collider.");
   return declaration;
@@ -227,7 +228,7 @@ Answer answer_of(int status, const manifuzz_manifold& manifold, const Declaratio
                                  manifold.shapes[0].count, manifold.shapes[1].count, kMaxVertices));
   }
   Conventions conventions = conventions_of(declaration);
-  conventions.normal_from_b = declared.normal == MANIFUZZ_B_TO_A;
+  conventions.normal_from_b = declaration.normal_from_b;
   conventions.normal_in_a = declared.answers_in == MANIFUZZ_FRAME_OF_A;
   const bool is_separation = conventions.claims == Claims::separation;
   const Answer answer = conventions.is_without_points()

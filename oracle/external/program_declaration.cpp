@@ -129,6 +129,7 @@ Declaration read_declaration(const JsonView& object, const std::string& usual_na
                                              number_in(*tolerance, "relative")}
                                  : Tolerance{},
           .tolerance_source = tolerance ? tolerance->string_or("source", "") : "",
+          .normal_from_b = choice_in<bool>(object, "normal", {"a_to_b", "b_to_a"}),
           .snippet = object.string_or("snippet", "")};
 }
 
@@ -160,10 +161,8 @@ ProgramDeclaration program_declaration(const std::string& command, const std::st
   const JsonTree tree = parse_json(line.empty() ? "{\"declaration\": {}}" : line);
   try {
     const JsonView object = JsonView(tree).at("declaration");
-    ProgramDeclaration read{
-        .declaration = read_declaration(object, name_in(command)),
-        .normal_from_b = choice_in<bool>(object, "normal", {"a_to_b", "b_to_a"}),
-        .keeping = {}};
+    ProgramDeclaration read{.declaration = read_declaration(object, name_in(command)),
+                            .keeping = {}};
     check_declaration(read.declaration, "$.declaration.");
     if (const auto keeping = object.find("keeping")) read.keeping = read_keeping(*keeping);
     return read;

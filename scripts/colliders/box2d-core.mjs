@@ -2,46 +2,38 @@
 import * as box2d from "@box2d/core";
 import { centroidOf, serve, toWorld, versionOf } from "./protocol.mjs";
 
-const snippet = `import * as box2d from "@box2d/core";
+const snippet = `@language js
+@point world.points $m, separations $s
+import * as box2d from "@box2d/core";
 
-function shapeOf(vertices, radius, unit) {
-  const scaled = vertices.map(([x, y]) => new box2d.b2Vec2(unit * x, unit * y));
-  if (scaled.length === 1) return new box2d.b2CircleShape().Set(scaled[0], radius);
-  const given = { m_radius: radius };
-  if (scaled.length === 2) return Object.assign(new box2d.b2EdgeShape().SetTwoSided(...scaled), given);
-  const shape = new box2d.b2PolygonShape(); // filled as it stands: Set would weld
-  shape.m_normals = vertices.map(([x, y], i) => {
-    const [u, v] = vertices[(i + 1) % vertices.length].map((next, k) => next - [x, y][k]);
-    const length = Math.sqrt(u * u + v * v);
-    return new box2d.b2Vec2(v / length, -u / length);
-  });
-  return Object.assign(shape, { m_vertices: scaled, m_count: scaled.length, m_radius: radius });
-}
-
-function body(vertices, radius, position, rotation) {
-  const floats = (list) => list.map(Math.fround);
-  const [c, s] = floats(rotation);
-  const unit = Math.sqrt(c * c + s * s); // what it lacks of 1 goes into the vertices
-  const pose = new box2d.b2Transform();
-  pose.p.Set(...floats(position));
-  Object.assign(pose.q, { c: c / unit, s: s / unit });
-  return [shapeOf(vertices.map(floats), Math.fround(radius), unit), pose];
-}
-
-const a = body(@a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@);
-const b = body(@b.vertices[]@, @b.radius@, @b.position[]@, @b.rotation[]@);
-// In the order in which its functions take them; a circle before a polygon, say, is turned about.
-const kinds = ["Edge", "Polygon", "Circle"];
-const kind = ([shape]) => kinds.findIndex((name) => shape instanceof box2d["b2" + name + "Shape"]);
-const [first, second] = kind(a) > kind(b) ? [b, a] : [a, b];
-const [i, j] = [kind(first), kind(second)];
-const name = "b2Collide" + (i === j ? kinds[i] + "s" : kinds[i] + "And" + kinds[j]);
-const manifold = new box2d.b2Manifold();
-box2d[name](manifold, ...first, ...second);
-console.log(name, first === a ? "A first" : "B first", manifold.pointCount, "points");
-const world = new box2d.b2WorldManifold();
-world.Initialize(manifold, first[1], first[0].m_radius, second[1], second[0].m_radius);
-console.log(world);
+const { b2Vec2 } = box2d;
+@each @*.circle? const @* = new box2d.b2CircleShape().Set(@*.unit_vertices(new b2Vec2($X, $Y))@, @*.wide_radius@);
+@each @*.segment? const @* = new box2d.b2EdgeShape().SetTwoSided(@*.unit_vertices(new b2Vec2($X, $Y))@);
+@each @*.segment? @*.m_radius = @*.wide_radius@;
+@each @*.polygon? const @* = Object.assign(new box2d.b2PolygonShape(), { // Set would weld vertices
+@each @*.polygon?   m_vertices: [@*.unit_vertices(new b2Vec2($X, $Y))@],
+@each @*.polygon?   m_normals: [@*.unit_normals(new b2Vec2($X, $Y))@],
+@each @*.polygon?   m_centroid: @*.centroid(new b2Vec2($X, $Y))@, m_count: @*.count@, m_radius: @*.wide_radius@ });
+@each const at@^ = new box2d.b2Transform();
+@each @*.moved? at@^.p.Set(@*.position($X, $Y)@);
+@each @*.turned? Object.assign(at@^.q, { @*.unit_rotation(c: $X, s: $Y)@ });
+const manifold = new box2d.b2Manifold(), world = new box2d.b2WorldManifold();
+@a.polygon? @b.polygon? box2d.@asked(b2CollidePolygons)@(manifold, a, atA, b, atB);
+@a.circle? @b.circle? box2d.@asked(b2CollideCircles)@(manifold, a, atA, b, atB);
+@a.segment? @b.polygon? box2d.@asked(b2CollideEdgeAndPolygon)@(manifold, a, atA, b, atB);
+@a.segment? @b.circle? box2d.@asked(b2CollideEdgeAndCircle)@(manifold, a, atA, b, atB);
+@a.polygon? @b.circle? box2d.@asked(b2CollidePolygonAndCircle)@(manifold, a, atA, b, atB);
+@a.polygon? @b.segment? box2d.@asked(b2CollideEdgeAndPolygon)@(manifold, b, atB, a, atA);
+@a.circle? @b.segment? box2d.@asked(b2CollideEdgeAndCircle)@(manifold, b, atB, a, atA);
+@a.circle? @b.polygon? box2d.@asked(b2CollidePolygonAndCircle)@(manifold, b, atB, a, atA);
+@a.polygon? @b.segment? @b_first
+@a.circle? @!b.circle? @b_first
+@a.segment? world.Initialize(manifold, atA, a.m_radius, atB, b.m_radius);
+@a.polygon? @!b.segment? world.Initialize(manifold, atA, a.m_radius, atB, b.m_radius);
+@a.circle? @b.circle? world.Initialize(manifold, atA, a.m_radius, atB, b.m_radius);
+@a.polygon? @b.segment? world.Initialize(manifold, atB, b.m_radius, atA, a.m_radius);
+@a.circle? @!b.circle? world.Initialize(manifold, atB, b.m_radius, atA, a.m_radius);
+console.log(manifold.pointCount, "points", world);
 `;
 
 const declaration = {

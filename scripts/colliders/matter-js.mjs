@@ -4,27 +4,19 @@ import { serve, toWorld, versionOf } from "./protocol.mjs";
 
 const { Body, Collision, Vertices } = Matter;
 
-const snippet = `import Matter from "matter-js";
+const snippet = `@language js
+@point support $p, depth $d
+import Matter from "matter-js";
 
 const { Body, Collision, Vertices } = Matter;
-
-function bodyOf(corners, [x, y], [c, s]) {
-  const length = Math.hypot(c, s);
-  const vertices = corners.map(([u, v]) => ({ x: length * u, y: length * v }));
-  const { x: u, y: v } = Vertices.centre(vertices); // which Body.create puts into its position
-  const position = { x: (c * u - s * v) / length + x, y: (s * u + c * v) / length + y };
-  return Body.create({ vertices, position, angle: Math.atan2(s, c) });
-}
-
-const a = bodyOf(@a.vertices[]@, @a.position[]@, @a.rotation[]@);
-const b = bodyOf(@b.vertices[]@, @b.position[]@, @b.rotation[]@);
-const collision = Collision.collides(a, b); // its normal points from B to A
-if (collision === null) console.log("0 points");
-else {
-  const { depth, normal, supports, supportCount } = collision;
-  console.log(supportCount, "points", supports.slice(0, supportCount).map(({ x, y }) => [x, y]));
-  console.log({ depth, normal });
-}
+@each const of@^ = [@*.unit_vertices({ x: $X, y: $Y })@];
+@each @!*.placed? const @* = Body.create({ vertices: of@^, position: Vertices.centre(of@^) });
+@each @*.placed? const { x: x@^, y: y@^ } = Vertices.centre(of@^), [c@^, s@^] = [@*.unit_rotation($X, $Y)@];
+@each @*.placed? const @* = Body.create({ vertices: of@^, angle: Math.atan2(s@^, c@^), position: {
+@each @*.placed?   x: c@^ * x@^ - s@^ * y@^ + @*.position($X)@, y: s@^ * x@^ + c@^ * y@^ + @*.position($Y)@ } });
+const collision = Collision.@asked(collides)@(a, b); // its normal points from B to A
+console.log(collision?.supportCount ?? 0, "points", collision?.supports.map(({ x, y }) => [x, y]));
+console.log(collision?.depth, collision?.normal);
 `;
 
 const declaration = {

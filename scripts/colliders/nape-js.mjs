@@ -6,35 +6,27 @@ globalThis.window = globalThis; // where it leaves `nape`
 initNape();
 const { callbacks, geom, phys, shape, space } = globalThis.nape;
 
-const snippet = `import initNape from "@newkrok/nape-js";
-
-globalThis.window = globalThis; // where it leaves nape
-initNape();
-const { callbacks, geom, phys, shape, space } = globalThis.nape;
-
-function bodyOf(type, corners, radius, [x, y], [c, s]) {
-  const at = corners.map(([u, v]) => new geom.Vec2(c * u - s * v + x, s * u + c * v + y));
-  const body = new phys.Body(type);
-  body.get_shapes().add(at.length > 1 ? new shape.Polygon(at) : new shape.Circle(radius, at[0]));
-  return body;
-}
-
-const still = new space.Space(new geom.Vec2(0, 0));
-const a = bodyOf(phys.BodyType.get_STATIC(), @a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@);
-const b = bodyOf(phys.BodyType.get_DYNAMIC(), @b.vertices[]@, @b.radius@, @b.position[]@, @b.rotation[]@);
-const any = callbacks.CbType.get_ANY_BODY();
-const type = callbacks.InteractionType.get_COLLISION();
-let found = [];
-new callbacks.PreListener(type, any, any, (met) => {
+const snippet = `@language js
+@point position $m, penetration $d
+import initNape from "@newkrok/nape-js";
+globalThis.window = globalThis, initNape(); // it leaves nape in a window
+const { callbacks, geom: { Vec2 }, phys: { Body, BodyType }, shape, space } = globalThis.nape;
+const still = new space.Space(new Vec2(0, 0));
+const a = new Body(BodyType.get_STATIC(), @a.position(new Vec2($X, $Y))@);
+const b = new Body(BodyType.get_DYNAMIC(), @b.position(new Vec2($X, $Y))@);
+@each @*.turned? @*.set_rotation(Math.atan2(@*.unit_rotation($Y, $X)@));
+@each @*.circle? @*.get_shapes().add(new shape.Circle(@*.wide_radius@, @*.unit_vertices(new Vec2($X, $Y))@));
+@each @!*.circle? @*.get_shapes().add(new shape.Polygon([@*.unit_vertices(new Vec2($X, $Y))@]));
+b.set_mass(1), b.set_inertia(1); // of a sliver it would compute none
+const any = callbacks.CbType.get_ANY_BODY(), collision = callbacks.InteractionType.get_COLLISION();
+let found = "0 points";
+new callbacks.PreListener(collision, any, any, (met) => {
   const arbiter = met.get_arbiter().get_collisionArbiter();
-  const contacts = arbiter.get_contacts();
-  found = Array.from({ length: contacts.get_length() }, (_, i) => contacts.at(i)).map((contact) =>
-    [contact.get_position().toString(), contact.get_penetration()]);
-  console.log(arbiter.get_shape1().get_body() === a ? "from A" : "from B", arbiter.get_normal().toString());
+  found = arbiter.get_contacts().get_length() + " points, normal " + arbiter.get_normal() + arbiter.get_contacts();
 }).set_space(still);
 for (const body of [a, b]) body.set_space(still);
-still.step(1e-9);
-console.log(found.length, "points", found);
+still.@asked(step)@(1e-9);
+console.log(found);
 `;
 
 const declaration = {

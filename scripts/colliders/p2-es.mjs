@@ -2,32 +2,24 @@
 import * as p2 from "p2-es";
 import { serve, toWorld, versionOf } from "./protocol.mjs";
 
-const snippet = `import * as p2 from "p2-es";
-
-function bodyOf(corners, radius, [x, y], [c, s]) {
-  const vertices = corners.map(([u, v]) => [Math.hypot(c, s) * u, Math.hypot(c, s) * v]);
-  const body = new p2.Body({ position: [x, y], angle: Math.atan2(s, c) });
-  const [[x0, y0], [x1, y1] = [x0, y0]] = vertices;
-  if (corners.length > 2) return [body, new p2.Convex({ vertices }), body.position, body.angle];
-  body.toWorldFrame(body.position, [(x0 + x1) / 2, (y0 + y1) / 2]);
-  body.angle += Math.atan2(y1 - y0, x1 - x0); // a capsule lies along its x axis
-  const shape = corners.length === 1
-    ? new p2.Circle({ radius })
-    : new p2.Capsule({ length: Math.hypot(x1 - x0, y1 - y0), radius });
-  return [body, shape, body.position, body.angle];
-}
-
-const a = bodyOf(@a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@);
-const b = bodyOf(@b.vertices[]@, @b.radius@, @b.position[]@, @b.rotation[]@);
+const snippet = `@language js
+@point contactPointA $a, contactPointB $b, each less its body's position
+import * as p2 from "p2-es";
+@each @*.polygon? const @* = new p2.Convex({ vertices: [@*.unit_vertices([$X, $Y])@] });
+@each @*.polygon? const body@^ = new p2.Body({ position: [@*.position($X, $Y)@], angle: Math.atan2(@*.unit_rotation($Y, $X)@) });
+@each @*.circle? const @* = new p2.Circle({ radius: @*.wide_radius@ });
+@each @*.circle? const body@^ = new p2.Body({ position: @*.world([$X, $Y])@ });
+@each @*.segment? const of@^ = [@*.world([$X, $Y])@]; // a capsule lies along its x axis
+@each @*.segment? const @* = new p2.Capsule({ length: Math.hypot(of@^[1][0] - of@^[0][0], of@^[1][1] - of@^[0][1]), radius: @*.wide_radius@ });
+@each @*.segment? const body@^ = new p2.Body({ position: [(of@^[0][0] + of@^[1][0]) / 2, (of@^[0][1] + of@^[1][1]) / 2],
+@each @*.segment?   angle: Math.atan2(of@^[1][1] - of@^[0][1], of@^[1][0] - of@^[0][0]) });
 const narrowphase = new p2.Narrowphase();
 narrowphase.currentContactMaterial = new p2.ContactMaterial(new p2.Material(), new p2.Material());
-const [first, second] = a[1].type > b[1].type ? [b, a] : [a, b];
-narrowphase.narrowphases[first[1].type | second[1].type](...first, ...second);
-console.log(narrowphase.contactEquations.length, "points");
-for (const equation of narrowphase.contactEquations) {
-  const { bodyA, normalA, contactPointA, contactPointB } = equation; // relative to the bodies
-  console.log(bodyA === a[0] ? "from A" : "from B", normalA, contactPointA, contactPointB);
-}
+const [first, second] = [[bodyA, a], [bodyB, b]].sort(([, p], [, q]) => p.type - q.type)
+  .map(([body, shape]) => [body, shape, body.position, body.angle]);
+narrowphase.@asked(narrowphases)@[a.type | b.type](...first, ...second);
+const found = narrowphase.contactEquations; // each normal points from its body A
+console.log(found.length, "points", found.map((of) => [of.bodyA === bodyA, of.normalA, of.contactPointA, of.contactPointB]));
 `;
 
 const declaration = {

@@ -5,45 +5,32 @@ import {
 } from "phaser-box2d/dist/PhaserBox2D.js";
 import { serve, versionOf } from "./protocol.mjs";
 
-const snippet = `import * as phaser from "phaser-box2d/dist/PhaserBox2D.js";
+const snippet = `@language js
+@point point $m, separation $s
+@none no point of a separation of 0 or less
+import * as phaser from "phaser-box2d/dist/PhaserBox2D.js";
 
-function shapeOf(vertices, radius, unit) {
-  const scaled = vertices.map(([x, y]) => ({ x: unit * x, y: unit * y }));
-  if (scaled.length === 1) return Object.assign(new phaser.b2Circle(), { center: scaled[0], radius });
-  if (scaled.length === 2) {
-    const [center1, center2] = scaled;
-    return Object.assign(new phaser.b2Capsule(), { center1, center2, radius });
-  }
-  const polygon = new phaser.b2Polygon(); // filled as it stands: b2ComputeHull would weld
-  vertices.forEach(([x, y], i, all) => {
-    const [u, v] = all[(i + 1) % all.length].map((next, k) => next - [x, y][k]);
-    const length = Math.sqrt(u * u + v * v);
-    polygon.normals.push({ x: v / length, y: -u / length });
-  });
-  return Object.assign(polygon, { vertices: scaled, count: scaled.length, radius });
-}
-
-function body(vertices, radius, position, rotation) {
-  const floats = (list) => list.map(Math.fround);
-  const [c, s] = floats(rotation);
-  const unit = Math.sqrt(c * c + s * s); // what it lacks of 1 goes into the vertices
-  const [x, y] = floats(position);
-  const shape = shapeOf(vertices.map(floats), Math.fround(radius), unit);
-  return [shape, { p: { x, y }, q: { c: c / unit, s: s / unit } }];
-}
-
-const a = body(@a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@);
-const b = body(@b.vertices[]@, @b.radius@, @b.position[]@, @b.rotation[]@);
-// In the order in which its functions take them; a circle before a polygon, say, is turned about.
-const kinds = ["Polygon", "Capsule", "Circle"];
-const kind = ([shape]) => kinds.findIndex((name) => shape instanceof phaser["b2" + name]);
-const [first, second] = kind(a) > kind(b) ? [b, a] : [a, b];
-const [i, j] = [kind(first), kind(second)];
-const name = "b2Collide" + (i === j ? kinds[i] + "s" : kinds[i] + "And" + kinds[j]);
+@each @*.circle? const @* = Object.assign(new phaser.b2Circle(), {
+@each @*.circle?   center: @*.unit_vertices({ x: $X, y: $Y })@, radius: @*.wide_radius@ });
+@each @*.segment? const @* = Object.assign(new phaser.b2Capsule(), { radius: @*.wide_radius@ });
+@each @*.segment? [@*.center1, @*.center2] = [@*.unit_vertices({ x: $X, y: $Y })@];
+@each @*.polygon? const @* = Object.assign(new phaser.b2Polygon(), { // b2ComputeHull would weld vertices
+@each @*.polygon?   vertices: [@*.unit_vertices({ x: $X, y: $Y })@],
+@each @*.polygon?   normals: [@*.unit_normals({ x: $X, y: $Y })@], count: @*.count@, radius: @*.wide_radius@ });
+@each const at@^ = { p: { @*.position(x: $X, y: $Y)@ }, q: { @*.unit_rotation(c: $X, s: $Y)@ } };
 const manifold = new phaser.b2Manifold();
-phaser[name](...first, ...second, manifold);
-console.log(name, first === a ? "A first" : "B first", manifold.pointCount, "points");
-console.log(manifold);
+@a.polygon? @b.polygon? phaser.@asked(b2CollidePolygons)@(a, atA, b, atB, manifold);
+@a.segment? @b.segment? phaser.@asked(b2CollideCapsules)@(a, atA, b, atB, manifold);
+@a.circle? @b.circle? phaser.@asked(b2CollideCircles)@(a, atA, b, atB, manifold);
+@a.polygon? @b.segment? phaser.@asked(b2CollidePolygonAndCapsule)@(a, atA, b, atB, manifold);
+@a.polygon? @b.circle? phaser.@asked(b2CollidePolygonAndCircle)@(a, atA, b, atB, manifold);
+@a.segment? @b.circle? phaser.@asked(b2CollideCapsuleAndCircle)@(a, atA, b, atB, manifold);
+@a.segment? @b.polygon? phaser.@asked(b2CollidePolygonAndCapsule)@(b, atB, a, atA, manifold);
+@a.circle? @b.polygon? phaser.@asked(b2CollidePolygonAndCircle)@(b, atB, a, atA, manifold);
+@a.circle? @b.segment? phaser.@asked(b2CollideCapsuleAndCircle)@(b, atB, a, atA, manifold);
+@a.segment? @b.polygon? @b_first
+@a.circle? @!b.circle? @b_first
+console.log(manifold.pointCount, "points", manifold);
 `;
 
 const declaration = {

@@ -5,43 +5,35 @@ import {
 } from "planck";
 import { centroidOf, serve, toWorld, versionOf } from "./protocol.mjs";
 
-const snippet = `import * as planck from "planck";
+const snippet = `@language js
+@point world.points $m, separations $s
+import * as planck from "planck";
 
-function shapeOf(vertices, radius, unit) {
-  const scaled = vertices.map(([x, y]) => ({ x: unit * x, y: unit * y }));
-  if (scaled.length === 1) return new planck.CircleShape(scaled[0], radius);
-  if (scaled.length === 2) return Object.assign(new planck.EdgeShape(...scaled), { m_radius: radius });
-  const shape = new planck.PolygonShape(); // filled as it stands: PolygonShape(vertices) would weld
-  vertices.forEach(([x, y], i, all) => {
-    const [u, v] = all[(i + 1) % all.length].map((next, k) => next - [x, y][k]);
-    const length = Math.sqrt(u * u + v * v);
-    shape.m_normals.push({ x: v / length, y: -u / length });
-  });
-  return Object.assign(shape, { m_vertices: scaled, m_count: scaled.length, m_radius: radius });
-}
-
-function body(vertices, radius, position, rotation) {
-  const floats = (list) => list.map(Math.fround);
-  const [c, s] = floats(rotation);
-  const unit = Math.sqrt(c * c + s * s); // what it lacks of 1 goes into the vertices
-  const [x, y] = floats(position);
-  const shape = shapeOf(vertices.map(floats), Math.fround(radius), unit);
-  return [shape, { p: { x, y }, q: { c: c / unit, s: s / unit } }];
-}
-
-const a = body(@a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@);
-const b = body(@b.vertices[]@, @b.radius@, @b.position[]@, @b.rotation[]@);
-// In the order in which its functions take them; a circle before a polygon, say, is turned about.
-const kinds = ["Edge", "Polygon", "Circle"];
-const kind = ([shape]) => kinds.findIndex((name) => shape instanceof planck[name + "Shape"]);
-const [first, second] = kind(a) > kind(b) ? [b, a] : [a, b];
-const [i, j] = [kind(first), kind(second)];
-const name = "Collide" + (i === j ? kinds[i] + "s" : kinds[i] + kinds[j]);
+@each @*.circle? const @* = new planck.CircleShape(@*.unit_vertices({ x: $X, y: $Y })@, @*.wide_radius@);
+@each @*.segment? const @* = new planck.EdgeShape(@*.unit_vertices({ x: $X, y: $Y })@);
+@each @*.segment? @*.m_radius = @*.wide_radius@;
+@each @*.polygon? const @* = Object.assign(new planck.PolygonShape(), { // its constructor would weld vertices
+@each @*.polygon?   m_vertices: [@*.unit_vertices({ x: $X, y: $Y })@],
+@each @*.polygon?   m_normals: [@*.unit_normals({ x: $X, y: $Y })@],
+@each @*.polygon?   m_centroid: { @*.centroid(x: $X, y: $Y)@ }, m_count: @*.count@, m_radius: @*.wide_radius@ });
+@each const at@^ = { p: { @*.position(x: $X, y: $Y)@ }, q: { @*.unit_rotation(c: $X, s: $Y)@ } };
 const manifold = new planck.Manifold();
-planck[name](manifold, ...first, ...second);
-console.log(name, first === a ? "A first" : "B first", manifold.pointCount, "points");
-console.log(manifold.getWorldManifold(
-  null, first[1], first[0].m_radius, second[1], second[0].m_radius));
+@a.polygon? @b.polygon? planck.@asked(CollidePolygons)@(manifold, a, atA, b, atB);
+@a.circle? @b.circle? planck.@asked(CollideCircles)@(manifold, a, atA, b, atB);
+@a.segment? @b.polygon? planck.@asked(CollideEdgePolygon)@(manifold, a, atA, b, atB);
+@a.segment? @b.circle? planck.@asked(CollideEdgeCircle)@(manifold, a, atA, b, atB);
+@a.polygon? @b.circle? planck.@asked(CollidePolygonCircle)@(manifold, a, atA, b, atB);
+@a.polygon? @b.segment? planck.@asked(CollideEdgePolygon)@(manifold, b, atB, a, atA);
+@a.circle? @b.segment? planck.@asked(CollideEdgeCircle)@(manifold, b, atB, a, atA);
+@a.circle? @b.polygon? planck.@asked(CollidePolygonCircle)@(manifold, b, atB, a, atA);
+@a.polygon? @b.segment? @b_first
+@a.circle? @!b.circle? @b_first
+console.log(manifold.pointCount, "points");
+@a.segment? console.log(manifold.getWorldManifold(null, atA, a.m_radius, atB, b.m_radius));
+@a.polygon? @!b.segment? console.log(manifold.getWorldManifold(null, atA, a.m_radius, atB, b.m_radius));
+@a.circle? @b.circle? console.log(manifold.getWorldManifold(null, atA, a.m_radius, atB, b.m_radius));
+@a.polygon? @b.segment? console.log(manifold.getWorldManifold(null, atB, b.m_radius, atA, a.m_radius));
+@a.circle? @!b.circle? console.log(manifold.getWorldManifold(null, atB, b.m_radius, atA, a.m_radius));
 `;
 
 const declaration = {

@@ -6,33 +6,23 @@ await RAPIER.init();
 const { ActiveCollisionTypes, ColliderDesc, RigidBodyDesc, World } = RAPIER;
 
 // `ask` prints how many points there are, and them.
-export const snippetThat = (ask) => `import RAPIER from "@dimforge/rapier2d-compat";
-
+export const snippetThat = (ask) => `@language js
+@none no point of a distance of 0 or less
+import RAPIER from "@dimforge/rapier2d-compat";
 await RAPIER.init();
-const { ActiveCollisionTypes, ColliderDesc, RigidBodyDesc } = RAPIER;
-
-function shapeOf(vertices, radius) {
-  const flat = new Float32Array(vertices.flat());
-  const [[x, y], [u, v] = [0, 0]] = vertices;
-  if (vertices.length === 1) return ColliderDesc.ball(radius).setTranslation(x, y);
-  if (vertices.length === 2 && radius === 0) return ColliderDesc.segment({ x, y }, { x: u, y: v });
-  if (vertices.length > 2 && radius === 0) return ColliderDesc.convexPolyline(flat);
-  if (vertices.length > 2) return ColliderDesc.roundConvexPolyline(flat, radius);
-  return ColliderDesc.capsule(Math.hypot(u - x, v - y) / 2, radius) // along its y axis
-    .setTranslation((x + u) / 2, (y + v) / 2).setRotation(Math.atan2(x - u, v - y));
-}
-
-function colliderOf(desc, body, [x, y], [c, s]) {
-  body.setTranslation(x, y).setRotation(Math.atan2(s, c));
-  desc.setActiveCollisionTypes(ActiveCollisionTypes.ALL);
-  return world.createCollider(desc, world.createRigidBody(body));
-}
-
-const world = new RAPIER.World({ x: 0, y: 0 });
+const { ColliderDesc, RigidBodyDesc } = RAPIER, world = new RAPIER.World({ x: 0, y: 0 });
 world.timestep = 0;
-const a = colliderOf(shapeOf(@a.vertices[]@, @a.radius@), RigidBodyDesc.fixed(), @a.position[]@, @a.rotation[]@);
-const b = colliderOf(shapeOf(@b.vertices[]@, @b.radius@), RigidBodyDesc.kinematicPositionBased(), @b.position[]@, @b.rotation[]@);
-console.log("A keeps", a.vertices(), "B keeps", b.vertices());
+@each @*.circle? const of@^ = ColliderDesc.ball(@*.radius@).setTranslation(@*.vertices($x, $y)@);
+@each @*.segment? @!*.rounded? const of@^ = ColliderDesc.segment(@*.vertices({ x: $x, y: $y })@);
+@each @*.segment? @*.rounded? const [p@^, q@^] = [@*.vertices({ x: $x, y: $y })@]; // a capsule lies along y
+@each @*.segment? @*.rounded? const of@^ = ColliderDesc.capsule(Math.hypot(q@^.x - p@^.x, q@^.y - p@^.y) / 2, @*.radius@)
+@each @*.segment? @*.rounded?   .setTranslation((p@^.x + q@^.x) / 2, (p@^.y + q@^.y) / 2).setRotation(Math.atan2(p@^.x - q@^.x, q@^.y - p@^.y));
+@each @*.polygon? @!*.rounded? const of@^ = ColliderDesc.convexPolyline(new Float32Array([@*.vertices($x, $y)@]));
+@each @*.polygon? @*.rounded? const of@^ = ColliderDesc.roundConvexPolyline(new Float32Array([@*.vertices($x, $y)@]), @*.radius@);
+const bodyA = world.createRigidBody(RigidBodyDesc.fixed().setTranslation(@a.position($x, $y)@).setRotation(Math.atan2(@a.rotation($y, $x)@)));
+const bodyB = world.createRigidBody(RigidBodyDesc.kinematicPositionBased().setTranslation(@b.position($x, $y)@).setRotation(Math.atan2(@b.rotation($y, $x)@)));
+const [a, b] = [[ofA, bodyA], [ofB, bodyB]].map(([of, body]) =>
+  world.createCollider(of.setActiveCollisionTypes(RAPIER.ActiveCollisionTypes.ALL), body));
 ${ask}`;
 
 export const declaration = {

@@ -2,7 +2,8 @@
 import { serve } from "./protocol.mjs";
 import { collidersOf, declaration, snippetThat } from "./rapier2d-bodies.mjs";
 
-const snippet = snippetThat(`const contact = a.contactCollider(b, 0);
+const snippet = snippetThat(`@point point1 $a, point2 $b, distance $s
+const contact = a.@asked(contactCollider)@(b, 0);
 console.log(contact === null ? "0 points" : "1 points", contact);
 `);
 

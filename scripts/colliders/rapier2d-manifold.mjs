@@ -2,15 +2,14 @@
 import { serve, toWorld } from "./protocol.mjs";
 import { collidersOf, declaration, snippetThat } from "./rapier2d-bodies.mjs";
 
-const snippet = snippetThat(`world.step();
-let points = [];
-world.contactPair(a, b, (found, flipped) => {
-  const local = (i) => (flipped ? found.localContactPoint2(i) : found.localContactPoint1(i));
-  const all = Array.from({ length: found.numContacts() }, (_, i) => [local(i), found.contactDist(i)]);
-  points = all.filter(([, distance]) => distance <= 0); // others are for its solver
-  console.log(flipped ? "from B" : "from A", found.normal());
+const snippet = snippetThat(`@point in the world on A $a, contactDist $s
+world.step();
+let found = "0 points";
+world.@asked(contactPair)@(a, b, (manifold, flipped) => { // flipped: 1 is B, 2 is A
+  const dists = [0, 1].slice(0, manifold.numContacts()).map((i) => manifold.contactDist(i));
+  found = [dists.filter((dist) => dist <= 0).length + " points", dists, flipped, manifold.normal()];
 });
-console.log(points.length, "points in A's frame, with distances", points);
+console.log(...[found].flat());
 `);
 
 const manifold = {

@@ -2,18 +2,17 @@
 import SAT from "sat";
 import { serve, versionOf } from "./protocol.mjs";
 
-const snippet = `import SAT from "sat";
+const snippet = `@language js
+import SAT from "sat";
 
-function shapeOf(corners, radius, [x, y], [c, s]) {
-  const at = corners.map(([u, v]) => new SAT.Vector(c * u - s * v + x, s * u + c * v + y));
-  return at.length === 1 ? new SAT.Circle(at[0], radius) : new SAT.Polygon(new SAT.Vector(), at);
-}
-
-const a = shapeOf(@a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@);
-const b = shapeOf(@b.vertices[]@, @b.radius@, @b.position[]@, @b.rotation[]@);
-const kind = (shape) => (shape instanceof SAT.Circle ? "Circle" : "Polygon");
+@each @*.circle? const @* = new SAT.Circle(@*.world(new SAT.Vector($X, $Y))@, @*.wide_radius@);
+@each @!*.circle? const @* = new SAT.Polygon(new SAT.Vector(), [
+@each @!*.circle?   @*.world(new SAT.Vector($X, $Y))@]);
 const response = new SAT.Response(); // its overlapN points from A to B
-const touch = SAT["test" + kind(a) + kind(b)](a, b, response);
+@a.circle? @b.circle? const touch = SAT.@asked(testCircleCircle)@(a, b, response);
+@a.circle? @!b.circle? const touch = SAT.@asked(testCirclePolygon)@(a, b, response);
+@!a.circle? @b.circle? const touch = SAT.@asked(testPolygonCircle)@(a, b, response);
+@!a.circle? @!b.circle? const touch = SAT.@asked(testPolygonPolygon)@(a, b, response);
 console.log(touch ? "they touch" : "no contact", response.overlap, response.overlapN);
 `;
 

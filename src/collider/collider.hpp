@@ -88,7 +88,8 @@ struct Declaration {
   bool alters_shapes = false;     ///< it may make polygons its own, and says what it used
   Tolerance tolerance{};
   std::string tolerance_source{};  ///< where its documentation, or its code, states it
-  std::string snippet{};  ///< of a program that shows one case; report/upstream.cpp fills it in
+  bool normal_from_b = false;      ///< in its own terms; answers here have it from A to B
+  std::string snippet{};  ///< of a program that shows one case; report/upstream fills it in
 };
 
 /// A collider cannot take this input, and says why. Not an error.

@@ -77,14 +77,14 @@ void append_judgement(std::string& line, const Admissible& right, const Collider
 /// A case as its line has it.
 nlohmann::ordered_json case_json(const PairCase& pair);
 
-/// The case as a report to the authors of the collider at fault, in Markdown: version, input, what
-/// it answered, what is right, and a program that shows it. `options` choose the two colliders
-/// again, for one that gives no program of its own. Throws UserError where nobody is at fault.
+/// The case as a report to the authors of the collider at fault, in Markdown of at most 30 lines:
+/// what happens, a program that shows it, what it answers, what is right, what a user sees, and how
+/// to check that by hand. `options` choose the two colliders again, for one that gives no program
+/// of its own. Throws UserError where nobody is at fault.
 std::string upstream_report(const JudgedCase& judged, const std::string& options);
 
-/// A snippet's template with the pair's numbers in it: @a.vertices[]@ becomes [[x,y],...],
-/// @a.vertices{}@ {{x,y},...}; normals, position and rotation (cos, sin) alike; @a.radius@,
-/// @a.count@; b as a.
-std::string filled_in(std::string snippet, const PairCase& pair);
+/// A snippet's template with the pair's numbers in it, and the lines that stand for its shapes;
+/// oracle/external/README.md says how it is written.
+std::string filled_in(const std::string& snippet, const PairCase& pair);
 
 }  // namespace manifuzz

@@ -15,50 +15,26 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "python"))
 
 from protocol import serve  # noqa: E402
 
-SNIPPET = """# godot3-server --no-window -s snippet.gd
+SNIPPET = """@language gdscript
+@no_normal
+@point on A $a, on B $b
+# godot3-server --no-window -s snippet.gd
 extends SceneTree
-
-func shape_of(points, radius):
-	var shape
-	if points.size() == 1:
-		shape = CircleShape2D.new()
-	elif points.size() == 2 and radius > 0:
-		shape = CapsuleShape2D.new()
-		shape.height = points[0].distance_to(points[1])
-	elif points.size() == 2:
-		shape = SegmentShape2D.new()
-		shape.a = points[0]
-		shape.b = points[1]
-	else:
-		shape = ConvexPolygonShape2D.new()
-		shape.points = PoolVector2Array(points)
-	if points.size() == 1 or radius > 0:
-		shape.radius = radius
-	return shape
-
-# Circles and capsules lie about their own origin, capsules along the y axis.
-func transform_of(points, radius, position, rotation):
-	var turn = Transform2D(rotation, Vector2(-rotation.y, rotation.x), position)
-	if points.size() == 1:
-		turn.origin = turn.xform(points[0])
-	elif points.size() == 2 and radius > 0:
-		var up = turn.basis_xform(points[1] - points[0]).normalized()
-		turn = Transform2D(Vector2(up.y, -up.x), up, turn.xform((points[0] + points[1]) / 2))
-	return turn
-
-func vectors(numbers):
-	var all = []
-	for pair in numbers:
-		all.push_back(Vector2(pair[0], pair[1]))
-	return all
-
 func _init():
-	var a = vectors(@a.vertices[]@)
-	var b = vectors(@b.vertices[]@)
-	var pose = vectors([@a.position[]@, @a.rotation[]@, @b.position[]@, @b.rotation[]@])
-	var contacts = shape_of(a, @a.radius@).collide_and_get_contacts(
-		transform_of(a, @a.radius@, pose[0], pose[1]), shape_of(b, @b.radius@),
-		transform_of(b, @b.radius@, pose[2], pose[3]))
+@each 	var at@^ = Transform2D(@*.rotation(Vector2($x, $y), Vector2(-1 * $y, $x))@, @*.position(Vector2($x, $y))@)
+@each @*.circle? 	var @* = CircleShape2D.new()
+@each @*.circle? 	at@^.origin = at@^.xform(@*.vertices(Vector2($x, $y))@)
+@each @*.segment? 	var of@^ = [@*.vertices(Vector2($x, $y))@]
+@each @*.segment? @!*.rounded? 	var @* = SegmentShape2D.new()
+@each @*.segment? @!*.rounded? 	@*.a = of@^[0]; @*.b = of@^[1]
+@each @*.segment? @*.rounded? 	var @* = CapsuleShape2D.new() # it lies along its y axis
+@each @*.segment? @*.rounded? 	@*.height = of@^[0].distance_to(of@^[1]); @*.radius = @*.radius@
+@each @*.segment? @*.rounded? 	var up@^ = at@^.basis_xform(of@^[1] - of@^[0]).normalized()
+@each @*.segment? @*.rounded? 	at@^ = Transform2D(Vector2(up@^.y, -up@^.x), up@^, at@^.xform((of@^[0] + of@^[1]) / 2))
+@each @*.polygon? 	var @* = ConvexPolygonShape2D.new()
+@each @*.polygon? 	@*.points = PoolVector2Array([@*.vertices(Vector2($x, $y))@])
+@each @*.circle? 	@*.radius = @*.radius@
+	var contacts = a.@asked(collide_and_get_contacts)@(atA, b, atB)
 	print((contacts.size() if contacts else 0) / 2, " points, on A and on B: ", contacts)
 	quit()
 """

@@ -24,53 +24,25 @@ public class Dyn4j {
        "second_point": 0.2003348423231196, "points": "clip", "normal": "b_to_a"}""";
 
   private static final String SNIPPET = """
-      import org.dyn4j.collision.manifold.*;
-      import org.dyn4j.collision.narrowphase.*;
-      import org.dyn4j.geometry.*;
-
+      @language java
+      @point getPoint() $p, getDepth() $d
+      import org.dyn4j.collision.manifold.*; import org.dyn4j.collision.narrowphase.*; import org.dyn4j.geometry.*;
       public class Snippet {
-        static Convex shapeOf(double[][] vertices, double radius, double unit) {
-          Vector2[] at = new Vector2[vertices.length];
-          for (int i = 0; i < at.length; ++i) {
-            at[i] = new Vector2((float) vertices[i][0], (float) vertices[i][1]).multiply(unit);
-          }
-          if (at.length > 2) return new Polygon(at);
-          if (at.length == 2 && radius == 0) return new Segment(at[0], at[1]);
-          Convex shape = new Circle((float) radius);
-          Vector2 centre = at[0];
-          if (at.length == 2) {
-            shape = new Capsule(at[0].distance(at[1]) + 2 * (float) radius, 2 * (float) radius);
-            shape.rotate(Rotation.of(at[0].to(at[1])));
-            centre = at[0].sum(at[1]).multiply(0.5);
-          }
-          shape.translate(centre);
-          return shape;
-        }
-
-        // What the rotation lacks of a unit vector goes into the vertices.
-        static double unitOf(double[] rotation) {
-          return Math.hypot((float) rotation[0], (float) rotation[1]);
-        }
-
-        static Transform poseOf(double[] position, double[] rotation) {
-          Transform pose = new Transform();
-          pose.setRotation(Rotation.of(new Vector2((float) rotation[0], (float) rotation[1])));
-          pose.setTranslation((float) position[0], (float) position[1]);
-          return pose;
-        }
-
         public static void main(String[] arguments) {
-          double[] turnA = @a.rotation{}@, turnB = @b.rotation{}@;
-          Convex a = shapeOf(new double[][] @a.vertices{}@, @a.radius@, unitOf(turnA));
-          Convex b = shapeOf(new double[][] @b.vertices{}@, @b.radius@, unitOf(turnB));
-          Transform atA = poseOf(new double[] @a.position{}@, turnA);
-          Transform atB = poseOf(new double[] @b.position{}@, turnB);
-          Penetration penetration = new Penetration();
-          Manifold manifold = new Manifold();
-          boolean overlap = new %s().detect(a, atA, b, atB, penetration);
-          System.out.println(overlap + ", " + penetration);
-          if (overlap) new ClippingManifoldSolver().getManifold(penetration, a, atA, b, atB, manifold);
-          System.out.println(manifold.getPoints().size() + " points, " + manifold);
+      @each @*.circle?     Circle @* = new Circle(@*.wide_radius@);
+      @each @*.circle?     @*.translate(@*.unit_vertices($X, $Y)@);
+      @each @*.segment? @!*.rounded?     Segment @* = new Segment(@*.unit_vertices(new Vector2($X, $Y))@);
+      @each @*.segment? @*.rounded?     Vector2[] of@^ = {@*.unit_vertices(new Vector2($X, $Y))@};
+      @each @*.segment? @*.rounded?     Capsule @* = new Capsule(of@^[0].distance(of@^[1]) + 2 * @*.wide_radius@, 2 * @*.wide_radius@);
+      @each @*.segment? @*.rounded?     @*.rotate(Rotation.of(of@^[0].to(of@^[1]))); @*.translate(of@^[0].sum(of@^[1]).multiply(0.5));
+      @each @*.polygon?     Polygon @* = new Polygon(@*.unit_vertices(new Vector2($X, $Y))@);
+          Transform atA = new Transform(), atB = new Transform();
+      @each @*.turned?     at@^.setRotation(Rotation.of(new Vector2(@*.rotation($X, $Y)@)));
+      @each @*.moved?     at@^.setTranslation(@*.position($X, $Y)@);
+          Penetration found = new Penetration(); Manifold manifold = new Manifold();
+          if (new %s().@asked(detect)@(a, atA, b, atB, found))
+            new ClippingManifoldSolver().getManifold(found, a, atA, b, atB, manifold);
+          System.out.println(manifold.getPoints().size() + " points, " + manifold + ", " + found);
         }
       }
       """;

@@ -22,76 +22,41 @@ public class Jbox2d {
        "normal": "a_to_b"}""";
 
   private static final String SNIPPET = """
-      import org.jbox2d.collision.*;
-      import org.jbox2d.collision.shapes.*;
-      import org.jbox2d.common.*;
-      import org.jbox2d.pooling.normal.DefaultWorldPool;
-
+      @language java
+      @point world.points $m
+      import org.jbox2d.collision.*; import org.jbox2d.collision.shapes.*; import org.jbox2d.common.*;
       public class Snippet {
-        static Vec2 at(double[] place) {
-          return new Vec2((float) place[0], (float) place[1]);
-        }
-
-        static Shape shapeOf(double[][] vertices, double radius) {
-          Shape shape;
-          if (vertices.length == 1) {
-            shape = new CircleShape();
-            ((CircleShape) shape).m_p.set(at(vertices[0]));
-          } else if (vertices.length == 2) {
-            shape = new EdgeShape();
-            ((EdgeShape) shape).set(at(vertices[0]), at(vertices[1]));
-          } else { // filled as it stands: PolygonShape.set would weld and reorder
-            PolygonShape polygon = new PolygonShape();
-            polygon.m_count = vertices.length;
-            for (int i = 0; i < vertices.length; ++i) {
-              Vec2 edge = at(vertices[(i + 1) % vertices.length]).sub(at(vertices[i]));
-              double length = Math.hypot(edge.x, edge.y);
-              polygon.m_vertices[i].set(at(vertices[i]));
-              polygon.m_normals[i].set((float) (edge.y / length), (float) (-edge.x / length));
-            }
-            polygon.computeCentroidToOut(polygon.m_vertices, polygon.m_count, polygon.m_centroid);
-            shape = polygon;
-          }
-          shape.m_radius = (float) radius;
-          return shape;
-        }
-
-        static Transform poseOf(double[] position, double[] rotation) {
-          Transform pose = new Transform();
-          pose.p.set(at(position));
-          pose.q.c = (float) rotation[0];
-          pose.q.s = (float) rotation[1];
-          return pose;
-        }
-
         public static void main(String[] arguments) {
-          Shape a = shapeOf(new double[][] @a.vertices{}@, @a.radius@);
-          Shape b = shapeOf(new double[][] @b.vertices{}@, @b.radius@);
-          Transform atA = poseOf(new double[] @a.position{}@, new double[] @a.rotation{}@);
-          Transform atB = poseOf(new double[] @b.position{}@, new double[] @b.rotation{}@);
-          // In the order in which its functions take them: edges, polygons, circles.
-          boolean swap = a instanceof CircleShape && !(b instanceof CircleShape)
-              || b instanceof EdgeShape && !(a instanceof EdgeShape);
-          Shape one = swap ? b : a, two = swap ? a : b;
-          Transform atOne = swap ? atB : atA, atTwo = swap ? atA : atB;
-          Collision collision = new Collision(new DefaultWorldPool(10, 10));
-          Manifold manifold = new Manifold();
-          if (one instanceof EdgeShape edge && two instanceof PolygonShape polygon) {
-            collision.collideEdgeAndPolygon(manifold, edge, atOne, polygon, atTwo);
-          } else if (one instanceof EdgeShape edge && two instanceof CircleShape circle) {
-            collision.collideEdgeAndCircle(manifold, edge, atOne, circle, atTwo);
-          } else if (one instanceof PolygonShape first && two instanceof PolygonShape second) {
-            collision.collidePolygons(manifold, first, atOne, second, atTwo);
-          } else if (one instanceof PolygonShape polygon && two instanceof CircleShape circle) {
-            collision.collidePolygonAndCircle(manifold, polygon, atOne, circle, atTwo);
-          } else if (one instanceof CircleShape first && two instanceof CircleShape second) {
-            collision.collideCircles(manifold, first, atOne, second, atTwo);
-          }
-          WorldManifold world = new WorldManifold();
-          world.initialize(manifold, atOne, one.m_radius, atTwo, two.m_radius);
-          System.out.println(manifold.pointCount + " points, normal " + world.normal
-              + (swap ? " from B to A" : " from A to B"));
-          for (int i = 0; i < manifold.pointCount; ++i) System.out.println(world.points[i]);
+      @each @*.circle?     CircleShape @* = new CircleShape();
+      @each @*.circle?     @*.m_p.set(@*.vertices($xf, $yf)@);
+      @each @*.segment?     EdgeShape @* = new EdgeShape();
+      @each @*.segment?     @*.set(@*.vertices(new Vec2($xf, $yf))@);
+      @each @*.polygon?     PolygonShape @* = new PolygonShape(); @*.m_count = @*.count@; @*.m_radius = @*.radius@f; // set would weld
+      @each @*.polygon?     Vec2[] of@^ = {@*.vertices(new Vec2($xf, $yf))@}, out@^ = {@*.normals(new Vec2($xf, $yf))@};
+      @each @*.polygon?     for (int i = 0; i < @*.count@; ++i) { @*.m_vertices[i].set(of@^[i]); @*.m_normals[i].set(out@^[i]); }
+      @each @a.segment? @*.polygon?     @*.computeCentroidToOut(@*.m_vertices, @*.count@, @*.m_centroid);
+      @each @b.segment? @*.polygon?     @*.computeCentroidToOut(@*.m_vertices, @*.count@, @*.m_centroid);
+      @each @!*.polygon?     @*.m_radius = @*.radius@f;
+          Transform atA = new Transform(@a.position(new Vec2($xf, $yf))@, new Rot()), atB = new Transform(@b.position(new Vec2($xf, $yf))@, new Rot());
+      @each @*.turned?     @*.rotation(at@^.q.c = $xf; at@^.q.s = $yf;)@
+          var collision = new Collision(new org.jbox2d.pooling.normal.DefaultWorldPool(10, 10));
+          Manifold manifold = new Manifold(); WorldManifold world = new WorldManifold();
+      @a.polygon? @b.segment? @b_first
+      @a.circle? @!b.circle? @b_first
+      @a.polygon? @b.polygon?     collision.@asked(collidePolygons)@(manifold, a, atA, b, atB);
+      @a.circle? @b.circle?     collision.@asked(collideCircles)@(manifold, a, atA, b, atB);
+      @a.segment? @b.polygon?     collision.@asked(collideEdgeAndPolygon)@(manifold, a, atA, b, atB);
+      @a.segment? @b.circle?     collision.@asked(collideEdgeAndCircle)@(manifold, a, atA, b, atB);
+      @a.polygon? @b.circle?     collision.@asked(collidePolygonAndCircle)@(manifold, a, atA, b, atB);
+      @a.polygon? @b.segment?     collision.@asked(collideEdgeAndPolygon)@(manifold, b, atB, a, atA);
+      @a.circle? @b.segment?     collision.@asked(collideEdgeAndCircle)@(manifold, b, atB, a, atA);
+      @a.circle? @b.polygon?     collision.@asked(collidePolygonAndCircle)@(manifold, b, atB, a, atA);
+      @a.segment?     world.initialize(manifold, atA, a.m_radius, atB, b.m_radius);
+      @a.polygon? @!b.segment?     world.initialize(manifold, atA, a.m_radius, atB, b.m_radius);
+      @a.circle? @b.circle?     world.initialize(manifold, atA, a.m_radius, atB, b.m_radius);
+      @a.polygon? @b.segment?     world.initialize(manifold, atB, b.m_radius, atA, a.m_radius);
+      @a.circle? @!b.circle?     world.initialize(manifold, atB, b.m_radius, atA, a.m_radius);
+          System.out.println(manifold.pointCount + " points, normal " + world.normal + java.util.List.of(world.points));
         }
       }
       """;

@@ -4,27 +4,20 @@ from pymunk._chipmunk_cffi import ffi, lib
 
 from protocol import serve
 
-SNIPPET = '''import struct
+SNIPPET = '''@language python
+@point point $p, distance $s
 from pymunk._chipmunk_cffi import ffi, lib
 
-def shape(vertices, radius, position, rotation):
-    near = lambda numbers: struct.unpack("2f", struct.pack("2f", *numbers))  # as floats
-    vertices, (radius, _), (c, s) = [near(v) for v in vertices], near((radius, 0)), near(rotation)
-    make = {1: lambda: lib.cpCircleShapeNew(ffi.NULL, radius, vertices[0]),
-            2: lambda: lib.cpSegmentShapeNew(ffi.NULL, *vertices, radius)}
-    # As it stands: pymunk.Poly would take the hull.
-    polygon = lambda: lib.cpPolyShapeNewRaw(ffi.NULL, len(vertices), vertices, radius)
-    made = make.get(len(vertices), polygon)()
-    lib.cpShapeUpdate(made, (c, s, -s, c, *near(position)))
-    return made
-
-a = shape(@a.vertices[]@, @a.radius@, @a.position[]@, @a.rotation[]@)
-b = shape(@b.vertices[]@, @b.radius@, @b.position[]@, @b.rotation[]@)
-found = lib.cpShapesCollide(a, b)  # what Shape.shapes_collide calls
-print(found.count, "points, normal", (found.normal.x, found.normal.y))
-for point in found.points[0:found.count]:
-    print((point.pointA.x, point.pointA.y), "on A", (point.pointB.x, point.pointB.y), "on B,",
-          "distance", point.distance)
+@each @*.circle? @* = lib.cpCircleShapeNew(ffi.NULL, @*.wide_radius@, @*.vertices(($X, $Y))@)
+@each @*.segment? @* = lib.cpSegmentShapeNew(ffi.NULL, @*.vertices(($X, $Y))@, @*.wide_radius@)
+@each @*.polygon? # pymunk.Poly would take the hull; this is what it calls
+@each @*.polygon? @* = lib.cpPolyShapeNewRaw(ffi.NULL, @*.count@, [@*.vertices(($X, $Y))@], @*.wide_radius@)
+@each @!*.placed? lib.cpShapeUpdate(@*, (1, 0, 0, 1, 0, 0))  # cos, sin, -sin, cos, x, y
+@each @*.placed? lib.cpShapeUpdate(@*, (@*.rotation($X, $Y, -1 * $Y, $X)@, @*.position($X, $Y)@))
+set = lib.@asked(cpShapesCollide)@(a, b)  # what Shape.shapes_collide calls
+print(set.count, "points, normal", (set.normal.x, set.normal.y))
+for point in set.points[0:set.count]:
+    print((point.pointA.x, point.pointA.y), (point.pointB.x, point.pointB.y), point.distance)
 '''
 
 DECLARATION = {"name": "pymunk", "version": pymunk.version, "scalar": "float64", "frame": "world",

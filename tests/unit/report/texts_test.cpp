@@ -1,6 +1,9 @@
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "base/text.hpp"
+#include "report/upstream/parts.hpp"
 #include "report/words.hpp"
 #include "unit/report/sample.hpp"
 
@@ -164,16 +167,74 @@ TEST_CASE("a snippet's placeholders become the case's numbers") {
   CHECK(filled_in("@a.vertices{}@", pair).starts_with("{{"));
 }
 
+TEST_CASE("a snippet's numbers in forms, of floats and of doubles") {
+  PairCase pair = test::box_on_box(0.25F);
+  pair.b.polygon.radius = 0.1F;
+  pair.b.pose.position = {0.1F, -2};
+  pair.b.pose.rotation = {0, 1};
+  CHECK(filled_in("f(@b.position({ x: $x, y: $y })@)", pair) == "f({ x: 0.1, y: -2 })");
+  CHECK(filled_in("@b.position($X, $Y)@", pair) == "0.10000000149011612, -2");
+  CHECK(filled_in("@b.radius@ @b.wide_radius@", pair) == "0.1 0.10000000149011612");
+  CHECK(filled_in("@a.vertices(v($x, $y))@", pair) == "v(-1, -1), v(1, -1), v(1, 1), v(-1, 1)");
+  CHECK(filled_in("@a.unit_normals([$X])@", pair) == "[0], [1], [0], [-1]");
+  CHECK(filled_in("@a.centroid($X, $Y)@ @b.unit_rotation($X, $Y)@", pair) == "0, 0 0, 1");
+  CHECK(filled_in("@a.world($X)@", pair) == "-1, 1, 1, -1");
+}
+
+TEST_CASE("a snippet's lines stand where their conditions hold") {
+  PairCase pair = test::box_on_box(0.25F);
+  pair.b.pose.position = {0, 1};
+  const std::string snippet =
+      "@a.circle? circle\n  @a.polygon? polygon\n@a.polygon? @b.segment? both\n"
+      "@a.polygon? @!b.segment? not both\n@a.placed? a\n@b.placed? b\n@b.turned? turned\n"
+      "@b.moved? moved\n@!a.rounded? sharp\n@each @*.polygon? @* is @^, @*.count(\nend";
+  CHECK(filled_in(snippet, pair) ==
+        "  polygon\nnot both\nb\nmoved\nsharp\na is A, @a.count(\nb is B, @b.count(\nend");
+}
+
+TEST_CASE("a snippet says of its engine what the report needs") {
+  const Program program =
+      program_for("@language js\n@point at $p\n@no_normal\n@b_first\nlib.@asked(collide)@(1);\n",
+                  test::box_on_box(0.25F));
+  CHECK(program.text == "lib.collide(1);\n");
+  CHECK(program.function == "collide");
+  CHECK(program.language == "js");
+  CHECK(program.point == "at $p");
+  CHECK_FALSE(program.has_normal);
+  CHECK(program.is_b_first);
+}
+
 TEST_CASE("a report says what was got, what is right, and how to see it") {
   JudgedCase judged = test::judged_case(test::box_on_box(0.25F), "clip", "box2d");
   CHECK_THROWS_AS(upstream_report(judged, "--subject clip"), UserError);
   judged.oracle.answer = Manifold<double>{};
   judged.judgement = judge(judged.given.pair, {judged.subject.declaration, judged.subject.answer},
                            {judged.oracle.declaration, judged.oracle.answer});
+  judged.given.expect.emplace().severity = 0.5;
   const std::string report = upstream_report(judged, "--subject clip");
-  CHECK(report.starts_with("# box2d 2.4.1: oracle wrong"));
-  CHECK(report.find("## Got\n\n```\nno contact") != std::string::npos);
-  CHECK(report.find("depth 0.25") != std::string::npos);
-  CHECK(report.find("b2CollidePolygons(&manifold") != std::string::npos);
+  INFO(report);
+  CHECK(
+      report.starts_with("# 4-gons that overlap by 0.25 have no contact\n\n"
+                         "box2d 2.4.1, `b2CollidePolygons`.\n"));
+  CHECK(std::ranges::count(report, '\n') <= 30);
+  CHECK_THAT(report, Contains("b2CollidePolygons(&manifold, &a, atA, &b, atB);\n"));
+  CHECK_THAT(report, Contains("- Got: no contact.\n- Expected: normal (0, -1) from A to B; "
+                              "world.points (0.5, -0.875), separations -0.25; "));
+  CHECK_THAT(report, Contains("- Users see: nothing holds the bodies apart"));
+  CHECK_THAT(report, Contains("each way, 50 % fail too.\n"));
+  CHECK_THAT(report, Contains("- By hand: the face of A from (-1, -1) to (1, -1) has the outward "
+                              "normal (0, -1), and B's vertex "));
+  CHECK_THAT(report, Contains("0.25 behind it; so they overlap by 0.25"));
   CHECK(report.find('@') == std::string::npos);
+}
+
+TEST_CASE("every kind of finding has a title with figures, and what users see") {
+  JudgedCase judged = test::judged_case(test::box_on_box(0.25F), "clip", "box2d");
+  judged.judgement.magnitude = 0.5;
+  for (std::size_t kind = 1; kind < kKindNames.size(); ++kind) {
+    CAPTURE(kKindNames[kind]);
+    judged.judgement.bucket.kind = static_cast<Kind>(kind);
+    CHECK_THAT(upstream_title(judged, judged.oracle), Contains("4-gons that overlap by 0.25"));
+    CHECK(seen_by_users(judged, judged.oracle).size() > 20);
+  }
 }

@@ -15,7 +15,6 @@ const ABS_TOL: f64 = 0.01_f32 as f64;
 
 pub const COMMON: Declaration = Declaration {
     tie_bias: ABS_TOL / REL_TOL,
-    snippet: concat!(include_str!("snippet.rs"), "\0").as_ptr().cast(),
     claims: Claims {
         tie_bias_relative: 1.0 - 1.0 / REL_TOL,
         tie_bias_towards: REFERENCE_B,

@@ -1,50 +1,23 @@
-// cargo add parry2d@0.30.2; of parry2d-f64, its name and f64.
-use parry2d::math::{Pose, Rot2, Vector};
-use parry2d::query::{ContactManifold, DefaultQueryDispatcher, PersistentQueryDispatcher};
-use parry2d::shape::{Ball, Capsule, ConvexPolygon, RoundShape, Segment, Shape};
-type Real = f32;
-
-fn floats(text: &str) -> Vec<Real> {
-    let numbers = text.split(['[', ']', ',', ' ']).filter(|number| !number.is_empty());
-    numbers.map(|number| number.parse::<f32>().unwrap() as Real).collect()
-}
-
-fn body(vertices: &str, radius: &str, position: &str, rotation: &str) -> (Box<dyn Shape>, Pose) {
-    let (radius, p, q) = (floats(radius)[0], floats(position), floats(rotation));
-    // In doubles, what the rotation lacks of length 1 goes into the vertices.
-    let unit = if Real::DIGITS > 6 { q[0].hypot(q[1]) } else { 1.0 };
-    let rotation = Rot2::from_cos_sin_unchecked(q[0] / unit, q[1] / unit);
-    let mut pose = Pose::from_parts(Vector::new(p[0], p[1]), rotation);
-    let numbers = floats(vertices);
-    let corners: Vec<_> = numbers.chunks(2).map(|v| unit * Vector::new(v[0], v[1])).collect();
-    let shape: Box<dyn Shape> = match corners[..] {
-        [centre] => {
-            pose.translation = pose * centre;
-            Box::new(Ball::new(radius))
-        }
-        [a, b] if radius == 0.0 => Box::new(Segment::new(a, b)),
-        [a, b] => Box::new(Capsule::new(a, b, radius)),
-        _ => {
-            // parry2d-simplified: from_convex_polyline
-            let inner_shape = ConvexPolygon::from_convex_polyline_unmodified(corners).unwrap();
-            match radius > 0.0 {
-                true => Box::new(RoundShape { inner_shape, border_radius: radius }),
-                false => Box::new(inner_shape),
-            }
-        }
-    };
-    (shape, pose)
-}
-
+@language rust
+@none no point of a dist of 0 or less
+@point local_p1 in the world $a, local_p2 in the world $b, dist $s
+// cargo add parry2d@0.30.2
+use parry2d::{math::*, query::*, shape::*};
 fn main() {
-    let (a, at) = body("@a.vertices[]@", "@a.radius@", "@a.position[]@", "@a.rotation[]@");
-    let (b, bt) = body("@b.vertices[]@", "@b.radius@", "@b.position[]@", "@b.rotation[]@");
-    let mut manifold = ContactManifold::<(), ()>::new();
-    DefaultQueryDispatcher
-        .contact_manifold_convex_convex(&at.inv_mul(&bt), &*a, &*b, None, None, 0.0, &mut manifold)
-        .unwrap();
-    println!("{} points, normal {:?}", manifold.points.len(), at.rotation * manifold.local_n1);
-    for point in &manifold.points {
-        println!("{:?} on A, {:?} on B, {}", at * point.local_p1, bt * point.local_p2, point.dist);
+@each     let at_@* = Pose::from_parts(@*.position(Vector::new($x_f32, $y_f32))@,
+@each         @*.rotation(Rot2::from_cos_sin_unchecked($x_f32, $y_f32))@);
+@each @*.circle?     let at_@* = Pose::from_parts(at_@* * @*.vertices(Vector::new($x_f32, $y_f32))@, at_@*.rotation);
+@each @*.circle?     let @* = Ball::new(@*.radius@_f32);
+@each @*.segment? @!*.rounded?     let @* = Segment::new(@*.vertices(Vector::new($x_f32, $y_f32))@);
+@each @*.segment? @*.rounded?     let @* = Capsule::new(@*.vertices(Vector::new($x_f32, $y_f32))@, @*.radius@_f32);
+@each @*.polygon?     let @* = ConvexPolygon::from_convex_polyline_unmodified(
+@each @*.polygon?         vec![@*.vertices(Vector::new($x_f32, $y_f32))@]).unwrap();
+@each @*.polygon? @*.rounded?     let @* = RoundShape { inner_shape: @*, border_radius: @*.radius@_f32 };
+    let mut found = ContactManifold::<(), ()>::new();
+    DefaultQueryDispatcher.@asked(contact_manifold_convex_convex)@(
+        &at_a.inv_mul(&at_b), &a, &b, None, None, 0.0, &mut found).unwrap();
+    println!("{} points, normal {:?}", found.points.len(), at_a.rotation * found.local_n1);
+    for p in &found.points {
+        println!("{:?} {:?} {}", at_a * p.local_p1, at_b * p.local_p2, p.dist);
     }
 }

@@ -77,7 +77,8 @@ inline constexpr std::array kOfBox2d3{
                 .source = "Box2D 3.2.0, src/manifold.c, b2CollidePolygons and b2CollideCapsules: a "
                           "single point between the nearest vertices",
                 .budgets = kOfBox2d3OnePointBetweenCorners,
-                .explains = one_point_between_corners},
+                .explains = one_point_between_corners,
+                .is_by_design = true},
     LedgerEntry{.id = "box2d3-face-within-slop",
                 .collider = "box2d3",
                 .description = "a face's normal though corners beside it are nearer, by up to "

@@ -104,7 +104,8 @@ inline constexpr std::array kOfBox2d{
         .source = "Box2D 2.4.1, src/collision/b2_collide_edge.cpp, b2CollideEdgeAndPolygon: "
                   "k_relativeTol = 0.98f, k_absoluteTol = 0.001f",
         .budgets = kOfEdgeHysteresis,
-        .explains = edge_face_kept_by_hysteresis},
+        .explains = edge_face_kept_by_hysteresis,
+        .is_by_design = true},
     LedgerEntry{.id = "box2d-coincident-points",
                 .collider = "box2d",
                 .description = "a normal along the world's x axis, into the edge: a circle's "

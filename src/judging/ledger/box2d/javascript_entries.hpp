@@ -94,7 +94,8 @@ inline constexpr std::array kOfJavaScript{
                           "CollideEdgePolygon: front = offset1 >= 0.0; polygonAxis.separation > "
                           "k_relativeTol * edgeAxis.separation + k_absoluteTol",
                 .budgets = kOfPlanckEdgeHysteresis,
-                .explains = planck_edge_hysteresis},
+                .explains = planck_edge_hysteresis,
+                .is_by_design = true},
     LedgerEntry{.id = "planck-axis-within-epsilon",
                 .collider = "planck",
                 .description = "a normal along the world's x axis: a circle's centre is within "
@@ -211,7 +212,8 @@ inline constexpr std::array kOfJavaScript{
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons and "
                           "b2CollideCapsules: a single point between the nearest vertices",
                 .budgets = kOfPhaserOnePointBetweenCorners,
-                .explains = one_point_between_corners},
+                .explains = one_point_between_corners,
+                .is_by_design = true},
     LedgerEntry{.id = "phaser-box2d-direction-of-roundings",
                 .collider = "phaser-box2d",
                 .description = "a circle's centre all but on a capsule's core: the normal is the "

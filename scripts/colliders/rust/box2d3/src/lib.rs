@@ -17,7 +17,7 @@ const OURS: Declaration = Declaration {
     version: c"3.2.0".as_ptr(),
     rounds_in: FRAME_OF_A,
     points: MIDPOINTS,
-    snippet: concat!(include_str!("snippet.rs"), "\0").as_ptr().cast(),
+    snippet: concat!(include_str!("snippet.c"), "\0").as_ptr().cast(),
     claims: Claims { vertices_min: 1, takes_round: 1, ..CLAIMS },
     ..DECLARATION
 };

@@ -10,7 +10,7 @@ use parry::shape::ConvexPolygon;
 const OURS: Declaration = Declaration {
     name: c"parry2d-f64".as_ptr(),
     scalar: FLOAT64,
-    snippet: concat!(include_str!("../../parry/snippet.rs"), "\0").as_ptr().cast(),
+    snippet: concat!(include_str!("../../parry/snippet_f64.rs"), "\0").as_ptr().cast(),
     ..COMMON
 };
 

@@ -11,7 +11,7 @@ use parry::shape::ConvexPolygon;
 const OURS: Declaration = Declaration {
     name: c"parry2d-simplified".as_ptr(),
     scalar: FLOAT32,
-    snippet: concat!(include_str!("../../parry/snippet.rs"), "\0").as_ptr().cast(),
+    snippet: concat!(include_str!("../../parry/snippet_simplified.rs"), "\0").as_ptr().cast(),
     claims: Claims { alters_shapes: 1, ..COMMON.claims },
     ..COMMON
 };

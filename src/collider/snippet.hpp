@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace manifuzz {
+
+/// What a snippet's template may ask for of either body; oracle/external/README.md says what each
+/// is.
+inline constexpr std::array<std::string_view, 13> kSnippetKeys{
+    "vertices",      "normals",       "position",     "rotation",    "radius",   "count", "world",
+    "unit_vertices", "unit_rotation", "unit_normals", "wide_radius", "centroid", "reach"};
+
+/// On what a line of it may depend.
+inline constexpr std::array<std::string_view, 7> kSnippetConditions{
+    "circle", "segment", "polygon", "rounded", "moved", "turned", "placed"};
+
+}  // namespace manifuzz

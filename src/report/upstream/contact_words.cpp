@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "oracle/exact/curve.hpp"
+#include "report/round_truth.hpp"
+#include "report/upstream/parts.hpp"
+#include "report/words.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// A contact in the world, in one engine's terms.
+class EngineTerms {
+ public:
+  EngineTerms(const PairCase& pair, const Declaration& declaration, const Program& program)
+      : pair_(pair), declaration_(declaration), program_(program) {}
+
+  std::string normal(const Vector2<double>& local) const {
+    const bool from_b = declaration_.normal_from_b != program_.is_b_first;
+    const Vector2<double> world = world_normal(pair_, local);
+    const Vector2<double> own = from_b ? Vector2<double>(-world) : world;
+    std::string text = "normal " + place_text(own);
+    const double length = world.norm();
+    const double lacking = 1 - length;
+    // Beyond what a unit normal rounds to.
+    const double rounding = declaration_.scalar == ScalarType::float32 ? 0x1p-20 : 0x1p-49;
+    if (std::abs(lacking) > 1e-3) {
+      text += " of length " + short_figure(length);
+    } else if (std::abs(lacking) > rounding) {
+      text += fmt::format(" of length 1 {} {}", lacking > 0 ? '-' : '+',
+                          short_figure(std::abs(lacking)));
+    }
+    return fmt::format("{} from {}", text, from_b ? "B to A" : "A to B");
+  }
+
+  /// `on`: on whose surface, or the middle where there is none.
+  std::string point(const Vector2<double>& world_place, double depth, std::optional<Side> on,
+                    const Vector2<double>& world_unit, bool is_clamped) const {
+    const double back = on ? 0.0 : depth / 2;
+    const Vector2<double> on_a =
+        on == Side::b ? world_place + depth * world_unit : world_place + back * world_unit;
+    const Vector2<double> on_b = on_a - depth * world_unit;
+    std::string text = program_.point;
+    boost::replace_all(text, "$p", place_text(world_place));
+    boost::replace_all(text, "$m", place_text(0.5 * (on_a + on_b)));
+    boost::replace_all(text, "$a", place_text(on_a));
+    boost::replace_all(text, "$b", place_text(on_b));
+    boost::replace_all(text, "$d", figure(depth));
+    boost::replace_all(text, "$s", is_clamped && depth == 0 ? "of 0 or above" : figure(-depth));
+    return text;
+  }
+
+  /// Of the engine's own answer, whose points lie where it declares.
+  std::string got(const Manifold<double>& manifold) const {
+    if (!is_judged_by_curve(declaration_, pair_))
+      return contact(manifold, manifold.reference, true);
+    switch (declaration_.points) {
+      case PointsAt::midpoint:
+        return contact(manifold, std::nullopt, true);
+      case PointsAt::surface_a:
+        return contact(manifold, Side::b, true);  // the incident side's
+      case PointsAt::surface_b:
+        return contact(manifold, Side::a, true);
+      default:  // of round shapes on the second's surface
+        return contact(manifold, program_.is_b_first ? Side::b : Side::a, true);
+    }
+  }
+
+  /// `reference`: points are on the other side's surface, or core where corners are mitred.
+  /// `is_clamped`: a depth of 0 may stand for less.
+  std::string contact(const Manifold<double>& manifold, std::optional<Side> reference,
+                      bool is_clamped) const {
+    if (manifold.count <= 0) return program_.none;
+    const Vector2<double> normal_there = world_normal(pair_, manifold.normal);
+    const double length = normal_there.norm();
+    const Vector2<double> unit = length > 0 ? normal_there / length : Vector2<double>(0, 0);
+    std::vector<std::string> parts;
+    if (program_.has_normal) parts.push_back(normal(manifold.normal));
+    for (int i = 0; i < std::min(manifold.count, 2); ++i) {
+      const auto& [local, depth, features] = manifold.points[i];
+      Vector2<double> at = to_world(pair_, local);
+      std::optional<Side> on;
+      if (reference) {
+        on = other(*reference);
+        if (!is_round(pair_)) {
+          const auto radius = static_cast<double>(pair_[*on].polygon.radius);
+          at += (*on == Side::a ? radius : -radius) * unit;
+        }
+      }
+      parts.push_back(point(at, depth, on, unit, is_clamped));
+    }
+    return fmt::format("{}", fmt::join(parts, "; "));
+  }
+
+  std::string penetration(const Penetration& said) const {
+    if (!said.touches) return none();
+    if (!said.normal) return "contact";
+    return fmt::format("{}; overlap {}", normal(*said.normal), figure(said.depth));
+  }
+
+  const std::string& none() const { return program_.none; }
+
+ private:
+  std::string figure(double value) const {
+    const bool is_float = declaration_.scalar == ScalarType::float32;
+    return is_float ? fmt::format("{:.7g}", value + 0.0) : fmt::format("{:.9g}", value + 0.0);
+  }
+
+  std::string place_text(const Vector2<double>& place) const {
+    const Vector2<double> plain = without_negative_zeros(place);
+    return fmt::format("({}, {})", figure(plain.x()), figure(plain.y()));
+  }
+
+  const PairCase& pair_;
+  const Declaration& declaration_;
+  const Program& program_;
+};
+
+std::string in_terms(const EngineTerms& terms, const Declaration& declaration,
+                     const Manifold<double>& right) {
+  if (declaration.claims == Claims::manifold || declaration.claims == Claims::point) {
+    return terms.contact(right, right.reference, false);
+  }
+  if (right.count == 0) return terms.none();
+  if (declaration.claims == Claims::touching) return "contact";
+  Penetration penetration{.touches = true, .normal = right.normal, .depth = right.points[0].depth};
+  if (right.count > 1) penetration.depth = std::max(penetration.depth, right.points[1].depth);
+  return terms.penetration(penetration);
+}
+
+/// Of several that are right, the one that is nearest to what was got: its normal is.
+const Manifold<double>& nearest_to(const std::vector<Manifold<double>>& right, const Claim& got) {
+  const auto distance = [&](const Manifold<double>& one) {
+    if (!got.touches || !got.normal || one.count == 0) return one.count == 0 ? INFINITY : 0.0;
+    return (one.normal - *got.normal).norm();
+  };
+  return *std::ranges::min_element(right, {}, distance);
+}
+
+}  // namespace
+
+std::string short_figure(double value) {
+  return fmt::format("{:.4g}", value + 0.0);
+}
+
+Claim claim_of(const Answer& answer) {
+  if (const auto* const said = std::get_if<Penetration>(&answer)) {
+    return {.touches = said->touches, .normal = said->normal, .depth = said->depth};
+  }
+  const Manifold<double>* const manifold = manifold_in(answer);
+  if (manifold == nullptr || manifold->count <= 0) return {};
+  const auto& [first, second] = manifold->points;
+  const int count = std::min(manifold->count, 2);
+  return {.touches = true,
+          .normal = manifold->normal,
+          .depth = count > 1 ? std::max(first.depth, second.depth) : first.depth,
+          .points = count};
+}
+
+double true_depth(const PairCase& pair) {
+  return total_radius(pair) - exact::separation_of(exact::Truth(pair));
+}
+
+std::string got_in_words(const PairCase& pair, const DeclaredAnswer& asked,
+                         const Program& program) {
+  const EngineTerms terms(pair, asked.declaration, program);
+  if (const auto* const said = std::get_if<Penetration>(&asked.answer)) {
+    return terms.penetration(*said);
+  }
+  const Manifold<double>* const manifold = asked.manifold();
+  return manifold == nullptr ? answer_in_words(asked) : terms.got(*manifold);
+}
+
+std::string expected_in_words(const PairCase& pair, const DeclaredAnswer& asked,
+                              const Program& program) {
+  const EngineTerms terms(pair, asked.declaration, program);
+  const std::vector<Manifold<double>> right =
+      manifolds_to_show(admissible(pair, asked.declaration), asked.declaration);
+  if (right.empty()) return program.none;
+  const Manifold<double>& shown = nearest_to(right, claim_of(asked.answer));
+  const std::string text = in_terms(terms, asked.declaration, shown);
+  if (right.size() == 1) return text;
+  return fmt::format("{}; or another of {} that are right", text, right.size());
+}
+
+}  // namespace manifuzz

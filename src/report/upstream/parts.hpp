@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+#include "campaign/plan.hpp"
+#include "report/upstream/program.hpp"
+
+namespace manifuzz {
+
+/// Four significant digits at most, for text: figures that matter exactly are in the program.
+std::string short_figure(double value);
+
+/// What an answer says of the pair as a whole.
+struct Claim {
+  bool touches = false;
+  std::optional<Vector2<double>> normal{};  ///< in A's frame, from A to B
+  double depth = 0;                         ///< of the deepest point
+  int points = 0;
+};
+Claim claim_of(const Answer& answer);
+
+/// The total depth of the cores and radii, as near as double says it: negative across a gap.
+double true_depth(const PairCase& pair);
+
+/// "Triangles that overlap by 0.3 have no contact": what happens, with figures, in plain words.
+std::string upstream_title(const JudgedCase& judged, const DeclaredAnswer& asked);
+
+/// What a user of the engine sees of that.
+std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked);
+
+/// How to check the truth with a pencil: a face and a vertex, or two nearest places.
+std::string checked_by_hand(const PairCase& pair);
+
+/// What the engine answers, in its own terms: the sign of its normal, its kind of points.
+std::string got_in_words(const PairCase& pair, const DeclaredAnswer& asked, const Program& program);
+
+/// What would be right, in the same terms: one of the right answers, and how many more there are.
+std::string expected_in_words(const PairCase& pair, const DeclaredAnswer& asked,
+                              const Program& program);
+
+}  // namespace manifuzz

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "geometry/pair_case.hpp"
+
+namespace manifuzz {
+
+/// What a snippet's template makes of one pair, and says of how its engine answers.
+struct Program {
+  std::string text;                          ///< the program
+  std::string function;                      ///< that it asks; empty where it does not say
+  std::string language;                      ///< of the fence around it
+  std::string point = "point $p, depth $d";  ///< how the engine gives a point, see point_in_words
+  std::string none = "no contact";           ///< how it says that there is none
+  bool has_normal = true;                    ///< whether it gives a normal at all
+  bool is_b_first = false;                   ///< it is asked with B before A
+};
+
+/// The template filled in: its conditional lines, its directives, its numbers.
+Program program_for(const std::string& snippet, const PairCase& pair);
+
+}  // namespace manifuzz

@@ -1,0 +1,221 @@
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "oracle/exact/curve.hpp"
+#include "report/round_truth.hpp"
+#include "report/upstream/parts.hpp"
+#include "report/words.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// Three significant digits.
+std::string plain(double value) {
+  return fmt::format("{:.3g}", value + 0.0);
+}
+
+std::string shape_word(const ConvexPolygon<float>& shape) {
+  if (shape.count == 1) return "circle";
+  if (shape.count == 2) return shape.radius > 0 ? "capsule" : "segment";
+  const std::string word = shape.count == 3 ? "triangle" : fmt::format("{}-gon", shape.count);
+  return shape.is_round() && shape.radius > 0 ? "rounded " + word : word;
+}
+
+std::string with_article(const std::string& word) {
+  return (word.starts_with("8") ? "an " : "a ") + word;
+}
+
+/// "triangles", "a circle and a capsule".
+std::string shapes_in_words(const PairCase& pair) {
+  const std::string a = shape_word(pair.a.polygon);
+  const std::string b = shape_word(pair.b.polygon);
+  return a == b ? a + "s" : with_article(a) + " and " + with_article(b);
+}
+
+/// "triangles that overlap by 0.3", "circles 0.01 apart".
+std::string pair_in_words(const PairCase& pair) {
+  const double depth = true_depth(pair);
+  const std::string shapes = shapes_in_words(pair);
+  if (depth > 0) return fmt::format("{} that overlap by {}", shapes, plain(depth));
+  if (depth < 0) return fmt::format("{} {} apart", shapes, plain(-depth));
+  return shapes + " that just touch";
+}
+
+/// The kind of an error of a normal, as an end of "the normal of ... ".
+std::string normal_in_words(const JudgedCase& judged, const Vector2<double>& normal,
+                            const Declaration& declaration) {
+  const double length = normal.norm();
+  if (length == 0) return "has length 0";
+  double turn = std::numbers::pi;
+  for (const Manifold<double>& right :
+       manifolds_to_show(admissible(judged.given.pair, declaration), declaration)) {
+    if (right.count == 0) continue;
+    const Vector2<double>& n = right.normal;
+    turn = std::min(turn,
+                    std::abs(std::atan2(n.x() * normal.y() - n.y() * normal.x(), n.dot(normal))));
+  }
+  const double lacking = std::abs(1 - length);
+  if (lacking > turn) {
+    if (lacking > 1e-3) return "has length " + plain(length);
+    return fmt::format("has length 1 {} {}", length < 1 ? '-' : '+', plain(lacking));
+  }
+  const double degrees = turn * 180 / std::numbers::pi;
+  if (degrees >= 0.1) return fmt::format("is off by {} degrees", plain(degrees));
+  return fmt::format("is off by {} radians", plain(turn));
+}
+
+/// How deep they overlap along the answer's own normal; the least depth where it has none.
+double depth_along(const PairCase& pair, const Claim& claim) {
+  if (!claim.normal || claim.normal->isZero(0)) return true_depth(pair);
+  const exact::Truth truth(pair);
+  return exact::Along(truth, *claim.normal).depth();
+}
+
+/// A wrong normal is the lesser news then.
+bool is_far_too_deep(const PairCase& pair, const Claim& claim) {
+  return claim.depth - true_depth(pair) > 0.1 * size(pair);
+}
+
+std::string inconsistent_in_words(const PairCase& pair, const Claim& claim) {
+  const double depth = depth_along(pair, claim);
+  const std::string shapes = shapes_in_words(pair);
+  const std::string along =
+      depth >= 0 ? fmt::format("{} that overlap by {} along the normal given", shapes, plain(depth))
+                 : fmt::format("{} {} apart along the normal given", shapes, plain(-depth));
+  if (plain(depth) != plain(claim.depth)) {
+    return fmt::format("{} are reported {} deep", along, plain(claim.depth));
+  }
+  return fmt::format("{} are reported {} too {}", along, plain(std::abs(claim.depth - depth)),
+                     claim.depth > depth ? "deep" : "shallow");
+}
+
+std::string not_minimal_in_words(const PairCase& pair, const Claim& claim) {
+  const double needed = depth_along(pair, claim);
+  const double least = true_depth(pair);
+  const bool is_plain = plain(needed) != plain(least);
+  return fmt::format("{} are pushed apart along a direction that needs {}{}", pair_in_words(pair),
+                     plain(is_plain ? needed : needed - least), is_plain ? "" : " more");
+}
+
+std::string lost_in_words(Verdict verdict) {
+  if (verdict == Verdict::crashed) return "crash the program";
+  return verdict == Verdict::timed_out ? "are not answered in time" : "get an invalid answer";
+}
+
+std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
+  const PairCase& pair = judged.given.pair;
+  const std::string pair_words = pair_in_words(pair);
+  const Claim claim = claim_of(asked.answer);
+  // A magnitude is a share of the size; people want to see the length.
+  const std::string off = plain(judged.judgement.magnitude * size(pair));
+  const std::string phantom =
+      fmt::format("{} are reported {} deep", pair_words, plain(claim.depth));
+  switch (judged.judgement.bucket.kind) {
+    case Kind::missed_contact:
+      return pair_words + " have no contact";
+    case Kind::phantom_contact:
+      return claim.depth <= 0 ? pair_words + " are in contact" : phantom;
+    case Kind::normal:
+      return fmt::format(
+          "the normal of {} {}", pair_words,
+          normal_in_words(judged, claim.normal.value_or(Vector2<double>(0, 0)), asked.declaration));
+    case Kind::position:
+      return fmt::format("a contact point of {} is off by {}", pair_words, off);
+    case Kind::depth:
+      if (plain(claim.depth) != plain(true_depth(pair))) {
+        return fmt::format("{} are reported {} deep", pair_words, plain(claim.depth));
+      }
+      return fmt::format("the depth of a contact point of {} is off by {}", pair_words, off);
+    case Kind::count:
+    case Kind::extent:
+      return fmt::format(
+          "{} have {} where they touch along an edge", pair_words,
+          claim.points == 1 ? "one contact point" : "contact points too close together");
+    case Kind::features:
+      return fmt::format("the contact points of {} name wrong features", pair_words);
+    case Kind::reversed:
+      return fmt::format("the normal of {} is reversed", pair_words);
+    case Kind::inconsistent:
+      return inconsistent_in_words(pair, claim);
+    case Kind::not_minimal:
+      return not_minimal_in_words(pair, claim);
+    case Kind::witness:
+      return fmt::format("a contact point of {} lies {} away from where they overlap", pair_words,
+                         off);
+    case Kind::altered_shape:
+      return fmt::format("the shapes used for {} are off by {}", pair_words, off);
+    default:
+      return pair_words + " " + lost_in_words(judged.judgement.bucket.verdict);
+  }
+}
+
+/// Of a size, or of a unit normal: so little is not seen, but checks fail by it.
+constexpr double kUnseen = 1e-3;
+
+constexpr std::string_view kUnseenInWords =
+    "nothing on a screen, but what takes these figures for exact, such as an assertion or a "
+    "comparison between platforms, fails";
+
+std::string seen_of_depth(const PairCase& pair, const Claim& claim) {
+  const double depth = depth_along(pair, claim);
+  if (claim.depth <= depth) {
+    return fmt::format("the bodies stay {} inside each other", plain(depth - claim.depth));
+  }
+  return fmt::format("the bodies are pushed {} apart where {} suffices", plain(claim.depth),
+                     plain(std::max(depth, 0.0)));
+}
+
+}  // namespace
+
+std::string upstream_title(const JudgedCase& judged, const DeclaredAnswer& asked) {
+  std::string text = sentence(judged, asked);
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
+std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked) {
+  const PairCase& pair = judged.given.pair;
+  const Claim claim = claim_of(asked.answer);
+  const Kind kind = judged.judgement.bucket.kind;
+  const bool is_of_figures = kind == Kind::normal || kind == Kind::depth ||
+                             kind == Kind::inconsistent || kind == Kind::not_minimal ||
+                             kind == Kind::position || kind == Kind::witness;
+  if (is_of_figures && judged.judgement.magnitude < kUnseen) return std::string(kUnseenInWords);
+  switch (kind) {
+    case Kind::missed_contact:
+      return "nothing holds the bodies apart here, so they move further into each other";
+    case Kind::phantom_contact:
+      return "bodies that do not touch are stopped or pushed across the gap";
+    case Kind::normal:
+      if (is_far_too_deep(pair, claim)) return seen_of_depth(pair, claim);
+      return "impulses act along a wrong direction or with a wrong strength, so bodies sink into "
+             "each other or jump aside";
+    case Kind::position:
+    case Kind::witness:
+      return "the impulse has a wrong lever arm, so the bodies get a spin that they should not "
+             "have";
+    case Kind::count:
+    case Kind::extent:
+      return "a face rests on too few points and rocks";
+    case Kind::features:
+      return "impulses of the last step are not found again, so warm starting is lost";
+    case Kind::reversed:
+      return "the bodies are pushed further into each other";
+    case Kind::depth:
+    case Kind::inconsistent:
+      return seen_of_depth(pair, claim);
+    case Kind::not_minimal:
+      return fmt::format("the bodies are pushed {} along one direction where {} suffices",
+                         plain(depth_along(pair, claim)), plain(true_depth(pair)));
+    case Kind::altered_shape:
+      return "bodies collide as another shape than was given";
+    default:
+      return judged.judgement.bucket.verdict == Verdict::malformed
+                 ? "figures that are no numbers, or no contact, spread through the simulation"
+                 : "the simulation stops";
+  }
+}
+
+}  // namespace manifuzz
