@@ -86,9 +86,13 @@ bool edge_along_normal(const Deviation& d) {
 template <class Engine>
 bool normal_of_corner_cones(const Deviation& d) {
   const auto replay = replay_of_search<Engine>(d);
+  if (!replay || replay->epa.end != EpaEnd::corner) return false;
+  const double apart = parry::shapes_apart(d, *replay);
   // Within both cones, no other corner is farther along it: D would be the radii.
-  return replay && replay->epa.end == EpaEnd::corner &&
-         parry::excess_of<Engine>(d, *replay) - parry::shapes_apart(d, *replay) > bound_of(d);
+  if (parry::excess_of<Engine>(d, *replay) - apart > bound_of(d)) return true;
+  // Where a corner is round its cone is a single direction.
+  return replay->route == Route::supports && d.kind == Kind::normal && is_round(d.right.pair()) &&
+         std::abs(apart) <= 10 * parry::kEpsilonOf<Engine> + bound_of(d);
 }
 
 template <class Engine>

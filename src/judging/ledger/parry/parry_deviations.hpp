@@ -58,7 +58,8 @@ bool clip_of_face_by_cosine(const Deviation& deviation);
 /// and its first end is taken for all of it.
 template <class Engine>
 bool edge_along_normal(const Deviation& deviation);
-/// EPA of a simplex of one corner: a normal that is outside of a corner's cone.
+/// EPA of a simplex of one corner: a normal that is outside of a corner's cone. A round corner's is
+/// a single direction.
 template <class Engine>
 bool normal_of_corner_cones(const Deviation& deviation);
 /// No contact: EPA's first faces, or a new one, have the origin outside, and it gives None.
