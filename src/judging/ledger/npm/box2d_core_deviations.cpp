@@ -105,10 +105,9 @@ bool normal_of_short_face(const Deviation& d) {
   });
 }
 
-bool normal_alone_of_rounded_vertices(const Deviation& d) {
-  if (!normal_of_rounded_vertices(d)) return false;
+bool is_right_but_turned(const Deviation& d) {
   const auto turned = [&](const exact::Clip* clip) { return (d.got.normal - clip->normal).norm(); };
-  // The face that explains the normal is the nearest one's.
+  if (d.right.candidates.empty()) return false;
   const double least = turned(*std::ranges::min_element(d.right.candidates, {}, turned));
   // So turned, the face's line and the side planes are off by as much of the extent.
   Admissible right = d.right;
@@ -118,6 +117,10 @@ bool normal_alone_of_rounded_vertices(const Deviation& d) {
   return std::ranges::any_of(d.right.candidates, [&](const exact::Clip* clip) {
     return mismatch(with_features_of_b(d.got, *clip), *clip, right).kind == Kind::none;
   });
+}
+
+bool normal_alone_of_rounded_vertices(const Deviation& d) {
+  return normal_of_rounded_vertices(d) && is_right_but_turned(d);
 }
 
 bool axis_within_box2d_core_epsilon(const Deviation& d) {

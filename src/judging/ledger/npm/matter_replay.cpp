@@ -134,7 +134,6 @@ void choose_points(CollisionOfMatter& found) {
     }
   };
   for (std::size_t k = 0; k < 2; ++k) give(found.b, found.of_b, k);
-  found.gives_two_of_b = found.points.size() == 2;
   for (std::size_t k = 0; k < 2; ++k) give(found.a, found.of_a, k);
   found.is_none_inside = found.points.empty();
   // supportsB is _supports, which A's have overwritten by then.

@@ -47,7 +47,6 @@ struct CollisionOfMatter {
   SupportsOfMatter of_a{};                ///< along the normal
   SupportsOfMatter of_b{};                ///< against it
   std::vector<Vector2<double>> points{};  ///< in the world
-  bool gives_two_of_b = false;            ///< A's supports are not asked
   bool is_none_inside = false;            ///< the one point is A's support, which is not inside B
 };
 

@@ -65,6 +65,8 @@ bool unclipped_within_nape_epsilon(const Deviation& deviation);
 /// nape: the incident edge misses the slab, and the answer is of it as prolonged to both side
 /// planes.
 bool edge_extended_by_nape(const Deviation& deviation);
+/// All is right but the normal, and what one that is turned by so much moves.
+bool is_right_but_turned(const Deviation& deviation);
 /// The normal is that of vertices that were rounded on the way, and all else is right but for what
 /// such a normal moves.
 bool normal_alone_of_rounded_vertices(const Deviation& deviation);

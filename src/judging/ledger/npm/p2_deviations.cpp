@@ -118,7 +118,7 @@ bool vertex_before_face_of_p2(const Deviation& d) {
 
 bool normal_of_p2_floats(const Deviation& d) {
   constexpr double u = std::numeric_limits<float>::epsilon() / 2.0;
-  return d.kind == Kind::normal &&
+  return d.kind == Kind::normal && is_right_but_turned(d) &&
          std::ranges::any_of(d.right.candidates, [&](const exact::Clip* clip) {
            const exact::FaceOf& face = clip->reference;
            const Body& body = d.right.pair()[face.side];
