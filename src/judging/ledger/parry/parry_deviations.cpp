@@ -75,12 +75,14 @@ template <class Engine>
 bool edge_along_normal(const Deviation& d) {
   auto replay = replay_of_search<Engine>(d);
   if (!replay || replay->route != Route::features || replay->normal.isZero(0)) return false;
-  return std::ranges::any_of(std::array{std::array{true, false}, std::array{false, true}},
-                             [&](const std::array<bool, 2>& are_turned) {
-                               replay->points =
-                                   parry::clipped_by(*replay, replay->faces, are_turned);
-                               return parry::is_right<Engine>(d, *replay);
-                             });
+  for (const Side side : {Side::a, Side::b}) {
+    for (const std::size_t end : {0U, 1U}) {
+      auto mended = *replay;
+      mended.points = parry::clipped_at(*replay, side, end, bound_of(d));
+      if (parry::is_right<Engine>(d, mended)) return true;
+    }
+  }
+  return false;
 }
 
 template <class Engine>

@@ -54,8 +54,8 @@ using Doubles = AsAdapters<double>;
 /// The same direction with other faces clipped would be right: the nearest by cosine was taken.
 template <class Engine>
 bool clip_of_face_by_cosine(const Deviation& deviation);
-/// The same edges clipped, one of them from its other end, would be right: it is along the normal,
-/// and its first end is taken for all of it.
+/// One of the clipped edges is along the normal, to a bound, and one of its ends alone would be
+/// right: another place on it was taken.
 template <class Engine>
 bool edge_along_normal(const Deviation& deviation);
 /// EPA of a simplex of one corner: a normal that is outside of a corner's cone. A round corner's is

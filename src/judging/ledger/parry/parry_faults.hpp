@@ -18,8 +18,8 @@ inline constexpr ParryFault kFaceByCosine{
     "the direction as cosines tell, not those that touch",
     "parry2d, src/shape/convex_polygon.rs, local_support_feature: `dot > max_dot`"};
 inline constexpr ParryFault kEdgeAlongNormal{
-    "no contact, or too shallow: an edge along the normal is clipped, and its first end is taken "
-    "though its other is the nearest",
+    "no contact, or too shallow: an edge along the normal is clipped, and its first end or its "
+    "middle is taken though its other end is the nearest",
     "parry2d, src/query/clip/clip_segment_segment.rs: utils::inv(range2[1] - range2[0]), 0 of 0"};
 inline constexpr ParryFault kCornerCones{
     "a normal outside the cone of a corner that touches a corner: it is turned into A's cone, then "

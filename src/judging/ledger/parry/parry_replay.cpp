@@ -180,17 +180,9 @@ void collide_balls(Replay<Real>& replay) {
                            normal_of_b(replay) * replay.b.shape.radius, distance});
 }
 
-}  // namespace
-
 template <class Real>
-std::vector<TrackedPoint<Real>> clipped_by(const Replay<Real>& replay,
-                                           const std::array<std::size_t, 2>& faces,
-                                           const std::array<bool, 2>& are_turned) {
-  Ends<Real> a = face_of(replay.a.shape, faces[0]);
-  Ends<Real> b = face_of(replay.b.shape, faces[1]);
-  for (Vector2<Real>& end : b) end = transform(replay.between, end);
-  if (are_turned[0]) std::swap(a[0], a[1]);
-  if (are_turned[1]) std::swap(b[0], b[1]);
+std::vector<TrackedPoint<Real>> points_of(const Replay<Real>& replay, const Ends<Real>& a,
+                                          const Ends<Real>& b) {
   std::vector<TrackedPoint<Real>> points;
   for (const ClippedPoint<Real>& point : clipped(a, b, replay.normal)) {
     const Vector2<Real> apart = point.on_b - point.on_a;
@@ -198,6 +190,42 @@ std::vector<TrackedPoint<Real>> clipped_by(const Replay<Real>& replay,
         {point.on_a, inverse_transform(replay.between, point.on_b), apart.dot(replay.normal)});
   }
   add_radii(replay, points);
+  return points;
+}
+
+template <class Real>
+Ends<Real> face_of_b(const Replay<Real>& replay, std::size_t face) {
+  Ends<Real> ends = face_of(replay.b.shape, face);
+  for (Vector2<Real>& end : ends) end = transform(replay.between, end);
+  return ends;
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<TrackedPoint<Real>> clipped_by(const Replay<Real>& replay,
+                                           const std::array<std::size_t, 2>& faces) {
+  return points_of(replay, face_of(replay.a.shape, faces[0]), face_of_b(replay, faces[1]));
+}
+
+template <class Real>
+std::vector<TrackedPoint<Real>> clipped_at(const Replay<Real>& replay, Side side, std::size_t end,
+                                           double bound) {
+  Ends<Real> along = face_of(replay.a.shape, replay.faces[0]);
+  Ends<Real> other = face_of_b(replay, replay.faces[1]);
+  if (side == Side::b) std::swap(along, other);
+  const Vector2<Real> tangent(-replay.normal.y(), replay.normal.x());
+  const Real run = (along[1] - along[0]).dot(tangent);
+  if (!(static_cast<double>(std::abs(run)) <= bound)) return {};
+  // Where it is beside the other by roundings alone it is beneath its end.
+  const auto [low, high] = std::minmax({other[0].dot(tangent), other[1].dot(tangent)});
+  const Real place = along[end].dot(tangent);
+  const Real moved = std::clamp(place, low, high) - place;
+  if (!(static_cast<double>(std::abs(moved)) <= bound)) return {};
+  along.fill(along[end] + moved * tangent);
+  if (side == Side::b) std::swap(along, other);
+  auto points = points_of(replay, along, other);
+  points.resize(std::min<std::size_t>(points.size(), 1));
   return points;
 }
 
@@ -223,10 +251,12 @@ Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real predict
 template Replay<float> replayed(const Placed<float>&, const Placed<float>&, float);
 template Replay<double> replayed(const Placed<double>&, const Placed<double>&, double);
 template std::vector<TrackedPoint<float>> clipped_by(const Replay<float>&,
-                                                     const std::array<std::size_t, 2>&,
-                                                     const std::array<bool, 2>&);
+                                                     const std::array<std::size_t, 2>&);
 template std::vector<TrackedPoint<double>> clipped_by(const Replay<double>&,
-                                                      const std::array<std::size_t, 2>&,
-                                                      const std::array<bool, 2>&);
+                                                      const std::array<std::size_t, 2>&);
+template std::vector<TrackedPoint<float>> clipped_at(const Replay<float>&, Side, std::size_t,
+                                                     double);
+template std::vector<TrackedPoint<double>> clipped_at(const Replay<double>&, Side, std::size_t,
+                                                      double);
 
 }  // namespace manifuzz::parry

@@ -48,12 +48,16 @@ Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real predict
 template <class Real>
 Replay<Real> replayed_contact(const Placed<Real>& a, const Placed<Real>& b);
 
-/// The points that a replay of features would have with these faces clipped, each from its first
-/// end or turned about.
+/// The points that a replay of features would have with these faces clipped.
 template <class Real>
 std::vector<TrackedPoint<Real>> clipped_by(const Replay<Real>& replay,
-                                           const std::array<std::size_t, 2>& faces,
-                                           const std::array<bool, 2>& are_turned = {});
+                                           const std::array<std::size_t, 2>& faces);
+
+/// The point that it would have of one end of a side's face, 0 or 1, that is along the normal to a
+/// bound: none of any other.
+template <class Real>
+std::vector<TrackedPoint<Real>> clipped_at(const Replay<Real>& replay, Side side, std::size_t end,
+                                           double bound);
 
 /// The normal that it gives of b: from b to a, in b's frame.
 template <class Real>

@@ -71,6 +71,8 @@ inline constexpr Budget kOfRapierEpaChord[] = {{"cores_touch", 120000}};
 inline constexpr std::array kOfRapier{
     of_parry("rapier2d-face-by-cosine", "rapier2d", kFaceByCosine, kOfRapierFaceByCosine,
              clip_of_face_by_cosine<parry::Rapier>),
+    of_parry("rapier2d-edge-along-normal", "rapier2d", kEdgeAlongNormal, {},
+             edge_along_normal<parry::Rapier>),
     of_parry("rapier2d-corner-cones", "rapier2d", kCornerCones, kOfRapierCornerCones,
              normal_of_corner_cones<parry::Rapier>),
     of_parry("rapier2d-lost-by-epa", "rapier2d", kLostByEpa, kOfRapierLostByEpa,
