@@ -77,7 +77,9 @@ void check_programs(const Collider& collider, const fs::path& folder, std::strin
   for (const auto& [pair, points] : pairs_for(collider)) {
     const std::string program = filled_in(collider.declaration.snippet, pair);
     INFO(program);
-    CHECK(program.find('@') == std::string::npos);
+    for (const char* const left : {"@a.", "@b.", "@*", "@^", "@each", "@asked"}) {
+      CHECK(program.find(left) == std::string::npos);
+    }
     const fs::path path = folder / file;
     std::ofstream(path) << program;
     const test::Outcome ran = run_program({"sh", "-c", command_for(path.string())});

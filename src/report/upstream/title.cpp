@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "judging/bounds.hpp"
 #include "oracle/exact/curve.hpp"
 #include "report/round_truth.hpp"
 #include "report/upstream/parts.hpp"
@@ -74,8 +75,10 @@ double depth_along(const PairCase& pair, const Claim& claim) {
 }
 
 /// A wrong normal is the lesser news then.
-bool is_far_too_deep(const PairCase& pair, const Claim& claim) {
-  return claim.depth - true_depth(pair) > 0.1 * size(pair);
+bool is_far_too_deep(const PairCase& pair, const Claim& claim, const Declaration& declaration) {
+  const double depth = true_depth(pair);
+  return claim.depth > 2 * std::abs(depth) &&
+         claim.depth - depth > 100 * bounds(pair, declaration).separation;
 }
 
 std::string inconsistent_in_words(const PairCase& pair, const Claim& claim) {
@@ -118,6 +121,7 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
     case Kind::phantom_contact:
       return claim.depth <= 0 ? pair_words + " are in contact" : phantom;
     case Kind::normal:
+      if (is_far_too_deep(pair, claim, asked.declaration)) return phantom;
       return fmt::format(
           "the normal of {} {}", pair_words,
           normal_in_words(judged, claim.normal.value_or(Vector2<double>(0, 0)), asked.declaration));
@@ -189,7 +193,7 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
     case Kind::phantom_contact:
       return "bodies that do not touch are stopped or pushed across the gap";
     case Kind::normal:
-      if (is_far_too_deep(pair, claim)) return seen_of_depth(pair, claim);
+      if (is_far_too_deep(pair, claim, asked.declaration)) return seen_of_depth(pair, claim);
       return "impulses act along a wrong direction or with a wrong strength, so bodies sink into "
              "each other or jump aside";
     case Kind::position:

@@ -77,10 +77,9 @@ TEST_CASE("a report on round shapes says what they are, and what is right") {
   judged.judgement = judge(judged.given.pair, {judged.subject.declaration, judged.subject.answer},
                            {judged.oracle.declaration, judged.oracle.answer});
   const std::string report = upstream_report(judged, "--subject clip");
-  CHECK_THAT(report,
-             Contains("Two shapes, numbers as 32-bit floats; one vertex is a circle's center, two "
-                      "are the ends of a segment or capsule:\n"));
-  CHECK_THAT(report, Contains("normal (0, -1), from A to B\npoint (0, -1), depth 0.25\n"));
+  CHECK_THAT(report, Contains("# A circle and a 4-gon that overlap by 0.25 have no contact\n"));
+  CHECK_THAT(report, Contains("- Expected: normal (0, 1) from B to A; world.points (0, -0.875), "
+                              "separations -0.25.\n"));
 }
 
 TEST_CASE("of round shapes the truth of a map says that they touch") {

@@ -219,7 +219,7 @@ TEST_CASE("a report says what was got, what is right, and how to see it") {
   CHECK(std::ranges::count(report, '\n') <= 30);
   CHECK_THAT(report, Contains("b2CollidePolygons(&manifold, &a, atA, &b, atB);\n"));
   CHECK_THAT(report, Contains("- Got: no contact.\n- Expected: normal (0, -1) from A to B; "
-                              "world.points (0.5, -0.875), separations -0.25; "));
+                              "world.points (-0.5, -0.875), separations -0.25; "));
   CHECK_THAT(report, Contains("- Users see: nothing holds the bodies apart"));
   CHECK_THAT(report, Contains("each way, 50 % fail too.\n"));
   CHECK_THAT(report, Contains("- By hand: the face of A from (-1, -1) to (1, -1) has the outward "
@@ -235,6 +235,6 @@ TEST_CASE("every kind of finding has a title with figures, and what users see") 
     CAPTURE(kKindNames[kind]);
     judged.judgement.bucket.kind = static_cast<Kind>(kind);
     CHECK_THAT(upstream_title(judged, judged.oracle), Contains("4-gons that overlap by 0.25"));
-    CHECK(seen_by_users(judged, judged.oracle).size() > 20);
+    CHECK(seen_by_users(judged, judged.oracle).size() >= 20);
   }
 }
