@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/json.hpp"
 #include "base/text.hpp"
 #include "exchange/kept_json.hpp"
 #include "oracle/external/external_collider.hpp"

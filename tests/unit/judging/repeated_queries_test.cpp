@@ -66,7 +66,7 @@ TEST_CASE("the repeated EPA finds the depth of two squares, from B to A") {
   const BulletAnswer answer =
       ask_detector(prisms_of(squares_side_by_side()), solve_by_epa, &trace, 1e18F);
   CHECK(answer.normal_of == NormalOf::solver);
-  CHECK(trace.end == EpaEnd::accuracy_reached);
+  CHECK(trace.end == BulletEpaEnd::accuracy_reached);
   CHECK(answer.normal.x() == Approx(-1));
   CHECK(answer.distance == Approx(-0.3));
   CHECK(answer.on_b.x() == Approx(0.7));
@@ -94,7 +94,7 @@ TEST_CASE("EPA ends at an invalid hull of concentric circles, and its answer alo
   const PairCase pair{circle_of_half(0, 0), circle_of_half(0, 0)};
   EpaTrace trace;
   const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
-  REQUIRE(trace.end == EpaEnd::invalid_hull);
+  REQUIRE(trace.end == BulletEpaEnd::invalid_hull);
   const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
   const double depth = -answer.distance * normal.norm();
   const auto is_it = [&](const Vector2<double>& along, double deep) {

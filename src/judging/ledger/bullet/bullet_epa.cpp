@@ -31,7 +31,7 @@ class Epa {
  public:
   explicit Epa(EpaGjk& gjk) : gjk_(&gjk) {}
 
-  EpaEnd evaluate();
+  BulletEpaEnd evaluate();
 
   Space normal{0, 0, 0};
   float depth = 0;
@@ -56,7 +56,7 @@ class Epa {
   EpaFace* best() const;
   bool expand(unsigned pass, const EpaCorner* w, EpaFace* face, unsigned edge, Horizon& horizon);
   bool make_first_hull();
-  EpaEnd grow();
+  BulletEpaEnd grow();
   void weigh();
 
   EpaGjk* gjk_;
@@ -146,26 +146,27 @@ bool Epa::make_first_hull() {
   return true;
 }
 
-EpaEnd Epa::grow() {
+BulletEpaEnd Epa::grow() {
   constexpr unsigned iterations_max = 255;
   EpaFace* nearest = best();
   outer = *nearest;
   for (unsigned pass = 1; pass <= iterations_max; ++pass) {
-    if (corners_.size() >= kCornersMax) return EpaEnd::out_of_vertices;
+    if (corners_.size() >= kCornersMax) return BulletEpaEnd::out_of_vertices;
     nearest->pass = pass;
     const EpaCorner* const w = &corners_.emplace_back(gjk_->corner_along(nearest->n));
-    if (!(dot(nearest->n, w->w) - nearest->d > kAccuracy)) return EpaEnd::accuracy_reached;
+    if (!(dot(nearest->n, w->w) - nearest->d > kAccuracy)) return BulletEpaEnd::accuracy_reached;
     Horizon horizon;
     for (unsigned j = 0; j < 3; ++j) {
-      if (!expand(pass, w, nearest->f[j], nearest->e[j], horizon)) return EpaEnd::invalid_hull;
+      if (!expand(pass, w, nearest->f[j], nearest->e[j], horizon))
+        return BulletEpaEnd::invalid_hull;
     }
-    if (horizon.count < 3) return EpaEnd::invalid_hull;
+    if (horizon.count < 3) return BulletEpaEnd::invalid_hull;
     bind(horizon.last, 1, horizon.first, 2);
     remove(nearest);
     nearest = best();
     outer = *nearest;
   }
-  return EpaEnd::none;
+  return BulletEpaEnd::none;
 }
 
 void Epa::weigh() {
@@ -179,11 +180,11 @@ void Epa::weigh() {
   for (float& weight : weights) weight /= sum;
 }
 
-EpaEnd Epa::evaluate() {
+BulletEpaEnd Epa::evaluate() {
   if (gjk_->simplex.rank <= 1 || !gjk_->enclose_origin() || !make_first_hull()) {
-    return EpaEnd::fall_back;
+    return BulletEpaEnd::fall_back;
   }
-  const EpaEnd end = grow();
+  const BulletEpaEnd end = grow();
   normal = outer.n;
   depth = outer.d;
   weigh();
@@ -198,7 +199,7 @@ bool penetrate(const BulletPair& pair, const Space& guess, EpaTrace& trace, Solv
   Epa epa(gjk);
   trace.end = epa.evaluate();
   Space on_a(0, 0, 0);
-  if (trace.end == EpaEnd::fall_back) {
+  if (trace.end == BulletEpaEnd::fall_back) {
     epa.normal = squared(guess) > 0 ? over(guess, std::sqrt(squared(guess))) : Space(1, 0, 0);
     on_a = difference.support_a(gjk.simplex.c[0].d);
   } else {

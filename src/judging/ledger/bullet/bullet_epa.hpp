@@ -5,7 +5,7 @@
 namespace manifuzz::ledger_of {
 
 /// How EPA::Evaluate of btGjkEpa2.cpp ends.
-enum class EpaEnd {
+enum class BulletEpaEnd {
   none,
   invalid_hull,
   out_of_faces,
@@ -16,7 +16,7 @@ enum class EpaEnd {
 
 /// What btGjkEpaPenetrationDepthSolver did.
 struct EpaTrace {
-  EpaEnd end = EpaEnd::none;
+  BulletEpaEnd end = BulletEpaEnd::none;
   Space normal{0, 0, 0};  ///< outwards of the face it ends at
   float depth = 0;        ///< that face's d
   /// The origin's projection to the plane of that face is not in it: d is an edge's or a corner's

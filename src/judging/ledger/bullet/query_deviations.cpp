@@ -12,7 +12,7 @@ namespace manifuzz {
 namespace {
 
 using ledger_of::BulletAnswer;
-using ledger_of::EpaEnd;
+using ledger_of::BulletEpaEnd;
 using ledger_of::NormalOf;
 using ledger_of::QueryEnd;
 using ledger_of::QueryLoop;
@@ -73,7 +73,7 @@ bool is_of_own_axis(const RepeatedQuery& query) {
   return query.answer.is_axis_deeper || query.answer.normal_of == NormalOf::query;
 }
 
-bool is_of_epa(const RepeatedQuery& query, EpaEnd end) {
+bool is_of_epa(const RepeatedQuery& query, BulletEpaEnd end) {
   return query.answer.normal_of == NormalOf::solver && !query.answer.is_axis_deeper &&
          query.epa.end == end;
 }
@@ -142,20 +142,20 @@ bool normal_turned_back(const Deviation& d) {
 
 bool epa_at_invalid_hull(const Deviation& d) {
   return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
-    return is_of_epa(query, EpaEnd::invalid_hull);
+    return is_of_epa(query, BulletEpaEnd::invalid_hull);
   });
 }
 
 bool epa_beside_face(const Deviation& d) {
   return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
-    return is_of_epa(query, EpaEnd::accuracy_reached) && query.epa.is_beside_face;
+    return is_of_epa(query, BulletEpaEnd::accuracy_reached) && query.epa.is_beside_face;
   });
 }
 
 bool epa_at_chord(const Deviation& d) {
   if (total_radius(d.right.pair()) == 0 || !ledger_of::is_of_points(d.kind)) return false;
   return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
-    return is_of_epa(query, EpaEnd::accuracy_reached) && !query.epa.is_beside_face;
+    return is_of_epa(query, BulletEpaEnd::accuracy_reached) && !query.epa.is_beside_face;
   });
 }
 
@@ -167,7 +167,7 @@ bool epa_finds_apart(const Deviation& d) {
 
 bool epa_falls_back(const Deviation& d) {
   return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
-    return is_of_epa(query, EpaEnd::fall_back);
+    return is_of_epa(query, BulletEpaEnd::fall_back);
   });
 }
 
