@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "cli/colliders.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "report/outputs.hpp"

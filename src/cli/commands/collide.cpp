@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/text.hpp"
-#include "cli/colliders.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"

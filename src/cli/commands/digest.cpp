@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/file.hpp"
-#include "cli/colliders.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "generating/regime.hpp"

@@ -10,7 +10,7 @@
 #include "campaign/result.hpp"
 #include "campaign/run.hpp"
 #include "campaign/sequences/sequence_plan.hpp"
-#include "cli/colliders.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "cli/sequences/keepers.hpp"

@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "campaign/plan.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "cli/sequences/keepers.hpp"

@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "campaign/sequences/save_sequence.hpp"
 #include "campaign/shrink_saved.hpp"
-#include "cli/colliders.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"

@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
+#include "cli/collider_choice.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"

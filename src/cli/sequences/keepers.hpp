@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "campaign/sequences/replay_sequence.hpp"
-#include "cli/colliders.hpp"
+#include "cli/collider_choice.hpp"
 
 namespace manifuzz {
 

@@ -1,0 +1,168 @@
+#include "cli/collider_choice.hpp"
+
+#include <filesystem>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "cli/colliders.hpp"
+#include "cli/options.hpp"
+#include "report/outputs.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr double kTimeLimit = 1;
+constexpr double kTimeLimitMax = 3600;
+
+bool is_library(const std::string& name) {
+  return name.find('/') != std::string::npos || name.ends_with(".so");
+}
+
+Collider find_any(const ColliderChoice& choice, const ExternalOptions& external) {
+  const double seconds = time_limit_of(external);
+  if (external.in_process && external.time_limit) {
+    throw UserError(
+        "--time-limit: holds for colliders in processes of their own; leave out --in-process");
+  }
+  if (!choice.command.empty() && external.in_process) {
+    throw UserError(
+        fmt::format("--in-process: a program cannot run in this process; give a shared "
+                    "library to --{}",
+                    choice.role));
+  }
+  if (!choice.command.empty()) {
+    return collider_of_command(choice.command, seconds, external.start_seconds);
+  }
+  if (!is_library(choice.name)) return find_collider(choice.name);
+  return external.in_process ? collider_in_process(choice.name)
+                             : collider_in_own_process(choice.name, seconds);
+}
+
+Collider with_tie_bias(const Collider& collider, double tie_bias) {
+  if (!collider.with_tie_bias) {
+    throw UserError(fmt::format("--tie-bias: that of {} is fixed at {}", collider.declaration.name,
+                                in_words(collider.declaration.tie_bias)));
+  }
+  if (tie_bias > static_cast<double>(std::numeric_limits<float>::max())) {
+    throw UserError(fmt::format("--tie-bias: {:g} is beyond float; take 0 to {:g}", tie_bias,
+                                std::numeric_limits<float>::max()));
+  }
+  return collider.with_tie_bias(tie_bias);
+}
+
+std::string option_again(const ColliderChoice& choice) {
+  if (!choice.is_given()) return "";
+  if (choice.command.empty()) {
+    const std::filesystem::path library(choice.name);
+    std::string name =
+        library.is_absolute() ? std::filesystem::proximate(library).string() : choice.name;
+    if (is_library(choice.name) && !is_library(name)) name = "./" + name;
+    return fmt::format("--{} {}", choice.role, quoted_for_shell(name));
+  }
+  return fmt::format("--{}-command {}{}", choice.role, quoted_for_shell(choice.command),
+                     choice.keeps_points ? " --sequences" : "");
+}
+
+}  // namespace
+
+double time_limit_of(const ExternalOptions& external) {
+  const double seconds = external.time_limit.value_or(kTimeLimit);
+  if (seconds > 0 && seconds <= kTimeLimitMax) return seconds;
+  throw UserError(fmt::format("--time-limit: {} s is no limit; more than 0, up to {} is expected",
+                              seconds, kTimeLimitMax));
+}
+
+std::optional<ColliderChoice> named_choice(const ColliderChoice& by_name,
+                                           const NamedSubjects& subjects) {
+  const auto named = subjects.find(by_name.name);
+  if (named == subjects.end()) return std::nullopt;
+  return ColliderChoice{by_name.role, named->second.library, named->second.command, false};
+}
+
+Collider find_named(const ColliderChoice& choice, const std::string& name,
+                    const ExternalOptions& external) {
+  try {
+    Collider found = find_collider(choice, external);
+    if (found.declaration.name == name) return found;
+    throw UserError(fmt::format("is called '{}' there, and declares the name '{}'", printable(name),
+                                printable(found.declaration.name)));
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("subjects.json: {}: {}", printable(name), error.what()));
+  }
+}
+
+NamedColliders::Find find_installed_or_named(std::vector<std::filesystem::path> corpora) {
+  return [subjects = read_subjects(corpora)](const std::string& name) -> std::optional<Collider> {
+    const auto choice = named_choice({"subject", name, ""}, subjects);
+    if (!choice) return find_installed(name);
+    try {
+      return find_named(*choice, name, {});
+    } catch (const UserError& error) {
+      write_complaint(error.what());
+      return std::nullopt;
+    }
+  };
+}
+
+void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& description) {
+  CLI::Option* const name =
+      add_text(app, "--" + choice.role, choice.name, "C|LIBRARY.so", description)
+          ->capture_default_str();
+  add_text(app, "--" + choice.role + "-command", choice.command, "COMMAND",
+           "the same as a program: case lines in, manifold lines out")
+      ->excludes(name);
+}
+
+void add_sequences(CLI::App& app, ColliderChoice& choice) {
+  app.add_flag("--sequences", choice.keeps_points,
+               "the program keeps points: it gets sequences, a frame a line")
+      ->needs("--" + choice.role + "-command");
+}
+
+void add_external_options(CLI::App& app, ExternalOptions& external) {
+  app.add_flag("--in-process", external.in_process,
+               "call a shared library from this process: faster, but where it dies, so does a job");
+  add_length(app, "--time-limit", external.time_limit,
+             "seconds that a library or a program may take over a case; 1 if not given");
+}
+
+void add_subject_and_oracle(CLI::App& app, SubjectAndOracle& colliders) {
+  add_collider(app, colliders.subject, "the collider under test");
+  add_collider(app, colliders.oracle, "the collider it is held against");
+  add_external_options(app, colliders.external);
+}
+
+Collider find_collider(const ColliderChoice& choice, const ExternalOptions& external,
+                       std::optional<double> tie_bias) {
+  try {
+    const Collider collider = find_any(choice, external);
+    return tie_bias ? with_tie_bias(collider, *tie_bias) : collider;
+  } catch (const UserError& error) {
+    const std::string_view what = error.what();
+    if (what.starts_with("--")) throw;
+    const std::string_view suffix = choice.command.empty() ? "" : "-command";
+    throw UserError(fmt::format("--{}{}: {}", choice.role, suffix, what));
+  }
+}
+
+std::optional<Collider> given_collider(const ColliderChoice& choice,
+                                       const ExternalOptions& external) {
+  return choice.is_given() ? std::optional(find_collider(choice, external)) : std::nullopt;
+}
+
+std::string options_again(const SubjectAndOracle& colliders) {
+  const std::string subject = option_again(colliders.subject);
+  const std::string rest = options_again(colliders.oracle, colliders.external);
+  return subject + (subject.empty() || rest.empty() ? "" : " ") + rest;
+}
+
+std::string options_again(const ColliderChoice& choice, const ExternalOptions& external) {
+  std::string text = option_again(choice);
+  if (external.in_process) text += " --in-process";
+  if (external.time_limit) text += fmt::format(" --time-limit {}", *external.time_limit);
+  return text;
+}
+
+}  // namespace manifuzz
