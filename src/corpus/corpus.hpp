@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -122,6 +123,10 @@ std::string corpus_file_name(const CorpusCase& corpus_case);
 /// the first of name-2.json, name-3.json, ... that holds it or is free.
 std::filesystem::path corpus_file(const std::filesystem::path& folder,
                                   const CorpusCase& corpus_case);
+
+/// The folders of a corpus that findings are saved in.
+inline constexpr std::array<std::string_view, 5> kCorpusFolders{"seeds", "ties", "defects",
+                                                                "regressions", "sequences"};
 
 /// Writes the case there, whole or not at all; a file that has this pair as the same finding
 /// already stays as it is, whatever was noted in it since. Returns its path. Throws UserError.

@@ -109,9 +109,16 @@ void expect_possible(const OutputPath& output) {
     fail(output,
          fmt::format("-: a {} is expected; - is none", is_folder(output) ? "folder" : "file"));
   }
-  const std::string why =
-      is_folder(output) ? why_no_folder(output.path) : why_not_writable(output.path);
-  if (!why.empty()) fail(output, fmt::format("{}: {}", printable_path(output.path), why));
+  const auto expect = [&](const fs::path& path, const std::string& why) {
+    if (!why.empty()) fail(output, fmt::format("{}: {}", printable_path(path), why));
+  };
+  expect(output.path,
+         is_folder(output) ? why_no_folder(output.path) : why_not_writable(output.path));
+  if (output.kind != OutputPath::Kind::corpus) return;
+  for (const std::string_view name : kCorpusFolders) {
+    const fs::path folder = fs::path(output.path) / name;
+    if (fs::exists(fs::symlink_status(folder))) expect(folder, why_no_folder(folder));
+  }
 }
 
 }  // namespace

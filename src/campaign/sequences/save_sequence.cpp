@@ -13,8 +13,11 @@ std::string sequence_note(const SequenceJudgement& judgement, const Declaration&
   const LedgerEntry* const entry = judgement.explanation;
   if (entry != nullptr) return fmt::format("{}: {}.", entry->id, entry->description);
   const Bucket& bucket = judgement.bucket;
-  return fmt::format("{}: {} ({}) in frame {} of 0 to {}.", subject.name, to_string(bucket.verdict),
-                     name_of(bucket.kind, kKindNames), judgement.frame, frames - 1);
+  const std::string where = frames == 1
+                                ? "its one frame"
+                                : fmt::format("frame {} of 0 to {}", judgement.frame, frames - 1);
+  return fmt::format("{}: {} ({}) in {}.", subject.name, to_string(bucket.verdict),
+                     name_of(bucket.kind, kKindNames), where);
 }
 
 }  // namespace

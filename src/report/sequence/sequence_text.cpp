@@ -110,6 +110,31 @@ void write_outcome(std::string& text, const JudgedSequence& judged) {
   if (!judged.given.note.empty()) add_row(text, "note", printable(judged.given.note, 1000));
 }
 
+/// Of a long sequence, those about the frame that decides, the last, and all that are wrong.
+bool is_shown(const JudgedSequence& judged, std::size_t frame) {
+  constexpr std::size_t shown_whole = 32;
+  const std::size_t count = judged.given.frames.size();
+  const std::size_t deciding = judged.judgement.frame;
+  if (count <= shown_whole || frame + 1 == count) return true;
+  if (frame + 2 >= deciding && frame <= deciding + 1) return true;
+  return frame < judged.judgement.frames.size() &&
+         judged.judgement.frames[frame].kind != Kind::none;
+}
+
+void write_frames(std::string& text, const JudgedSequence& judged) {
+  for (std::size_t k = 0; k < judged.given.frames.size(); ++k) {
+    std::size_t next = k;
+    while (!is_shown(judged, next)) ++next;
+    if (next > k) {
+      text +=
+          fmt::format("frames {} to {}: {}\n", k, next - 1,
+                      next <= judged.judgement.frames.size() ? "nothing is wrong" : "not judged");
+      k = next;
+    }
+    write_frame(text, judged, k);
+  }
+}
+
 }  // namespace
 
 std::string sequence_text(const JudgedSequence& judged) {
@@ -117,7 +142,7 @@ std::string sequence_text(const JudgedSequence& judged) {
   write_outcome(text, judged);
   write_shape(text, judged.given.pair.a.polygon, 'A');
   write_shape(text, judged.given.pair.b.polygon, 'B');
-  for (std::size_t k = 0; k < judged.given.frames.size(); ++k) write_frame(text, judged, k);
+  write_frames(text, judged);
   return text;
 }
 

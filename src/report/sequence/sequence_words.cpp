@@ -9,6 +9,7 @@
 #include "oracle/exact/curve.hpp"
 #include "report/sequence/sequence_report.hpp"
 #include "report/words.hpp"
+#include "sequence/frame_judge.hpp"
 
 namespace manifuzz {
 namespace {
@@ -86,7 +87,10 @@ std::string frame_in_words(const JudgedSequence& judged, std::size_t frame) {
   if (const auto* const cannot = std::get_if<Unsupported>(&answer)) {
     return "unsupported: " + printable(cannot->why, 200);
   }
-  if (frame >= judged.judgement.frames.size()) return "not judged";
+  if (frame >= judged.judgement.frames.size()) {
+    const auto why = why_malformed(judged.subject.keeping, judged.answers, frame);
+    return why ? "malformed: " + *why : "not judged";
+  }
   const FrameJudgement& verdict = judged.judgement.frames[frame];
   if (verdict.is_ill_posed) return "rounding hides the answer";
   if (verdict.kind == Kind::none) return "right";
@@ -139,10 +143,10 @@ std::string list_motions() {
 std::string sequence_heading(const CampaignResult& result, std::uint64_t seed) {
   const double seconds = result.seconds();
   return fmt::format(
-      "{}: {} sequences, {} frames in {:.1f} s ({:.0f} frames a second, {} jobs), "
+      "{}: {} sequence{}, {} frames in {:.1f} s ({:.0f} frames a second, {} jobs), "
       "seed {}\n",
-      result.settings.subject, result.cases(), result.frames(), seconds,
-      seconds > 0 ? static_cast<double>(result.frames()) / seconds : 0, result.jobs, seed);
+      result.settings.subject, result.cases(), result.cases() == 1 ? "" : "s", result.frames(),
+      seconds, seconds > 0 ? static_cast<double>(result.frames()) / seconds : 0, result.jobs, seed);
 }
 
 std::string motion_rows(const CampaignResult& result) {

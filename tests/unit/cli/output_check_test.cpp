@@ -155,6 +155,13 @@ TEST_CASE("a folder for cases that cannot be made ends a campaign before its fir
                  "--corpus", given.folder.write("file", "") + "/corpus"},
                 "cannot create the folder: Not a directory");
   CHECK_FALSE(fs::exists(asked));
+  for (const std::string folder : {"sequences", "regressions"}) {
+    const std::string corpus = given.path("corpus of " + folder);
+    fs::create_directory(corpus);
+    given.folder.write("corpus of " + folder + "/" + folder, "");
+    check_refused({"fuzz", "--seed", "1", "--cases", "20", "--corpus", corpus},
+                  folder + ": is no folder");
+  }
 }
 
 TEST_CASE("what is tried is taken away again, and what was there stays") {
