@@ -15,21 +15,32 @@
 
 namespace manifuzz_bullet {
 
+/// Two bodies as a world of Bullet's has them. The shapes must outlive them.
+struct CollisionObjects {
+  CollisionObjects(btCollisionShape& shape_a, const btTransform& place_a, btCollisionShape& shape_b,
+                   const btTransform& place_b) {
+    a.setCollisionShape(&shape_a);
+    b.setCollisionShape(&shape_b);
+    a.setWorldTransform(place_a);
+    b.setWorldTransform(place_b);
+  }
+
+  btCollisionObject a;
+  btCollisionObject b;
+};
+
 /// The points that an algorithm leaves in its manifold.
 template <class MakeAlgorithm>
-std::vector<btManifoldPoint> points_of(btCollisionShape& a, const btTransform& place_a,
-                                       btCollisionShape& b, const btTransform& place_b,
+std::vector<btManifoldPoint> points_of(const CollisionObjects& objects,
                                        const MakeAlgorithm& make_algorithm) {
   static btDefaultCollisionConfiguration configuration;
   static btCollisionDispatcher dispatcher(&configuration);
-  btCollisionObject object_a;
-  btCollisionObject object_b;
-  object_a.setCollisionShape(&a);
-  object_b.setCollisionShape(&b);
-  object_a.setWorldTransform(place_a);
-  object_b.setWorldTransform(place_b);
-  const btCollisionObjectWrapper wrapped_a(nullptr, &a, &object_a, place_a, -1, -1);
-  const btCollisionObjectWrapper wrapped_b(nullptr, &b, &object_b, place_b, -1, -1);
+  const auto wrapped = [](const btCollisionObject& object) {
+    return btCollisionObjectWrapper(nullptr, object.getCollisionShape(), &object,
+                                    object.getWorldTransform(), -1, -1);
+  };
+  const btCollisionObjectWrapper wrapped_a = wrapped(objects.a);
+  const btCollisionObjectWrapper wrapped_b = wrapped(objects.b);
   const btCollisionAlgorithmConstructionInfo info(&dispatcher, -1);
   auto algorithm = make_algorithm(info, wrapped_a, wrapped_b);
   btManifoldResult result(&wrapped_a, &wrapped_b);

@@ -11,6 +11,10 @@ std::function<void()> bullet_minkowski_pass(std::span<const PairCase>) {
   return {};
 }
 
+std::function<void()> bullet_perturbed_pass(std::span<const PairCase>) {
+  return {};
+}
+
 std::optional<SequenceCollider> make_bullet_cached() {
   return std::nullopt;
 }

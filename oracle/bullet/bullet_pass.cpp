@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "oracle/bullet/pair_detector.hpp"
+#include "oracle/bullet/perturbed.hpp"
 #include "oracle/external/external_collider.hpp"
 
 namespace manifuzz {
@@ -25,6 +26,18 @@ struct PreparedPrisms {
   btTransform place_a;
   btTransform place_b;
   btPointCollector found{};
+};
+
+/// The same as bodies of a world.
+struct PreparedObjects {
+  PreparedObjects(const manifuzz_body& body_a, const manifuzz_body& body_b)
+      : prisms(body_a, body_b), objects(prisms.a, prisms.place_a, prisms.b, prisms.place_b) {}
+  PreparedObjects(const PreparedObjects&) = delete;
+  PreparedObjects& operator=(const PreparedObjects&) = delete;
+
+  PreparedPrisms prisms;
+  CollisionObjects objects;
+  std::size_t found = 0;
 };
 
 template <class Solver>
@@ -47,6 +60,14 @@ std::function<void()> bullet_epa_pass(std::span<const PairCase> pairs) {
 
 std::function<void()> bullet_minkowski_pass(std::span<const PairCase> pairs) {
   return pass_with<btMinkowskiPenetrationDepthSolver>(pairs);
+}
+
+std::function<void()> bullet_perturbed_pass(std::span<const PairCase> pairs) {
+  const auto all = std::make_shared<std::deque<PreparedObjects>>();
+  for (const PairCase& pair : pairs) all->emplace_back(c_body(pair.a), c_body(pair.b));
+  return [all] {
+    for (PreparedObjects& pair : *all) pair.found = perturbed_points(pair.objects).size();
+  };
 }
 
 }  // namespace manifuzz

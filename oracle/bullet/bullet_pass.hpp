@@ -7,12 +7,14 @@
 
 namespace manifuzz {
 
-// One query of Bullet's btGjkPairDetector through all pairs once, the prisms made before; empty
-// where Bullet is not installed.
+// One query of Bullet's through all pairs once, the prisms made before; empty where Bullet is not
+// installed.
 
-/// With btGjkEpaPenetrationDepthSolver.
+/// btGjkPairDetector with btGjkEpaPenetrationDepthSolver.
 std::function<void()> bullet_epa_pass(std::span<const PairCase> pairs);
-/// With btMinkowskiPenetrationDepthSolver.
+/// The same with btMinkowskiPenetrationDepthSolver.
 std::function<void()> bullet_minkowski_pass(std::span<const PairCase> pairs);
+/// btConvexConvexAlgorithm, perturbed three times.
+std::function<void()> bullet_perturbed_pass(std::span<const PairCase> pairs);
 
 }  // namespace manifuzz

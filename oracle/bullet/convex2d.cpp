@@ -33,7 +33,8 @@ int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_ma
   btConvex2dShape flat_b(&hull_b);
   btVoronoiSimplexSolver simplex;
   btMinkowskiPenetrationDepthSolver solver;
-  return flatten(points_of(flat_a, place_of(*a), flat_b, place_of(*b),
+  const CollisionObjects objects(flat_a, place_of(*a), flat_b, place_of(*b));
+  return flatten(points_of(objects,
                            [&](const auto& info, const auto& of_a, const auto& of_b) {
                              return btConvex2dConvex2dAlgorithm(nullptr, info, &of_a, &of_b,
                                                                 &simplex, &solver, 0, 0);

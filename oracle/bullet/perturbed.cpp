@@ -1,15 +1,9 @@
 // Bullet's btConvexConvexAlgorithm, prism against prism: the deepest point, and those of three
 // queries with the smaller shape turned a little.
 
-#include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
-#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
-
-#include "oracle/bullet/algorithm.hpp"
+#include "oracle/bullet/perturbed.hpp"
 
 namespace {
-
-constexpr int kPerturbations = 3;
-constexpr int kEnoughPoints = 4;
 
 constexpr manifuzz_claims claims() {
   manifuzz_claims of_manifold =
@@ -45,13 +39,8 @@ int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_ma
   const HalfHeights heights = half_heights(*a, *b);
   btConvexHullShape hull_a = hull_of(*a, heights.a);
   btConvexHullShape hull_b = hull_of(*b, heights.b);
-  btGjkEpaPenetrationDepthSolver solver;
-  return flatten(points_of(hull_a, place_of(*a), hull_b, place_of(*b),
-                           [&](const auto& info, const auto& of_a, const auto& of_b) {
-                             return btConvexConvexAlgorithm(nullptr, info, &of_a, &of_b, &solver,
-                                                            kPerturbations, kEnoughPoints);
-                           }),
-                 *manifold);
+  const CollisionObjects objects(hull_a, place_of(*a), hull_b, place_of(*b));
+  return flatten(perturbed_points(objects), *manifold);
 }
 
 }  // extern "C"

@@ -44,10 +44,12 @@ BenchSubject engine(const std::string& name,
 
 /// Those that this build has.
 std::vector<BenchSubject> linked_engines() {
-  std::vector<BenchSubject> all = {
-      engine("chipmunk", chipmunk_pass), engine("bullet-epa", bullet_epa_pass),
-      engine("bullet-minkowski", bullet_minkowski_pass), engine("libccd-gjk", libccd_gjk_pass),
-      engine("libccd-mpr", libccd_mpr_pass)};
+  std::vector<BenchSubject> all = {engine("chipmunk", chipmunk_pass),
+                                   engine("bullet-epa", bullet_epa_pass),
+                                   engine("bullet-minkowski", bullet_minkowski_pass),
+                                   engine("bullet-perturbed", bullet_perturbed_pass),
+                                   engine("libccd-gjk", libccd_gjk_pass),
+                                   engine("libccd-mpr", libccd_mpr_pass)};
   std::erase_if(all, [](const BenchSubject& one) { return !find_installed(one.name); });
   return all;
 }
@@ -102,7 +104,6 @@ std::vector<BenchSubject> chosen_subjects(std::vector<std::string> names) {
 
 /// The ways of engines, as far as this build has them.
 std::vector<MethodSubject> methods_of_engines() {
-  const auto untimed = [](const std::string& name) { return engine(name, nullptr); };
   std::vector<MethodSubject> all{
       {"clipping", {.name = "box2d", .prepare = box2d_pass, .collider = make_box2d}},
       {"closest points", engine("bullet-epa", bullet_epa_pass)},
@@ -112,7 +113,7 @@ std::vector<MethodSubject> methods_of_engines() {
       {"points kept",
        {.name = "bullet-cached"},
        [] { return find_sequence_collider("bullet-cached"); }},
-      {"perturbed", untimed("bullet-perturbed")}};
+      {"perturbed", engine("bullet-perturbed", bullet_perturbed_pass)}};
   std::erase_if(all, [](const MethodSubject& one) {
     try {
       if (one.keeper) one.keeper();
