@@ -1,0 +1,108 @@
+#pragma once
+
+#include <array>
+
+#include "judging/ledger/bullet/bullet_epa_entries.hpp"
+#include "judging/ledger/bullet/perturbed_deviations.hpp"
+
+namespace manifuzz::ledger_of {
+
+// Bullet 3.24, in float, btConvexConvexAlgorithm with three turns. Budgets are twice what 300,000
+// cases against clip64 showed, rounded up.
+
+/// The entries, the first that explains before others.
+inline constexpr std::array kOfBulletPerturbed{
+    LedgerEntry{.id = "bullet-perturbed-replaced",
+                .collider = "bullet-perturbed",
+                .description = "a point of the turned shapes takes the place of a right one nearby",
+                .source = "Bullet 3.24, btPersistentManifold.cpp, getCacheEntry; "
+                          "btManifoldResult.cpp, addContactPoint: replaceContactPoint",
+                .explains = point_replaced_by_turned},
+    LedgerEntry{.id = "bullet-perturbed-refreshed",
+                .collider = "bullet-perturbed",
+                .description = "a point is measured anew between its places on both shapes, or "
+                               "left out since these moved apart",
+                .source = "Bullet 3.24, btPersistentManifold.cpp, refreshContactPoints",
+                .explains = changed_by_refresh},
+    LedgerEntry{.id = "bullet-perturbed-turned-normal",
+                .collider = "bullet-perturbed",
+                .description = "the deepest point is one of the turned shapes, along their normal",
+                .source = "Bullet 3.24, btConvexConvexAlgorithm.cpp, btPerturbedContactResult: "
+                          "addContactPoint(normalOnBInWorld, startPt, newDepth)",
+                .explains = normal_of_turned_query},
+    LedgerEntry{.id = "bullet-perturbed-turned-point",
+                .collider = "bullet-perturbed",
+                .description = "the second point is one of the turned shapes, taken back: beside "
+                               "the manifold, short of its end, or measured along their normal",
+                .source = "Bullet 3.24, btConvexConvexAlgorithm.cpp, btPerturbedContactResult: "
+                          "newDepth = (endPt - startPt).dot(normalOnBInWorld)",
+                .explains = point_of_turned_query},
+    LedgerEntry{.id = "bullet-perturbed-touching-axis",
+                .collider = "bullet-perturbed",
+                .description = "cores within 0.001 of touching: the normal is the direction "
+                               "between two points of them, which roundings may make",
+                .source = kDetectorKeepsAxis,
+                .explains = axis_of_touching_cores<BulletAsked::perturbed>},
+    LedgerEntry{
+        .id = "bullet-perturbed-near-corner",
+        .collider = "bullet-perturbed",
+        .description =
+            "the query ends at a corner within 0.01 of another, short of the closest points",
+        .source = kNearCorner,
+        .explains = stopped_at_near_corner<BulletAsked::perturbed>},
+    LedgerEntry{.id = "bullet-perturbed-relative-error",
+                .collider = "bullet-perturbed",
+                .description = "the query ends where its squared distance, 1e18 at first, falls by "
+                               "less than a millionth",
+                .source = kRelativeErrorEnds,
+                .explains = stopped_by_relative_error<BulletAsked::perturbed>},
+    LedgerEntry{
+        .id = "bullet-perturbed-flat-simplex",
+        .collider = "bullet-perturbed",
+        .description = "the query ends at four corners in a plane, within 0.0001 of a determinant",
+        .source = kFlatSimplex,
+        .explains = stopped_at_flat_simplex<BulletAsked::perturbed>},
+    LedgerEntry{
+        .id = "bullet-perturbed-turned-back",
+        .collider = "bullet-perturbed",
+        .description = "the normal is reversed by what compares distances along both directions",
+        .source = kTurnedBack,
+        .explains = normal_turned_back<BulletAsked::perturbed>},
+    LedgerEntry{.id = "bullet-perturbed-gjk-apart",
+                .collider = "bullet-perturbed",
+                .description =
+                    "the GJK of the EPA finds them apart, ended by a corner within 0.01 of another",
+                .source = kGjkApart,
+                .explains = epa_finds_apart<BulletAsked::perturbed>},
+    LedgerEntry{
+        .id = "bullet-perturbed-fall-back",
+        .collider = "bullet-perturbed",
+        .description = "EPA finds no tetrahedron about the origin: its guess, and a depth of 0",
+        .source = kFallBack,
+        .explains = epa_falls_back<BulletAsked::perturbed>},
+    LedgerEntry{
+        .id = "bullet-perturbed-invalid-hull",
+        .collider = "bullet-perturbed",
+        .description = "EPA ends at a hull that it cannot expand, with the face that it had",
+        .source = kInvalidHull,
+        .explains = epa_at_invalid_hull<BulletAsked::perturbed>},
+    LedgerEntry{
+        .id = "bullet-perturbed-beside-face",
+        .collider = "bullet-perturbed",
+        .description = "the depth of a face's edge along the face's normal, the point off the face",
+        .source = kBesideFace,
+        .explains = epa_beside_face<BulletAsked::perturbed>},
+    LedgerEntry{.id = "bullet-perturbed-chord",
+                .collider = "bullet-perturbed",
+                .description = "a face within 0.0001 of a curved shape, and not tangent to it",
+                .source = kChord,
+                .explains = epa_at_chord<BulletAsked::perturbed>},
+    LedgerEntry{.id = "bullet-perturbed-axis-of-roundings",
+                .collider = "bullet-perturbed",
+                .description = "the direction between the closest points of cores so near that the "
+                               "roundings of these turn it",
+                .source = kDetectorAxis,
+                .explains = axis_turned_by_roundings<BulletAsked::perturbed>},
+};
+
+}  // namespace manifuzz::ledger_of
