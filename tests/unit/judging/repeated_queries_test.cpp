@@ -98,12 +98,12 @@ TEST_CASE("EPA ends at an invalid hull of concentric circles, and its answer alo
   const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
   const double depth = -answer.distance * normal.norm();
   const auto is_it = [&](const Vector2<double>& along, double deep) {
-    return is_explained(epa_at_invalid_hull<BulletAsked::epa>, pair, along, deep);
+    return is_explained(epa_at_invalid_hull, pair, along, deep);
   };
   CHECK(is_it(normal, depth));
   CHECK_FALSE(is_it(-normal, depth));
   CHECK_FALSE(is_it(normal, depth - 1e-4));
-  CHECK_FALSE(is_explained(epa_falls_back<BulletAsked::epa>, pair, normal, depth));
+  CHECK_FALSE(is_explained(epa_falls_back, pair, normal, depth));
 }
 
 TEST_CASE("the axis of circles whose centres are within 0.001 is kept") {

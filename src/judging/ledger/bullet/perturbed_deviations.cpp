@@ -1,5 +1,6 @@
 #include "judging/ledger/bullet/perturbed_deviations.hpp"
 
+#include "judging/by_curve.hpp"
 #include "judging/ledger/bullet/bullet_perturbed.hpp"
 
 namespace manifuzz {
@@ -31,11 +32,14 @@ ledger_of::PerturbedAnswer repeat_without(const Deviation& d, unsigned faults) {
                                                  .does_replace = (faults & kReplacedPoint) == 0});
 }
 
+bool is_repeated_with_turns(const Deviation& d) {
+  return replayed::is_same_answer(d, ledger_of::seen_in_plane(repeat_without(d, 0).points));
+}
+
 /// Whether the answer is the repeated one, and would be right without this part.
 bool is_by_part(const Deviation& d, PerturbedFault fault) {
   constexpr unsigned all = kTurnedQueries | kReplacedPoint | kRefreshedPoints;
-  const auto answer = repeat_without(d, 0);
-  if (!replayed::is_same_answer(d, ledger_of::seen_in_plane(answer.points))) return false;
+  if (!is_repeated_with_turns(d)) return false;
   const Declaration declaration = declaration_of_perturbed();
   return replayed::is_needed(fault, all, [&](unsigned mended) {
     const auto right = repeat_without(d, mended);
@@ -66,6 +70,17 @@ bool normal_of_turned_query(const Deviation& d) {
 
 bool point_of_turned_query(const Deviation& d) {
   return query_of_deepest(d) == 0 && is_by_part(d, kTurnedQueries);
+}
+
+bool is_of_first_query(const Deviation& d, bool (*explains)(const Deviation&)) {
+  if (!is_repeated_with_turns(d)) return false;
+  const auto alone = repeat_without(d, kTurnedQueries | kRefreshedPoints);
+  const Manifold<double> first =
+      replayed::in_frame_of_a(d.right.pair(), ledger_of::seen_in_plane(alone.points));
+  PartialManifold answer;
+  answer.manifold = first;
+  const Kind kind = judge_by_curve(*d.right.truth, declaration_of_perturbed(), answer).kind;
+  return kind != Kind::none && explains({d.right, first, kind});
 }
 
 }  // namespace manifuzz

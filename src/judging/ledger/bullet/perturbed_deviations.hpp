@@ -17,4 +17,12 @@ bool normal_of_turned_query(const Deviation& deviation);
 /// The deepest is the first query's, and the other a turned query's.
 bool point_of_turned_query(const Deviation& deviation);
 
+/// The first query's answer, without turned ones, is wrong too, by what a predicate on bullet-epa
+/// looks for.
+bool is_of_first_query(const Deviation& deviation, bool (*explains)(const Deviation&));
+template <bool (*explains)(const Deviation&)>
+bool of_first_query(const Deviation& deviation) {
+  return is_of_first_query(deviation, explains);
+}
+
 }  // namespace manifuzz

@@ -4,6 +4,7 @@
 
 #include "judging/ledger/bullet/bullet_epa_entries.hpp"
 #include "judging/ledger/bullet/perturbed_deviations.hpp"
+#include "judging/ledger/gjk_deviations.hpp"
 
 namespace manifuzz::ledger_of {
 
@@ -37,72 +38,85 @@ inline constexpr std::array kOfBulletPerturbed{
                 .source = "Bullet 3.24, btConvexConvexAlgorithm.cpp, btPerturbedContactResult: "
                           "newDepth = (endPt - startPt).dot(normalOnBInWorld)",
                 .explains = point_of_turned_query},
+    LedgerEntry{.id = "bullet-perturbed-first-of-roundings",
+                .collider = "bullet-perturbed",
+                .description = "a turned shape's point, of shapes that hardly overlap: the first "
+                               "query's normal is a direction of roundings",
+                .source = kDirectionOfPoints,
+                .explains = of_first_query<direction_of_short_translation>},
+    LedgerEntry{.id = "bullet-perturbed-first-least-distance",
+                .collider = "bullet-perturbed",
+                .description = "a turned shape's point, of shapes within 0.0001 of touching, of "
+                               "which the first query does not tell overlap and gap apart",
+                .source = "Bullet 3.24, btGjkEpa2.cpp, GJK::Evaluate: rl < GJK_MIN_DISTANCE is "
+                          "Inside",
+                .explains = of_first_query<below_gjk_distance>},
     LedgerEntry{.id = "bullet-perturbed-touching-axis",
                 .collider = "bullet-perturbed",
                 .description = "cores within 0.001 of touching: the normal is the direction "
                                "between two points of them, which roundings may make",
                 .source = kDetectorKeepsAxis,
-                .explains = axis_of_touching_cores<BulletAsked::perturbed>},
+                .explains = of_first_query<axis_of_touching_cores<BulletAsked::epa>>},
     LedgerEntry{
         .id = "bullet-perturbed-near-corner",
         .collider = "bullet-perturbed",
         .description =
             "the query ends at a corner within 0.01 of another, short of the closest points",
         .source = kNearCorner,
-        .explains = stopped_at_near_corner<BulletAsked::perturbed>},
+        .explains = of_first_query<stopped_at_near_corner<BulletAsked::epa>>},
     LedgerEntry{.id = "bullet-perturbed-relative-error",
                 .collider = "bullet-perturbed",
                 .description = "the query ends where its squared distance, 1e18 at first, falls by "
                                "less than a millionth",
                 .source = kRelativeErrorEnds,
-                .explains = stopped_by_relative_error<BulletAsked::perturbed>},
+                .explains = of_first_query<stopped_by_relative_error<BulletAsked::epa>>},
     LedgerEntry{
         .id = "bullet-perturbed-flat-simplex",
         .collider = "bullet-perturbed",
         .description = "the query ends at four corners in a plane, within 0.0001 of a determinant",
         .source = kFlatSimplex,
-        .explains = stopped_at_flat_simplex<BulletAsked::perturbed>},
+        .explains = of_first_query<stopped_at_flat_simplex<BulletAsked::epa>>},
     LedgerEntry{
         .id = "bullet-perturbed-turned-back",
         .collider = "bullet-perturbed",
         .description = "the normal is reversed by what compares distances along both directions",
         .source = kTurnedBack,
-        .explains = normal_turned_back<BulletAsked::perturbed>},
+        .explains = of_first_query<normal_turned_back<BulletAsked::epa>>},
     LedgerEntry{.id = "bullet-perturbed-gjk-apart",
                 .collider = "bullet-perturbed",
                 .description =
                     "the GJK of the EPA finds them apart, ended by a corner within 0.01 of another",
                 .source = kGjkApart,
-                .explains = epa_finds_apart<BulletAsked::perturbed>},
+                .explains = of_first_query<epa_finds_apart>},
     LedgerEntry{
         .id = "bullet-perturbed-fall-back",
         .collider = "bullet-perturbed",
         .description = "EPA finds no tetrahedron about the origin: its guess, and a depth of 0",
         .source = kFallBack,
-        .explains = epa_falls_back<BulletAsked::perturbed>},
+        .explains = of_first_query<epa_falls_back>},
     LedgerEntry{
         .id = "bullet-perturbed-invalid-hull",
         .collider = "bullet-perturbed",
         .description = "EPA ends at a hull that it cannot expand, with the face that it had",
         .source = kInvalidHull,
-        .explains = epa_at_invalid_hull<BulletAsked::perturbed>},
+        .explains = of_first_query<epa_at_invalid_hull>},
     LedgerEntry{
         .id = "bullet-perturbed-beside-face",
         .collider = "bullet-perturbed",
         .description = "the depth of a face's edge along the face's normal, the point off the face",
         .source = kBesideFace,
-        .explains = epa_beside_face<BulletAsked::perturbed>},
+        .explains = of_first_query<epa_beside_face>},
     LedgerEntry{.id = "bullet-perturbed-chord",
                 .collider = "bullet-perturbed",
                 .description = "a face within 0.0001 of a curved shape, and not tangent to it",
                 .source = kChord,
-                .explains = epa_at_chord<BulletAsked::perturbed>},
+                .explains = of_first_query<epa_at_chord>},
     LedgerEntry{.id = "bullet-perturbed-axis-of-roundings",
                 .collider = "bullet-perturbed",
                 .description = "the direction between the closest points of cores so near that the "
                                "roundings of these turn it",
                 .source = kDetectorAxis,
-                .explains = axis_turned_by_roundings<BulletAsked::perturbed>},
+                .explains = of_first_query<axis_turned_by_roundings<BulletAsked::epa>>},
 };
 
 }  // namespace manifuzz::ledger_of

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "judging/ledger/bullet/bullet_perturbed.hpp"
+#include "judging/ledger/bullet/bullet_epa.hpp"
 #include "judging/ledger/differences.hpp"
 #include "oracle/exact/curve.hpp"
 
@@ -22,7 +22,6 @@ struct RepeatedQuery {
   BulletAnswer answer;
   ledger_of::MinkowskiTrace directions;
   ledger_of::EpaTrace epa;
-  std::vector<ledger_of::BulletPoint> points;  ///< of the manifold, where shapes are turned
 
   /// The loop whose closest points the answer is made of: the first one, or the displaced one.
   const QueryLoop& deciding() const {
@@ -35,13 +34,6 @@ RepeatedQuery repeat_query(const PairCase& pair, BulletAsked asked) {
   if (asked == BulletAsked::epa) {
     query.answer = ledger_of::ask_detector(ledger_of::prisms_of(pair), ledger_of::solve_by_epa,
                                            &query.epa, 1e18F);
-    return query;
-  }
-  if (asked == BulletAsked::perturbed) {
-    const auto answer = ledger_of::ask_perturbed(ledger_of::prisms_of(pair), {});
-    query.answer = answer.first;
-    query.epa = answer.epa;
-    query.points = answer.points;
     return query;
   }
   const ledger_of::BulletPair hulls =
@@ -74,10 +66,7 @@ bool is_answered(const Deviation& d, const BulletAnswer& answer) {
 template <class CameAbout>
 bool is_repeated(const Deviation& d, BulletAsked asked, const CameAbout& came_about) {
   const RepeatedQuery query = repeat_query(d.right.pair(), asked);
-  if (!came_about(query)) return false;
-  return asked == BulletAsked::perturbed
-             ? replayed::is_same_answer(d, ledger_of::seen_in_plane(query.points))
-             : is_answered(d, query.answer);
+  return came_about(query) && is_answered(d, query.answer);
 }
 
 bool is_of_own_axis(const RepeatedQuery& query) {
@@ -151,38 +140,33 @@ bool normal_turned_back(const Deviation& d) {
   });
 }
 
-template <BulletAsked asked>
 bool epa_at_invalid_hull(const Deviation& d) {
-  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
     return is_of_epa(query, BulletEpaEnd::invalid_hull);
   });
 }
 
-template <BulletAsked asked>
 bool epa_beside_face(const Deviation& d) {
-  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
     return is_of_epa(query, BulletEpaEnd::accuracy_reached) && query.epa.is_beside_face;
   });
 }
 
-template <BulletAsked asked>
 bool epa_at_chord(const Deviation& d) {
   if (total_radius(d.right.pair()) == 0 || !ledger_of::is_of_points(d.kind)) return false;
-  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
     return is_of_epa(query, BulletEpaEnd::accuracy_reached) && !query.epa.is_beside_face;
   });
 }
 
-template <BulletAsked asked>
 bool epa_finds_apart(const Deviation& d) {
-  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
     return query.answer.normal_of == NormalOf::solver_apart;
   });
 }
 
-template <BulletAsked asked>
 bool epa_falls_back(const Deviation& d) {
-  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
     return is_of_epa(query, BulletEpaEnd::fall_back);
   });
 }
@@ -199,16 +183,6 @@ bool epa_falls_back(const Deviation& d) {
 MANIFUZZ_BULLET_ASKED(epa)
 MANIFUZZ_BULLET_ASKED(directions)
 MANIFUZZ_BULLET_ASKED(flat)
-MANIFUZZ_BULLET_ASKED(perturbed)
 #undef MANIFUZZ_BULLET_ASKED
-#define MANIFUZZ_BULLET_EPA_ASKED(asked)                                   \
-  template bool epa_finds_apart<BulletAsked::asked>(const Deviation&);     \
-  template bool epa_falls_back<BulletAsked::asked>(const Deviation&);      \
-  template bool epa_at_invalid_hull<BulletAsked::asked>(const Deviation&); \
-  template bool epa_beside_face<BulletAsked::asked>(const Deviation&);     \
-  template bool epa_at_chord<BulletAsked::asked>(const Deviation&);
-MANIFUZZ_BULLET_EPA_ASKED(epa)
-MANIFUZZ_BULLET_EPA_ASKED(perturbed)
-#undef MANIFUZZ_BULLET_EPA_ASKED
 
 }  // namespace manifuzz

@@ -8,8 +8,8 @@ namespace manifuzz {
 // is what the repeated query gives, and that came about by the named rule.
 
 /// How Bullet was asked: prisms with its EPA or with its fixed directions, or flat hulls with
-/// these; or the first query of prisms that are then turned.
-enum class BulletAsked { epa, directions, flat, perturbed };
+/// these.
+enum class BulletAsked { epa, directions, flat };
 
 /// btGjkPairDetector keeps its own query's axis though that ended below 0.001, the root of
 /// REL_ERROR2, or takes it back from the depth solver: its direction is the roundings'.
@@ -38,21 +38,16 @@ bool axis_turned_by_roundings(const Deviation& deviation);
 template <BulletAsked>
 bool normal_turned_back(const Deviation& deviation);
 /// The solver's GJK found them apart, where the detector's own query had found them to touch.
-template <BulletAsked>
 bool epa_finds_apart(const Deviation& deviation);
 /// EPA::Evaluate found no tetrahedron about the origin: its guess and a depth of 0.
-template <BulletAsked>
 bool epa_falls_back(const Deviation& deviation);
 
 /// EPA::Evaluate ended at a hull that it could not expand, and gives the face it had.
-template <BulletAsked>
 bool epa_at_invalid_hull(const Deviation& deviation);
 /// EPA::Evaluate ended at a face beside which the origin is: getedgedist's distance along n is not
 /// on the face.
-template <BulletAsked>
 bool epa_beside_face(const Deviation& deviation);
 /// EPA::Evaluate ended within EPA_ACCURACY of a curved corner: its face is not tangent there.
-template <BulletAsked>
 bool epa_at_chord(const Deviation& deviation);
 
 }  // namespace manifuzz
