@@ -239,8 +239,8 @@ replayed::Contact seen_in_plane(const std::vector<BulletPoint>& points) {
     if (point.distance <= 0 && apart(point) > apart(*farthest)) farthest = &point;
   }
   const float length = std::hypot(deepest->normal.x(), deepest->normal.y());
-  contact.normal = -Vector2<float>(deepest->normal.x() / length, deepest->normal.y() / length)
-                        .cast<double>();
+  contact.normal =
+      -Vector2<float>(deepest->normal.x() / length, deepest->normal.y() / length).cast<double>();
   for (const BulletPoint* const point : {deepest, farthest}) {
     if (!contact.points.empty() && farthest == deepest) break;
     contact.points.push_back({Vector2<float>(point->on_b.x(), point->on_b.y()).cast<double>(),

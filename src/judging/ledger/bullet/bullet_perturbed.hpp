@@ -20,9 +20,9 @@ struct BulletPoint {
 
 /// What of btConvexConvexAlgorithm::processCollision is left out.
 struct PerturbedParts {
-  bool has_turned = true;     ///< the queries of turned shapes
-  bool is_refreshed = true;   ///< refreshContactPoints at the end
-  bool does_replace = true;   ///< a point takes the place of one nearby: getCacheEntry
+  bool has_turned = true;    ///< the queries of turned shapes
+  bool is_refreshed = true;  ///< refreshContactPoints at the end
+  bool does_replace = true;  ///< a point takes the place of one nearby: getCacheEntry
 };
 
 /// The answer of btConvexConvexAlgorithm with btGjkEpaPenetrationDepthSolver, three turns and four
