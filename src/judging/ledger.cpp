@@ -50,7 +50,7 @@ constexpr std::array kLedger =
            ledger_of::kOfDyn4jGjk, ledger_of::kOfCute, ledger_of::kOfSat, ledger_of::kOfGodot,
            ledger_of::kOfJbox2dSearch, ledger_of::kOfParry, ledger_of::kOfParryF64,
            ledger_of::kOfParrySimplified, ledger_of::kOfRapier, ledger_of::kOfRapierContact,
-           ledger_of::kOfBulletEpa, ledger_of::kOfBulletQuery, ledger_of::kOfBulletPerturbed);
+           ledger_of::kOfBulletEpa, ledger_of::kOfBulletQuery, ledger_of::kOfBulletPerturbed, ledger_of::kOfBulletPerturbedEpa);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

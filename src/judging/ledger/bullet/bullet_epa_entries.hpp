@@ -3,6 +3,7 @@
 #include <array>
 
 #include "judging/ledger/bullet/bullet_query_entries.hpp"
+#include "judging/ledger/bullet/perturbed_deviations.hpp"
 
 namespace manifuzz::ledger_of {
 
@@ -170,6 +171,51 @@ inline constexpr std::array kOfBulletEpa{
                 .source = kDetectorAxis,
                 .budgets = kOfBulletEpaAxisOfRoundings,
                 .explains = axis_turned_by_roundings<BulletAsked::epa>},
+    LedgerEntry{
+        .id = "bullet-epa-inner-face",
+        .collider = "bullet-epa",
+        .description = "a face within 0.0001 of the difference's corners, and inside of it",
+        .source = kChord,
+        .explains = epa_at_inner_face},
+};
+
+/// Of bullet-perturbed, the same of its first query.
+inline constexpr std::array kOfBulletPerturbedEpa{
+    LedgerEntry{.id = "bullet-perturbed-gjk-apart",
+                .collider = "bullet-perturbed",
+                .description =
+                    "the GJK of the EPA finds them apart, ended by a corner within 0.01 of another",
+                .source = kGjkApart,
+                .explains = of_first_query<epa_finds_apart>},
+    LedgerEntry{
+        .id = "bullet-perturbed-fall-back",
+        .collider = "bullet-perturbed",
+        .description = "EPA finds no tetrahedron about the origin: its guess, and a depth of 0",
+        .source = kFallBack,
+        .explains = of_first_query<epa_falls_back>},
+    LedgerEntry{
+        .id = "bullet-perturbed-invalid-hull",
+        .collider = "bullet-perturbed",
+        .description = "EPA ends at a hull that it cannot expand, with the face that it had",
+        .source = kInvalidHull,
+        .explains = of_first_query<epa_at_invalid_hull>},
+    LedgerEntry{
+        .id = "bullet-perturbed-beside-face",
+        .collider = "bullet-perturbed",
+        .description = "the depth of a face's edge along the face's normal, the point off the face",
+        .source = kBesideFace,
+        .explains = of_first_query<epa_beside_face>},
+    LedgerEntry{.id = "bullet-perturbed-chord",
+                .collider = "bullet-perturbed",
+                .description = "a face within 0.0001 of a curved shape, and not tangent to it",
+                .source = kChord,
+                .explains = of_first_query<epa_at_chord>},
+    LedgerEntry{
+        .id = "bullet-perturbed-inner-face",
+        .collider = "bullet-perturbed",
+        .description = "a face within 0.0001 of the difference's corners, and inside of it",
+        .source = kChord,
+        .explains = of_first_query<epa_at_inner_face>},
 };
 
 }  // namespace manifuzz::ledger_of
