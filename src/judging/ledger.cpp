@@ -42,15 +42,15 @@ constexpr auto joined(const Entries&... entries) {
   return all;
 }
 
-constexpr std::array kLedger =
-    joined(ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk,
-           ledger_of::kOfMunk, ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet,
-           ledger_of::kOfLibccd, ledger_of::kOfBox2d3, ledger_of::kOfBox2dCore,
-           ledger_of::kOfMatter, ledger_of::kOfP2, ledger_of::kOfNape, ledger_of::kOfDyn4jSat,
-           ledger_of::kOfDyn4jGjk, ledger_of::kOfCute, ledger_of::kOfSat, ledger_of::kOfGodot,
-           ledger_of::kOfJbox2dSearch, ledger_of::kOfParry, ledger_of::kOfParryF64,
-           ledger_of::kOfParrySimplified, ledger_of::kOfRapier, ledger_of::kOfRapierContact,
-           ledger_of::kOfBulletEpa, ledger_of::kOfBulletQuery, ledger_of::kOfBulletPerturbed, ledger_of::kOfBulletPerturbedEpa);
+constexpr std::array kLedger = joined(
+    ledger_of::kOfBox2d, ledger_of::kOfJavaScript, ledger_of::kOfChipmunk, ledger_of::kOfMunk,
+    ledger_of::kOfCp, ledger_of::kOfJbox2d, ledger_of::kOfBullet, ledger_of::kOfLibccd,
+    ledger_of::kOfBox2d3, ledger_of::kOfBox2dCore, ledger_of::kOfMatter, ledger_of::kOfP2,
+    ledger_of::kOfNape, ledger_of::kOfDyn4jSat, ledger_of::kOfDyn4jGjk, ledger_of::kOfCute,
+    ledger_of::kOfSat, ledger_of::kOfGodot, ledger_of::kOfJbox2dSearch, ledger_of::kOfParry,
+    ledger_of::kOfParryF64, ledger_of::kOfParrySimplified, ledger_of::kOfRapier,
+    ledger_of::kOfRapierContact, ledger_of::kOfBulletEpa, ledger_of::kOfBulletQuery,
+    ledger_of::kOfBulletPerturbed, ledger_of::kOfBulletPerturbedEpa);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

@@ -34,8 +34,8 @@ bool point_of_displaced_query(const Deviation& deviation);
 /// displacement, all rounded as it rounds them.
 template <BulletAsked>
 bool distance_of_displaced_query(const Deviation& deviation);
-/// The axis of its own query, wherever that ended, took the place of the solver's normal, since they
-/// are less deep along it: d2 > d0.
+/// The axis of its own query, wherever that ended, took the place of the solver's normal, since
+/// they are less deep along it: d2 > d0.
 template <BulletAsked>
 bool axis_taken_back(const Deviation& deviation);
 /// The axis of its own query, from the right normal by no more than what roundings of the points
