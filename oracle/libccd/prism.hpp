@@ -128,8 +128,9 @@ inline int collide_prisms(const Algorithm& algorithm, const manifuzz_body& a,
   const double x = ccdVec3X(&found.direction);
   const double y = ccdVec3Y(&found.direction);
   const double in_plane = std::hypot(x, y);
-  // Shapes that touch without a depth have no direction in MPR, as findPenetrTouch says.
-  if (found.depth == 0 && in_plane == 0) return 0;
+  // Shapes that touch have no direction in MPR, as findPenetrTouch says of a depth of 0, and
+  // findPenetr of one below CCD_EPS.
+  if (in_plane == 0 && ccdVec3Z(&found.direction) == 0) return 0;
   if (std::abs(ccdVec3Z(&found.direction)) > in_plane) return 1;
   manifold.touching = 1;
   manifold.normal = {x / in_plane, y / in_plane};

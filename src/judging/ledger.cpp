@@ -10,6 +10,7 @@
 #include "judging/ledger/bullet/bullet_epa_entries.hpp"
 #include "judging/ledger/bullet/bullet_query_entries.hpp"
 #include "judging/ledger/bullet/libccd_entries.hpp"
+#include "judging/ledger/bullet/perturbed_entries.hpp"
 #include "judging/ledger/chipmunk/chipmunk_entries.hpp"
 #include "judging/ledger/chipmunk/munk_entries.hpp"
 #include "judging/ledger/npm/box2d_core_entries.hpp"
@@ -48,7 +49,8 @@ constexpr std::array kLedger = joined(
     ledger_of::kOfNape, ledger_of::kOfDyn4jSat, ledger_of::kOfDyn4jGjk, ledger_of::kOfCute,
     ledger_of::kOfSat, ledger_of::kOfGodot, ledger_of::kOfJbox2dSearch, ledger_of::kOfParry,
     ledger_of::kOfParryF64, ledger_of::kOfParrySimplified, ledger_of::kOfRapier,
-    ledger_of::kOfRapierContact, ledger_of::kOfBulletEpa, ledger_of::kOfBulletQuery);
+    ledger_of::kOfRapierContact, ledger_of::kOfBulletEpa, ledger_of::kOfBulletQuery,
+    ledger_of::kOfBulletPerturbed, ledger_of::kOfBulletPerturbedEpa);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

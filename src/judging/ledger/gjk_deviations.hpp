@@ -33,10 +33,6 @@ bool least_of_fixed_directions_of_equal_vertices(const Deviation& deviation);
 bool least_of_flattened_directions(const Deviation& deviation);
 bool least_of_flattened_directions_of_equal_vertices(const Deviation& deviation);
 
-/// Of btConvexConvexAlgorithm, perturbed: right within gContactBreakingThreshold, by which it moves
-/// the farthest point of the smaller shape, and the normal within the angle that takes.
-bool turned_by_perturbation(const Deviation& deviation);
-
 /// Of ccdGJKPenetration: epa_tolerance, a length, is compared with squares of lengths. The depth is
 /// too small, by up to the tolerance over the depth, or the last corner is nearer than the root of
 /// the tolerance to the chord that the answer is on.

@@ -175,20 +175,3 @@ TEST_CASE("the translation ends on the face that the ray from the centres leaves
   CHECK_FALSE(is_it(manifold_of({-1, 0}, 13)));
   CHECK_FALSE(is_it(none()));
 }
-
-TEST_CASE("turned by the perturbation, and no more than that") {
-  // Of both prisms B's has the smaller disc, 2: it is turned by 0.01.
-  const auto turned_by = [](double angle, double depth) {
-    Manifold<double> manifold = manifold_of({std::cos(angle), std::sin(angle)}, depth);
-    manifold.points[0].position = {0.7, 0.5};
-    return manifold;
-  };
-  const auto is_it = [](const Manifold<double>& got) {
-    return explains(turned_by_perturbation, side_by_side(), got, Kind::witness);
-  };
-  CHECK(is_it(turned_by(0.008, 0.3)));
-  CHECK_FALSE(is_it(turned_by(0.02, 0.3)));
-  CHECK_FALSE(is_it(turned_by(0.008, 0.35)));
-  CHECK_FALSE(is_it(turned_by(0.008, 0.25)));
-  CHECK_FALSE(is_it(none()));
-}

@@ -4,10 +4,13 @@
 
 #include "judging/by_curve.hpp"
 #include "judging/ledger/bullet/bullet_epa.hpp"
+#include "judging/ledger/bullet/bullet_perturbed.hpp"
 #include "judging/ledger/bullet/ccd_deviations.hpp"
 #include "judging/ledger/bullet/ccd_polytope.hpp"
 #include "judging/ledger/bullet/libccd_ray.hpp"
+#include "judging/ledger/bullet/perturbed_deviations.hpp"
 #include "judging/ledger/bullet/query_deviations.hpp"
+#include "judging/ledger/gjk_deviations.hpp"
 
 // Bullet's and libccd's queries as the ledger repeats them, of pairs by hand. That they answer as
 // the engines do, the witnesses show.
@@ -138,4 +141,31 @@ TEST_CASE("the corner of the ray is the one beyond the middle, where the origin 
   CHECK_FALSE(is_it(diagonal, {1, 1}, 1.5));
   CHECK_FALSE(is_it(diagonal, {1, 0}, 1.5));
   CHECK_FALSE(is_it(squares_side_by_side(), {0.3, 1.5}, std::hypot(0.3, 1.5)));
+}
+
+TEST_CASE("the repeated turns find points of two squares beside the first, along turned normals") {
+  const BulletPair pair = prisms_of(squares_side_by_side());
+  const PerturbedAnswer alone = ask_perturbed(pair, {.has_turned = false});
+  REQUIRE(alone.points.size() == 1);
+  CHECK(alone.points[0].query == 0);
+  CHECK(alone.points[0].distance == Approx(-0.3));
+  const PerturbedAnswer all = ask_perturbed(pair, {});
+  REQUIRE(all.points.size() > 1);
+  // The smaller disc is above 2, so that they are turned by less than 0.01.
+  for (const BulletPoint& point : all.points) {
+    CHECK(point.normal.x() == Approx(-1).margin(1e-4));
+    CHECK(std::abs(point.normal.y()) < 0.01F);
+    CHECK(point.distance == Approx(-0.3).margin(0.03));
+  }
+}
+
+TEST_CASE("an answer that the repeated turns do not give is none of theirs") {
+  const auto is_one = [](bool (*predicate)(const Deviation&)) {
+    return is_explained(predicate, squares_side_by_side(), {1, 0}, 0.29);
+  };
+  CHECK_FALSE(is_one(point_replaced_by_turned));
+  CHECK_FALSE(is_one(changed_by_refresh));
+  CHECK_FALSE(is_one(normal_of_turned_query));
+  CHECK_FALSE(is_one(point_of_turned_query));
+  CHECK_FALSE(is_one(of_first_query<below_gjk_distance>));
 }

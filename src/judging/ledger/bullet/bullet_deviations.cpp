@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "judging/by_curve.hpp"
 #include "judging/ledger/differences.hpp"
 #include "judging/ledger/gjk_deviations.hpp"
 
@@ -118,41 +117,6 @@ bool is_of_least(const Deviation& d, const std::vector<Vector2<double>>& directi
   });
 }
 
-/// gContactBreakingThreshold, a length.
-constexpr double kBreakingThreshold = 0.02;
-/// Of the prisms that it is asked about, as shares of both reaches: a's and b's half heights.
-constexpr double kHalfHeights[] = {0.7, 0.5};
-
-double reach_of(const Body& body) {
-  double farthest = 0;
-  for (int i = 0; i < body.polygon.count; ++i) {
-    farthest = std::max(farthest, body.polygon.vertices[i].cast<double>().norm());
-  }
-  return farthest + static_cast<double>(body.polygon.radius);
-}
-
-/// getAngularMotionDisc of a prism.
-double angular_disc(const Body& body, double half_height) {
-  Vector2<double> low = body.polygon.vertices[0].cast<double>();
-  Vector2<double> high = low;
-  for (int i = 1; i < body.polygon.count; ++i) {
-    const Vector2<double> vertex = body.polygon.vertices[i].cast<double>();
-    low = low.cwiseMin(vertex);
-    high = high.cwiseMax(vertex);
-  }
-  const auto margin = static_cast<double>(body.polygon.radius);
-  const Vector2<double> half = (high - low) / 2 + Vector2<double>(margin, margin);
-  return ((low + high) / 2).norm() + std::hypot(half.norm(), half_height + margin);
-}
-
-/// By which angle the smaller one is turned.
-double angle_of_perturbation(const PairCase& pair) {
-  const double both = reach_of(pair.a) + reach_of(pair.b);
-  const double disc = std::min(angular_disc(pair.a, kHalfHeights[0] * both),
-                               angular_disc(pair.b, kHalfHeights[1] * both));
-  return std::min(kBreakingThreshold / disc, std::acos(-1.0) / 8);
-}
-
 std::vector<Vector2<double>> in_the_plane() {
   return with_opposites(kUpright);
 }
@@ -180,25 +144,6 @@ bool gap_as_depth(const Deviation& d) {
   const double bound = 4 * d.right.bounds.separation;
   return bound <= kPenetrationTolerance && gap > 0 && gap <= kPenetrationTolerance &&
          std::abs(ledger_of::deepest(d.got)) <= gap + bound;
-}
-
-bool turned_by_perturbation(const Deviation& d) {
-  if (d.got.count == 0) return false;
-  const exact::PenetrationCurve curve(*d.right.truth, exact::skin_of(*d.right.truth));
-  const double angle = angle_of_perturbation(d.right.pair()) + d.right.bounds.normal;
-  const auto minima = curve.minima(4 * d.right.bounds.separation);
-  const bool is_turned_little = std::ranges::any_of(minima, [&](const Vector2<double>& normal) {
-    return (d.got.normal - normal).norm() <= angle;
-  });
-  Declaration declaration;
-  declaration.frame = RoundingFrame::world;
-  declaration.min_vertices = 1;
-  declaration.takes_round = true;
-  declaration.clips = false;
-  declaration.points = PointsAt::surface_b;
-  declaration.one_point_enough = true;
-  declaration.tolerance.absolute = kBreakingThreshold;
-  return is_turned_little && judge_by_curve(*d.right.truth, declaration, d.got).kind == Kind::none;
 }
 
 bool least_of_fixed_directions(const Deviation& d) {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "judging/ledger/bullet/bullet_query_entries.hpp"
+#include "judging/ledger/bullet/perturbed_deviations.hpp"
 
 namespace manifuzz::ledger_of {
 
@@ -91,6 +92,36 @@ inline constexpr Budget kOfBulletEpaAxisOfRoundings[] = {{"capsules", 200},
                                                          {"round_corners", 200},
                                                          {"side_planes", 200}};
 
+inline constexpr Budget kOfBulletEpaInnerFace[] = {
+    {"near_collinear", 200}, {"near_parallel", 400}, {"sliver", 2600}, {"tied_faces", 200}};
+inline constexpr Budget kOfPerturbedGjkApart[] = {
+    {"cores_touch", 200}, {"corner_corner", 200}, {"in_line", 200},      {"micro_edge", 1200},
+    {"scaled", 600},      {"ulp", 200},           {"voronoi_lines", 200}};
+inline constexpr Budget kOfPerturbedFallBack[] = {{"micro_edge", 400},    {"near_collinear", 2600},
+                                                  {"near_parallel", 800}, {"scaled", 1400},
+                                                  {"tilted_edges", 200},  {"ulp", 200}};
+inline constexpr Budget kOfPerturbedInvalidHull[] = {
+    {"boxes", 200},          {"capsules", 3400},
+    {"cores_touch", 400000}, {"corner_corner", 1400},
+    {"deep", 2400},          {"grid", 400},
+    {"in_line", 1200},       {"micro_edge", 4200},
+    {"mixed_shapes", 4400},  {"near_collinear", 1600},
+    {"near_parallel", 200},  {"round_corners", 13000},
+    {"scaled", 11000},       {"side_planes", 1600},
+    {"sliver", 1000},        {"tie_bias", 5600},
+    {"tied_faces", 3000},    {"tilted_edges", 400},
+    {"ulp", 2200},           {"voronoi_lines", 5200}};
+inline constexpr Budget kOfPerturbedBesideFace[] = {
+    {"cores_touch", 200},  {"corner_corner", 600}, {"in_line", 200}, {"micro_edge", 3000},
+    {"mixed_shapes", 200}, {"near_parallel", 200}, {"regular", 400}, {"sliver", 200},
+    {"tied_faces", 2400},  {"touching", 400},      {"ulp", 600}};
+inline constexpr Budget kOfPerturbedChord[] = {{"capsules", 20000},      {"cores_touch", 230000},
+                                               {"in_line", 150000},      {"mixed_shapes", 15000},
+                                               {"round_corners", 27000}, {"side_planes", 2600},
+                                               {"tilted_edges", 15000},  {"voronoi_lines", 8400}};
+inline constexpr Budget kOfPerturbedInnerFace[] = {
+    {"near_collinear", 200}, {"near_parallel", 400}, {"sliver", 1200}};
+
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfBulletEpa{
     LedgerEntry{.id = "bullet-epa-touching-axis",
@@ -170,6 +201,56 @@ inline constexpr std::array kOfBulletEpa{
                 .source = kDetectorAxis,
                 .budgets = kOfBulletEpaAxisOfRoundings,
                 .explains = axis_turned_by_roundings<BulletAsked::epa>},
+    LedgerEntry{.id = "bullet-epa-inner-face",
+                .collider = "bullet-epa",
+                .description = "a face within 0.0001 of the difference's corners, and inside of it",
+                .source = kChord,
+                .budgets = kOfBulletEpaInnerFace,
+                .explains = epa_at_inner_face},
+};
+
+/// Of bullet-perturbed, the same of its first query.
+inline constexpr std::array kOfBulletPerturbedEpa{
+    LedgerEntry{.id = "bullet-perturbed-gjk-apart",
+                .collider = "bullet-perturbed",
+                .description =
+                    "the GJK of the EPA finds them apart, ended by a corner within 0.01 of another",
+                .source = kGjkApart,
+                .budgets = kOfPerturbedGjkApart,
+                .explains = of_first_query<epa_finds_apart>},
+    LedgerEntry{
+        .id = "bullet-perturbed-fall-back",
+        .collider = "bullet-perturbed",
+        .description = "EPA finds no tetrahedron about the origin: its guess, and a depth of 0",
+        .source = kFallBack,
+        .budgets = kOfPerturbedFallBack,
+        .explains = of_first_query<epa_falls_back>},
+    LedgerEntry{
+        .id = "bullet-perturbed-invalid-hull",
+        .collider = "bullet-perturbed",
+        .description = "EPA ends at a hull that it cannot expand, with the face that it had",
+        .source = kInvalidHull,
+        .budgets = kOfPerturbedInvalidHull,
+        .explains = of_first_query<epa_at_invalid_hull>},
+    LedgerEntry{
+        .id = "bullet-perturbed-beside-face",
+        .collider = "bullet-perturbed",
+        .description = "the depth of a face's edge along the face's normal, the point off the face",
+        .source = kBesideFace,
+        .budgets = kOfPerturbedBesideFace,
+        .explains = of_first_query<epa_beside_face>},
+    LedgerEntry{.id = "bullet-perturbed-chord",
+                .collider = "bullet-perturbed",
+                .description = "a face within 0.0001 of a curved shape, and not tangent to it",
+                .source = kChord,
+                .budgets = kOfPerturbedChord,
+                .explains = of_first_query<epa_at_chord>},
+    LedgerEntry{.id = "bullet-perturbed-inner-face",
+                .collider = "bullet-perturbed",
+                .description = "a face within 0.0001 of the difference's corners, and inside of it",
+                .source = kChord,
+                .budgets = kOfPerturbedInnerFace,
+                .explains = of_first_query<epa_at_inner_face>},
 };
 
 }  // namespace manifuzz::ledger_of

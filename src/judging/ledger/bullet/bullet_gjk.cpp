@@ -95,9 +95,8 @@ EpaDifference::EpaDifference(const BulletPair& pair, bool is_round)
     : a_(&pair.a), b_(&pair.b), is_round_(is_round) {
   const BulletPlace& a = pair.place_a;
   const BulletPlace& b = pair.place_b;
-  to_a_ = {a.cos * b.cos + a.sin * b.sin, -a.sin * b.cos + a.cos * b.sin,
-           a.to_local(Space(b.origin - a.origin))};
-  to_b_ = {b.cos * a.cos + b.sin * a.sin, -b.sin * a.cos + b.cos * a.sin};
+  to_a_ = {times(transposed(a.basis), b.basis), a.to_local(Space(b.origin - a.origin))};
+  to_b_ = {times(transposed(b.basis), a.basis)};
 }
 
 Space EpaDifference::support_b(const Space& along) const {

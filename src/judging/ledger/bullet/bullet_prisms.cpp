@@ -20,9 +20,10 @@ BulletHull hull_of_body(const Body& body, float half_height) {
 }
 
 BulletPlace place_of_body(const Body& body) {
-  return {body.pose.rotation.x(),
-          body.pose.rotation.y(),
-          {body.pose.position.x(), body.pose.position.y(), 0}};
+  const float cos = body.pose.rotation.x();
+  const float sin = body.pose.rotation.y();
+  return {{Space(cos, -sin, 0), Space(sin, cos, 0), Space(0, 0, 1)},
+          Space(body.pose.position.x(), body.pose.position.y(), 0)};
 }
 
 float reach_in_float(const Body& body) {
@@ -34,40 +35,30 @@ float reach_in_float(const Body& body) {
   return farthest + body.polygon.radius;
 }
 
-/// getAngularMotionDisc of a flat hull: its box is larger by the margin of 0.04 that a hull is made
-/// with, and by its own.
-float disc_of_hull(const BulletHull& hull) {
-  constexpr float margin_of_new = 0.04F;
-  Space low = hull.corners[0];
-  Space high = low;
-  for (const Space& corner : hull.corners) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
-  }
-  high += Space::Constant(margin_of_new);
-  low -= Space::Constant(margin_of_new);
-  const Space extent = 0.5F * (high - low) + Space::Constant(hull.margin);
-  const Space middle = 0.5F * (high + low);
-  const Space from = middle - extent;
-  const Space to = middle + extent;
-  const Space centre = (from + to) * 0.5F;
-  return std::sqrt(squared(Space(to - from))) * 0.5F + std::sqrt(squared(centre));
-}
-
 }  // namespace
 
 Space over(const Space& v, float length) {
   return v * (1.0F / length);
 }
 
-Space BulletPlace::to_world(const Space& local) const {
-  return Space(local.x() * cos + local.y() * -sin, local.x() * sin + local.y() * cos, local.z()) +
-         origin;
+Space times(const Space& v, const Basis& basis) {
+  const auto along = [&](int i) {
+    return basis[0][i] * v.x() + basis[1][i] * v.y() + basis[2][i] * v.z();
+  };
+  return {along(0), along(1), along(2)};
 }
 
-Space BulletPlace::to_local(const Space& direction) const {
-  return {cos * direction.x() + sin * direction.y(), -sin * direction.x() + cos * direction.y(),
-          direction.z()};
+Basis times(const Basis& a, const Basis& b) {
+  return {times(a[0], b), times(a[1], b), times(a[2], b)};
+}
+
+Basis transposed(const Basis& basis) {
+  const auto row = [&](int i) { return Space(basis[0][i], basis[1][i], basis[2][i]); };
+  return {row(0), row(1), row(2)};
+}
+
+Space BulletPlace::to_world(const Space& local) const {
+  return Space(dot(basis[0], local), dot(basis[1], local), dot(basis[2], local)) + origin;
 }
 
 const Space& BulletHull::farthest(const Space& along) const {
@@ -101,9 +92,28 @@ BulletPair flat_hulls_of(const PairCase& pair) {
           place_of_body(pair.b), true};
 }
 
+// Its box is larger by the margin of 0.04 that a hull is made with, and by its own.
+float disc_of(const BulletHull& hull) {
+  constexpr float margin_of_new = 0.04F;
+  Space low = hull.corners[0];
+  Space high = low;
+  for (const Space& corner : hull.corners) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  high += Space::Constant(margin_of_new);
+  low -= Space::Constant(margin_of_new);
+  const Space extent = 0.5F * (high - low) + Space::Constant(hull.margin);
+  const Space middle = 0.5F * (high + low);
+  const Space from = middle - extent;
+  const Space to = middle + extent;
+  const Space centre = (from + to) * 0.5F;
+  return std::sqrt(squared(Space(to - from))) * 0.5F + std::sqrt(squared(centre));
+}
+
 float farthest_square_of(const BulletPair& pair) {
   if (!pair.is_flat) return 1e18F;
-  const float threshold = std::min(disc_of_hull(pair.a) * 0.02F, disc_of_hull(pair.b) * 0.02F);
+  const float threshold = std::min(disc_of(pair.a) * 0.02F, disc_of(pair.b) * 0.02F);
   const float farthest = pair.a.margin + pair.b.margin + threshold;
   return farthest * farthest;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "geometry/pair_case.hpp"
@@ -28,15 +29,22 @@ inline Space cross(const Space& a, const Space& b) {
 /// v / length: btVector3 multiplies by the reciprocal.
 Space over(const Space& v, float length);
 
-/// Where a hull is: its basis turns about z.
+/// btMatrix3x3, by rows.
+using Basis = std::array<Space, 3>;
+
+/// v * basis.
+Space times(const Space& v, const Basis& basis);
+Basis times(const Basis& a, const Basis& b);
+Basis transposed(const Basis& basis);
+
+/// btTransform: where a hull is.
 struct BulletPlace {
-  float cos = 1;
-  float sin = 0;
+  Basis basis{Space(1, 0, 0), Space(0, 1, 0), Space(0, 0, 1)};
   Space origin{0, 0, 0};
 
   Space to_world(const Space& local) const;
-  /// A direction of the world in the hull's frame: v * basis.
-  Space to_local(const Space& direction) const;
+  /// A direction of the world in the hull's frame.
+  Space to_local(const Space& direction) const { return times(direction, basis); }
 };
 
 /// btConvexHullShape: corners and a margin.
@@ -59,6 +67,9 @@ struct BulletPair {
 
 BulletPair prisms_of(const PairCase& pair);
 BulletPair flat_hulls_of(const PairCase& pair);
+
+/// getAngularMotionDisc.
+float disc_of(const BulletHull& hull);
 
 /// The square of how far apart they are looked for, m_maximumDistanceSquared: of flat hulls their
 /// margins and btConvex2dConvex2dAlgorithm's breaking threshold, of prisms BT_LARGE_FLOAT.

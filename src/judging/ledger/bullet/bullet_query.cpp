@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "judging/ledger/bullet/ccd_simplex.hpp"
+
 namespace manifuzz::ledger_of {
 namespace {
 
@@ -73,6 +75,13 @@ QueryLoop run_loop(const BulletPair& pair, float square_max) {
   return loop;
 }
 
+/// What its copy of libccd's GJK says of the cores: status is 0.
+bool do_cores_intersect(const BulletPair& pair) {
+  CcdSimplexOf<float> simplex;
+  return is_intersection([&](const Space& along) { return corner_towards(pair, Space(-along)).w; },
+                         simplex);
+}
+
 /// The closest points of the loop, on the margins.
 void take_query(BulletAnswer& answer, const BulletPair& pair) {
   const QueryLoop& loop = answer.loop;
@@ -136,18 +145,23 @@ BulletAnswer ask_detector(const BulletPair& given, DepthSolver solver, void* tra
   BulletAnswer answer;
   answer.loop = run_loop(pair, square_max);
   take_query(answer, pair);
+  answer.cached_axis = answer.loop.axis;
   const Space of_query = answer.normal;
   const bool is_caught = answer.loop.end != QueryEnd::none &&
                          answer.distance + (pair.a.margin + pair.b.margin) < kCaught;
-  if (solver != nullptr && (answer.normal_of == NormalOf::nobody || is_caught)) {
+  if (solver != nullptr &&
+      (answer.normal_of == NormalOf::nobody || is_caught || do_cores_intersect(pair))) {
     answer.is_solver_asked = true;
-    take_solver(answer, solver(pair, trace), pair);
+    const SolverAnswer found = solver(pair, trace);
+    answer.cached_axis = found.axis;
+    take_solver(answer, found, pair);
   }
   if (answer.normal_of == NormalOf::nobody) return answer;
   if (!(answer.distance < 0 || answer.distance * answer.distance < square_max)) {
     answer.normal_of = NormalOf::nobody;
     return answer;
   }
+  answer.cached_axis = answer.normal;
   revert_normal(answer, pair, of_query);
   answer.on_b += offset;
   return answer;

@@ -47,6 +47,7 @@ struct BulletAnswer {
   bool is_solver_asked = false;
   bool is_axis_deeper = false;  ///< the query's axis took the place of the solver's: d2 > d0
   bool is_turned = false;       ///< d1 > d0: the normal was reversed
+  Space cached_axis{0, 0, 0};   ///< getCachedSeparatingAxis, after it
 };
 
 using DepthSolver = SolverAnswer (*)(const BulletPair& pair, void* trace);

@@ -27,6 +27,12 @@ inline constexpr std::string_view kDetectorAxis =
 inline constexpr std::string_view kDisplacedPoint =
     "Bullet 3.24, btMinkowskiPenetrationDepthSolver.cpp, calcPenDepth: "
     "pb = res.m_pointInWorld, v = minNorm";
+inline constexpr std::string_view kDisplacedDistance =
+    "Bullet 3.24, btMinkowskiPenetrationDepthSolver.cpp, calcPenDepth: "
+    "correctedMinNorm = minProj - res.m_depth";
+inline constexpr std::string_view kAxisTakenBack =
+    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual: "
+    "d2 > d0 && d2 > d1 && d2 > distance, normalInB = orgNormalInB";
 
 inline constexpr Budget kOfBulletMinkowskiTouchingAxis[] = {
     {"boxes", 58000},           {"capsules", 7200},     {"cores_touch", 440000},
@@ -136,11 +142,22 @@ inline constexpr Budget kOfBulletConvex2dDisplacedPoint[] = {
     {"regular", 200},          {"sliver", 2600},
     {"tie_bias", 15000},       {"tied_faces", 22000},
     {"tilted_edges", 200},     {"ulp", 2400}};
-inline constexpr Budget kOfBulletConvex2dAxisOfRoundings[] = {{"capsules", 200},
-                                                              {"cores_touch", 6600},
-                                                              {"in_line", 7200},
-                                                              {"scaled", 3000},
-                                                              {"side_planes", 200}};
+inline constexpr Budget kOfBulletConvex2dAxisOfRoundings[] = {
+    {"capsules", 200}, {"cores_touch", 6600}, {"in_line", 7200},
+    {"scaled", 3000},  {"side_planes", 200},  {"sliver", 2200}};
+
+inline constexpr Budget kOfBulletMinkowskiDisplacedDistance[] = {
+    {"far_from_origin", 200}, {"micro_edge", 200}, {"near_collinear", 1000}, {"scaled", 1600},
+    {"side_planes", 200},     {"sliver", 1200},    {"tie_bias", 400},        {"ulp", 200}};
+inline constexpr Budget kOfBulletMinkowskiAxisTakenBack[] = {
+    {"near_collinear", 200}, {"off_unit", 200}, {"scaled", 5600}, {"tie_bias", 1400},
+    {"tied_faces", 200},     {"touching", 400}, {"ulp", 400}};
+inline constexpr Budget kOfBulletConvex2dDisplacedDistance[] = {
+    {"boxes", 200},         {"corner_face", 200}, {"deep", 7800},    {"generic", 800},
+    {"near_parallel", 200}, {"regular", 200},     {"scaled", 22000}, {"sliver", 200},
+    {"tied_faces", 1200},   {"ulp", 2200}};
+inline constexpr Budget kOfBulletConvex2dAxisTakenBack[] = {
+    {"scaled", 2200}, {"tie_bias", 200}, {"tied_faces", 200}, {"ulp", 400}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfBulletQuery{
@@ -230,6 +247,34 @@ inline constexpr std::array kOfBulletQuery{
                 .source = kDetectorAxis,
                 .budgets = kOfBulletConvex2dAxisOfRoundings,
                 .explains = axis_turned_by_roundings<BulletAsked::flat>},
+    LedgerEntry{.id = "bullet-minkowski-displaced-distance",
+                .collider = "bullet-minkowski",
+                .description = "a fixed direction, and the depth that a query beside it leaves, "
+                               "both as rounded there",
+                .source = kDisplacedDistance,
+                .budgets = kOfBulletMinkowskiDisplacedDistance,
+                .explains = distance_of_displaced_query<BulletAsked::directions>},
+    LedgerEntry{.id = "bullet-minkowski-axis-taken-back",
+                .collider = "bullet-minkowski",
+                .description = "the axis of the query takes the place of the solver's normal, "
+                               "since they are less deep along it",
+                .source = kAxisTakenBack,
+                .budgets = kOfBulletMinkowskiAxisTakenBack,
+                .explains = axis_taken_back<BulletAsked::directions>},
+    LedgerEntry{.id = "bullet-convex2d-displaced-distance",
+                .collider = "bullet-convex2d",
+                .description = "a fixed direction, and the depth that a query beside it leaves, "
+                               "both as rounded there",
+                .source = kDisplacedDistance,
+                .budgets = kOfBulletConvex2dDisplacedDistance,
+                .explains = distance_of_displaced_query<BulletAsked::flat>},
+    LedgerEntry{.id = "bullet-convex2d-axis-taken-back",
+                .collider = "bullet-convex2d",
+                .description = "the axis of the query takes the place of the solver's normal, "
+                               "since they are less deep along it",
+                .source = kAxisTakenBack,
+                .budgets = kOfBulletConvex2dAxisTakenBack,
+                .explains = axis_taken_back<BulletAsked::flat>},
 };
 
 }  // namespace manifuzz::ledger_of

@@ -116,7 +116,8 @@ CcdElement* CcdPolytope::add_edge(CcdElement* from, CcdElement* to) {
   CcdElement* const made = &store_.emplace_back();
   made->type = 2;
   made->vertex = {from, to};
-  made->nearest = nearest_of_segment(CcdVector::Zero(), from->nearest.place, to->nearest.place);
+  made->nearest =
+      nearest_of_segment<double>(CcdVector::Zero(), from->nearest.place, to->nearest.place);
   of_type_[2].push_back(made);
   note(made);
   return made;
@@ -126,9 +127,9 @@ void CcdPolytope::add_face(CcdElement* first, CcdElement* second, CcdElement* th
   CcdElement* const made = &store_.emplace_back();
   made->type = 3;
   made->edge = {first, second, third};
-  made->nearest = nearest_of_triangle(CcdVector::Zero(), first->vertex[0]->nearest.place,
-                                      first->vertex[1]->nearest.place,
-                                      third_corner(*first, *second)->nearest.place);
+  made->nearest = nearest_of_triangle<double>(CcdVector::Zero(), first->vertex[0]->nearest.place,
+                                              first->vertex[1]->nearest.place,
+                                              third_corner(*first, *second)->nearest.place);
   for (CcdElement* edge : made->edge) edge->faces[edge->faces[0] == nullptr ? 0 : 1] = made;
   of_type_[3].push_back(made);
   note(made);
@@ -151,10 +152,10 @@ void CcdPolytope::drop_edge(CcdElement* edge) {
 
 bool CcdPolytope::make_of_three(const CcdSimplex& simplex) {
   const auto& [a, b, c, unused] = simplex.corners;
-  const CcdVector dir = ccd_cross(b - a, c - a);
+  const CcdVector dir = ccd_cross<double>(b - a, c - a);
   const std::array tips{prisms_->support(dir), prisms_->support(dir * -1.0)};
   const auto is_flat = [&](const CcdVector& tip) {
-    return ccd_is_zero(nearest_of_triangle(tip, a, b, c, false).square);
+    return ccd_is_zero(nearest_of_triangle<double>(tip, a, b, c, false).square);
   };
   const std::array base{add_vertex(a), add_vertex(b), add_vertex(c)};
   const bool is_touching = std::ranges::any_of(tips, is_flat);
@@ -180,7 +181,8 @@ bool CcdPolytope::make_of_three(const CcdSimplex& simplex) {
 bool CcdPolytope::make_of_four(CcdSimplex simplex) {
   auto& ps = simplex.corners;
   const auto is_on = [&](std::size_t i, std::size_t j, std::size_t k) {
-    return ccd_is_zero(nearest_of_triangle(CcdVector::Zero(), ps[i], ps[j], ps[k], false).square);
+    return ccd_is_zero(
+        nearest_of_triangle<double>(CcdVector::Zero(), ps[i], ps[j], ps[k], false).square);
   };
   // As there, what is set is what is looked at next.
   bool is_on_face = is_on(0, 1, 2);
@@ -243,14 +245,14 @@ CcdEnd CcdPolytope::end_at(const CcdElement& element, const CcdVector& corner,
   beyond = ccd_dot(corner, at.place) - at.square;
   if (beyond < kEpaTolerance) return CcdEnd::along;
   if (element.type == 2) {
-    beyond = nearest_of_segment(corner, element.vertex[0]->nearest.place,
-                                element.vertex[1]->nearest.place, false)
+    beyond = nearest_of_segment<double>(corner, element.vertex[0]->nearest.place,
+                                        element.vertex[1]->nearest.place, false)
                  .square;
   } else {
     const auto& [first, second, third] = element.edge;
-    beyond = nearest_of_triangle(corner, first->vertex[0]->nearest.place,
-                                 first->vertex[1]->nearest.place,
-                                 third_corner(*first, *second)->nearest.place, false)
+    beyond = nearest_of_triangle<double>(corner, first->vertex[0]->nearest.place,
+                                         first->vertex[1]->nearest.place,
+                                         third_corner(*first, *second)->nearest.place, false)
                  .square;
   }
   return beyond < kEpaTolerance ? CcdEnd::near : CcdEnd::none;
@@ -281,20 +283,11 @@ CcdAnswer CcdPolytope::expand_from(CcdSimplex simplex) {
 }
 
 CcdAnswer ccd_penetration(const PairCase& pair) {
-  constexpr int iterations_max = 1000;
   const CcdPrisms prisms(pair);
   CcdSimplex simplex;
-  simplex.add(prisms.support(CcdVector(1, 0, 0)));
-  CcdVector dir = simplex.corners[0] * -1.0;
-  for (int i = 0; i < iterations_max; ++i) {
-    const CcdVector corner = prisms.support(dir);
-    if (ccd_dot(corner, dir) < 0) return {};
-    simplex.add(corner);
-    const int result = step_simplex(simplex, dir);
-    if (result == 1) return CcdPolytope(prisms).expand_from(simplex);
-    if (result == -1 || ccd_is_zero(ccd_dot(dir, dir))) return {};
-  }
-  return {};
+  const auto support = [&](const CcdVector& along) { return prisms.support(along); };
+  if (!is_intersection(support, simplex)) return {};
+  return CcdPolytope(prisms).expand_from(simplex);
 }
 
 }  // namespace manifuzz::ledger_of

@@ -54,12 +54,13 @@ bool is_answered(const Deviation& d, const BulletAnswer& answer) {
   const Vector2<double> normal(static_cast<double>(-answer.normal.x()),
                                static_cast<double>(-answer.normal.y()));
   const double in_plane = normal.norm();
-  if (std::abs(static_cast<double>(answer.normal.z())) > in_plane) return false;
   constexpr double roundings = 4 * std::numeric_limits<float>::epsilon();
   const Vector2<double> got =
       rotate<double>(d.right.pair().a.pose.rotation.cast<double>(), d.got.normal).normalized();
+  const double depth = std::max(-distance * in_plane, 0.0);
+  // A solver's depth may be far larger than the shapes, and rounded as such.
   return (got - normal / in_plane).norm() <= roundings &&
-         std::abs(ledger_of::deepest(d.got) - std::max(-distance * in_plane, 0.0)) <= bound;
+         std::abs(ledger_of::deepest(d.got) - depth) <= bound + roundings * depth;
 }
 
 /// The same, and that it came about as asked.
@@ -120,6 +121,19 @@ bool point_of_displaced_query(const Deviation& d) {
 }
 
 template <BulletAsked asked>
+bool distance_of_displaced_query(const Deviation& d) {
+  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+    return query.answer.normal_of == NormalOf::solver && !query.answer.is_axis_deeper;
+  });
+}
+
+template <BulletAsked asked>
+bool axis_taken_back(const Deviation& d) {
+  return is_repeated(d, asked,
+                     [](const RepeatedQuery& query) { return query.answer.is_axis_deeper; });
+}
+
+template <BulletAsked asked>
 bool axis_turned_by_roundings(const Deviation& d) {
   if (d.got.count == 0) return false;
   return is_repeated(d, asked, [&](const RepeatedQuery& query) {
@@ -159,6 +173,15 @@ bool epa_at_chord(const Deviation& d) {
   });
 }
 
+bool epa_at_inner_face(const Deviation& d) {
+  if (total_radius(d.right.pair()) > 0) return false;
+  return is_repeated(d, BulletAsked::epa, [&](const RepeatedQuery& query) {
+    const double short_of = ledger_of::least_depth(d) - static_cast<double>(query.epa.depth);
+    return is_of_epa(query, BulletEpaEnd::accuracy_reached) && !query.epa.is_beside_face &&
+           short_of > d.right.bounds.separation;
+  });
+}
+
 bool epa_finds_apart(const Deviation& d) {
   return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
     return query.answer.normal_of == NormalOf::solver_apart;
@@ -178,11 +201,14 @@ bool epa_falls_back(const Deviation& d) {
   template bool stopped_by_relative_error<BulletAsked::asked>(const Deviation&); \
   template bool stopped_at_flat_simplex<BulletAsked::asked>(const Deviation&);   \
   template bool point_of_displaced_query<BulletAsked::asked>(const Deviation&);  \
+  template bool axis_taken_back<BulletAsked::asked>(const Deviation&);           \
   template bool axis_turned_by_roundings<BulletAsked::asked>(const Deviation&);  \
   template bool normal_turned_back<BulletAsked::asked>(const Deviation&);
 MANIFUZZ_BULLET_ASKED(epa)
 MANIFUZZ_BULLET_ASKED(directions)
 MANIFUZZ_BULLET_ASKED(flat)
 #undef MANIFUZZ_BULLET_ASKED
+template bool distance_of_displaced_query<BulletAsked::directions>(const Deviation&);
+template bool distance_of_displaced_query<BulletAsked::flat>(const Deviation&);
 
 }  // namespace manifuzz

@@ -30,6 +30,14 @@ bool stopped_at_flat_simplex(const Deviation& deviation);
 /// The solver's normal and depth with a point of the displaced query, whose own normal is another.
 template <BulletAsked>
 bool point_of_displaced_query(const Deviation& deviation);
+/// The solver's direction, and for a depth what the distance of the displaced query leaves of the
+/// displacement, all rounded as it rounds them.
+template <BulletAsked>
+bool distance_of_displaced_query(const Deviation& deviation);
+/// The axis of its own query, wherever that ended, took the place of the solver's normal, since
+/// they are less deep along it: d2 > d0.
+template <BulletAsked>
+bool axis_taken_back(const Deviation& deviation);
 /// The axis of its own query, from the right normal by no more than what roundings of the points
 /// that it is between turn it: they are that near to each other.
 template <BulletAsked>
@@ -47,6 +55,9 @@ bool epa_at_invalid_hull(const Deviation& deviation);
 /// EPA::Evaluate ended at a face beside which the origin is: getedgedist's distance along n is not
 /// on the face.
 bool epa_beside_face(const Deviation& deviation);
+/// EPA::Evaluate ended within EPA_ACCURACY of a corner, at a face that is inside of the difference:
+/// its depth is too small, its direction no face's. Of sharp shapes.
+bool epa_at_inner_face(const Deviation& deviation);
 /// EPA::Evaluate ended within EPA_ACCURACY of a curved corner: its face is not tangent there.
 bool epa_at_chord(const Deviation& deviation);
 

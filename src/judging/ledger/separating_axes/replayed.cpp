@@ -6,8 +6,6 @@
 #include "judging/manifold_error.hpp"
 
 namespace manifuzz::replayed {
-namespace {
-
 Manifold<double> in_frame_of_a(const PairCase& pair, const Contact& contact) {
   Manifold<double> manifold;
   manifold.count = static_cast<int>(contact.points.size());
@@ -19,8 +17,6 @@ Manifold<double> in_frame_of_a(const PairCase& pair, const Contact& contact) {
   }
   return manifold;
 }
-
-}  // namespace
 
 bool is_same_answer(const Deviation& d, const Contact& contact) {
   const Manifold<double> replayed = in_frame_of_a(d.right.pair(), contact);

@@ -1,0 +1,86 @@
+#include "judging/ledger/bullet/perturbed_deviations.hpp"
+
+#include "judging/by_curve.hpp"
+#include "judging/ledger/bullet/bullet_perturbed.hpp"
+
+namespace manifuzz {
+namespace {
+
+using ledger_of::PerturbedParts;
+
+/// The parts of it that may be left out.
+enum PerturbedFault : unsigned { kTurnedQueries = 1, kReplacedPoint = 2, kRefreshedPoints = 4 };
+
+/// What oracle/bullet/perturbed.cpp declares.
+Declaration declaration_of_perturbed() {
+  constexpr double epa_accuracy = 1e-4;
+  Declaration declaration;
+  declaration.frame = RoundingFrame::world;
+  declaration.min_vertices = 1;
+  declaration.takes_round = true;
+  declaration.clips = false;
+  declaration.points = PointsAt::surface_b;
+  declaration.one_point_enough = true;
+  declaration.tolerance.absolute = epa_accuracy;
+  return declaration;
+}
+
+ledger_of::PerturbedAnswer repeat_without(const Deviation& d, unsigned faults) {
+  return ledger_of::ask_perturbed(ledger_of::prisms_of(d.right.pair()),
+                                  PerturbedParts{.has_turned = (faults & kTurnedQueries) == 0,
+                                                 .is_refreshed = (faults & kRefreshedPoints) == 0,
+                                                 .does_replace = (faults & kReplacedPoint) == 0});
+}
+
+bool is_repeated_with_turns(const Deviation& d) {
+  return replayed::is_same_answer(d, ledger_of::seen_in_plane(repeat_without(d, 0).points));
+}
+
+/// Whether the answer is the repeated one, and would be right without this part.
+bool is_by_part(const Deviation& d, PerturbedFault fault) {
+  constexpr unsigned all = kTurnedQueries | kReplacedPoint | kRefreshedPoints;
+  if (!is_repeated_with_turns(d)) return false;
+  const Declaration declaration = declaration_of_perturbed();
+  return replayed::is_needed(fault, all, [&](unsigned mended) {
+    const auto right = repeat_without(d, mended);
+    return replayed::is_right_answer(d, declaration, ledger_of::seen_in_plane(right.points));
+  });
+}
+
+/// Which query found the deepest point.
+int query_of_deepest(const Deviation& d) {
+  const auto answer = repeat_without(d, 0);
+  const ledger_of::BulletPoint* const deepest = ledger_of::deepest_of(answer.points);
+  return deepest == nullptr ? 0 : deepest->query;
+}
+
+}  // namespace
+
+bool point_replaced_by_turned(const Deviation& d) {
+  return is_by_part(d, kReplacedPoint);
+}
+
+bool changed_by_refresh(const Deviation& d) {
+  return is_by_part(d, kRefreshedPoints);
+}
+
+bool normal_of_turned_query(const Deviation& d) {
+  return query_of_deepest(d) > 0 && is_by_part(d, kTurnedQueries);
+}
+
+bool point_of_turned_query(const Deviation& d) {
+  return query_of_deepest(d) == 0 && is_by_part(d, kTurnedQueries);
+}
+
+bool is_of_first_query(const Deviation& d, bool (*explains)(const Deviation&)) {
+  if (!is_repeated_with_turns(d)) return false;
+  const auto alone = repeat_without(d, kTurnedQueries | kRefreshedPoints);
+  const Manifold<double> first =
+      replayed::in_frame_of_a(d.right.pair(), ledger_of::seen_in_plane(alone.points));
+  PartialManifold answer;
+  answer.manifold = first;
+  const Kind kind = judge_by_curve(*d.right.truth, declaration_of_perturbed(), answer).kind;
+  return kind != Kind::none && explains({d.right, first, kind});
+}
+
+}  // namespace manifuzz
