@@ -6,7 +6,6 @@
 #include "judging/manifold_error.hpp"
 
 namespace manifuzz::replayed {
-namespace {
 
 Manifold<double> in_frame_of_a(const PairCase& pair, const Contact& contact) {
   Manifold<double> manifold;
@@ -19,8 +18,6 @@ Manifold<double> in_frame_of_a(const PairCase& pair, const Contact& contact) {
   }
   return manifold;
 }
-
-}  // namespace
 
 bool is_same_answer(const Deviation& d, const Contact& contact) {
   const Manifold<double> replayed = in_frame_of_a(d.right.pair(), contact);

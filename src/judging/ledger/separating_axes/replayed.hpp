@@ -20,6 +20,9 @@ struct Contact {
   std::vector<Point> points;
 };
 
+/// The same in A's frame.
+Manifold<double> in_frame_of_a(const PairCase& pair, const Contact& contact);
+
 /// Whether it is what the engine answered, within the bounds of a right collider's figures.
 bool is_same_answer(const Deviation& deviation, const Contact& contact);
 
