@@ -55,6 +55,7 @@
 #include "judging/ledger/separating_axes/godot_shapes.cpp"
 #include "judging/ledger/separating_axes/godot_solver.cpp"
 #include "judging/ledger/separating_axes/jbox2d_climbing.cpp"
+#include "judging/ledger/separating_axes/jbox2d_edges.cpp"
 #include "judging/ledger/separating_axes/replayed.cpp"
 #include "judging/ledger/separating_axes/sat_deviations.cpp"
 #include "judging/malformed.cpp"
