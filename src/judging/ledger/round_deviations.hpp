@@ -20,7 +20,8 @@ bool axis_for_coincident_points(const Deviation& deviation);
 /// between both as floats have them, which is that of their roundings.
 bool direction_of_roundings(const Deviation& deviation);
 /// A circle whose centre is nearer than epsilon to a polygon's corner: the normal is as short as
-/// their distance, since b2Vec2::Normalize leaves it so, and the depth is taken along it.
+/// their distance, since b2Vec2::Normalize leaves it so, and the depth is taken along it, or the
+/// distance along it from the radii.
 bool corner_direction_not_normalised(const Deviation& deviation);
 
 /// cpShapesCollide put the shapes into its own order: distances have the wrong sign, so that
