@@ -9,7 +9,9 @@ namespace manifuzz::ledger_of {
 
 // What jbox2d 2.2.1.1 has of Box2D 2.2's search for the best face, in float. Budgets are twice what
 // 300,000 cases against clip64 showed, rounded up.
-inline constexpr Budget kOfJbox2dLocalMaximum[] = {{"deep", 170000}, {"micro_edge", 19000}, {"near_collinear", 730}, {"scaled", 190}, {"sliver", 4000}, {"tied_faces", 1900}, {"ulp", 15000}};
+inline constexpr Budget kOfJbox2dLocalMaximum[] = {
+    {"deep", 170000}, {"micro_edge", 19000}, {"near_collinear", 730}, {"scaled", 190},
+    {"sliver", 4000}, {"tied_faces", 1900},  {"ulp", 15000}};
 
 inline constexpr Budget kOfJbox2dSecondPoint[] = {
     {"capsules", 4900}, {"mixed_shapes", 1300}, {"voronoi_lines", 2000}};
@@ -33,7 +35,7 @@ inline constexpr std::array kOfJbox2dSearch{
         .source = "jbox2d 2.2.1.1, EPCollider.collide: `separation <= m_radius`, of m_radius = "
                   "2.0f * Settings.polygonRadius",
         .budgets = kOfJbox2dSecondPoint,
-                .explains = fault_of_jbox2d_edge<FaultOfJbox2dEdge::radius>},
+        .explains = fault_of_jbox2d_edge<FaultOfJbox2dEdge::radius>},
     LedgerEntry{.id = "jbox2d-edge-hysteresis",
                 .collider = "jbox2d",
                 .description = "an edge's own face is kept though the polygon's is less deep, by 2 "
