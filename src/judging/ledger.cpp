@@ -12,6 +12,7 @@
 #include "judging/ledger/bullet/libccd_entries.hpp"
 #include "judging/ledger/bullet/perturbed_entries.hpp"
 #include "judging/ledger/chipmunk/chipmunk_entries.hpp"
+#include "judging/ledger/chipmunk/cp_entries.hpp"
 #include "judging/ledger/chipmunk/munk_entries.hpp"
 #include "judging/ledger/npm/box2d_core_entries.hpp"
 #include "judging/ledger/npm/matter_entries.hpp"

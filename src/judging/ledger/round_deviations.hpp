@@ -20,7 +20,8 @@ bool axis_for_coincident_points(const Deviation& deviation);
 /// between both as floats have them, which is that of their roundings.
 bool direction_of_roundings(const Deviation& deviation);
 /// A circle whose centre is nearer than epsilon to a polygon's corner: the normal is as short as
-/// their distance, since b2Vec2::Normalize leaves it so, and the depth is taken along it.
+/// their distance, since b2Vec2::Normalize leaves it so, and the depth is taken along it, or the
+/// distance along it from the radii.
 bool corner_direction_not_normalised(const Deviation& deviation);
 
 /// cpShapesCollide put the shapes into its own order: distances have the wrong sign, so that
@@ -34,6 +35,12 @@ bool direction_to_place_on_segment(const Deviation& deviation);
 /// A corner of one core lies on one of the other's: the normal is across a chord of their
 /// difference that ends there.
 bool normal_across_corner_on_corner(const Deviation& deviation);
+/// A corner of one core lies on one of the other's: the normal is the direction between both as
+/// doubles have it, which is that of their roundings.
+bool direction_between_corners(const Deviation& deviation);
+/// A circle whose centre lies on a segment: the normal is the segment's, as much longer than unit
+/// as its rotation is.
+bool segment_normal_not_unit(const Deviation& deviation);
 /// The normal is across a chord of the cores' difference on whose line, but beyond it, the origin
 /// lies.
 bool normal_across_collinear(const Deviation& deviation);
@@ -41,8 +48,8 @@ bool normal_across_collinear(const Deviation& deviation);
 /// it is off by that much more, or the wrong end was taken of an edge along the normal.
 bool depth_by_crossing(const Deviation& deviation);
 
-/// Whether the answer would be right of a collider that declares what Chipmunk does.
-bool is_right_of_chipmunk(const Deviation& deviation);
+/// What Chipmunk and its ports declare.
+const Declaration& as_chipmunk();
 /// Munk2D: a normal without length. Boxes around both shapes have one middle, so that GJK begins
 /// with one support point twice.
 bool zero_normal_of_one_middle(const Deviation& deviation);

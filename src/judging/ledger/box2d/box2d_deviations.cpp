@@ -280,7 +280,7 @@ bool direction_of_roundings(const Deviation& d) {
 bool corner_direction_not_normalised(const Deviation& d) {
   const PairCase& pair = d.right.pair();
   return d.got.count == 1 && d.got.normal.norm() <= 2.0 * kEpsilonOfBox2d &&
-         d.got.points[0].depth <= d.right.bounds.separation &&
+         (d.got.points[0].depth <= d.right.bounds.separation || is_as_deep_as_radii(d)) &&
          std::ranges::any_of(
              centres_on_corners(pair, d.right.bounds.separation), [&](const CentreOnCorner& found) {
                return !is_an_end_of_an_edge(pair, found) && is_too_short(pair, found);

@@ -11,18 +11,6 @@
 namespace manifuzz {
 namespace {
 
-const Declaration& as_chipmunk_rounds() {
-  static const Declaration declaration = [] {
-    Declaration made;
-    made.scalar = ScalarType::float64;
-    made.frame = RoundingFrame::world;
-    made.min_vertices = 1;
-    made.takes_round = true;
-    return made;
-  }();
-  return declaration;
-}
-
 /// In the order in which cpCollide takes shapes: circles, segments, polygons.
 int order_of(const Body& body) {
   return std::min(body.polygon.count, 3);
@@ -132,7 +120,7 @@ Manifold<double> with_depths(const Deviation& d) {
 }
 
 bool is_right(const Deviation& d, const Manifold<double>& manifold) {
-  return judge_by_curve(*d.right.truth, as_chipmunk_rounds(), manifold).kind == Kind::none;
+  return judge_by_curve(*d.right.truth, as_chipmunk(), manifold).kind == Kind::none;
 }
 
 double deepest_of_points(const Manifold<double>& manifold) {
@@ -189,8 +177,16 @@ bool is_across_chord(const Deviation& d, const Fault& is_at_fault) {
 
 }  // namespace
 
-bool is_right_of_chipmunk(const Deviation& d) {
-  return is_right(d, d.got);
+const Declaration& as_chipmunk() {
+  static const Declaration declaration = [] {
+    Declaration made;
+    made.scalar = ScalarType::float64;
+    made.frame = RoundingFrame::world;
+    made.min_vertices = 1;
+    made.takes_round = true;
+    return made;
+  }();
+  return declaration;
 }
 
 bool sign_of_swapped_distance(const Deviation& d) {
@@ -291,7 +287,7 @@ bool depth_by_crossing(const Deviation& d) {
   for (int i = 0; i < mended.count; ++i) {
     if (mended.points[i].depth == deepest) mended.points[i].depth = std::max(least, 0.0);
   }
-  return judge_by_curve(*d.right.truth, as_chipmunk_rounds(), mended).minimal.value_or(true);
+  return judge_by_curve(*d.right.truth, as_chipmunk(), mended).minimal.value_or(true);
 }
 
 }  // namespace manifuzz

@@ -126,6 +126,20 @@ inline constexpr std::array kOfChipmunk{
                           "e1_denom = 1.0f/(d_e1_b - d_e1_a + CPFLOAT_MIN)",
                 .budgets = kOfChipmunkDepthByCrossing,
                 .explains = depth_by_crossing},
+    LedgerEntry{.id = "chipmunk-direction-between-corners",
+                .collider = "chipmunk",
+                .description = "a normal of any direction: a corner of one core lies on one of the "
+                               "other's, and it is the direction of roundings between both",
+                .source = "Chipmunk 7.0.3, src/cpCollision.c, ClosestPointsNew: cpvmult(p, "
+                          "1.0f/(d2 + CPFLOAT_MIN))",
+                .explains = direction_between_corners},
+    LedgerEntry{.id = "chipmunk-segment-normal-not-unit",
+                .collider = "chipmunk",
+                .description = "a circle's centre on a segment: the normal is as much longer than "
+                               "unit as the rotation it was given",
+                .source = "Chipmunk 7.0.3, src/cpShape.c, cpSegmentShapeCacheData: "
+                          "cpTransformVect(transform, seg->n)",
+                .explains = segment_normal_not_unit},
 };
 
 }  // namespace manifuzz::ledger_of

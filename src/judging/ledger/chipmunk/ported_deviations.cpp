@@ -1,18 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
+#include <optional>
 
 #include "judging/by_curve.hpp"
+#include "judging/ledger/chipmunk/munk_replay.hpp"
 #include "judging/ledger/round_deviations.hpp"
 
 // What ports have beside what they were ported from: Munk2D and cp of Chipmunk, jbox2d of Box2D.
 
 namespace manifuzz {
 namespace {
-
-/// By which cp makes the length of a normal longer before it divides by it.
-constexpr double kAddedByCp = 1e-15;
 
 /// The middle of the box around a core, in world directions seen from A's position.
 Vector2<double> middle_of(const exact::RoughPolygon& core) {
@@ -25,33 +22,22 @@ Vector2<double> middle_of(const exact::RoughPolygon& core) {
   return 0.5 * (low + high);
 }
 
-/// Whether a normal lacks as much of a unit vector as one made of a vector of that length.
-bool is_short_by(double missing, double length, double bound) {
-  constexpr double u = std::numeric_limits<double>::epsilon() / 2;
-  const double expected = kAddedByCp / length;
-  return std::abs(missing - expected) <= 6 * u + expected * bound / length;
+/// What cp would answer if it added no more than Chipmunk does; none where it gave another answer
+/// than its operations give.
+std::optional<replayed::Contact> without_what_cp_adds(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  const replayed::Contact given =
+      munk::contact_of(munk::found_by(munk::kCp, pair), d.got.reference);
+  if (!replayed::is_same_answer(d, given)) return std::nullopt;
+  return munk::contact_of(munk::found_by(munk::kChipmunk, pair), d.got.reference);
 }
 
-/// Whether it is made of a chord of the cores' difference, or of the distance between both.
-bool is_short_as_made(const Deviation& d, double missing) {
-  const exact::RoughPair placed = exact::place_roughly(d.right.pair());
-  const double bound = 4 * d.right.bounds.separation;
-  const double apart =
-      total_radius(d.right.pair()) -
-      exact::PenetrationCurve(*d.right.truth, exact::skin_of(*d.right.truth)).least();
-  if (apart > bound && is_short_by(missing, apart, bound)) return true;
-  std::vector<Vector2<double>> all;
-  for (int j = 0; j < placed.b.count; ++j) {
-    for (int i = 0; i < placed.a.count; ++i) {
-      all.push_back(placed.b.vertices[j] - placed.a.vertices[i]);
-    }
-  }
-  return std::ranges::any_of(all, [&](const Vector2<double>& from) {
-    return std::ranges::any_of(all, [&](const Vector2<double>& to) {
-      const double length = (to - from).norm();
-      return length > bound && is_short_by(missing, length, bound);
-    });
-  });
+bool is_wrong_as_chipmunk(const Deviation& d) {
+  if (!is_round(d.right.pair())) return normal_of_rounded_vertices(d);
+  return sign_of_swapped_distance(d) || sign_of_polygon_radius(d) ||
+         direction_to_place_on_segment(d) || direction_between_corners(d) ||
+         segment_normal_not_unit(d) || normal_across_corner_on_corner(d) ||
+         normal_across_collinear(d) || depth_by_crossing(d);
 }
 
 }  // namespace
@@ -66,16 +52,14 @@ bool zero_normal_of_one_middle(const Deviation& d) {
 }
 
 bool normal_short_by_cp(const Deviation& d) {
-  const double length = d.got.normal.norm();
-  if (d.got.count == 0 || !(length > 0 && length < 1)) return false;
-  const double missing = 1 / length - 1;
-  if (missing <= d.right.bounds.normal || !is_short_as_made(d, missing)) return false;
-  Manifold<double> unit = d.got;
-  unit.normal /= length;
-  const Deviation mended{d.right, unit, d.kind};
-  if (!is_round(d.right.pair())) return normal_of_rounded_vertices(mended);
-  return is_right_of_chipmunk(mended) || sign_of_swapped_distance(mended) ||
-         sign_of_polygon_radius(mended) || direction_to_place_on_segment(mended);
+  const auto contact = without_what_cp_adds(d);
+  if (!contact) return false;
+  if (replayed::is_right_answer(d, as_chipmunk(), *contact)) return true;
+  // Beside it something of Chipmunk's may be wrong, which alone is not what was given.
+  const Manifold<double> mended = replayed::in_frame_of_a(d.right.pair(), *contact);
+  if (!is_wrong_as_chipmunk({d.right, mended, d.kind})) return false;
+  const bool is_short = d.kind == Kind::normal && d.got.normal.norm() <= 1 - d.right.bounds.normal;
+  return is_short || !is_wrong_as_chipmunk(d);
 }
 
 bool edge_radius_of_settings(const Deviation& d) {

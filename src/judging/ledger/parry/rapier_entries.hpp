@@ -10,6 +10,7 @@ namespace manifuzz::ledger_of {
 // 300,000 cases against clip64 showed, rounded up.
 inline constexpr Budget kOfRapierFaceByCosine[] = {
     {"micro_edge", 1600}, {"scaled", 4200}, {"ulp", 200}};
+inline constexpr Budget kOfRapierEdgeAlongNormal[] = {{"in_line", 4200}};
 inline constexpr Budget kOfRapierCornerCones[] = {{"cores_touch", 12000},   {"corner_corner", 8800},
                                                   {"far_from_origin", 800}, {"grid", 49000},
                                                   {"micro_edge", 600},      {"mixed_shapes", 1000},
@@ -71,7 +72,7 @@ inline constexpr Budget kOfRapierEpaChord[] = {{"cores_touch", 120000}};
 inline constexpr std::array kOfRapier{
     of_parry("rapier2d-face-by-cosine", "rapier2d", kFaceByCosine, kOfRapierFaceByCosine,
              clip_of_face_by_cosine<parry::Rapier>),
-    of_parry("rapier2d-edge-along-normal", "rapier2d", kEdgeAlongNormal, {},
+    of_parry("rapier2d-edge-along-normal", "rapier2d", kEdgeAlongNormal, kOfRapierEdgeAlongNormal,
              edge_along_normal<parry::Rapier>),
     of_parry("rapier2d-corner-cones", "rapier2d", kCornerCones, kOfRapierCornerCones,
              normal_of_corner_cones<parry::Rapier>),

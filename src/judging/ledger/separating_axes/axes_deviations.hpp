@@ -17,6 +17,16 @@ bool no_normal_of_one_centre_in_sat(const Deviation& deviation);
 /// direction between the centroids has led.
 bool local_maximum_in_jbox2d(const Deviation& deviation);
 
+/// What EPCollider of jbox2d 2.2.1.1 is at fault with.
+enum class FaultOfJbox2dEdge : unsigned {
+  radius = 1,      ///< it takes 0.02 for the sum of the radii
+  hysteresis = 2,  ///< the edge's face is kept though one of the polygon's is farther
+  slab = 4         ///< the reference face's side planes leave out the radii
+};
+/// One of these.
+template <FaultOfJbox2dEdge kFault>
+bool fault_of_jbox2d_edge(const Deviation& deviation);
+
 // dyn4j 6.0.0, whose Sat or Gjk finds a normal and a depth.
 
 /// Sat: the least overlap is on the other side than the centres, which decide for the sign.

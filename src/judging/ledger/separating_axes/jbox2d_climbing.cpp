@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "judging/ledger/separating_axes/axes_deviations.hpp"
+#include "judging/ledger/separating_axes/jbox2d_shapes.hpp"
 #include "judging/ledger/separating_axes/replayed.hpp"
 
 // jbox2d 2.2.1.1: Collision.collidePolygons is repeated in float, and again without its climbing.
@@ -11,44 +12,9 @@
 namespace manifuzz {
 namespace {
 
-/// A PolygonShape and its Transform, as the adapter fills them.
-struct PolygonOfJbox2d {
-  const Body& body;
-
-  int count() const { return body.polygon.count; }
-  int next(int i) const { return i + 1 < count() ? i + 1 : 0; }
-  int previous(int i) const { return i > 0 ? i - 1 : count() - 1; }
-  const Vector2<float>& vertex(int i) const { return body.polygon.vertices[i]; }
-  Vector2<float> turned(const Vector2<float>& v) const {
-    const Vector2<float>& q = body.pose.rotation;
-    return {q.x() * v.x() - q.y() * v.y(), q.y() * v.x() + q.x() * v.y()};
-  }
-  Vector2<float> turned_back(const Vector2<float>& v) const {
-    const Vector2<float>& q = body.pose.rotation;
-    return {q.x() * v.x() + q.y() * v.y(), -q.y() * v.x() + q.x() * v.y()};
-  }
-  Vector2<float> placed(const Vector2<float>& v) const { return turned(v) + body.pose.position; }
-  /// Protocol.java, normal.
-  Vector2<float> normal(int i) const {
-    const Vector2<double> edge = vertex(next(i)).cast<double>() - vertex(i).cast<double>();
-    const double length = std::sqrt(edge.x() * edge.x() + edge.y() * edge.y());
-    return {static_cast<float>(edge.y() / length), static_cast<float>(-edge.x() / length)};
-  }
-  /// PolygonShape.computeCentroidToOut.
-  Vector2<float> centroid() const {
-    constexpr float kThird = 1.0F / 3.0F;
-    Vector2<float> sum(0, 0);
-    float area = 0;
-    for (int i = 0; i < count(); ++i) {
-      const Vector2<float>& p = vertex(i);
-      const Vector2<float>& q = vertex(next(i));
-      const float triangle = 0.5F * (p.x() * q.y() - p.y() * q.x());
-      area += triangle;
-      sum += (Vector2<float>(0, 0) + p + q) * (triangle * kThird);
-    }
-    return sum * (1.0F / area);
-  }
-};
+using jbox2d::clip_to_line;
+using jbox2d::Ends;
+using PolygonOfJbox2d = jbox2d::Polygon;
 
 /// EdgeResults.
 struct EdgeOfJbox2d {
@@ -99,23 +65,8 @@ EdgeOfJbox2d max_separation(const PolygonOfJbox2d& of, const PolygonOfJbox2d& op
   }
 }
 
-using EndsOfJbox2d = std::array<Vector2<float>, 2>;
-
-/// clipSegmentToLine: whether both ends are left.
-bool clip_to_line(EndsOfJbox2d& ends, const Vector2<float>& normal, float offset) {
-  const float first = normal.dot(ends[0]) - offset;
-  const float second = normal.dot(ends[1]) - offset;
-  if (first > 0 && second > 0) return false;
-  if (first * second < 0) {
-    const Vector2<float> crossing = (ends[1] - ends[0]) * (first / (first - second)) + ends[0];
-    ends = first <= 0 ? EndsOfJbox2d{ends[0], crossing} : EndsOfJbox2d{ends[1], crossing};
-    return true;
-  }
-  return first <= 0 && second <= 0;
-}
-
 /// findIncidentEdge.
-EndsOfJbox2d incident_of_jbox2d(const PolygonOfJbox2d& of, const Vector2<float>& normal) {
+Ends incident_of_jbox2d(const PolygonOfJbox2d& of, const Vector2<float>& normal) {
   const Vector2<float> local = of.turned_back(normal);
   int most_against = 0;
   for (int i = 1; i < of.count(); ++i) {
@@ -135,7 +86,7 @@ replayed::Contact by_jbox2d(const PairCase& pair, bool is_mended) {
   const bool is_b = of_b.separation > 0.98F * of_a.separation + 0.001F;
   const PolygonOfJbox2d& reference = is_b ? b : a;
   const int edge = is_b ? of_b.index : of_a.index;
-  EndsOfJbox2d ends = incident_of_jbox2d(is_b ? a : b, reference.turned(reference.normal(edge)));
+  Ends ends = incident_of_jbox2d(is_b ? a : b, reference.turned(reference.normal(edge)));
   const Vector2<float> from = reference.vertex(edge);
   const Vector2<float> to = reference.vertex(reference.next(edge));
   const Vector2<float> along = to - from;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "judging/ledger/round_deviations.hpp"
 #include "judging/ledger/separating_axes/axes_deviations.hpp"
 
 namespace manifuzz::ledger_of {
@@ -9,8 +10,13 @@ namespace manifuzz::ledger_of {
 // What jbox2d 2.2.1.1 has of Box2D 2.2's search for the best face, in float. Budgets are twice what
 // 300,000 cases against clip64 showed, rounded up.
 inline constexpr Budget kOfJbox2dLocalMaximum[] = {
-    {"deep", 170000}, {"micro_edge", 19000}, {"near_collinear", 800}, {"scaled", 200},
-    {"sliver", 4200}, {"tied_faces", 1600},  {"ulp", 15000}};
+    {"deep", 170000}, {"micro_edge", 19000}, {"near_collinear", 730}, {"scaled", 190},
+    {"sliver", 4000}, {"tied_faces", 1900},  {"ulp", 15000}};
+
+inline constexpr Budget kOfJbox2dSecondPoint[] = {
+    {"capsules", 4900}, {"mixed_shapes", 1300}, {"voronoi_lines", 2000}};
+inline constexpr Budget kOfJbox2dHysteresis[] = {{"capsules", 1700}};
+inline constexpr Budget kOfJbox2dCornerDirection[] = {{"cores_touch", 550}};
 
 inline constexpr std::array kOfJbox2dSearch{
     LedgerEntry{.id = "jbox2d-local-maximum",
@@ -21,6 +27,46 @@ inline constexpr std::array kOfJbox2dSearch{
                           "s > bestSeparation, else break",
                 .budgets = kOfJbox2dLocalMaximum,
                 .explains = local_maximum_in_jbox2d},
+    LedgerEntry{
+        .id = "jbox2d-second-point-within-radius",
+        .collider = "jbox2d",
+        .description = "one point of an edge and a polygon, or too little depth: what is farther "
+                       "from the reference face's core than 0.02 is left out, whatever the radii",
+        .source = "jbox2d 2.2.1.1, EPCollider.collide: `separation <= m_radius`, of m_radius = "
+                  "2.0f * Settings.polygonRadius",
+        .budgets = kOfJbox2dSecondPoint,
+        .explains = fault_of_jbox2d_edge<FaultOfJbox2dEdge::radius>},
+    LedgerEntry{.id = "jbox2d-edge-hysteresis",
+                .collider = "jbox2d",
+                .description = "an edge's own face is kept though the polygon's is less deep, by 2 "
+                               "% of its separation and 0.001",
+                .source = "jbox2d 2.2.1.1, EPCollider.collide: k_relativeTol = 0.98f, "
+                          "k_absoluteTol = 0.001f, `Use hysteresis for jitter reduction`",
+                .budgets = kOfJbox2dHysteresis,
+                .explains = fault_of_jbox2d_edge<FaultOfJbox2dEdge::hysteresis>,
+                .is_by_design = true},
+    LedgerEntry{.id = "jbox2d-huge-reference-face",
+                .collider = "jbox2d",
+                .description = "no normal and no depth, or no contact: the square of the reference "
+                               "face's length is beyond float",
+                .source = "jbox2d 2.2.1.1, Vec2.normalize: length() of x * x + y * y",
+                .explains = huge_reference_face},
+    LedgerEntry{
+        .id = "jbox2d-crossing-underflows",
+        .collider = "jbox2d",
+        .description = "no contact for overlapping polygons: an end of the incident edge all but "
+                       "touches a side plane, the product of distances underflows",
+        .source = "jbox2d 2.2.1.1, Collision.clipSegmentToLine: `distance0 * distance1 < 0.0f`",
+        .explains = crossing_underflows},
+    LedgerEntry{.id = "jbox2d-corner-direction-not-normalised",
+                .collider = "jbox2d",
+                .description = "a normal of no length: a circle's centre lies on a polygon's "
+                               "corner, or within epsilon of it",
+                .source =
+                    "jbox2d 2.2.1.1, Collision.collidePolygonAndCircle: "
+                    "manifold.localNormal.normalize(); Vec2.normalize: `length < Settings.EPSILON`",
+                .budgets = kOfJbox2dCornerDirection,
+                .explains = corner_direction_not_normalised},
 };
 
 }  // namespace manifuzz::ledger_of
