@@ -33,7 +33,9 @@ const manifold = new box2d.b2Manifold(), world = new box2d.b2WorldManifold();
 @a.circle? @b.circle? world.Initialize(manifold, atA, a.m_radius, atB, b.m_radius);
 @a.polygon? @b.segment? world.Initialize(manifold, atB, b.m_radius, atA, a.m_radius);
 @a.circle? @!b.circle? world.Initialize(manifold, atB, b.m_radius, atA, a.m_radius);
-console.log(manifold.pointCount, "points", world);
+@a.polygon? @b.polygon? console.log(manifold.pointCount, "points", world, manifold.points.map(({ id }) => id.cf));
+@!a.polygon? console.log(manifold.pointCount, "points", world);
+@a.polygon? @!b.polygon? console.log(manifold.pointCount, "points", world);
 `;
 
 const declaration = {
