@@ -21,12 +21,12 @@ b.set_mass(1), b.set_inertia(1); // of a sliver it would compute none
 const any = callbacks.CbType.get_ANY_BODY(), collision = callbacks.InteractionType.get_COLLISION();
 let found = "0 points";
 new callbacks.PreListener(collision, any, any, (met) => {
-  const arbiter = met.get_arbiter().get_collisionArbiter();
-  found = arbiter.get_contacts().get_length() + " points, normal " + arbiter.get_normal() + arbiter.get_contacts();
+  const arbiter = met.get_arbiter().get_collisionArbiter(), contacts = arbiter.get_contacts();
+  found = contacts.get_length() + " points, normal " + arbiter.get_normal();
+  contacts.foreach((at) => { found += ", " + at.get_position() + " " + at.get_penetration(); });
 }).set_space(still);
 for (const body of [a, b]) body.set_space(still);
-still.@asked(step)@(1e-9);
-console.log(found);
+still.@asked(step)@(1e-9), console.log(found);
 `;
 
 const declaration = {

@@ -121,6 +121,12 @@ std::string not_minimal_in_words(const PairCase& pair, const Claim& claim) {
                      plain(is_plain ? needed : needed - least), is_plain ? "" : " more");
 }
 
+/// Whether points lie where the shapes overlap, but not as deep there as is said.
+bool is_depth_elsewhere(const JudgedCase& judged, const Declaration& declaration) {
+  const PairCase& pair = judged.given.pair;
+  return judged.judgement.magnitude * size(pair) <= bounds(pair, declaration).position;
+}
+
 /// How many points a right answer has at most.
 int right_count(const JudgedCase& judged, const Declaration& declaration) {
   int most = 0;
@@ -182,6 +188,10 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
     case Kind::not_minimal:
       return not_minimal_in_words(pair, claim);
     case Kind::witness:
+      if (is_depth_elsewhere(judged, asked.declaration)) {
+        return fmt::format("a contact point of {} is said to be {} deep, and they are not so there",
+                           pair_words, plain(claim.depth));
+      }
       return fmt::format("a contact point of {} lies {} away from where they overlap", pair_words,
                          off);
     case Kind::altered_shape:
@@ -228,7 +238,9 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
   const bool is_of_figures = kind == Kind::normal || kind == Kind::depth ||
                              kind == Kind::inconsistent || kind == Kind::not_minimal ||
                              kind == Kind::position || kind == Kind::witness;
-  if (is_of_figures && judged.judgement.magnitude < kUnseen) return std::string(kUnseenInWords);
+  const bool is_elsewhere = kind == Kind::witness && is_depth_elsewhere(judged, asked.declaration);
+  if (is_of_figures && !is_elsewhere && judged.judgement.magnitude < kUnseen)
+    return std::string(kUnseenInWords);
   switch (kind) {
     case Kind::missed_contact:
       return "nothing holds the bodies apart here, so they move further into each other";
