@@ -5,10 +5,10 @@
 #define MANIFUZZ_LIBCCD_ASKED "ccdMPRPenetration"
 #define MANIFUZZ_LIBCCD_HEIGHT_A "16"
 #define MANIFUZZ_LIBCCD_HEIGHT_B "16"
-#define MANIFUZZ_LIBCCD_MIDDLE                                                     \
-  "void centre(const void* object, ccd_vec3_t* out) {\n"                           \
-  "  const prism* p = object; double x = 0, y = 0;\n"                              \
-  "  for (int i = 0; i < p->count; ++i) x += p->at[i].v[0], y += p->at[i].v[1];\n" \
+#define MANIFUZZ_LIBCCD_MIDDLE                                                                     \
+  "void centre(const void* object, ccd_vec3_t* out) { const prism* p = object; double x = 0, y = " \
+  "0;\n"                                                                                           \
+  "  for (int i = 0; i < p->count; ++i) x += p->at[i].v[0], y += p->at[i].v[1];\n"                 \
   "  ccdVec3Set(out, x / p->count, y / p->count, 0); }\n"
 #define MANIFUZZ_LIBCCD_SET_MIDDLE " ccd.center1 = ccd.center2 = centre;"
 #include "oracle/libccd/snippet.hpp"

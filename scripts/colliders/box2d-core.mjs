@@ -5,7 +5,6 @@ import { centroidOf, serve, toWorld, versionOf } from "./protocol.mjs";
 const snippet = `@language js
 @point world.points $m, separations $s
 import * as box2d from "@box2d/core";
-
 const { b2Vec2 } = box2d;
 @each @*.circle? const @* = new box2d.b2CircleShape().Set(@*.unit_vertices(new b2Vec2($X, $Y))@, @*.wide_radius@);
 @each @*.segment? const @* = new box2d.b2EdgeShape().SetTwoSided(@*.unit_vertices(new b2Vec2($X, $Y))@);

@@ -11,14 +11,13 @@ const snippet = `@language js
 import initNape from "@newkrok/nape-js";
 globalThis.window = globalThis, initNape(); // it leaves nape in a window
 const { callbacks, geom: { Vec2 }, phys: { Body, BodyType }, shape, space } = globalThis.nape;
-const still = new space.Space(new Vec2(0, 0));
 const a = new Body(BodyType.get_STATIC(), @a.position(new Vec2($X, $Y))@);
 const b = new Body(BodyType.get_DYNAMIC(), @b.position(new Vec2($X, $Y))@);
 @each @*.turned? @*.set_rotation(Math.atan2(@*.unit_rotation($Y, $X)@));
 @each @*.circle? @*.get_shapes().add(new shape.Circle(@*.wide_radius@, @*.unit_vertices(new Vec2($X, $Y))@));
 @each @!*.circle? @*.get_shapes().add(new shape.Polygon([@*.unit_vertices(new Vec2($X, $Y))@]));
 b.set_mass(1), b.set_inertia(1); // of a sliver it would compute none
-const any = callbacks.CbType.get_ANY_BODY(), collision = callbacks.InteractionType.get_COLLISION();
+const still = new space.Space(new Vec2(0, 0)), any = callbacks.CbType.get_ANY_BODY(), collision = callbacks.InteractionType.get_COLLISION();
 let found = "0 points";
 new callbacks.PreListener(collision, any, any, (met) => {
   const arbiter = met.get_arbiter().get_collisionArbiter(), contacts = arbiter.get_contacts();

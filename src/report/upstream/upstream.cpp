@@ -55,10 +55,10 @@ std::array<std::string, 2> got_and_expected(const JudgedCase& judged, const Decl
 std::string neighbours_in_words(const JudgedCase& judged) {
   if (!judged.given.expect || !judged.given.expect->severity) return {};
   const double share = *judged.given.expect->severity;
-  const std::string failing = share >= 1   ? "all fail"
-                              : share <= 0 ? "none fails"
-                                           : fmt::format("{:.3g} % fail", 100 * share);
-  return fmt::format("- Of the neighbours, one vertex moved by up to 64 ulps each way, {} too.\n",
+  const std::string failing = share >= 1   ? "all fail too"
+                              : share <= 0 ? "hardly any fails"
+                                           : fmt::format("{:.3g} % fail too", 100 * share);
+  return fmt::format("- Of the neighbours, one vertex moved by up to 64 ulps each way, {}.\n",
                      failing);
 }
 
