@@ -7,6 +7,20 @@
 
 #include "oracle/bullet/algorithm.hpp"
 
+#define MANIFUZZ_BULLET_HEADERS                                                  \
+  "#include <BulletCollision/CollisionDispatch/btConvex2dConvex2dAlgorithm.h>\n" \
+  "#include <BulletCollision/CollisionShapes/btConvex2dShape.h>\n"               \
+  "#include <BulletCollision/NarrowPhaseCollision/btMinkowskiPenetrationDepthSolver.h>\n"
+#define MANIFUZZ_BULLET_SHAPES                                                          \
+  "@each   btVector3 of@^[] = {@*.vertices(btVector3($x, $y, 0))@}; btConvexHullShape " \
+  "hull@^(*of@^, @*.count@);\n"                                                         \
+  "@each   hull@^.setMargin(@*.radius@); btConvex2dShape @*(&hull@^);\n"
+#define MANIFUZZ_BULLET_ALGORITHM                                                \
+  "  btVoronoiSimplexSolver simplex; btMinkowskiPenetrationDepthSolver solver; " \
+  "btConvex2dConvex2dAlgorithm algorithm(nullptr, "                              \
+  "btCollisionAlgorithmConstructionInfo(&dispatcher, -1), &inA, &inB, &simplex, &solver, 0, 0);\n"
+#include "oracle/bullet/algorithm_snippet.hpp"
+
 extern "C" {
 
 extern const manifuzz_declaration manifuzz_collider = {
@@ -21,7 +35,7 @@ extern const manifuzz_declaration manifuzz_collider = {
     .tie_bias = 0,
     .vertices_max = MANIFUZZ_VERTICES_MAX,
     .takes_radius = 0,
-    .snippet = nullptr,
+    .snippet = manifuzz_bullet::kAlgorithmSnippet,
     .claims = manifuzz_bullet::claims_of_point(0, nullptr),
 };
 

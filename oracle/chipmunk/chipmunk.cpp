@@ -30,7 +30,7 @@ int main() {
   std::printf("%d points, normal (%.17g, %.17g)\n", set.count, set.normal.x, set.normal.y);
   for (int i = 0; i < set.count; ++i) {
     const auto [on_a, on_b, distance] = set.points[i];
-    std::printf("(%g, %g), (%g, %g), %.17g\n", on_a.x, on_a.y, on_b.x, on_b.y, distance);
+    std::printf("(%.17g, %.17g), (%.17g, %.17g), %.17g\n", on_a.x, on_a.y, on_b.x, on_b.y, distance);
   }
 }
 )";

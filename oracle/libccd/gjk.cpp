@@ -2,6 +2,13 @@
 
 #include "oracle/libccd/prism.hpp"
 
+#define MANIFUZZ_LIBCCD_ASKED "ccdGJKPenetration"
+#define MANIFUZZ_LIBCCD_HEIGHT_A "2"
+#define MANIFUZZ_LIBCCD_HEIGHT_B "1"
+#define MANIFUZZ_LIBCCD_MIDDLE ""
+#define MANIFUZZ_LIBCCD_SET_MIDDLE ""
+#include "oracle/libccd/snippet.hpp"
+
 extern "C" {
 
 extern const manifuzz_declaration manifuzz_collider = {
@@ -16,7 +23,7 @@ extern const manifuzz_declaration manifuzz_collider = {
     .tie_bias = 0,
     .vertices_max = MANIFUZZ_VERTICES_MAX,
     .takes_radius = 0,
-    .snippet = nullptr,
+    .snippet = manifuzz_libccd::kSnippet,
     .claims = manifuzz_libccd::claims_of_separation(1e-4, "ccd.h: CCD_INIT, epa_tolerance 0.0001"),
 };
 

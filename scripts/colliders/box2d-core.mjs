@@ -5,7 +5,6 @@ import { centroidOf, serve, toWorld, versionOf } from "./protocol.mjs";
 const snippet = `@language js
 @point world.points $m, separations $s
 import * as box2d from "@box2d/core";
-
 const { b2Vec2 } = box2d;
 @each @*.circle? const @* = new box2d.b2CircleShape().Set(@*.unit_vertices(new b2Vec2($X, $Y))@, @*.wide_radius@);
 @each @*.segment? const @* = new box2d.b2EdgeShape().SetTwoSided(@*.unit_vertices(new b2Vec2($X, $Y))@);
@@ -33,7 +32,9 @@ const manifold = new box2d.b2Manifold(), world = new box2d.b2WorldManifold();
 @a.circle? @b.circle? world.Initialize(manifold, atA, a.m_radius, atB, b.m_radius);
 @a.polygon? @b.segment? world.Initialize(manifold, atB, b.m_radius, atA, a.m_radius);
 @a.circle? @!b.circle? world.Initialize(manifold, atB, b.m_radius, atA, a.m_radius);
-console.log(manifold.pointCount, "points", world);
+@a.polygon? @b.polygon? console.log(manifold.pointCount, "points", world, manifold.points.map(({ id }) => id.cf));
+@!a.polygon? console.log(manifold.pointCount, "points", world);
+@a.polygon? @!b.polygon? console.log(manifold.pointCount, "points", world);
 `;
 
 const declaration = {

@@ -15,7 +15,7 @@ const { Body, Collision, Vertices } = Matter;
 @each @*.placed? const @* = Body.create({ vertices: of@^, angle: Math.atan2(s@^, c@^), position: {
 @each @*.placed?   x: c@^ * x@^ - s@^ * y@^ + @*.position($X)@, y: s@^ * x@^ + c@^ * y@^ + @*.position($Y)@ } });
 const collision = Collision.@asked(collides)@(a, b); // its normal points from B to A
-console.log(collision?.supportCount ?? 0, "points", collision?.supports.map(({ x, y }) => [x, y]));
+console.log(collision?.supportCount ?? 0, "points", collision?.supports.slice(0, collision.supportCount).map(({ x, y }) => [x, y]));
 console.log(collision?.depth, collision?.normal);
 `;
 

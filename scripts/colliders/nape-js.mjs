@@ -11,22 +11,21 @@ const snippet = `@language js
 import initNape from "@newkrok/nape-js";
 globalThis.window = globalThis, initNape(); // it leaves nape in a window
 const { callbacks, geom: { Vec2 }, phys: { Body, BodyType }, shape, space } = globalThis.nape;
-const still = new space.Space(new Vec2(0, 0));
 const a = new Body(BodyType.get_STATIC(), @a.position(new Vec2($X, $Y))@);
 const b = new Body(BodyType.get_DYNAMIC(), @b.position(new Vec2($X, $Y))@);
 @each @*.turned? @*.set_rotation(Math.atan2(@*.unit_rotation($Y, $X)@));
 @each @*.circle? @*.get_shapes().add(new shape.Circle(@*.wide_radius@, @*.unit_vertices(new Vec2($X, $Y))@));
 @each @!*.circle? @*.get_shapes().add(new shape.Polygon([@*.unit_vertices(new Vec2($X, $Y))@]));
 b.set_mass(1), b.set_inertia(1); // of a sliver it would compute none
-const any = callbacks.CbType.get_ANY_BODY(), collision = callbacks.InteractionType.get_COLLISION();
+const still = new space.Space(new Vec2(0, 0)), any = callbacks.CbType.get_ANY_BODY(), collision = callbacks.InteractionType.get_COLLISION();
 let found = "0 points";
 new callbacks.PreListener(collision, any, any, (met) => {
-  const arbiter = met.get_arbiter().get_collisionArbiter();
-  found = arbiter.get_contacts().get_length() + " points, normal " + arbiter.get_normal() + arbiter.get_contacts();
+  const arbiter = met.get_arbiter().get_collisionArbiter(), contacts = arbiter.get_contacts();
+  found = contacts.get_length() + " points, normal " + arbiter.get_normal();
+  contacts.foreach((at) => { found += ", " + at.get_position() + " " + at.get_penetration(); });
 }).set_space(still);
 for (const body of [a, b]) body.set_space(still);
-still.@asked(step)@(1e-9);
-console.log(found);
+still.@asked(step)@(1e-9), console.log(found);
 `;
 
 const declaration = {

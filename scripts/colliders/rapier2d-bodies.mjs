@@ -11,18 +11,16 @@ export const snippetThat = (ask) => `@language js
 import RAPIER from "@dimforge/rapier2d-compat";
 await RAPIER.init();
 const { ColliderDesc, RigidBodyDesc } = RAPIER, world = new RAPIER.World({ x: 0, y: 0 });
-world.timestep = 0;
 @each @*.circle? const of@^ = ColliderDesc.ball(@*.radius@).setTranslation(@*.vertices($x, $y)@);
 @each @*.segment? @!*.rounded? const of@^ = ColliderDesc.segment(@*.vertices({ x: $x, y: $y })@);
 @each @*.segment? @*.rounded? const [p@^, q@^] = [@*.vertices({ x: $x, y: $y })@]; // a capsule lies along y
-@each @*.segment? @*.rounded? const of@^ = ColliderDesc.capsule(Math.hypot(q@^.x - p@^.x, q@^.y - p@^.y) / 2, @*.radius@)
-@each @*.segment? @*.rounded?   .setTranslation((p@^.x + q@^.x) / 2, (p@^.y + q@^.y) / 2).setRotation(Math.atan2(p@^.x - q@^.x, q@^.y - p@^.y));
+@each @*.segment? @*.rounded? const of@^ = ColliderDesc.capsule(Math.hypot(q@^.x - p@^.x, q@^.y - p@^.y) / 2, @*.radius@).setTranslation((p@^.x + q@^.x) / 2, (p@^.y + q@^.y) / 2).setRotation(Math.atan2(p@^.x - q@^.x, q@^.y - p@^.y));
 @each @*.polygon? @!*.rounded? const of@^ = ColliderDesc.convexPolyline(new Float32Array([@*.vertices($x, $y)@]));
 @each @*.polygon? @*.rounded? const of@^ = ColliderDesc.roundConvexPolyline(new Float32Array([@*.vertices($x, $y)@]), @*.radius@);
-const bodyA = world.createRigidBody(RigidBodyDesc.fixed().setTranslation(@a.position($x, $y)@).setRotation(Math.atan2(@a.rotation($y, $x)@)));
-const bodyB = world.createRigidBody(RigidBodyDesc.kinematicPositionBased().setTranslation(@b.position($x, $y)@).setRotation(Math.atan2(@b.rotation($y, $x)@)));
+const bodyA = RigidBodyDesc.fixed().setTranslation(@a.position($x, $y)@).setRotation(Math.atan2(@a.rotation($y, $x)@));
+const bodyB = RigidBodyDesc.kinematicPositionBased().setTranslation(@b.position($x, $y)@).setRotation(Math.atan2(@b.rotation($y, $x)@));
 const [a, b] = [[ofA, bodyA], [ofB, bodyB]].map(([of, body]) =>
-  world.createCollider(of.setActiveCollisionTypes(RAPIER.ActiveCollisionTypes.ALL), body));
+  world.createCollider(of.setActiveCollisionTypes(RAPIER.ActiveCollisionTypes.ALL), world.createRigidBody(body)));
 ${ask}`;
 
 export const declaration = {

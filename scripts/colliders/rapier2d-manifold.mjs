@@ -3,13 +3,13 @@ import { serve, toWorld } from "./protocol.mjs";
 import { collidersOf, declaration, snippetThat } from "./rapier2d-bodies.mjs";
 
 const snippet = snippetThat(`@point in the world on A $a, contactDist $s
-world.step();
-let found = "0 points";
+world.timestep = 0, world.step();
+let found = ["0 points"];
 world.@asked(contactPair)@(a, b, (manifold, flipped) => { // flipped: 1 is B, 2 is A
   const dists = [0, 1].slice(0, manifold.numContacts()).map((i) => manifold.contactDist(i));
-  found = [dists.filter((dist) => dist <= 0).length + " points", dists, flipped, manifold.normal()];
+  found = [dists.filter((dist) => dist <= 0).length + " points", ...dists, flipped, manifold.normal()];
 });
-console.log(...[found].flat());
+console.log(...found);
 `);
 
 const manifold = {

@@ -158,4 +158,9 @@ std::vector<Manifold<double>> manifolds_to_show(const Admissible& right,
   return round_manifolds(right, declaration);
 }
 
+Manifold<double> contact_along(const PairCase& pair, const Vector2<double>& normal, double depth,
+                               const Declaration& declaration) {
+  return RoundContact(pair, normal).manifold(std::nullopt, depth, declaration);
+}
+
 }  // namespace manifuzz

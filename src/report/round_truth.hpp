@@ -12,4 +12,9 @@ namespace manifuzz {
 std::vector<Manifold<double>> manifolds_to_show(const Admissible& right,
                                                 const Declaration& declaration);
 
+/// The contact along one unit normal, in A's frame, `depth` deep there: as a collider with this
+/// declaration gives it.
+Manifold<double> contact_along(const PairCase& pair, const Vector2<double>& normal, double depth,
+                               const Declaration& declaration);
+
 }  // namespace manifuzz

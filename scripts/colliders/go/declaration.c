@@ -16,8 +16,10 @@ static const char kSnippet[] =
     "@each @*.placed? \t@*.Update(cp.NewTransformTranspose(@*.rotation($X, -1 * $Y)@, @*.position($X)@, @*.rotation($Y, $X)@, @*.position($Y)@))\n"
     "@each @!*.placed? \t@*.Update(cp.NewTransformIdentity())\n"
     "\tset := cp.@asked(ShapesCollide)@(a, b)\n"
-    "\tfmt.Println(set.Count, \"points, normal\", set.Normal)\n"
-    "\tfmt.Printf(\"%+v\\n\", set.Points[:set.Count])\n"
+    "\tfmt.Println(set.Count, \"points, normal\", set.Normal.X, set.Normal.Y)\n"
+    "\tfor _, p := range set.Points[:set.Count] {\n"
+    "\t\tfmt.Println(p.PointA.X, p.PointA.Y, p.PointB.X, p.PointB.Y, p.Distance)\n"
+    "\t}\n"
     "}\n";
 
 const manifuzz_declaration manifuzz_collider = {

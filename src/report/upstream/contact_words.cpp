@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "judging/by_curve.hpp"
 #include "oracle/exact/curve.hpp"
 #include "report/round_truth.hpp"
 #include "report/upstream/parts.hpp"
@@ -16,8 +17,9 @@ namespace {
 /// A contact in the world, in one engine's terms.
 class EngineTerms {
  public:
-  EngineTerms(const PairCase& pair, const Declaration& declaration, const Program& program)
-      : pair_(pair), declaration_(declaration), program_(program) {}
+  EngineTerms(const PairCase& pair, const Declaration& declaration, const Program& program,
+              Detail detail)
+      : pair_(pair), declaration_(declaration), program_(program), detail_(detail) {}
 
   std::string normal(const Vector2<double>& local) const {
     const bool from_b = declaration_.normal_from_b != program_.is_b_first;
@@ -92,6 +94,10 @@ class EngineTerms {
         }
       }
       parts.push_back(point(at, depth, on, unit, is_clamped));
+      if (detail_.has_features) {
+        parts.back() += fmt::format(", between {} and {}", place_name(Side::a, features.a),
+                                    place_name(Side::b, features.b));
+      }
     }
     return fmt::format("{}", fmt::join(parts, "; "));
   }
@@ -106,8 +112,8 @@ class EngineTerms {
 
  private:
   std::string figure(double value) const {
-    const bool is_float = declaration_.scalar == ScalarType::float32;
-    return is_float ? fmt::format("{:.7g}", value + 0.0) : fmt::format("{:.9g}", value + 0.0);
+    const int digits = declaration_.scalar == ScalarType::float32 ? 7 : 9;
+    return fmt::format("{:.{}g}", value + 0.0, digits + detail_.more_digits);
   }
 
   std::string place_text(const Vector2<double>& place) const {
@@ -118,12 +124,24 @@ class EngineTerms {
   const PairCase& pair_;
   const Declaration& declaration_;
   const Program& program_;
+  Detail detail_;
 };
+
+Manifold<double> deepest_alone(Manifold<double> manifold) {
+  if (manifold.count < 2) return manifold;
+  auto& [first, second] = manifold.points;
+  if (second.depth > first.depth) first = second;
+  manifold.count = 1;
+  return manifold;
+}
 
 std::string in_terms(const EngineTerms& terms, const Declaration& declaration,
                      const Manifold<double>& right) {
-  if (declaration.claims == Claims::manifold || declaration.claims == Claims::point) {
+  if (declaration.claims == Claims::manifold) {
     return terms.contact(right, right.reference, false);
+  }
+  if (declaration.claims == Claims::point) {
+    return terms.contact(deepest_alone(right), right.reference, false);
   }
   if (right.count == 0) return terms.none();
   if (declaration.claims == Claims::touching) return "contact";
@@ -139,6 +157,24 @@ const Manifold<double>& nearest_to(const std::vector<Manifold<double>>& right, c
     return (one.normal - *got.normal).norm();
   };
   return *std::ranges::min_element(right, {}, distance);
+}
+
+/// The contact along the answer's own normal, where no other has clearly less depth; none of
+/// mitred corners, which have faces' normals alone.
+std::optional<Manifold<double>> right_along_own(const PairCase& pair, const DeclaredAnswer& asked) {
+  const Claim got = claim_of(asked.answer);
+  if (!is_judged_by_curve(asked.declaration, pair) || !got.normal || got.normal->isZero(0)) {
+    return std::nullopt;
+  }
+  const exact::Truth truth(pair);
+  const exact::PenetrationCurve curve(truth, exact::skin_of(truth));
+  const exact::Along along(truth, *got.normal);
+  const double bound = curve_bounds(pair, asked.declaration, truth.extent()).minimality;
+  const bool is_mitred = total_radius(pair) > 0 && !is_round(pair);
+  if (is_mitred || curve.compare_least(0) < 0 || curve.compare_excess(along, bound) > 0) {
+    return std::nullopt;
+  }
+  return contact_along(pair, got.normal->normalized(), along.depth(), asked.declaration);
 }
 
 }  // namespace
@@ -165,9 +201,9 @@ double true_depth(const PairCase& pair) {
   return total_radius(pair) - exact::separation_of(exact::Truth(pair));
 }
 
-std::string got_in_words(const PairCase& pair, const DeclaredAnswer& asked,
-                         const Program& program) {
-  const EngineTerms terms(pair, asked.declaration, program);
+std::string got_in_words(const PairCase& pair, const DeclaredAnswer& asked, const Program& program,
+                         Detail detail) {
+  const EngineTerms terms(pair, asked.declaration, program, detail);
   if (const auto* const said = std::get_if<Penetration>(&asked.answer)) {
     return terms.penetration(*said);
   }
@@ -176,8 +212,11 @@ std::string got_in_words(const PairCase& pair, const DeclaredAnswer& asked,
 }
 
 std::string expected_in_words(const PairCase& pair, const DeclaredAnswer& asked,
-                              const Program& program) {
-  const EngineTerms terms(pair, asked.declaration, program);
+                              const Program& program, Detail detail) {
+  const EngineTerms terms(pair, asked.declaration, program, detail);
+  if (const auto along_own = right_along_own(pair, asked)) {
+    return in_terms(terms, asked.declaration, *along_own);
+  }
   const std::vector<Manifold<double>> right =
       manifolds_to_show(admissible(pair, asked.declaration), asked.declaration);
   if (right.empty()) return program.none;

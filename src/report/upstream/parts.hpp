@@ -31,11 +31,19 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
 /// How to check the truth with a pencil: a face and a vertex, or two nearest places.
 std::string checked_by_hand(const PairCase& pair);
 
-/// What the engine answers, in its own terms: the sign of its normal, its kind of points.
-std::string got_in_words(const PairCase& pair, const DeclaredAnswer& asked, const Program& program);
+/// How finely a contact is written down.
+struct Detail {
+  int more_digits = 0;        ///< beyond the seven of a float, the nine of a double
+  bool has_features = false;  ///< between which features each point is
+};
 
-/// What would be right, in the same terms: one of the right answers, and how many more there are.
+/// What the engine answers, in its own terms: the sign of its normal, its kind of points.
+std::string got_in_words(const PairCase& pair, const DeclaredAnswer& asked, const Program& program,
+                         Detail detail);
+
+/// What would be right, in the same terms: the one along the engine's own normal, where that is
+/// right, else one of the right answers, and how many there are.
 std::string expected_in_words(const PairCase& pair, const DeclaredAnswer& asked,
-                              const Program& program);
+                              const Program& program, Detail detail);
 
 }  // namespace manifuzz

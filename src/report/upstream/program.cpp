@@ -139,13 +139,14 @@ void fill_in_forms(std::string& line, const std::string& start, const Figures& f
   }
 }
 
-/// How far a shape reaches from its origin, as floats have it.
-float reach_of(const ConvexPolygon<float>& shape) {
-  float farthest = 0;
+/// How far a shape reaches from its origin, as floats or doubles have it.
+template <class Number>
+Number reach_of(const ConvexPolygon<float>& shape) {
+  Number farthest = 0;
   for (const Vector2<float>& v : shape.corners()) {
-    farthest = std::max(farthest, std::hypot(v.x(), v.y()));
+    farthest = std::max(farthest, std::hypot(Number{v.x()}, Number{v.y()}));
   }
-  return farthest + shape.radius;
+  return farthest + Number{shape.radius};
 }
 
 void fill_in(std::string& line, char name, const Body& body) {
@@ -157,7 +158,9 @@ void fill_in(std::string& line, char name, const Body& body) {
     } else if (key == "wide_radius") {
       boost::replace_all(line, start + "@", number_text(static_cast<double>(body.polygon.radius)));
     } else if (key == "reach") {
-      boost::replace_all(line, start + "@", number_text(reach_of(body.polygon)));
+      boost::replace_all(line, start + "@", number_text(reach_of<float>(body.polygon)));
+    } else if (key == "wide_reach") {
+      boost::replace_all(line, start + "@", number_text(reach_of<double>(body.polygon)));
     } else if (key == "count") {
       boost::replace_all(line, start + "@", std::to_string(body.polygon.count));
     } else {

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -20,12 +21,14 @@ std::string plain(double value) {
 std::string shape_word(const ConvexPolygon<float>& shape) {
   if (shape.count == 1) return "circle";
   if (shape.count == 2) return shape.radius > 0 ? "capsule" : "segment";
-  const std::string word = shape.count == 3 ? "triangle" : fmt::format("{}-gon", shape.count);
+  constexpr std::array words{"triangle", "quadrilateral", "pentagon",
+                             "hexagon",  "heptagon",      "octagon"};
+  const std::string word = words.at(static_cast<std::size_t>(shape.count - kMinVertices));
   return shape.is_round() && shape.radius > 0 ? "rounded " + word : word;
 }
 
 std::string with_article(const std::string& word) {
-  return (word.starts_with("8") ? "an " : "a ") + word;
+  return (word.starts_with("o") ? "an " : "a ") + word;
 }
 
 /// "triangles", "a circle and a capsule".
@@ -67,6 +70,13 @@ std::string normal_in_words(const JudgedCase& judged, const Vector2<double>& nor
   return fmt::format("is off by {} radians", plain(turn));
 }
 
+std::string wrong_normal_in_words(const JudgedCase& judged, const Claim& claim,
+                                  const Declaration& declaration) {
+  const Vector2<double> normal = claim.normal.value_or(Vector2<double>(0, 0));
+  return fmt::format("the normal of {} {}", pair_in_words(judged.given.pair),
+                     normal_in_words(judged, normal, declaration));
+}
+
 /// How deep they overlap along the answer's own normal; the least depth where it has none.
 double depth_along(const PairCase& pair, const Claim& claim) {
   if (!claim.normal || claim.normal->isZero(0)) return true_depth(pair);
@@ -79,6 +89,15 @@ bool is_far_too_deep(const PairCase& pair, const Claim& claim, const Declaration
   const double depth = true_depth(pair);
   return claim.depth > 2 * std::abs(depth) &&
          claim.depth - depth > 100 * bounds(pair, declaration).separation;
+}
+
+/// Where the direction between the cores decides, a depth is held against the least one: then the
+/// normal is the news.
+bool is_depth_along_normal(const JudgedCase& judged, const Claim& claim) {
+  const PairCase& pair = judged.given.pair;
+  const double off = judged.judgement.magnitude * size(pair);
+  return std::abs(std::abs(claim.depth - depth_along(pair, claim)) - off) <=
+         std::abs(std::abs(claim.depth - true_depth(pair)) - off);
 }
 
 std::string inconsistent_in_words(const PairCase& pair, const Claim& claim) {
@@ -102,6 +121,32 @@ std::string not_minimal_in_words(const PairCase& pair, const Claim& claim) {
                      plain(is_plain ? needed : needed - least), is_plain ? "" : " more");
 }
 
+/// Whether points lie where the shapes overlap, but not as deep there as is said.
+bool is_depth_elsewhere(const JudgedCase& judged, const Declaration& declaration) {
+  const PairCase& pair = judged.given.pair;
+  return judged.judgement.magnitude * size(pair) <= bounds(pair, declaration).position;
+}
+
+/// How many points a right answer has at most.
+int right_count(const JudgedCase& judged, const Declaration& declaration) {
+  int most = 0;
+  for (const Manifold<double>& right :
+       manifolds_to_show(admissible(judged.given.pair, declaration), declaration)) {
+    most = std::max(most, right.count);
+  }
+  return most;
+}
+
+std::string count_in_words(const JudgedCase& judged, const Claim& claim,
+                           const Declaration& declaration) {
+  const std::string pair_words = pair_in_words(judged.given.pair);
+  if (claim.points > right_count(judged, declaration)) {
+    return pair_words + " have two contact points where one is right";
+  }
+  return fmt::format("{} have {} where they touch along an edge", pair_words,
+                     claim.points == 1 ? "one contact point" : "contact points too close together");
+}
+
 std::string lost_in_words(Verdict verdict) {
   if (verdict == Verdict::crashed) return "crash the program";
   return verdict == Verdict::timed_out ? "are not answered in time" : "get an invalid answer";
@@ -122,9 +167,7 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
       return claim.depth <= 0 ? pair_words + " are in contact" : phantom;
     case Kind::normal:
       if (is_far_too_deep(pair, claim, asked.declaration)) return phantom;
-      return fmt::format(
-          "the normal of {} {}", pair_words,
-          normal_in_words(judged, claim.normal.value_or(Vector2<double>(0, 0)), asked.declaration));
+      return wrong_normal_in_words(judged, claim, asked.declaration);
     case Kind::position:
       return fmt::format("a contact point of {} is off by {}", pair_words, off);
     case Kind::depth:
@@ -134,18 +177,21 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
       return fmt::format("the depth of a contact point of {} is off by {}", pair_words, off);
     case Kind::count:
     case Kind::extent:
-      return fmt::format(
-          "{} have {} where they touch along an edge", pair_words,
-          claim.points == 1 ? "one contact point" : "contact points too close together");
+      return count_in_words(judged, claim, asked.declaration);
     case Kind::features:
       return fmt::format("the contact points of {} name wrong features", pair_words);
     case Kind::reversed:
       return fmt::format("the normal of {} is reversed", pair_words);
     case Kind::inconsistent:
-      return inconsistent_in_words(pair, claim);
+      if (is_depth_along_normal(judged, claim)) return inconsistent_in_words(pair, claim);
+      return wrong_normal_in_words(judged, claim, asked.declaration);
     case Kind::not_minimal:
       return not_minimal_in_words(pair, claim);
     case Kind::witness:
+      if (is_depth_elsewhere(judged, asked.declaration)) {
+        return fmt::format("a contact point of {} is said to be {} deep, and they are not so there",
+                           pair_words, plain(claim.depth));
+      }
       return fmt::format("a contact point of {} lies {} away from where they overlap", pair_words,
                          off);
     case Kind::altered_shape:
@@ -162,13 +208,19 @@ constexpr std::string_view kUnseenInWords =
     "nothing on a screen, but what takes these figures for exact, such as an assertion or a "
     "comparison between platforms, fails";
 
-std::string seen_of_depth(const PairCase& pair, const Claim& claim) {
-  const double depth = depth_along(pair, claim);
+std::string pushed_too_far(double by, double enough) {
+  if (plain(by) == plain(enough)) {
+    return fmt::format("the bodies are pushed {} farther than they need", plain(by - enough));
+  }
+  return fmt::format("the bodies are pushed by {} where {} suffices", plain(by), plain(enough));
+}
+
+/// `depth`: what moves them apart.
+std::string seen_of_depth(const Claim& claim, double depth) {
   if (claim.depth <= depth) {
     return fmt::format("the bodies stay {} inside each other", plain(depth - claim.depth));
   }
-  return fmt::format("the bodies are pushed {} apart where {} suffices", plain(claim.depth),
-                     plain(std::max(depth, 0.0)));
+  return pushed_too_far(claim.depth, std::max(depth, 0.0));
 }
 
 }  // namespace
@@ -186,14 +238,18 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
   const bool is_of_figures = kind == Kind::normal || kind == Kind::depth ||
                              kind == Kind::inconsistent || kind == Kind::not_minimal ||
                              kind == Kind::position || kind == Kind::witness;
-  if (is_of_figures && judged.judgement.magnitude < kUnseen) return std::string(kUnseenInWords);
+  const bool is_elsewhere = kind == Kind::witness && is_depth_elsewhere(judged, asked.declaration);
+  if (is_of_figures && !is_elsewhere && judged.judgement.magnitude < kUnseen)
+    return std::string(kUnseenInWords);
   switch (kind) {
     case Kind::missed_contact:
       return "nothing holds the bodies apart here, so they move further into each other";
     case Kind::phantom_contact:
       return "bodies that do not touch are stopped or pushed across the gap";
     case Kind::normal:
-      if (is_far_too_deep(pair, claim, asked.declaration)) return seen_of_depth(pair, claim);
+      if (is_far_too_deep(pair, claim, asked.declaration)) {
+        return seen_of_depth(claim, true_depth(pair));
+      }
       return "impulses act along a wrong direction or with a wrong strength, so bodies sink into "
              "each other or jump aside";
     case Kind::position:
@@ -202,6 +258,9 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
              "have";
     case Kind::count:
     case Kind::extent:
+      if (claim.points > right_count(judged, asked.declaration)) {
+        return "a part of the impulse acts where the shapes hardly touch";
+      }
       return "a face rests on too few points and rocks";
     case Kind::features:
       return "impulses of the last step are not found again, so warm starting is lost";
@@ -209,10 +268,9 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
       return "the bodies are pushed further into each other";
     case Kind::depth:
     case Kind::inconsistent:
-      return seen_of_depth(pair, claim);
+      return seen_of_depth(claim, depth_along(pair, claim));
     case Kind::not_minimal:
-      return fmt::format("the bodies are pushed {} along one direction where {} suffices",
-                         plain(depth_along(pair, claim)), plain(true_depth(pair)));
+      return pushed_too_far(depth_along(pair, claim), true_depth(pair));
     case Kind::altered_shape:
       return "bodies collide as another shape than was given";
     default:

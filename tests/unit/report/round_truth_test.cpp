@@ -77,7 +77,8 @@ TEST_CASE("a report on round shapes says what they are, and what is right") {
   judged.judgement = judge(judged.given.pair, {judged.subject.declaration, judged.subject.answer},
                            {judged.oracle.declaration, judged.oracle.answer});
   const std::string report = upstream_report(judged, "--subject clip");
-  CHECK_THAT(report, Contains("# A circle and a 4-gon that overlap by 0.25 have no contact\n"));
+  CHECK_THAT(report,
+             Contains("# A circle and a quadrilateral that overlap by 0.25 have no contact\n"));
   CHECK_THAT(report, Contains("- Expected: normal (0, 1) from B to A; world.points (0, -0.875), "
                               "separations -0.25.\n"));
 }

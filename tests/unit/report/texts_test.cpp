@@ -214,7 +214,7 @@ TEST_CASE("a report says what was got, what is right, and how to see it") {
   const std::string report = upstream_report(judged, "--subject clip");
   INFO(report);
   CHECK(
-      report.starts_with("# 4-gons that overlap by 0.25 have no contact\n\n"
+      report.starts_with("# Quadrilaterals that overlap by 0.25 have no contact\n\n"
                          "box2d 2.4.1, `b2CollidePolygons`.\n"));
   CHECK(std::ranges::count(report, '\n') <= 30);
   CHECK_THAT(report, Contains("b2CollidePolygons(&manifold, &a, atA, &b, atB);\n"));
@@ -234,7 +234,8 @@ TEST_CASE("every kind of finding has a title with figures, and what users see") 
   for (std::size_t kind = 1; kind < kKindNames.size(); ++kind) {
     CAPTURE(kKindNames[kind]);
     judged.judgement.bucket.kind = static_cast<Kind>(kind);
-    CHECK_THAT(upstream_title(judged, judged.oracle), Contains("4-gons that overlap by 0.25"));
+    CHECK_THAT(upstream_title(judged, judged.oracle),
+               Contains("uadrilaterals that overlap by 0.25"));
     CHECK(seen_by_users(judged, judged.oracle).size() >= 20);
   }
 }

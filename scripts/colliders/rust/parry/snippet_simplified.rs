@@ -4,8 +4,7 @@
 // cargo add parry2d@0.30.2
 use parry2d::{math::*, query::*, shape::*};
 fn main() {
-@each     let at_@* = Pose::from_parts(@*.position(Vector::new($x_f32, $y_f32))@,
-@each         @*.rotation(Rot2::from_cos_sin_unchecked($x_f32, $y_f32))@);
+@each     let at_@* = Pose::from_parts(@*.position(Vector::new($x_f32, $y_f32))@, @*.rotation(Rot2::from_cos_sin_unchecked($x_f32, $y_f32))@);
 @each @*.circle?     let at_@* = Pose::from_parts(at_@* * @*.vertices(Vector::new($x_f32, $y_f32))@, at_@*.rotation);
 @each @*.circle?     let @* = Ball::new(@*.radius@_f32);
 @each @*.segment? @!*.rounded?     let @* = Segment::new(@*.vertices(Vector::new($x_f32, $y_f32))@);
@@ -17,7 +16,5 @@ fn main() {
     DefaultQueryDispatcher.@asked(contact_manifold_convex_convex)@(
         &at_a.inv_mul(&at_b), &a, &b, None, None, 0.0, &mut found).unwrap();
     println!("{} points, normal {:?}", found.points.len(), at_a.rotation * found.local_n1);
-    for p in &found.points {
-        println!("{:?} {:?} {}", at_a * p.local_p1, at_b * p.local_p2, p.dist);
-    }
+    for p in &found.points { println!("{:?} {:?} {}", at_a * p.local_p1, at_b * p.local_p2, p.dist); }
 }

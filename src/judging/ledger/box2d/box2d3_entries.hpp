@@ -86,7 +86,8 @@ inline constexpr std::array kOfBox2d3{
                 .source = "Box2D 3.2.0, src/manifold.c, b2CollidePolygons: separation + 0.1f * "
                           "linearSlop < minSeparation; separationA > 0.1f * linearSlop",
                 .budgets = kOfBox2d3FaceWithinSlop,
-                .explains = face_within_box2d3_slop},
+                .explains = face_within_box2d3_slop,
+                .is_by_design = true},
     LedgerEntry{.id = "box2d3-no-normal-within-epsilon",
                 .collider = "box2d3",
                 .description = "a normal of no length: a circle's centre is within 1.2e-7 of the "

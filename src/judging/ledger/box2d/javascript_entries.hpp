@@ -188,7 +188,8 @@ inline constexpr std::array kOfJavaScript{
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: separationA > "
                           "0.1 * b2_linearSlop || separationB > 0.1 * b2_linearSlop",
                 .budgets = kOfPhaserFaceWithinSlop,
-                .explains = face_within_phaser_slop},
+                .explains = face_within_phaser_slop,
+                .is_by_design = true},
     LedgerEntry{.id = "phaser-box2d-nearest-by-roundings",
                 .collider = "phaser-box2d",
                 .description = "edges all but parallel: one point between corners, or a face's "

@@ -159,7 +159,8 @@ inline constexpr std::array kOfBullet{
                                "depth that of a query beside it",
                 .source = kFixedDirections,
                 .budgets = kOfBulletMinkowskiFixedDirections,
-                .explains = least_of_fixed_directions},
+                .explains = least_of_fixed_directions,
+                .is_by_design = true},
     LedgerEntry{.id = "bullet-minkowski-direction-of-roundings",
                 .collider = "bullet-minkowski",
                 .description = "a shallow contact's normal is the direction between two points, "

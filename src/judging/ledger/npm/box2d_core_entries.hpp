@@ -106,7 +106,8 @@ inline constexpr std::array kOfBox2dCore{
         .source = "@box2d/core 0.11.0, collision/b2_collide_edge.js, b2CollideEdgeAndPolygon: "
                   "k_relativeTol = 0.98, k_absoluteTol = 0.001",
         .budgets = kOfBox2dCoreEdgeHysteresis,
-        .explains = edge_face_kept_by_hysteresis},
+        .explains = edge_face_kept_by_hysteresis,
+        .is_by_design = true},
     LedgerEntry{.id = "box2d-core-axis-within-epsilon",
                 .collider = "box2d-core",
                 .description = "a normal along the world's x axis: a circle's centre is within "

@@ -95,7 +95,8 @@ inline constexpr std::array kOfMatter{
                 .source = "matter-js 0.20.0, src/collision/Collision.js, collides: "
                           "Vertices.contains of both bodies' supports",
                 .budgets = kOfMatterJsVerticesInsideAlone,
-                .explains = vertices_inside_alone_by_matter},
+                .explains = vertices_inside_alone_by_matter,
+                .is_by_design = true},
 };
 
 }  // namespace manifuzz::ledger_of

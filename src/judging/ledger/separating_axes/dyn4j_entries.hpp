@@ -151,7 +151,8 @@ inline constexpr std::array kOfDyn4jSat{
                     "points beyond a capsule's core, deeper than there: its edge is longer than it",
                 .source = kCapsuleEdgeOfDyn4j,
                 .budgets = kOfDyn4jSatLongerCapsule,
-                .explains = after_sat_of_dyn4j<FaultOfDyn4j::longer_capsule>},
+                .explains = after_sat_of_dyn4j<FaultOfDyn4j::longer_capsule>,
+                .is_by_design = true},
     LedgerEntry{
         .id = "dyn4j-sat-placed-vertices",
         .collider = "dyn4j-sat",
@@ -213,7 +214,8 @@ inline constexpr std::array kOfDyn4jGjk{
         .source = "dyn4j 6.0.0, collision/narrowphase/Epa.java, getPenetration: (projection - "
                   "edge.distance) < this.distanceEpsilon",
         .budgets = kOfDyn4jGjkEpaWithinEpsilon,
-        .explains = epa_within_epsilon_in_dyn4j},
+        .explains = epa_within_epsilon_in_dyn4j,
+        .is_by_design = true},
     LedgerEntry{.id = "dyn4j-gjk-direction-within-epsilon",
                 .collider = "dyn4j-gjk",
                 .description =
@@ -258,7 +260,8 @@ inline constexpr std::array kOfDyn4jGjk{
                     "points beyond a capsule's core, deeper than there: its edge is longer than it",
                 .source = kCapsuleEdgeOfDyn4j,
                 .budgets = kOfDyn4jGjkLongerCapsule,
-                .explains = after_gjk_of_dyn4j<FaultOfDyn4j::longer_capsule>},
+                .explains = after_gjk_of_dyn4j<FaultOfDyn4j::longer_capsule>,
+                .is_by_design = true},
     LedgerEntry{
         .id = "dyn4j-gjk-placed-vertices",
         .collider = "dyn4j-gjk",
