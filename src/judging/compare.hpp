@@ -30,7 +30,8 @@ struct LedgerEntry {
   std::string_view source;            ///< file and function, or issue, where it comes from
   std::span<const Budget> budgets{};  ///< of the regimes in which it fires
   bool (*explains)(const Deviation& deviation) = nullptr;
-  bool is_by_design = false;  ///< its source or its documentation says that it is meant
+  /// Its source or its documentation says that it is meant, or the adapter asks something else.
+  bool is_no_bug = false;
 };
 
 /// Every known deviation. An entry is added here, with its witness, and nowhere else.

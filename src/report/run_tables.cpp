@@ -227,7 +227,7 @@ std::string list_scenes() {
 std::string list_ledger() {
   return lines_of(ledger(), [](const LedgerEntry& entry) {
     return fmt::format("{:<34} {} [{}{}; witness corpus/{}]\n", entry.id, entry.description,
-                       entry.source, entry.is_by_design ? "; by design" : "", witness_of(entry));
+                       entry.source, entry.is_no_bug ? "; no bug" : "", witness_of(entry));
   });
 }
 

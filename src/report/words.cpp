@@ -29,13 +29,13 @@ std::string wrong_in_words(const JudgedCase& judged, const DeclaredAnswer& asked
     case Kind::depth:
       return fmt::format("a depth of {} is off by {}", name, off);
     case Kind::count:
-      return fmt::format("{} leaves out a point of depth {}", name, off);
+      return fmt::format("{} leaves out a second point, {} from the first", name, off);
     case Kind::features:
       return fmt::format("{} names the wrong features", name);
     case Kind::reversed:
       return fmt::format("the normal of {} points from B to A", name);
     case Kind::inconsistent:
-      return fmt::format("the depth of {} is off by {} along its own normal", name, off);
+      return fmt::format("the depth of {} is off by {}", name, off);
     case Kind::not_minimal:
       return fmt::format("along the normal of {} they overlap by {} more than the least", name,
                          off);

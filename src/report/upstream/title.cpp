@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -75,6 +76,15 @@ std::string wrong_normal_in_words(const JudgedCase& judged, const Claim& claim,
   const Vector2<double> normal = claim.normal.value_or(Vector2<double>(0, 0));
   return fmt::format("the normal of {} {}", pair_in_words(judged.given.pair),
                      normal_in_words(judged, normal, declaration));
+}
+
+/// Whether some right normal points to the same side.
+bool is_within_right_angle(const JudgedCase& judged, const Claim& claim,
+                           const Declaration& declaration) {
+  const auto rights = manifolds_to_show(admissible(judged.given.pair, declaration), declaration);
+  return claim.normal && std::ranges::any_of(rights, [&](const Manifold<double>& right) {
+           return right.count > 0 && right.normal.dot(*claim.normal) > 0;
+         });
 }
 
 /// How deep they overlap along the answer's own normal; the least depth where it has none.
@@ -181,6 +191,9 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
     case Kind::features:
       return fmt::format("the contact points of {} name wrong features", pair_words);
     case Kind::reversed:
+      if (is_within_right_angle(judged, claim, asked.declaration)) {
+        return wrong_normal_in_words(judged, claim, asked.declaration);
+      }
       return fmt::format("the normal of {} is reversed", pair_words);
     case Kind::inconsistent:
       if (is_depth_along_normal(judged, claim)) return inconsistent_in_words(pair, claim);

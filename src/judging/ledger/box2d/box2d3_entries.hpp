@@ -78,7 +78,7 @@ inline constexpr std::array kOfBox2d3{
                           "single point between the nearest vertices",
                 .budgets = kOfBox2d3OnePointBetweenCorners,
                 .explains = one_point_between_corners,
-                .is_by_design = true},
+                .is_no_bug = true},
     LedgerEntry{.id = "box2d3-face-within-slop",
                 .collider = "box2d3",
                 .description = "a face's normal though corners beside it are nearer, by up to "
@@ -87,7 +87,7 @@ inline constexpr std::array kOfBox2d3{
                           "linearSlop < minSeparation; separationA > 0.1f * linearSlop",
                 .budgets = kOfBox2d3FaceWithinSlop,
                 .explains = face_within_box2d3_slop,
-                .is_by_design = true},
+                .is_no_bug = true},
     LedgerEntry{.id = "box2d3-no-normal-within-epsilon",
                 .collider = "box2d3",
                 .description = "a normal of no length: a circle's centre is within 1.2e-7 of the "

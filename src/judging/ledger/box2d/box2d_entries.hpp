@@ -62,8 +62,8 @@ inline constexpr std::array kOfBox2d{
     LedgerEntry{.id = "box2d-no-contact-under-bias",
                 .collider = "box2d",
                 .description =
-                    "no contact for overlapping polygons: the bias keeps A's shallower face, whose "
-                    "side planes the incident edge misses",
+                    "no contact for overlapping polygons: A's face is preferred though B's is "
+                    "less deep, and the incident edge lies outside its side planes",
                 .source = "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2CollidePolygons: "
                           "k_tol = 0.1f * b2_linearSlop, then `if (np < 2) return`",
                 .budgets = kOfBias,
@@ -105,7 +105,7 @@ inline constexpr std::array kOfBox2d{
                   "k_relativeTol = 0.98f, k_absoluteTol = 0.001f",
         .budgets = kOfEdgeHysteresis,
         .explains = edge_face_kept_by_hysteresis,
-        .is_by_design = true},
+        .is_no_bug = true},
     LedgerEntry{.id = "box2d-coincident-points",
                 .collider = "box2d",
                 .description = "a normal along the world's x axis, into the edge: a circle's "
@@ -170,8 +170,8 @@ inline constexpr std::array kOfJbox2d{
     LedgerEntry{.id = "jbox2d-no-contact-under-bias",
                 .collider = "jbox2d",
                 .description =
-                    "no contact for overlapping polygons: the bias keeps A's shallower face, whose "
-                    "side planes the incident edge misses",
+                    "no contact for overlapping polygons: A's face is preferred though B's is "
+                    "less deep, and the incident edge lies outside its side planes",
                 .source = "jbox2d 2.2.1.1, Collision.collidePolygons: `results2.separation > "
                           "k_relativeTol * results1.separation + k_absoluteTol`",
                 .budgets = kOfJbox2dNoContactUnderBias,
@@ -211,11 +211,12 @@ inline constexpr std::array kOfJbox2d{
     LedgerEntry{
         .id = "jbox2d-edge-radius",
         .collider = "jbox2d",
-        .description = "no contact of an edge and a polygon that are farther apart than 0.02, "
-                       "whatever their radii",
+        .description = "no contact of an edge and a polygon that are farther apart than 0.02, the "
+                       "radius of every edge of jbox2d's own",
         .source = "jbox2d 2.2.1.1, EPCollider.collide: `m_radius = 2.0f * Settings.polygonRadius`",
         .budgets = kOfJbox2dEdgeRadius,
-        .explains = edge_radius_of_settings},
+        .explains = edge_radius_of_settings,
+        .is_no_bug = true},
 };
 
 }  // namespace manifuzz::ledger_of

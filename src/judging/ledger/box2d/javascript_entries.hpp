@@ -95,7 +95,7 @@ inline constexpr std::array kOfJavaScript{
                           "k_relativeTol * edgeAxis.separation + k_absoluteTol",
                 .budgets = kOfPlanckEdgeHysteresis,
                 .explains = planck_edge_hysteresis,
-                .is_by_design = true},
+                .is_no_bug = true},
     LedgerEntry{.id = "planck-axis-within-epsilon",
                 .collider = "planck",
                 .description = "a normal along the world's x axis: a circle's centre is within "
@@ -115,8 +115,8 @@ inline constexpr std::array kOfJavaScript{
     LedgerEntry{.id = "planck-no-contact-under-bias",
                 .collider = "planck",
                 .description =
-                    "no contact for overlapping polygons: the bias keeps A's shallower face, whose "
-                    "side planes the incident edge misses",
+                    "no contact for overlapping polygons: A's face is preferred though B's is "
+                    "less deep, and the incident edge lies outside its side planes",
                 .source = "planck 1.5.0, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
                           "k_tol = 0.1 * Settings.linearSlop, then `if (np1 < 2) return`",
                 .budgets = kOfPlanckNoContactUnderBias,
@@ -132,18 +132,21 @@ inline constexpr std::array kOfJavaScript{
                 .explains = no_contact_on_tied_features},
     LedgerEntry{.id = "planck-normal-of-scaled-vertices",
                 .collider = "planck",
-                .description = "a normal off by the roundoff of vertices over the face's length: "
-                               "planck takes it from them, and they hold what (cos, sin) lacks of "
-                               "unit length, since planck takes a transpose for the inverse",
+                .description =
+                    "a normal off by the roundoff of vertices over the face's length: the "
+                    "adapter multiplies them by the length of (cos, sin), since planck takes a "
+                    "transpose for the inverse; as asked, its answer is right",
                 .source = "planck 1.5.0, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
                           "localNormal of v12 - v11; scripts/colliders/protocol.mjs, readBody",
                 .budgets = kOfPlanckNormalOfScaledVertices,
-                .explains = normal_of_rounded_vertices},
+                .explains = normal_of_rounded_vertices,
+                .is_no_bug = true},
     LedgerEntry{.id = "phaser-box2d-capsule-slips",
                 .collider = "phaser-box2d",
                 .description =
-                    "capsules: a wrong depth, normal, count or no contact: one's ends are "
-                    "projected by u1X, and the greater of two ends is the separation",
+                    "capsules: two slips of typing: A's ends are projected by u1X where u2X is "
+                    "meant, and the greater of two distances is the separation where the "
+                    "lesser is meant",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsules: fp1 = "
                           "(p1.x - p2.x) * u1X + (p1.y - p2.y) * u2Y, s1n = Math.max(-ss1, -ss2)",
                 .budgets = kOfPhaserCapsuleSlips,
@@ -189,7 +192,7 @@ inline constexpr std::array kOfJavaScript{
                           "0.1 * b2_linearSlop || separationB > 0.1 * b2_linearSlop",
                 .budgets = kOfPhaserFaceWithinSlop,
                 .explains = face_within_phaser_slop,
-                .is_by_design = true},
+                .is_no_bug = true},
     LedgerEntry{.id = "phaser-box2d-nearest-by-roundings",
                 .collider = "phaser-box2d",
                 .description = "edges all but parallel: one point between corners, or a face's "
@@ -214,7 +217,7 @@ inline constexpr std::array kOfJavaScript{
                           "b2CollideCapsules: a single point between the nearest vertices",
                 .budgets = kOfPhaserOnePointBetweenCorners,
                 .explains = one_point_between_corners,
-                .is_by_design = true},
+                .is_no_bug = true},
     LedgerEntry{.id = "phaser-box2d-direction-of-roundings",
                 .collider = "phaser-box2d",
                 .description = "a circle's centre all but on a capsule's core: the normal is the "

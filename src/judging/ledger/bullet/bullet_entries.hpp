@@ -160,7 +160,7 @@ inline constexpr std::array kOfBullet{
                 .source = kFixedDirections,
                 .budgets = kOfBulletMinkowskiFixedDirections,
                 .explains = least_of_fixed_directions,
-                .is_by_design = true},
+                .is_no_bug = true},
     LedgerEntry{.id = "bullet-minkowski-direction-of-roundings",
                 .collider = "bullet-minkowski",
                 .description = "a shallow contact's normal is the direction between two points, "
@@ -176,7 +176,9 @@ inline constexpr std::array kOfBullet{
                 .explains = gap_as_depth},
     LedgerEntry{.id = "bullet-minkowski-equal-vertices",
                 .collider = "bullet-minkowski",
-                .description = "the same, of a depth too small: corners nearer than 0.01 are one",
+                .description =
+                    "contact for shapes apart, a depth smaller than the gap's width: corners "
+                    "nearer than 0.01 are one",
                 .source = kEqualVertices,
                 .budgets = kOfBulletMinkowskiEqualVertices,
                 .explains = least_of_fixed_directions_of_equal_vertices},
@@ -203,7 +205,9 @@ inline constexpr std::array kOfBullet{
                 .explains = gap_as_depth},
     LedgerEntry{.id = "bullet-convex2d-equal-vertices",
                 .collider = "bullet-convex2d",
-                .description = "the same, of a depth too small: corners nearer than 0.01 are one",
+                .description =
+                    "contact for shapes apart, a depth smaller than the gap's width: corners "
+                    "nearer than 0.01 are one",
                 .source = kEqualVertices,
                 .budgets = kOfBulletConvex2dEqualVertices,
                 .explains = least_of_flattened_directions_of_equal_vertices},

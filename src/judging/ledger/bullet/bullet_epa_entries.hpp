@@ -126,8 +126,10 @@ inline constexpr Budget kOfPerturbedInnerFace[] = {
 inline constexpr std::array kOfBulletEpa{
     LedgerEntry{.id = "bullet-epa-touching-axis",
                 .collider = "bullet-epa",
-                .description = "cores within 0.001 of touching: the normal is the direction "
-                               "between two points of them, which roundings may make",
+                .description =
+                    "cores within 0.001 of touching: the loop ends before it renews the "
+                    "distance, so the normal is that of two points that nearly coincide, and "
+                    "the point is moved to the surface by the step before's distance",
                 .source = kDetectorKeepsAxis,
                 .budgets = kOfBulletEpaTouchingAxis,
                 .explains = axis_of_touching_cores<BulletAsked::epa>},

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "judging/ledger/bullet/bullet_epa.hpp"
-#include "judging/ledger/separating_axes/replayed.hpp"
+#include "judging/ledger/replayed.hpp"
 
 namespace manifuzz::ledger_of {
 

@@ -163,8 +163,10 @@ inline constexpr Budget kOfBulletConvex2dAxisTakenBack[] = {
 inline constexpr std::array kOfBulletQuery{
     LedgerEntry{.id = "bullet-minkowski-touching-axis",
                 .collider = "bullet-minkowski",
-                .description = "cores within 0.001 of touching: the normal is the direction "
-                               "between two points of them, which roundings may make",
+                .description =
+                    "cores within 0.001 of touching: the loop ends before it renews the "
+                    "distance, so the normal is that of two points that nearly coincide, and "
+                    "the point is moved to the surface by the step before's distance",
                 .source = kDetectorKeepsAxis,
                 .budgets = kOfBulletMinkowskiTouchingAxis,
                 .explains = axis_of_touching_cores<BulletAsked::directions>},
@@ -206,8 +208,10 @@ inline constexpr std::array kOfBulletQuery{
                 .explains = axis_turned_by_roundings<BulletAsked::directions>},
     LedgerEntry{.id = "bullet-convex2d-touching-axis",
                 .collider = "bullet-convex2d",
-                .description = "cores within 0.001 of touching: the normal is the direction "
-                               "between two points of them, which roundings may make",
+                .description =
+                    "cores within 0.001 of touching: the loop ends before it renews the "
+                    "distance, so the normal is that of two points that nearly coincide, and "
+                    "the point is moved to the surface by the step before's distance",
                 .source = kDetectorKeepsAxis,
                 .budgets = kOfBulletConvex2dTouchingAxis,
                 .explains = axis_of_touching_cores<BulletAsked::flat>},

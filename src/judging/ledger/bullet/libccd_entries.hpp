@@ -102,13 +102,14 @@ inline constexpr std::array kOfLibccd{
                 .source = "libccd 2.1, src/ccd.c, nextSupport: dist - el->dist < epa_tolerance",
                 .budgets = kOfLibccdGjkToleranceOfSquares,
                 .explains = tolerance_of_squares},
-    LedgerEntry{.id = "libccd-gjk-left-by-squares",
-                .collider = "libccd-gjk",
-                .description = "the same of a face that is tilted out of the plane, repeated",
-                .source = "libccd 2.1, src/ccd.c, nextSupport: dist - el->dist < epa_tolerance, "
-                          "dist < epa_tolerance",
-                .budgets = kOfLibccdGjkLeftBySquares,
-                .explains = polytope_left_by_squares},
+    LedgerEntry{
+        .id = "libccd-gjk-left-by-squares",
+        .collider = "libccd-gjk",
+        .description = "the same tolerance ends the search at a face that leans out of the plane",
+        .source = "libccd 2.1, src/ccd.c, nextSupport: dist - el->dist < epa_tolerance, "
+                  "dist < epa_tolerance",
+        .budgets = kOfLibccdGjkLeftBySquares,
+        .explains = polytope_left_by_squares},
     LedgerEntry{.id = "libccd-gjk-left-at-own-corner",
                 .collider = "libccd-gjk",
                 .description = "an element inside the difference: expanded by one triangle at a "
@@ -119,15 +120,17 @@ inline constexpr std::array kOfLibccd{
                 .explains = polytope_left_at_own_corner},
     LedgerEntry{.id = "libccd-gjk-left-at-zero",
                 .collider = "libccd-gjk",
-                .description = "hardly a depth: the origin is on a face of a polytope, inside the "
-                               "difference",
+                .description =
+                    "almost no depth: the origin is on a face of the polytope, inside the "
+                    "difference",
                 .source = "libccd 2.1, src/ccd.c, nextSupport: ccdIsZero(el->dist)",
                 .budgets = kOfLibccdGjkLeftAtZero,
                 .explains = polytope_left_at_zero},
     LedgerEntry{.id = "libccd-gjk-left-touching",
                 .collider = "libccd-gjk",
-                .description = "hardly a depth: a triangle about the origin seems to be on the "
-                               "difference's boundary",
+                .description =
+                    "almost no depth: a triangle about the origin is taken for one of the "
+                    "difference's boundary",
                 .source = "libccd 2.1, src/ccd.c, simplexToPolytope3: ccdIsZero(dist)",
                 .budgets = kOfLibccdGjkLeftTouching,
                 .explains = polytope_left_touching},

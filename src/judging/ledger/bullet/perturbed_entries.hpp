@@ -187,8 +187,10 @@ inline constexpr std::array kOfBulletPerturbed{
                 .explains = of_first_query<below_gjk_distance>},
     LedgerEntry{.id = "bullet-perturbed-touching-axis",
                 .collider = "bullet-perturbed",
-                .description = "cores within 0.001 of touching: the normal is the direction "
-                               "between two points of them, which roundings may make",
+                .description =
+                    "cores within 0.001 of touching: the loop ends before it renews the "
+                    "distance, so the normal is that of two points that nearly coincide, and "
+                    "the point is moved to the surface by the step before's distance",
                 .source = kDetectorKeepsAxis,
                 .budgets = kOfPerturbedTouchingAxis,
                 .explains = of_first_query<axis_of_touching_cores<BulletAsked::epa>>},

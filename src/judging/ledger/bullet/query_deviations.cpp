@@ -43,24 +43,25 @@ RepeatedQuery repeat_query(const PairCase& pair, BulletAsked asked) {
   return query;
 }
 
-/// Whether it is what was answered: but for the adapter's and the manifold's own roundings, which
-/// are the bound's.
+/// Whether it is what was answered, a point across a gap too: but for the adapter's and the
+/// manifold's own roundings, which are the bound's.
 bool is_answered(const Deviation& d, const BulletAnswer& answer) {
   const double bound = d.right.bounds.separation;
   const auto distance = static_cast<double>(answer.distance);
   const bool is_found = answer.normal_of != NormalOf::nobody;
   if (d.got.count == 0) return !is_found || distance >= -bound;
-  if (!is_found || distance > bound) return false;
+  const double said = ledger_of::deepest(d.got);
+  if (!is_found || (said >= 0 && distance > bound)) return false;
   const Vector2<double> normal(static_cast<double>(-answer.normal.x()),
                                static_cast<double>(-answer.normal.y()));
   const double in_plane = normal.norm();
   constexpr double roundings = 4 * std::numeric_limits<float>::epsilon();
   const Vector2<double> got =
       rotate<double>(d.right.pair().a.pose.rotation.cast<double>(), d.got.normal).normalized();
-  const double depth = std::max(-distance * in_plane, 0.0);
+  const double depth = said < 0 ? -distance * in_plane : std::max(-distance * in_plane, 0.0);
   // A solver's depth may be far larger than the shapes, and rounded as such.
   return (got - normal / in_plane).norm() <= roundings &&
-         std::abs(ledger_of::deepest(d.got) - depth) <= bound + roundings * depth;
+         std::abs(said - depth) <= bound + roundings * std::abs(depth);
 }
 
 /// The same, and that it came about as asked.

@@ -52,7 +52,8 @@ inline constexpr std::array kOfMunk{
         .source = "Munk2D of pymunk 7.3.0, src/cpCollision.c, ClosestPointsNew: `n = "
                   "cpvnormalize(cpvrperp(delta))`, delta of world points",
         .budgets = kOfMunkNormalOfWorldVertices,
-        .explains = normal_of_rounded_vertices},
+        .explains = normal_of_rounded_vertices,
+        .is_no_bug = true},
     LedgerEntry{.id = "pymunk-corner-on-corner",
                 .collider = "pymunk",
                 .description = "an arbitrary normal or no contact: a corner of A lies on a "

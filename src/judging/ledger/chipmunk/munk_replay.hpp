@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "judging/ledger/separating_axes/replayed.hpp"
+#include "judging/ledger/replayed.hpp"
 
 namespace manifuzz::munk {
 

@@ -65,8 +65,8 @@ inline constexpr std::array kOfBox2dCore{
     LedgerEntry{.id = "box2d-core-no-contact-under-bias",
                 .collider = "box2d-core",
                 .description =
-                    "no contact for overlapping polygons: the bias keeps A's shallower face, whose "
-                    "side planes the incident edge misses",
+                    "no contact for overlapping polygons: A's face is preferred though B's is "
+                    "less deep, and the incident edge lies outside its side planes",
                 .source = "@box2d/core 0.11.0, collision/b2_collide_polygon.js, b2CollidePolygons: "
                           "k_tol = 0.1 * b2_linearSlop, then `if (np < 2)`",
                 .budgets = kOfBox2dCoreNoContactUnderBias,
@@ -82,13 +82,15 @@ inline constexpr std::array kOfBox2dCore{
                 .explains = no_contact_on_tied_features},
     LedgerEntry{.id = "box2d-core-normal-of-scaled-vertices",
                 .collider = "box2d-core",
-                .description = "a normal off by the roundoff of vertices over the face's length: "
-                               "it is taken from them, and they hold what (cos, sin) lacks of unit "
-                               "length",
+                .description =
+                    "a normal off by the roundoff of vertices over the face's length: the "
+                    "adapter multiplies them by the length of (cos, sin), since the engine "
+                    "takes an angle; as asked, its answer is right",
                 .source = "@box2d/core 0.11.0, collision/b2_collide_polygon.js, b2CollidePolygons: "
                           "localTangent of v12 - v11; scripts/colliders/protocol.mjs, readBody",
                 .budgets = kOfBox2dCoreNormalOfScaledVertices,
-                .explains = normal_alone_of_rounded_vertices},
+                .explains = normal_alone_of_rounded_vertices,
+                .is_no_bug = true},
     LedgerEntry{
         .id = "box2d-core-edge-slab-not-widened",
         .collider = "box2d-core",
@@ -107,7 +109,7 @@ inline constexpr std::array kOfBox2dCore{
                   "k_relativeTol = 0.98, k_absoluteTol = 0.001",
         .budgets = kOfBox2dCoreEdgeHysteresis,
         .explains = edge_face_kept_by_hysteresis,
-        .is_by_design = true},
+        .is_no_bug = true},
     LedgerEntry{.id = "box2d-core-axis-within-epsilon",
                 .collider = "box2d-core",
                 .description = "a normal along the world's x axis: a circle's centre is within "

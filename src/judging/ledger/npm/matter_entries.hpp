@@ -96,7 +96,7 @@ inline constexpr std::array kOfMatter{
                           "Vertices.contains of both bodies' supports",
                 .budgets = kOfMatterJsVerticesInsideAlone,
                 .explains = vertices_inside_alone_by_matter,
-                .is_by_design = true},
+                .is_no_bug = true},
 };
 
 }  // namespace manifuzz::ledger_of

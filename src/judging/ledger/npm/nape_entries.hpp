@@ -43,13 +43,15 @@ inline constexpr std::array kOfNape{
                 .explains = axis_within_nape_epsilon},
     LedgerEntry{.id = "nape-js-normal-of-scaled-vertices",
                 .collider = "nape-js",
-                .description = "a normal off by the roundoff of vertices over the face's length: "
-                               "it is taken from them, and they hold what (cos, sin) lacks of unit "
-                               "length",
+                .description =
+                    "a normal off by the roundoff of vertices over the face's length: the "
+                    "adapter multiplies them by the length of (cos, sin), since the engine "
+                    "takes an angle; as asked, its answer is right",
                 .source = "@newkrok/nape-js 1.0.0, js/libs/nape-js.js, ZPP_Polygon.validate_laxi: "
                           "edge.lnormx of u - v; scripts/colliders/protocol.mjs, readBody",
                 .budgets = kOfNapeJsNormalOfScaledVertices,
-                .explains = normal_alone_of_rounded_vertices},
+                .explains = normal_alone_of_rounded_vertices,
+                .is_no_bug = true},
     LedgerEntry{.id = "nape-js-unclipped-within-epsilon",
                 .collider = "nape-js",
                 .description = "a point beyond a side plane by less than 1e-8 of the incident "

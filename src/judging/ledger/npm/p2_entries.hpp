@@ -74,14 +74,16 @@ inline constexpr std::array kOfP2{
                 .explains = vertex_before_face_of_p2},
     LedgerEntry{.id = "p2-es-normal-of-float-vertices",
                 .collider = "p2-es",
-                .description = "a normal off by the roundoff of vertices in float over the face's "
-                               "length: they are multiplied by what the rotation lacks of unit "
-                               "length",
+                .description =
+                    "a normal off by the roundoff of vertices in float over the face's length: "
+                    "the adapter multiplies them by the length of (cos, sin); as asked, p2's "
+                    "answer is right",
                 .source = "p2-es 1.2.3, dist/p2-es.js, Convex: clone(params.vertices[i]) into a "
                           "Float32Array; convexConvex: localTangent; scripts/colliders/"
                           "protocol.mjs, readBody",
                 .budgets = kOfP2EsNormalOfFloatVertices,
-                .explains = normal_of_p2_floats},
+                .explains = normal_of_p2_floats,
+                .is_no_bug = true},
 };
 
 }  // namespace manifuzz::ledger_of

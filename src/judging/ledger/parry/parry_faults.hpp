@@ -27,7 +27,7 @@ inline constexpr ParryFault kCornerCones{
     "parry2d, src/query/epa/epa2.rs, EPA::closest_points: simplex.dimension() == 0"};
 inline constexpr ParryFault kLostByEpa{
     "no contact: GJK says that the origin is inside, and EPA finds it outside of a face",
-    "parry2d, src/query/epa/epa2.rs, EPA::closest_points: FaceId::new(...)?; issues 246, 253, 378"};
+    "parry2d, src/query/epa/epa2.rs, EPA::closest_points: FaceId::new(...)?"};
 inline constexpr ParryFault kDirectionOfRoundings{
     "cores apart by little: the normal is the direction between places that are rounded",
     "parry2d, src/query/gjk/gjk.rs, closest_points: neg_proj_coords.normalize_and_length(); "

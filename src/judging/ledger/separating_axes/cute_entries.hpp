@@ -62,8 +62,9 @@ inline constexpr std::array kOfCute{
     LedgerEntry{
         .id = "cute_c2-bias",
         .collider = "cute_c2",
-        .description =
-            "no contact of overlapping polygons: the bias keeps B's face, whose slab misses",
+        .description = "no contact for overlapping polygons: a face is preferred that is not the "
+                       "least deep (A's in deep contacts, B's in shallow ones), and the incident "
+                       "edge lies outside its side planes",
         .source = "cute_c2 1.08, cute_c2.h, c2PolytoPolyManifold: sa * kRelTol > sb + kAbsTol",
         .budgets = kOfCuteBias,
         .explains = fault_of_cute<FaultOfCute::bias>},
@@ -110,7 +111,9 @@ inline constexpr std::array kOfCute{
         .explains = fault_of_cute<FaultOfCute::on_core>},
     LedgerEntry{.id = "cute_c2-one-point",
                 .collider = "cute_c2",
-                .description = "one point of two: cores are apart",
+                .description =
+                    "one point where two are needed: capsules always get one, a capsule and a "
+                    "polygon where their cores are apart",
                 .source = "cute_c2 1.08, cute_c2.h, c2CapsuletoCapsuleManifold, "
                           "c2CapsuletoPolyManifold: m->count = 1",
                 .budgets = kOfCuteOnePoint,

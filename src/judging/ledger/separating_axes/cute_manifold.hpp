@@ -1,7 +1,7 @@
 #pragma once
 
+#include "judging/ledger/replayed.hpp"
 #include "judging/ledger/separating_axes/cute_gjk.hpp"
-#include "judging/ledger/separating_axes/replayed.hpp"
 
 namespace manifuzz::as_cute {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "judging/ledger/differences.hpp"
+#include "judging/ledger/replayed.hpp"
 #include "judging/ledger/separating_axes/axes_deviations.hpp"
 #include "judging/ledger/separating_axes/dyn4j_detectors.hpp"
-#include "judging/ledger/separating_axes/replayed.hpp"
 #include "oracle/exact/curve.hpp"
 
 // dyn4j 6.0.0: its operations are repeated, and again with faults mended.

@@ -152,7 +152,7 @@ inline constexpr std::array kOfDyn4jSat{
                 .source = kCapsuleEdgeOfDyn4j,
                 .budgets = kOfDyn4jSatLongerCapsule,
                 .explains = after_sat_of_dyn4j<FaultOfDyn4j::longer_capsule>,
-                .is_by_design = true},
+                .is_no_bug = true},
     LedgerEntry{
         .id = "dyn4j-sat-placed-vertices",
         .collider = "dyn4j-sat",
@@ -215,7 +215,7 @@ inline constexpr std::array kOfDyn4jGjk{
                   "edge.distance) < this.distanceEpsilon",
         .budgets = kOfDyn4jGjkEpaWithinEpsilon,
         .explains = epa_within_epsilon_in_dyn4j,
-        .is_by_design = true},
+        .is_no_bug = true},
     LedgerEntry{.id = "dyn4j-gjk-direction-within-epsilon",
                 .collider = "dyn4j-gjk",
                 .description =
@@ -228,8 +228,7 @@ inline constexpr std::array kOfDyn4jGjk{
     LedgerEntry{
         .id = "dyn4j-gjk-epa-edge-of-no-length",
         .collider = "dyn4j-gjk",
-        .description = "no contact, or depth 0: a support point is found twice, and the edge "
-                       "between both has no normal",
+        .description = "no contact, or depth 0: an edge between equal support points has no normal",
         .source =
             "dyn4j 6.0.0, collision/narrowphase/ExpandingSimplexEdge.java: this.normal.normalize()",
         .explains = epa_edge_of_no_length_in_dyn4j},
@@ -261,7 +260,7 @@ inline constexpr std::array kOfDyn4jGjk{
                 .source = kCapsuleEdgeOfDyn4j,
                 .budgets = kOfDyn4jGjkLongerCapsule,
                 .explains = after_gjk_of_dyn4j<FaultOfDyn4j::longer_capsule>,
-                .is_by_design = true},
+                .is_no_bug = true},
     LedgerEntry{
         .id = "dyn4j-gjk-placed-vertices",
         .collider = "dyn4j-gjk",

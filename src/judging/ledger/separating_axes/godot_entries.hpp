@@ -55,8 +55,9 @@ inline constexpr Budget kOfGodotTestedAxis[] = {
 inline constexpr std::array kOfGodot{
     LedgerEntry{.id = "godot3-short-difference",
                 .collider = "godot3",
-                .description = "the normal and the depth of a short difference of points that are "
-                               "rounded in the world",
+                .description =
+                    "the normal and the depth are the difference of two contact points, which "
+                    "is lost in rounding where the overlap is small",
                 .source = "Godot 3.2.3, servers/physics_2d/body_pair_2d_sw.cpp, "
                           "_contact_added_callback: (p_point_A - p_point_B).normalized()",
                 .budgets = kOfGodotShortDifference,
@@ -64,8 +65,8 @@ inline constexpr std::array kOfGodot{
     LedgerEntry{
         .id = "godot3-segment-length",
         .collider = "godot3",
-        .description =
-            "another support, or none of an edge: a segment's normal is as long as the segment",
+        .description = "a segment's normal is not normalised: a long segment counts as an edge at "
+                       "any angle, a short one never",
         .source = "Godot 3.2.3, servers/physics_2d/shape_2d_sw.cpp, SegmentShape2DSW::set_data: n "
                   "= (b - a).tangent()",
         .budgets = kOfGodotSegmentLength,
@@ -82,8 +83,8 @@ inline constexpr std::array kOfGodot{
     LedgerEntry{
         .id = "godot3-first-ends",
         .collider = "godot3",
-        .description = "another depth or place, or no contact: an edge is met on the plane through "
-                       "its first end, up to 0.36 degrees off",
+        .description = "another depth or place, or no contact: an edge up to 0.36 degrees off the "
+                       "normal's perpendicular is taken to lie at the height of its first end",
         .source =
             "Godot 3.2.3, servers/physics_2d/collision_solver_2d_sat.cpp, "
             "_generate_contacts_edge_edge: dA = n.dot(p_points_A[0]), dB = n.dot(p_points_B[0])",

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "judging/ledger/replayed.hpp"
 #include "judging/ledger/separating_axes/godot_shapes.hpp"
-#include "judging/ledger/separating_axes/replayed.hpp"
 
 namespace manifuzz::as_godot {
 

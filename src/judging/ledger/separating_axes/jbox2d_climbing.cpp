@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "judging/ledger/replayed.hpp"
 #include "judging/ledger/separating_axes/axes_deviations.hpp"
 #include "judging/ledger/separating_axes/jbox2d_shapes.hpp"
-#include "judging/ledger/separating_axes/replayed.hpp"
 
 // jbox2d 2.2.1.1: Collision.collidePolygons is repeated in float, and again without its climbing.
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include "judging/ledger/replayed.hpp"
 #include "judging/ledger/separating_axes/axes_deviations.hpp"
 #include "judging/ledger/separating_axes/jbox2d_shapes.hpp"
-#include "judging/ledger/separating_axes/replayed.hpp"
 
 // jbox2d 2.2.1.1: EPCollider.collide, of an edge that has no neighbours, is repeated in float, and
 // again with faults mended.

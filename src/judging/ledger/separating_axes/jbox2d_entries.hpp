@@ -44,7 +44,7 @@ inline constexpr std::array kOfJbox2dSearch{
                           "k_absoluteTol = 0.001f, `Use hysteresis for jitter reduction`",
                 .budgets = kOfJbox2dHysteresis,
                 .explains = fault_of_jbox2d_edge<FaultOfJbox2dEdge::hysteresis>,
-                .is_by_design = true},
+                .is_no_bug = true},
     LedgerEntry{.id = "jbox2d-huge-reference-face",
                 .collider = "jbox2d",
                 .description = "no normal and no depth, or no contact: the square of the reference "

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "geometry/vector.hpp"
+#include "judging/ledger/replayed.hpp"
 #include "judging/ledger/separating_axes/axes_deviations.hpp"
-#include "judging/ledger/separating_axes/replayed.hpp"
 
 // SAT.js 0.9.0: testPolygonPolygon and testCircleCircle are repeated, of vertices in the world.
 

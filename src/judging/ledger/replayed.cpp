@@ -1,4 +1,4 @@
-#include "judging/ledger/separating_axes/replayed.hpp"
+#include "judging/ledger/replayed.hpp"
 
 #include <algorithm>
 
