@@ -52,6 +52,38 @@ Vector2<float> float_face(const exact::Clip& clip) {
   return polygon.vertices[polygon.next(face)].cast<float>() - polygon.vertices[face].cast<float>();
 }
 
+/// Whether one end of an incident edge is beside an end of the face by what float has no normal
+/// number for.
+bool is_beside_end(const exact::RoughPair& placed, exact::FaceOf face, int incident) {
+  const exact::RoughPolygon& on = placed[face.side];
+  const exact::RoughPolygon& of = placed[other(face.side)];
+  const Vector2<double> along(-on.normals[face.index].y(), on.normals[face.index].x());
+  for (const int end : {face.index, on.next(face.index)}) {
+    for (const int vertex : {incident, of.next(incident)}) {
+      const double margin = std::abs((of.vertices[vertex] - on.vertices[end]).dot(along));
+      if (margin > 0 && margin <= double{std::numeric_limits<float>::min()}) return true;
+    }
+  }
+  return false;
+}
+
+/// The same of any clip of a segment or capsule and a polygon, of which the bias may take one that
+/// is not right.
+bool is_edge_beside_end(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  if (pair.a.polygon.count != 2 && pair.b.polygon.count != 2) return false;
+  const exact::RoughPair placed = exact::place_roughly(d.right.truth->stored());
+  for (const Side side : {Side::a, Side::b}) {
+    for (int i = 0; i < pair[side].polygon.face_count(); ++i) {
+      const exact::FaceOf face{side, i};
+      const auto incident = d.right.truth->incident_edges(face, d.right.bounds.incident_dot);
+      const auto is_beside = [&](int edge) { return is_beside_end(placed, face, edge); };
+      if (std::ranges::any_of(incident, is_beside)) return true;
+    }
+  }
+  return false;
+}
+
 double length_of(const PairCase& pair, exact::FaceOf face) {
   return std::sqrt(exact::square<double>(pair, face));
 }
@@ -85,11 +117,13 @@ bool huge_reference_face(const Deviation& d) {
 }
 
 bool crossing_underflows(const Deviation& d) {
-  return misses_overlap(d) && any_candidate(d, [&](const exact::Clip& clip) {
-           return std::ranges::any_of(points_of(clip), [&](const exact::ClipPoint& point) {
-             return compare_margin(clip, point.end, std::numeric_limits<float>::min()) <= 0;
-           });
-         });
+  const auto underflows = [&](const exact::Clip& clip) {
+    return std::ranges::any_of(points_of(clip), [&](const exact::ClipPoint& point) {
+      return compare_margin(clip, point.end, std::numeric_limits<float>::min()) <= 0;
+    });
+  };
+  return (misses_overlap(d) && any_candidate(d, underflows)) ||
+         (d.kind == Kind::missed_contact && is_edge_beside_end(d));
 }
 
 bool edge_extended_to_slab(const Deviation& d) {

@@ -30,7 +30,7 @@ std::string report_on(const std::filesystem::path& file, const Collider& oracle)
 
 }  // namespace
 
-TEST_CASE("every defect that is no design has a report, up to date and short") {
+TEST_CASE("every defect that is a bug has a report, up to date and short") {
   std::size_t compared = 0;
   std::string engine;
   std::optional<Collider> oracle;

@@ -212,8 +212,9 @@ bool is_as_deep_as_radii(const Deviation& d) {
          4 * d.right.bounds.separation;
 }
 
+/// Whether it is no polygon's corner: an edge's end, or the other circle's centre.
 bool is_an_end_of_an_edge(const PairCase& pair, const CentreOnCorner& found) {
-  return pair[other(found.circle)].polygon.count == 2;
+  return pair[other(found.circle)].polygon.count < kMinVertices;
 }
 
 /// Whether Box2D leaves the direction between both points as short as it is, or sets an axis
@@ -263,7 +264,8 @@ bool axis_for_coincident_points(const Deviation& d) {
   if (d.got.count != 1 || !is_as_deep_as_radii(d)) return false;
   const PairCase& pair = d.right.pair();
   return std::ranges::any_of(
-      centres_on_corners(pair, d.right.bounds.separation), [&](const CentreOnCorner& found) {
+      centres_on_corners(pair, d.right.bounds.separation + kEpsilonOfBox2d),
+      [&](const CentreOnCorner& found) {
         return is_an_end_of_an_edge(pair, found) && is_too_short(pair, found) &&
                (towards_circle(d, found.circle) - Vector2<double>(1, 0)).norm() <=
                    2 * d.right.bounds.normal;

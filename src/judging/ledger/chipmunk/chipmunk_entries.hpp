@@ -52,8 +52,7 @@ inline constexpr std::array kOfChipmunk{
         .source = "Chipmunk 7.0.3, src/cpCollision.c, ClosestPointsNew: "
                   "`n = cpvnormalize(cpvrperp(delta))`, delta of world points",
         .budgets = kOfChipmunkNormalOfWorldVertices,
-        .explains = normal_of_rounded_vertices,
-        .is_no_bug = true},
+        .explains = normal_of_rounded_vertices},
     LedgerEntry{.id = "chipmunk-corner-on-corner",
                 .collider = "chipmunk",
                 .description = "an arbitrary normal or no contact: a corner of A lies on a "

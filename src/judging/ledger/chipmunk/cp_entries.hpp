@@ -81,8 +81,7 @@ inline constexpr std::array kOfCp{
         .source = "cp v2.4.0, collision.go, ClosestPoints: `n := delta.ReversePerp().Normalize()`, "
                   "delta of world points",
         .budgets = kOfCpNormalOfWorldVertices,
-        .explains = normal_of_rounded_vertices,
-        .is_no_bug = true},
+        .explains = normal_of_rounded_vertices},
     LedgerEntry{.id = "cp-corner-on-corner",
                 .collider = "cp",
                 .description = "an arbitrary normal or no contact: a corner of A lies on a "

@@ -52,8 +52,7 @@ inline constexpr std::array kOfMunk{
         .source = "Munk2D of pymunk 7.3.0, src/cpCollision.c, ClosestPointsNew: `n = "
                   "cpvnormalize(cpvrperp(delta))`, delta of world points",
         .budgets = kOfMunkNormalOfWorldVertices,
-        .explains = normal_of_rounded_vertices,
-        .is_no_bug = true},
+        .explains = normal_of_rounded_vertices},
     LedgerEntry{.id = "pymunk-corner-on-corner",
                 .collider = "pymunk",
                 .description = "an arbitrary normal or no contact: a corner of A lies on a "
