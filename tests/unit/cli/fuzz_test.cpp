@@ -192,13 +192,13 @@ TEST_CASE("an interrupted campaign keeps what it found") {
 TEST_CASE("a finding that cannot be saved loses neither the table nor the other files") {
   const TemporaryFolder folder;
   const std::string json = (folder.path() / "summary.json").string();
-  std::filesystem::create_directory(folder.path() / "corpus");
-  folder.write("corpus/ties", "a file where a folder should be");
-  const Outcome outcome = run_manifuzz(fuzz(
-      folder, {"--seed", "1", "--cases", "20000", "--regime", "boxes", "--ties", "--json", json}));
+  std::filesystem::create_directories(folder.path() / "corpus/defects");
+  folder.write("corpus/defects/box2d", "a file where a folder should be");
+  const Outcome outcome = run_manifuzz(
+      fuzz(folder, {"--seed", "1", "--cases", "20000", "--regime", "tie_bias", "--json", json}));
   CHECK(outcome.status == 2);
   CHECK(is_one_clear_line(outcome.err));
-  CHECK(outcome.out.find("boxes") != std::string::npos);
+  CHECK(outcome.out.find("tie_bias") != std::string::npos);
   CHECK(std::filesystem::exists(json));
 }
 
