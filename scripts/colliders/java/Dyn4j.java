@@ -29,11 +29,11 @@ public class Dyn4j {
       import org.dyn4j.collision.manifold.*; import org.dyn4j.collision.narrowphase.*; import org.dyn4j.geometry.*;
       public class Snippet {
         public static void main(String[] arguments) {
-      @each @*.circle?     Circle @* = new Circle(@*.wide_radius@);
+      @each @*.circle?     Circle @* = new Circle(@*.wide_radius@d);
       @each @*.circle?     @*.translate(@*.unit_vertices($X, $Y)@);
       @each @*.segment? @!*.rounded?     Segment @* = new Segment(@*.unit_vertices(new Vector2($Xd, $Yd))@);
       @each @*.segment? @*.rounded?     Vector2[] of@^ = {@*.unit_vertices(new Vector2($Xd, $Yd))@};
-      @each @*.segment? @*.rounded?     Capsule @* = new Capsule(of@^[0].distance(of@^[1]) + 2 * @*.wide_radius@, 2 * @*.wide_radius@);
+      @each @*.segment? @*.rounded?     Capsule @* = new Capsule(of@^[0].distance(of@^[1]) + 2 * @*.wide_radius@d, 2 * @*.wide_radius@d);
       @each @*.segment? @*.rounded?     @*.rotate(Rotation.of(of@^[0].to(of@^[1]))); @*.translate(of@^[0].sum(of@^[1]).multiply(0.5));
       @each @*.polygon?     Polygon @* = new Polygon(@*.unit_vertices(new Vector2($Xd, $Yd))@);
           Transform atA = new Transform(), atB = new Transform();
