@@ -213,7 +213,7 @@ bool is_as_deep_as_radii(const Deviation& d) {
 }
 
 /// Whether it is no polygon's corner: an edge's end, or the other circle's centre.
-bool is_an_end_of_an_edge(const PairCase& pair, const CentreOnCorner& found) {
+bool is_no_polygons_corner(const PairCase& pair, const CentreOnCorner& found) {
   return pair[other(found.circle)].polygon.count < kMinVertices;
 }
 
@@ -221,8 +221,8 @@ bool is_an_end_of_an_edge(const PairCase& pair, const CentreOnCorner& found) {
 /// instead: b2Vec2::Normalize below epsilon, b2WorldManifold up to it.
 bool is_too_short(const PairCase& pair, const CentreOnCorner& found) {
   const Vector2<float>& apart = found.from_corner;
-  return is_an_end_of_an_edge(pair, found) ? apart.dot(apart) <= kEpsilonOfBox2d * kEpsilonOfBox2d
-                                           : apart.norm() < kEpsilonOfBox2d;
+  return is_no_polygons_corner(pair, found) ? apart.dot(apart) <= kEpsilonOfBox2d * kEpsilonOfBox2d
+                                            : apart.norm() < kEpsilonOfBox2d;
 }
 
 /// Whether the normal is the direction between both points, in floats.
@@ -230,7 +230,7 @@ bool is_along_roundings(const Deviation& d, const CentreOnCorner& found) {
   const PairCase& pair = d.right.pair();
   Vector2<double> direction = found.from_corner.cast<double>();
   if (is_too_short(pair, found)) return false;
-  if (!is_an_end_of_an_edge(pair, found)) {
+  if (!is_no_polygons_corner(pair, found)) {
     direction = rotate<double>(pair[other(found.circle)].pose.rotation.cast<double>(), direction);
   }
   return (towards_circle(d, found.circle) - direction.normalized()).norm() <=
@@ -266,7 +266,7 @@ bool axis_for_coincident_points(const Deviation& d) {
   return std::ranges::any_of(
       centres_on_corners(pair, d.right.bounds.separation + kEpsilonOfBox2d),
       [&](const CentreOnCorner& found) {
-        return is_an_end_of_an_edge(pair, found) && is_too_short(pair, found) &&
+        return is_no_polygons_corner(pair, found) && is_too_short(pair, found) &&
                (towards_circle(d, found.circle) - Vector2<double>(1, 0)).norm() <=
                    2 * d.right.bounds.normal;
       });
@@ -285,7 +285,7 @@ bool corner_direction_not_normalised(const Deviation& d) {
          (d.got.points[0].depth <= d.right.bounds.separation || is_as_deep_as_radii(d)) &&
          std::ranges::any_of(
              centres_on_corners(pair, d.right.bounds.separation), [&](const CentreOnCorner& found) {
-               return !is_an_end_of_an_edge(pair, found) && is_too_short(pair, found);
+               return !is_no_polygons_corner(pair, found) && is_too_short(pair, found);
              });
 }
 

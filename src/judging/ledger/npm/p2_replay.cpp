@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "judging/ledger/rounded_sum.hpp"
+
 namespace manifuzz::ledger_of {
 namespace {
 
@@ -71,23 +73,12 @@ UnitTurn unit_turn(const Body& body) {
   return {{stored.x() / length, stored.y() / length}, length};
 }
 
-double lost_in(double a, double b, double sum) {
-  const double share_of_b = sum - a;
-  return a - (sum - share_of_b) + (b - share_of_b);
-}
-
-double sum_of(double a, double b, double c) {
-  const double first = a + b;
-  const double sum = first + c;
-  return sum + (lost_in(a, b, first) + lost_in(first, c, sum));
-}
-
 Stored centre_of_circle(const Body& body) {
   const Wide v = body.polygon.vertices[0].cast<double>();
   const Wide turn = body.pose.rotation.cast<double>();
   const Wide at = body.pose.position.cast<double>();
-  return {sum_of(turn.x() * v.x(), -turn.y() * v.y(), at.x()),
-          sum_of(turn.y() * v.x(), turn.x() * v.y(), at.y())};
+  return {ledger_of::sum_rounded_once(turn.x() * v.x(), -turn.y() * v.y(), at.x()),
+          ledger_of::sum_rounded_once(turn.y() * v.x(), turn.x() * v.y(), at.y())};
 }
 
 /// The normal and the points of a contact equation, from the circle to the other shape.

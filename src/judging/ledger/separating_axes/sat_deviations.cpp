@@ -4,6 +4,7 @@
 
 #include "geometry/vector.hpp"
 #include "judging/ledger/replayed.hpp"
+#include "judging/ledger/rounded_sum.hpp"
 #include "judging/ledger/separating_axes/axes_deviations.hpp"
 
 // SAT.js 0.9.0: testPolygonPolygon and testCircleCircle are repeated, of vertices in the world.
@@ -11,27 +12,14 @@
 namespace manifuzz {
 namespace {
 
-/// What a sum of two loses.
-double lost_in(double a, double b, double sum) {
-  const double share_of_b = sum - a;
-  return a - (sum - share_of_b) + (b - share_of_b);
-}
-
-/// protocol.mjs, sumOf: of three, rounded once.
-double sum_of(double a, double b, double c) {
-  const double first = a + b;
-  const double sum = first + c;
-  return sum + (lost_in(a, b, first) + lost_in(first, c, sum));
-}
-
 std::vector<Vector2<double>> placed_for_sat(const Body& body) {
   const Vector2<double> turn = body.pose.rotation.cast<double>();
   const Vector2<double> at = body.pose.position.cast<double>();
   std::vector<Vector2<double>> placed;
   for (int i = 0; i < body.polygon.count; ++i) {
     const Vector2<double> v = body.polygon.vertices[i].cast<double>();
-    placed.emplace_back(sum_of(turn.x() * v.x(), -turn.y() * v.y(), at.x()),
-                        sum_of(turn.y() * v.x(), turn.x() * v.y(), at.y()));
+    placed.emplace_back(ledger_of::sum_rounded_once(turn.x() * v.x(), -turn.y() * v.y(), at.x()),
+                        ledger_of::sum_rounded_once(turn.y() * v.x(), turn.x() * v.y(), at.y()));
   }
   return placed;
 }
