@@ -275,10 +275,10 @@ void append_judgement(std::string& line, const Admissible& right, const Collider
   append_key(line, ", \"position\": ", widest(right, right.bounds.position, position_bound));
   append_key(line, ", \"depth\": ", widest(right, right.bounds.separation, depth_bound));
   append_key(line, ", \"normal\": ", right.bounds.normal);
-  line += "}, \"verdict\": ";
-  append_string(line, to_string(judgement.bucket.verdict));
-  line += ", \"bucket\": ";
-  append_string(line, to_string(judgement.bucket));
+  line += fmt::format("}}, \"verdict\": \"{}\", \"bucket\": \"{}\"",
+                      to_string(judgement.bucket.verdict), to_string(judgement.bucket));
+  const LedgerEntry* const known = judgement.explanation;
+  if (known != nullptr) line += fmt::format(", \"ledger\": \"{}\"", known->id);
   line += '}';
 }
 

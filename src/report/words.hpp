@@ -69,8 +69,8 @@ std::string case_text(const JudgedCase& judged);
 /// manifold. Throws UserError where there is no answer, or numbers that JSON cannot write.
 void append_collision(std::string& line, const Collider& collider, const PairCase& pair);
 
-/// Appends what `judge` prints: what is right, by how much one may be off, verdict and bucket.
-/// Lengths are in the world.
+/// Appends what `judge` prints: what is right, by how much one may be off, verdict and bucket,
+/// of a known one the ledger's entry. Lengths are in the world.
 void append_judgement(std::string& line, const Admissible& right, const ColliderAnswer& subject,
                       const Judgement& judgement);
 

@@ -82,6 +82,17 @@ TEST_CASE("an answer that cannot be is an answer") {
   CHECK(judge_answer(R"({"unsupported": "too round"})", 0)["verdict"] == "unsupported");
 }
 
+TEST_CASE("a known verdict names its entry of the ledger, and no other does") {
+  const std::string witness =
+      MANIFUZZ_SOURCE_DIR "/corpus/defects/box2d/witness-box2d-no-contact-under-bias.json";
+  std::string line = text_of(witness);
+  std::erase(line, '\n');
+  const json known = json::parse(run_manifuzz({"judge"}, line + "\n").out);
+  CHECK(known["verdict"] == "known");
+  CHECK(known["ledger"] == "box2d-no-contact-under-bias");
+  CHECK_FALSE(json::parse(run_manifuzz({"judge"}, kBoxes + "\n").out).contains("ledger"));
+}
+
 TEST_CASE("answers stay with their cases across bad lines") {
   const TemporaryFolder folder;
   const std::string answers = folder.write(
