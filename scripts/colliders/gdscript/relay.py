@@ -18,25 +18,25 @@ from protocol import serve  # noqa: E402
 SNIPPET = """@language gdscript
 @no_normal
 @point on A $a, on B $b
-# godot3-server --no-window -s snippet.gd
-extends SceneTree
+extends SceneTree # godot3-server --no-window -s snippet.gd
 func _init():
 @each 	var at@^ = Transform2D(@*.rotation(Vector2($x, $y), Vector2(-1 * $y, $x))@, @*.position(Vector2($x, $y))@)
-@each @*.circle? 	var @* = CircleShape2D.new()
+@each @*.circle? 	var @* = CircleShape2D.new(); @*.radius = @*.radius@
 @each @*.circle? 	at@^.origin = at@^.xform(@*.vertices(Vector2($x, $y))@)
 @each @*.segment? 	var of@^ = [@*.vertices(Vector2($x, $y))@]
 @each @*.segment? @!*.rounded? 	var @* = SegmentShape2D.new()
 @each @*.segment? @!*.rounded? 	@*.a = of@^[0]; @*.b = of@^[1]
-@each @*.segment? @*.rounded? 	var @* = CapsuleShape2D.new() # it lies along its y axis
-@each @*.segment? @*.rounded? 	@*.height = of@^[0].distance_to(of@^[1]); @*.radius = @*.radius@
-@each @*.segment? @*.rounded? 	var up@^ = at@^.basis_xform(of@^[1] - of@^[0]).normalized()
-@each @*.segment? @*.rounded? 	at@^ = Transform2D(Vector2(up@^.y, -up@^.x), up@^, at@^.xform((of@^[0] + of@^[1]) / 2))
+@each @*.segment? @*.rounded? 	var @* = CapsuleShape2D.new(); @*.radius = @*.radius@; @*.height = of@^[0].distance_to(of@^[1])
+@each @*.segment? @*.rounded? 	var up@^ = at@^.basis_xform(of@^[1] - of@^[0]).normalized(); at@^ = Transform2D(Vector2(up@^.y, -up@^.x), up@^, at@^.xform((of@^[0] + of@^[1]) / 2))
 @each @*.polygon? 	var @* = ConvexPolygonShape2D.new()
 @each @*.polygon? 	@*.points = PoolVector2Array([@*.vertices(Vector2($x, $y))@])
-@each @*.circle? 	@*.radius = @*.radius@
 	var contacts = a.@asked(collide_and_get_contacts)@(atA, b, atB)
-	print((contacts.size() if contacts else 0) / 2, " points, on A and on B: ", contacts)
+	print(contacts.size() / 2, " points, on A and on B:")
+	for point in contacts: print("(", digits(point.x), ", ", digits(point.y), ")")
 	quit()
+func digits(x): # nine, which tell floats apart: str() gives six decimals
+	var power = floor(log(abs(x)) / log(10)) if x else 0.0
+	return "%.8fe%d" % [x / pow(10, power), power]
 """
 
 # Of Godot 3.2.3. second_point: an edge is one where its normal is within the angle of the cosine

@@ -1,11 +1,25 @@
 #include "judging/ledger/replayed.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "judging/by_curve.hpp"
 #include "judging/manifold_error.hpp"
 
 namespace manifuzz::replayed {
+namespace {
+
+/// Rationals have no infinity.
+bool is_finite(const Contact& contact) {
+  return contact.points.empty() ||
+         (contact.normal.allFinite() &&
+          std::ranges::all_of(contact.points, [](const Contact::Point& point) {
+            return point.at.allFinite() && std::isfinite(point.depth);
+          }));
+}
+
+}  // namespace
+
 Manifold<double> in_frame_of_a(const PairCase& pair, const Contact& contact) {
   Manifold<double> manifold;
   manifold.count = static_cast<int>(contact.points.size());
@@ -38,6 +52,7 @@ bool is_same_answer(const Deviation& d, const Contact& contact) {
 }
 
 bool is_right_answer(const Deviation& d, const Declaration& declaration, const Contact& contact) {
+  if (!is_finite(contact)) return false;
   PartialManifold partial;
   partial.manifold = in_frame_of_a(d.right.pair(), contact);
   if (is_judged_by_curve(declaration, d.right.pair())) {
@@ -59,14 +74,17 @@ bool is_right_separation(const Deviation& d, const Declaration& declaration,
   return judge_by_curve(*d.right.truth, declaration, said).kind == Kind::none;
 }
 
-Vector2<double> least_normal_near(const Deviation& d, const Vector2<double>& normal) {
+std::vector<Vector2<double>> least_normals(const Deviation& d) {
   const exact::PenetrationCurve curve(*d.right.truth, exact::skin_of(*d.right.truth));
-  const auto minima = curve.minima(d.right.bounds.separation);
-  const Vector2<double> local = local_normal(d.right.pair(), normal);
-  return world_normal(d.right.pair(),
-                      *std::ranges::max_element(minima, {}, [&](const Vector2<double>& minimum) {
-                        return minimum.dot(local);
-                      }));
+  auto normals = curve.minima(d.right.bounds.separation);
+  for (Vector2<double>& normal : normals) normal = world_normal(d.right.pair(), normal);
+  return normals;
+}
+
+Vector2<double> least_normal_near(const Deviation& d, const Vector2<double>& normal) {
+  const auto normals = least_normals(d);
+  return *std::ranges::max_element(normals, {},
+                                   [&](const Vector2<double>& least) { return least.dot(normal); });
 }
 
 }  // namespace manifuzz::replayed

@@ -35,7 +35,9 @@ bool is_same_separation(const Deviation& deviation, const Vector2<double>& norma
 bool is_right_separation(const Deviation& deviation, const Declaration& declaration,
                          const Vector2<double>& normal, double depth);
 
-/// The normal, from A to B in the world, of the least depth that is nearest to another one.
+/// The normals, from A to B in the world, of the least depth within a right separation's bound.
+std::vector<Vector2<double>> least_normals(const Deviation& deviation);
+/// The one of them that is nearest to another normal.
 Vector2<double> least_normal_near(const Deviation& deviation, const Vector2<double>& normal);
 
 /// Whether a fault, a bit of 1 to `all`, is in one of the smallest sets of them that have to be

@@ -1,7 +1,9 @@
 #include "judging/ledger/separating_axes/godot_solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace manifuzz::as_godot {
@@ -34,7 +36,7 @@ bool test_axis(const Shape& a, const Shape& b, Vector2<float> axis, BestAxis& be
 
 /// The axes, in the order in which the functions of both types test them; A's type is not after
 /// B's.
-std::vector<Vector2<float>> axes_of(const Shape& a, const Shape& b) {
+std::vector<Vector2<float>> axes_of(const Shape& a, const Shape& b, const Mends& mends) {
   using Type = Shape::Type;
   std::vector<Vector2<float>> axes;
   const auto append = [&](const std::vector<Vector2<float>>& some) {
@@ -43,7 +45,7 @@ std::vector<Vector2<float>> axes_of(const Shape& a, const Shape& b) {
   const auto corners_a = a.corners();
   const auto corners_b = b.corners();
   const auto between = [&](std::size_t i, std::size_t j) {
-    axes.push_back(normalized(corners_a[i] - corners_b[j]));
+    axes.push_back(normalized(corners_a[i] - corners_b[j], mends));
   };
   if (a.type() == Type::polygon ||
       (a.type() == Type::segment && b.type() != Type::circle && b.type() != Type::capsule)) {
@@ -70,41 +72,50 @@ std::vector<Vector2<float>> axes_of(const Shape& a, const Shape& b) {
 }
 
 /// A pair of points, on the first shape that is given and on the second.
+template <class Scalar>
 struct PointPair {
-  Vector2<float> first;
-  Vector2<float> second;
+  Vector2<Scalar> first;
+  Vector2<Scalar> second;
 };
 
-/// The place of an edge's line on the line through a point along the normal.
-Vector2<float> along_edge(const Supports& edge, const Vector2<float>& n, const Vector2<float>& at) {
-  const Vector2<float> tangent = tangent_of(n);
-  const Vector2<float> along = edge.points[1] - edge.points[0];
-  const float run = tangent.dot(along);
-  if (run == 0) return edge.points[0];
-  return edge.points[0] + along * (tangent.dot(at - edge.points[0]) / run);
+/// The place of an edge's line on the line through a point along the normal, as a share of the
+/// edge.
+template <class Scalar>
+Scalar share_along(const Supports<Scalar>& edge, const Vector2<Scalar>& n,
+                   const Vector2<Scalar>& at) {
+  const Vector2<Scalar> tangent(n.y(), -n.x());
+  const Scalar run = tangent.dot(edge.points[1] - edge.points[0]);
+  return run == 0 ? 0 : tangent.dot(at - edge.points[0]) / run;
+}
+
+template <class Scalar>
+Vector2<Scalar> place_on(const Supports<Scalar>& edge, Scalar share) {
+  return edge.points[0] + (edge.points[1] - edge.points[0]) * share;
 }
 
 /// _generate_contacts_edge_edge.
-std::vector<PointPair> of_edges(const Supports& a, const Supports& b, const Vector2<float>& n,
-                                const Mends& mends) {
+template <class Scalar>
+std::vector<PointPair<Scalar>> of_edges(const Supports<Scalar>& a, const Supports<Scalar>& b,
+                                        const Vector2<Scalar>& n, const Mends& mends) {
   struct End {
-    float at;
+    Scalar at;
     bool is_of_a;
     std::size_t index;
   };
-  std::vector<End> ends;
-  for (std::size_t i = 0; i < 2; ++i) ends.push_back({tangent_of(n).dot(a.points[i]), true, i});
-  for (std::size_t i = 0; i < 2; ++i) ends.push_back({tangent_of(n).dot(b.points[i]), false, i});
+  const Vector2<Scalar> tangent(n.y(), -n.x());
+  std::array ends{End{tangent.dot(a.points[0]), true, 0}, End{tangent.dot(a.points[1]), true, 1},
+                  End{tangent.dot(b.points[0]), false, 0}, End{tangent.dot(b.points[1]), false, 1}};
   std::ranges::stable_sort(ends, {}, &End::at);
-  const auto on_plane = [&](const Supports& edge, const Vector2<float>& at) {
-    if (mends.is_along_edges) return along_edge(edge, n, at);
-    return Vector2<float>(at - n * (n.dot(at) - n.dot(edge.points[0])));
+  const auto on_plane = [&](const Supports<Scalar>& edge, const Vector2<Scalar>& at) {
+    if (mends.is_along_edges) return place_on(edge, share_along(edge, n, at));
+    return Vector2<Scalar>(at - n * (n.dot(at) - n.dot(edge.points[0])));
   };
-  std::vector<PointPair> pairs;
+  std::vector<PointPair<Scalar>> pairs;
   for (const End& end : {ends[1], ends[2]}) {
-    const Vector2<float> at = (end.is_of_a ? a : b).points[end.index];
-    const Vector2<float> opposite = on_plane(end.is_of_a ? b : a, at);
-    const PointPair pair = end.is_of_a ? PointPair{at, opposite} : PointPair{opposite, at};
+    const Vector2<Scalar> at = (end.is_of_a ? a : b).points[end.index];
+    const Vector2<Scalar> opposite = on_plane(end.is_of_a ? b : a, at);
+    const auto pair =
+        end.is_of_a ? PointPair<Scalar>{at, opposite} : PointPair<Scalar>{opposite, at};
     const double gap = static_cast<double>(n.dot(pair.second)) - kCmpEpsilon;
     if (static_cast<double>(n.dot(pair.first)) > gap) continue;
     pairs.push_back(pair);
@@ -113,32 +124,38 @@ std::vector<PointPair> of_edges(const Supports& a, const Supports& b, const Vect
 }
 
 /// Geometry::get_closest_point_to_segment_uncapped_2d.
-Vector2<float> closest_uncapped(const Vector2<float>& point, const Supports& edge) {
-  const Vector2<float> n = edge.points[1] - edge.points[0];
-  const float square = n.dot(n);
-  if (square < 1e-20F) return edge.points[0];
-  return edge.points[0] + n * (n.dot(point - edge.points[0]) / square);
+template <class Scalar>
+Vector2<Scalar> on_edge(const Vector2<Scalar>& point, const Supports<Scalar>& edge,
+                        const Vector2<Scalar>& n, const Mends& mends) {
+  const Vector2<Scalar> along = edge.points[1] - edge.points[0];
+  const Scalar square = along.dot(along);
+  const double least = mends.is_of_any_length ? 0 : 1e-20;
+  if (square == 0 || static_cast<double>(square) < least) return edge.points[0];
+  if (mends.is_foot_between) {
+    return place_on(edge, std::clamp(share_along(edge, n, point), Scalar(0), Scalar(1)));
+  }
+  return place_on(edge, along.dot(point - edge.points[0]) / square);
 }
 
 /// _generate_contacts_from_supports: of two points and their overlap, of a point and an edge, of
 /// two edges.
-std::vector<PointPair> pairs_of(const Supports& a, const Supports& b, const Vector2<float>& n,
-                                const Mends& mends) {
+template <class Scalar>
+std::vector<PointPair<Scalar>> pairs_of(const Supports<Scalar>& a, const Supports<Scalar>& b,
+                                        const Vector2<Scalar>& n, const Mends& mends) {
   if (a.count == 2 && b.count == 2) return of_edges(a, b, n, mends);
-  if (a.count == 2) return {{closest_uncapped(b.points[0], a), b.points[0]}};
-  if (b.count == 2) return {{a.points[0], closest_uncapped(a.points[0], b)}};
+  if (a.count == 2) return {{on_edge(b.points[0], a, n, mends), b.points[0]}};
+  if (b.count == 2) return {{a.points[0], on_edge(a.points[0], b, n, mends)}};
   return {{a.points[0], b.points[0]}};
 }
 
 /// relay.py, of pairs on A and on B.
-replayed::Contact contact_of(const std::vector<PointPair>& pairs) {
+replayed::Contact contact_of(const std::vector<PointPair<double>>& pairs) {
   replayed::Contact contact;
   double most = -1;
-  for (const PointPair& pair : pairs) {
-    const Vector2<double> on_a = pair.first.cast<double>();
-    const Vector2<double> apart = on_a - pair.second.cast<double>();
+  for (const PointPair<double>& pair : pairs) {
+    const Vector2<double> apart = pair.first - pair.second;
     if (apart.isZero(0)) continue;
-    contact.points.push_back({on_a, 0});
+    contact.points.push_back({pair.first, 0});
     const double depth = std::hypot(apart.x(), apart.y());
     const Vector2<double> normal = apart / depth;
     const bool is_last = depth == most && std::pair(normal.x(), normal.y()) >
@@ -151,32 +168,44 @@ replayed::Contact contact_of(const std::vector<PointPair>& pairs) {
   return contact;
 }
 
+/// generate_contacts, in an order of shapes that Godot or the case has.
+template <class Scalar>
+replayed::Contact contact_at(const Shape& a, const Shape& b, const Vector2<float>& axis,
+                             const Mends& mends, bool is_swapped) {
+  const auto on_a = a.template supports<Scalar>(-axis);
+  const auto on_b = b.template supports<Scalar>(axis);
+  if (on_a.count == 0 || on_b.count == 0) return {};
+  std::vector<PointPair<double>> pairs;
+  for (const auto& pair : pairs_of<Scalar>(on_a, on_b, axis.cast<Scalar>(), mends)) {
+    pairs.push_back({pair.first.template cast<double>(), pair.second.template cast<double>()});
+    if (is_swapped) std::swap(pairs.back().first, pairs.back().second);
+  }
+  return contact_of(pairs);
+}
+
 }  // namespace
 
 GodotAnswer by_godot(const PairCase& pair, const Mends& mends,
                      const std::optional<Vector2<double>>& axis) {
-  const Shape of_a(pair.a);
-  const Shape of_b(pair.b);
+  const Shape of_a(pair.a, mends, mends.edges[0]);
+  const Shape of_b(pair.b, mends, mends.edges[1]);
   const bool is_swapped = of_a.type() > of_b.type();
   const Shape& a = is_swapped ? of_b : of_a;
   const Shape& b = is_swapped ? of_a : of_b;
   BestAxis best;
-  for (const Vector2<float>& tested : axes_of(a, b)) {
+  if (mends.is_without_start) best.depth = std::numeric_limits<float>::infinity();
+  for (const Vector2<float>& tested : axes_of(a, b, mends)) {
     if (!test_axis(a, b, tested, best) && !axis) return {};
   }
   GodotAnswer answer;
   if (axis) best.axis = (is_swapped ? *axis : Vector2<double>(-*axis)).cast<float>();
   if (best.axis.isZero(0)) return answer;
-  answer.axis = (is_swapped ? best.axis : Vector2<float>(-best.axis)).cast<double>();
+  const Vector2<float> from_a = is_swapped ? best.axis : Vector2<float>(-best.axis);
+  answer.axis = from_a.cast<double>();
   answer.depth = static_cast<double>(best.depth);
-  const Supports on_a = a.supports(-best.axis, mends);
-  const Supports on_b = b.supports(best.axis, mends);
-  if (on_a.count == 0 || on_b.count == 0) return answer;
-  auto pairs = pairs_of(on_a, on_b, best.axis, mends);
-  if (is_swapped) {
-    for (PointPair& one : pairs) std::swap(one.first, one.second);
-  }
-  answer.contact = contact_of(pairs);
+  answer.edges = {of_a.edges_met(from_a), of_b.edges_met(-from_a)};
+  const auto contact = mends.is_edge_exact ? contact_at<double> : contact_at<float>;
+  answer.contact = contact(a, b, best.axis, mends, is_swapped);
   return answer;
 }
 

@@ -10,8 +10,9 @@ namespace manifuzz::as_godot {
 /// What Shape2D.collide_and_get_contacts gives, as relay.py takes it: points on A, one depth.
 struct GodotAnswer {
   replayed::Contact contact;
-  Vector2<double> axis{0, 0};  ///< of the least overlap, from A to B
-  double depth = 0;            ///< along it
+  Vector2<double> axis{0, 0};             ///< of the least overlap, from A to B
+  double depth = 0;                       ///< along it
+  std::array<std::vector<int>, 2> edges;  ///< `Shape::edges_met`, of A and of B
 };
 
 /// sat_2d_calculate_penetration; where an axis is given, from A to B, as if it had found that.
