@@ -48,11 +48,9 @@ std::string pair_in_words(const PairCase& pair) {
   return shapes + " that just touch";
 }
 
-/// The kind of an error of a normal, as an end of "the normal of ... ".
-std::string normal_in_words(const JudgedCase& judged, const Vector2<double>& normal,
-                            const Declaration& declaration) {
-  const double length = normal.norm();
-  if (length == 0) return "has length 0";
+/// By how much a normal is turned from the nearest right one, in radians.
+double turn_of(const JudgedCase& judged, const Vector2<double>& normal,
+               const Declaration& declaration) {
   double turn = std::numbers::pi;
   for (const Manifold<double>& right :
        manifolds_to_show(admissible(judged.given.pair, declaration), declaration)) {
@@ -61,6 +59,15 @@ std::string normal_in_words(const JudgedCase& judged, const Vector2<double>& nor
     turn = std::min(turn,
                     std::abs(std::atan2(n.x() * normal.y() - n.y() * normal.x(), n.dot(normal))));
   }
+  return turn;
+}
+
+/// The kind of an error of a normal, as an end of "the normal of ... ".
+std::string normal_in_words(const JudgedCase& judged, const Vector2<double>& normal,
+                            const Declaration& declaration) {
+  const double length = normal.norm();
+  if (length == 0) return "has length 0";
+  const double turn = turn_of(judged, normal, declaration);
   const double lacking = std::abs(1 - length);
   if (lacking > turn) {
     if (lacking > 1e-3) return "has length " + plain(length);
@@ -78,15 +85,6 @@ std::string wrong_normal_in_words(const JudgedCase& judged, const Claim& claim,
                      normal_in_words(judged, normal, declaration));
 }
 
-/// Whether some right normal points to the same side.
-bool is_within_right_angle(const JudgedCase& judged, const Claim& claim,
-                           const Declaration& declaration) {
-  const auto rights = manifolds_to_show(admissible(judged.given.pair, declaration), declaration);
-  return claim.normal && std::ranges::any_of(rights, [&](const Manifold<double>& right) {
-           return right.count > 0 && right.normal.dot(*claim.normal) > 0;
-         });
-}
-
 /// How deep they overlap along the answer's own normal; the least depth where it has none.
 double depth_along(const PairCase& pair, const Claim& claim) {
   if (!claim.normal || claim.normal->isZero(0)) return true_depth(pair);
@@ -99,6 +97,21 @@ bool is_far_too_deep(const PairCase& pair, const Claim& claim, const Declaration
   const double depth = true_depth(pair);
   return claim.depth > 2 * std::abs(depth) &&
          claim.depth - depth > 100 * bounds(pair, declaration).separation;
+}
+
+std::string depth_in_words(const PairCase& pair, const Claim& claim) {
+  return fmt::format("{} are reported {} deep", pair_in_words(pair), plain(claim.depth));
+}
+
+/// Some right normal may point to the same side, or be the answer's own: then its depth is the
+/// news.
+std::string reversed_in_words(const JudgedCase& judged, const Claim& claim,
+                              const Declaration& declaration) {
+  const PairCase& pair = judged.given.pair;
+  const double turn = turn_of(judged, claim.normal.value(), declaration);
+  if (turn > std::numbers::pi / 2) return "the normal of " + pair_in_words(pair) + " is reversed";
+  if (turn <= bounds(pair, declaration).normal) return depth_in_words(pair, claim);
+  return wrong_normal_in_words(judged, claim, declaration);
 }
 
 /// Where the direction between the cores decides, a depth is held against the least one: then the
@@ -168,8 +181,7 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const Claim claim = claim_of(asked.answer);
   // A magnitude is a share of the size; people want to see the length.
   const std::string off = plain(judged.judgement.magnitude * size(pair));
-  const std::string phantom =
-      fmt::format("{} are reported {} deep", pair_words, plain(claim.depth));
+  const std::string phantom = depth_in_words(pair, claim);
   switch (judged.judgement.bucket.kind) {
     case Kind::missed_contact:
       return pair_words + " have no contact";
@@ -181,9 +193,7 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
     case Kind::position:
       return fmt::format("a contact point of {} is off by {}", pair_words, off);
     case Kind::depth:
-      if (plain(claim.depth) != plain(true_depth(pair))) {
-        return fmt::format("{} are reported {} deep", pair_words, plain(claim.depth));
-      }
+      if (plain(claim.depth) != plain(true_depth(pair))) return phantom;
       return fmt::format("the depth of a contact point of {} is off by {}", pair_words, off);
     case Kind::count:
     case Kind::extent:
@@ -191,10 +201,7 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
     case Kind::features:
       return fmt::format("the contact points of {} name wrong features", pair_words);
     case Kind::reversed:
-      if (is_within_right_angle(judged, claim, asked.declaration)) {
-        return wrong_normal_in_words(judged, claim, asked.declaration);
-      }
-      return fmt::format("the normal of {} is reversed", pair_words);
+      return reversed_in_words(judged, claim, asked.declaration);
     case Kind::inconsistent:
       if (is_depth_along_normal(judged, claim)) return inconsistent_in_words(pair, claim);
       return wrong_normal_in_words(judged, claim, asked.declaration);
