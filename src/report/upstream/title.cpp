@@ -103,8 +103,7 @@ std::string depth_in_words(const PairCase& pair, const Claim& claim) {
   return fmt::format("{} are reported {} deep", pair_in_words(pair), plain(claim.depth));
 }
 
-/// Some right normal may point to the same side, or be the answer's own: then its depth is the
-/// news.
+/// A right normal may point to the same side, or be the answer's own: then its depth is the news.
 std::string reversed_in_words(const JudgedCase& judged, const Claim& claim,
                               const Declaration& declaration) {
   const PairCase& pair = judged.given.pair;
@@ -179,8 +178,7 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const PairCase& pair = judged.given.pair;
   const std::string pair_words = pair_in_words(pair);
   const Claim claim = claim_of(asked.answer);
-  // A magnitude is a share of the size; people want to see the length.
-  const std::string off = plain(judged.judgement.magnitude * size(pair));
+  const std::string off = plain(judged.judgement.magnitude * size(pair));  // a length is seen
   const std::string phantom = depth_in_words(pair, claim);
   switch (judged.judgement.bucket.kind) {
     case Kind::missed_contact:
@@ -259,8 +257,8 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
                              kind == Kind::inconsistent || kind == Kind::not_minimal ||
                              kind == Kind::position || kind == Kind::witness;
   const bool is_elsewhere = kind == Kind::witness && is_depth_elsewhere(judged, asked.declaration);
-  if (is_of_figures && !is_elsewhere && judged.judgement.magnitude < kUnseen)
-    return std::string(kUnseenInWords);
+  const bool is_unseen = judged.judgement.magnitude < kUnseen;
+  if (is_of_figures && !is_elsewhere && is_unseen) return std::string(kUnseenInWords);
   switch (kind) {
     case Kind::missed_contact:
       return "nothing holds the bodies apart here, so they move further into each other";
@@ -278,10 +276,9 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
              "have";
     case Kind::count:
     case Kind::extent:
-      if (claim.points > right_count(judged, asked.declaration)) {
-        return "a part of the impulse acts where the shapes hardly touch";
-      }
-      return "a face rests on too few points and rocks";
+      return claim.points > right_count(judged, asked.declaration)
+                 ? "a part of the impulse acts where the shapes hardly touch"
+                 : "a face rests on too few points and rocks";
     case Kind::features:
       return "impulses of the last step are not found again, so warm starting is lost";
     case Kind::reversed:
