@@ -206,9 +206,9 @@ Vector2<double> towards_circle(const Deviation& d, Side circle) {
   return circle == Side::b ? normal : Vector2<double>(-normal);
 }
 
-/// Whether the depth is that of two points at one place: both radii.
-bool is_as_deep_as_radii(const Deviation& d) {
-  return std::abs(d.got.points[0].depth - total_radius(d.right.pair())) <=
+/// Whether the depth is that of two points so far apart along the normal: both radii, less that.
+bool is_as_deep_as_radii(const Deviation& d, double apart = 0) {
+  return std::abs(d.got.points[0].depth - (total_radius(d.right.pair()) - apart)) <=
          4 * d.right.bounds.separation;
 }
 
@@ -261,15 +261,15 @@ bool edge_face_kept_by_hysteresis(const Deviation& d) {
 }
 
 bool axis_for_coincident_points(const Deviation& d) {
-  if (d.got.count != 1 || !is_as_deep_as_radii(d)) return false;
-  const PairCase& pair = d.right.pair();
-  return std::ranges::any_of(
-      centres_on_corners(pair, d.right.bounds.separation + kEpsilonOfBox2d),
-      [&](const CentreOnCorner& found) {
-        return is_no_polygons_corner(pair, found) && is_too_short(pair, found) &&
-               (towards_circle(d, found.circle) - Vector2<double>(1, 0)).norm() <=
-                   2 * d.right.bounds.normal;
-      });
+  const auto is_axis = [&](const CentreOnCorner& found) {
+    const auto along = static_cast<double>(found.from_corner.x());
+    const Vector2<double> off = towards_circle(d, found.circle) - Vector2<double>(1, 0);
+    return is_no_polygons_corner(d.right.pair(), found) && is_too_short(d.right.pair(), found) &&
+           is_as_deep_as_radii(d, along) && off.norm() <= 2 * d.right.bounds.normal;
+  };
+  const double bound = d.right.bounds.separation + kEpsilonOfBox2d;
+  return d.got.count == 1 &&
+         std::ranges::any_of(centres_on_corners(d.right.pair(), bound), is_axis);
 }
 
 bool direction_of_roundings(const Deviation& d) {
