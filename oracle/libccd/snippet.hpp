@@ -8,6 +8,7 @@ namespace manifuzz_libccd {
 inline constexpr const char* kSnippet =
     R"(@language c
 #include <ccd/ccd.h>
+#include <math.h>
 #include <stdio.h>
 typedef struct { int count; ccd_vec3_t at[8]; double z; } prism; // so high that the least depth is in the plane
 void support(const void* object, const ccd_vec3_t* to, ccd_vec3_t* out) {
@@ -23,7 +24,9 @@ void support(const void* object, const ccd_vec3_t* to, ccd_vec3_t* out) {
   ccd.support1 = ccd.support2 = support;)" MANIFUZZ_LIBCCD_SET_MIDDLE R"(
   if (@asked()" MANIFUZZ_LIBCCD_ASKED
     R"()@(&a, &b, &ccd, &depth, &to, &at) != 0) return puts("no contact");
-  printf("they touch, depth %.9g, direction (%.9g, %.9g, %.9g)\n", depth, to.v[0], to.v[1], to.v[2]);
+  double part = hypot(to.v[0], to.v[1]); // of its translation what is in the plane
+  if (part == 0) return puts("no contact");
+  printf("they touch, depth %.9g, direction (%.9g, %.9g)\n", depth * part, to.v[0] / part, to.v[1] / part);
 }
 )";
 

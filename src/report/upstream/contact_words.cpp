@@ -163,7 +163,8 @@ const Manifold<double>& nearest_to(const std::vector<Manifold<double>>& right, c
 /// mitred corners, which have faces' normals alone.
 std::optional<Manifold<double>> right_along_own(const PairCase& pair, const DeclaredAnswer& asked) {
   const Claim got = claim_of(asked.answer);
-  if (!is_judged_by_curve(asked.declaration, pair) || !got.normal || got.normal->isZero(0)) {
+  if (!is_judged_by_curve(asked.declaration, pair) || !got.normal || got.normal->isZero(0) ||
+      !got.normal->allFinite()) {
     return std::nullopt;
   }
   const exact::Truth truth(pair);
