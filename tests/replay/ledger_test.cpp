@@ -70,7 +70,9 @@ void check_strict(const LedgerEntry& entry) {
     return entry.explains({right, answer, kind});
   };
   const Manifold<double> got = manifold_of(oracle->collide(pair));
-  const Manifold<double> wanted = manifold_of(find_collider("clip").collide(pair));
+  Manifold<double> wanted = manifold_of(find_collider("clip").collide(pair));
+  // What float cannot see, double may.
+  if (wanted.count == 0) wanted = manifold_of(find_collider("clip64").collide(pair));
   const Kind kind = judge(pair, find_collider("clip"), *oracle).bucket.kind;
   CHECK(explains(got, kind));
   for (const double angle : {-0.4, 0.4}) {

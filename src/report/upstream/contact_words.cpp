@@ -113,6 +113,7 @@ class EngineTerms {
  private:
   std::string figure(double value) const {
     const int digits = declaration_.scalar == ScalarType::float32 ? 7 : 9;
+    if (std::isnan(value)) return "nan";  // its sign differs between machines
     return fmt::format("{:.{}g}", value + 0.0, digits + detail_.more_digits);
   }
 
