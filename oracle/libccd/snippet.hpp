@@ -8,7 +8,6 @@ namespace manifuzz_libccd {
 inline constexpr const char* kSnippet =
     R"(@language c
 #include <ccd/ccd.h>
-#include <math.h>
 #include <stdio.h>
 typedef struct { int count; ccd_vec3_t at[8]; double z; } prism; // so high that the least depth is in the plane
 void support(const void* object, const ccd_vec3_t* to, ccd_vec3_t* out) {
@@ -20,13 +19,11 @@ void support(const void* object, const ccd_vec3_t* to, ccd_vec3_t* out) {
     R"( * (@a.wide_reach@ + @b.wide_reach@)};
   prism b = {@b.count@, {@b.world({{$X, $Y, 0}})@}, )" MANIFUZZ_LIBCCD_HEIGHT_B
     R"( * (@a.wide_reach@ + @b.wide_reach@)};
-  ccd_t ccd; double depth = 0; ccd_vec3_t to, at; CCD_INIT(&ccd); ccd.max_iterations = 1000;
+  ccd_t ccd; double depth = 0, part; ccd_vec3_t to, at; CCD_INIT(&ccd); ccd.max_iterations = 1000;
   ccd.support1 = ccd.support2 = support;)" MANIFUZZ_LIBCCD_SET_MIDDLE R"(
   if (@asked()" MANIFUZZ_LIBCCD_ASKED
-    R"()@(&a, &b, &ccd, &depth, &to, &at) != 0) return puts("no contact");
-  double part = hypot(to.v[0], to.v[1]); // of its translation what is in the plane
-  if (part == 0) return puts("no contact");
-  printf("they touch, depth %.9g, direction (%.9g, %.9g)\n", depth * part, to.v[0] / part, to.v[1] / part);
+    R"()@(&a, &b, &ccd, &depth, &to, &at) != 0 || (part = hypot(to.v[0], to.v[1])) == 0) return puts("no contact");
+  printf("they touch, depth %.9g, direction (%.9g, %.9g)\n", depth * part, to.v[0] / part, to.v[1] / part); // in the plane
 }
 )";
 
