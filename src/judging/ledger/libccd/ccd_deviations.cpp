@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "judging/ledger/differences.hpp"
 #include "judging/ledger/libccd/ccd_polytope.hpp"
@@ -52,14 +53,23 @@ int turn_of(const CcdTetrahedron& corners) {
                  less(exactly(corners[3]), a));
 }
 
-/// Whether the origin is in it or on it, exactly.
-bool holds_origin(const CcdTetrahedron& corners) {
-  const ExactPlace a = exactly(corners[0]);
-  const ExactPlace b = exactly(corners[1]);
-  const ExactPlace c = exactly(corners[2]);
-  const ExactPlace d = exactly(corners[3]);
-  const std::array sides{side_of(b, c, d), -side_of(a, c, d), side_of(a, b, d), -side_of(a, b, c)};
-  return std::ranges::min(sides) >= 0 || std::ranges::max(sides) <= 0;
+/// Whether the origin is within the tetrahedra of which the first polytope is made, exactly: not on
+/// its surface, but perhaps on a side that two of them share.
+bool holds_origin(const std::vector<CcdTetrahedron>& first) {
+  // Two share the side that the last corner is off, four those that the last two are off.
+  const std::size_t first_shared = first.size() == 1 ? 4 : first.size() == 2 ? 3 : 2;
+  return std::ranges::any_of(first, [&](const CcdTetrahedron& corners) {
+    const ExactPlace a = exactly(corners[0]);
+    const ExactPlace b = exactly(corners[1]);
+    const ExactPlace c = exactly(corners[2]);
+    const ExactPlace d = exactly(corners[3]);
+    const std::array sides{side_of(b, c, d), -side_of(a, c, d), side_of(a, b, d),
+                           -side_of(a, b, c)};
+    const auto shared = sides.begin() + static_cast<std::ptrdiff_t>(first_shared);
+    const auto is_inside = [&](int side) { return side == sides[0]; };
+    return sides[0] != 0 && std::all_of(sides.begin(), shared, is_inside) &&
+           std::all_of(shared, sides.end(), [&](int side) { return side == 0 || is_inside(side); });
+  });
 }
 
 }  // namespace
@@ -92,8 +102,7 @@ bool polytope_left_touching(const Deviation& d) {
 
 bool polytope_without_origin(const Deviation& d) {
   const CcdAnswer answer = ledger_of::ccd_penetration(d.right.pair());
-  return !answer.first.empty() && std::ranges::none_of(answer.first, holds_origin) &&
-         is_said_by_ccd(d, answer);
+  return !answer.first.empty() && !holds_origin(answer.first) && is_said_by_ccd(d, answer);
 }
 
 bool polytope_folded(const Deviation& d) {

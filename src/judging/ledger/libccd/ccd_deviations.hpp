@@ -17,8 +17,8 @@ bool polytope_left_at_own_corner(const Deviation& deviation);
 bool polytope_left_at_zero(const Deviation& deviation);
 /// A simplex that touches the origin was taken for the difference's boundary.
 bool polytope_left_touching(const Deviation& deviation);
-/// The polytope that it begins with does not hold the origin: the steps of GJK compare sums that
-/// are rounded by more than CCD_EPS.
+/// The polytope that it begins with does not hold the origin, or has it on its surface: the steps
+/// of GJK compare sums that are rounded by more than CCD_EPS.
 bool polytope_without_origin(const Deviation& deviation);
 /// The same of a polytope about two corners: the four others do not go round the line between them,
 /// so that its triangles are folded.
