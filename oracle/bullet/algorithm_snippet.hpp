@@ -12,7 +12,7 @@ inline constexpr const char* kAlgorithmSnippet =
 #include <cstdio>
 int main() {
 )" MANIFUZZ_BULLET_SHAPES
-    R"(@each   btCollisionObject object@^; object@^.setCollisionShape(&@*); object@^.setWorldTransform(btTransform(btMatrix3x3(@*.rotation($x, -1 * $y, 0, $y, $x, 0, 0, 0, 1)@), btVector3(@*.position($x, $y, 0)@))); btCollisionObjectWrapper in@^(nullptr, &@*, &object@^, object@^.getWorldTransform(), -1, -1);
+    R"(@each   btCollisionObject object@^; object@^.setCollisionShape(&@*); object@^.setWorldTransform(btTransform(btMatrix3x3(@*.rotation($x, -float($y), 0, $y, $x, 0, 0, 0, 1)@), btVector3(@*.position($x, $y, 0)@))); btCollisionObjectWrapper in@^(nullptr, &@*, &object@^, object@^.getWorldTransform(), -1, -1);
   btDefaultCollisionConfiguration configuration; btCollisionDispatcher dispatcher(&configuration);
 )" MANIFUZZ_BULLET_ALGORITHM
     R"(  btManifoldResult result(&inA, &inB); algorithm.@asked(processCollision)@(&inA, &inB, btDispatcherInfo(), &result);

@@ -6,12 +6,12 @@
 #define MANIFUZZ_BULLET_HEADERS                                              \
   "#include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>\n" \
   "#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>\n"
-#define MANIFUZZ_BULLET_SHAPES                                                                    \
-  "  // prisms along z, so high that the least depth is in the plane\n"                           \
-  "  btConvexHullShape a; for (btVector3 v : {@a.vertices(btVector3($x, $y, 0))@}) for (float z " \
-  ": {0.7F, -0.7F}) a.addPoint(v + btVector3(0, 0, z * float(@a.reach@ + @b.reach@)));\n"         \
-  "  btConvexHullShape b; for (btVector3 v : {@b.vertices(btVector3($x, $y, 0))@}) for (float z " \
-  ": {0.5F, -0.5F}) b.addPoint(v + btVector3(0, 0, z * float(@a.reach@ + @b.reach@)));\n"         \
+#define MANIFUZZ_BULLET_SHAPES                                                                     \
+  "  // prisms along z, so high that the least depth is in the plane\n"                            \
+  "  btConvexHullShape a; for (btVector3 v : {@a.vertices(btVector3($x, $y, 0))@}) for (float z "  \
+  ": {0.7F, -0.7F}) a.addPoint(v + btVector3(0, 0, z * (float(@a.reach@) + float(@b.reach@))));\n" \
+  "  btConvexHullShape b; for (btVector3 v : {@b.vertices(btVector3($x, $y, 0))@}) for (float z "  \
+  ": {0.5F, -0.5F}) b.addPoint(v + btVector3(0, 0, z * (float(@a.reach@) + float(@b.reach@))));\n" \
   "  a.setMargin(@a.radius@), b.setMargin(@b.radius@);\n"
 #define MANIFUZZ_BULLET_ALGORITHM                                                        \
   "  btGjkEpaPenetrationDepthSolver solver; btConvexConvexAlgorithm algorithm(nullptr, " \

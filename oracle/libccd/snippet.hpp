@@ -19,11 +19,11 @@ void support(const void* object, const ccd_vec3_t* to, ccd_vec3_t* out) {
     R"( * (@a.wide_reach@ + @b.wide_reach@)};
   prism b = {@b.count@, {@b.world({{$X, $Y, 0}})@}, )" MANIFUZZ_LIBCCD_HEIGHT_B
     R"( * (@a.wide_reach@ + @b.wide_reach@)};
-  ccd_t ccd; double depth = 0; ccd_vec3_t to, at; CCD_INIT(&ccd); ccd.max_iterations = 1000;
+  ccd_t ccd; double depth = 0, part; ccd_vec3_t to, at; CCD_INIT(&ccd); ccd.max_iterations = 1000;
   ccd.support1 = ccd.support2 = support;)" MANIFUZZ_LIBCCD_SET_MIDDLE R"(
   if (@asked()" MANIFUZZ_LIBCCD_ASKED
-    R"()@(&a, &b, &ccd, &depth, &to, &at) != 0) return puts("no contact");
-  printf("they touch, depth %.9g, direction (%.9g, %.9g, %.9g)\n", depth, to.v[0], to.v[1], to.v[2]);
+    R"()@(&a, &b, &ccd, &depth, &to, &at) != 0 || (part = hypot(to.v[0], to.v[1])) == 0) return puts("no contact");
+  printf("they touch, depth %.9g, direction (%.9g, %.9g)\n", depth * part, to.v[0] / part, to.v[1] / part); // in the plane
 }
 )";
 

@@ -64,7 +64,18 @@ Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Co
   const Ending ending = run_in_child(body, case_seconds_max(subject, oracle), interruption);
   if (ending == Ending::stopped) throw Interrupted();
   if (ending == Ending::done) return slot->judgement;
-  return {.bucket = bucket_of_lost(ending, slot->at_work)};
+  return judge_lost(pair, subject, oracle, {ending, slot->at_work}, interruption);
+}
+
+Judgement judge_lost(const PairCase& pair, const Collider& subject, const Collider& oracle,
+                     const Loss& loss, Interruption& interruption) {
+  const Judgement lost{.bucket = bucket_of_lost(loss.ending, loss.at_work)};
+  if (loss.at_work != Fault::oracle) return lost;
+  Collider silent;
+  silent.declaration = oracle.declaration;
+  silent.collide = [&](const PairCase&) { return lost_by(loss.ending); };
+  const Judgement judgement = judge_in_child(pair, subject, silent, interruption);
+  return judgement.explanation != nullptr ? judgement : lost;
 }
 
 Answer ask_in_child(const Collider& collider, const PairCase& pair, Interruption& interruption) {
@@ -108,8 +119,6 @@ Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Colli
                       Interruption& interruption, const Deadline& deadline) {
   const AskedOften asked(subject, oracle);
   const Judgement root = judge_in_child(pair, asked.subject, asked.oracle, interruption);
-  const bool is_lost =
-      root.bucket.verdict == Verdict::crashed || root.bucket.verdict == Verdict::timed_out;
   Interruption::Limits limits = interruption.until_signal();
   if (deadline) limits.stopped_at = std::min(limits.stopped_at.value_or(*deadline), *deadline);
   Interruption shrinking(limits);
@@ -118,8 +127,9 @@ Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Colli
   const auto like_root = [&](const PairCase& candidate) {
     ++slot->evaluations;
     const Judgement judgement =
-        is_lost || asked.is_here ? judge_in_child(candidate, asked.subject, asked.oracle, shrinking)
-                                 : judge(candidate, subject, oracle);
+        is_of_lost(root.bucket) || asked.is_here
+            ? judge_in_child(candidate, asked.subject, asked.oracle, shrinking)
+            : judge(candidate, subject, oracle);
     if (!is_alike(judgement, root)) return false;
     slot->best[static_cast<std::size_t>(slot->accepted + 1) % 2] = candidate;
     ++slot->accepted;

@@ -27,6 +27,12 @@ struct Interrupted : std::runtime_error {
 Lost lost_by(Ending ending);
 Bucket bucket_of_lost(Ending ending, Fault at_work);
 
+/// How a child ended, and who was at work then.
+struct Loss {
+  Ending ending = Ending::crashed;
+  Fault at_work = Fault::none;
+};
+
 /// The collider in a process of its own, which runs from case to case and is begun anew where it
 /// dies or hangs; as it is where it has one already.
 Collider hosted(const Collider& collider);
@@ -35,6 +41,11 @@ Collider hosted(const Collider& collider);
 /// Throws Interrupted.
 Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Collider& oracle,
                          Interruption& interruption);
+
+/// The judgement where a child ended before it had one, with one of the two at work: that it was
+/// lost, or what the ledger knows of that. Throws Interrupted.
+Judgement judge_lost(const PairCase& pair, const Collider& subject, const Collider& oracle,
+                     const Loss& loss, Interruption& interruption);
 
 /// What the collider answers in a child process, asked once and completed; Lost where it dies or
 /// hangs. Throws Interrupted.

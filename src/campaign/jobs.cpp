@@ -120,8 +120,7 @@ ColliderAnswer ask_case(const PairCase& pair, std::size_t i, BlockAnswers& of) {
 bool is_unsteady(const Bucket& bucket, const PairCase& pair, std::size_t i, JobState& job,
                  BlockAnswers& of) {
   const bool is_blamed = bucket.fault == of.role || bucket.fault == Fault::both;
-  const bool has_answered =
-      bucket.verdict != Verdict::malformed && !std::holds_alternative<Lost>(of.answers[i]);
+  const bool has_answered = !is_of_lost(bucket) && !std::holds_alternative<Lost>(of.answers[i]);
   if (!of.collider.is_isolated() || !is_blamed || !has_answered) return false;
   Answer alone;
   of.collider.collide_many({&pair, 1}, {&alone, 1}, [&] {
@@ -221,14 +220,18 @@ Standing standing_of(const Plan& plan, CaseNumber number) {
 }
 
 /// The case that a job died or hung at is a finding of its own.
-void lose_case(const Plan& plan, RunState& run, JobState& job, Ending ending) {
+void lose_case(const Plan& plan, RunState& run, JobState& job, Ending ending,
+               Interruption& interruption) {
   const CaseNumber number = job.next;
   const Step step = job.step;
   const Fault fault = step == Step::asking_subject  ? Fault::subject
                       : step == Step::asking_oracle ? Fault::oracle
                                                     : Fault::none;
   const Standing where = step == Step::generating ? Standing{} : standing_of(plan, number);
-  const Judgement judgement{.bucket = bucket_of_lost(ending, fault)};
+  const Judgement judgement =
+      plan.sequences || step == Step::generating
+          ? Judgement{.bucket = bucket_of_lost(ending, fault)}
+          : judge_lost(plan.pair(number), plan.subject, plan.oracle, {ending, fault}, interruption);
   const bool has_frames = plan.sequences && step != Step::generating;
   job.tally.add(plan.regime_of(number), number, where, judgement,
                 has_frames ? plan.sequence(number).frames.size() : 0);
@@ -264,13 +267,14 @@ JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& in
   run->cases.end = cases.end;
   run->seconds_max = plan.seconds.value_or(run->seconds_max);
   const Shared<JobState> jobs(plan.jobs);
+  Interruption until_time_is_up({.begins = interruption.state(), .hurried_at = plan.latest});
   const Pool pool{.jobs = plan.jobs,
                   .body = [&](int job) { run_job(plan, *run, jobs[job]); },
                   .progress = [&](int job) { return jobs[job].next + jobs[job].waits; },
                   .seconds_max = case_seconds_max(plan.subject, plan.oracle),
                   .on_lost =
                       [&](int job, Ending ending) {
-                        lose_case(plan, *run, jobs[job], ending);
+                        lose_case(plan, *run, jobs[job], ending, until_time_is_up);
                         return run->is_open();
                       },
                   .hurry = &run->cases.is_closed,
@@ -278,7 +282,6 @@ JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& in
                       [&](double) {
                         on_progress({*added(jobs), run->clock.seconds()});
                       }};
-  Interruption until_time_is_up({.begins = interruption.state(), .hurried_at = plan.latest});
   run_pool(pool, until_time_is_up);
   return {.tally = added(jobs),
           .seconds = run->clock.seconds(),

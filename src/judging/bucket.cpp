@@ -19,6 +19,12 @@ bool is_about(double magnitude, double other) {
   return magnitude >= 0.3 * other && magnitude <= 3 * other;
 }
 
+bool is_of_lost(const Bucket& bucket) {
+  if (bucket.verdict == Verdict::known) return bucket.kind == Kind::none;
+  return bucket.verdict == Verdict::crashed || bucket.verdict == Verdict::timed_out ||
+         bucket.verdict == Verdict::malformed;
+}
+
 std::string to_string(const Bucket& bucket) {
   std::string text;
   for (const std::string_view part :

@@ -96,6 +96,9 @@ inline Bucket bucket_of_lost(Verdict verdict, Fault fault) {
   return {.fault = fault, .verdict = verdict};
 }
 
+/// Whether it is of such an answer, explained or not.
+bool is_of_lost(const Bucket& bucket);
+
 template <class Enum, std::size_t N>
 std::string_view name_of(Enum value, const std::array<std::string_view, N>& names) {
   return names[static_cast<std::size_t>(value)];

@@ -16,6 +16,13 @@ struct Deviation {
   Kind kind = Kind::none;  ///< of the mismatch
 };
 
+/// An oracle's answer that is nonsense, or that never came.
+struct LostAnswer {
+  const PairCase& pair;
+  const Answer& answer;
+  Lost::How how = Lost::How::malformed;
+};
+
 /// How often an entry may fire, at most, in a regime with its own radii.
 struct Budget {
   std::string_view regime;
@@ -29,7 +36,10 @@ struct LedgerEntry {
   std::string_view description;       ///< one line for `list ledger`
   std::string_view source;            ///< file and function, or issue, where it comes from
   std::span<const Budget> budgets{};  ///< of the regimes in which it fires
+  /// Unset where it explains only what is lost.
   bool (*explains)(const Deviation& deviation) = nullptr;
+  /// Unset where it explains nothing that is lost.
+  bool (*explains_lost)(const LostAnswer& lost) = nullptr;
   /// Its source or its documentation says that it is meant, or the adapter asks something else.
   bool is_no_bug = false;
 };
@@ -50,6 +60,8 @@ double budget_per_million(const LedgerEntry& entry, std::string_view regime);
 
 /// The first entry that explains what this collider did, or nullptr.
 const LedgerEntry* find_explanation(std::string_view collider, const Deviation& deviation);
+/// The same of an answer that is nonsense, or that never came.
+const LedgerEntry* find_explanation(std::string_view collider, const LostAnswer& lost);
 
 // What the ledger's entries look for, in the judge's terms; ledger.cpp says whose deviation each is
 // and where it comes from.

@@ -3,48 +3,11 @@
 #include <algorithm>
 
 #include "judging/by_curve.hpp"
+#include "judging/tie_class.hpp"
 #include "judging/used_shapes.hpp"
 
 namespace manifuzz {
 namespace {
-
-using exact::Clip;
-
-bool several_references(const Admissible& right) {
-  return std::ranges::any_of(right.candidates, [&](const Clip* clip) {
-    return clip->reference != right.candidates.front()->reference;
-  });
-}
-
-bool contact_boundary(const Admissible& right) {
-  if (right.may_touch && right.may_be_apart) return true;
-  const Clip& clip = *right.candidates.front();
-  return std::ranges::any_of(
-      points_of(clip), [&](const auto& point) { return is_at_zero_depth(right, clip, point); });
-}
-
-bool clip_boundary(const Admissible& right) {
-  const Clip& clip = *right.candidates.front();
-  return clip.count < 2 || may_miss(right, clip) ||
-         std::ranges::any_of(points_of(clip), [&](const auto& point) {
-           return compare_margin(clip, point.end, right.bounds.separation) <= 0;
-         });
-}
-
-/// The first decision that lies within the wider of both bounds.
-TieClass tie_class(const Admissible& subject, const Admissible& oracle) {
-  const Admissible& wider = subject.candidates.size() > oracle.candidates.size() ? subject : oracle;
-  if (wider.candidates.empty()) return TieClass::none;
-  if (several_references(wider) || subject.candidates != oracle.candidates) {
-    return TieClass::reference;
-  }
-  if (wider.candidates.size() > 1) return TieClass::incident;
-  const Admissible& coarser =
-      subject.bounds.separation > oracle.bounds.separation ? subject : oracle;
-  if (contact_boundary(coarser)) return TieClass::contact_boundary;
-  if (clip_boundary(coarser)) return TieClass::clip_boundary;
-  return TieClass::none;
-}
 
 /// Its magnitude is a difference of directions then, and no length.
 bool is_of_normal(Kind kind) {
@@ -175,6 +138,18 @@ Judged judged(const std::shared_ptr<const exact::Truth>& truth, const ColliderAn
   return result;
 }
 
+/// Why the oracle's answer is lost or nonsense, where the ledger says so and the subject is right.
+const LedgerEntry* explanation_of_lost(const std::shared_ptr<const exact::Truth>& truth,
+                                       const ColliderAnswer& subject,
+                                       const ColliderAnswer& oracle) {
+  if (std::holds_alternative<Unsupported>(subject.answer)) return nullptr;
+  const auto* const lost = std::get_if<Lost>(&oracle.answer);
+  const Lost::How how = lost != nullptr ? lost->how : Lost::How::malformed;
+  const LedgerEntry* const entry =
+      find_explanation(oracle.declaration.name, LostAnswer{truth->pair(), oracle.answer, how});
+  return entry != nullptr && !judged(truth, subject).is_wrong() ? entry : nullptr;
+}
+
 /// Of answers that are both right: whether they say the same, as far as both say it of the same
 /// shapes.
 bool agree(const Judged& subject, const Judged& oracle) {
@@ -228,7 +203,7 @@ int points_missing(const Judged& judged) {
   if (judged.by_curve || !judged.is_wrong() || judged.right.candidates.empty()) return 0;
   int least = 2;
   int most = 0;
-  for (const Clip* const clip : judged.right.candidates) {
+  for (const exact::Clip* const clip : judged.right.candidates) {
     const auto points = points_of(*clip);
     const auto needed = std::ranges::count_if(
         points, [&](const auto& point) { return !is_optional(judged.right, *clip, point); });
@@ -251,7 +226,13 @@ bool is_alike(const Judgement& judgement, const Judgement& root) {
 
 Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& subject,
                 const ColliderAnswer& oracle) {
-  if (const auto bucket = without_judging(*truth, subject, oracle)) return {.bucket = *bucket};
+  if (const auto bucket = without_judging(*truth, subject, oracle)) {
+    Judgement result{.bucket = *bucket};
+    if (!is_of_lost(*bucket) || bucket->fault != Fault::oracle) return result;
+    result.explanation = explanation_of_lost(truth, subject, oracle);
+    if (result.explanation != nullptr) result.bucket.verdict = Verdict::known;
+    return result;
+  }
   const Judged of_subject = judged(truth, subject);
   const Judged of_oracle = judged(truth, oracle);
   Judgement result{.of_subject = error_of(of_subject),

@@ -9,11 +9,12 @@
 #include "judging/ledger/bullet/bullet_entries.hpp"
 #include "judging/ledger/bullet/bullet_epa_entries.hpp"
 #include "judging/ledger/bullet/bullet_query_entries.hpp"
-#include "judging/ledger/bullet/libccd_entries.hpp"
 #include "judging/ledger/bullet/perturbed_entries.hpp"
+#include "judging/ledger/bullet/rounded_entries.hpp"
 #include "judging/ledger/chipmunk/chipmunk_entries.hpp"
 #include "judging/ledger/chipmunk/cp_entries.hpp"
 #include "judging/ledger/chipmunk/munk_entries.hpp"
+#include "judging/ledger/libccd/libccd_entries.hpp"
 #include "judging/ledger/npm/box2d_core_entries.hpp"
 #include "judging/ledger/npm/matter_entries.hpp"
 #include "judging/ledger/npm/nape_entries.hpp"
@@ -51,7 +52,7 @@ constexpr std::array kLedger = joined(
     ledger_of::kOfSat, ledger_of::kOfGodot, ledger_of::kOfJbox2dSearch, ledger_of::kOfParry,
     ledger_of::kOfParryF64, ledger_of::kOfParrySimplified, ledger_of::kOfRapier,
     ledger_of::kOfRapierContact, ledger_of::kOfBulletEpa, ledger_of::kOfBulletQuery,
-    ledger_of::kOfBulletPerturbed, ledger_of::kOfBulletPerturbedEpa);
+    ledger_of::kOfBulletPerturbed, ledger_of::kOfBulletPerturbedEpa, ledger_of::kOfBulletRounded);
 
 static_assert(kLedger.size() <= kLedgerMax);
 
@@ -76,7 +77,16 @@ double budget_per_million(const LedgerEntry& entry, std::string_view regime) {
 
 const LedgerEntry* find_explanation(std::string_view collider, const Deviation& deviation) {
   for (const LedgerEntry& entry : kLedger) {
-    if (entry.collider == collider && entry.explains(deviation)) return &entry;
+    if (entry.collider != collider || entry.explains == nullptr) continue;
+    if (entry.explains(deviation)) return &entry;
+  }
+  return nullptr;
+}
+
+const LedgerEntry* find_explanation(std::string_view collider, const LostAnswer& lost) {
+  for (const LedgerEntry& entry : kLedger) {
+    if (entry.collider != collider || entry.explains_lost == nullptr) continue;
+    if (entry.explains_lost(lost)) return &entry;
   }
   return nullptr;
 }

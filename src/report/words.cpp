@@ -83,6 +83,16 @@ std::string silent_or_nonsense(const JudgedCase& judged, std::string_view what) 
   return fmt::format("{} {}", asked.declaration.name, what);
 }
 
+/// What became of an answer that the ledger knows to be lost or nonsense.
+std::string lost_in_words(const JudgedCase& judged) {
+  const auto* const lost = std::get_if<Lost>(&one_that_failed(judged).answer);
+  if (lost == nullptr || lost->how == Lost::How::malformed) {
+    return silent_or_nonsense(judged, "answered nonsense");
+  }
+  return silent_or_nonsense(
+      judged, lost->how == Lost::How::crashed ? "died on this case" : "gave no answer in time");
+}
+
 std::string unsupported_in_words(const JudgedCase& judged) {
   for (const DeclaredAnswer* asked : {&judged.subject, &judged.oracle}) {
     const auto* const unsupported = std::get_if<Unsupported>(&asked->answer);
@@ -176,7 +186,9 @@ std::string verdict_sentence(const JudgedCase& judged) {
       return fmt::format("tie, both are right: {}",
                          kTieWords[static_cast<std::size_t>(judged.judgement.bucket.tie_class)]);
     case Verdict::known:
-      return "oracle wrong (known): " + wrong_in_words(judged, judged.oracle);
+      return "oracle wrong (known): " + (is_of_lost(judged.judgement.bucket)
+                                             ? lost_in_words(judged)
+                                             : wrong_in_words(judged, judged.oracle));
     case Verdict::subject_wrong:
       return "subject wrong: " + wrong_in_words(judged, judged.subject);
     case Verdict::oracle_wrong:
@@ -201,7 +213,7 @@ std::string verdict_sentence(const JudgedCase& judged) {
 
 std::string verdict_and_why(const JudgedCase& judged) {
   const std::string sentence = verdict_sentence(judged);
-  if (judged.judgement.bucket.verdict < Verdict::crashed) return sentence;
+  if (!is_of_lost(judged.judgement.bucket)) return sentence;
   const DeclaredAnswer& asked = one_that_failed(judged);
   const auto why = why_lost(judged.given.pair, {asked.declaration, asked.answer});
   return why ? fmt::format("{}: {}", sentence, *why) : sentence;

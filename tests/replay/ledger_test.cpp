@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "campaign/in_child.hpp"
 #include "corpus/corpus.hpp"
 #include "judging/by_curve.hpp"
 #include "judging/judge.hpp"
@@ -21,7 +22,9 @@ void check_alive(const LedgerEntry& entry) {
   const auto path = test::source_dir() / "corpus" / witness_of(entry);
   const CorpusCase witness = read_case_file(path.string());
   const std::string subject = witness.expect ? witness.expect->subject : "clip";
-  const Judgement judgement = judge(witness.pair, find_collider(subject), *oracle);
+  Interruption interruption(kUntilSignal);
+  const Judgement judgement =
+      judge_in_child(witness.pair, find_collider(subject), *oracle, interruption);
   CHECK(judgement.bucket.verdict == Verdict::known);
   REQUIRE(judgement.explanation != nullptr);
   CHECK(judgement.explanation->id == entry.id);
@@ -39,6 +42,20 @@ Manifold<double> manifold_of(const Answer& answer) {
   return manifold;
 }
 
+/// The witness of an entry on lost answers: no other loss is explained, nor that of another pair.
+void check_strict_on_lost(const LedgerEntry& entry, const PairCase& pair, const Collider& oracle) {
+  Interruption interruption(kUntilSignal);
+  const Answer answer = ask_in_child(oracle, pair, interruption);
+  const auto* const lost = std::get_if<Lost>(&answer);
+  const Lost::How how = lost != nullptr ? lost->how : Lost::How::malformed;
+  for (const auto each : {Lost::How::crashed, Lost::How::timed_out, Lost::How::malformed}) {
+    CHECK(entry.explains_lost({pair, answer, each}) == (each == how));
+  }
+  PairCase apart = pair;
+  apart.b.pose.position.x() += 4 * static_cast<float>(size(pair.a.polygon) + size(pair.b.polygon));
+  CHECK_FALSE(entry.explains_lost({apart, answer, how}));
+}
+
 /// The witness of an entry that the penetration curve judges, and what becomes of other wrong
 /// answers to it.
 void check_strict(const LedgerEntry& entry) {
@@ -46,13 +63,16 @@ void check_strict(const LedgerEntry& entry) {
   if (!oracle) return;
   const auto path = test::source_dir() / "corpus" / witness_of(entry);
   const PairCase pair = read_case_file(path.string()).pair;
+  if (entry.explains == nullptr) return check_strict_on_lost(entry, pair, *oracle);
   if (!is_judged_by_curve(oracle->declaration, pair)) return;
   const Admissible right = admissible(pair, oracle->declaration);
   const auto explains = [&](const Manifold<double>& answer, Kind kind) {
     return entry.explains({right, answer, kind});
   };
   const Manifold<double> got = manifold_of(oracle->collide(pair));
-  const Manifold<double> wanted = manifold_of(find_collider("clip").collide(pair));
+  Manifold<double> wanted = manifold_of(find_collider("clip").collide(pair));
+  // What float cannot see, double may.
+  if (wanted.count == 0) wanted = manifold_of(find_collider("clip64").collide(pair));
   const Kind kind = judge(pair, find_collider("clip"), *oracle).bucket.kind;
   CHECK(explains(got, kind));
   for (const double angle : {-0.4, 0.4}) {

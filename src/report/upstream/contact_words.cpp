@@ -113,6 +113,7 @@ class EngineTerms {
  private:
   std::string figure(double value) const {
     const int digits = declaration_.scalar == ScalarType::float32 ? 7 : 9;
+    if (std::isnan(value)) return "nan";  // its sign differs between machines
     return fmt::format("{:.{}g}", value + 0.0, digits + detail_.more_digits);
   }
 
@@ -163,7 +164,8 @@ const Manifold<double>& nearest_to(const std::vector<Manifold<double>>& right, c
 /// mitred corners, which have faces' normals alone.
 std::optional<Manifold<double>> right_along_own(const PairCase& pair, const DeclaredAnswer& asked) {
   const Claim got = claim_of(asked.answer);
-  if (!is_judged_by_curve(asked.declaration, pair) || !got.normal || got.normal->isZero(0)) {
+  if (!is_judged_by_curve(asked.declaration, pair) || !got.normal || got.normal->isZero(0) ||
+      !got.normal->allFinite()) {
     return std::nullopt;
   }
   const exact::Truth truth(pair);

@@ -169,9 +169,15 @@ std::string count_in_words(const JudgedCase& judged, const Claim& claim,
                      claim.points == 1 ? "one contact point" : "contact points too close together");
 }
 
-std::string lost_in_words(Verdict verdict) {
-  if (verdict == Verdict::crashed) return "crash the program";
-  return verdict == Verdict::timed_out ? "are not answered in time" : "get an invalid answer";
+bool is_nonsense(const DeclaredAnswer& asked) {
+  const auto* const lost = std::get_if<Lost>(&asked.answer);
+  return lost == nullptr || lost->how == Lost::How::malformed;
+}
+
+std::string lost_in_words(const DeclaredAnswer& asked) {
+  if (is_nonsense(asked)) return "get an invalid answer";
+  const bool is_late = std::get<Lost>(asked.answer).how == Lost::How::timed_out;
+  return is_late ? "are not answered in time" : "crash the program";
 }
 
 std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
@@ -215,7 +221,7 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
     case Kind::altered_shape:
       return fmt::format("the shapes used for {} are off by {}", pair_words, off);
     default:
-      return pair_words + " " + lost_in_words(judged.judgement.bucket.verdict);
+      return pair_words + " " + lost_in_words(asked);
   }
 }
 
@@ -291,7 +297,7 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
     case Kind::altered_shape:
       return "bodies collide as another shape than was given";
     default:
-      return judged.judgement.bucket.verdict == Verdict::malformed
+      return is_nonsense(asked)
                  ? "figures that are no numbers, or no contact, spread through the simulation"
                  : "the simulation stops";
   }

@@ -3,14 +3,17 @@
 #include <catch2/catch.hpp>
 
 #include "judging/by_curve.hpp"
+#include "judging/judge.hpp"
 #include "judging/ledger/bullet/bullet_epa.hpp"
 #include "judging/ledger/bullet/bullet_perturbed.hpp"
-#include "judging/ledger/bullet/ccd_deviations.hpp"
-#include "judging/ledger/bullet/ccd_polytope.hpp"
-#include "judging/ledger/bullet/libccd_ray.hpp"
 #include "judging/ledger/bullet/perturbed_deviations.hpp"
 #include "judging/ledger/bullet/query_deviations.hpp"
 #include "judging/ledger/gjk_deviations.hpp"
+#include "judging/ledger/libccd/ccd_deviations.hpp"
+#include "judging/ledger/libccd/ccd_polytope.hpp"
+#include "judging/ledger/libccd/ccd_portal.hpp"
+#include "judging/ledger/libccd/libccd_ray.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 // Bullet's and libccd's queries as the ledger repeats them, of pairs by hand. That they answer as
 // the engines do, the witnesses show.
@@ -43,6 +46,16 @@ Body circle_of_half(float x, float y) {
 /// Two squares that overlap by 0.3 along x, and by 1.5 along y.
 PairCase squares_side_by_side() {
   return {square_of_two(0, 0), square_of_two(1.7F, 0.5F)};
+}
+
+Body triangle_of(const std::array<Vector2<float>, 3>& corners) {
+  return body_at(corners, 0, 0);
+}
+
+/// A corner of one is on a corner of the other, and that is all.
+PairCase triangles_corner_on_corner() {
+  return {triangle_of({Vector2<float>{0, 0}, {0, 1}, {-1, 0}}),
+          triangle_of({Vector2<float>{0, 0}, {0, -1}, {1, 0}})};
 }
 
 /// What a predicate says of one point.
@@ -141,6 +154,78 @@ TEST_CASE("the corner of the ray is the one beyond the middle, where the origin 
   CHECK_FALSE(is_it(diagonal, {1, 1}, 1.5));
   CHECK_FALSE(is_it(diagonal, {1, 0}, 1.5));
   CHECK_FALSE(is_it(squares_side_by_side(), {0.3, 1.5}, std::hypot(0.3, 1.5)));
+}
+
+TEST_CASE("the repeated portal is that of the face by which the ray leaves") {
+  const CcdPortalAnswer answer = ccd_portal_penetration(squares_side_by_side());
+  CHECK(answer.end == CcdPortalEnd::tolerance);
+  CHECK(answer.translation.x() == Approx(0.3));
+  CHECK_FALSE(answer.is_on_edge);
+  CHECK(ccd_portal_penetration({square_of_two(0, 0), square_of_two(3, 0.5F)}).end ==
+        CcdPortalEnd::none);
+}
+
+TEST_CASE("eight triangles about two corners of a difference are folded beside the origin") {
+  const PairCase pair{triangle_of({Vector2<float>{0, 0}, {-1, 0}, {0, -1}}),
+                      triangle_of({Vector2<float>{0, 0}, {1, -1}, {1, 0}})};
+  const CcdAnswer answer = ccd_penetration(pair);
+  REQUIRE(answer.first.size() == 4);
+  const Vector2<double> translation(answer.nearest.place.x(), answer.nearest.place.y());
+  const auto is_it = [&](double depth) {
+    return is_explained(polytope_folded, pair, translation, depth, Kind::not_minimal,
+                        ScalarType::float64);
+  };
+  CHECK(is_it(translation.norm()));
+  CHECK_FALSE(is_it(translation.norm() + 1e-6));
+  CHECK(ccd_penetration(squares_side_by_side()).first.size() < 4);
+}
+
+TEST_CASE("triangles 1e14 wide are expanded in a cycle, others to an end") {
+  const PairCase pair{triangle_of({Vector2<float>{0, 0}, {-1e14F, 1e8F}, {0, -1}}),
+                      triangle_of({Vector2<float>{0, 0}, {0, 2e8F}, {-1e8F, 0}})};
+  const Answer none = Lost{Lost::How::timed_out};
+  CHECK(polytope_expanded_for_ever({pair, none, Lost::How::timed_out}));
+  CHECK_FALSE(polytope_expanded_for_ever({pair, none, Lost::How::crashed}));
+  CHECK_FALSE(polytope_expanded_for_ever({squares_side_by_side(), none, Lost::How::timed_out}));
+}
+
+TEST_CASE("a direction of no length is known where the ledger repeats it, and malformed else") {
+  Declaration libccd;
+  libccd.name = "libccd-gjk";
+  libccd.claims = Claims::separation;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Answer nonsense = Penetration{.touches = true, .normal = {{nan, nan}}, .depth = nan};
+  const auto judged = [&](const PairCase& pair, const Answer& subject, const Answer& oracle) {
+    return judge(pair, {make_clip64().declaration, subject}, {libccd, oracle});
+  };
+  const PairCase pair = triangles_corner_on_corner();
+  const Answer right = make_clip64().collide(pair);
+  const Judgement known = judged(pair, right, nonsense);
+  CHECK(to_string(known.bucket) == "oracle/known/none/none/a");
+  REQUIRE(known.explanation != nullptr);
+  CHECK(known.explanation->id == "libccd-gjk-no-direction");
+  CHECK(is_of_lost(known.bucket));
+
+  const Answer late = Lost{Lost::How::timed_out};
+  CHECK(judged(pair, right, late).bucket.verdict == Verdict::timed_out);
+  const PairCase deep = squares_side_by_side();
+  CHECK(judged(deep, make_clip64().collide(deep), nonsense).bucket.verdict == Verdict::malformed);
+  Manifold<double> wrong = std::get<Manifold<double>>(right);
+  wrong.count = 1;
+  wrong.points[0].depth = 1;
+  CHECK(judged(pair, wrong, nonsense).bucket.verdict == Verdict::malformed);
+}
+
+TEST_CASE("the repeated query of triangles 32768 wide ends at a corner nearer than its point") {
+  const Body wide = triangle_of({Vector2<float>{0, 0}, {0, 32768}, {-32768, 0}});
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of({wide, wide}), solve_by_epa, &trace, 1e18F);
+  CHECK(answer.loop.end == QueryEnd::equal_vertex);
+  CHECK(answer.loop.is_closest_rounded);
+  CHECK(answer.distance > 0);
+  const BulletAnswer small =
+      ask_detector(prisms_of(squares_side_by_side()), solve_by_epa, &trace, 1e18F);
+  CHECK_FALSE(small.loop.is_closest_rounded);
 }
 
 TEST_CASE("the repeated turns find points of two squares beside the first, along turned normals") {

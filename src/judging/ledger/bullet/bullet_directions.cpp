@@ -55,6 +55,7 @@ SolverAnswer solve_by_directions(const BulletPair& pair, void* trace) {
   }
   if (found.overlap < 0) return {};
   const float moved = found.overlap + (0.5F + (pair.a.margin + pair.b.margin));
+  found.moved = moved;
   BulletPair beside = pair;
   beside.place_a.origin += found.direction * moved;
   found.beside = ask_detector(beside, nullptr, nullptr, 1e18F);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "judging/ledger/bullet/ccd_simplex.hpp"
+#include "judging/ledger/libccd/ccd_simplex.hpp"
 
 namespace manifuzz::ledger_of {
 namespace {
@@ -48,6 +48,9 @@ QueryLoop run_loop(const BulletPair& pair, float square_max) {
     const DifferenceCorner corner = corner_towards(pair, loop.axis);
     loop.end = end_before(simplex, loop, corner.w, square_max);
     loop.is_by_threshold = loop.end == QueryEnd::equal_vertex && simplex.holds_another(corner.w);
+    const float closer = loop.square - dot(loop.axis, corner.w);
+    loop.is_closest_rounded = loop.end == QueryEnd::equal_vertex && !loop.is_by_threshold &&
+                              closer > loop.square * kRelativeError;
     if (loop.end != QueryEnd::none) break;
     if (!simplex.add(corner)) {
       loop.end = QueryEnd::degenerate;
@@ -78,8 +81,9 @@ QueryLoop run_loop(const BulletPair& pair, float square_max) {
 /// What its copy of libccd's GJK says of the cores: status is 0.
 bool do_cores_intersect(const BulletPair& pair) {
   CcdSimplexOf<float> simplex;
+  Space dir(0, 0, 0);
   return is_intersection([&](const Space& along) { return corner_towards(pair, Space(-along)).w; },
-                         simplex);
+                         simplex, dir);
 }
 
 /// The closest points of the loop, on the margins.

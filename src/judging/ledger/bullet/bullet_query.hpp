@@ -21,8 +21,10 @@ enum class QueryEnd {
 struct QueryLoop {
   QueryEnd end = QueryEnd::none;
   bool is_by_threshold = false;  ///< it ended at another corner than the simplex holds
-  Space axis{0, 1, 0};           ///< from B to A
-  float square = 1e18F;          ///< of the distance
+  /// It ended at a corner of the simplex that is nearer than the closest point said to be of it.
+  bool is_closest_rounded = false;
+  Space axis{0, 1, 0};   ///< from B to A
+  float square = 1e18F;  ///< of the distance
   DifferenceCorner closest{};
 };
 
@@ -60,6 +62,7 @@ BulletAnswer ask_detector(const BulletPair& pair, DepthSolver solver, void* trac
 struct MinkowskiTrace {
   float overlap = 0;  ///< least of all directions'
   Space direction{0, 0, 0};
+  float moved = 0;      ///< how far A is displaced along it; 0: it was not
   BulletAnswer beside;  ///< of the displaced query
 };
 

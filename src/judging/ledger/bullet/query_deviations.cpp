@@ -45,7 +45,8 @@ RepeatedQuery repeat_query(const PairCase& pair, BulletAsked asked) {
 
 /// Whether it is what was answered, a point across a gap too: but for the adapter's and the
 /// manifold's own roundings, which are the bound's.
-bool is_answered(const Deviation& d, const BulletAnswer& answer) {
+bool is_answered(const Deviation& d, const RepeatedQuery& query) {
+  const BulletAnswer& answer = query.answer;
   const double bound = d.right.bounds.separation;
   const auto distance = static_cast<double>(answer.distance);
   const bool is_found = answer.normal_of != NormalOf::nobody;
@@ -59,16 +60,18 @@ bool is_answered(const Deviation& d, const BulletAnswer& answer) {
   const Vector2<double> got =
       rotate<double>(d.right.pair().a.pose.rotation.cast<double>(), d.got.normal).normalized();
   const double depth = said < 0 ? -distance * in_plane : std::max(-distance * in_plane, 0.0);
-  // A solver's depth may be far larger than the shapes, and rounded as such.
+  // A solver's depth may be far larger than the shapes, and rounded as such; one that is left of a
+  // displacement is rounded as that was.
+  const double largest = std::max(std::abs(depth), static_cast<double>(query.directions.moved));
   return (got - normal / in_plane).norm() <= roundings &&
-         std::abs(said - depth) <= bound + roundings * std::abs(depth);
+         std::abs(said - depth) <= bound + roundings * largest;
 }
 
 /// The same, and that it came about as asked.
 template <class CameAbout>
 bool is_repeated(const Deviation& d, BulletAsked asked, const CameAbout& came_about) {
   const RepeatedQuery query = repeat_query(d.right.pair(), asked);
-  return came_about(query) && is_answered(d, query.answer);
+  return came_about(query) && is_answered(d, query);
 }
 
 bool is_of_own_axis(const RepeatedQuery& query) {
@@ -93,6 +96,12 @@ template <BulletAsked asked>
 bool stopped_at_near_corner(const Deviation& d) {
   return is_repeated(d, asked,
                      [](const RepeatedQuery& query) { return query.deciding().is_by_threshold; });
+}
+
+template <BulletAsked asked>
+bool stopped_at_rounded_point(const Deviation& d) {
+  return is_repeated(
+      d, asked, [](const RepeatedQuery& query) { return query.deciding().is_closest_rounded; });
 }
 
 template <BulletAsked asked>
@@ -199,6 +208,7 @@ bool epa_falls_back(const Deviation& d) {
 #define MANIFUZZ_BULLET_ASKED(asked)                                             \
   template bool axis_of_touching_cores<BulletAsked::asked>(const Deviation&);    \
   template bool stopped_at_near_corner<BulletAsked::asked>(const Deviation&);    \
+  template bool stopped_at_rounded_point<BulletAsked::asked>(const Deviation&);  \
   template bool stopped_by_relative_error<BulletAsked::asked>(const Deviation&); \
   template bool stopped_at_flat_simplex<BulletAsked::asked>(const Deviation&);   \
   template bool point_of_displaced_query<BulletAsked::asked>(const Deviation&);  \

@@ -19,6 +19,10 @@ bool axis_of_touching_cores(const Deviation& deviation);
 /// VORONOI_DEFAULT_EQUAL_VERTEX_THRESHOLD.
 template <BulletAsked>
 bool stopped_at_near_corner(const Deviation& deviation);
+/// It ended at a corner that its simplex holds, though that is nearer than the closest point said
+/// to be the simplex's: roundings of squares and of products of squares decide which it is.
+template <BulletAsked>
+bool stopped_at_rounded_point(const Deviation& deviation);
 /// It ended though corners were left, since the squared distance fell by less than REL_ERROR2 of
 /// it, or by no more than a rounding.
 template <BulletAsked>

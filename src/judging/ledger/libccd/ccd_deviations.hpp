@@ -17,5 +17,18 @@ bool polytope_left_at_own_corner(const Deviation& deviation);
 bool polytope_left_at_zero(const Deviation& deviation);
 /// A simplex that touches the origin was taken for the difference's boundary.
 bool polytope_left_touching(const Deviation& deviation);
+/// The polytope that it begins with does not hold the origin, or has it on its surface: the steps
+/// of GJK compare sums that are rounded by more than CCD_EPS.
+bool polytope_without_origin(const Deviation& deviation);
+/// The same of a polytope about two corners: the four others do not go round the line between them,
+/// so that its triangles are folded.
+bool polytope_folded(const Deviation& deviation);
+/// No contact: a tetrahedron seems flat, or a direction of no length, by a square below CCD_EPS.
+bool apart_by_zero(const Deviation& deviation);
+
+/// The nearest element is the origin itself, and ccdGJKPenetration divides its place by its length.
+bool direction_of_no_length(const LostAnswer& lost);
+/// Expansions repeat themselves, and nothing counts them.
+bool polytope_expanded_for_ever(const LostAnswer& lost);
 
 }  // namespace manifuzz

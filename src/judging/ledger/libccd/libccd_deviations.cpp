@@ -4,6 +4,7 @@
 
 #include "judging/ledger/differences.hpp"
 #include "judging/ledger/gjk_deviations.hpp"
+#include "judging/ledger/libccd/libccd_ray.hpp"
 
 // libccd 2, in world directions seen from A's position.
 
@@ -72,7 +73,7 @@ bool translation_to_face_of_ray(const Deviation& d) {
     if (ledger_of::distance_to_segment(translation, from, difference.after(i)) <= bound)
       return true;
   }
-  return false;
+  return translation_to_portal(d);
 }
 
 }  // namespace manifuzz

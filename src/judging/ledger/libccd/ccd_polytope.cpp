@@ -1,4 +1,4 @@
-#include "judging/ledger/bullet/ccd_polytope.hpp"
+#include "judging/ledger/libccd/ccd_polytope.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -42,48 +42,28 @@ CcdElement* third_corner(const CcdElement& first, const CcdElement& second) {
   return one != first.vertex[0] && one != first.vertex[1] ? one : second.vertex[1];
 }
 
+std::vector<CcdVector> corners_of(const CcdElement& element) {
+  if (element.type == 2) {
+    return {element.vertex[0]->nearest.place, element.vertex[1]->nearest.place};
+  }
+  const auto& [first, second, third] = element.edge;
+  return {first->vertex[0]->nearest.place, first->vertex[1]->nearest.place,
+          third_corner(*first, *second)->nearest.place};
+}
+
+/// nextSupport has no end of its own: so many are taken for all, where they repeat themselves.
+constexpr std::size_t kExpansionsMax = 1000;
+
+/// Whether the second half of what was expanded, each by its corner, is one cycle again and again.
+bool is_going_round(const std::vector<std::vector<CcdVector>>& asked) {
+  const auto half = asked.begin() + static_cast<std::ptrdiff_t>(asked.size() / 2);
+  const auto last = std::find(asked.rbegin() + 1, asked.rend(), asked.back());
+  const auto period = last - asked.rbegin();
+  return std::distance(half, asked.end()) >= 4 * period &&
+         std::equal(half + period, asked.end(), half);
+}
+
 }  // namespace
-
-CcdPrisms::Prism CcdPrisms::placed(const Body& body, double half_height) {
-  Prism prism{{}, half_height};
-  const Vector2<double> turn = body.pose.rotation.cast<double>();
-  const Vector2<double> place = body.pose.position.cast<double>();
-  for (int i = 0; i < body.polygon.count; ++i) {
-    const Vector2<double> vertex = body.polygon.vertices[i].cast<double>();
-    prism.corners.emplace_back(turn.x() * vertex.x() - turn.y() * vertex.y() + place.x(),
-                               turn.y() * vertex.x() + turn.x() * vertex.y() + place.y());
-  }
-  return prism;
-}
-
-CcdPrisms::CcdPrisms(const PairCase& pair) {
-  const auto reach = [](const Body& body) {
-    double farthest = 0;
-    for (int i = 0; i < body.polygon.count; ++i) {
-      const Vector2<double> vertex = body.polygon.vertices[i].cast<double>();
-      farthest = std::max(farthest, std::hypot(vertex.x(), vertex.y()));
-    }
-    return farthest;
-  };
-  const double both = reach(pair.a) + reach(pair.b);
-  a_ = placed(pair.a, 2 * both);
-  b_ = placed(pair.b, 1 * both);
-}
-
-CcdVector CcdPrisms::Prism::farthest(const CcdVector& along) const {
-  std::size_t best = 0;
-  const auto far = [&](std::size_t i) {
-    return corners[i].x() * along.x() + corners[i].y() * along.y();
-  };
-  for (std::size_t i = 1; i < corners.size(); ++i) {
-    if (far(i) > far(best)) best = i;
-  }
-  return {corners[best].x(), corners[best].y(), along.z() < 0 ? -half_height : half_height};
-}
-
-CcdVector CcdPrisms::support(const CcdVector& along) const {
-  return a_.farthest(along) - b_.farthest(along * -1.0);
-}
 
 void CcdPolytope::note(CcdElement* element) {
   const double square = element->nearest.square;
@@ -150,57 +130,6 @@ void CcdPolytope::drop_edge(CcdElement* edge) {
   if (nearest_ == edge) nearest_ = nullptr;
 }
 
-bool CcdPolytope::make_of_three(const CcdSimplex& simplex) {
-  const auto& [a, b, c, unused] = simplex.corners;
-  const CcdVector dir = ccd_cross<double>(b - a, c - a);
-  const std::array tips{prisms_->support(dir), prisms_->support(dir * -1.0)};
-  const auto is_flat = [&](const CcdVector& tip) {
-    return ccd_is_zero(nearest_of_triangle<double>(tip, a, b, c, false).square);
-  };
-  const std::array base{add_vertex(a), add_vertex(b), add_vertex(c)};
-  const bool is_touching = std::ranges::any_of(tips, is_flat);
-  std::vector<CcdElement*> corners;
-  if (!is_touching) corners = {add_vertex(tips[0]), add_vertex(tips[1])};
-  const std::array around{add_edge(base[0], base[1]), add_edge(base[1], base[2]),
-                          add_edge(base[2], base[0])};
-  if (is_touching) {
-    add_face(around[0], around[1], around[2]);
-    nearest_ = store_.back().type == 3 ? &store_.back() : nullptr;
-    return false;
-  }
-  std::vector<std::array<CcdElement*, 3>> sides;
-  for (CcdElement* const tip : corners) {
-    sides.push_back({add_edge(tip, base[0]), add_edge(tip, base[1]), add_edge(tip, base[2])});
-  }
-  for (const auto& side : sides) {
-    for (std::size_t i = 0; i < 3; ++i) add_face(side[i], side[(i + 1) % 3], around[i]);
-  }
-  return true;
-}
-
-bool CcdPolytope::make_of_four(CcdSimplex simplex) {
-  auto& ps = simplex.corners;
-  const auto is_on = [&](std::size_t i, std::size_t j, std::size_t k) {
-    return ccd_is_zero(
-        nearest_of_triangle<double>(CcdVector::Zero(), ps[i], ps[j], ps[k], false).square);
-  };
-  // As there, what is set is what is looked at next.
-  bool is_on_face = is_on(0, 1, 2);
-  if (is_on(0, 2, 3)) is_on_face = true, ps[1] = ps[2], ps[2] = ps[3];
-  if (is_on(0, 1, 3)) is_on_face = true, ps[2] = ps[3];
-  if (is_on(1, 2, 3)) is_on_face = true, ps[0] = ps[1], ps[1] = ps[2], ps[2] = ps[3];
-  if (is_on_face) return make_of_three(simplex);
-  std::array<CcdElement*, 4> v{};
-  for (std::size_t i = 0; i < 4; ++i) v[i] = add_vertex(ps[i]);
-  const std::array e{add_edge(v[0], v[1]), add_edge(v[1], v[2]), add_edge(v[2], v[0]),
-                     add_edge(v[3], v[0]), add_edge(v[3], v[1]), add_edge(v[3], v[2])};
-  add_face(e[0], e[1], e[2]);
-  add_face(e[3], e[4], e[0]);
-  add_face(e[4], e[5], e[1]);
-  add_face(e[5], e[3], e[2]);
-  return true;
-}
-
 void CcdPolytope::expand_edge(CcdElement* edge, const CcdVector& corner) {
   const auto [from, to] = edge->vertex;
   const auto [face, opposite] = edge->faces;
@@ -258,13 +187,9 @@ CcdEnd CcdPolytope::end_at(const CcdElement& element, const CcdVector& corner,
   return beyond < kEpaTolerance ? CcdEnd::near : CcdEnd::none;
 }
 
-CcdAnswer CcdPolytope::expand_from(CcdSimplex simplex) {
-  constexpr int expansions_max = 1000;
-  if (simplex.size < 3) return {};
-  if (!(simplex.size == 4 ? make_of_four(simplex) : make_of_three(simplex))) {
-    return {CcdEnd::touching, store_.back().nearest};
-  }
-  for (int i = 0; i < expansions_max; ++i) {
+CcdAnswer CcdPolytope::expanded() {
+  std::vector<std::vector<CcdVector>> asked;
+  for (std::size_t i = 0; i < kExpansionsMax; ++i) {
     const CcdElement element = *nearest();
     if (element.type == 1 || ccd_is_zero(element.nearest.square)) {
       return {CcdEnd::zero, element.nearest};
@@ -273,21 +198,43 @@ CcdAnswer CcdPolytope::expand_from(CcdSimplex simplex) {
     double beyond = 0;
     const CcdEnd end = end_at(element, corner, beyond);
     if (end != CcdEnd::none) return {end, element.nearest, beyond};
+    asked.push_back(corners_of(element));
+    asked.back().push_back(corner);
     if (element.type == 2) {
       expand_edge(nearest_, corner);
     } else {
       expand_face(nearest_, corner);
     }
   }
-  return {};
+  return {is_going_round(asked) ? CcdEnd::endless : CcdEnd::none};
+}
+
+CcdAnswer CcdPolytope::expand_from(const CcdSimplex& simplex) {
+  const bool is_expanded = simplex.size == 4   ? make_of_four(simplex)
+                           : simplex.size == 3 ? make_of_three(simplex)
+                                               : make_of_two(simplex);
+  CcdAnswer answer = is_expanded ? expanded() : CcdAnswer{CcdEnd::touching, store_.back().nearest};
+  answer.first = first_;
+  return answer;
 }
 
 CcdAnswer ccd_penetration(const PairCase& pair) {
-  const CcdPrisms prisms(pair);
+  const CcdPrisms prisms(pair, CcdPrisms::kOfGjk);
   CcdSimplex simplex;
+  CcdVector dir(0, 0, 0);
   const auto support = [&](const CcdVector& along) { return prisms.support(along); };
-  if (!is_intersection(support, simplex)) return {};
+  if (!is_intersection(support, simplex, dir)) return {};
   return CcdPolytope(prisms).expand_from(simplex);
+}
+
+bool is_ccd_apart_by_zero(const PairCase& pair) {
+  const CcdPrisms prisms(pair, CcdPrisms::kOfGjk);
+  CcdSimplex simplex;
+  CcdVector dir(0, 0, 0);
+  const auto support = [&](const CcdVector& along) { return prisms.support(along); };
+  // Every other step than that of a flat tetrahedron leaves three corners at most.
+  return !is_intersection(support, simplex, dir) &&
+         (simplex.size == 4 || ccd_is_zero(ccd_dot(dir, dir)));
 }
 
 }  // namespace manifuzz::ledger_of

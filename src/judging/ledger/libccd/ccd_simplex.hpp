@@ -33,12 +33,14 @@ bool ccd_is_zero(Scalar value) {
 }
 
 bool ccd_equal(double a, double b);
+bool ccd_equal(const CcdVector& a, const CcdVector& b);
 
 /// A squared distance of the origin, and the place that it is of.
 template <class Scalar>
 struct CcdNearestOf {
   Scalar square = 0;
   CcdVectorOf<Scalar> place{0, 0, 0};
+  bool is_within = false;  ///< a triangle, where it is asked with its place
 };
 using CcdNearest = CcdNearestOf<double>;
 
@@ -71,12 +73,13 @@ using CcdSimplex = CcdSimplexOf<double>;
 template <class Scalar>
 int step_simplex(CcdSimplexOf<Scalar>& simplex, CcdVectorOf<Scalar>& dir);
 
-/// __ccdGJK: whether they intersect, with the simplex that says so.
+/// __ccdGJK: whether they intersect, with the simplex and the direction that it ends with.
 template <class Scalar, class Support>
-bool is_intersection(const Support& support, CcdSimplexOf<Scalar>& simplex) {
+bool is_intersection(const Support& support, CcdSimplexOf<Scalar>& simplex,
+                     CcdVectorOf<Scalar>& dir) {
   constexpr int iterations_max = 1000;
   simplex.add(support(CcdVectorOf<Scalar>(1, 0, 0)));
-  CcdVectorOf<Scalar> dir = simplex.corners[0] * Scalar(-1);
+  dir = simplex.corners[0] * Scalar(-1);
   for (int i = 0; i < iterations_max; ++i) {
     const CcdVectorOf<Scalar> corner = support(dir);
     if (ccd_dot(corner, dir) < 0) return false;

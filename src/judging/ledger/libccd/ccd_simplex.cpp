@@ -1,4 +1,4 @@
-#include "judging/ledger/bullet/ccd_simplex.hpp"
+#include "judging/ledger/libccd/ccd_simplex.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -144,6 +144,10 @@ bool ccd_equal(double a, double b) {
   return equal_of<double>(a, b);
 }
 
+bool ccd_equal(const CcdVector& a, const CcdVector& b) {
+  return are_equal<double>(a, b);
+}
+
 template <class Scalar>
 CcdNearestOf<Scalar> nearest_of_segment(const CcdVectorOf<Scalar>& from,
                                         const CcdVectorOf<Scalar>& a, const CcdVectorOf<Scalar>& b,
@@ -187,7 +191,7 @@ CcdNearestOf<Scalar> nearest_of_triangle(const CcdVectorOf<Scalar>& from,
       is_one_or_less<Scalar>(t) && is_one_or_less<Scalar>(t + s)) {
     const CcdVectorOf<Scalar> place = x + d1 * static_cast<Scalar>(s) + d2 * static_cast<Scalar>(t);
     const CcdVectorOf<Scalar> apart = place - from;
-    if (with_place) return {ccd_dot(apart, apart), place};
+    if (with_place) return {ccd_dot(apart, apart), place, true};
     const double square = s * s * v + t * t * w + 2.0 * s * t * r + 2.0 * s * p + 2.0 * t * q + u;
     return {static_cast<Scalar>(square), x};
   }
