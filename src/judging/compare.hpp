@@ -30,7 +30,7 @@ struct LedgerEntry {
   std::string_view source;            ///< file and function, or issue, where it comes from
   std::span<const Budget> budgets{};  ///< of the regimes in which it fires
   bool (*explains)(const Deviation& deviation) = nullptr;
-  /// Its source or its documentation says that it is meant, or the adapter asks something else.
+  /// Its source or its documentation says that it is meant.
   bool is_no_bug = false;
 };
 

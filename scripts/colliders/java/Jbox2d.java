@@ -33,8 +33,7 @@ public class Jbox2d {
       @each @*.segment?     @*.set(@*.vertices(new Vec2($xf, $yf))@);
       @each @*.polygon?     PolygonShape @* = new PolygonShape(); @*.m_count = @*.count@; @*.m_radius = @*.radius@f; // set would weld
       @each @*.polygon?     Vec2[] of@^ = {@*.vertices(new Vec2($xf, $yf))@}, out@^ = {@*.normals(new Vec2($xf, $yf))@};
-      @each @*.polygon?     for (int i = 0; i < @*.count@; ++i) { @*.m_vertices[i].set(of@^[i]); @*.m_normals[i].set(out@^[i]); }
-      @each @*.polygon?     @*.computeCentroidToOut(@*.m_vertices, @*.count@, @*.m_centroid);
+      @each @*.polygon?     for (int i = 0; i < @*.count@; ++i) { @*.m_vertices[i].set(of@^[i]); @*.m_normals[i].set(out@^[i]); } @*.computeCentroidToOut(@*.m_vertices, @*.count@, @*.m_centroid);
       @each @!*.polygon?     @*.setRadius(@*.radius@f);
           Transform atA = new Transform(@a.position(new Vec2($xf, $yf))@, new Rot()), atB = new Transform(@b.position(new Vec2($xf, $yf))@, new Rot());
       @each @*.turned?     @*.rotation(at@^.q.c = $xf; at@^.q.s = $yf;)@

@@ -129,14 +129,14 @@ bool is_clip_of_nape(const Deviation& d, const exact::Clip& clip, const ClipOfNa
   int given = 0;
   for (const std::size_t k : {0U, 1U}) {
     if (found.depths[k] < -bound) continue;
-    const bool is_there = std::any_of(
-        d.got.points.begin(), d.got.points.begin() + d.got.count,
-        [&](const ContactPoint<double>& point) {
-          const Vector2<double> at =
-              rotate<double>(turn, point.position) + across * point.depth * normal;
-          return (at - found.ends[k]).norm() <= bound &&
-                 std::abs(point.depth - found.depths[k]) <= bound;
-        });
+    const bool is_there =
+        std::any_of(d.got.points.begin(), d.got.points.begin() + d.got.count,
+                    [&](const ContactPoint<double>& point) {
+                      const Vector2<double> at =
+                          rotate<double>(turn, point.position) + across * point.depth * normal;
+                      return (at - found.ends[k]).norm() <= bound &&
+                             std::abs(point.depth - found.depths[k]) <= bound;
+                    });
     if (!is_there && found.depths[k] > bound) return false;
     given += is_there ? 1 : 0;
   }
