@@ -91,12 +91,15 @@ class ByCute {
 };
 
 /// Whether the nearest places are off by no more than their roundings, whatever those make of the
-/// direction between both.
+/// direction between both; or are as near as the nearest, to roundings of a distance.
 bool is_off_by_roundings(const Deviation& d, const as_cute::CuteAnswer& answer) {
-  const Vector2<double> least = replayed::least_normal_near(d, answer.contact.normal);
-  return answer.way == as_cute::Way::nearest &&
-         (answer.contact.normal - least).norm() * static_cast<double>(answer.distance) <=
-             4 * d.right.bounds.separation;
+  if (answer.way != as_cute::Way::nearest) return false;
+  const Vector2<double>& normal = answer.contact.normal;
+  const double bound = 4 * d.right.bounds.separation;
+  const Vector2<double> off = normal - replayed::least_normal_near(d, normal);
+  if (off.norm() * static_cast<double>(answer.distance) <= bound) return true;
+  return !normal.isZero(0) &&
+         exact::Along(*d.right.truth, normal).depth() - ledger_of::least_depth(d) <= bound;
 }
 
 }  // namespace
