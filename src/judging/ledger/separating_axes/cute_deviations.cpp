@@ -58,7 +58,8 @@ class ByCute {
       mend(answer.contact);
       answer.contact.points[0].at = answer.on_core + answer.out * answer.contact.normal;
     }
-    return replayed::is_right_answer(deviation_, as_declared_by_cute(mended), answer.contact);
+    return replayed::is_right_answer(deviation_, as_declared_by_cute(mended), answer.contact) ||
+           (is_nearest && is_right_at_end(mended, answer.contact));
   }
 
   /// The least depth, and its normal.
@@ -76,6 +77,12 @@ class ByCute {
     }
     replayed::Contact contact{answer.contact.normal, {{}}};
     mend(contact);
+    return is_right_at_end(mended, contact);
+  }
+
+  /// With its point on the surface beyond some vertex of a core.
+  bool is_right_at_end(unsigned mended, replayed::Contact contact) const {
+    const PairCase& pair = deviation_.right.pair();
     return std::ranges::any_of(std::array{Side::a, Side::b}, [&](Side side) {
       const as_cute::Shape shape(pair[side]);
       const double out = (side == Side::a ? 1 : -1) * static_cast<double>(shape.radius);
