@@ -15,7 +15,7 @@ const { b2Vec2 } = box2d;
 @each @*.polygon?   m_centroid: @*.centroid(new b2Vec2($X, $Y))@, m_count: @*.count@, m_radius: @*.wide_radius@ });
 @each const at@^ = new box2d.b2Transform();
 @each @*.moved? at@^.p.Set(@*.position($X, $Y)@);
-@each @*.turned? Object.assign(at@^.q, { @*.unit_rotation(c: $X, s: $Y)@ });
+@each @*.turned? at@^.q.Set(Math.atan2(@*.rotation($Y, $X)@));
 const manifold = new box2d.b2Manifold(), world = new box2d.b2WorldManifold();
 @a.polygon? @b.polygon? box2d.@asked(b2CollidePolygons)@(manifold, a, atA, b, atB);
 @a.circle? @b.circle? box2d.@asked(b2CollideCircles)@(manifold, a, atA, b, atB);
@@ -42,6 +42,7 @@ const declaration = {
   version: versionOf("@box2d/core"),
   scalar: "float64",
   frame: "world",
+  rotation: "angle",
   tie_bias: 0.1 * box2d.b2_linearSlop,
   vertices_max: 8,
   takes_radius: true,
@@ -55,10 +56,12 @@ const declaration = {
 
 const vectorOf = ({ x, y }) => new box2d.b2Vec2(x, y);
 
-function poseOf({ pose: { p, q } }) {
+// By an angle, as a game does it. Then the scaled vertices, of which it takes a face's normal, are
+// judged as such.
+function poseOf({ pose: { p }, angle }) {
   const pose = new box2d.b2Transform();
   pose.p.Copy(p);
-  Object.assign(pose.q, q);
+  pose.q.Set(angle);
   return pose;
 }
 
@@ -135,7 +138,7 @@ function collide(a, b) {
   const byA = manifold.type === box2d.b2ManifoldType.e_faceA;
   const incident = byA ? b : a;
   const points = manifold.points.slice(0, manifold.pointCount).map((point, i) => ({
-    position: toWorld(incident.pose, point.localPoint),
+    position: toWorld(poseOf(incident), point.localPoint),
     depth: Math.max(0, -world.separations[i]),
     ...featuresOf(point, a, b),
   }));

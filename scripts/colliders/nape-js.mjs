@@ -13,7 +13,7 @@ globalThis.window = globalThis, initNape(); // it leaves nape in a window
 const { callbacks, geom: { Vec2 }, phys: { Body, BodyType }, shape, space } = globalThis.nape;
 const a = new Body(BodyType.get_STATIC(), @a.position(new Vec2($X, $Y))@);
 const b = new Body(BodyType.get_DYNAMIC(), @b.position(new Vec2($X, $Y))@);
-@each @*.turned? @*.set_rotation(Math.atan2(@*.unit_rotation($Y, $X)@));
+@each @*.turned? @*.set_rotation(Math.atan2(@*.rotation($Y, $X)@));
 @each @*.circle? @*.get_shapes().add(new shape.Circle(@*.wide_radius@, @*.unit_vertices(new Vec2($X, $Y))@));
 @each @!*.circle? @*.get_shapes().add(new shape.Polygon([@*.unit_vertices(new Vec2($X, $Y))@]));
 b.set_mass(1), b.set_inertia(1); // of a sliver it would compute none
@@ -50,9 +50,9 @@ function shapeOf({ vertices, count, radius }) {
 
 // At an angle: its normals are those of a polygon's own corners, turned.
 function bodyOf(type, of) {
-  const { p, q } = of.pose;
+  const { p } = of.pose;
   const body = new phys.Body(type, new geom.Vec2(p.x, p.y));
-  body.set_rotation(Math.atan2(q.s, q.c));
+  body.set_rotation(of.angle);
   body.get_shapes().add(shapeOf(of));
   return body;
 }

@@ -3,10 +3,12 @@ import * as p2 from "p2-es";
 import { serve, toWorld, versionOf } from "./protocol.mjs";
 
 const snippet = `@language js
-@point contactPointA $a, contactPointB $b, each less its body's position
+@point in the world contactPointA $a, contactPointB $b
+@!a.circle? @b.circle? @b_first
+@!a.circle? @b.circle? @point in the world contactPointA $b, contactPointB $a
 import * as p2 from "p2-es";
-@each @*.polygon? const @* = new p2.Convex({ vertices: [@*.unit_vertices([$X, $Y])@] });
-@each @*.polygon? const body@^ = new p2.Body({ position: [@*.position($X, $Y)@], angle: Math.atan2(@*.unit_rotation($Y, $X)@) });
+@each @*.polygon? const @* = new p2.Convex({ vertices: [@*.vertices([$X, $Y])@] });
+@each @*.polygon? const body@^ = new p2.Body({ position: [@*.position($X, $Y)@], angle: Math.atan2(@*.rotation($Y, $X)@) });
 @each @*.circle? const @* = new p2.Circle({ radius: @*.wide_radius@ });
 @each @*.circle? const body@^ = new p2.Body({ position: @*.world([$X, $Y])@ });
 @each @*.segment? const of@^ = [@*.world([$X, $Y])@]; // a capsule lies along its x axis
@@ -18,8 +20,10 @@ narrowphase.currentContactMaterial = new p2.ContactMaterial(new p2.Material(), n
 const [first, second] = [[bodyA, a], [bodyB, b]].sort(([, p], [, q]) => p.type - q.type)
   .map(([body, shape]) => [body, shape, body.position, body.angle]);
 narrowphase.@asked(narrowphases)@[a.type | b.type](...first, ...second);
-const found = narrowphase.contactEquations; // each normal points from its body A
-console.log(found.length, "points", found.map((of) => [of.bodyA === bodyA, of.normalA, of.contactPointA, of.contactPointB]));
+const inWorld = (body, place) => body.position.map((x, k) => x + place[k]);
+console.log(narrowphase.contactEquations.length, "points", narrowphase.contactEquations.map((of) => [
+  of.bodyA === bodyA ? "A to B" : "B to A", of.normalA, // from its own body A
+  inWorld(of.bodyA, of.contactPointA), inWorld(of.bodyB, of.contactPointB)]));
 `;
 
 const declaration = {
@@ -39,18 +43,18 @@ const declaration = {
 
 const bodyAt = (position, angle) => new p2.Body({ position, angle });
 
+// Vertices go as they are stored: what the rotation is short of unit, no float holds.
 // A capsule lies along its x axis, about its middle.
-function capsuleOf({ vertices: [from, to], radius, pose }) {
+function capsuleOf({ stored: { vertices: [from, to] }, radius, pose, angle }) {
   const [x, y] = [to.x - from.x, to.y - from.y];
   const middle = { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
-  const angle = Math.atan2(y, x) + Math.atan2(pose.q.s, pose.q.c);
   const length = Math.sqrt(x * x + y * y);
-  return { body: bodyAt(toWorld(pose, middle), angle), shape: new p2.Capsule({ length, radius }) };
+  return { body: bodyAt(toWorld(pose, middle), Math.atan2(y, x) + angle), shape: new p2.Capsule({ length, radius }) };
 }
 
-function convexOf({ vertices, pose }) {
-  const shape = new p2.Convex({ vertices: vertices.map(({ x, y }) => [x, y]) });
-  return { body: bodyAt([pose.p.x, pose.p.y], Math.atan2(pose.q.s, pose.q.c)), shape };
+function convexOf({ stored, pose: { p }, angle }) {
+  const shape = new p2.Convex({ vertices: stored.vertices.map(({ x, y }) => [x, y]) });
+  return { body: bodyAt([p.x, p.y], angle), shape };
 }
 
 function placedOf(body) {

@@ -1,7 +1,7 @@
 // planck's Collide functions for manifuzz: `manifuzz fuzz --subject-command "node planck.mjs"`.
 import {
   CircleShape, CollideCircles, CollideEdgeCircle, CollideEdgePolygon, CollidePolygonCircle,
-  CollidePolygons, ContactFeatureType, EdgeShape, Manifold, ManifoldType, PolygonShape, Settings,
+  CollidePolygons, ContactFeatureType, EdgeShape, Manifold, ManifoldType, PolygonShape, Rot, Settings,
 } from "planck";
 import { centroidOf, serve, toWorld, versionOf } from "./protocol.mjs";
 
@@ -16,7 +16,7 @@ import * as planck from "planck";
 @each @*.polygon?   m_vertices: [@*.unit_vertices({ x: $X, y: $Y })@],
 @each @*.polygon?   m_normals: [@*.unit_normals({ x: $X, y: $Y })@],
 @each @*.polygon?   m_centroid: { @*.centroid(x: $X, y: $Y)@ }, m_count: @*.count@, m_radius: @*.wide_radius@ });
-@each const at@^ = { p: { @*.position(x: $X, y: $Y)@ }, q: { @*.unit_rotation(c: $X, s: $Y)@ } };
+@each const at@^ = { p: { @*.position(x: $X, y: $Y)@ }, q: new planck.Rot(Math.atan2(@*.rotation($Y, $X)@)) };
 const manifold = new planck.Manifold();
 @a.polygon? @b.polygon? planck.@asked(CollidePolygons)@(manifold, a, atA, b, atB);
 @a.circle? @b.circle? planck.@asked(CollideCircles)@(manifold, a, atA, b, atB);
@@ -41,6 +41,7 @@ const declaration = {
   version: versionOf("planck"),
   scalar: "float64",
   frame: "world",
+  rotation: "angle",
   tie_bias: 0.1 * Settings.linearSlop,
   vertices_max: 8,
   takes_radius: true,
@@ -51,6 +52,11 @@ const declaration = {
   normal: "a_to_b",
   snippet,
 };
+
+// As a game does it. Then the scaled vertices, of which it takes a face's normal, are judged as such.
+function turn(body) {
+  body.pose.q = new Rot(body.angle);
+}
 
 // Filled as it stands: PolygonShape(vertices) would weld and reorder.
 function polygonOf(body) {
@@ -107,6 +113,7 @@ function collideRound(a, b) {
 }
 
 function collide(a, b) {
+  [a, b].forEach(turn);
   if (a.round || b.round) return collideRound(a, b);
   const manifold = new Manifold();
   CollidePolygons(manifold, shapeOf(a), a.pose, shapeOf(b), b.pose);

@@ -14,6 +14,7 @@
 //   round     whether corners are round; always so of circles, segments and capsules
 //   pose      {p: {x, y}, q: {c, s}}, the rotation unit to the bits of a double: vertex v stands at
 //             toWorld(pose, v) = [c v.x - s v.y + p.x, s v.x + c v.y + p.y] in the world
+//   angle     of the stored rotation, for an engine that is given one (`rotation: "angle"`)
 //   world     {x, y}, where the vertices stand in the world, each coordinate rounded once: for an
 //             engine in double that turns by an angle, which then is 0; what is stored, exactly, is
 //   stored    {vertices, rotation}, of floats: with the position, all that an engine in float needs
@@ -82,6 +83,7 @@ function readBody({ vertices, radius = 0, rounding, position = [0, 0], rotation 
     radius: Math.fround(radius),
     round: stored.length < 3 || rounding === "round",
     pose: { p: at, q: { c: cos / length, s: sin / length } },
+    angle: Math.atan2(sin, cos),
   };
 }
 

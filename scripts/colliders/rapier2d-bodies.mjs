@@ -8,8 +8,7 @@ const { ActiveCollisionTypes, ColliderDesc, RigidBodyDesc, World } = RAPIER;
 // `ask` prints how many points there are, and them.
 export const snippetThat = (ask) => `@language js
 @none no point of a distance of 0 or less
-import RAPIER from "@dimforge/rapier2d-compat";
-await RAPIER.init();
+import RAPIER from "@dimforge/rapier2d-compat"; await RAPIER.init();
 const { ColliderDesc, RigidBodyDesc } = RAPIER, world = new RAPIER.World({ x: 0, y: 0 });
 @each @*.circle? const of@^ = ColliderDesc.ball(@*.radius@).setTranslation(@*.vertices($x, $y)@);
 @each @*.segment? @!*.rounded? const of@^ = ColliderDesc.segment(@*.vertices({ x: $x, y: $y })@);

@@ -2,7 +2,7 @@
 import { serve } from "./protocol.mjs";
 import { collidersOf, declaration, snippetThat } from "./rapier2d-bodies.mjs";
 
-const snippet = snippetThat(`@point point1 $a, point2 $b, distance $s
+const snippet = snippetThat(`@point point1 $a, distance $s
 const contact = a.@asked(contactCollider)@(b, 0);
 console.log(contact === null ? "0 points" : "1 points", contact);
 `);

@@ -5,9 +5,10 @@ import { collidersOf, declaration, snippetThat } from "./rapier2d-bodies.mjs";
 const snippet = snippetThat(`@point in the world on A $a, contactDist $s
 world.timestep = 0, world.step();
 let found = ["0 points"];
-world.@asked(contactPair)@(a, b, (manifold, flipped) => { // flipped: 1 is B, 2 is A
-  const dists = [0, 1].slice(0, manifold.numContacts()).map((i) => manifold.contactDist(i));
-  found = [dists.filter((dist) => dist <= 0).length + " points", ...dists, flipped, manifold.normal()];
+const onA = ({ x, y }, at = a.translation(), c = Math.cos(a.rotation()), s = Math.sin(a.rotation())) => [c * x - s * y + at.x, s * x + c * y + at.y];
+world.@asked(contactPair)@(a, b, (m, flipped) => { // flipped: 1 is B, 2 is A
+  const points = [0, 1].slice(0, m.numContacts()).map((i) => [onA(flipped ? m.localContactPoint2(i) : m.localContactPoint1(i)), m.contactDist(i)]);
+  found = [points.filter(([, dist]) => dist <= 0).length + " points", points, flipped ? "B to A" : "A to B", m.normal()];
 });
 console.log(...found);
 `);

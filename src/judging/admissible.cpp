@@ -82,6 +82,45 @@ Mismatch point_mismatch(const Admissible& right, const Clip& clip,
   return closest;
 }
 
+/// With what the face's normal may be off by, and what such a normal moves, where it is taken from
+/// vertices that were scaled.
+Admissible with_scaled_face(const Admissible& right, const Clip& clip) {
+  const auto& [side, face] = clip.reference;
+  const exact::StoredPolygon& polygon = (*clip.pair)[side].polygon;
+  const Vector2<double>& from = polygon.vertices[face];
+  const Vector2<double>& to = polygon.vertices[polygon.next(face)];
+  const double turn = right.bounds.vertex * (from.norm() + to.norm()) / (to - from).norm();
+  const double of_lengths = turn * (right.truth->extent() + total_radius(right.pair()));
+  Admissible result = right;
+  result.bounds.normal += turn;
+  result.bounds.separation += of_lengths;
+  result.bounds.position += of_lengths;
+  return result;
+}
+
+Mismatch mismatch_within(const Manifold<double>& manifold, const Clip& clip,
+                         const Admissible& right) {
+  if (manifold.count > 0) {
+    if (manifold.reference != clip.reference.side ||
+        !is_near_normal(clip, manifold.normal, right.bounds.normal)) {
+      return {Kind::normal, (manifold.normal - clip.normal).norm(), right.bounds.normal};
+    }
+    if (compare_gap(clip, right.bounds.separation) > 0) {
+      return {Kind::position, clip.gap(), right.bounds.separation};
+    }
+  }
+  for (int i = 0; i < manifold.count; ++i) {
+    const Mismatch found = point_mismatch(right, clip, manifold.points[i]);
+    if (found.kind != Kind::none) return found;
+  }
+  for (const ClipPoint& point : points_of(clip)) {
+    if (!is_optional(right, clip, point) && !is_matched(right, clip, point, manifold)) {
+      return {Kind::count, point.depth(), depth_bound(right, clip, point)};
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<const Clip*> clips_within(const exact::Truth& truth, Side side, const Bounds& bounds) {
@@ -187,25 +226,9 @@ Admissible admissible(const PairCase& pair, const Declaration& declaration) {
 }
 
 Mismatch mismatch(const Manifold<double>& manifold, const Clip& clip, const Admissible& right) {
-  if (manifold.count > 0) {
-    if (manifold.reference != clip.reference.side ||
-        !is_near_normal(clip, manifold.normal, right.bounds.normal)) {
-      return {Kind::normal, (manifold.normal - clip.normal).norm(), right.bounds.normal};
-    }
-    if (compare_gap(clip, right.bounds.separation) > 0) {
-      return {Kind::position, clip.gap(), right.bounds.separation};
-    }
-  }
-  for (int i = 0; i < manifold.count; ++i) {
-    const Mismatch found = point_mismatch(right, clip, manifold.points[i]);
-    if (found.kind != Kind::none) return found;
-  }
-  for (const ClipPoint& point : points_of(clip)) {
-    if (!is_optional(right, clip, point) && !is_matched(right, clip, point, manifold)) {
-      return {Kind::count, point.depth(), depth_bound(right, clip, point)};
-    }
-  }
-  return {};
+  const Mismatch found = mismatch_within(manifold, clip, right);
+  if (found.kind == Kind::none || right.bounds.vertex == 0) return found;
+  return mismatch_within(manifold, clip, with_scaled_face(right, clip));
 }
 
 Mismatch mismatch(const Manifold<double>& manifold, const Admissible& right) {

@@ -67,7 +67,8 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
   return {.separation = of.separation * u * reach + of_lengths,
           .incident_dot = of.incident_dot * u + of_rotations,
           .normal = of_normal * u + of_rotations,
-          .position = of.position * u * reach + of_lengths};
+          .position = of.position * u * reach + of_lengths,
+          .vertex = declaration.takes_angles && !narrow ? u : 0};
 }
 
 }  // namespace manifuzz

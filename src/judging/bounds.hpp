@@ -17,12 +17,14 @@ namespace manifuzz {
 ///                                             (26)
 ///
 /// each plus the rotations' defect |c^2 + s^2 - 1| (times E) for a float collider, which may take
-/// the transpose for the inverse, and 8 u (times E) for one that takes angles.
+/// the transpose for the inverse, and 8 u (times E) for one that takes angles. A double one of
+/// these gets scaled vertices, u off each, and with them a face's own normal.
 struct Bounds {
   double separation = 0;    ///< world length; also depth's, and how near a side plane is "nearly"
   double incident_dot = 0;  ///< of two unit normals
   double normal = 0;        ///< length of the difference of two unit vectors
   double position = 0;      ///< world length, of an end that is not clipped
+  double vertex = 0;        ///< a share of its length: of each that a face's normal is taken from
 };
 
 /// What one operation of that scalar may be off by, as a share of its result: 2^-24 or 2^-53.

@@ -40,7 +40,7 @@ struct LedgerEntry {
   bool (*explains)(const Deviation& deviation) = nullptr;
   /// Unset where it explains nothing that is lost.
   bool (*explains_lost)(const LostAnswer& lost) = nullptr;
-  /// Its source or its documentation says that it is meant, or the adapter asks something else.
+  /// Its source or its documentation says that it is meant.
   bool is_no_bug = false;
 };
 

@@ -33,10 +33,8 @@ public class Jbox2d {
       @each @*.segment?     @*.set(@*.vertices(new Vec2($xf, $yf))@);
       @each @*.polygon?     PolygonShape @* = new PolygonShape(); @*.m_count = @*.count@; @*.m_radius = @*.radius@f; // set would weld
       @each @*.polygon?     Vec2[] of@^ = {@*.vertices(new Vec2($xf, $yf))@}, out@^ = {@*.normals(new Vec2($xf, $yf))@};
-      @each @*.polygon?     for (int i = 0; i < @*.count@; ++i) { @*.m_vertices[i].set(of@^[i]); @*.m_normals[i].set(out@^[i]); }
-      @each @a.segment? @*.polygon?     @*.computeCentroidToOut(@*.m_vertices, @*.count@, @*.m_centroid);
-      @each @b.segment? @*.polygon?     @*.computeCentroidToOut(@*.m_vertices, @*.count@, @*.m_centroid);
-      @each @!*.polygon?     @*.m_radius = @*.radius@f;
+      @each @*.polygon?     for (int i = 0; i < @*.count@; ++i) { @*.m_vertices[i].set(of@^[i]); @*.m_normals[i].set(out@^[i]); } @*.computeCentroidToOut(@*.m_vertices, @*.count@, @*.m_centroid);
+      @each @!*.polygon?     @*.setRadius(@*.radius@f);
           Transform atA = new Transform(@a.position(new Vec2($xf, $yf))@, new Rot()), atB = new Transform(@b.position(new Vec2($xf, $yf))@, new Rot());
       @each @*.turned?     @*.rotation(at@^.q.c = $xf; at@^.q.s = $yf;)@
           var collision = new Collision(new org.jbox2d.pooling.normal.DefaultWorldPool(10, 10));
@@ -56,7 +54,7 @@ public class Jbox2d {
       @a.circle? @b.circle?     world.initialize(manifold, atA, a.m_radius, atB, b.m_radius);
       @a.polygon? @b.segment?     world.initialize(manifold, atB, b.m_radius, atA, a.m_radius);
       @a.circle? @!b.circle?     world.initialize(manifold, atB, b.m_radius, atA, a.m_radius);
-          System.out.println(manifold.pointCount + " points, normal " + world.normal + java.util.List.of(world.points));
+          System.out.println(manifold.pointCount + " points, normal " + world.normal + java.util.List.of(world.points).subList(0, manifold.pointCount));
         }
       }
       """;
@@ -92,7 +90,7 @@ public class Jbox2d {
     } else {
       shape = polygonOf(body);
     }
-    shape.m_radius = body.radius();
+    shape.setRadius(body.radius()); // of an edge as of any Shape; its constructor says 0.01
     return shape;
   }
 

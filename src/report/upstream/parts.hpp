@@ -22,6 +22,24 @@ Claim claim_of(const Answer& answer);
 /// The total depth of the cores and radii, as near as double says it: negative across a gap.
 double true_depth(const PairCase& pair);
 
+/// Three significant digits.
+std::string plain(double value);
+
+/// How deep they overlap along the answer's own normal; the least depth where it has none.
+double depth_along(const PairCase& pair, const Claim& claim);
+
+/// Whether they are said to be so much deeper than they are that a wrong normal is the lesser news.
+bool is_far_too_deep(const PairCase& pair, const Claim& claim, const Declaration& declaration);
+
+/// Whether points lie where the shapes overlap, but not as deep there as is said.
+bool is_depth_elsewhere(const JudgedCase& judged, const Declaration& declaration);
+
+/// How many points a right answer has at most.
+int right_count(const JudgedCase& judged, const Declaration& declaration);
+
+/// Whether it is an answer, but none that can be read.
+bool is_nonsense(const DeclaredAnswer& asked);
+
 /// "Triangles that overlap by 0.3 have no contact": what happens, with figures, in plain words.
 std::string upstream_title(const JudgedCase& judged, const DeclaredAnswer& asked);
 

@@ -190,3 +190,22 @@ TEST_CASE("an unsupported case and a malformed answer are verdicts of their own"
   CHECK(bucket_of(pair, answering(nonsense), make_box2d()).verdict == Verdict::malformed);
   CHECK(bucket_of(pair, make_clip(), answering(nonsense)).fault == Fault::oracle);
 }
+
+TEST_CASE("a double collider of angles may take a face's normal from scaled vertices, no other") {
+  PairCase pair = boxes_at(1.99F, 0);
+  const std::vector<Vector2<float>> corners{{-1, -1}, {1, -0.0005F}, {1, 0.0005F}, {-1, 1}};
+  pair.a.polygon = make_polygon<float>(corners, 0);
+  Declaration declaration = make_clip64().declaration;
+  Manifold<double> manifold = std::get<Manifold<double>>(make_clip64().collide(pair));
+  REQUIRE(manifold.reference == Side::a);
+  const auto kind_at = [&](double turn, bool takes_angles) {
+    declaration.takes_angles = takes_angles;
+    manifold.normal = {1, turn};
+    return mismatch(manifold, admissible(pair, declaration)).kind;
+  };
+  // Two vertices, a roundoff off each, at 1 from the origin, over a face of 0.001.
+  const double scaled = std::numeric_limits<double>::epsilon() / 2 * 2 / 0.001;
+  CHECK(kind_at(0.9 * scaled, true) == Kind::none);
+  CHECK(kind_at(1.1 * scaled, true) == Kind::normal);
+  CHECK(kind_at(0.9 * scaled, false) == Kind::normal);
+}

@@ -45,10 +45,9 @@ inline constexpr std::array kOfBox2d{
                 .description =
                     "a wrong normal or no contact: the reference face is shorter than b2_epsilon, "
                     "so its direction is not normalised, or than world coordinates resolve",
-                .source =
-                    "Box2D 2.4.1, include/box2d/b2_math.h, b2Vec2::Normalize: "
-                    "`if (length < b2_epsilon) return 0.0f`; src/collision/b2_collide_polygon.cpp, "
-                    "b2CollidePolygons: side offsets of world vertices",
+                .source = "Box2D 2.4.1, include/box2d/b2_math.h, b2Vec2::Normalize: `if (length < "
+                          "b2_epsilon) return 0.0f`; src/collision/b2_collide_polygon.cpp, "
+                          "b2CollidePolygons: side offsets of world vertices",
                 .budgets = kOfTinyFaces,
                 .explains = tiny_reference_face},
     LedgerEntry{.id = "box2d-huge-reference-face",
@@ -73,9 +72,8 @@ inline constexpr std::array kOfBox2d{
                 .description =
                     "no contact for overlapping polygons: faces or edges tie in float, the wrong "
                     "one is kept, and its slab misses the deepest vertex",
-                .source =
-                    "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2FindMaxSeparation and "
-                    "b2FindIncidentEdge: first of equals",
+                .source = "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2FindMaxSeparation "
+                          "and b2FindIncidentEdge: first of equals",
                 .budgets = kOfTies,
                 .explains = no_contact_on_tied_features},
     LedgerEntry{.id = "box2d-crossing-underflows",
@@ -83,29 +81,29 @@ inline constexpr std::array kOfBox2d{
                 .description =
                     "no contact for overlapping polygons: an end of the incident edge all "
                     "but touches a side plane, the product of distances underflows",
-                .source = "Box2D 2.4.1, src/collision/b2_collision.cpp, b2ClipSegmentToLine: "
-                          "`if (distance0 * distance1 < 0.0f)`",
+                .source = "Box2D 2.4.1, src/collision/b2_collision.cpp, b2ClipSegmentToLine: `if "
+                          "(distance0 * distance1 < 0.0f)`",
                 .explains = crossing_underflows},
-    LedgerEntry{
-        .id = "box2d-edge-slab-not-widened",
-        .collider = "box2d",
-        .description = "no contact, or too little depth, of a capsule and a polygon near corners: "
-                       "what lies within the radii beyond the reference face's ends is cut off",
-        .source = "Box2D 2.4.1, src/collision/b2_collide_edge.cpp, b2CollideEdgeAndPolygon: "
-                  "ref.sideOffset1 = b2Dot(ref.sideNormal1, ref.v1), without the radius "
-                  "that b2CollidePolygons adds",
-        .budgets = kOfEdgeSlabNotWidened,
-        .explains = edge_slab_not_widened},
-    LedgerEntry{
-        .id = "box2d-edge-hysteresis",
-        .collider = "box2d",
-        .description = "a capsule's own face is kept though the polygon's is less deep, by 2 % of "
-                       "its depth and 0.001",
-        .source = "Box2D 2.4.1, src/collision/b2_collide_edge.cpp, b2CollideEdgeAndPolygon: "
-                  "k_relativeTol = 0.98f, k_absoluteTol = 0.001f",
-        .budgets = kOfEdgeHysteresis,
-        .explains = edge_face_kept_by_hysteresis,
-        .is_no_bug = true},
+    LedgerEntry{.id = "box2d-edge-slab-not-widened",
+                .collider = "box2d",
+                .description =
+                    "no contact, or too little depth, of a capsule and a polygon near corners: "
+                    "what lies within the radii beyond the reference face's ends is cut off",
+                .source = "Box2D 2.4.1, src/collision/b2_collide_edge.cpp, "
+                          "b2CollideEdgeAndPolygon: ref.sideOffset1 = b2Dot(ref.sideNormal1, "
+                          "ref.v1), without the radius that b2CollidePolygons adds",
+                .budgets = kOfEdgeSlabNotWidened,
+                .explains = edge_slab_not_widened},
+    LedgerEntry{.id = "box2d-edge-hysteresis",
+                .collider = "box2d",
+                .description =
+                    "a capsule's own face is kept though the polygon's is less deep, by 2 % of "
+                    "its depth and 0.001",
+                .source = "Box2D 2.4.1, src/collision/b2_collide_edge.cpp, "
+                          "b2CollideEdgeAndPolygon: k_relativeTol = 0.98f, k_absoluteTol = 0.001f",
+                .budgets = kOfEdgeHysteresis,
+                .explains = edge_face_kept_by_hysteresis,
+                .is_no_bug = true},
     LedgerEntry{.id = "box2d-coincident-points",
                 .collider = "box2d",
                 .description = "a normal along the world's x axis, into the edge: a circle's "
@@ -118,10 +116,10 @@ inline constexpr std::array kOfBox2d{
                 .collider = "box2d",
                 .description = "a normal into the core: a circle's centre lies on an edge's end or "
                                "a polygon's corner, but for roundings, and their direction is it",
-                .source = "Box2D 2.4.1, src/collision/b2_collision.cpp, "
-                          "b2WorldManifold::Initialize: normal = pointB - pointA; "
-                          "src/collision/b2_collide_circle.cpp, b2CollidePolygonAndCircle: "
-                          "localNormal = cLocal - v1",
+                .source =
+                    "Box2D 2.4.1, src/collision/b2_collision.cpp, b2WorldManifold::Initialize: "
+                    "normal = pointB - pointA; src/collision/b2_collide_circle.cpp, "
+                    "b2CollidePolygonAndCircle: localNormal = cLocal - v1",
                 .budgets = kOfDirectionOfRoundings,
                 .explains = direction_of_roundings},
     LedgerEntry{.id = "box2d-corner-direction-not-normalised",
@@ -158,31 +156,33 @@ inline constexpr Budget kOfJbox2dEdgeRadius[] = {
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfJbox2d{
-    LedgerEntry{.id = "jbox2d-tiny-reference-face",
-                .collider = "jbox2d",
-                .description =
-                    "a wrong normal or no contact: the reference face is shorter than b2_epsilon, "
-                    "so its direction is not normalised, or than world coordinates resolve",
-                .source = "jbox2d 2.2.1.1, Vec2.normalize: `length < Settings.EPSILON` leaves the "
-                          "tangent of Collision.collidePolygons as short as it is",
-                .budgets = kOfJbox2dTinyReferenceFace,
-                .explains = tiny_reference_face},
-    LedgerEntry{.id = "jbox2d-no-contact-under-bias",
-                .collider = "jbox2d",
-                .description =
-                    "no contact for overlapping polygons: A's face is preferred though B's is "
-                    "less deep, and the incident edge lies outside its side planes",
-                .source = "jbox2d 2.2.1.1, Collision.collidePolygons: `results2.separation > "
-                          "k_relativeTol * results1.separation + k_absoluteTol`",
-                .budgets = kOfJbox2dNoContactUnderBias,
-                .explains = no_contact_under_bias},
+    LedgerEntry{
+        .id = "jbox2d-tiny-reference-face",
+        .collider = "jbox2d",
+        .description =
+            "a wrong normal or no contact: the reference face is shorter than b2_epsilon, "
+            "so its direction is not normalised, or than world coordinates resolve",
+        .source =
+            "jbox2d 2.2.1.1, org/jbox2d/common/Vec2.java, normalize: `length < Settings.EPSILON` "
+            "leaves the tangent of Collision.collidePolygons as short as it is",
+        .budgets = kOfJbox2dTinyReferenceFace,
+        .explains = tiny_reference_face},
+    LedgerEntry{
+        .id = "jbox2d-no-contact-under-bias",
+        .collider = "jbox2d",
+        .description = "no contact for overlapping polygons: A's face is preferred though B's is "
+                       "less deep, and the incident edge lies outside its side planes",
+        .source = "jbox2d 2.2.1.1, org/jbox2d/collision/Collision.java, collidePolygons: "
+                  "`results2.separation > k_relativeTol * results1.separation + k_absoluteTol`",
+        .budgets = kOfJbox2dNoContactUnderBias,
+        .explains = no_contact_under_bias},
     LedgerEntry{.id = "jbox2d-no-contact-on-tied-features",
                 .collider = "jbox2d",
                 .description =
                     "no contact for overlapping polygons: faces or edges tie in float, the wrong "
                     "one is kept, and its slab misses the deepest vertex",
-                .source = "jbox2d 2.2.1.1, Collision.findMaxSeparation and findIncidentEdge: the "
-                          "first of what floats cannot tell apart",
+                .source = "jbox2d 2.2.1.1, org/jbox2d/collision/Collision.java, findMaxSeparation "
+                          "and findIncidentEdge: the first of what floats cannot tell apart",
                 .budgets = kOfJbox2dNoContactOnTiedFeatures,
                 .explains = no_contact_on_tied_features},
     LedgerEntry{.id = "jbox2d-edge-slab-not-widened",
@@ -190,33 +190,36 @@ inline constexpr std::array kOfJbox2d{
                 .description =
                     "no contact, or too little depth, of a capsule and a polygon near corners: "
                     "what lies within the radii beyond the reference face's ends is cut off",
-                .source = "jbox2d 2.2.1.1, EPCollider.collide: side offsets without m_radius",
+                .source = "jbox2d 2.2.1.1, org/jbox2d/collision/Collision.java, "
+                          "EPCollider.collide: side offsets without m_radius",
                 .budgets = kOfJbox2dEdgeSlabNotWidened,
                 .explains = edge_slab_not_widened},
     LedgerEntry{.id = "jbox2d-coincident-points",
                 .collider = "jbox2d",
                 .description = "a normal along the world's x axis, into the edge: a circle's "
                                "centre lies on the end of an edge",
-                .source = "jbox2d 2.2.1.1, WorldManifold.initialize, CIRCLES: `normal.x = 1`",
+                .source = "jbox2d 2.2.1.1, org/jbox2d/collision/WorldManifold.java, initialize, "
+                          "CIRCLES: `normal.x = 1`",
                 .budgets = kOfJbox2dCoincidentPoints,
                 .explains = axis_for_coincident_points},
     LedgerEntry{.id = "jbox2d-direction-of-roundings",
                 .collider = "jbox2d",
                 .description = "a normal into the core: a circle's centre lies on an edge's end or "
                                "a polygon's corner, but for roundings, and their direction is it",
-                .source = "jbox2d 2.2.1.1, WorldManifold.initialize: the direction between two "
-                          "points, however near",
+                .source = "jbox2d 2.2.1.1, org/jbox2d/collision/WorldManifold.java, initialize: "
+                          "the direction between two points, however near",
                 .budgets = kOfJbox2dDirectionOfRoundings,
                 .explains = direction_of_roundings},
-    LedgerEntry{
-        .id = "jbox2d-edge-radius",
-        .collider = "jbox2d",
-        .description = "no contact of an edge and a polygon that are farther apart than 0.02, the "
-                       "radius of every edge of jbox2d's own",
-        .source = "jbox2d 2.2.1.1, EPCollider.collide: `m_radius = 2.0f * Settings.polygonRadius`",
-        .budgets = kOfJbox2dEdgeRadius,
-        .explains = edge_radius_of_settings,
-        .is_no_bug = true},
+    LedgerEntry{.id = "jbox2d-edge-radius",
+                .collider = "jbox2d",
+                .description =
+                    "no contact of an edge and a polygon that are farther apart than 0.02, the "
+                    "radius of every edge of jbox2d's own",
+                .source = "jbox2d 2.2.1.1, org/jbox2d/collision/Collision.java, "
+                          "EPCollider.collide: `m_radius = 2.0f * Settings.polygonRadius`",
+                .budgets = kOfJbox2dEdgeRadius,
+                .explains = edge_radius_of_settings,
+                .is_no_bug = true},
 };
 
 }  // namespace manifuzz::ledger_of

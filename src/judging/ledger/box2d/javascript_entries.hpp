@@ -28,12 +28,6 @@ inline constexpr Budget kOfPlanckNoContactUnderBias[] = {{"generic", 70},
                                                          {"ulp", 7600}};
 inline constexpr Budget kOfPlanckNoContactOnTiedFeatures[] = {{"near_collinear", 9100},
                                                               {"ulp", 500}};
-inline constexpr Budget kOfPlanckNormalOfScaledVertices[] = {
-    {"generic", 20},        {"sliver", 2200},      {"near_parallel", 340},
-    {"tied_faces", 260},    {"micro_edge", 69000}, {"near_collinear", 2800},
-    {"corner_corner", 150}, {"corner_face", 70},   {"touching", 110},
-    {"deep", 10},           {"tie_bias", 920},     {"far_from_origin", 190},
-    {"scaled", 260},        {"off_unit", 120},     {"ulp", 4400}};
 inline constexpr Budget kOfPhaserEdgeExtendedToSlab[] = {
     {"sliver", 590},   {"micro_edge", 80}, {"near_collinear", 18000}, {"corner_corner", 690},
     {"touching", 470}, {"tie_bias", 500},  {"far_from_origin", 100},  {"scaled", 200},
@@ -130,17 +124,6 @@ inline constexpr std::array kOfJavaScript{
                           "and findIncidentEdge: first of equals",
                 .budgets = kOfPlanckNoContactOnTiedFeatures,
                 .explains = no_contact_on_tied_features},
-    LedgerEntry{.id = "planck-normal-of-scaled-vertices",
-                .collider = "planck",
-                .description =
-                    "a normal off by the roundoff of vertices over the face's length: the "
-                    "adapter multiplies them by the length of (cos, sin), since planck takes a "
-                    "transpose for the inverse; as asked, its answer is right",
-                .source = "planck 1.5.0, src/collision/shape/CollidePolygon.ts, CollidePolygons: "
-                          "localNormal of v12 - v11; scripts/colliders/protocol.mjs, readBody",
-                .budgets = kOfPlanckNormalOfScaledVertices,
-                .explains = normal_of_rounded_vertices,
-                .is_no_bug = true},
     LedgerEntry{.id = "phaser-box2d-capsule-slips",
                 .collider = "phaser-box2d",
                 .description =
@@ -154,7 +137,7 @@ inline constexpr std::array kOfJavaScript{
     LedgerEntry{.id = "phaser-box2d-direction-of-rounded-places",
                 .collider = "phaser-box2d",
                 .description = "capsules nearly in touch: the normal is the direction between the "
-                               "nearest places as doubles have them, not an edge's normal",
+                               "nearest points as doubles have them, not an edge's normal",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsules: normalX = "
                           "closest2.x - closest1.x, over its length",
                 .budgets = kOfPhaserDirectionOfRoundedPlaces,
@@ -196,7 +179,7 @@ inline constexpr std::array kOfJavaScript{
     LedgerEntry{.id = "phaser-box2d-nearest-by-roundings",
                 .collider = "phaser-box2d",
                 .description = "edges all but parallel: one point between corners, or a face's "
-                               "normal, as the nearest places in double have it",
+                               "normal, as the nearest points in double have it",
                 .source =
                     "phaser-box2d 1.1.0, src/distance_c.js, b2SegmentDistance: denom = dd1 * "
                     "dd2 - d12 * d12; src/manifold_c.js, b2CollidePolygons: fraction1 === 0.0",
@@ -205,7 +188,7 @@ inline constexpr std::array kOfJavaScript{
     LedgerEntry{.id = "phaser-box2d-normal-over-rounded-distance",
                 .collider = "phaser-box2d",
                 .description = "a normal between corners that is not unit: their difference over "
-                               "the rounded distance of the same places on their edges",
+                               "the rounded distance of the same points on their edges",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: normalX *= "
                           "invDistance, of result.distanceSquared",
                 .budgets = kOfPhaserNormalOverRoundedDistance,

@@ -105,24 +105,6 @@ bool normal_of_short_face(const Deviation& d) {
   });
 }
 
-bool is_right_but_turned(const Deviation& d) {
-  const auto turned = [&](const exact::Clip* clip) { return (d.got.normal - clip->normal).norm(); };
-  if (d.right.candidates.empty()) return false;
-  const double least = turned(*std::ranges::min_element(d.right.candidates, {}, turned));
-  // So turned, the face's line and the side planes are off by as much of the extent.
-  Admissible right = d.right;
-  right.bounds.normal += least;
-  right.bounds.separation += least * d.right.truth->extent();
-  right.bounds.position += least * d.right.truth->extent();
-  return std::ranges::any_of(d.right.candidates, [&](const exact::Clip* clip) {
-    return mismatch(with_features_of_b(d.got, *clip), *clip, right).kind == Kind::none;
-  });
-}
-
-bool normal_alone_of_rounded_vertices(const Deviation& d) {
-  return normal_of_rounded_vertices(d) && is_right_but_turned(d);
-}
-
 bool axis_within_box2d_core_epsilon(const Deviation& d) {
   return ledger_of::is_axis_within(d, kEpsilonOfBox2dCore);
 }

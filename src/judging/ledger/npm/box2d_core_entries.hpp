@@ -33,11 +33,6 @@ inline constexpr Budget kOfBox2dCoreNoContactUnderBias[] = {{"corner_corner", 98
                                                             {"ulp", 7800}};
 inline constexpr Budget kOfBox2dCoreNoContactOnTiedFeatures[] = {{"near_collinear", 7200},
                                                                  {"ulp", 200}};
-inline constexpr Budget kOfBox2dCoreNormalOfScaledVertices[] = {{"micro_edge", 50000},
-                                                                {"near_collinear", 2800},
-                                                                {"sliver", 1400},
-                                                                {"tied_faces", 400},
-                                                                {"ulp", 3400}};
 inline constexpr Budget kOfBox2dCoreEdgeSlabNotWidened[] = {
     {"capsules", 54000}, {"mixed_shapes", 16000}, {"voronoi_lines", 45000}};
 inline constexpr Budget kOfBox2dCoreEdgeHysteresis[] = {{"capsules", 600}, {"mixed_shapes", 400}};
@@ -80,17 +75,6 @@ inline constexpr std::array kOfBox2dCore{
                           "b2FindMaxSeparation and b2FindIncidentEdge: first of equals",
                 .budgets = kOfBox2dCoreNoContactOnTiedFeatures,
                 .explains = no_contact_on_tied_features},
-    LedgerEntry{.id = "box2d-core-normal-of-scaled-vertices",
-                .collider = "box2d-core",
-                .description =
-                    "a normal off by the roundoff of vertices over the face's length: the "
-                    "adapter multiplies them by the length of (cos, sin), since the engine "
-                    "takes an angle; as asked, its answer is right",
-                .source = "@box2d/core 0.11.0, collision/b2_collide_polygon.js, b2CollidePolygons: "
-                          "localTangent of v12 - v11; scripts/colliders/protocol.mjs, readBody",
-                .budgets = kOfBox2dCoreNormalOfScaledVertices,
-                .explains = normal_alone_of_rounded_vertices,
-                .is_no_bug = true},
     LedgerEntry{
         .id = "box2d-core-edge-slab-not-widened",
         .collider = "box2d-core",

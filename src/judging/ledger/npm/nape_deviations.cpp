@@ -121,15 +121,22 @@ bool is_clip_of_nape(const Deviation& d, const exact::Clip& clip, const ClipOfNa
   // What is prolonged, or cut, is off by its roundings over the cosine.
   const double bound = 4 * d.right.bounds.separation / std::max(clip.cosine, kEpsilonOfNape);
   const Vector2<double> turn = d.right.pair().a.pose.rotation.cast<double>();
+  const Vector2<double> normal = rotate<double>(turn.normalized(), d.got.normal);
+  // Its midpoints were taken for points of the other side's where that would be the reference.
+  const double across = d.got.reference == clip.reference.side ? 0.0
+                        : d.got.reference == Side::a           ? 1.0
+                                                               : -1.0;
   int given = 0;
   for (const std::size_t k : {0U, 1U}) {
     if (found.depths[k] < -bound) continue;
-    const bool is_there = std::any_of(
-        d.got.points.begin(), d.got.points.begin() + d.got.count,
-        [&](const ContactPoint<double>& point) {
-          return (rotate<double>(turn, point.position) - found.ends[k]).norm() <= bound &&
-                 std::abs(point.depth - found.depths[k]) <= bound;
-        });
+    const bool is_there =
+        std::any_of(d.got.points.begin(), d.got.points.begin() + d.got.count,
+                    [&](const ContactPoint<double>& point) {
+                      const Vector2<double> at =
+                          rotate<double>(turn, point.position) + across * point.depth * normal;
+                      return (at - found.ends[k]).norm() <= bound &&
+                             std::abs(point.depth - found.depths[k]) <= bound;
+                    });
     if (!is_there && found.depths[k] > bound) return false;
     given += is_there ? 1 : 0;
   }
@@ -183,9 +190,9 @@ bool axis_within_nape_epsilon(const Deviation& d) {
 }
 
 bool unclipped_within_nape_epsilon(const Deviation& d) {
-  return is_of_clip(d.kind) && any_clip_of_nape(d, [](const exact::Clip&, const ClipOfNape& found) {
-           return found.is_unclipped;
-         });
+  return (is_of_clip(d.kind) || d.kind == Kind::normal) &&
+         any_clip_of_nape(
+             d, [](const exact::Clip&, const ClipOfNape& found) { return found.is_unclipped; });
 }
 
 bool edge_extended_by_nape(const Deviation& d) {

@@ -50,8 +50,6 @@ bool face_before_vertex_of_p2(const Deviation& deviation);
 /// A vertex' contact, or none, where a face is the nearest: the circle's own point behind that face
 /// is outside of the polygon.
 bool vertex_before_face_of_p2(const Deviation& deviation);
-/// Of p2's polygons: the normal is that of vertices rounded to float, over the face's length.
-bool normal_of_p2_floats(const Deviation& deviation);
 
 /// nape: the shapes that were used are those which its rule of corners that lie together, or on a
 /// line, leaves of the case's.
@@ -65,10 +63,5 @@ bool unclipped_within_nape_epsilon(const Deviation& deviation);
 /// nape: the incident edge misses the slab, and the answer is of it as prolonged to both side
 /// planes.
 bool edge_extended_by_nape(const Deviation& deviation);
-/// All is right but the normal, and what one that is turned by so much moves.
-bool is_right_but_turned(const Deviation& deviation);
-/// The normal is that of vertices that were rounded on the way, and all else is right but for what
-/// such a normal moves.
-bool normal_alone_of_rounded_vertices(const Deviation& deviation);
 
 }  // namespace manifuzz

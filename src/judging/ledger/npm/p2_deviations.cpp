@@ -116,17 +116,4 @@ bool vertex_before_face_of_p2(const Deviation& d) {
   return found && found->branch == Branch::vertex;
 }
 
-bool normal_of_p2_floats(const Deviation& d) {
-  constexpr double u = std::numeric_limits<float>::epsilon() / 2.0;
-  return d.kind == Kind::normal && is_right_but_turned(d) &&
-         std::ranges::any_of(d.right.candidates, [&](const exact::Clip* clip) {
-           const exact::FaceOf& face = clip->reference;
-           const Body& body = d.right.pair()[face.side];
-           // Two vertices, each rounded as it is stored, and their difference.
-           const double off = 3 * u * reach(body.polygon);
-           const double length = std::sqrt(exact::square<double>(d.right.pair(), face));
-           return is_near_normal(*clip, d.got.normal, d.right.bounds.normal + off / length);
-         });
-}
-
 }  // namespace manifuzz

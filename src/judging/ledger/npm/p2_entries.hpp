@@ -17,7 +17,6 @@ inline constexpr Budget kOfP2EsFaceBeforeVertex[] = {
     {"circles", 46000}, {"mixed_shapes", 7600}, {"voronoi_lines", 11000}};
 inline constexpr Budget kOfP2EsVertexBeforeFace[] = {
     {"circles", 18000}, {"mixed_shapes", 1400}, {"voronoi_lines", 9500}};
-inline constexpr Budget kOfP2EsNormalOfFloatVertices[] = {{"ulp", 200}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfP2{
@@ -72,18 +71,6 @@ inline constexpr std::array kOfP2{
                           "pointInConvexLocal(candidate, convexShape)",
                 .budgets = kOfP2EsVertexBeforeFace,
                 .explains = vertex_before_face_of_p2},
-    LedgerEntry{.id = "p2-es-normal-of-float-vertices",
-                .collider = "p2-es",
-                .description =
-                    "a normal off by the roundoff of vertices in float over the face's length: "
-                    "the adapter multiplies them by the length of (cos, sin); as asked, p2's "
-                    "answer is right",
-                .source = "p2-es 1.2.3, dist/p2-es.js, Convex: clone(params.vertices[i]) into a "
-                          "Float32Array; convexConvex: localTangent; scripts/colliders/"
-                          "protocol.mjs, readBody",
-                .budgets = kOfP2EsNormalOfFloatVertices,
-                .explains = normal_of_p2_floats,
-                .is_no_bug = true},
 };
 
 }  // namespace manifuzz::ledger_of

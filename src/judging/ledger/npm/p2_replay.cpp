@@ -62,15 +62,14 @@ struct Frame {
 };
 
 /// A body's rotation as the adapter has it.
-struct UnitTurn {
-  Wide unit{1, 0};
-  double length = 1;
-};
-
-UnitTurn unit_turn(const Body& body) {
+double angle_of(const Body& body) {
   const Wide stored = body.pose.rotation.cast<double>();
-  const double length = std::sqrt(stored.x() * stored.x() + stored.y() * stored.y());
-  return {{stored.x() / length, stored.y() / length}, length};
+  return std::atan2(stored.y(), stored.x());
+}
+
+Wide unit_turn(const Body& body) {
+  const Wide stored = body.pose.rotation.cast<double>();
+  return stored / std::sqrt(stored.x() * stored.x() + stored.y() * stored.y());
 }
 
 Stored centre_of_circle(const Body& body) {
@@ -115,15 +114,14 @@ std::optional<ContactOfP2> circle_line(const Stored& centre, double circle_radiu
   const Wide from = capsule.polygon.vertices[0].cast<double>();
   const Wide to = capsule.polygon.vertices[1].cast<double>();
   const auto line_radius = static_cast<double>(capsule.polygon.radius);
-  const auto [unit, scale] = unit_turn(capsule);
-  const double x = scale * to.x() - scale * from.x();
-  const double y = scale * to.y() - scale * from.y();
-  const Wide middle((scale * from.x() + scale * to.x()) / 2,
-                    (scale * from.y() + scale * to.y()) / 2);
+  const Wide unit = unit_turn(capsule);
+  const double x = to.x() - from.x();
+  const double y = to.y() - from.y();
+  const Wide middle((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
   const Wide at = capsule.pose.position.cast<double>();
   const Frame frame{{unit.x() * middle.x() - unit.y() * middle.y() + at.x(),
                      unit.y() * middle.x() + unit.x() * middle.y() + at.y()},
-                    std::atan2(y, x) + std::atan2(unit.y(), unit.x())};
+                    std::atan2(y, x) + angle_of(capsule)};
   const double half = std::sqrt(x * x + y * y) / 2;
   const std::array ends{frame.to_global({-half, 0}), frame.to_global({half, 0})};
   const Stored along = normalized(ends[1] - ends[0]);
@@ -174,12 +172,11 @@ struct Convex {
 };
 
 Convex convex_of(const Body& body) {
-  const auto [unit, scale] = unit_turn(body);
   const Wide at = body.pose.position.cast<double>();
-  Convex made{{}, {}, {{at.x(), at.y()}, std::atan2(unit.y(), unit.x())}};
+  Convex made{{}, {}, {{at.x(), at.y()}, angle_of(body)}};
   for (int i = 0; i < body.polygon.count; ++i) {
     const Wide v = body.polygon.vertices[i].cast<double>();
-    made.vertices.emplace_back(scale * v.x(), scale * v.y());
+    made.vertices.emplace_back(v.x(), v.y());
   }
   for (std::size_t i = 0; i < made.count(); ++i) {
     const Stored along = made.vertices[(i + 1) % made.count()] - made.vertices[i];

@@ -43,6 +43,33 @@ bool is_right_with_other_faces(const Deviation& d, parry::ReplayOf<Engine> repla
   return false;
 }
 
+/// The directions of both shapes' faces, in a's frame.
+template <class Real>
+std::vector<Vector2<Real>> directions_of(const parry::Replay<Real>& replay) {
+  std::vector<Vector2<Real>> all = replay.a.shape.normals;
+  for (const Vector2<Real>& normal : replay.b.shape.normals) {
+    all.push_back(-rotate<Real>(replay.between.rotation, normal));
+  }
+  return all;
+}
+
+/// Whether EPA ended within its tolerance between the directions of two faces, and the answer would
+/// be right along that of the least deep face, with the faces clipped that touch there.
+template <class Engine>
+bool is_right_along_face(const Deviation& d, const parry::ReplayOf<Engine>& replay) {
+  const double tolerance = 100 * parry::kEpsilonOf<Engine> + bound_of(d);
+  if (replay.epa.end != EpaEnd::converged || parry::excess_of<Engine>(d, replay) > tolerance) {
+    return false;
+  }
+  return std::ranges::any_of(directions_of(replay), [&](const auto& direction) {
+    auto mended = replay;
+    mended.normal = direction;
+    if (parry::excess_of<Engine>(d, mended) > bound_of(d)) return false;
+    mended.points = parry::clipped_by(mended, mended.faces);
+    return parry::is_right<Engine>(d, mended) || is_right_with_other_faces<Engine>(d, mended);
+  });
+}
+
 /// The farthest a - b of both shapes.
 double reach_of_difference(const Deviation& d) {
   const ledger_of::Difference difference(d.right.pair());
@@ -68,7 +95,7 @@ template <class Engine>
 bool clip_of_face_by_cosine(const Deviation& d) {
   const auto replay = replay_of_search<Engine>(d);
   return replay && replay->route == Route::features && !replay->normal.isZero(0) &&
-         is_right_with_other_faces<Engine>(d, *replay);
+         (is_right_with_other_faces<Engine>(d, *replay) || is_right_along_face<Engine>(d, *replay));
 }
 
 template <class Engine>

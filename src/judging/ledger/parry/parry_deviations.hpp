@@ -51,7 +51,8 @@ using Doubles = AsAdapters<double>;
 // its order and its scalar, requires that this gives the answer, and sees where it left: then
 // holds what the named fault allows against the truth, or mends it.
 
-/// The same direction with other faces clipped would be right: the nearest by cosine was taken.
+/// The same direction with other faces clipped would be right, or that of the face from which EPA
+/// is off by its tolerance: the nearest by cosine was taken.
 template <class Engine>
 bool clip_of_face_by_cosine(const Deviation& deviation);
 /// One of the clipped edges is along the normal, to a bound, and one of its ends alone would be

@@ -10,7 +10,8 @@ namespace manifuzz::ledger_of {
 // showed, rounded up.
 inline constexpr Budget kOfParryFaceByCosine[] = {{"micro_edge", 2200},  {"near_collinear", 11000},
                                                   {"scaled", 4800},      {"sliver", 56000},
-                                                  {"tied_faces", 46000}, {"ulp", 4800}};
+                                                  {"tied_faces", 49000}, {"ulp", 4800}};
+inline constexpr Budget kOfParryEdgeAlongNormal[] = {{"in_line", 4400}};
 inline constexpr Budget kOfParryCornerCones[] = {{"cores_touch", 11000},   {"corner_corner", 9200},
                                                  {"far_from_origin", 800}, {"grid", 92000},
                                                  {"micro_edge", 800},      {"mixed_shapes", 1000},
@@ -71,7 +72,7 @@ inline constexpr Budget kOfParryEpaChord[] = {{"cores_touch", 120000}};
 inline constexpr std::array kOfParry{
     of_parry("parry2d-face-by-cosine", "parry2d", kFaceByCosine, kOfParryFaceByCosine,
              clip_of_face_by_cosine<parry::Floats>),
-    of_parry("parry2d-edge-along-normal", "parry2d", kEdgeAlongNormal, {},
+    of_parry("parry2d-edge-along-normal", "parry2d", kEdgeAlongNormal, kOfParryEdgeAlongNormal,
              edge_along_normal<parry::Floats>),
     of_parry("parry2d-corner-cones", "parry2d", kCornerCones, kOfParryCornerCones,
              normal_of_corner_cones<parry::Floats>),

@@ -91,6 +91,9 @@ bool centre_on_surface(const Deviation& d) {
   const auto replay = replay_of_circle<Engine>(d);
   if (!replay || d.got.count == 0) return false;
   const double surface = std::abs(centre_from_surface(d));
+  // What GJK leaves of the distance outweighs roundings then.
+  const bool is_of_stop = has_polygon(d) && replay->gjk.end == GjkEnd::near_enough;
+  if (is_of_stop && parry::relative_of<Engine>() * surface > bound_of(d)) return false;
   if (has_polygon(d) && replay->gjk.end == GjkEnd::on_simplex) {
     return surface <= 10 * parry::kEpsilonOf<Engine> + bound_of(d);
   }

@@ -9,7 +9,8 @@ namespace manifuzz::ledger_of {
 // parry2d 0.30.2 in floats, polygons by from_convex_polyline. Budgets are twice what 300,000 cases
 // against clip64 showed, rounded up.
 inline constexpr Budget kOfParrySimplifiedFaceByCosine[] = {
-    {"micro_edge", 2200}, {"scaled", 4400}, {"ulp", 200}};
+    {"micro_edge", 2200}, {"near_collinear", 200}, {"scaled", 4400}, {"ulp", 200}};
+inline constexpr Budget kOfParrySimplifiedEdgeAlongNormal[] = {{"in_line", 4400}};
 inline constexpr Budget kOfParrySimplifiedCornerCones[] = {
     {"cores_touch", 11000},   {"corner_corner", 9200},
     {"far_from_origin", 800}, {"grid", 92000},
@@ -72,8 +73,8 @@ inline constexpr Budget kOfParrySimplifiedEpaChord[] = {{"cores_touch", 120000}}
 inline constexpr std::array kOfParrySimplified{
     of_parry("parry2d-simplified-face-by-cosine", "parry2d-simplified", kFaceByCosine,
              kOfParrySimplifiedFaceByCosine, clip_of_face_by_cosine<parry::Floats>),
-    of_parry("parry2d-simplified-edge-along-normal", "parry2d-simplified", kEdgeAlongNormal, {},
-             edge_along_normal<parry::Floats>),
+    of_parry("parry2d-simplified-edge-along-normal", "parry2d-simplified", kEdgeAlongNormal,
+             kOfParrySimplifiedEdgeAlongNormal, edge_along_normal<parry::Floats>),
     of_parry("parry2d-simplified-corner-cones", "parry2d-simplified", kCornerCones,
              kOfParrySimplifiedCornerCones, normal_of_corner_cones<parry::Floats>),
     of_parry("parry2d-simplified-lost-by-epa", "parry2d-simplified", kLostByEpa,

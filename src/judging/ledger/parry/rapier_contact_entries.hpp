@@ -108,7 +108,7 @@ inline constexpr std::array kOfRapierContact{
              kOfRapierContactEqualCorners, equal_corners_of_gjk<parry::RapierContact>),
     of_parry("rapier2d-contact-corner-of-chord", "rapier2d-contact", kCornerOfChord,
              kOfRapierContactCornerOfChord, corner_of_epa_chord<parry::RapierContact>),
-    of_parry("rapier2d-contact-centre-on-surface", "rapier2d-contact", kCentreOnSurface,
+    of_parry("rapier2d-contact-centre-on-surface", "rapier2d-contact", kCentreOnSurfaceOfContact,
              kOfRapierContactCentreOnSurface, centre_on_surface<parry::RapierContact>),
     of_parry("rapier2d-contact-circle-by-gjk", "rapier2d-contact", kCircleByGjk,
              kOfRapierContactCircleByGjk, circle_by_gjk_stop<parry::RapierContact>),

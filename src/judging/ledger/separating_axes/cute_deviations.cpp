@@ -58,7 +58,8 @@ class ByCute {
       mend(answer.contact);
       answer.contact.points[0].at = answer.on_core + answer.out * answer.contact.normal;
     }
-    return replayed::is_right_answer(deviation_, as_declared_by_cute(mended), answer.contact);
+    return replayed::is_right_answer(deviation_, as_declared_by_cute(mended), answer.contact) ||
+           (is_nearest && is_right_at_end(mended, answer.contact));
   }
 
   /// The least depth, and its normal.
@@ -76,6 +77,12 @@ class ByCute {
     }
     replayed::Contact contact{answer.contact.normal, {{}}};
     mend(contact);
+    return is_right_at_end(mended, contact);
+  }
+
+  /// With its point on the surface beyond some vertex of a core.
+  bool is_right_at_end(unsigned mended, replayed::Contact contact) const {
+    const PairCase& pair = deviation_.right.pair();
     return std::ranges::any_of(std::array{Side::a, Side::b}, [&](Side side) {
       const as_cute::Shape shape(pair[side]);
       const double out = (side == Side::a ? 1 : -1) * static_cast<double>(shape.radius);
@@ -91,12 +98,15 @@ class ByCute {
 };
 
 /// Whether the nearest places are off by no more than their roundings, whatever those make of the
-/// direction between both.
+/// direction between both; or are as near as the nearest, to roundings of a distance.
 bool is_off_by_roundings(const Deviation& d, const as_cute::CuteAnswer& answer) {
-  const Vector2<double> least = replayed::least_normal_near(d, answer.contact.normal);
-  return answer.way == as_cute::Way::nearest &&
-         (answer.contact.normal - least).norm() * static_cast<double>(answer.distance) <=
-             4 * d.right.bounds.separation;
+  if (answer.way != as_cute::Way::nearest) return false;
+  const Vector2<double>& normal = answer.contact.normal;
+  const double bound = 4 * d.right.bounds.separation;
+  const Vector2<double> off = normal - replayed::least_normal_near(d, normal);
+  if (off.norm() * static_cast<double>(answer.distance) <= bound) return true;
+  return !normal.isZero(0) &&
+         exact::Along(*d.right.truth, normal).depth() - ledger_of::least_depth(d) <= bound;
 }
 
 }  // namespace

@@ -6,31 +6,60 @@
 
 namespace manifuzz::ledger_of {
 
-// dyn4j 6.0.0, in double. Budgets are twice what 300,000 cases against clip64 showed, rounded up.
-inline constexpr std::string_view kCapsuleEdgeOfDyn4j =
+/// What both detectors share: what is at fault, in words, and where.
+struct FaultWordsOfDyn4j {
+  std::string_view description;
+  std::string_view source;
+  bool is_no_bug = false;  ///< it is meant
+};
+
+inline constexpr FaultWordsOfDyn4j kCapsuleEdgeOfDyn4j{
+    "points beyond a capsule's core, deeper than there: its edge is longer than it",
     "dyn4j 6.0.0, geometry/Capsule.java, getFarthestFeature: length * 0.5 * "
-    "EDGE_FEATURE_EXPANSION_FACTOR";
-inline constexpr std::string_view kNormalOfEdgeOfDyn4j =
+    "EDGE_FEATURE_EXPANSION_FACTOR",
+    true};
+inline constexpr FaultWordsOfDyn4j kNormalOfEdgeOfDyn4j{
+    "an edge's normal, and depths along it, though cores are nearest along another",
     "dyn4j 6.0.0, collision/manifold/ClippingManifoldSolver.java, getManifold: frontNormal = "
-    "refev.getRightHandOrthogonalVector()";
-inline constexpr std::string_view kPlacedVerticesOfDyn4j =
+    "refev.getRightHandOrthogonalVector()"};
+inline constexpr FaultWordsOfDyn4j kPlacedVerticesOfDyn4j{
+    "a normal off by the roundoff of world coordinates over the edge's length: its manifolds are "
+    "of placed vertices by design",
     "dyn4j 6.0.0, collision/manifold/ClippingManifoldSolver.java, getManifold: refev = "
-    "reference.getEdge(), of placed vertices";
-inline constexpr std::string_view kNeighbourByDotOfDyn4j =
+    "reference.getEdge(), of placed vertices",
+    true};
+inline constexpr FaultWordsOfDyn4j kNeighbourByDotOfDyn4j{
+    "no contact, or another normal: the neighbour of the right edge clips, their directions being "
+    "nearer than a dot can tell",
     "dyn4j 6.0.0, geometry/Polygon.java, getFarthestFeature: leftN.dot(localn) < "
-    "rightN.dot(localn)";
-inline constexpr std::string_view kLongerEdgesOfDyn4j =
+    "rightN.dot(localn)"};
+inline constexpr FaultWordsOfDyn4j kLongerEdgesOfDyn4j{
+    "no contact, or another normal: of two edges the one clips whose product with the normal is "
+    "least, which is the shorter",
     "dyn4j 6.0.0, collision/manifold/ClippingManifoldSolver.java, getManifold: Math.abs(e1.dot(n)) "
-    "> Math.abs(e2.dot(n)), of edges that are not unit";
-inline constexpr std::string_view kAnyAngleOfDyn4j =
+    "> Math.abs(e2.dot(n)), of edges that are not unit"};
+inline constexpr FaultWordsOfDyn4j kAnyAngleOfDyn4j{
+    "a second point beyond the angle at which a capsule has an edge: segments and polygons always "
+    "have one",
     "dyn4j 6.0.0, geometry/Segment.java and Polygon.java, getFarthestFeature: an EdgeFeature, "
-    "whatever the angle";
-inline constexpr std::string_view kOneCentreOfDyn4j =
+    "whatever the angle"};
+inline constexpr FaultWordsOfDyn4j kOneCentreOfDyn4j{
+    "a normal of no length: the centres of two circles are at one place",
     "dyn4j 6.0.0, collision/narrowphase/CircleDetector.java, detect: v.normalize(), which leaves "
-    "what is not longer than Epsilon.E";
-inline constexpr std::string_view kTiedEdgesOfDyn4j =
+    "what is not longer than Epsilon.E"};
+inline constexpr FaultWordsOfDyn4j kTiedEdgesOfDyn4j{
+    "no contact: of edges that tie, one is kept that misses the other's slab",
     "dyn4j 6.0.0, collision/manifold/ClippingManifoldSolver.java, getManifold: clip1.size() < 2, "
-    "clip2.size() < 2";
+    "clip2.size() < 2"};
+
+/// An entry of a detector on such a fault.
+constexpr LedgerEntry of_dyn4j(std::string_view id, std::string_view collider,
+                               const FaultWordsOfDyn4j& fault, std::span<const Budget> budgets,
+                               bool (*explains)(const Deviation&)) {
+  return {id, collider, fault.description, fault.source, budgets, explains, fault.is_no_bug};
+}
+
+// dyn4j 6.0.0, in double. Budgets are twice what 300,000 cases against clip64 showed, rounded up.
 inline constexpr Budget kOfDyn4jSatSignByCentres[] = {
     {"capsules", 200}, {"deep", 300000}, {"mixed_shapes", 390}, {"near_collinear", 200},
     {"scaled", 200},   {"sliver", 5500}, {"tied_faces", 6200},  {"ulp", 21000}};
@@ -139,55 +168,20 @@ inline constexpr std::array kOfDyn4jSat{
                 .source = "dyn4j 6.0.0, collision/narrowphase/Sat.java, detect: cToc.dot(n) < 0",
                 .budgets = kOfDyn4jSatSignByCentres,
                 .explains = sign_by_centres_in_dyn4j},
-    LedgerEntry{.id = "dyn4j-sat-one-centre",
-                .collider = "dyn4j-sat",
-                .description = "a normal of no length: the centres of two circles are at one place",
-                .source = kOneCentreOfDyn4j,
-                .budgets = kOfDyn4jSatOneCentre,
-                .explains = no_normal_of_one_centre_in_dyn4j},
-    LedgerEntry{.id = "dyn4j-sat-longer-capsule",
-                .collider = "dyn4j-sat",
-                .description =
-                    "points beyond a capsule's core, deeper than there: its edge is longer than it",
-                .source = kCapsuleEdgeOfDyn4j,
-                .budgets = kOfDyn4jSatLongerCapsule,
-                .explains = after_sat_of_dyn4j<FaultOfDyn4j::longer_capsule>,
-                .is_no_bug = true},
-    LedgerEntry{
-        .id = "dyn4j-sat-placed-vertices",
-        .collider = "dyn4j-sat",
-        .description = "a normal off by the roundoff of world coordinates over the edge's length",
-        .source = kPlacedVerticesOfDyn4j,
-        .budgets = kOfDyn4jSatPlacedVertices,
-        .explains = after_sat_of_dyn4j<FaultOfDyn4j::placed_vertices>},
-    LedgerEntry{.id = "dyn4j-sat-normal-of-edge",
-                .collider = "dyn4j-sat",
-                .description =
-                    "an edge's normal, and depths along it, though cores are nearest along another",
-                .source = kNormalOfEdgeOfDyn4j,
-                .budgets = kOfDyn4jSatNormalOfEdge,
-                .explains = after_sat_of_dyn4j<FaultOfDyn4j::normal_of_edge>},
-    LedgerEntry{.id = "dyn4j-sat-neighbour-by-dot",
-                .collider = "dyn4j-sat",
-                .description = "no contact, or another normal: the neighbour of the right edge "
-                               "clips, their directions being nearer than a dot can tell",
-                .source = kNeighbourByDotOfDyn4j,
-                .budgets = kOfDyn4jSatNeighbourByDot,
-                .explains = after_sat_of_dyn4j<FaultOfDyn4j::neighbour_by_dot>},
-    LedgerEntry{.id = "dyn4j-sat-longer-edges",
-                .collider = "dyn4j-sat",
-                .description = "no contact, or another normal: of two edges the one clips whose "
-                               "product with the normal is least, which is the shorter",
-                .source = kLongerEdgesOfDyn4j,
-                .budgets = kOfDyn4jSatLongerEdges,
-                .explains = after_sat_of_dyn4j<FaultOfDyn4j::longer_edges>},
-    LedgerEntry{.id = "dyn4j-sat-any-angle",
-                .collider = "dyn4j-sat",
-                .description = "a second point beyond the angle at which a capsule has an edge: "
-                               "segments and polygons always have one",
-                .source = kAnyAngleOfDyn4j,
-                .budgets = kOfDyn4jSatAnyAngle,
-                .explains = after_sat_of_dyn4j<FaultOfDyn4j::any_angle>},
+    of_dyn4j("dyn4j-sat-one-centre", "dyn4j-sat", kOneCentreOfDyn4j, kOfDyn4jSatOneCentre,
+             no_normal_of_one_centre_in_dyn4j),
+    of_dyn4j("dyn4j-sat-longer-capsule", "dyn4j-sat", kCapsuleEdgeOfDyn4j, kOfDyn4jSatLongerCapsule,
+             after_sat_of_dyn4j<FaultOfDyn4j::longer_capsule>),
+    of_dyn4j("dyn4j-sat-placed-vertices", "dyn4j-sat", kPlacedVerticesOfDyn4j,
+             kOfDyn4jSatPlacedVertices, after_sat_of_dyn4j<FaultOfDyn4j::placed_vertices>),
+    of_dyn4j("dyn4j-sat-normal-of-edge", "dyn4j-sat", kNormalOfEdgeOfDyn4j, kOfDyn4jSatNormalOfEdge,
+             after_sat_of_dyn4j<FaultOfDyn4j::normal_of_edge>),
+    of_dyn4j("dyn4j-sat-neighbour-by-dot", "dyn4j-sat", kNeighbourByDotOfDyn4j,
+             kOfDyn4jSatNeighbourByDot, after_sat_of_dyn4j<FaultOfDyn4j::neighbour_by_dot>),
+    of_dyn4j("dyn4j-sat-longer-edges", "dyn4j-sat", kLongerEdgesOfDyn4j, kOfDyn4jSatLongerEdges,
+             after_sat_of_dyn4j<FaultOfDyn4j::longer_edges>),
+    of_dyn4j("dyn4j-sat-any-angle", "dyn4j-sat", kAnyAngleOfDyn4j, kOfDyn4jSatAnyAngle,
+             after_sat_of_dyn4j<FaultOfDyn4j::any_angle>),
     LedgerEntry{
         .id = "dyn4j-sat-first-of-equal-axes",
         .collider = "dyn4j-sat",
@@ -196,13 +190,8 @@ inline constexpr std::array kOfDyn4jSat{
         .source = "dyn4j 6.0.0, collision/narrowphase/Sat.java, detect: o < overlap",
         .budgets = kOfDyn4jSatFirstOfEqualAxes,
         .explains = first_of_equal_axes_in_dyn4j},
-    LedgerEntry{
-        .id = "dyn4j-sat-tied-edges",
-        .collider = "dyn4j-sat",
-        .description = "no contact: of edges that tie, one is kept that misses the other's slab",
-        .source = kTiedEdgesOfDyn4j,
-        .budgets = kOfDyn4jSatTiedEdges,
-        .explains = edges_tie_after_sat_of_dyn4j},
+    of_dyn4j("dyn4j-sat-tied-edges", "dyn4j-sat", kTiedEdgesOfDyn4j, kOfDyn4jSatTiedEdges,
+             edges_tie_after_sat_of_dyn4j),
 };
 
 /// The same of Gjk with Epa.
@@ -247,54 +236,20 @@ inline constexpr std::array kOfDyn4jGjk{
                           "supportPoint.dot(d) <= this.detectEpsilon, i < this.maxDetectIterations",
                 .budgets = kOfDyn4jGjkGjkApart,
                 .explains = gjk_apart_in_dyn4j},
-    LedgerEntry{.id = "dyn4j-gjk-one-centre",
-                .collider = "dyn4j-gjk",
-                .description = "a normal of no length: the centres of two circles are at one place",
-                .source = kOneCentreOfDyn4j,
-                .budgets = kOfDyn4jGjkOneCentre,
-                .explains = no_normal_of_one_centre_in_dyn4j},
-    LedgerEntry{.id = "dyn4j-gjk-longer-capsule",
-                .collider = "dyn4j-gjk",
-                .description =
-                    "points beyond a capsule's core, deeper than there: its edge is longer than it",
-                .source = kCapsuleEdgeOfDyn4j,
-                .budgets = kOfDyn4jGjkLongerCapsule,
-                .explains = after_gjk_of_dyn4j<FaultOfDyn4j::longer_capsule>,
-                .is_no_bug = true},
-    LedgerEntry{
-        .id = "dyn4j-gjk-placed-vertices",
-        .collider = "dyn4j-gjk",
-        .description = "a normal off by the roundoff of world coordinates over the edge's length",
-        .source = kPlacedVerticesOfDyn4j,
-        .budgets = kOfDyn4jGjkPlacedVertices,
-        .explains = after_gjk_of_dyn4j<FaultOfDyn4j::placed_vertices>},
-    LedgerEntry{.id = "dyn4j-gjk-normal-of-edge",
-                .collider = "dyn4j-gjk",
-                .description =
-                    "an edge's normal, and depths along it, though cores are nearest along another",
-                .source = kNormalOfEdgeOfDyn4j,
-                .explains = after_gjk_of_dyn4j<FaultOfDyn4j::normal_of_edge>},
-    LedgerEntry{.id = "dyn4j-gjk-neighbour-by-dot",
-                .collider = "dyn4j-gjk",
-                .description = "no contact, or another normal: the neighbour of the right edge "
-                               "clips, their directions being nearer than a dot can tell",
-                .source = kNeighbourByDotOfDyn4j,
-                .budgets = kOfDyn4jGjkNeighbourByDot,
-                .explains = after_gjk_of_dyn4j<FaultOfDyn4j::neighbour_by_dot>},
-    LedgerEntry{.id = "dyn4j-gjk-any-angle",
-                .collider = "dyn4j-gjk",
-                .description = "a second point beyond the angle at which a capsule has an edge: "
-                               "segments and polygons always have one",
-                .source = kAnyAngleOfDyn4j,
-                .budgets = kOfDyn4jGjkAnyAngle,
-                .explains = after_gjk_of_dyn4j<FaultOfDyn4j::any_angle>},
-    LedgerEntry{
-        .id = "dyn4j-gjk-tied-edges",
-        .collider = "dyn4j-gjk",
-        .description = "no contact: of edges that tie, one is kept that misses the other's slab",
-        .source = kTiedEdgesOfDyn4j,
-        .budgets = kOfDyn4jGjkTiedEdges,
-        .explains = edges_tie_after_gjk_of_dyn4j},
+    of_dyn4j("dyn4j-gjk-one-centre", "dyn4j-gjk", kOneCentreOfDyn4j, kOfDyn4jGjkOneCentre,
+             no_normal_of_one_centre_in_dyn4j),
+    of_dyn4j("dyn4j-gjk-longer-capsule", "dyn4j-gjk", kCapsuleEdgeOfDyn4j, kOfDyn4jGjkLongerCapsule,
+             after_gjk_of_dyn4j<FaultOfDyn4j::longer_capsule>),
+    of_dyn4j("dyn4j-gjk-placed-vertices", "dyn4j-gjk", kPlacedVerticesOfDyn4j,
+             kOfDyn4jGjkPlacedVertices, after_gjk_of_dyn4j<FaultOfDyn4j::placed_vertices>),
+    of_dyn4j("dyn4j-gjk-normal-of-edge", "dyn4j-gjk", kNormalOfEdgeOfDyn4j, {},
+             after_gjk_of_dyn4j<FaultOfDyn4j::normal_of_edge>),
+    of_dyn4j("dyn4j-gjk-neighbour-by-dot", "dyn4j-gjk", kNeighbourByDotOfDyn4j,
+             kOfDyn4jGjkNeighbourByDot, after_gjk_of_dyn4j<FaultOfDyn4j::neighbour_by_dot>),
+    of_dyn4j("dyn4j-gjk-any-angle", "dyn4j-gjk", kAnyAngleOfDyn4j, kOfDyn4jGjkAnyAngle,
+             after_gjk_of_dyn4j<FaultOfDyn4j::any_angle>),
+    of_dyn4j("dyn4j-gjk-tied-edges", "dyn4j-gjk", kTiedEdgesOfDyn4j, kOfDyn4jGjkTiedEdges,
+             edges_tie_after_gjk_of_dyn4j),
 };
 
 }  // namespace manifuzz::ledger_of

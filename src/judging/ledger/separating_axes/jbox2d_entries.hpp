@@ -32,39 +32,44 @@ inline constexpr std::array kOfJbox2dSearch{
         .collider = "jbox2d",
         .description = "one point of an edge and a polygon, or too little depth: what is farther "
                        "from the reference face's core than 0.02 is left out, whatever the radii",
-        .source = "jbox2d 2.2.1.1, EPCollider.collide: `separation <= m_radius`, of m_radius = "
-                  "2.0f * Settings.polygonRadius",
+        .source = "jbox2d 2.2.1.1, org/jbox2d/collision/Collision.java, EPCollider.collide: "
+                  "`separation <= m_radius`, of m_radius = 2.0f * Settings.polygonRadius",
         .budgets = kOfJbox2dSecondPoint,
         .explains = fault_of_jbox2d_edge<FaultOfJbox2dEdge::radius>},
-    LedgerEntry{.id = "jbox2d-edge-hysteresis",
-                .collider = "jbox2d",
-                .description = "an edge's own face is kept though the polygon's is less deep, by 2 "
-                               "% of its separation and 0.001",
-                .source = "jbox2d 2.2.1.1, EPCollider.collide: k_relativeTol = 0.98f, "
-                          "k_absoluteTol = 0.001f, `Use hysteresis for jitter reduction`",
-                .budgets = kOfJbox2dHysteresis,
-                .explains = fault_of_jbox2d_edge<FaultOfJbox2dEdge::hysteresis>,
-                .is_no_bug = true},
-    LedgerEntry{.id = "jbox2d-huge-reference-face",
-                .collider = "jbox2d",
-                .description = "no normal and no depth, or no contact: the square of the reference "
-                               "face's length is beyond float",
-                .source = "jbox2d 2.2.1.1, Vec2.normalize: length() of x * x + y * y",
-                .explains = huge_reference_face},
     LedgerEntry{
-        .id = "jbox2d-crossing-underflows",
+        .id = "jbox2d-edge-hysteresis",
         .collider = "jbox2d",
-        .description = "no contact for overlapping polygons: an end of the incident edge all but "
-                       "touches a side plane, the product of distances underflows",
-        .source = "jbox2d 2.2.1.1, Collision.clipSegmentToLine: `distance0 * distance1 < 0.0f`",
-        .explains = crossing_underflows},
+        .description = "an edge's own face is kept though the polygon's is less deep, by 2 "
+                       "% of its separation and 0.001",
+        .source =
+            "jbox2d 2.2.1.1, org/jbox2d/collision/Collision.java, EPCollider.collide: "
+            "k_relativeTol = 0.98f, k_absoluteTol = 0.001f, `Use hysteresis for jitter reduction`",
+        .budgets = kOfJbox2dHysteresis,
+        .explains = fault_of_jbox2d_edge<FaultOfJbox2dEdge::hysteresis>,
+        .is_no_bug = true},
+    LedgerEntry{
+        .id = "jbox2d-huge-reference-face",
+        .collider = "jbox2d",
+        .description = "no normal and no depth, or no contact: the square of the reference "
+                       "face's length is beyond float",
+        .source =
+            "jbox2d 2.2.1.1, org/jbox2d/common/Vec2.java, normalize: length() of x * x + y * y",
+        .explains = huge_reference_face},
+    LedgerEntry{.id = "jbox2d-crossing-underflows",
+                .collider = "jbox2d",
+                .description =
+                    "no contact for overlapping polygons: an end of the incident edge all but "
+                    "touches a side plane, the product of distances underflows",
+                .source = "jbox2d 2.2.1.1, org/jbox2d/collision/Collision.java, clipSegmentToLine: "
+                          "`distance0 * distance1 < 0.0f`",
+                .explains = crossing_underflows},
     LedgerEntry{.id = "jbox2d-corner-direction-not-normalised",
                 .collider = "jbox2d",
                 .description = "a normal of no length: a circle's centre lies on a polygon's "
                                "corner, or within epsilon of it",
-                .source =
-                    "jbox2d 2.2.1.1, Collision.collidePolygonAndCircle: "
-                    "manifold.localNormal.normalize(); Vec2.normalize: `length < Settings.EPSILON`",
+                .source = "jbox2d 2.2.1.1, org/jbox2d/collision/Collision.java, "
+                          "collidePolygonAndCircle: manifold.localNormal.normalize(); "
+                          "org/jbox2d/common/Vec2.java, normalize: `length < Settings.EPSILON`",
                 .budgets = kOfJbox2dCornerDirection,
                 .explains = corner_direction_not_normalised},
 };

@@ -1,4 +1,4 @@
-//! Box2D 3.2: every `b2Collide` function for two bodies' shapes, without a world.
+//! Box2D 3.2.0 as of its commit 56edae79, a snapshot: every `b2Collide` function for two bodies' shapes, without a world.
 
 use boxdd_sys::ffi::{
     b2Capsule, b2Circle, b2CollideCapsuleAndCircle, b2CollideCapsules, b2CollideCircles,
@@ -14,7 +14,7 @@ use manifuzz_collider::{
 /// Where either is as deep, A's face is the reference (manifold.c: separationA >= separationB).
 const OURS: Declaration = Declaration {
     name: c"box2d3".as_ptr(),
-    version: c"3.2.0".as_ptr(),
+    version: c"3.2.0, snapshot 56edae79".as_ptr(),
     rounds_in: FRAME_OF_A,
     points: MIDPOINTS,
     snippet: concat!(include_str!("snippet.c"), "\0").as_ptr().cast(),

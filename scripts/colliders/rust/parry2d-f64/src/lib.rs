@@ -2,15 +2,18 @@
 
 #[path = "../../parry/adapter.rs"]
 mod adapter;
+#[path = "../../parry/snippet.rs"]
+mod snippet;
 
 use adapter::{COMMON, collide};
 use manifuzz_collider::{Body, Declaration, FLOAT64, Manifold, export};
 use parry::shape::ConvexPolygon;
+use snippet::snippet;
 
 const OURS: Declaration = Declaration {
     name: c"parry2d-f64".as_ptr(),
     scalar: FLOAT64,
-    snippet: concat!(include_str!("../../parry/snippet_f64.rs"), "\0").as_ptr().cast(),
+    snippet: snippet!("parry2d-f64", "parry2d_f64", "$X_f64, $Y_f64", "unit_", "wide_radius@_f64", "from_convex_polyline_unmodified"),
     ..COMMON
 };
 

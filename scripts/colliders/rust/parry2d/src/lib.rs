@@ -2,15 +2,18 @@
 
 #[path = "../../parry/adapter.rs"]
 mod adapter;
+#[path = "../../parry/snippet.rs"]
+mod snippet;
 
 use adapter::{COMMON, collide};
 use manifuzz_collider::{Body, Declaration, FLOAT32, Manifold, export};
 use parry::shape::ConvexPolygon;
+use snippet::snippet;
 
 const OURS: Declaration = Declaration {
     name: c"parry2d".as_ptr(),
     scalar: FLOAT32,
-    snippet: concat!(include_str!("../../parry/snippet.rs"), "\0").as_ptr().cast(),
+    snippet: snippet!("parry2d", "parry2d", "$x_f32, $y_f32", "", "radius@_f32", "from_convex_polyline_unmodified"),
     ..COMMON
 };
 
