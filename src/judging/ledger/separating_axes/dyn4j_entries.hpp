@@ -56,7 +56,13 @@ inline constexpr FaultWordsOfDyn4j kTiedEdgesOfDyn4j{
 constexpr LedgerEntry of_dyn4j(std::string_view id, std::string_view collider,
                                const FaultWordsOfDyn4j& fault, std::span<const Budget> budgets,
                                bool (*explains)(const Deviation&)) {
-  return {id, collider, fault.description, fault.source, budgets, explains, fault.is_no_bug};
+  return {.id = id,
+          .collider = collider,
+          .description = fault.description,
+          .source = fault.source,
+          .budgets = budgets,
+          .explains = explains,
+          .is_no_bug = fault.is_no_bug};
 }
 
 // dyn4j 6.0.0, in double. Budgets are twice what 300,000 cases against clip64 showed, rounded up.
