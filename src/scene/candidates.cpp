@@ -18,14 +18,15 @@ void Candidates::add(std::uint32_t a, std::uint32_t b) {
     resize(rows_, a + 1);
   }
   if (rows_[a].count == rows_[a].room) {
-    if (all_.size() > 3 * count_ + rows_.size()) pack();
+    if (end_ > 3 * count_ + rows_.size()) pack();
   }
   Row& row = rows_[a];
   if (row.count == row.room) {
-    const auto first = static_cast<std::uint32_t>(all_.size());
+    const auto first = static_cast<std::uint32_t>(end_);
     const std::uint32_t room = room_for(row.count);
-    assert(all_.size() + room < kNone);  // places are 32 bits: 34 GB of candidates
-    resize(all_, first + room);
+    end_ += room;
+    assert(end_ < kNone);  // places are 32 bits: 34 GB of candidates
+    resize(all_, end_ + kRowLanes);
     std::copy_n(all_.begin() + row.first, row.count, all_.begin() + first);
     row = {first, row.count, room};
   }
@@ -43,7 +44,7 @@ void Candidates::pack() {
     size += row.count == 0 ? 0 : room_for(row.count);
     longest_row_ = std::max(longest_row_, row.count);
   }
-  make_room(packed, size);
+  make_room(packed, size + kRowLanes);
   for (Row& row : rows_) {
     const Row before = row;
     if (row.count == 0) {
@@ -55,6 +56,8 @@ void Candidates::pack() {
                   all_.begin() + before.first + before.count);
     packed.resize(row.first + row.room);
   }
+  end_ = packed.size();
+  packed.resize(end_ + kRowLanes);
   all_ = std::move(packed);
 }
 

@@ -32,13 +32,18 @@ class Candidate {
   /// From here on; 0 proves nothing.
   void be_apart_until(float paths) { known_ = std::bit_cast<std::uint32_t>(paths); }
 
+  /// Set in what is known of bodies that touch.
+  static constexpr std::uint32_t kTouches = std::uint32_t{1} << 31;
+
   std::uint32_t b = kNone;  ///< the other body
 
  private:
-  static constexpr std::uint32_t kTouches = std::uint32_t{1} << 31;
-
   std::uint32_t known_ = 0;
 };
+
+/// So many pairs of a row are looked at together: most rows are no longer. As many may be read past
+/// the end of a row.
+inline constexpr std::size_t kRowLanes = 8;
 
 /// The candidate pairs: those of a body with bodies of higher index lie together, rows in one
 /// array.
@@ -109,8 +114,9 @@ class Candidates {
 
   void pack();
 
-  std::vector<Row> rows_;  // by body
-  std::vector<Candidate> all_;
+  std::vector<Row> rows_;       // by body
+  std::vector<Candidate> all_;  // and kRowLanes past the last row's room
+  std::size_t end_ = 0;         // of the last row's room
   std::size_t count_ = 0;
   std::uint32_t longest_row_ = 0;
 };

@@ -9,10 +9,10 @@
 #include <limits>
 
 #include "scene/cells.hpp"
+#include "scene/compressed-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::scene::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
 using Floats = hn::ScalableTag<float>;
 using Indices = hn::ScalableTag<std::uint32_t>;
@@ -60,10 +60,10 @@ HWY_INLINE void scan(const BoxColumns& entries, std::uint32_t first, std::uint32
     hit = hn::And(hit,
                   hn::And(hn::Le(from(entries.y_min), y_max), hn::Ge(from(entries.y_max), y_min)));
     hit = hn::And(hit, hn::And(also(i), hn::FirstN(d, last - i)));
+    const auto found_here = hn::RebindMask(di, hit);
     // Not CompressStore: AMD's processors take a hundred cycles for one.
-    hn::StoreU(hn::Compress(hn::LoadU(di, entries.body.data() + i), hn::RebindMask(di, hit)), di,
-               out);
-    out += hn::CountTrue(d, hit);
+    hn::StoreU(compressed(di, hn::LoadU(di, entries.body.data() + i), found_here), di, out);
+    out += hn::CountTrue(di, found_here);
   }
   found.add(static_cast<std::size_t>(out - begin));
 }

@@ -74,6 +74,7 @@ std::optional<Defect> Scene::set_shape(BodyHandle body, std::uint32_t shape) {
 /// Nothing that was known of its box and its pairs holds any more.
 void Scene::start_path(std::uint32_t body) {
   paths_[body] = kNoPath;
+  make_room(movers_, movers_.size() + 1);
   mark_moved(body);
 }
 
@@ -81,7 +82,6 @@ void Scene::mark_moved(std::uint32_t body) {
   states_[body] &= static_cast<std::uint8_t>(~kBoxed);
   if (is(body, kMoved)) return;
   states_[body] |= kMoved;
-  make_room(movers_, movers_.size() + 1);
   movers_.push_back({body, placements_[body].pose.position});
 }
 
@@ -128,10 +128,11 @@ Memory Scene::memory() const {
   const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
   return {of(free_) + of(placements_) + of(generations_) + of(states_) + of(paths_) +
               of(leave_at_) + of(boxes_) + of(left_at_) + cells_.bytes() +
-              candidates_.bytes_by_body() + of(movers_) + of(left_) + of(bodies_) + of(tight_) +
-              of(found_),
+              candidates_.bytes_by_body() + of(movers_) + of(left_) + of(bodies_) + of(marks_) +
+              of(tight_) + of(found_),
           candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + of(touching_.pairs) +
-              of(apart_.pairs) + of(manifolds_) + of(beginning_) + of(began_) + of(ended_)};
+              of(apart_.pairs) + of(leaving_.pairs) + of(manifolds_) + of(beginning_) + of(began_) +
+              of(ended_)};
 }
 
 }  // namespace manifuzz::scene

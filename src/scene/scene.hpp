@@ -5,6 +5,7 @@
 #include "scene/body.hpp"
 #include "scene/candidates.hpp"
 #include "scene/cells.hpp"
+#include "scene/rows.hpp"
 
 // The manifolds of a whole scene, step after step. Of the bodies that moved, in this order:
 //
@@ -80,12 +81,12 @@ class Scene {
  private:
   /// What happened to a body since the last step, and what is known of it.
   enum State : std::uint8_t {
-    kMoved = 1,     ///< it moved, was added or got another shape
-    kLeft = 2,      ///< it left its fattened box
-    kUnproven = 4,  ///< its path began anew: no proof holds
-    kFiled = 8,     ///< it is in the cells
-    kAlone = 16,    ///< it had no partners when its box was drawn
-    kBoxed = 32,    ///< its tight box is where it is
+    kMoved = kHasMoved,  ///< it moved, was added or got another shape
+    kLeft = kHasLeft,    ///< it left its fattened box
+    kUnproven = 4,       ///< its path began anew: no proof holds
+    kFiled = 8,          ///< it is in the cells
+    kAlone = 16,         ///< it had no partners when its box was drawn
+    kBoxed = 32,         ///< its tight box is where it is
   };
 
   /// A body that moved, and from where.
@@ -98,20 +99,6 @@ class Scene {
   struct Leaver {
     std::uint32_t body;
     Box before;
-  };
-
-  /// A candidate that waits for the kernel.
-  struct Waiting {
-    std::uint32_t a;
-    std::uint32_t place;  ///< among the candidates
-  };
-
-  /// They wait together; the array is longer than that.
-  struct Queue {
-    std::vector<Waiting> pairs;
-    std::size_t count = 0;
-
-    bool has_room(std::size_t more) const { return count + more < pairs.size(); }
   };
 
   struct Beginning {
@@ -153,7 +140,7 @@ class Scene {
   void find_leavers();
   void leave(const Mover& mover);
   void draw_tight_boxes();
-  void drop_left();
+  void part_from_partners();
   void refile();
   void add_partners(std::uint32_t body);
   void drop(std::uint32_t a, Candidate& candidate);
@@ -161,7 +148,7 @@ class Scene {
 
   void look_at_candidates();
   void look_at_all_rows();
-  void prune_row(std::uint32_t a);
+  void look_at_row(std::uint32_t a);
   void look_at_partners(std::uint32_t body);
   void look_at(std::uint32_t a, Candidate& candidate);
   void collide_apart();
@@ -174,8 +161,13 @@ class Scene {
   /// Proves two bodies to be apart until a vertex has moved by `margin`, a length; nothing where it
   /// is not above 0.
   void prove_apart(const kernel::BodyPair& bodies, float margin, Candidate& candidate);
+  /// Until what sum of their paths two bodies are apart that must yet go this far, a length.
+  float paths_to(const kernel::BodyPair& bodies, float margin) const {
+    return (paths_[bodies.a] + paths_[bodies.b] + margin) * (1 - 8 * kRoundoff);
+  }
   float margin_of(const kernel::BodyPair& bodies, float gap) const;
   void begin_contacts();
+  void drop_parted();
   void end_contact(Candidate& candidate);
 
   bool recycle(std::uint32_t a, const Candidate& candidate);
@@ -212,9 +204,11 @@ class Scene {
   bool few_moved_ = false;
   std::vector<Leaver> left_;
   std::vector<std::uint32_t> bodies_;
+  std::vector<std::uint32_t> marks_;  // by body
   std::vector<std::uint32_t> found_;
   Queue touching_;
   Queue apart_;
+  Queue leaving_;  // pairs of which a body left its box
   std::vector<Manifold<float>> manifolds_;
   std::vector<Beginning> beginning_;
   StepCounts counts_;

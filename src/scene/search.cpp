@@ -60,7 +60,7 @@ void Scene::find_candidates() {
   find_leavers();
   counts_.left_boxes = left_.size();
   if (left_.empty()) return;
-  if (few_moved_) drop_left();
+  part_from_partners();
   refile();
   for (const Leaver& leaver : left_) add_partners(leaver.body);
 }
@@ -73,16 +73,22 @@ bool Scene::few_moved() const {
          movers_.size() * candidates_.longest_row() < body_count_ + candidates_.size();
 }
 
+/// Those that may have left, by their places among the movers, without a branch that depends on
+/// one.
 void Scene::find_leavers() {
   clear_for(bodies_, body_count_);
   clear_for(left_, body_count_);
-  for (const Mover& mover : movers_) {
-    if (paths_[mover.body] > leave_at_[mover.body]) bodies_.push_back(mover.body);
+  resize(found_, movers_.size() + 1);
+  std::size_t unsure = 0;
+  for (std::uint32_t i = 0; i < movers_.size(); ++i) {
+    const std::uint32_t body = movers_[i].body;
+    found_[unsure] = i;
+    unsure += static_cast<std::size_t>(paths_[body] > leave_at_[body]);
   }
+  found_.resize(unsure);
+  for (const std::uint32_t i : found_) bodies_.push_back(movers_[i].body);
   draw_tight_boxes();
-  for (const Mover& mover : movers_) {
-    if (paths_[mover.body] > leave_at_[mover.body]) leave(mover);
-  }
+  for (const std::uint32_t i : found_) leave(movers_[i]);
 }
 
 /// Of `bodies_`.
@@ -124,15 +130,22 @@ void Scene::leave(const Mover& mover) {
   leave_at_[body] = (path + slack(fat, box)) * (1 - 4 * kRoundoff);
 }
 
-/// Of those that left, the pairs whose boxes overlap no longer.
-void Scene::drop_left() {
+/// Of those that left: proofs of a path that began anew are forgotten, and where only few rows are
+/// looked at, pairs whose boxes overlap no longer are dropped.
+void Scene::part_from_partners() {
   for (const Leaver& leaver : left_) {
-    if (!is(leaver.body, kFiled)) continue;
+    const bool is_unproven = is(leaver.body, kUnproven);
+    if (!is(leaver.body, kFiled) || !(few_moved_ || is_unproven)) continue;
     cells_.near(leaver.before, found_);
     for (const std::uint32_t other : found_) {
-      if (other == leaver.body || overlap(leaver.body, other)) continue;
       const auto [a, b] = std::minmax(leaver.body, other);
-      if (Candidate* const candidate = candidates_.find(a, b)) drop(a, *candidate);
+      Candidate* const candidate = candidates_.find(a, b);
+      if (candidate == nullptr) continue;
+      if (few_moved_ && !overlap(a, b)) {
+        drop(a, *candidate);
+      } else if (is_unproven && !candidate->touches()) {
+        candidate->be_apart_until(0);
+      }
     }
   }
 }
@@ -160,13 +173,18 @@ void Scene::add_partners(std::uint32_t body) {
   const bool is_alone = found_.size() == 1;
   states_[body] =
       static_cast<std::uint8_t>(is_alone ? states_[body] | kAlone : states_[body] & ~kAlone);
+  const Box before = box_before(body);
+  std::size_t added = 0;
   for (const std::uint32_t other : found_) {
-    if (other == body || (is(other, kLeft) && other < body)) continue;
-    if (scene::overlap(box_before(body), box_before(other))) continue;
+    const bool finds = other != body && !(is(other, kLeft) && other < body);
+    found_[added] = other;
+    added += static_cast<std::size_t>(finds & !scene::overlap(before, box_before(other)));
+  }
+  for (const std::uint32_t other : std::span(found_).first(added)) {
     const auto [a, b] = std::minmax(body, other);
     candidates_.add(a, b);
-    ++counts_.pairs_added;
   }
+  counts_.pairs_added += added;
 }
 
 }  // namespace manifuzz::scene

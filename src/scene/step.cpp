@@ -11,8 +11,7 @@ namespace {
 /// Pairs that are collided together: enough for the kernel to sort, few enough for the cache.
 constexpr std::size_t kQueueMax = 4096;
 
-/// So many pairs ahead, contacts are asked for, and so many bodies ahead their rows: they lie
-/// anywhere in memory.
+/// So many pairs ahead, contacts are asked for: they lie anywhere in memory.
 constexpr std::size_t kAhead = 16;
 
 }  // namespace
@@ -24,10 +23,12 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves) {
   }
   began_.clear();
   ended_.erase(ended_.begin(), ended_.begin() + std::exchange(ended_reported_, 0));
+  make_room(movers_, movers_.size() + moves.size());
   for (const Move& move : moves) place(move);
   find_candidates();
   look_at_candidates();
   begin_contacts();
+  drop_parted();
   for (const Mover& mover : movers_) {
     states_[mover.body] =
         static_cast<std::uint8_t>(states_[mover.body] & (kFiled | kAlone | kBoxed));
@@ -37,14 +38,14 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves) {
 }
 
 void Scene::look_at_candidates() {
-  const std::size_t room = std::min(kQueueMax, candidates_.size() + 2);
+  const std::size_t room = std::min(kQueueMax, candidates_.size() + kRowLanes + 2);
   for (Queue* const queue : {&touching_, &apart_}) {
     if (queue->pairs.size() < room) resize(queue->pairs, room);
   }
   if (manifolds_.size() < room) resize(manifolds_, room);
+  counts_.pairs.candidates = candidates_.size();
   if (few_moved_) {
     for (const Mover& mover : movers_) {
-      prune_row(mover.body);
       for (Candidate& candidate : candidates_.row(mover.body)) look_at(mover.body, candidate);
       look_at_partners(mover.body);
     }
@@ -55,66 +56,51 @@ void Scene::look_at_candidates() {
   collide_apart();
 }
 
-/// Drops the pairs whose boxes overlap no longer, and proofs that do not hold. From the end, where
-/// the last contacts are: the last contact of all takes an ended one's place, and is looked for.
-void Scene::prune_row(std::uint32_t a) {
-  const std::span<Candidate> row = candidates_.row(a);
-  std::size_t kept = row.size();
-  for (std::size_t i = row.size(); i-- > 0;) {
-    Candidate& candidate = row[i];
-    const int states = states_[a] | states_[candidate.b];
-    if ((states & kLeft) != 0 && !overlap(a, candidate.b)) {
-      if (candidate.touches()) end_contact(candidate);
-      ++counts_.pairs_dropped;
-      candidate = row[--kept];
-      continue;
-    }
-    if ((states & kUnproven) != 0 && !candidate.touches()) candidate.be_apart_until(0);
+/// Pairs whose boxes overlap no longer are looked at once more, before `drop_parted`.
+void Scene::look_at_all_rows() {
+  const std::size_t room = (left_.empty() ? 0 : candidates_.size()) + kRowLanes + 1;
+  if (leaving_.pairs.size() < room) resize(leaving_.pairs, room);
+  if (settings_.recycled_motion > 0) {
+    for (std::uint32_t a = 0; a < candidates_.rows(); ++a) look_at_row(a);
+    return;
   }
-  candidates_.keep(a, kept);
+  resize(marks_, states_.size());
+  for (std::size_t body = 0; body < marks_.size(); ++body) {
+    marks_[body] = mark_of(paths_[body], states_[body] & (kMoved | kLeft));
+  }
+  SortedPairs sorted{touching_, apart_, leaving_};
+  for (std::uint32_t a = 0; a < candidates_.rows();) {
+    const std::uint32_t next = sort_rows(candidates_, marks_.data(), a, sorted);
+    if (next == a) look_at_row(a);  // longer than the queues
+    a = std::max(next, a + 1);
+    collide(touching_);
+    collide_apart();
+  }
+  counts_.pairs.separated += sorted.separated;
 }
 
-/// All rows: without branches that depend on a pair, where nothing is recycled.
-void Scene::look_at_all_rows() {
-  const std::uint8_t* const states = states_.data();
-  const float* const paths = paths_.data();
-  for (std::uint32_t a = 0; a < candidates_.rows(); ++a) {
-    candidates_.prefetch(a + kAhead);
-    if (!left_.empty()) {
-      int of_row = states[a];
-      for (const Candidate& candidate : candidates_.row(a)) of_row |= states[candidate.b];
-      if ((of_row & kLeft) != 0) prune_row(a);
-    }
-    const std::span<Candidate> row = candidates_.row(a);
-    if (settings_.recycled_motion > 0 || row.size() >= kQueueMax) {
-      for (Candidate& candidate : row) look_at(a, candidate);
-      continue;
-    }
-    if (!touching_.has_room(row.size())) collide(touching_);
-    if (!apart_.has_room(row.size())) collide_apart();
-    const int states_a = states[a];
-    const float path_a = paths[a];
-    Waiting* const touching = touching_.pairs.data();
-    Waiting* const apart = apart_.pairs.data();
-    std::size_t touching_count = touching_.count;
-    std::size_t apart_count = apart_.count;
-    std::size_t separated = 0;
-    std::uint32_t place = row.empty() ? 0 : candidates_.place_of(row.front());
-    for (const Candidate& candidate : row) {
-      const std::uint32_t b = candidate.b;
-      const bool moved = ((states_a | states[b]) & kMoved) != 0;
-      const bool touches = candidate.touches();
-      const bool is_apart = candidate.is_apart(path_a + paths[b]);
-      touching[touching_count] = {a, place};
-      touching_count += static_cast<std::size_t>(moved & touches);
-      apart[apart_count] = {a, place++};
-      apart_count += static_cast<std::size_t>(moved & !touches & !is_apart);
-      separated += static_cast<std::size_t>(moved & is_apart);
-    }
-    touching_.count = touching_count;
-    apart_.count = apart_count;
-    counts_.pairs.separated += separated;
+/// One by one.
+void Scene::look_at_row(std::uint32_t a) {
+  for (Candidate& candidate : candidates_.row(a)) {
+    look_at(a, candidate);
+    leaving_.pairs[leaving_.count] = {a, candidates_.place_of(candidate)};
+    leaving_.count += static_cast<std::size_t>(is(a, kLeft) || is(candidate.b, kLeft));
   }
+}
+
+/// Drops the pairs whose boxes overlap no longer. None touches: each was collided in this step, or
+/// proven apart. From the end: the last pair of a row takes a dropped one's place.
+void Scene::drop_parted() {
+  std::size_t parted = 0;
+  for (const Waiting& pair : std::span(leaving_.pairs).first(leaving_.count)) {
+    leaving_.pairs[parted] = pair;
+    parted += static_cast<std::size_t>(!overlap(pair.a, candidates_.at(pair.place).b));
+  }
+  for (std::size_t i = parted; i-- > 0;) {
+    const auto [a, place] = leaving_.pairs[i];
+    drop(a, candidates_.at(place));
+  }
+  leaving_.count = 0;
 }
 
 /// Of a body, the pairs in other rows that are not looked at with those.
@@ -124,7 +110,6 @@ void Scene::look_at_partners(std::uint32_t body) {
     if (other > body || is(other, kMoved)) continue;
     Candidate* const candidate = candidates_.find(other, body);
     if (candidate == nullptr) continue;
-    if (is(body, kUnproven) && !candidate->touches()) candidate->be_apart_until(0);
     look_at(other, *candidate);
   }
 }
@@ -134,7 +119,8 @@ void Scene::look_at(std::uint32_t a, Candidate& candidate) {
   const int states = states_[a] | states_[b];
   if ((states & kMoved) == 0) return;
   const bool touches = candidate.touches();
-  if (touches && (states & kUnproven) == 0 && recycle(a, candidate)) return;
+  const bool may_recycle = touches && (states & kUnproven) == 0 && overlap(a, b);
+  if (may_recycle && recycle(a, candidate)) return;
   const bool is_apart = candidate.is_apart(paths_[a] + paths_[b]);
   if (!touching_.has_room(1)) collide(touching_);
   if (!apart_.has_room(1)) collide_apart();
@@ -170,13 +156,12 @@ void Scene::leave_out_apart() {
   for (const Waiting& pair : std::span(apart_.pairs).first(apart_.count)) {
     const kernel::BodyPair bodies = bodies_of(pair);
     const float apart = gap(tight_[bodies.a], tight_[bodies.b]);
-    if (apart > 0) {
-      prove_apart(bodies, apart, candidates_.at(pair.place));
-      ++counts_.pairs.separated;
-      continue;
-    }
-    apart_.pairs[kept++] = pair;
+    candidates_.at(pair.place).be_apart_until(apart > 0 ? paths_to(bodies, apart) : 0);
+    apart_.pairs[kept] = pair;
+    kept += static_cast<std::size_t>(!(apart > 0));
   }
+  counts_.pairs.separated += apart_.count - kept;
+  counts_.proofs += apart_.count - kept;
   apart_.count = kept;
 }
 
@@ -238,10 +223,9 @@ float Scene::margin_of(const kernel::BodyPair& bodies, float gap) const {
 }
 
 void Scene::prove_apart(const kernel::BodyPair& bodies, float margin, Candidate& candidate) {
-  candidate.be_apart_until(0);
-  if (!settings_.certificates || !(margin > 0)) return;
-  candidate.be_apart_until((paths_[bodies.a] + paths_[bodies.b] + margin) * (1 - 8 * kRoundoff));
-  ++counts_.proofs;
+  const bool is_proven = settings_.certificates && margin > 0;
+  candidate.be_apart_until(is_proven ? paths_to(bodies, margin) : 0);
+  counts_.proofs += static_cast<std::size_t>(is_proven);
 }
 
 void Scene::begin_contacts() {
@@ -273,7 +257,6 @@ bool Scene::recycle(std::uint32_t a, const Candidate& candidate) {
 
 StepResult Scene::result() {
   PairCounts& pairs = counts_.pairs;
-  pairs.candidates = candidates_.size();
   pairs.at_rest = pairs.candidates - pairs.separated - pairs.recycled - pairs.collided;
   ended_reported_ = std::ssize(ended_);
   const std::size_t stayed = contacts_.size() - began_.size();

@@ -7,6 +7,7 @@
 #include "scene/cell_level.cpp"
 #include "scene/cells.cpp"
 #include "scene/recycled.cpp"
+#include "scene/rows.cpp"
 #include "scene/scene.cpp"
 #include "scene/search.cpp"
 #include "scene/shape_table.cpp"

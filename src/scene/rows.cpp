@@ -1,0 +1,80 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "scene/rows.cpp"
+#include <hwy/foreach_target.h>  // includes this file once more for every other target
+// after foreach_target
+#include <hwy/highway.h>
+
+#include "scene/compressed-inl.hpp"
+#include "scene/rows.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace manifuzz::scene::HWY_NAMESPACE {
+
+using Lanes = hn::CappedTag<std::uint32_t, kRowLanes>;
+
+/// So many rows ahead, the next are asked for: they lie anywhere in memory.
+inline constexpr std::uint32_t kRowsAhead = 16;
+
+/// The pairs in a mask's lanes join those that wait.
+HWY_INLINE void append(hn::Vec<Lanes> a, hn::Vec<Lanes> places, hn::Mask<Lanes> mask,
+                       Queue& queue) {
+  const Lanes d;
+  auto* const end = reinterpret_cast<std::uint32_t*>(queue.pairs.data() + queue.count);
+  hn::StoreInterleaved2(a, compressed(d, places, mask), d, end);
+  queue.count += hn::CountTrue(d, mask);
+}
+
+/// A lane a pair, without a branch that depends on one.
+std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
+                        SortedPairs& sorted) {
+  const Lanes d;
+  const hn::RebindToFloat<Lanes> df;
+  const hn::RebindToSigned<Lanes> di;
+  const std::size_t lanes = hn::Lanes(d);
+  std::uint32_t a = first;
+  for (; a < candidates.rows(); ++a) {
+    candidates.prefetch(a + kRowsAhead);
+    const std::span<Candidate> row = candidates.row(a);
+    const std::size_t room = row.size() + lanes;
+    if (!sorted.touching.has_room(room) || !sorted.apart.has_room(room)) break;
+    if (!sorted.leaving.has_room(room)) break;
+    const auto row_a = hn::Set(d, a);
+    const auto mark_a = hn::Set(d, marks[a]);
+    for (std::size_t i = 0; i < row.size(); i += lanes) {
+      hn::Vec<Lanes> b;
+      hn::Vec<Lanes> known;
+      hn::LoadInterleaved2(d, reinterpret_cast<const std::uint32_t*>(&row[i]), b, known);
+      const auto in_row = hn::FirstN(d, row.size() - i);
+      b = hn::IfThenElseZero(in_row, b);
+      const auto mark_b = hn::IfThenElseZero(in_row, hn::GatherIndex(d, marks, hn::BitCast(di, b)));
+      const auto of_both = hn::Or(mark_a, mark_b);
+      const auto paths = hn::Add(hn::BitCast(df, mark_a), hn::BitCast(df, mark_b));
+      const auto moved = hn::And(in_row, hn::TestBit(of_both, hn::Set(d, kHasMoved)));
+      const auto touches = hn::TestBit(known, hn::Set(d, Candidate::kTouches));
+      const auto is_apart = hn::RebindMask(d, hn::Lt(paths, hn::BitCast(df, known)));
+      const auto places = hn::Add(hn::Set(d, candidates.place_of(row[i])), hn::Iota(d, 0));
+      append(row_a, places, hn::And(moved, touches), sorted.touching);
+      append(row_a, places, hn::AndNot(hn::Or(touches, is_apart), moved), sorted.apart);
+      sorted.separated += hn::CountTrue(d, hn::And(moved, is_apart));
+      const auto left = hn::And(in_row, hn::TestBit(of_both, hn::Set(d, kHasLeft)));
+      append(row_a, places, left, sorted.leaving);
+    }
+  }
+  return a;
+}
+
+}  // namespace manifuzz::scene::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace manifuzz::scene {
+
+HWY_EXPORT(sort_rows);
+
+std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
+                        SortedPairs& sorted) {
+  return HWY_DYNAMIC_DISPATCH(sort_rows)(candidates, marks, first, sorted);
+}
+
+}  // namespace manifuzz::scene
+#endif

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "scene/candidates.hpp"
+
+namespace manifuzz::scene {
+
+/// A candidate that waits to be collided.
+struct Waiting {
+  std::uint32_t a;
+  std::uint32_t place;  ///< among the candidates
+};
+
+/// They wait together; the array is longer than that.
+struct Queue {
+  std::vector<Waiting> pairs;
+  std::size_t count = 0;
+
+  bool has_room(std::size_t more) const { return count + more < pairs.size(); }
+};
+
+/// What a step must know of a body to sort its pairs: the length of its path, rounded up to where
+/// the last two bits are free, and these two.
+enum Mark : std::uint32_t {
+  kHasMoved = 1,
+  kHasLeft = 2,  ///< its fattened box
+};
+
+/// Of a path, a length >= 0.
+inline std::uint32_t mark_of(float path, std::uint32_t marks) {
+  return ((std::bit_cast<std::uint32_t>(path) + 3) & ~std::uint32_t{3}) | marks;
+}
+
+/// Where the pairs of rows go, of which a body moved.
+struct SortedPairs {
+  Queue& touching;            ///< those that touched
+  Queue& apart;               ///< those that did not, and are not proven apart
+  Queue& leaving;             ///< those of which a body left its fattened box
+  std::size_t separated = 0;  ///< how many are proven apart
+};
+
+/// Sorts row after row, the first one and those behind it, as long as the queues have room for one;
+/// the row to go on with. `marks` is by body.
+std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
+                        SortedPairs& sorted);
+
+}  // namespace manifuzz::scene
