@@ -74,7 +74,6 @@ std::optional<Defect> Scene::set_shape(BodyHandle body, std::uint32_t shape) {
 /// Nothing that was known of its box and its pairs holds any more.
 void Scene::start_path(std::uint32_t body) {
   paths_[body] = kNoPath;
-  make_room(movers_, movers_.size() + 1);
   mark_moved(body);
 }
 
@@ -82,16 +81,32 @@ void Scene::mark_moved(std::uint32_t body) {
   states_[body] &= static_cast<std::uint8_t>(~kBoxed);
   if (is(body, kMoved)) return;
   states_[body] |= kMoved;
+  make_room(movers_, movers_.size() + 1);
   movers_.push_back({body, placements_[body].pose.position});
 }
 
-void Scene::place(const Move& move) {
-  const std::uint32_t body = move.body.index;
-  Pose<float>& pose = placements_[body].pose;
-  if (same_bits(pose, move.pose)) return;
-  mark_moved(body);
-  paths_[body] = next_float(paths_[body] + displacement(pose, move.pose, facts(body).reach));
-  pose = move.pose;
+/// What is read and written lies in local variables: bytes might be part of anything, and the rest
+/// would be read again after each state is written.
+void Scene::place(std::span<const Move> moves) {
+  std::size_t moved = movers_.size();
+  resize(movers_, moved + moves.size());
+  Mover* const movers = movers_.data();
+  kernel::Placement<float>* const placements = placements_.data();
+  std::uint8_t* const states = states_.data();
+  float* const paths = paths_.data();
+  for (const Move& move : moves) {
+    const std::uint32_t body = move.body.index;
+    auto& [shape, pose] = placements[body];
+    if (same_bits(pose, move.pose)) continue;
+    const std::uint8_t state = states[body];
+    movers[moved] = {body, pose.position};
+    moved += static_cast<std::size_t>((state & kMoved) == 0);
+    states[body] = static_cast<std::uint8_t>((state & ~kBoxed) | kMoved);
+    const float went = displacement(pose, move.pose, shapes_.facts(shape).reach);
+    paths[body] = next_float(paths[body] + went);
+    pose = move.pose;
+  }
+  movers_.resize(moved);
 }
 
 void Scene::drop_all(std::uint32_t body) {

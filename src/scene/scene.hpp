@@ -133,7 +133,7 @@ class Scene {
 
   void start_path(std::uint32_t body);
   void mark_moved(std::uint32_t body);
-  void place(const Move& move);
+  void place(std::span<const Move> moves);
   bool few_moved() const;
 
   void find_candidates();
@@ -151,21 +151,19 @@ class Scene {
   void look_at_row(std::uint32_t a);
   void look_at_partners(std::uint32_t body);
   void look_at(std::uint32_t a, Candidate& candidate);
-  void collide_apart();
   void leave_out_apart();
-  void collide(Queue& queue);
-  void conclude(const kernel::BodyPair& bodies, Candidate& candidate,
-                const Manifold<float>& manifold);
-  void conclude_touching(const kernel::BodyPair& bodies, Candidate& candidate,
-                         const Manifold<float>& manifold);
-  /// Proves two bodies to be apart until a vertex has moved by `margin`, a length; nothing where it
-  /// is not above 0.
-  void prove_apart(const kernel::BodyPair& bodies, float margin, Candidate& candidate);
+  template <class Out>
+  void collide(const Queue& queue, const Out& out);
+  void collide_touching();
+  void keep_touching();
+  void collide_apart();
+  /// Proves two bodies to be apart for as long as the kernel's gap between them allows.
+  void prove_apart(const kernel::BodyPair& bodies, float gap, Candidate& candidate);
+  float margin_of(const kernel::BodyPair& bodies, float gap) const;
   /// Until what sum of their paths two bodies are apart that must yet go this far, a length.
   float paths_to(const kernel::BodyPair& bodies, float margin) const {
     return (paths_[bodies.a] + paths_[bodies.b] + margin) * (1 - 8 * kRoundoff);
   }
-  float margin_of(const kernel::BodyPair& bodies, float gap) const;
   void begin_contacts();
   void drop_parted();
   void end_contact(Candidate& candidate);

@@ -79,10 +79,12 @@ void Scene::find_leavers() {
   clear_for(bodies_, body_count_);
   clear_for(left_, body_count_);
   resize(found_, movers_.size() + 1);
+  std::uint32_t* const found = found_.data();
+  const auto count = static_cast<std::uint32_t>(movers_.size());
   std::size_t unsure = 0;
-  for (std::uint32_t i = 0; i < movers_.size(); ++i) {
+  for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t body = movers_[i].body;
-    found_[unsure] = i;
+    found[unsure] = i;
     unsure += static_cast<std::size_t>(paths_[body] > leave_at_[body]);
   }
   found_.resize(unsure);

@@ -23,8 +23,7 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves) {
   }
   began_.clear();
   ended_.erase(ended_.begin(), ended_.begin() + std::exchange(ended_reported_, 0));
-  make_room(movers_, movers_.size() + moves.size());
-  for (const Move& move : moves) place(move);
+  place(moves);
   find_candidates();
   look_at_candidates();
   begin_contacts();
@@ -52,7 +51,7 @@ void Scene::look_at_candidates() {
   } else {
     look_at_all_rows();
   }
-  collide(touching_);
+  collide_touching();
   collide_apart();
 }
 
@@ -73,7 +72,7 @@ void Scene::look_at_all_rows() {
     const std::uint32_t next = sort_rows(candidates_, marks_.data(), a, sorted);
     if (next == a) look_at_row(a);  // longer than the queues
     a = std::max(next, a + 1);
-    collide(touching_);
+    collide_touching();
     collide_apart();
   }
   counts_.pairs.separated += sorted.separated;
@@ -122,7 +121,7 @@ void Scene::look_at(std::uint32_t a, Candidate& candidate) {
   const bool may_recycle = touches && (states & kUnproven) == 0 && overlap(a, b);
   if (may_recycle && recycle(a, candidate)) return;
   const bool is_apart = candidate.is_apart(paths_[a] + paths_[b]);
-  if (!touching_.has_room(1)) collide(touching_);
+  if (!touching_.has_room(1)) collide_touching();
   if (!apart_.has_room(1)) collide_apart();
   if (is_apart) {
     ++counts_.pairs.separated;
@@ -130,11 +129,6 @@ void Scene::look_at(std::uint32_t a, Candidate& candidate) {
   }
   Queue& queue = touches ? touching_ : apart_;
   queue.pairs[queue.count++] = {a, candidates_.place_of(candidate)};
-}
-
-void Scene::collide_apart() {
-  leave_out_apart();
-  collide(apart_);
 }
 
 /// Of the pairs that wait and did not touch, those whose tight boxes do not overlap.
@@ -165,50 +159,63 @@ void Scene::leave_out_apart() {
   apart_.count = kept;
 }
 
-/// Manifolds of pairs that touched go straight to their contacts.
-void Scene::collide(Queue& queue) {
+/// Each pair's manifold goes where `out` says of its place in the queue.
+template <class Out>
+void Scene::collide(const Queue& queue, const Out& out) {
   kernel::PairStream<float> stream(shapes_.for_pairs(), placements_, settings_.tie_bias);
-  for (std::size_t i = 0; i < queue.count; ++i) {
-    const Candidate& soon =
-        candidates_.at(queue.pairs[std::min(i + kAhead, queue.count - 1)].place);
-    if (soon.touches()) __builtin_prefetch(&contacts_[soon.contact()]);
-    const Candidate& candidate = candidates_.at(queue.pairs[i].place);
-    stream.push(bodies_of(queue.pairs[i]),
-                candidate.touches() ? contacts_[candidate.contact()].manifold : manifolds_[i]);
-  }
+  for (std::size_t i = 0; i < queue.count; ++i) stream.push(bodies_of(queue.pairs[i]), out(i));
   stream.finish();
-  for (std::size_t i = queue.count; i-- > 0;) {
-    Candidate& candidate = candidates_.at(queue.pairs[i].place);
-    const kernel::BodyPair bodies = bodies_of(queue.pairs[i]);
-    if (candidate.touches()) {
-      conclude_touching(bodies, candidate, contacts_[candidate.contact()].manifold);
-    } else {
-      conclude(bodies, candidate, manifolds_[i]);
-    }
-  }
   counts_.pairs.collided += queue.count;
+}
+
+/// Manifolds of pairs that touched go straight to their contacts.
+void Scene::collide_touching() {
+  Queue& queue = touching_;
+  const auto contact_of = [&](std::size_t i) -> Contact& {
+    return contacts_[candidates_.at(queue.pairs[i].place).contact()];
+  };
+  collide(queue, [&](std::size_t i) -> Manifold<float>& {
+    __builtin_prefetch(&contact_of(std::min(i + kAhead, queue.count - 1)));
+    return contact_of(i).manifold;
+  });
+  if (settings_.recycled_motion > 0) keep_touching();
+  std::size_t ended = 0;
+  for (std::size_t i = 0; i < queue.count; ++i) {
+    const bool has_ended = contact_of(i).manifold.count == 0;
+    queue.pairs[ended] = queue.pairs[i];
+    ended += static_cast<std::size_t>(has_ended);
+  }
+  for (std::size_t i = ended; i-- > 0;) {
+    Candidate& candidate = candidates_.at(queue.pairs[i].place);
+    const float gap = -contact_of(i).manifold.points[0].depth;
+    end_contact(candidate);
+    prove_apart(bodies_of(queue.pairs[i]), gap, candidate);
+  }
   queue.count = 0;
 }
 
-void Scene::conclude_touching(const kernel::BodyPair& bodies, Candidate& candidate,
-                              const Manifold<float>& manifold) {
-  if (manifold.count > 0) {
-    if (settings_.recycled_motion > 0) kept_[candidate.contact()] = {b_in_a(bodies), manifold};
-    return;
+/// What the kernel gave, to be carried along.
+void Scene::keep_touching() {
+  for (const Waiting& pair : std::span(touching_.pairs).first(touching_.count)) {
+    const std::uint32_t contact = candidates_.at(pair.place).contact();
+    kept_[contact] = {b_in_a(bodies_of(pair)), contacts_[contact].manifold};
   }
-  const float gap = -manifold.points[0].depth;
-  end_contact(candidate);
-  prove_apart(bodies, margin_of(bodies, gap), candidate);
 }
 
 /// Contacts begin at the end of the step: until then those that end leave no gaps in what began.
-void Scene::conclude(const kernel::BodyPair& bodies, Candidate& candidate,
-                     const Manifold<float>& manifold) {
-  if (manifold.count > 0) {
-    beginning_.push_back({bodies, &candidate, manifold});
-    return;
+void Scene::collide_apart() {
+  leave_out_apart();
+  collide(apart_, [&](std::size_t i) -> Manifold<float>& { return manifolds_[i]; });
+  for (std::size_t i = 0; i < apart_.count; ++i) {
+    const kernel::BodyPair bodies = bodies_of(apart_.pairs[i]);
+    Candidate& candidate = candidates_.at(apart_.pairs[i].place);
+    if (manifolds_[i].count > 0) {
+      beginning_.push_back({bodies, &candidate, manifolds_[i]});
+    } else {
+      prove_apart(bodies, -manifolds_[i].points[0].depth, candidate);
+    }
   }
-  prove_apart(bodies, margin_of(bodies, -manifold.points[0].depth), candidate);
+  apart_.count = 0;
 }
 
 /// What a gap between two polygons, as the kernel found it, proves (certificates.md); lengths.
@@ -222,7 +229,8 @@ float Scene::margin_of(const kernel::BodyPair& bodies, float gap) const {
   return kRoundDown * gap - kSeparationError * extent - 1.001F * padding;
 }
 
-void Scene::prove_apart(const kernel::BodyPair& bodies, float margin, Candidate& candidate) {
+void Scene::prove_apart(const kernel::BodyPair& bodies, float gap, Candidate& candidate) {
+  const float margin = margin_of(bodies, gap);
   const bool is_proven = settings_.certificates && margin > 0;
   candidate.be_apart_until(is_proven ? paths_to(bodies, margin) : 0);
   counts_.proofs += static_cast<std::size_t>(is_proven);
