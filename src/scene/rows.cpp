@@ -15,14 +15,28 @@ using Lanes = hn::CappedTag<std::uint32_t, kRowLanes>;
 /// So many rows ahead, the next are asked for: they lie anywhere in memory.
 inline constexpr std::uint32_t kRowsAhead = 16;
 
-/// The pairs in a mask's lanes join those that wait.
-HWY_INLINE void append(hn::Vec<Lanes> a, hn::Vec<Lanes> places, hn::Mask<Lanes> mask,
-                       Queue& queue) {
-  const Lanes d;
-  auto* const end = reinterpret_cast<std::uint32_t*>(queue.pairs.data() + queue.count);
-  hn::StoreInterleaved2(a, compressed(d, places, mask), d, end);
-  queue.count += hn::CountTrue(d, mask);
-}
+/// A queue while it grows: what lies behind its end may be overwritten.
+class Tail {
+ public:
+  explicit Tail(Queue& queue) : queue_(queue), pairs_(queue.pairs.data()), count_(queue.count) {}
+  ~Tail() { queue_.count = count_; }
+
+  bool has_room(std::size_t more) const { return count_ + more < size_; }
+
+  /// The pairs in a mask's lanes.
+  HWY_INLINE void append(hn::Vec<Lanes> a, hn::Vec<Lanes> places, hn::Mask<Lanes> mask) {
+    const Lanes d;
+    auto* const end = reinterpret_cast<std::uint32_t*>(pairs_ + count_);
+    hn::StoreInterleaved2(a, compressed(d, places, mask), d, end);
+    count_ += hn::CountTrue(d, mask);
+  }
+
+ private:
+  Queue& queue_;
+  Waiting* pairs_;
+  std::size_t count_;
+  std::size_t size_ = queue_.pairs.size();
+};
 
 /// A lane a pair, without a branch that depends on one.
 std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
@@ -31,14 +45,17 @@ std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std:
   const hn::RebindToFloat<Lanes> df;
   const hn::RebindToSigned<Lanes> di;
   const std::size_t lanes = hn::Lanes(d);
+  Tail touching(sorted.touching);
+  Tail apart(sorted.apart);
+  Tail leaving(sorted.leaving);
+  std::size_t separated = 0;
+  const std::uint32_t rows = candidates.rows();
   std::uint32_t a = first;
-  for (; a < candidates.rows(); ++a) {
+  for (; a < rows; ++a) {
     candidates.prefetch(a + kRowsAhead);
     const std::span<Candidate> row = candidates.row(a);
     const std::size_t room = row.size() + lanes;
-    if (!sorted.touching.has_room(room) || !sorted.apart.has_room(room)) break;
-    if (!sorted.leaving.has_room(room)) break;
-    const auto row_a = hn::Set(d, a);
+    if (!touching.has_room(room) || !apart.has_room(room) || !leaving.has_room(room)) break;
     const auto mark_a = hn::Set(d, marks[a]);
     for (std::size_t i = 0; i < row.size(); i += lanes) {
       hn::Vec<Lanes> b;
@@ -46,20 +63,24 @@ std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std:
       hn::LoadInterleaved2(d, reinterpret_cast<const std::uint32_t*>(&row[i]), b, known);
       const auto in_row = hn::FirstN(d, row.size() - i);
       b = hn::IfThenElseZero(in_row, b);
-      const auto mark_b = hn::IfThenElseZero(in_row, hn::GatherIndex(d, marks, hn::BitCast(di, b)));
+      const auto mark_b = hn::GatherIndex(d, marks, hn::BitCast(di, b));
       const auto of_both = hn::Or(mark_a, mark_b);
-      const auto paths = hn::Add(hn::BitCast(df, mark_a), hn::BitCast(df, mark_b));
       const auto moved = hn::And(in_row, hn::TestBit(of_both, hn::Set(d, kHasMoved)));
+      if (hn::AllFalse(d, moved)) continue;
+      const auto paths = hn::Add(hn::BitCast(df, mark_a), hn::BitCast(df, mark_b));
       const auto touches = hn::TestBit(known, hn::Set(d, Candidate::kTouches));
       const auto is_apart = hn::RebindMask(d, hn::Lt(paths, hn::BitCast(df, known)));
+      const auto row_a = hn::Set(d, a);
       const auto places = hn::Add(hn::Set(d, candidates.place_of(row[i])), hn::Iota(d, 0));
-      append(row_a, places, hn::And(moved, touches), sorted.touching);
-      append(row_a, places, hn::AndNot(hn::Or(touches, is_apart), moved), sorted.apart);
-      sorted.separated += hn::CountTrue(d, hn::And(moved, is_apart));
+      touching.append(row_a, places, hn::And(moved, touches));
+      apart.append(row_a, places, hn::AndNot(hn::Or(touches, is_apart), moved));
+      separated += hn::CountTrue(d, hn::And(moved, is_apart));
+      if (!sorted.any_left) continue;
       const auto left = hn::And(in_row, hn::TestBit(of_both, hn::Set(d, kHasLeft)));
-      append(row_a, places, left, sorted.leaving);
+      leaving.append(row_a, places, left);
     }
   }
+  sorted.separated += separated;
   return a;
 }
 

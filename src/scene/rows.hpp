@@ -39,6 +39,7 @@ struct SortedPairs {
   Queue& touching;            ///< those that touched
   Queue& apart;               ///< those that did not, and are not proven apart
   Queue& leaving;             ///< those of which a body left its fattened box
+  bool any_left;              ///< whether any body did
   std::size_t separated = 0;  ///< how many are proven apart
 };
 

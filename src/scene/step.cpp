@@ -67,7 +67,7 @@ void Scene::look_at_all_rows() {
   for (std::size_t body = 0; body < marks_.size(); ++body) {
     marks_[body] = mark_of(paths_[body], states_[body] & (kMoved | kLeft));
   }
-  SortedPairs sorted{touching_, apart_, leaving_};
+  SortedPairs sorted{touching_, apart_, leaving_, !left_.empty()};
   for (std::uint32_t a = 0; a < candidates_.rows();) {
     const std::uint32_t next = sort_rows(candidates_, marks_.data(), a, sorted);
     if (next == a) look_at_row(a);  // longer than the queues
