@@ -1,14 +1,71 @@
-#include "oracle/exact/placed.hpp"
-
-#include <algorithm>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "oracle/exact/placed.cpp"
+#include <hwy/foreach_target.h>  // includes this file once more for every other target
+// after foreach_target
 #include <cassert>
-#include <cmath>
+#include <hwy/highway.h>
 #include <limits>
 
-#include "geometry/lanes.hpp"
+#include "geometry/lanes-inl.hpp"
+#include "oracle/exact/placed.hpp"
 
+HWY_BEFORE_NAMESPACE();
+namespace manifuzz::exact::HWY_NAMESPACE {
+
+using namespace manifuzz::HWY_NAMESPACE;
+
+/// A polygon as it stands, at `position` from A's.
+HWY_INLINE void place(const StoredBody& body, double x, double y, RoughPolygon& placed) {
+  const int count = body.polygon.count;
+  const double cos = static_cast<double>(body.pose.rotation.x());
+  const double sin = static_cast<double>(body.pose.rotation.y());
+  const LanePoints corners = load_points(body.polygon.vertices[0].data());
+  const LanePoints edges = next(corners, count) - corners;
+  const LanePoints outward = turned(cos, sin, clockwise_quarter(edges));
+  placed.count = count;
+  store_points(turned(cos, sin, corners) + in_every_lane(x, y), placed.vertices[0].data());
+  store_points(outward / root(dot(outward, outward)), placed.normals[0].data());
+  if (count == 1) placed.normals[0] = {0, 0};
+}
+
+void place_both(const StoredPair& pair, RoughPair& placed) {
+  const Pose<float>& a = pair.a.pose;
+  const Pose<float>& b = pair.b.pose;
+  place(pair.a, 0, 0, placed.a);
+  place(pair.b, static_cast<double>(b.position.x()) - static_cast<double>(a.position.x()),
+        static_cast<double>(b.position.y()) - static_cast<double>(a.position.y()), placed.b);
+}
+
+/// Of each face of a polygon, and the greatest; all faces at once meet each vertex of the other.
+HWY_INLINE double separate(const RoughPolygon& polygon, const RoughPolygon& opposing,
+                           LaneArray& of_face) {
+  const LanePoints corners = load_points(polygon.vertices[0].data());
+  const LanePoints normals = load_points(polygon.normals[0].data());
+  const Lanes infinity = in_every_lane(std::numeric_limits<double>::infinity());
+  Lanes least = infinity;
+  for (int j = 0; j < opposing.count; ++j) {
+    const double* const vertex = opposing.vertices[j].data();
+    least = lesser(dot(normals, in_every_lane(vertex[0], vertex[1]) - corners), least);
+  }
+  store(least, of_face.data());
+  return -least_of(select(first_lanes(polygon.face_count()), -least, infinity));
+}
+
+void place_and_separate(const StoredPair& pair, RoughPair& placed, Separations& found) {
+  place_both(pair, placed);
+  found.greatest = {separate(placed.a, placed.b, found.of_face[0]),
+                    separate(placed.b, placed.a, found.of_face[1])};
+}
+
+}  // namespace manifuzz::exact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace manifuzz::exact {
 namespace {
+
+HWY_EXPORT(place_both);
+HWY_EXPORT(place_and_separate);
 
 // With u = 2^-53 and E the extent, rotations being unit to 1e-5. As a vector, a placed vertex is
 // off by 1.42 u of its reach from two products, u from their sum, u E from the sum with a position
@@ -17,22 +74,6 @@ namespace {
 // a division: off by less than 8 u in all. The dot of both adds 2 u E: together 20 u E, and half as
 // much again for good measure. The dot of two normals is off by 8 u + 8 u + 2 u.
 constexpr double kErrorOfSeparation = 0x1p-48;  // 32 u
-
-RoughPolygon place(const StoredBody& body, const Vector2<double>& position) {
-  const StoredPolygon& polygon = body.polygon;
-  const Vector2<double> rotation = body.pose.rotation.cast<double>();
-  RoughPolygon placed;
-  placed.count = polygon.count;
-  for (int i = 0; i < placed.count; ++i) {
-    const Vector2<double>& corner = polygon.vertices[i];
-    const Vector2<double> edge = polygon.vertices[polygon.next(i)] - corner;
-    const Vector2<double> outward = rotate<double>(rotation, clockwise_quarter(edge));
-    placed.vertices[i] = rotate<double>(rotation, corner) + position;
-    placed.normals[i] = outward / std::sqrt(outward.dot(outward));
-  }
-  if (placed.count == 1) placed.normals[0] = {0, 0};
-  return placed;
-}
 
 StoredBody stored(const Body& body) {
   StoredBody result{.polygon = {.vertices = {},
@@ -65,48 +106,17 @@ StoredPair stored(const PairCase& pair, const UsedShapes& used) {
 }
 
 RoughPair place_roughly(const StoredPair& pair) {
-  return {place(pair.a, {0, 0}),
-          place(pair.b, pair.b.pose.position.cast<double>() - pair.a.pose.position.cast<double>())};
+  RoughPair placed;
+  HWY_DYNAMIC_DISPATCH(place_both)(pair, placed);
+  return placed;
 }
 
-namespace {
-
-/// Of each face of a polygon; all of them at once meet each vertex of the other.
-LaneArray separations(const RoughPolygon& polygon, const RoughPolygon& opposing) {
-  LaneArray corner_x{};
-  LaneArray corner_y{};
-  LaneArray normal_x{};
-  LaneArray normal_y{};
-  for (int i = 0; i < polygon.count; ++i) {
-    corner_x[i] = polygon.vertices[i].x();
-    corner_y[i] = polygon.vertices[i].y();
-    normal_x[i] = polygon.normals[i].x();
-    normal_y[i] = polygon.normals[i].y();
-  }
-  Lanes least(std::numeric_limits<double>::infinity());
-  for (int j = 0; j < opposing.count; ++j) {
-    const Lanes apart_x = Lanes(opposing.vertices[j].x()) - Lanes(corner_x);
-    const Lanes apart_y = Lanes(opposing.vertices[j].y()) - Lanes(corner_y);
-    least = min(least, Lanes(normal_x) * apart_x + Lanes(normal_y) * apart_y);
-  }
-  return least.array();
-}
-
-}  // namespace
-
-Separations separations(const RoughPair& placed, double extent) {
+Separations separations(const StoredPair& pair, double extent, RoughPair& placed) {
   Separations result;
+  HWY_DYNAMIC_DISPATCH(place_and_separate)(pair, placed, result);
   result.error = kErrorOfSeparation * extent;
-  for (const Side side : {Side::a, Side::b}) {
-    const RoughPolygon& polygon = placed[side];
-    auto& of_face = result.of_face[static_cast<std::size_t>(side)];
-    of_face = separations(polygon, placed[other(side)]);
-    result.greatest[static_cast<std::size_t>(side)] =
-        polygon.face_count() > 0
-            ? *std::max_element(of_face.begin(), of_face.begin() + polygon.count)
-            : -std::numeric_limits<double>::infinity();
-  }
   return result;
 }
 
 }  // namespace manifuzz::exact
+#endif

@@ -187,8 +187,8 @@ struct Separations {
   double error = 0;                ///< of each of them, a world length
 };
 
-/// `extent` is that of the pair.
-Separations separations(const RoughPair& placed, double extent);
+/// `extent` is that of the pair, which is placed, too.
+Separations separations(const StoredPair& pair, double extent, RoughPair& placed);
 
 /// How far the dot of two of the unit normals may be off.
 inline constexpr double kErrorOfDot = 0x1p-48;

@@ -64,18 +64,29 @@ int compare_distance(const StoredPair& pair, const FaceAndVertex& p, int radii, 
 Truth::Truth(const PairCase& pair)
     : pair_(pair),
       stored_(exact::stored(pair)),
-      size_(manifuzz::size(pair)),
       extent_(manifuzz::extent(pair)),
-      placed_(place_roughly(stored_)),
-      rough_(separations(placed_, extent_)) {}
+      rough_(separations(stored_, extent_, placed_)) {}
 
 Truth::Truth(const PairCase& pair, const UsedShapes& used)
-    : stored_(exact::stored(pair, used)),
-      size_(manifuzz::size(pair)),
-      placed_(place_roughly(stored_)) {
+    : stored_(exact::stored(pair, used)), size_(manifuzz::size(pair)) {
   pair_ = nearest(pair, stored_, used);
   extent_ = manifuzz::extent(pair_) * kExtentSlack;
-  rough_ = separations(placed_, extent_);
+  rough_ = separations(stored_, extent_, placed_);
+}
+
+double Truth::size() const {
+  if (!size_) size_ = manifuzz::size(pair_);
+  return *size_;
+}
+
+double Truth::size_at_least() const {
+  if (size_) return *size_;
+  const auto across = [](const StoredBody& body) {
+    const auto& [vertices, count, radius] = body.polygon;
+    const Vector2<double> d = vertices[count / 2] - vertices[0];
+    return d.dot(d);
+  };
+  return std::sqrt(std::min(across(stored_.a), across(stored_.b)));
 }
 
 int Truth::rough_sign(double value, double offset) const {

@@ -33,7 +33,9 @@ class Truth {
 
   const PairCase& pair() const { return pair_; }
   const StoredPair& stored() const { return stored_; }
-  double size() const { return size_; }
+  double size() const;
+  /// Some distance of two vertices of the smaller shape: the size is at least that.
+  double size_at_least() const;
   double extent() const { return extent_; }
 
   /// S of the pair, a side or a face, to within an extent * 2^-48.
@@ -89,7 +91,7 @@ class Truth {
 
   PairCase pair_;
   StoredPair stored_;
-  double size_;
+  mutable std::optional<double> size_;  ///< none: not asked for
   double extent_ = 0;
   RoughPair placed_;
   Separations rough_;

@@ -33,9 +33,15 @@ inline double power_of_two(int exponent) {
 class Random {
  public:
   Random(std::uint64_t seed, std::string_view stream, std::uint64_t index)
-      : key_(mix(mix(seed + kGolden) ^ mix(hash_of(stream)) ^ mix(index * kGolden + 1))) {}
+      : Random(seed, hash_of(stream), index) {}
+  /// By the stream's hash.
+  Random(std::uint64_t seed, std::uint64_t stream, std::uint64_t index)
+      : place_(mix(mix(seed + kGolden) ^ mix(stream) ^ mix(index * kGolden + 1))) {}
 
-  std::uint64_t bits() { return mix(key_ + kGolden * ++counter_); }
+  std::uint64_t bits() {
+    place_ += kGolden;
+    return mix(place_);
+  }
 
   /// In [0, 1), a multiple of 2^-53.
   double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
@@ -62,8 +68,7 @@ class Random {
 
  private:
   static constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ULL;
-  std::uint64_t key_;
-  std::uint64_t counter_ = 0;
+  std::uint64_t place_;  ///< key + n * kGolden
 };
 
 /// The float `steps` away in the order of the floats; x itself where that would not be finite.

@@ -248,7 +248,7 @@ std::unique_ptr<Tally> added(const Shared<JobState>& jobs) {
 /// One agreeing case in `judge_every`, by what the case is and not by its place in the campaign:
 /// alone it is sampled too.
 bool is_sampled(const Plan& plan, CaseNumber number) {
-  const std::uint64_t stream = hash_of(plan.regimes[plan.regime_of(number)]->name);
+  const std::uint64_t stream = plan.regimes[plan.regime_of(number)]->stream;
   return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
 }
 

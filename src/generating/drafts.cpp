@@ -5,12 +5,9 @@
 namespace manifuzz {
 namespace {
 
-/// Gives the outline another frame, which stands in the old one as `inner`; nothing moves.
+/// Gives the sketch's outline another frame, which stands in the old one as `inner`; nothing moves.
 void reframe(Sketch& sketch, const Pose<double>& inner) {
-  for (int i = 0; i < sketch.outline.count; ++i) {
-    Vector2<double>& v = sketch.outline.vertices[i];
-    v = rotate_back<double>(inner.rotation, v - inner.position);
-  }
+  reframe(sketch.outline, inner);
   sketch.pose = {transform(sketch.pose, inner.position),
                  rotate(sketch.pose.rotation, inner.rotation)};
 }
@@ -42,13 +39,15 @@ float draw_radius(Random& random, double size) {
 
 }  // namespace
 
-Draft free_pair(Random& random, const Outline& a, const Outline& b) {
-  Draft draft;
-  draft.a.outline = a;
-  draft.b.outline = b;
+void meet_freely(Random& random, Draft& draft) {
   draft.b.pose.rotation = random_direction(random);
-  draft.start = middle(a) - rotate(draft.b.pose.rotation, middle(b));
+  draft.start = middle(draft.a.outline) - rotate(draft.b.pose.rotation, middle(draft.b.outline));
   draft.direction = random_direction(random);
+}
+
+Draft free_pair(Random& random, const Outline& a, const Outline& b) {
+  Draft draft{.a = {.outline = a}, .b = {.outline = b}};
+  meet_freely(random, draft);
   return draft;
 }
 
@@ -90,9 +89,9 @@ Draft any_meeting(Random& random) {
 }
 
 Outline sized_outline(Random& random, int most) {
-  const Outline outline = random_outline(random, random_count(random, most));
-  const double scale = random.magnitude(-2, 1);
-  return stretched(outline, scale, scale);
+  Outline outline = random_outline(random, random_count(random, most));
+  scale(outline, random.magnitude(-2, 1));
+  return outline;
 }
 
 Outline face_or_corner_up(Random& random, const Outline& outline, double margin) {
@@ -243,12 +242,12 @@ std::optional<Tie> find_tie(const PairCase& pair, double sense) {
   const double level = separation(faces, place);
   int face = 0;
   while (faces.separation(face, place) < level) ++face;
-  for (int step = 0; step < faces.count; ++step) {
-    const Vector2<double> along = sense * clockwise_quarter(faces.normals[face]);
+  for (int step = 0; step < faces.count(); ++step) {
+    const Vector2<double> along = sense * clockwise_quarter(faces.normal(face));
     int next = face;
     double shortest = 1e9;
-    for (int k = 0; k < faces.count; ++k) {
-      const double speed = faces.normals[k].dot(along);
+    for (int k = 0; k < faces.count(); ++k) {
+      const double speed = faces.normal(k).dot(along);
       if (k == face || speed < 1e-6) continue;
       const double length = (level - faces.separation(k, place)) / speed;
       if (length < shortest) {
@@ -267,10 +266,10 @@ std::optional<Tie> find_tie(const PairCase& pair, double sense) {
 }
 
 Vector2<double> place_at(const Faces& faces, const Tie& tie, double lead) {
-  const Vector2<double>& m = faces.normals[tie.face_a];
-  const Vector2<double>& n = faces.normals[tie.face_b];
-  const double x = faces.offsets[tie.face_a] + (tie.separation - lead);
-  const double y = faces.offsets[tie.face_b] + tie.separation;
+  const Vector2<double> m = faces.normal(tie.face_a);
+  const Vector2<double> n = faces.normal(tie.face_b);
+  const double x = faces.offset(tie.face_a) + (tie.separation - lead);
+  const double y = faces.offset(tie.face_b) + tie.separation;
   return Vector2<double>(x * n.y() - y * m.y(), y * m.x() - x * n.x()) / cross(m, n);
 }
 

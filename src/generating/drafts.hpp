@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "generating/in_lanes.hpp"
 #include "generating/regime.hpp"
 #include "geometry/convex_polygon.hpp"
 #include "geometry/pair_case.hpp"
@@ -57,8 +58,12 @@ Vector2<double> middle(const Outline& outline);
 double span(const Outline& outline);
 
 Outline stretched(const Outline& outline, double x, double y);
+void scale(Outline& outline, double by);
 Outline turned(const Outline& outline, const Vector2<double>& rotation);
 Outline moved(const Outline& outline, const Vector2<double>& by);
+
+/// Gives the outline another frame, which stands in the old one as `inner`; nothing moves.
+void reframe(Outline& outline, const Pose<double>& inner);
 
 /// Turned so that the face lies on y = 0, facing +y, with the origin at `share` of its length.
 Outline face_up(const Outline& outline, int face, double share);
@@ -72,18 +77,18 @@ Outline upside_down(const Outline& outline);
 
 /// The corner replaced by a face (numbered as the corner was), from the share `before` of the face
 /// before it to the share `after` of the face after it. Needs room for one more vertex.
-Outline chamfered(const Outline& outline, int corner, double before, double after);
+Outline chamfered(Outline outline, int corner, double before, double after);
 
 /// The same by lengths along both faces, each cut to less than half of its face.
 Outline cut_corner(const Outline& outline, int corner, double before, double after);
 
 /// The vertex inserted into the face, between its ends. Needs room for one more.
-Outline with_vertex(const Outline& outline, int face, const Vector2<double>& vertex);
+Outline with_vertex(Outline outline, int face, const Vector2<double>& vertex);
 
 /// One polygon of a drawing: its outline, and where the outline's own frame stands in the drawing.
 struct Sketch {
   Outline outline;
-  Pose<double> pose;
+  Pose<double> pose{};
   Rounding rounding = Rounding::mitre;
 };
 
@@ -94,10 +99,10 @@ struct Draft {
   Sketch b;
   Vector2<double> start{0, 0};
   Vector2<double> direction{0, 1};
-  std::optional<double> gap;  ///< a length; none: B stays where it starts
+  std::optional<double> gap{};  ///< a length; none: B stays where it starts
   float radius_a = 0;
   float radius_b = 0;
-  Pose<double> world;  ///< where the drawing stands in the world
+  Pose<double> world{};  ///< where the drawing stands in the world
   /// B's vertices, in place of its position, take up what rounding the position leaves.
   bool exact_gap = false;
 };
@@ -105,31 +110,8 @@ struct Draft {
 /// The same meeting with A and B exchanged.
 Draft swapped(const Draft& draft);
 
-/// The faces of both polygons as half planes of B's place: with B's origin at p from A's, both
-/// turned as in the world, face k separates by normals[k] . p - offsets[k]. A's faces come first.
-struct Faces {
-  static constexpr std::size_t kMost = 2UL * kMaxVertices;
-  std::array<Vector2<double>, kMost> normals;
-  std::array<double, kMost> offsets;
-  int count = 0;
-  int count_a = 0;
-
-  Side side(int face) const { return face < count_a ? Side::a : Side::b; }
-  double separation(int face, const Vector2<double>& p) const {
-    return normals[face].dot(p) - offsets[face];
-  }
-};
-
-/// Of the stored floats, in double. The positions do not matter.
-Faces faces_of(const PairCase& pair);
-
 /// The greatest separation with B at p from A.
 double separation(const Faces& faces, const Vector2<double>& p);
-
-/// The last place on the way from `start` along `direction` with separation `target`; `start`
-/// itself where there is none.
-Vector2<double> slide(const Faces& faces, const Vector2<double>& start,
-                      const Vector2<double>& direction, double target);
 
 /// B's origin from A's, of the stored floats.
 Vector2<double> apart(const PairCase& pair);
@@ -165,6 +147,7 @@ inline Vector2<double> turn_by(double t) {
 // near the origin and its normal along +y. The outlines keep the size they come with.
 
 /// B in any turn, met from any side: each outline keeps its own axes.
+void meet_freely(Random& random, Draft& draft);
 Draft free_pair(Random& random, const Outline& a, const Outline& b);
 
 /// Two facing faces that overlap, B's turned by `tilt`, the sine over the cosine of the angle.

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "generating/drafts.hpp"
-#include "geometry/lanes.hpp"
+#include "geometry/both.hpp"
 
 namespace manifuzz {
 namespace {
@@ -17,48 +17,23 @@ Outline outline_of(const Body& body) {
   return outline;
 }
 
-/// The polygon's vertices turned as in the world, about its own origin.
-Outline standing(const Body& body) {
-  const Vector2<double> rotation = body.pose.rotation.cast<double>();
-  Outline outline;
-  outline.count = body.polygon.count;
+/// Rounds the outline to floats; false where that leaves no valid shape.
+bool round(const Outline& outline, float radius, Rounding rounding, ConvexPolygon<float>& polygon) {
+  polygon.count = outline.count;
+  polygon.radius = radius;
+  polygon.rounding = outline.count < kMinVertices ? Rounding::round : rounding;
   for (int i = 0; i < outline.count; ++i) {
-    outline.vertices[i] = rotate<double>(rotation, body.polygon.vertices[i].cast<double>());
+    store(floats(both(outline.vertices[i])), polygon.vertices[i]);
   }
-  return outline;
-}
-
-/// Appends the faces of one polygon; `sign` is -1 for B's, whose outward is towards A. All faces at
-/// once meet each vertex of the other.
-void append_faces(Faces& faces, const Outline& from, const Outline& to, double sign) {
-  LaneArray x{};
-  LaneArray y{};
-  for (int i = 0; i < from.count; ++i) {
-    const Vector2<double> normal = clockwise_quarter(unit(from.face(i)));
-    x[i] = normal.x();
-    y[i] = normal.y();
-  }
-  const Lanes normals_x(x);
-  const Lanes normals_y(y);
-  Lanes least(std::numeric_limits<double>::infinity());
-  for (int j = 0; j < to.count; ++j) {
-    const Vector2<double>& vertex = to.vertices[j];
-    least = min(least, normals_x * Lanes(vertex.x()) + normals_y * Lanes(vertex.y()));
-  }
-  const LaneArray nearest = least.array();
-  for (int i = 0; i < from.count; ++i) {
-    const Vector2<double> normal{x[i], y[i]};
-    faces.normals[faces.count] = sign * normal;
-    faces.offsets[faces.count] = normal.dot(from.vertices[i]) - nearest[i];
-    ++faces.count;
-  }
+  if (set_plain_normals(polygon)) return true;
+  if (find_shape_defect(polygon.corners(), radius)) return false;
+  polygon = make_polygon(polygon.corners(), radius, rounding);
+  return true;
 }
 
 /// Makes a body of the sketch; false where rounding spoils its polygon or its rotation.
 bool embody(const Sketch& sketch, float radius, const Pose<double>& world, Body& body) {
-  const auto polygon = rounded(sketch.outline, radius, sketch.rounding);
-  if (!polygon) return false;
-  body.polygon = *polygon;
+  if (!round(sketch.outline, radius, sketch.rounding, body.polygon)) return false;
   body.pose.rotation = rotate(world.rotation, sketch.pose.rotation).cast<float>();
   body.pose.position = transform(world, sketch.pose.position).cast<float>();
   return is_unit_rotation(body.pose.rotation);
@@ -88,38 +63,10 @@ Draft swapped(const Draft& draft) {
   return result;
 }
 
-Faces faces_of(const PairCase& pair) {
-  const Outline a = standing(pair.a);
-  const Outline b = standing(pair.b);
-  Faces faces;
-  faces.count_a = a.count;
-  append_faces(faces, a, b, 1);
-  append_faces(faces, b, a, -1);
-  return faces;
-}
-
 double separation(const Faces& faces, const Vector2<double>& p) {
   double greatest = faces.separation(0, p);
-  for (int k = 1; k < faces.count; ++k) greatest = std::max(greatest, faces.separation(k, p));
+  for (int k = 1; k < faces.count(); ++k) greatest = std::max(greatest, faces.separation(k, p));
   return greatest;
-}
-
-Vector2<double> slide(const Faces& faces, const Vector2<double>& start,
-                      const Vector2<double>& direction, double target) {
-  constexpr double parallel = 1e-12;
-  double first = -std::numeric_limits<double>::infinity();
-  double last = std::numeric_limits<double>::infinity();
-  bool blocked = false;
-  for (int k = 0; k < faces.count; ++k) {
-    const double speed = faces.normals[k].dot(direction);
-    const double room = target - faces.separation(k, start);
-    const double until = room / speed;
-    last = speed > parallel ? std::min(last, until) : last;
-    first = speed < -parallel ? std::max(first, until) : first;
-    blocked |= std::abs(speed) <= parallel && room < 0;
-  }
-  if (blocked || first > last) return start;
-  return start + last * direction;
 }
 
 Vector2<double> apart(const PairCase& pair) {
@@ -147,11 +94,9 @@ bool place_exactly(PairCase& pair, const std::function<Vector2<double>(const Fac
 
 std::optional<ConvexPolygon<float>> rounded(const Outline& outline, float radius,
                                             Rounding rounding) {
-  std::array<Vector2<float>, kMaxVertices> vertices;
-  for (int i = 0; i < outline.count; ++i) vertices[i] = outline.vertices[i].cast<float>();
-  const std::span<const Vector2<float>> used(vertices.data(), outline.count);
-  if (find_shape_defect(used, radius)) return std::nullopt;
-  return make_polygon(used, radius, rounding);
+  ConvexPolygon<float> polygon;
+  if (!round(outline, radius, rounding, polygon)) return std::nullopt;
+  return polygon;
 }
 
 void put_off_unit(Sketch& sketch, double defect) {

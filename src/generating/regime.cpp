@@ -66,13 +66,16 @@ const Regime* find_regime(std::string_view name) {
 PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,
                   const GenerationContext& context) {
   constexpr int attempts = 32;
-  Random random(seed, regime.name, index);
-  std::optional<PairCase> pair;
+  Random random(seed, regime.stream, index);
+  std::optional<PairCase> pair;  // the last, which not everybody takes
   for (int i = 0; i < attempts; ++i) {
     std::optional<PairCase> made = regime.attempt(random, context);
     if (!is_case(made)) continue;
-    pair = std::move(made);
-    if (!is_round(*pair) || !context.takes || context.takes(*pair)) break;
+    if (!is_round(*made) || !context.takes || context.takes(*made)) {
+      put_radius(context, *made);
+      return *made;
+    }
+    pair = made;
   }
   if (!pair) pair = plain_pair();
   put_radius(context, *pair);

@@ -28,7 +28,8 @@ struct Regime {
   /// One attempt: none where rounding to floats spoilt a polygon. `generate` below makes cases of
   /// it.
   std::optional<PairCase> (*attempt)(Random& random, const GenerationContext& context);
-  bool is_round = false;  ///< of round shapes
+  bool is_round = false;                 ///< of round shapes
+  std::uint64_t stream = hash_of(name);  ///< of its random numbers
 };
 
 /// Every regime, in the order of `list regimes`.

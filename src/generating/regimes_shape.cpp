@@ -122,9 +122,8 @@ Vector2<double> grid_step(Random& random) {
 }  // namespace
 
 std::optional<PairCase> generic(Random& random, const GenerationContext& context) {
-  const Outline a = random_outline(random);
-  const Outline b = sized_outline(random);
-  Draft draft = free_pair(random, a, b);
+  Draft draft{.a = {.outline = random_outline(random)}, .b = {.outline = sized_outline(random)}};
+  meet_freely(random, draft);
   draw_radii(random, context, draft);
   draft.gap = draw_gap(random, 0.07) * span(draft);
   stand(random, draft);

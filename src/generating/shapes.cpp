@@ -1,15 +1,22 @@
 #include <algorithm>
 
 #include "generating/drafts.hpp"
+#include "geometry/both.hpp"
 
 namespace manifuzz {
 namespace {
 
 template <class Map>
-Outline mapped(const Outline& outline, Map map) {
+void change(Outline& outline, const Map& map) {
+  for (int i = 0; i < outline.count; ++i)
+    store(map(both(outline.vertices[i])), outline.vertices[i]);
+}
+
+template <class Map>
+Outline mapped(const Outline& outline, const Map& map) {
   Outline result;
   result.count = outline.count;
-  for (int i = 0; i < outline.count; ++i) result.vertices[i] = map(outline.vertices[i]);
+  for (int i = 0; i < outline.count; ++i) store(map(both(outline.vertices[i])), result.vertices[i]);
   return result;
 }
 
@@ -20,8 +27,8 @@ Vector2<double> circle_point(double turn) {
   const double scale = 1 / (1 + t * t);
   const double x = (1 - t * t) * scale;
   const double y = 2 * t * scale;
-  const Vector2<double> turned_by[] = {{x, y}, {-y, x}, {-x, -y}, {y, -x}};
-  return turned_by[quadrant];
+  static constexpr Both signs[] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+  return vector((quadrant % 2 == 0 ? Both{x, y} : Both{y, x}) * signs[quadrant]);
 }
 
 Vector2<double> face_normal(const Outline& outline, int face) {
@@ -44,6 +51,18 @@ Outline inscribed(Random& random, int count) {
   return outline;
 }
 
+void insert(Outline& outline, int face, const Vector2<double>& vertex) {
+  for (int i = outline.count; i > face + 1; --i) outline.vertices[i] = outline.vertices[i - 1];
+  outline.vertices[face + 1] = vertex;
+  ++outline.count;
+}
+
+void chamfer(Outline& outline, int corner, double before, double after) {
+  const Vector2<double> to_before = -outline.face(outline.previous(corner));
+  insert(outline, corner, outline.vertices[corner] + after * outline.face(corner));
+  outline.vertices[corner] += before * to_before;
+}
+
 /// A triangle or quadrilateral with its corners cut until there are `count`: edges of all lengths.
 Outline carved(Random& random, int count) {
   Outline outline = inscribed(random, std::min(count, random.integer(3, 4)));
@@ -51,7 +70,7 @@ Outline carved(Random& random, int count) {
     const int corner = random.integer(0, outline.count - 1);
     const double before = random.uniform(0.1, 0.45);
     const double after = random.uniform(0.1, 0.45);
-    outline = chamfered(outline, corner, before, after);
+    chamfer(outline, corner, before, after);
   }
   return outline;
 }
@@ -67,12 +86,11 @@ int random_count(Random& random, int most) {
 }
 
 Outline random_outline(Random& random, int count) {
-  const Outline outline = random.chance(0.6) ? inscribed(random, count) : carved(random, count);
-  const double flat = random.uniform(0.4, 1);
-  const Vector2<double> rotation = random_direction(random);
-  return mapped(outline, [&](const auto& v) {
-    return rotate<double>(rotation, {v.x(), flat * v.y()});
-  });
+  Outline outline = random.chance(0.6) ? inscribed(random, count) : carved(random, count);
+  const Both flattened{1, random.uniform(0.4, 1)};
+  const Turn turn(random_direction(random));
+  change(outline, [&](const Both& v) { return turn(flattened * v); });
+  return outline;
 }
 
 Outline random_outline(Random& random) {
@@ -119,38 +137,48 @@ Outline regular_outline(int count) {
 }
 
 Vector2<double> middle(const Outline& outline) {
-  Vector2<double> sum{0, 0};
-  for (int i = 0; i < outline.count; ++i) sum += outline.vertices[i];
-  return sum / outline.count;
+  Both sum = both(0);
+  for (int i = 0; i < outline.count; ++i) sum += both(outline.vertices[i]);
+  return vector(sum / both(outline.count));
 }
 
 double span(const Outline& outline) {
-  Vector2<double> low = outline.vertices[0];
-  Vector2<double> high = low;
+  Both low = both(outline.vertices[0]);
+  Both high = low;
   for (int i = 1; i < outline.count; ++i) {
-    low = low.cwiseMin(outline.vertices[i]);
-    high = high.cwiseMax(outline.vertices[i]);
+    const Both vertex = both(outline.vertices[i]);
+    low = low < vertex ? low : vertex;
+    high = high > vertex ? high : vertex;
   }
-  return (high - low).maxCoeff();
+  const Both sides = high - low;
+  return std::max(sides[0], sides[1]);
 }
 
 Outline stretched(const Outline& outline, double x, double y) {
-  return mapped(outline, [&](const auto& v) { return Vector2<double>(x * v.x(), y * v.y()); });
+  return mapped(outline, [&](const Both& v) { return Both{x, y} * v; });
+}
+
+void scale(Outline& outline, double by) {
+  change(outline, [&](const Both& v) { return both(by) * v; });
 }
 
 Outline turned(const Outline& outline, const Vector2<double>& rotation) {
-  return mapped(outline, [&](const auto& v) { return rotate(rotation, v); });
+  return mapped(outline, Turn(rotation));
 }
 
 Outline moved(const Outline& outline, const Vector2<double>& by) {
-  return mapped(outline, [&](const auto& v) { return Vector2<double>(v + by); });
+  return mapped(outline, [&](const Both& v) { return v + both(by); });
+}
+
+void reframe(Outline& outline, const Pose<double>& inner) {
+  const Turn turn(inner.rotation);
+  change(outline, [&](const Both& v) { return turn.back(v - both(inner.position)); });
 }
 
 Outline face_up(const Outline& outline, int face, double share) {
+  Outline result = outline;
   const Vector2<double> along = unit(outline.face(face));
-  const Vector2<double> origin = outline.vertices[face] + share * outline.face(face);
-  Outline result =
-      mapped(outline, [&](const auto& v) { return rotate_back<double>(-along, v - origin); });
+  reframe(result, {outline.vertices[face] + share * outline.face(face), -along});
   result.vertices[face].y() = 0;
   result.vertices[result.next(face)].y() = 0;
   return result;
@@ -160,21 +188,18 @@ Outline corner_up(const Outline& outline, int corner, double lean) {
   const Vector2<double> before = face_normal(outline, outline.previous(corner));
   const Vector2<double> after = face_normal(outline, corner);
   const Vector2<double> out = unit(before * (1 - lean) + after * lean);
-  const Vector2<double> rotation = clockwise_quarter(out);
-  const Vector2<double> origin = outline.vertices[corner];
-  return mapped(outline, [&](const auto& v) { return rotate_back<double>(rotation, v - origin); });
+  Outline result = outline;
+  reframe(result, {outline.vertices[corner], clockwise_quarter(out)});
+  return result;
 }
 
 Outline upside_down(const Outline& outline) {
   return stretched(outline, -1, -1);
 }
 
-Outline chamfered(const Outline& outline, int corner, double before, double after) {
-  const Vector2<double> to_before = -outline.face(outline.previous(corner));
-  Outline result =
-      with_vertex(outline, corner, outline.vertices[corner] + after * outline.face(corner));
-  result.vertices[corner] += before * to_before;
-  return result;
+Outline chamfered(Outline outline, int corner, double before, double after) {
+  chamfer(outline, corner, before, after);
+  return outline;
 }
 
 Outline cut_corner(const Outline& outline, int corner, double before, double after) {
@@ -185,12 +210,9 @@ Outline cut_corner(const Outline& outline, int corner, double before, double aft
                    share(after, outline.face(corner)));
 }
 
-Outline with_vertex(const Outline& outline, int face, const Vector2<double>& vertex) {
-  Outline result = outline;
-  for (int i = result.count; i > face + 1; --i) result.vertices[i] = result.vertices[i - 1];
-  result.vertices[face + 1] = vertex;
-  ++result.count;
-  return result;
+Outline with_vertex(Outline outline, int face, const Vector2<double>& vertex) {
+  insert(outline, face, vertex);
+  return outline;
 }
 
 }  // namespace manifuzz

@@ -164,7 +164,7 @@ constexpr double kAccuracy = 0.05 * kUlp;
 /// The greatest separation of one side's faces, with B at p from A.
 double greatest(const Faces& faces, Side side, const Vector2<double>& p) {
   double separation = -std::numeric_limits<double>::infinity();
-  for (int k = 0; k < faces.count; ++k) {
+  for (int k = 0; k < faces.count(); ++k) {
     if (faces.side(k) == side) separation = std::max(separation, faces.separation(k, p));
   }
   return separation;

@@ -189,38 +189,6 @@ std::string_view describe(PolygonDefect defect) {
   return {};
 }
 
-namespace {
-
-/// The square of the diameter, or of the first distance found whose square is at least `enough`.
-double squared_diameter(const ConvexPolygon<float>& polygon, double enough) {
-  std::array<Vector2<double>, kMaxVertices> vertices;
-  double squared = 0;
-  for (int i = 0; i < polygon.count && squared < enough; ++i) {
-    vertices[i] = polygon.vertices[i].cast<double>();
-    for (int j = 0; j < i; ++j) {
-      const Vector2<double> d = vertices[i] - vertices[j];
-      squared = std::max(squared, d.dot(d));
-    }
-  }
-  return squared;
-}
-
-}  // namespace
-
-double diameter(const ConvexPolygon<float>& polygon) {
-  return std::sqrt(squared_diameter(polygon, std::numeric_limits<double>::infinity()));
-}
-
-double smaller_diameter(const ConvexPolygon<float>& p, const ConvexPolygon<float>& q) {
-  const auto across = [](const ConvexPolygon<float>& polygon) {
-    const Vector2<float> d = polygon.vertices[polygon.count / 2] - polygon.vertices[0];
-    return d.dot(d);
-  };
-  const bool p_first = across(p) < across(q);  // a guess: the larger is soon found to be larger
-  const double squared = squared_diameter(p_first ? p : q, std::numeric_limits<double>::infinity());
-  return std::sqrt(std::min(squared, squared_diameter(p_first ? q : p, squared)));
-}
-
 double size(const ConvexPolygon<float>& polygon) {
   const double around = polygon.is_round() ? 2 * static_cast<double>(polygon.radius) : 0;
   return diameter(polygon) + around;

@@ -31,7 +31,7 @@ bool is_alike(const Judgement& judgement, const Judgement& root);
 /// Where a case stands by the truth alone.
 struct Standing {
   bool touching = false;  ///< S <= total radius, exactly
-  bool near = false;      ///< S within 10% of the size from the total radius
+  bool near = false;      ///< not touching, and S within 10% of the size from the total radius
 };
 
 inline constexpr double kNearShare = 0.1;

@@ -20,13 +20,16 @@ ContactSummary summary_of(const Manifold<double>& manifold) {
 }  // namespace
 
 Standing standing(const exact::Truth& truth) {
-  const double near = kNearShare * truth.size();
+  const auto apart_by = [&](double above) {
+    return Standing{.near = std::abs(above) <= kNearShare * truth.size()};
+  };
   if (!is_round(truth.pair())) {
-    const double above = truth.separation() - total_radius(truth.pair());
-    return {.touching = truth.compare_contact(0) <= 0, .near = std::abs(above) <= near};
+    if (truth.compare_contact(0) <= 0) return {.touching = true};
+    return apart_by(truth.separation() - total_radius(truth.pair()));
   }
   const exact::PenetrationCurve curve(truth, exact::Skin::round);
-  return {.touching = curve.compare_least(0) >= 0, .near = std::abs(curve.least()) <= near};
+  if (curve.compare_least(0) >= 0) return {.touching = true};
+  return apart_by(curve.least());
 }
 
 VertexOf deciding_vertex(const exact::Truth& truth) {

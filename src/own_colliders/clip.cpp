@@ -7,7 +7,7 @@ namespace {
 /// What `collide` makes of the placed pair and of B's pose in A's frame, as an answer.
 template <class Scalar, class Collide>
 Answer answer(const PairCase& pair, const Collide& collide) {
-  const auto placed = clipping::placed_pair<Scalar>(pair);
+  const auto placed = clipping::placed_where_it_is<Scalar>(pair);
   const Pose<Scalar> b_in_a = relative_pose(placed.pose_a, placed.pose_b);
   Manifold<Scalar> manifold = collide(placed, b_in_a);
   for (int i = 0; i < manifold.count; ++i) manifold.points[i].position *= placed.local_per_world;

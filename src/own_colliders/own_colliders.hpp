@@ -49,6 +49,25 @@ PlacedPair<Scalar> placed_pair(const PairCase& pair) {
   }
 }
 
+/// The same of floats that stay where they are: it is not to outlive the pair.
+struct PlacedFloats {
+  const ConvexPolygon<float>& a;
+  const ConvexPolygon<float>& b;
+  const Pose<float>& pose_a;
+  const Pose<float>& pose_b;
+  float local_per_world = 1;
+};
+
+/// For one call: of floats nothing is copied.
+template <class Scalar>
+auto placed_where_it_is(const PairCase& pair) {
+  if constexpr (std::is_same_v<Scalar, float>) {
+    return PlacedFloats{pair.a.polygon, pair.b.polygon, pair.a.pose, pair.b.pose};
+  } else {
+    return placed_pair<Scalar>(pair);
+  }
+}
+
 }  // namespace clipping
 
 /// The article in float: transposes for inverses, so the rotation's defect is part of its error.

@@ -1,4 +1,5 @@
 // Copied with the bugs planted into the judge, and compiled under a namespace of theirs.
+#include "canary/one_target.hpp"
 #include "canary/planted.hpp"
 #include "judging/admissible.cpp"
 #include "judging/bounds.cpp"
