@@ -14,6 +14,8 @@ struct Deviation {
   const Admissible& right;
   const Manifold<double>& got;
   Kind kind = Kind::none;  ///< of the mismatch
+  /// The case, which is not `right`'s where the oracle used other shapes; nullptr where unknown.
+  const PairCase* asked = nullptr;
 };
 
 /// An oracle's answer that is nonsense, or that never came.

@@ -258,8 +258,8 @@ Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const Collider
   }
   result.points_missing = points_missing(of_subject.is_wrong() ? of_subject : of_oracle);
   if (bucket.verdict == Verdict::oracle_wrong) {
-    result.explanation = find_explanation(oracle.declaration.name,
-                                          {of_oracle.right, of_oracle.manifold, found.kind});
+    result.explanation = find_explanation(
+        oracle.declaration.name, {of_oracle.right, of_oracle.manifold, found.kind, &truth->pair()});
     if (result.explanation != nullptr) bucket.verdict = Verdict::known;
   }
   return result;

@@ -67,7 +67,7 @@ void check_strict(const LedgerEntry& entry) {
   if (!is_judged_by_curve(oracle->declaration, pair)) return;
   const Admissible right = admissible(pair, oracle->declaration);
   const auto explains = [&](const Manifold<double>& answer, Kind kind) {
-    return entry.explains({right, answer, kind});
+    return entry.explains({right, answer, kind, &pair});
   };
   const Manifold<double> got = manifold_of(oracle->collide(pair));
   Manifold<double> wanted = manifold_of(find_collider("clip").collide(pair));

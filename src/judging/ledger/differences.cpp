@@ -73,12 +73,33 @@ double Difference::distance_from(const Vector2<double>& place) const {
   return is_inside ? 0 : nearest;
 }
 
-double distance_to_segment(const Vector2<double>& place, const Vector2<double>& from,
-                           const Vector2<double>& to) {
+std::vector<Vector2<double>> nearest_places(const PairCase& pair, Side side) {
+  const exact::RoughPair placed = exact::place_roughly(pair);
+  const exact::RoughPolygon& core = placed[side];
+  const exact::RoughPolygon& opposite = placed[other(side)];
+  const Vector2<double> origin = pair.a.pose.position.cast<double>();
+  std::vector<Vector2<double>> places;
+  for (int i = 0; i < core.count; ++i) {
+    places.push_back(origin + core.vertices[i]);
+    for (int j = 0; j < opposite.count; ++j) {
+      places.push_back(origin + nearest_on_segment(opposite.vertices[j], core.vertices[i],
+                                                   core.vertices[core.next(i)]));
+    }
+  }
+  return places;
+}
+
+Vector2<double> nearest_on_segment(const Vector2<double>& place, const Vector2<double>& from,
+                                   const Vector2<double>& to) {
   const Vector2<double> along = to - from;
   const double square = along.dot(along);
   const double share = square > 0 ? std::clamp((place - from).dot(along) / square, 0.0, 1.0) : 0.0;
-  return (from + share * along - place).norm();
+  return from + share * along;
+}
+
+double distance_to_segment(const Vector2<double>& place, const Vector2<double>& from,
+                           const Vector2<double>& to) {
+  return (nearest_on_segment(place, from, to) - place).norm();
 }
 
 bool is_of_points(Kind kind) {

@@ -27,6 +27,13 @@ class Difference {
   std::vector<Vector2<double>> corners_;
 };
 
+/// In the world, the places on a side's core that are nearest to the other core's vertices, and its
+/// own vertices.
+std::vector<Vector2<double>> nearest_places(const PairCase& pair, Side side);
+
+/// The place on a segment that is nearest to another.
+Vector2<double> nearest_on_segment(const Vector2<double>& place, const Vector2<double>& from,
+                                   const Vector2<double>& to);
 /// How far a place is from a segment.
 double distance_to_segment(const Vector2<double>& place, const Vector2<double>& from,
                            const Vector2<double>& to);

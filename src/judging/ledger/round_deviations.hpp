@@ -115,6 +115,9 @@ bool face_within_box2d3_slop(const Deviation& deviation);
 /// The normal between two corners is their difference over the distance of the same places as
 /// shares of their edges give them: not unit, by the roundings of these over the distance.
 bool normal_over_box2d3_distance(const Deviation& deviation);
+/// An answer that holds no number: the distance of the nearest places is 0, and their difference is
+/// divided by it.
+bool normal_over_no_distance(const LostAnswer& lost);
 /// The incident edge is shorter along the face than float's epsilon, and not clipped.
 bool edge_below_box2d3_epsilon(const Deviation& deviation);
 /// No contact: edges that are apart miss each other along the reference face, by roundings, and are

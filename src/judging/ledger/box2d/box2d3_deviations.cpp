@@ -111,6 +111,13 @@ bool normal_over_box2d3_distance(const Deviation& d) {
          d.got.count == 1 && std::abs(d.got.normal.norm() - 1) > d.right.bounds.normal;
 }
 
+bool normal_over_no_distance(const LostAnswer& lost) {
+  if (lost.how != Lost::How::malformed) return false;
+  const auto found = ledger_of::contact_of_box2d3(lost.pair);
+  return found && !found->is_of_capsules && found->are_apart && !found->is_clipped &&
+         !found->points.empty() && !found->normal.allFinite();
+}
+
 bool edge_below_box2d3_epsilon(const Deviation& d) {
   const auto found = found_by_box2d3(d);
   return found && found->is_unclipped;

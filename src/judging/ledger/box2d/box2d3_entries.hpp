@@ -123,6 +123,13 @@ inline constexpr std::array kOfBox2d3{
                           "normal.x *= invDistance, of result.distanceSquared",
                 .budgets = kOfBox2d3NormalOverRoundedDistance,
                 .explains = normal_over_box2d3_distance},
+    LedgerEntry{.id = "box2d3-no-distance",
+                .collider = "box2d3",
+                .description = "a normal that is not a number: of corners that floats have at one "
+                               "place, though a face is farther than 0.0005",
+                .source = "Box2D 3.2.0, commit 56edae79, src/manifold.c, b2CollidePolygons: "
+                          "invDistance = 1.0f / distance",
+                .explains_lost = normal_over_no_distance},
     LedgerEntry{.id = "box2d3-edge-below-epsilon",
                 .collider = "box2d3",
                 .description = "an end beyond a side plane: an incident edge that is shorter than "

@@ -148,7 +148,7 @@ inline constexpr Budget kOfJbox2dNoContactOnTiedFeatures[] = {{"corner_corner", 
                                                               {"tied_faces", 27000},
                                                               {"ulp", 4800}};
 inline constexpr Budget kOfJbox2dEdgeSlabNotWidened[] = {
-    {"capsules", 25000}, {"mixed_shapes", 11000}, {"voronoi_lines", 32000}};
+    {"capsules", 62000}, {"mixed_shapes", 11000}, {"voronoi_lines", 32000}};
 inline constexpr Budget kOfJbox2dCoincidentPoints[] = {{"cores_touch", 43000}};
 inline constexpr Budget kOfJbox2dDirectionOfRoundings[] = {{"cores_touch", 1600}};
 inline constexpr Budget kOfJbox2dEdgeRadius[] = {

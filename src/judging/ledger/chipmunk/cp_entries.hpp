@@ -12,7 +12,7 @@ inline constexpr Budget kOfCpNormalOfWorldVertices[] = {
     {"boxes", 1000},  {"deep", 600},          {"far_from_origin", 590000},
     {"generic", 600}, {"near_parallel", 200}, {"off_unit", 200},
     {"regular", 400}, {"scaled", 1600},       {"tied_faces", 400},
-    {"ulp", 35000}};
+    {"ulp", 35000},   {"sliver", 360}};
 inline constexpr Budget kOfCpCornerOnCorner[] = {
     {"corner_corner", 3000}, {"deep", 2000},      {"grid", 270000},
     {"off_unit", 1800},      {"scaled", 2600},    {"sliver", 4800},

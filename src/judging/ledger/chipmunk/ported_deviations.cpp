@@ -33,7 +33,9 @@ std::optional<replayed::Contact> without_what_cp_adds(const Deviation& d) {
 }
 
 bool is_wrong_as_chipmunk(const Deviation& d) {
-  if (!is_round(d.right.pair())) return normal_of_rounded_vertices(d);
+  if (!is_round(d.right.pair())) {
+    return normal_of_rounded_vertices(d) || neighbours_nearly_parallel(d);
+  }
   return sign_of_swapped_distance(d) || sign_of_polygon_radius(d) ||
          direction_to_place_on_segment(d) || direction_between_corners(d) ||
          segment_normal_not_unit(d) || normal_across_corner_on_corner(d) ||
@@ -57,7 +59,8 @@ bool normal_short_by_cp(const Deviation& d) {
   if (replayed::is_right_answer(d, as_chipmunk(), *contact)) return true;
   // Beside it something of Chipmunk's may be wrong, which alone is not what was given.
   const Manifold<double> mended = replayed::in_frame_of_a(d.right.pair(), *contact);
-  if (!is_wrong_as_chipmunk({d.right, mended, d.kind})) return false;
+  const Kind kind = mended.count == 0 ? Kind::missed_contact : d.kind;
+  if (!is_wrong_as_chipmunk({d.right, mended, kind})) return false;
   const bool is_short = d.kind == Kind::normal && d.got.normal.norm() <= 1 - d.right.bounds.normal;
   return is_short || !is_wrong_as_chipmunk(d);
 }

@@ -15,7 +15,8 @@ inline constexpr Budget kOfMatterJsAxesMerged[] = {
     {"far_from_origin", 670},  {"generic", 140},       {"micro_edge", 140},
     {"near_collinear", 91000}, {"near_parallel", 270}, {"off_unit", 400},
     {"regular", 40000},        {"scaled", 400},        {"sliver", 270000},
-    {"tied_faces", 160000},    {"touching", 270},      {"ulp", 46000}};
+    {"tied_faces", 160000},    {"touching", 270},      {"ulp", 46000},
+    {"tie_bias", 480}};
 inline constexpr Budget kOfMatterJsVertexOutside[] = {
     {"boxes", 1800},           {"corner_corner", 5800}, {"corner_face", 4000}, {"deep", 120000},
     {"far_from_origin", 4400}, {"generic", 5100},       {"grid", 4700},        {"micro_edge", 9000},

@@ -73,11 +73,17 @@ const Declaration& AsAdapters<Scalar>::declaration() {
 }
 
 template <class Scalar>
-std::optional<Replay<Scalar>> AsAdapters<Scalar>::as_reported(const Deviation& d) {
-  const exact::StoredPair& stored = d.right.truth->stored();
-  Replay<Real> replay = replayed(placed_by_parry<Real>(stored.a), placed_by_parry<Real>(stored.b));
-  if (!is_same_answer(d, answer(replay, d.right.pair()))) return std::nullopt;
-  return replay;
+std::vector<Replay<Scalar>> AsAdapters<Scalar>::replays(const exact::StoredPair& pair) {
+  return {replayed(placed_by_parry<Real>(pair.a), placed_by_parry<Real>(pair.b))};
+}
+
+template <class Scalar>
+std::vector<Replay<Scalar>> AsAdapters<Scalar>::replays_of_simplified(
+    const exact::StoredPair& pair) {
+  Placed<Real> a = placed_by_parry<Real>(pair.a);
+  Placed<Real> b = placed_by_parry<Real>(pair.b);
+  for (Placed<Real>* const placed : {&a, &b}) placed->shape = simplified(placed->shape);
+  return {replayed(a, b)};
 }
 
 template struct AsAdapters<float>;

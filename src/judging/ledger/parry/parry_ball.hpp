@@ -36,7 +36,7 @@ ProjectedCentre<Real> on_support_map(Replay<Real>& replay, const Shape<Real>& sh
   Simplex<Real> simplex(corner_along(operands, towards));
   replay.gjk = Gjk<Real>(operands, std::numeric_limits<Real>::max(), simplex).run();
   if (!replay.gjk.is_intersection) return {replay.gjk.on_a, false};
-  replay.epa = Epa<Real>(operands, simplex).run();
+  run_epa(replay, operands, simplex);
   if (replay.epa.end == EpaEnd::lost) return {centre, true};
   return {replay.epa.on_a, true};
 }
@@ -51,14 +51,13 @@ ProjectedCentre<Real> projected(Replay<Real>& replay, const Shape<Real>& shape,
           is_relatively_equal(point.x(), centre.x()) && is_relatively_equal(point.y(), centre.y())};
 }
 
-/// contact_manifolds_convex_ball.rs: a ball against any other shape.
+/// contact_manifolds_convex_ball.rs: a ball against any other shape, of which this place is nearest
+/// to its centre.
 template <class Real>
-void collide_ball(Replay<Real>& replay) {
+void collide_ball_at(Replay<Real>& replay, const ProjectedCentre<Real>& nearest) {
   const bool is_flipped = replay.a.shape.is_ball();
-  const Shape<Real>& shape = is_flipped ? replay.b.shape : replay.a.shape;
   const Real radius = is_flipped ? replay.a.shape.radius : replay.b.shape.radius;
   const Pose<Real> between = is_flipped ? inverse(replay.between) : replay.between;
-  const ProjectedCentre<Real> nearest = projected(replay, shape, between.position);
   replay.apart = between.position - nearest.point;
   replay.is_inside = nearest.is_inside;
   Real distance = length_of(replay.apart);
@@ -76,6 +75,14 @@ void collide_ball(Replay<Real>& replay) {
   replay.normal = is_flipped ? of_ball : normal;
   replay.points.push_back(is_flipped ? TrackedPoint<Real>{on_ball, nearest.point, overlap}
                                      : TrackedPoint<Real>{nearest.point, on_ball, overlap});
+}
+
+template <class Real>
+void collide_ball(Replay<Real>& replay) {
+  const bool is_flipped = replay.a.shape.is_ball();
+  const Shape<Real>& shape = is_flipped ? replay.b.shape : replay.a.shape;
+  const Pose<Real> between = is_flipped ? inverse(replay.between) : replay.between;
+  collide_ball_at(replay, projected(replay, shape, between.position));
 }
 
 }  // namespace manifuzz::parry

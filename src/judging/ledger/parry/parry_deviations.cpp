@@ -16,7 +16,7 @@ using parry::Route;
 
 template <class Engine>
 std::optional<parry::ReplayOf<Engine>> replay_of_search(const Deviation& d) {
-  auto replay = Engine::as_reported(d);
+  auto replay = parry::as_reported<Engine>(d);
   if (replay && replay->route != Route::features && replay->route != Route::supports) {
     replay.reset();
   }
@@ -89,6 +89,12 @@ bool is_refusal(GjkEnd end) {
          end == GjkEnd::refused_inside || end == GjkEnd::stalled_inside;
 }
 
+/// The case's shapes, or those that the answer says it used.
+exact::StoredPair pair_of(const LostAnswer& lost) {
+  const UsedShapes* const used = used_by(lost.answer);
+  return used != nullptr ? exact::stored(lost.pair, *used) : exact::stored(lost.pair);
+}
+
 }  // namespace
 
 template <class Engine>
@@ -96,6 +102,24 @@ bool clip_of_face_by_cosine(const Deviation& d) {
   const auto replay = replay_of_search<Engine>(d);
   return replay && replay->route == Route::features && !replay->normal.isZero(0) &&
          (is_right_with_other_faces<Engine>(d, *replay) || is_right_along_face<Engine>(d, *replay));
+}
+
+template <class Engine>
+bool normals_before_simplifying(const Deviation& d) {
+  if (d.asked == nullptr) return false;
+  const auto kept = Engine::replays_of_simplified(exact::stored(*d.asked));
+  const auto own = Engine::replays(d.right.truth->stored());
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (!parry::is_same_answer(d, Engine::answer(kept[i], *d.asked))) continue;
+    if (parry::is_right<Engine>(d, own[i])) return true;
+  }
+  return false;
+}
+
+template <class Engine>
+bool squared_length_of_epa(const Deviation& d) {
+  const auto replay = replay_of_search<Engine>(d);
+  return replay && replay->epa.is_out_of_range && replay->normal.isZero(0);
 }
 
 template <class Engine>
@@ -132,7 +156,7 @@ bool contact_lost_by_epa(const Deviation& d) {
 
 template <class Engine>
 bool direction_of_parry_places(const Deviation& d) {
-  const auto replay = Engine::as_reported(d);
+  const auto replay = parry::as_reported<Engine>(d);
   const double apart = cores_apart(d);
   if (!replay || d.got.count == 0 || apart <= 0 || ledger_of::is_of_points(d.kind)) return false;
   const bool is_of_places =
@@ -140,6 +164,18 @@ bool direction_of_parry_places(const Deviation& d) {
       (replay->route == Route::features && is_between_places(replay->gjk.end));
   return is_of_places && parry::is_depth_right(d) &&
          parry::error_of_direction<Engine>(d, *replay) * apart <= bound_of(d);
+}
+
+template <class Engine>
+bool step_back_of_gjk(const Deviation& d) {
+  const auto replay = parry::as_reported<Engine>(d);
+  if (!replay) return false;
+  const auto mended = parry::replayed_after_step(*replay);
+  if (!mended) return false;
+  // The step may leave as much as GJK's other end does.
+  const double share = parry::relative_of<Engine>();
+  return parry::is_right<Engine>(d, *mended) ||
+         parry::excess_of<Engine>(d, *mended) <= share / (1 - share) * cores_apart(d) + bound_of(d);
 }
 
 template <class Engine>
@@ -155,28 +191,42 @@ bool stop_of_gjk(const Deviation& d) {
 
 template <class Engine>
 bool touching_of_gjk(const Deviation& d) {
-  const auto replay = replay_of_search<Engine>(d);
+  const auto replay = parry::as_reported<Engine>(d);
   if (!replay || replay->gjk.is_refused ||
       (replay->gjk.end != GjkEnd::stalled_touching &&
        replay->gjk.end != GjkEnd::refused_touching)) {
     return false;
   }
-  return std::abs(parry::shapes_apart(d, *replay)) <=
-         parry::relative_of<Engine>() * reach_of_difference(d) + bound_of(d);
+  const double apart = replay->route == Route::ball ? parry::centre_from_surface(d)
+                                                    : parry::shapes_apart(d, *replay);
+  return std::abs(apart) <= parry::relative_of<Engine>() * reach_of_difference(d) + bound_of(d);
 }
 
 template <class Engine>
 bool origin_within_tolerance(const Deviation& d) {
   const auto replay = replay_of_search<Engine>(d);
   if (!replay || replay->epa.end != EpaEnd::backward) return false;
+  const double excess = parry::excess_along<Engine>(d, *replay, replay->epa_going_on.normal);
+  if (excess <= 100 * parry::kEpsilonOf<Engine> + bound_of(d)) return true;
   const double tolerance = 10 * parry::kEpsilonOf<Engine> * std::max(1.0, reach_of_difference(d));
   return std::abs(parry::shapes_apart(d, *replay)) <= tolerance + bound_of(d);
 }
 
 template <class Engine>
 bool equal_corners_of_gjk(const Deviation& d) {
-  const auto replay = Engine::as_reported(d);
+  const auto replay = parry::as_reported<Engine>(d);
   return replay && replay->gjk.is_refused && is_refusal(replay->gjk.end);
+}
+
+template <class Engine>
+bool not_a_number_of_clip(const LostAnswer& lost) {
+  if (lost.how != Lost::How::malformed) return false;
+  const auto is_beyond_range = [](auto run) { return run != 0 && !std::isfinite(1 / run); };
+  return std::ranges::any_of(Engine::replays(pair_of(lost)), [&](const auto& replay) {
+    return (replay.is_clipped || !replay.both_ends.empty()) &&
+           std::ranges::any_of(parry::clipped_runs(replay), is_beyond_range) &&
+           why_malformed(lost.pair, Engine::answer(replay, lost.pair)).has_value();
+  });
 }
 
 #define MANIFUZZ_OF_PARRY(predicate)                         \
@@ -190,10 +240,18 @@ MANIFUZZ_OF_PARRY(edge_along_normal)
 MANIFUZZ_OF_PARRY(normal_of_corner_cones)
 MANIFUZZ_OF_PARRY(contact_lost_by_epa)
 MANIFUZZ_OF_PARRY(direction_of_parry_places)
+MANIFUZZ_OF_PARRY(step_back_of_gjk)
 MANIFUZZ_OF_PARRY(stop_of_gjk)
 MANIFUZZ_OF_PARRY(touching_of_gjk)
 MANIFUZZ_OF_PARRY(origin_within_tolerance)
 MANIFUZZ_OF_PARRY(equal_corners_of_gjk)
+
+template bool not_a_number_of_clip<parry::Floats>(const LostAnswer&);
+template bool not_a_number_of_clip<parry::Rapier>(const LostAnswer&);
+
+template bool normals_before_simplifying<parry::Floats>(const Deviation&);
+template bool normals_before_simplifying<parry::Rapier>(const Deviation&);
+template bool squared_length_of_epa<parry::Floats>(const Deviation&);
 
 #undef MANIFUZZ_OF_PARRY
 

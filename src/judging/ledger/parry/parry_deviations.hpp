@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "judging/compare.hpp"
+#include "oracle/exact/placed.hpp"
 
 namespace manifuzz {
 namespace parry {
@@ -16,8 +18,10 @@ struct Replay;
 template <class Scalar>
 struct AsAdapters {
   using Real = Scalar;
-  /// The replay of an answer; none where it gives another.
-  static std::optional<Replay<Real>> as_reported(const Deviation& deviation);
+  /// What it does with a pair, in the one or two orders in which it may be asked.
+  static std::vector<Replay<Real>> replays(const exact::StoredPair& pair);
+  /// The same of polygons made by from_convex_polyline.
+  static std::vector<Replay<Real>> replays_of_simplified(const exact::StoredPair& pair);
   /// The direction that was found, in A's frame: unit, but for roundings.
   static Vector2<double> direction(const Replay<Real>& replay, const PairCase& pair);
   /// What is answered of a replay.
@@ -28,7 +32,8 @@ struct AsAdapters {
 struct Rapier {
   using Real = float;
   /// As of `AsAdapters`.
-  static std::optional<Replay<Real>> as_reported(const Deviation& deviation);
+  static std::vector<Replay<Real>> replays(const exact::StoredPair& pair);
+  static std::vector<Replay<Real>> replays_of_simplified(const exact::StoredPair& pair);
   static Vector2<double> direction(const Replay<Real>& replay, const PairCase& pair);
   static Manifold<double> answer(const Replay<Real>& replay, const PairCase& pair);
   static const Declaration& declaration();
@@ -37,7 +42,7 @@ struct Rapier {
 struct RapierContact {
   using Real = float;
   /// As of `AsAdapters`.
-  static std::optional<Replay<Real>> as_reported(const Deviation& deviation);
+  static std::vector<Replay<Real>> replays(const exact::StoredPair& pair);
   static Vector2<double> direction(const Replay<Real>& replay, const PairCase& pair);
   static Manifold<double> answer(const Replay<Real>& replay, const PairCase& pair);
   static const Declaration& declaration();
@@ -55,6 +60,10 @@ using Doubles = AsAdapters<double>;
 /// is off by its tolerance: the nearest by cosine was taken.
 template <class Engine>
 bool clip_of_face_by_cosine(const Deviation& deviation);
+/// Corners were dropped, and the faces that are left have the normals that they had before: with
+/// their own the answer would be right.
+template <class Engine>
+bool normals_before_simplifying(const Deviation& deviation);
 /// One of the clipped edges is along the normal, to a bound, and one of its ends alone would be
 /// right: another place on it was taken.
 template <class Engine>
@@ -70,6 +79,11 @@ bool contact_lost_by_epa(const Deviation& deviation);
 /// the distance. The depth is right.
 template <class Engine>
 bool direction_of_parry_places(const Deviation& deviation);
+/// GJK went back from a step that does not lessen the distance as floats have it: the place before
+/// it is off by the root of what they tell. With the step the answer is right, or short of that by
+/// no more than GJK's tolerance.
+template <class Engine>
+bool step_back_of_gjk(const Deviation& deviation);
 /// GJK stopped within its relative tolerance of the distance.
 template <class Engine>
 bool stop_of_gjk(const Deviation& deviation);
@@ -77,7 +91,7 @@ bool stop_of_gjk(const Deviation& deviation);
 template <class Engine>
 bool touching_of_gjk(const Deviation& deviation);
 /// EPA gives the first new face that is nearer than the one it came from: the origin was within
-/// GJK's tolerance of the simplex.
+/// GJK's tolerance of the simplex, or, if it had gone on, it would have ended within its own.
 template <class Engine>
 bool origin_within_tolerance(const Deviation& deviation);
 /// GJK's simplex refused a corner that is not where another is, and the search ended.
@@ -103,6 +117,13 @@ bool centre_on_surface(const Deviation& deviation);
 /// A circle whose centre GJK projects on a polygon within its relative tolerance.
 template <class Engine>
 bool circle_by_gjk_stop(const Deviation& deviation);
+/// EPA's faces have no normal: the square of a length is beyond the scalar's range.
+template <class Engine>
+bool squared_length_of_epa(const Deviation& deviation);
+/// An answer that holds no number: the clip divides by an edge's run along the tangent, whose
+/// reciprocal is infinite.
+template <class Engine>
+bool not_a_number_of_clip(const LostAnswer& lost);
 /// EPA ends on a chord that is inside of the surface: the depth is too small, and the places are
 /// not on it. Of contact manifolds, a circle's centre and a rounded polygon alone.
 template <class Engine>

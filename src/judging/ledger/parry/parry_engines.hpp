@@ -52,6 +52,13 @@ double shapes_apart(const Deviation& d, const Replay<Real>& replay) {
   return replay.route == Route::supports ? -ledger_of::least_depth(d) : cores_apart(d);
 }
 
+/// How far a circle's centre is from the other's surface; below zero it is inside.
+inline double centre_from_surface(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  const Body& circle = pair.a.polygon.count == 1 ? pair.a : pair.b;
+  return static_cast<double>(circle.polygon.radius) - ledger_of::least_depth(d);
+}
+
 /// Whether the replay gives the answer, to a bound.
 inline bool is_same_answer(const Deviation& d, const Manifold<double>& answer) {
   if (answer.count != d.got.count) return false;
@@ -65,6 +72,15 @@ inline bool is_same_answer(const Deviation& d, const Manifold<double>& answer) {
     if (!((made.position - got.position).norm() <= bound)) return false;
   }
   return true;
+}
+
+/// The replay of an answer; none where it gives another.
+template <class Engine>
+std::optional<ReplayOf<Engine>> as_reported(const Deviation& d) {
+  for (ReplayOf<Engine>& replay : Engine::replays(d.right.truth->stored())) {
+    if (is_same_answer(d, Engine::answer(replay, d.right.pair()))) return std::move(replay);
+  }
+  return std::nullopt;
 }
 
 template <class Engine>
@@ -82,6 +98,15 @@ double excess_of(const Deviation& d, const ReplayOf<Engine>& replay) {
   const Vector2<double> direction = Engine::direction(replay, d.right.pair());
   if (direction.isZero(0) || !direction.allFinite()) return INFINITY;
   return exact::Along(*d.right.truth, direction).depth() - ledger_of::least_depth(d);
+}
+
+/// The same along another direction, in a's frame.
+template <class Engine>
+double excess_along(const Deviation& d, const ReplayOf<Engine>& replay,
+                    const Vector2<typename Engine::Real>& direction) {
+  ReplayOf<Engine> turned = replay;
+  turned.normal = direction;
+  return excess_of<Engine>(d, turned);
 }
 
 /// How far that direction is from a right one; infinite where it found none.

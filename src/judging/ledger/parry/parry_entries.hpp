@@ -67,17 +67,25 @@ inline constexpr Budget kOfParryCircleByGjk[] = {{"circles", 250000},
                                                  {"mixed_shapes", 59000},
                                                  {"voronoi_lines", 120000}};
 inline constexpr Budget kOfParryEpaChord[] = {{"cores_touch", 120000}};
+inline constexpr Budget kOfParryStepBack[] = {
+    {"capsules", 200}, {"cores_touch", 200}, {"side_planes", 1200}, {"voronoi_lines", 1200}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfParry{
     of_parry("parry2d-face-by-cosine", "parry2d", kFaceByCosine, kOfParryFaceByCosine,
              clip_of_face_by_cosine<parry::Floats>),
+    of_parry("parry2d-squared-length", "parry2d", kSquaredLength, {},
+             squared_length_of_epa<parry::Floats>),
     of_parry("parry2d-edge-along-normal", "parry2d", kEdgeAlongNormal, kOfParryEdgeAlongNormal,
              edge_along_normal<parry::Floats>),
+    of_parry_lost("parry2d-not-a-number", "parry2d", kNotANumber,
+                  not_a_number_of_clip<parry::Floats>),
     of_parry("parry2d-corner-cones", "parry2d", kCornerCones, kOfParryCornerCones,
              normal_of_corner_cones<parry::Floats>),
     of_parry("parry2d-lost-by-epa", "parry2d", kLostByEpa, kOfParryLostByEpa,
              contact_lost_by_epa<parry::Floats>),
+    of_parry("parry2d-step-back", "parry2d", kStepBack, kOfParryStepBack,
+             step_back_of_gjk<parry::Floats>),
     of_parry("parry2d-direction-of-roundings", "parry2d", kDirectionOfRoundings,
              kOfParryDirectionOfRoundings, direction_of_parry_places<parry::Floats>),
     of_parry("parry2d-gjk-stop", "parry2d", kGjkStop, kOfParryGjkStop, stop_of_gjk<parry::Floats>),

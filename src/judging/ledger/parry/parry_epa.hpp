@@ -23,7 +23,8 @@ struct EpaResult {
   Vector2<Real> on_a{0, 0};
   Vector2<Real> on_b{0, 0};
   Vector2<Real> normal{0, 0};
-  bool is_of_chord = false;  ///< of a chord's two sides, whose place is a corner: [1.0, 0.0]
+  bool is_of_chord = false;      ///< of a chord's two sides, whose place is a corner: [1.0, 0.0]
+  bool is_out_of_range = false;  ///< its face's length is no finite number
 };
 
 /// FaceId, and BinaryHeap of Rust's library with its order of equals.
@@ -94,6 +95,12 @@ class Epa {
     if (corners_.size() == 1) return at_corner();
     if (!(corners_.size() == 3 ? begin_with_triangle() : begin_with_chord())) return lost();
     return expand();
+  }
+
+  /// The same, but that it goes on where a new face is nearer than the one it came from.
+  EpaResult<Real> run_on() {
+    may_go_backward_ = true;
+    return run();
   }
 
  private:
@@ -178,14 +185,18 @@ class Epa {
     turn([&](const Vector2<Real>& n) { return operands_.of_a(n); }, corner.on_a, Real(1));
     turn([&](const Vector2<Real>& n) { return operands_.of_b(Vector2<Real>(-n)); }, corner.on_b,
          Real(-1));
-    return {EpaEnd::corner, corner.on_a, corner.on_b, normal, false};
+    return {EpaEnd::corner, corner.on_a, corner.on_b, normal};
   }
 
   EpaResult<Real> found(const Face& face, EpaEnd end) const {
     const Corner<Real>& from = corners_[face.ends[0]];
     const Corner<Real>& to = corners_[face.ends[1]];
-    return {end, from.on_a * face.shares[0] + to.on_a * face.shares[1],
-            from.on_b * face.shares[0] + to.on_b * face.shares[1], face.normal, face.is_of_chord};
+    return {end,
+            from.on_a * face.shares[0] + to.on_a * face.shares[1],
+            from.on_b * face.shares[0] + to.on_b * face.shares[1],
+            face.normal,
+            face.is_of_chord,
+            !std::isfinite(length_of<Real>(to.point - from.point))};
   }
 
   EpaResult<Real> expand() {
@@ -208,7 +219,7 @@ class Epa {
       for (const Face& made : {face(current.ends[0], added), face(added, current.ends[1])}) {
         if (made.is_origin_beside) {
           const Real to_face = made.normal.dot(made.nearest);
-          if (to_face < distance) return found(made, EpaEnd::backward);
+          if (to_face < distance && !may_go_backward_) return found(made, EpaEnd::backward);
           if (!made.is_deleted && !push(faces_.size(), -to_face)) return lost();
         }
         faces_.push_back(made);
@@ -223,6 +234,7 @@ class Epa {
   std::vector<Face> faces_;
   FaceHeap<Real> heap_;
   Real distance_tolerance_ = 0;
+  bool may_go_backward_ = false;
 };
 
 }  // namespace manifuzz::parry

@@ -26,7 +26,8 @@ inline constexpr Budget kOfParryF64GjkStop[] = {
     {"side_planes", 150000}, {"tilted_edges", 47000}, {"voronoi_lines", 3800}};
 inline constexpr Budget kOfParryF64TouchingWithin[] = {
     {"cores_touch", 5800},    {"in_line", 5200},       {"micro_edge", 400}, {"mixed_shapes", 200},
-    {"near_collinear", 1000}, {"near_parallel", 1000}, {"tied_faces", 600}, {"ulp", 200}};
+    {"near_collinear", 1000}, {"near_parallel", 1000}, {"tied_faces", 600}, {"ulp", 200},
+    {"regular", 540}};
 inline constexpr Budget kOfParryF64EqualCorners[] = {{"cores_touch", 200}, {"micro_edge", 200}};
 inline constexpr Budget kOfParryF64SecondPoint[] = {
     {"capsules", 11000},     {"cores_touch", 11000},  {"in_line", 200},
@@ -47,6 +48,8 @@ inline constexpr Budget kOfParryF64CircleByGjk[] = {{"circles", 360000},
                                                     {"mixed_shapes", 90000},
                                                     {"voronoi_lines", 210000}};
 inline constexpr Budget kOfParryF64EpaChord[] = {{"cores_touch", 130000}};
+inline constexpr Budget kOfParryF64StepBack[] = {
+    {"cores_touch", 200}, {"side_planes", 600}, {"voronoi_lines", 600}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfParryF64{
@@ -58,6 +61,8 @@ inline constexpr std::array kOfParryF64{
              normal_of_corner_cones<parry::Doubles>),
     of_parry("parry2d-f64-lost-by-epa", "parry2d-f64", kLostByEpa, kOfParryF64LostByEpa,
              contact_lost_by_epa<parry::Doubles>),
+    of_parry("parry2d-f64-step-back", "parry2d-f64", kStepBack, kOfParryF64StepBack,
+             step_back_of_gjk<parry::Doubles>),
     of_parry("parry2d-f64-direction-of-roundings", "parry2d-f64", kDirectionOfRoundings,
              kOfParryF64DirectionOfRoundings, direction_of_parry_places<parry::Doubles>),
     of_parry("parry2d-f64-gjk-stop", "parry2d-f64", kGjkStop, kOfParryF64GjkStop,

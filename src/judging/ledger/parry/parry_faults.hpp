@@ -18,11 +18,25 @@ inline constexpr ParryFault kFaceByCosine{
     "the direction as cosines tell, not those that touch",
     "parry2d 0.30.2 and 0.31.1, src/shape/convex_polygon.rs, local_support_feature: `dot > "
     "max_dot`"};
+inline constexpr ParryFault kNormalsBefore{
+    "one point, or points too near: another face is clipped, since those that are left have the "
+    "normals that they had before corners were dropped",
+    "parry2d 0.30.2 and 0.31.1, src/shape/convex_polygon.rs, from_convex_polyline: "
+    "normals[i2 - nremoved] = normals[i2]"};
+inline constexpr ParryFault kSquaredLength{
+    "a normal of no length, and depth 0: the square of a face's length is beyond a float",
+    "parry2d 0.30.2 and 0.31.1, src/utils/ccw_face_normal.rs: try_normalize; "
+    "src/query/epa/epa2.rs, Face::new_with_proj"};
 inline constexpr ParryFault kEdgeAlongNormal{
     "no contact, or too shallow: an edge along the normal is clipped, and its first end or its "
     "middle is taken though its other end is the nearest",
     "parry2d 0.30.2 and 0.31.1, src/query/clip/clip_segment_segment.rs: utils::inv(range2[1] - "
     "range2[0]), 0 of 0"};
+inline constexpr ParryFault kNotANumber{
+    "places and depths that are not numbers: an edge all but along the normal is clipped, and 0 is "
+    "multiplied by its run's reciprocal, which is infinite",
+    "parry2d 0.30.2 and 0.31.1, src/query/clip/clip_segment_segment.rs: utils::inv(range2[1] - "
+    "range2[0]), of less than the reciprocal of the greatest number"};
 inline constexpr ParryFault kCornerCones{
     "a normal outside the cone of a corner that touches a corner: it is turned into A's cone, then "
     "into B's, and not back",
@@ -36,6 +50,11 @@ inline constexpr ParryFault kDirectionOfRoundings{
     "parry2d 0.30.2 and 0.31.1, src/query/gjk/gjk.rs, closest_points: "
     "neg_proj_coords.normalize_and_length(); "
     "contact_manifolds_capsule_capsule.rs: (local_p2_1 - local_p1).try_normalize()"};
+inline constexpr ParryFault kStepBack{
+    "a normal off by 2e-4 (in double 1e-8): the nearest places before a step that does not lessen "
+    "their rounded distance, though it turns the direction between them",
+    "parry2d 0.30.2 and 0.31.1, src/query/gjk/gjk.rs, closest_points: max_bound >= old_max_bound, "
+    "result(simplex, true), old_dir"};
 inline constexpr ParryFault kGjkStop{
     "a normal short of the nearest by up to 1.1e-3 (in double 4.7e-8) of the cores' distance",
     "parry2d 0.30.2 and 0.31.1, src/query/gjk/gjk.rs, closest_points: max_bound - min_bound <= "
@@ -107,6 +126,15 @@ constexpr LedgerEntry of_parry(std::string_view id, std::string_view collider,
                                const ParryFault& fault, std::span<const Budget> budgets,
                                bool (*explains)(const Deviation&)) {
   return {id, collider, fault.description, fault.source, budgets, explains};
+}
+
+/// The same of one whose answers are lost by it.
+constexpr LedgerEntry of_parry_lost(std::string_view id, std::string_view collider,
+                                    const ParryFault& fault,
+                                    bool (*explains_lost)(const LostAnswer&)) {
+  LedgerEntry entry = of_parry(id, collider, fault, {}, nullptr);
+  entry.explains_lost = explains_lost;
+  return entry;
 }
 
 }  // namespace manifuzz::ledger_of

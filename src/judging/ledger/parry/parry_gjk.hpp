@@ -22,15 +22,21 @@ enum class GjkEnd {
   too_many_iterations  ///< 100
 };
 
-/// What it found: places on both shapes and a direction, where it found them.
+/// Places on both shapes, and the direction between them.
 template <class Real>
-struct GjkResult {
-  GjkEnd end = GjkEnd::inside;
-  bool is_intersection = false;
-  bool has_points = false;
+struct GjkPlaces {
   Vector2<Real> on_a{0, 0};
   Vector2<Real> on_b{0, 0};
   Vector2<Real> direction{0, 0};
+};
+
+/// What it found: places, where it found them.
+template <class Real>
+struct GjkResult : GjkPlaces<Real> {
+  GjkEnd end = GjkEnd::inside;
+  bool is_intersection = false;
+  bool has_points = false;
+  std::optional<GjkPlaces<Real>> after{};  ///< stalled_apart: of the step that it goes back from
   bool is_refused = false;  ///< add_point took two corners for one that are not at one place
 };
 
@@ -119,6 +125,10 @@ class Gjk {
     result.has_points = true;
     std::tie(result.on_a, result.on_b) = simplex_.nearest(is_previous);
     result.direction = direction;
+    if (end != GjkEnd::stalled_apart) return result;
+    result.after.emplace();
+    std::tie(result.after->on_a, result.after->on_b) = simplex_.nearest(false);
+    result.after->direction = direction_;
     return result;
   }
 

@@ -230,6 +230,32 @@ std::vector<TrackedPoint<Real>> clipped_at(const Replay<Real>& replay, Side side
 }
 
 template <class Real>
+std::optional<Replay<Real>> replayed_after_step(const Replay<Real>& replay) {
+  const auto& after = replay.gjk.after;
+  if (!after || (replay.route != Route::features && replay.route != Route::ball)) {
+    return std::nullopt;
+  }
+  Replay<Real> mended = replay;
+  mended.points.clear();
+  mended.normal = after->direction;
+  if (replay.route == Route::ball) {
+    collide_ball_at(mended, {after->on_a, false});
+  } else {
+    clip_features(mended, after->on_a, after->on_b);
+  }
+  return mended;
+}
+
+template <class Real>
+std::array<Real, 2> clipped_runs(const Replay<Real>& replay) {
+  const Vector2<Real> tangent(-replay.normal.y(), replay.normal.x());
+  const auto run = [&](const Ends<Real>& ends) {
+    return std::abs(ends[1].dot(tangent) - ends[0].dot(tangent));
+  };
+  return {run(face_of(replay.a.shape, replay.faces[0])), run(face_of_b(replay, replay.faces[1]))};
+}
+
+template <class Real>
 Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real prediction) {
   Replay<Real> replay{
       .a = a, .b = b, .between = composed(inverse(a.pose), b.pose), .prediction = prediction};
@@ -250,6 +276,10 @@ Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real predict
 
 template Replay<float> replayed(const Placed<float>&, const Placed<float>&, float);
 template Replay<double> replayed(const Placed<double>&, const Placed<double>&, double);
+template std::optional<Replay<float>> replayed_after_step(const Replay<float>&);
+template std::optional<Replay<double>> replayed_after_step(const Replay<double>&);
+template std::array<float, 2> clipped_runs(const Replay<float>&);
+template std::array<double, 2> clipped_runs(const Replay<double>&);
 template std::vector<TrackedPoint<float>> clipped_by(const Replay<float>&,
                                                      const std::array<std::size_t, 2>&);
 template std::vector<TrackedPoint<double>> clipped_by(const Replay<double>&,

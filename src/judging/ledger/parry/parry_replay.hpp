@@ -33,6 +33,7 @@ struct Replay {
 
   GjkResult<Real> gjk{};               ///< of features, supports, and of a ball and a polygon
   EpaResult<Real> epa{};               ///< the same
+  EpaResult<Real> epa_going_on{};      ///< where it ended backward: how it would end, going on
   std::array<std::size_t, 2> faces{};  ///< of features: those that are clipped, of polygons
   bool is_clipped = false;             ///< of features: they overlap along the normal's tangent
   Vector2<Real> apart{0, 0};  ///< of capsules and a ball: the difference that becomes the normal
@@ -59,10 +60,27 @@ template <class Real>
 std::vector<TrackedPoint<Real>> clipped_at(const Replay<Real>& replay, Side side, std::size_t end,
                                            double bound);
 
+/// The same of a GJK that keeps the step from which it went back; none where it did not, and of
+/// `supports`.
+template <class Real>
+std::optional<Replay<Real>> replayed_after_step(const Replay<Real>& replay);
+
+/// How far both edges that are clipped run along the normal's tangent; of capsules, the cores.
+template <class Real>
+std::array<Real, 2> clipped_runs(const Replay<Real>& replay);
+
 /// The normal that it gives of b: from b to a, in b's frame.
 template <class Real>
 Vector2<Real> normal_of_b(const Replay<Real>& replay) {
   return rotate_back<Real>(replay.between.rotation, Vector2<Real>(-replay.normal));
+}
+
+template <class Real>
+void run_epa(Replay<Real>& replay, const Operands<Real>& operands, const Simplex<Real>& simplex) {
+  replay.epa = Epa<Real>(operands, simplex).run();
+  if (replay.epa.end == EpaEnd::backward) {
+    replay.epa_going_on = Epa<Real>(operands, simplex).run_on();
+  }
 }
 
 /// contact_support_map_support_map_with_params: the places on both, in a's frame, and the normal of
@@ -75,7 +93,7 @@ std::optional<std::array<Vector2<Real>, 2>> searched(Replay<Real>& replay, bool 
   Simplex<Real> simplex(corner_along(operands, towards));
   replay.gjk = Gjk<Real>(operands, farthest, simplex).run();
   if (replay.gjk.is_intersection) {
-    replay.epa = Epa<Real>(operands, simplex).run();
+    run_epa(replay, operands, simplex);
     if (replay.epa.end == EpaEnd::lost) return std::nullopt;
     replay.normal = replay.epa.normal;
     return std::array{replay.epa.on_a, replay.epa.on_b};

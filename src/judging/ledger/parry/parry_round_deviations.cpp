@@ -8,6 +8,7 @@ namespace manifuzz {
 namespace {
 
 using parry::bound_of;
+using parry::centre_from_surface;
 using parry::cores_apart;
 using parry::EpaEnd;
 using parry::GjkEnd;
@@ -16,23 +17,27 @@ using parry::Route;
 /// The replay of a circle against another shape.
 template <class Engine>
 std::optional<parry::ReplayOf<Engine>> replay_of_circle(const Deviation& d) {
-  auto replay = Engine::as_reported(d);
+  auto replay = parry::as_reported<Engine>(d);
   if (replay && replay->route != Route::ball) replay.reset();
   return replay;
 }
 
 template <class Engine>
 std::optional<parry::ReplayOf<Engine>> replay_of_capsules(const Deviation& d) {
-  auto replay = Engine::as_reported(d);
+  auto replay = parry::as_reported<Engine>(d);
   if (replay && replay->route != Route::capsules) replay.reset();
   return replay;
 }
 
-/// How far a circle's centre is from the other's surface; below zero it is inside.
-double centre_from_surface(const Deviation& d) {
-  const PairCase& pair = d.right.pair();
-  const Body& circle = pair.a.polygon.count == 1 ? pair.a : pair.b;
-  return static_cast<double>(circle.polygon.radius) - ledger_of::least_depth(d);
+/// By how much EPA's direction misses the least depth. A circle's normal is another one: it is
+/// taken from the place that EPA gives to the centre, however near that is.
+template <class Engine>
+double excess_of_epa(const Deviation& d, const parry::ReplayOf<Engine>& replay) {
+  const double of_answer = parry::excess_of<Engine>(d, replay);
+  if (replay.route != Route::ball) return of_answer;
+  Vector2<typename Engine::Real> normal = replay.epa.normal;
+  if (replay.a.shape.is_ball()) normal = -rotate(replay.between.rotation, normal);
+  return std::min(of_answer, parry::excess_along<Engine>(d, replay, normal));
 }
 
 bool has_polygon(const Deviation& d) {
@@ -49,9 +54,15 @@ double error_of_places(const Deviation& d) {
   const double shorter = std::min(along_a.norm(), along_b.norm());
   // a <= _eps: the first end of a core that is so short.
   if (shorter * shorter <= parry::kEpsilonOf<Engine>) return shorter + bound_of(d);
-  // b f - c e loses as much as the denominator is smaller than its terms.
+  // denom > _eps, a length's fourth power: the first end of cores that are nearly parallel, or
+  // short.
   const double sine = cross(along_a, along_b) / (along_a.norm() * along_b.norm());
-  return bound_of(d) / (sine * sine);
+  const double across = cross(along_a, along_b);
+  const bool is_taken_for_parallel = across * across <= parry::kEpsilonOf<Engine>;
+  const double longest = std::max({along_a.norm(), along_b.norm(), cores_apart(d)});
+  const double by_first_end = is_taken_for_parallel ? std::abs(sine) * longest + bound_of(d) : 0;
+  // b f - c e loses as much as the denominator is smaller than its terms.
+  return std::max(by_first_end, bound_of(d) / (sine * sine));
 }
 
 }  // namespace
@@ -82,7 +93,7 @@ bool nearly_parallel_parry_capsules(const Deviation& d) {
 
 template <class Engine>
 bool corner_of_epa_chord(const Deviation& d) {
-  const auto replay = Engine::as_reported(d);
+  const auto replay = parry::as_reported<Engine>(d);
   return replay && replay->route != Route::features && replay->epa.is_of_chord;
 }
 
@@ -118,7 +129,7 @@ bool circle_by_gjk_stop(const Deviation& d) {
 
 template <class Engine>
 bool chord_of_epa(const Deviation& d) {
-  const auto replay = Engine::as_reported(d);
+  const auto replay = parry::as_reported<Engine>(d);
   if (!replay || replay->route == Route::features || d.got.count == 0) return false;
   const bool is_exhausted = replay->epa.end == EpaEnd::exhausted;
   if (!is_exhausted && replay->epa.end != EpaEnd::converged &&
@@ -128,7 +139,7 @@ bool chord_of_epa(const Deviation& d) {
   // The chord is inside of the surface, so the depth is too small; what supports its face is found
   // no farther than the tolerance.
   const double least = ledger_of::least_depth(d);
-  const double excess = is_exhausted ? 0 : parry::excess_of<Engine>(d, *replay);
+  const double excess = is_exhausted ? 0 : excess_of_epa<Engine>(d, *replay);
   return ledger_of::deepest(d.got) <= least + bound_of(d) &&
          excess <= 100 * parry::kEpsilonOf<Engine> + bound_of(d);
 }

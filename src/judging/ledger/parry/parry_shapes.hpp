@@ -173,4 +173,20 @@ std::optional<Vector2<Real>> face_normal(const Vector2<Real>& from, const Vector
   return try_normalize(Vector2<Real>(along.y(), -along.x()));
 }
 
+/// ConvexPolygon::from_convex_polyline: without the corners between normals nearer than the root of
+/// epsilon; the normals that are left are those of the faces as they were.
+template <class Real>
+Shape<Real> simplified(const Shape<Real>& full) {
+  if (!full.is_polygon()) return full;
+  const Real most = Real(1) - std::sqrt(kEpsilon<Real>);
+  Shape<Real> kept{.radius = full.radius};
+  for (std::size_t i = 0; i < full.corners.size(); ++i) {
+    const std::size_t before = i == 0 ? full.normals.size() - 1 : i - 1;
+    if (full.normals[before].dot(full.normals[i]) > most) continue;
+    kept.corners.push_back(full.corners[i]);
+    kept.normals.push_back(full.normals[i]);
+  }
+  return kept;
+}
+
 }  // namespace manifuzz::parry

@@ -30,7 +30,7 @@ inline constexpr Budget kOfParrySimplifiedDirectionOfRoundings[] = {
     {"side_planes", 9400}, {"tilted_edges", 11000}, {"voronoi_lines", 2000}};
 inline constexpr Budget kOfParrySimplifiedGjkStop[] = {
     {"capsules", 400},     {"in_line", 11000},     {"large_radii", 110000}, {"mixed_shapes", 200},
-    {"side_planes", 1200}, {"tilted_edges", 4600}, {"voronoi_lines", 3400}};
+    {"side_planes", 1200}, {"tilted_edges", 4600}, {"voronoi_lines", 3400}, {"round_corners", 610}};
 inline constexpr Budget kOfParrySimplifiedTouchingWithin[] = {
     {"capsules", 800},        {"cores_touch", 28000}, {"corner_corner", 200},
     {"far_from_origin", 200}, {"generic", 200},       {"in_line", 16000},
@@ -68,17 +68,31 @@ inline constexpr Budget kOfParrySimplifiedCircleByGjk[] = {{"circles", 240000},
                                                            {"mixed_shapes", 58000},
                                                            {"voronoi_lines", 120000}};
 inline constexpr Budget kOfParrySimplifiedEpaChord[] = {{"cores_touch", 120000}};
+inline constexpr Budget kOfParrySimplifiedStepBack[] = {
+    {"capsules", 200}, {"cores_touch", 200}, {"side_planes", 1200}, {"voronoi_lines", 1200}};
+inline constexpr Budget kOfParrySimplifiedKeptNormals[] = {
+    {"cores_touch", 200},  {"corner_face", 240}, {"far_from_origin", 120},
+    {"generic", 60},       {"micro_edge", 120},  {"near_collinear", 120},
+    {"near_parallel", 60}, {"off_unit", 600},    {"round_corners", 180},
+    {"scaled", 200},       {"sliver", 400},      {"tie_bias", 60},
+    {"ulp", 120}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfParrySimplified{
     of_parry("parry2d-simplified-face-by-cosine", "parry2d-simplified", kFaceByCosine,
              kOfParrySimplifiedFaceByCosine, clip_of_face_by_cosine<parry::Floats>),
+    of_parry("parry2d-simplified-kept-normals", "parry2d-simplified", kNormalsBefore,
+             kOfParrySimplifiedKeptNormals, normals_before_simplifying<parry::Floats>),
     of_parry("parry2d-simplified-edge-along-normal", "parry2d-simplified", kEdgeAlongNormal,
              kOfParrySimplifiedEdgeAlongNormal, edge_along_normal<parry::Floats>),
+    of_parry_lost("parry2d-simplified-not-a-number", "parry2d-simplified", kNotANumber,
+                  not_a_number_of_clip<parry::Floats>),
     of_parry("parry2d-simplified-corner-cones", "parry2d-simplified", kCornerCones,
              kOfParrySimplifiedCornerCones, normal_of_corner_cones<parry::Floats>),
     of_parry("parry2d-simplified-lost-by-epa", "parry2d-simplified", kLostByEpa,
              kOfParrySimplifiedLostByEpa, contact_lost_by_epa<parry::Floats>),
+    of_parry("parry2d-simplified-step-back", "parry2d-simplified", kStepBack,
+             kOfParrySimplifiedStepBack, step_back_of_gjk<parry::Floats>),
     of_parry("parry2d-simplified-direction-of-roundings", "parry2d-simplified",
              kDirectionOfRoundings, kOfParrySimplifiedDirectionOfRoundings,
              direction_of_parry_places<parry::Floats>),

@@ -1,4 +1,5 @@
 #include "judging/ledger/parry/parry_engines.hpp"
+#include "judging/ledger/parry/rapier_angles.hpp"
 
 // scripts/colliders/rapier2d-bodies.mjs and rapier2d-manifold.mjs, rapier2d-contact.mjs: what they
 // hand to Rapier, what Rapier hands to parry, and what is made of a manifold.
@@ -61,14 +62,19 @@ Placed<float> placed_by_rapier(const exact::StoredBody& body) {
     }
   }
   const auto rounded = static_cast<double>(static_cast<float>(angle));
-  placed.pose = {position.cast<float>(),
-                 {static_cast<float>(std::cos(rounded)), static_cast<float>(std::sin(rounded))}};
+  placed.pose = {position.cast<float>(), {cosine_of_wasm(rounded), sine_of_wasm(rounded)}};
   const auto& made = placed.shape.corners;
   for (std::size_t i = 0; made.size() > 2 && i < made.size(); ++i) {
     placed.shape.normals.push_back(
         face_normal(made[i], made[(i + 1) % made.size()]).value_or(Vector2<float>(0, 0)));
   }
   return placed;
+}
+
+std::vector<Replay<float>> in_both_orders(const Placed<float>& a, const Placed<float>& b) {
+  std::vector<Replay<float>> both{replayed(a, b, kPrediction), replayed(b, a, kPrediction)};
+  both[1].is_swapped = true;
+  return both;
 }
 
 }  // namespace
@@ -108,16 +114,15 @@ const Declaration& Rapier::declaration() {
   return made;
 }
 
-std::optional<Replay<float>> Rapier::as_reported(const Deviation& d) {
-  const exact::StoredPair& stored = d.right.truth->stored();
-  const Placed<float> a = placed_by_rapier(stored.a);
-  const Placed<float> b = placed_by_rapier(stored.b);
-  for (const bool is_swapped : {false, true}) {
-    Replay<float> replay = is_swapped ? replayed(b, a, kPrediction) : replayed(a, b, kPrediction);
-    replay.is_swapped = is_swapped;
-    if (is_same_answer(d, answer(replay, d.right.pair()))) return replay;
-  }
-  return std::nullopt;
+std::vector<Replay<float>> Rapier::replays(const exact::StoredPair& pair) {
+  return in_both_orders(placed_by_rapier(pair.a), placed_by_rapier(pair.b));
+}
+
+std::vector<Replay<float>> Rapier::replays_of_simplified(const exact::StoredPair& pair) {
+  Placed<float> a = placed_by_rapier(pair.a);
+  Placed<float> b = placed_by_rapier(pair.b);
+  for (Placed<float>* const placed : {&a, &b}) placed->shape = simplified(placed->shape);
+  return in_both_orders(a, b);
 }
 
 Vector2<double> RapierContact::direction(const Replay<float>& replay, const PairCase& pair) {
@@ -146,11 +151,8 @@ const Declaration& RapierContact::declaration() {
   return made;
 }
 
-std::optional<Replay<float>> RapierContact::as_reported(const Deviation& d) {
-  const exact::StoredPair& stored = d.right.truth->stored();
-  Replay<float> replay = replayed_contact(placed_by_rapier(stored.a), placed_by_rapier(stored.b));
-  if (!is_same_answer(d, answer(replay, d.right.pair()))) return std::nullopt;
-  return replay;
+std::vector<Replay<float>> RapierContact::replays(const exact::StoredPair& pair) {
+  return {replayed_contact(placed_by_rapier(pair.a), placed_by_rapier(pair.b))};
 }
 
 }  // namespace manifuzz::parry

@@ -92,7 +92,9 @@ inline constexpr Budget kOfRapierContactEpaChord[] = {{"capsules", 360000},
                                                       {"tied_faces", 23000},
                                                       {"tilted_edges", 270000},
                                                       {"ulp", 2800},
-                                                      {"voronoi_lines", 320000}};
+                                                      {"voronoi_lines", 320000},
+                                                      {"regular", 1400}};
+inline constexpr Budget kOfRapierContactStepBack[] = {{"side_planes", 1}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfRapierContact{
@@ -100,6 +102,8 @@ inline constexpr std::array kOfRapierContact{
              kOfRapierContactCornerCones, normal_of_corner_cones<parry::RapierContact>),
     of_parry("rapier2d-contact-lost-by-epa", "rapier2d-contact", kLostByEpa,
              kOfRapierContactLostByEpa, contact_lost_by_epa<parry::RapierContact>),
+    of_parry("rapier2d-contact-step-back", "rapier2d-contact", kStepBack, kOfRapierContactStepBack,
+             step_back_of_gjk<parry::RapierContact>),
     of_parry("rapier2d-contact-touching-within-tolerance", "rapier2d-contact", kTouchingWithin,
              kOfRapierContactTouchingWithin, touching_of_gjk<parry::RapierContact>),
     of_parry("rapier2d-contact-origin-within-tolerance", "rapier2d-contact", kOriginWithin,

@@ -28,8 +28,8 @@ inline constexpr Budget kOfRapierDirectionOfRoundings[] = {
     {"large_radii", 3600}, {"mixed_shapes", 2800}, {"round_corners", 1800},
     {"side_planes", 6800}, {"tilted_edges", 8600}, {"voronoi_lines", 3200}};
 inline constexpr Budget kOfRapierGjkStop[] = {
-    {"capsules", 600},     {"in_line", 9000},      {"large_radii", 99000}, {"mixed_shapes", 200},
-    {"side_planes", 2400}, {"tilted_edges", 5600}, {"voronoi_lines", 4800}};
+    {"capsules", 600},     {"in_line", 9000},      {"large_radii", 99000},  {"mixed_shapes", 200},
+    {"side_planes", 2400}, {"tilted_edges", 5600}, {"voronoi_lines", 4800}, {"round_corners", 610}};
 inline constexpr Budget kOfRapierTouchingWithin[] = {
     {"capsules", 200},     {"cores_touch", 25000},  {"corner_corner", 200},
     {"generic", 200},      {"in_line", 14000},      {"micro_edge", 6000},
@@ -67,17 +67,26 @@ inline constexpr Budget kOfRapierCircleByGjk[] = {{"circles", 230000},
                                                   {"mixed_shapes", 57000},
                                                   {"voronoi_lines", 120000}};
 inline constexpr Budget kOfRapierEpaChord[] = {{"cores_touch", 120000}};
+inline constexpr Budget kOfRapierStepBack[] = {{"side_planes", 800}, {"voronoi_lines", 800}};
+inline constexpr Budget kOfRapierKeptNormals[] = {
+    {"cores_touch", 200}, {"in_line", 600}, {"round_corners", 180}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfRapier{
     of_parry("rapier2d-face-by-cosine", "rapier2d", kFaceByCosine, kOfRapierFaceByCosine,
              clip_of_face_by_cosine<parry::Rapier>),
+    of_parry("rapier2d-kept-normals", "rapier2d", kNormalsBefore, kOfRapierKeptNormals,
+             normals_before_simplifying<parry::Rapier>),
     of_parry("rapier2d-edge-along-normal", "rapier2d", kEdgeAlongNormal, kOfRapierEdgeAlongNormal,
              edge_along_normal<parry::Rapier>),
+    of_parry_lost("rapier2d-not-a-number", "rapier2d", kNotANumber,
+                  not_a_number_of_clip<parry::Rapier>),
     of_parry("rapier2d-corner-cones", "rapier2d", kCornerCones, kOfRapierCornerCones,
              normal_of_corner_cones<parry::Rapier>),
     of_parry("rapier2d-lost-by-epa", "rapier2d", kLostByEpa, kOfRapierLostByEpa,
              contact_lost_by_epa<parry::Rapier>),
+    of_parry("rapier2d-step-back", "rapier2d", kStepBack, kOfRapierStepBack,
+             step_back_of_gjk<parry::Rapier>),
     of_parry("rapier2d-direction-of-roundings", "rapier2d", kDirectionOfRoundings,
              kOfRapierDirectionOfRoundings, direction_of_parry_places<parry::Rapier>),
     of_parry("rapier2d-gjk-stop", "rapier2d", kGjkStop, kOfRapierGjkStop,

@@ -37,6 +37,13 @@ class ByCute {
 
   const as_cute::CuteAnswer& given() const { return given_; }
   bool is_same_answer() const { return replayed::is_same_answer(deviation_, given_.contact); }
+  /// Of polygons, with the face's own normal in place of the one that it clipped along.
+  bool is_right_with_own_normal() const {
+    if (given_.own_normal.isZero(0)) return false;
+    const replayed::Contact contact{given_.own_normal, given_.contact.points};
+    return is_same_answer() &&
+           replayed::is_right_answer(deviation_, as_declared_by_cute(0), contact);
+  }
   bool needs(FaultOfCute fault) const {
     return is_same_answer() &&
            replayed::is_needed(static_cast<unsigned>(fault), kFaultsOfCute,
@@ -80,14 +87,15 @@ class ByCute {
     return is_right_at_end(mended, contact);
   }
 
-  /// With its point on the surface beyond some vertex of a core.
+  /// With its point on the surface beyond some vertex of a core, or the place on it that is nearest
+  /// to a vertex of the other.
   bool is_right_at_end(unsigned mended, replayed::Contact contact) const {
     const PairCase& pair = deviation_.right.pair();
     return std::ranges::any_of(std::array{Side::a, Side::b}, [&](Side side) {
-      const as_cute::Shape shape(pair[side]);
-      const double out = (side == Side::a ? 1 : -1) * static_cast<double>(shape.radius);
-      return std::ranges::any_of(shape.vertices, [&](const Vector2<float>& end) {
-        contact.points[0].at = end.cast<double>() + out * contact.normal;
+      const double out =
+          (side == Side::a ? 1 : -1) * static_cast<double>(pair[side].polygon.radius);
+      return std::ranges::any_of(ledger_of::nearest_places(pair, side), [&](const auto& place) {
+        contact.points[0].at = place + out * contact.normal;
         return replayed::is_right_answer(deviation_, as_declared_by_cute(mended), contact);
       });
     });
@@ -105,8 +113,9 @@ bool is_off_by_roundings(const Deviation& d, const as_cute::CuteAnswer& answer) 
   const double bound = 4 * d.right.bounds.separation;
   const Vector2<double> off = normal - replayed::least_normal_near(d, normal);
   if (off.norm() * static_cast<double>(answer.distance) <= bound) return true;
-  return !normal.isZero(0) &&
-         exact::Along(*d.right.truth, normal).depth() - ledger_of::least_depth(d) <= bound;
+  if (normal.isZero(0)) return false;
+  const exact::Along along(*d.right.truth, local_normal(d.right.pair(), normal));
+  return along.depth() - ledger_of::least_depth(d) <= bound;
 }
 
 }  // namespace
@@ -117,6 +126,7 @@ bool fault_of_cute(const Deviation& d) {
   if (kFault == FaultOfCute::nearest_places && !is_off_by_roundings(d, replayed.given())) {
     return false;
   }
+  if (kFault == FaultOfCute::placed_vertices && replayed.is_right_with_own_normal()) return true;
   return replayed.needs(kFault);
 }
 

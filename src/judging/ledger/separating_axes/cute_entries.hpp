@@ -31,12 +31,12 @@ inline constexpr Budget kOfCuteBias[] = {
     {"regular", 2000},        {"scaled", 28000},       {"sliver", 11000},
     {"tie_bias", 3300},       {"tied_faces", 1800},    {"ulp", 5300}};
 inline constexpr Budget kOfCuteOpenPlanes[] = {
-    {"near_collinear", 20000}, {"sliver", 1200}, {"ulp", 200}};
+    {"near_collinear", 20000}, {"sliver", 1200}, {"ulp", 1600}};
 inline constexpr Budget kOfCuteInside[] = {{"capsules", 51000},     {"cores_touch", 160000},
                                            {"in_line", 400000},     {"mixed_shapes", 90000},
                                            {"tilted_edges", 77000}, {"voronoi_lines", 23000}};
 inline constexpr Budget kOfCuteNearestPlaces[] = {{"capsules", 14000},     {"cores_touch", 470000},
-                                                  {"in_line", 190000},     {"large_radii", 200},
+                                                  {"in_line", 190000},     {"large_radii", 4900},
                                                   {"mixed_shapes", 8000},  {"side_planes", 24000},
                                                   {"tilted_edges", 22000}, {"voronoi_lines", 970}};
 inline constexpr Budget kOfCuteTwoFrames[] = {

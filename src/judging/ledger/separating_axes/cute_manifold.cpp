@@ -255,7 +255,10 @@ CuteAnswer of_polygons(const Shape& a, const Shape& b, const Mends& mends) {
   const Vector2<float> normal = turned(reference.placing, reference.normals[face]);
   Segment incident = incident_edge(other_one, turned_back(other_one.placing, normal));
   const auto plane = clip_by_face(incident, reference, face, mends);
-  return plane ? keep_deep(incident, *plane, 0, !is_of_a) : CuteAnswer{};
+  if (!plane) return {};
+  CuteAnswer answer = keep_deep(incident, *plane, 0, !is_of_a);
+  answer.own_normal = (is_of_a ? normal : -normal).cast<double>();
+  return answer;
 }
 
 /// In the order in which the functions take them.

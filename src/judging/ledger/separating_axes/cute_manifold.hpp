@@ -25,9 +25,10 @@ enum class Way {
 struct CuteAnswer {
   replayed::Contact contact;
   Way way = Way::apart;
-  float distance = 0;             ///< of c2GJK
-  Vector2<double> on_core{0, 0};  ///< of one point, before the radius moves it
-  double out = 0;                 ///< how far along the normal that does
+  float distance = 0;                ///< of c2GJK
+  Vector2<double> on_core{0, 0};     ///< of one point, before the radius moves it
+  double out = 0;                    ///< how far along the normal that does
+  Vector2<double> own_normal{0, 0};  ///< of polygons: the clipping face's, of its own vertices
 };
 
 /// c2Collide.

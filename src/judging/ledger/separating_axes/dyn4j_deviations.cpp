@@ -106,6 +106,16 @@ bool is_lost_by_edges(const Deviation& d, DetectorOfDyn4j detector) {
          replayed.is_same_answer();
 }
 
+/// Whether the reference edge's ends are placed where it has no length, and so no normal, though
+/// the detector was right.
+bool is_edge_placed_without_length(const Deviation& d, DetectorOfDyn4j detector) {
+  if (d.got.count == 0 || !d.got.normal.isZero(0) || is_round(d.right.pair())) return false;
+  const ByDyn4j replayed(d, detector);
+  return replayed.is_same_answer() &&
+         std::abs(replayed.found().depth - ledger_of::least_depth(d)) <=
+             2 * d.right.bounds.separation;
+}
+
 /// D at a detector's normal.
 double depth_along(const Deviation& d, const Vector2<double>& normal) {
   return exact::Along(*d.right.truth, local_normal(d.right.pair(), normal)).depth();
@@ -130,9 +140,12 @@ bool first_of_equal_axes_in_dyn4j(const Deviation& d) {
   const auto all = as_dyn4j::overlaps_along_axes(as_dyn4j::Placed(d.right.pair().a),
                                                  as_dyn4j::Placed(d.right.pair().b));
   const Bounds& bounds = d.right.bounds;
+  // An axis between places is off by their roundings over the distance between them.
+  const double apart = std::abs(total_radius(d.right.pair()) - ledger_of::least_depth(d));
+  const double off = 2 * bounds.normal + (apart > 0 ? 4 * bounds.separation / apart : 0);
   return std::ranges::any_of(all, [&](const as_dyn4j::Found& other) {
     const Vector2<double> least = replayed::least_normal_near(d, other.normal);
-    return (other.normal - least).norm() <= 2 * bounds.normal &&
+    return (other.normal - least).norm() <= off &&
            other.depth <= replayed.found().depth + 2 * bounds.separation;
   });
 }
@@ -183,6 +196,10 @@ bool edges_tie_after_gjk_of_dyn4j(const Deviation& d) {
 
 template <FaultOfDyn4j kFault>
 bool after_sat_of_dyn4j(const Deviation& d) {
+  if (kFault == FaultOfDyn4j::placed_vertices &&
+      is_edge_placed_without_length(d, as_dyn4j::by_axes)) {
+    return true;
+  }
   return ByDyn4j(d, as_dyn4j::by_axes).needs(static_cast<unsigned>(kFault));
 }
 

@@ -15,7 +15,7 @@ inline constexpr Budget kOfJbox2dLocalMaximum[] = {
 
 inline constexpr Budget kOfJbox2dSecondPoint[] = {
     {"capsules", 4900}, {"mixed_shapes", 1300}, {"voronoi_lines", 2000}};
-inline constexpr Budget kOfJbox2dHysteresis[] = {{"capsules", 1700}};
+inline constexpr Budget kOfJbox2dHysteresis[] = {{"capsules", 1700}, {"mixed_shapes", 440}};
 inline constexpr Budget kOfJbox2dCornerDirection[] = {{"cores_touch", 550}};
 
 inline constexpr std::array kOfJbox2dSearch{
