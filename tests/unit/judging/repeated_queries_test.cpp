@@ -58,21 +58,28 @@ PairCase triangles_corner_on_corner() {
           triangle_of({Vector2<float>{0, 0}, {0, -1}, {1, 0}})};
 }
 
-/// What a predicate says of one point.
-bool is_explained(bool (*predicate)(const Deviation&), const PairCase& pair,
-                  const Vector2<double>& normal, double depth, Kind kind = Kind::inconsistent,
-                  ScalarType scalar = ScalarType::float32) {
+/// What a predicate says of a manifold.
+bool explains(bool (*predicate)(const Deviation&), const PairCase& pair,
+              const Manifold<double>& manifold, Kind kind,
+              ScalarType scalar = ScalarType::float32) {
   Declaration declaration;
   declaration.scalar = scalar;
   declaration.frame = RoundingFrame::world;
   declaration.min_vertices = 1;
   declaration.takes_round = true;
+  const Admissible right = admissible(pair, declaration);
+  return predicate({right, manifold, kind});
+}
+
+/// The same of one point.
+bool is_explained(bool (*predicate)(const Deviation&), const PairCase& pair,
+                  const Vector2<double>& normal, double depth, Kind kind = Kind::inconsistent,
+                  ScalarType scalar = ScalarType::float32) {
   Manifold<double> manifold;
   manifold.count = 1;
   manifold.normal = normal.normalized();
   manifold.points[0].depth = depth;
-  const Admissible right = admissible(pair, declaration);
-  return predicate({right, manifold, kind});
+  return explains(predicate, pair, manifold, kind, scalar);
 }
 
 }  // namespace
@@ -165,6 +172,41 @@ TEST_CASE("the repeated portal is that of the face by which the ray leaves") {
         CcdPortalEnd::none);
 }
 
+TEST_CASE("the translation is to the portal that the ray from the centres leaves through") {
+  // Long ones, side by side: the ray leaves through the far end.
+  const std::array<Vector2<float>, 4> corners{Vector2<float>{-4, -1}, Vector2<float>{4, -1},
+                                              Vector2<float>{4, 1}, Vector2<float>{-4, 1}};
+  const PairCase pair{body_at(corners, 0, 0), body_at(corners, 5, 0.5F)};
+  const auto is_it = [&](const Vector2<double>& normal, double depth) {
+    return is_explained(translation_to_portal, pair, normal, depth, Kind::not_minimal,
+                        ScalarType::float64);
+  };
+  CHECK(is_it({1, 0}, 3));
+  CHECK_FALSE(is_it({3, 0.5}, std::hypot(3, 0.5)));
+  CHECK_FALSE(is_it({1, 0}, 2.5));
+  CHECK_FALSE(is_it({0, -1}, 2.5));
+  CHECK_FALSE(explains(translation_to_portal, pair, {}, Kind::missed_contact));
+}
+
+TEST_CASE("what is right of a translation is explained where the repeated engine answers it") {
+  // Corner on corner, where any direction is right of a depth of 0.
+  const PairCase pair = triangles_corner_on_corner();
+  const auto is_it = [&](bool (*predicate)(const Deviation&), const Vector2<double>& normal) {
+    return is_explained(predicate, pair, normal, 1e-9, Kind::not_minimal, ScalarType::float64);
+  };
+  CHECK(is_it(zero_of_squares, {1, -1}));
+  CHECK_FALSE(is_it(by_ccd<zero_of_squares>, {1, -1}));
+  // Bullet's, of squares 6e-5 apart: below GJK_MIN_DISTANCE, and its own answer alone.
+  const PairCase touch{square_of_two(0, 0), square_of_two(2.00006F, 0.5F)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(touch), solve_by_epa, &trace, 1e18F);
+  const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
+  REQUIRE(trace.is_near);
+  CHECK(is_explained(below_gjk_distance, touch, {0, 1}, 5e-5));
+  CHECK_FALSE(is_explained(epa_below_least_distance, touch, {0, 1}, 5e-5));
+  CHECK(is_explained(epa_below_least_distance, touch, normal, -answer.distance));
+}
+
 TEST_CASE("eight triangles about two corners of a difference are folded beside the origin") {
   const PairCase pair{triangle_of({Vector2<float>{0, 0}, {-1, 0}, {0, -1}}),
                       triangle_of({Vector2<float>{0, 0}, {1, -1}, {1, 0}})};
@@ -242,6 +284,101 @@ TEST_CASE("the repeated turns find points of two squares beside the first, along
     CHECK(std::abs(point.normal.y()) < 0.01F);
     CHECK(point.distance == Approx(-0.3).margin(0.03));
   }
+}
+
+TEST_CASE("EPA's second GJK gives no direction of a circle about the end of a long segment") {
+  const PairCase pair{body_at(std::array{Vector2<float>{0, 0}}, 0, 0, 200),
+                      body_at(std::array{Vector2<float>{0, 0}, Vector2<float>{0, 10000}}, 0, 0)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
+  CHECK(answer.is_solver_asked);
+  CHECK(answer.normal_of == NormalOf::nobody);
+  const auto is_it = [](const PairCase& of) {
+    return explains(epa_without_axis, of, {}, Kind::missed_contact);
+  };
+  CHECK(is_it(pair));
+  CHECK_FALSE(is_explained(epa_without_axis, pair, {1, 0}, 200));
+  CHECK_FALSE(is_it(squares_side_by_side()));
+  CHECK_FALSE(is_it({square_of_two(0, 0), square_of_two(3, 0.5F)}));
+}
+
+TEST_CASE("a normal between rounded places is explained where that of EPA's face is right") {
+  // They overlap by 0.001 at 100, where floats are 7.6e-6 apart.
+  const PairCase far{square_of_two(100, 100), square_of_two(101.999F, 100.5F)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(far), solve_by_epa, &trace, 1e18F);
+  REQUIRE(trace.end == BulletEpaEnd::accuracy_reached);
+  const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
+  const auto is_it = [](const PairCase& pair, const Vector2<double>& along, double depth) {
+    return is_explained(epa_normal_between_places, pair, along, depth, Kind::witness);
+  };
+  CHECK(is_it(far, normal, -answer.distance));
+  CHECK_FALSE(is_it(far, {1, 0.01}, -answer.distance));
+  CHECK_FALSE(is_it(far, normal, 0.01 - answer.distance));
+  // Of concentric circles EPA's own face is wrong.
+  const PairCase circles{circle_of_half(0, 0), circle_of_half(0, 0)};
+  const BulletAnswer of_circles = ask_detector(prisms_of(circles), solve_by_epa, &trace, 1e18F);
+  CHECK_FALSE(
+      is_it(circles, {-of_circles.normal.x(), -of_circles.normal.y()},
+            -of_circles.distance * std::hypot(of_circles.normal.x(), of_circles.normal.y())));
+}
+
+TEST_CASE("a corner before the first is that of flat hulls whose squares overflow") {
+  const PairCase huge{triangle_of({Vector2<float>{0, 0}, {4e14F, 0}, {0, 2e13F}}),
+                      triangle_of({Vector2<float>{0, 4e-34F}, {2e13F, 2e19F}, {-1e-17F, 0}})};
+  CHECK(is_intersection_of_memory(flat_hulls_of(huge)));
+  CHECK_FALSE(is_intersection_of_memory(prisms_of(huge)));
+  CHECK_FALSE(is_intersection_of_memory(flat_hulls_of(squares_side_by_side())));
+  MinkowskiTrace trace;
+  const BulletPair hulls = flat_hulls_of(huge);
+  const BulletAnswer answer =
+      ask_detector_told(true, hulls, solve_by_directions, &trace, farthest_square_of(hulls));
+  REQUIRE(answer.normal_of == NormalOf::solver);
+  const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
+  const auto is_it = [&](const Vector2<double>& along, double depth) {
+    return is_explained(corner_before_first, huge, along, depth, Kind::witness);
+  };
+  CHECK(is_it(normal, -answer.distance));
+  CHECK_FALSE(is_it({normal.x() + 0.01, normal.y()}, -answer.distance));
+  CHECK_FALSE(is_it(normal, 1e15));
+  CHECK_FALSE(is_explained(corner_before_first, squares_side_by_side(), {1, 0}, 0.3));
+}
+
+TEST_CASE("a query that ends as no corner is nearer is off by the root of its relative error") {
+  // 150 apart, squares do not show which end of a segment of 0.03 is nearer.
+  const PairCase pair{
+      body_at(std::array{Vector2<float>{-0.045F, 0.081F}, Vector2<float>{-0.07F, 0.071F}}, 0, 0,
+              100),
+      body_at(std::array{Vector2<float>{-56, 140}}, 0, 0, 60)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
+  REQUIRE(answer.loop.end == QueryEnd::no_closer);
+  const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
+  const auto is_it = [&](const Vector2<double>& along, Kind kind) {
+    return is_explained(stopped_by_relative_error<BulletAsked::epa>, pair, along, -answer.distance,
+                        kind);
+  };
+  CHECK(is_it(normal, Kind::normal));
+  CHECK_FALSE(is_it(normal, Kind::not_minimal));
+  CHECK_FALSE(is_it({normal.x() + 1e-5, normal.y()}, Kind::normal));
+}
+
+TEST_CASE("shapes are turned out of the plane where the first normal is upright") {
+  const PairCase pair{body_at(std::array{Vector2<float>{0, -1}, Vector2<float>{0, 2}}, 0, 0, 1.3F),
+                      body_at(std::array{Vector2<float>{0, 0}}, 0, 0, 1.96F)};
+  const PerturbedAnswer answer = ask_perturbed(prisms_of(pair), {});
+  CHECK(std::abs(answer.first.normal.z()) > 0.9F);
+  CHECK(deepest_of(answer.points)->query > 0);
+  const auto is_it = [](const PairCase& of, const Manifold<double>& got) {
+    return explains(turned_out_of_plane, of, got, Kind::inconsistent);
+  };
+  Manifold<double> got = replayed::in_frame_of_a(pair, seen_in_plane(answer.points));
+  CHECK(is_it(pair, got));
+  got.points[0].depth += 0.01;
+  CHECK_FALSE(is_it(pair, got));
+  const PairCase side = squares_side_by_side();
+  const PerturbedAnswer of_side = ask_perturbed(prisms_of(side), {});
+  CHECK_FALSE(is_it(side, replayed::in_frame_of_a(side, seen_in_plane(of_side.points))));
 }
 
 TEST_CASE("an answer that the repeated turns do not give is none of theirs") {

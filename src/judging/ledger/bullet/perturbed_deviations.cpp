@@ -1,5 +1,7 @@
 #include "judging/ledger/bullet/perturbed_deviations.hpp"
 
+#include <cmath>
+
 #include "judging/by_curve.hpp"
 #include "judging/ledger/bullet/bullet_perturbed.hpp"
 
@@ -54,6 +56,18 @@ int query_of_deepest(const Deviation& d) {
   return deepest == nullptr ? 0 : deepest->query;
 }
 
+/// Whether the first query's normal came about by what is wrong with bullet-epa: the axis of cores
+/// that touch or have corners near to each other, a second GJK, or an EPA that ended otherwise than
+/// within its accuracy.
+bool is_first_normal_faulty(const ledger_of::PerturbedAnswer& answer) {
+  const ledger_of::BulletAnswer& first = answer.first;
+  if (first.normal_of == ledger_of::NormalOf::query || first.is_axis_deeper) {
+    return first.loop.end == ledger_of::QueryEnd::at_origin || first.loop.is_by_threshold;
+  }
+  return first.normal_of == ledger_of::NormalOf::solver_apart ||
+         answer.epa.end != ledger_of::BulletEpaEnd::accuracy_reached;
+}
+
 }  // namespace
 
 bool point_replaced_by_turned(const Deviation& d) {
@@ -70,6 +84,14 @@ bool normal_of_turned_query(const Deviation& d) {
 
 bool point_of_turned_query(const Deviation& d) {
   return query_of_deepest(d) == 0 && is_by_part(d, kTurnedQueries);
+}
+
+bool turned_out_of_plane(const Deviation& d) {
+  const auto answer = repeat_without(d, 0);
+  const ledger_of::Space& normal = answer.first.normal;
+  return std::abs(normal.z()) > std::hypot(normal.x(), normal.y()) &&
+         is_first_normal_faulty(answer) &&
+         replayed::is_same_answer(d, ledger_of::seen_in_plane(answer.points));
 }
 
 bool is_of_first_query(const Deviation& d, bool (*explains)(const Deviation&)) {

@@ -170,13 +170,14 @@ inline constexpr std::array kOfBulletPerturbed{
                           "newDepth = (endPt - startPt).dot(normalOnBInWorld)",
                 .budgets = kOfPerturbedTurnedPoint,
                 .explains = point_of_turned_query},
-    LedgerEntry{.id = "bullet-perturbed-direction-of-roundings",
-                .collider = "bullet-perturbed",
-                .description = "a shallow contact's normal is the direction between two points, "
-                               "roundings of which are as long, before shapes are turned",
-                .source = kDirectionOfPoints,
-                .budgets = kOfPerturbedDirectionOfRoundings,
-                .explains = of_first_query<direction_of_short_translation>},
+    LedgerEntry{
+        .id = "bullet-perturbed-direction-of-roundings",
+        .collider = "bullet-perturbed",
+        .description = "a shallow contact's normal is the direction between two points, "
+                       "roundings of which are as long, before shapes are turned",
+        .source = kDirectionOfPoints,
+        .budgets = kOfPerturbedDirectionOfRoundings,
+        .explains = of_first_query<by_query<BulletAsked::epa, direction_of_short_translation>>},
     LedgerEntry{.id = "bullet-perturbed-least-distance",
                 .collider = "bullet-perturbed",
                 .description = "overlap, gap and touch within 0.0001 are not told apart, before "
@@ -184,7 +185,7 @@ inline constexpr std::array kOfBulletPerturbed{
                 .source = "Bullet 3.24, btGjkEpa2.cpp, GJK::Evaluate: rl < GJK_MIN_DISTANCE is "
                           "Inside",
                 .budgets = kOfPerturbedLeastDistance,
-                .explains = of_first_query<below_gjk_distance>},
+                .explains = of_first_query<epa_below_least_distance>},
     LedgerEntry{.id = "bullet-perturbed-touching-axis",
                 .collider = "bullet-perturbed",
                 .description =

@@ -113,14 +113,14 @@ inline constexpr std::array kOfLibccd{
             "are 0",
         .source = "libccd 2.1, src/ccd.c, doSimplex3, nextSupport: ccdIsZero(dist) of a square",
         .budgets = kOfLibccdGjkZeroOfSquares,
-        .explains = zero_of_squares},
+        .explains = by_ccd<zero_of_squares>},
     LedgerEntry{.id = "libccd-gjk-tolerance-of-squares",
                 .collider = "libccd-gjk",
                 .description = "too little depth along another normal: the tolerance, a length, is "
                                "compared with squares of lengths",
                 .source = "libccd 2.1, src/ccd.c, nextSupport: dist - el->dist < epa_tolerance",
                 .budgets = kOfLibccdGjkToleranceOfSquares,
-                .explains = tolerance_of_squares},
+                .explains = by_ccd<tolerance_of_squares>},
     LedgerEntry{
         .id = "libccd-gjk-left-by-squares",
         .collider = "libccd-gjk",
@@ -201,7 +201,7 @@ inline constexpr std::array kOfLibccd{
                     "libccd 2.1, src/mpr.c, findPenetr: ccdVec3PointTriDist2 of the portal that "
                     "the ray from v0 leaves",
                 .budgets = kOfLibccdMprFaceOfRay,
-                .explains = translation_to_face_of_ray},
+                .explains = translation_to_portal},
     LedgerEntry{.id = "libccd-mpr-corner-of-ray",
                 .collider = "libccd-mpr",
                 .description = "a corner, where the origin is on the line from the difference's "
