@@ -9,7 +9,7 @@
 namespace manifuzz::ledger_of {
 
 // Bullet 3.24, in float, btConvexConvexAlgorithm with three turns. Budgets are twice what 300,000
-// cases against clip64 showed, rounded up.
+// cases against clip64 showed, or 1,000,000 where those show more, rounded up.
 
 inline constexpr Budget kOfPerturbedReplaced[] = {
     {"boxes", 9200},         {"capsules", 7800},         {"circles", 33000},
