@@ -111,11 +111,16 @@ inline constexpr Budget kOfBulletEpaInnerFace[] = {
     {"near_collinear", 600}, {"near_parallel", 900}, {"sliver", 11000}, {"tied_faces", 540},
     {"micro_edge", 120},     {"tie_bias", 61},       {"ulp", 610}};
 inline constexpr Budget kOfPerturbedGjkApart[] = {
-    {"cores_touch", 200}, {"corner_corner", 200}, {"in_line", 200},      {"micro_edge", 1200},
-    {"scaled", 600},      {"ulp", 200},           {"voronoi_lines", 200}};
-inline constexpr Budget kOfPerturbedFallBack[] = {{"micro_edge", 400},    {"near_collinear", 2600},
-                                                  {"near_parallel", 800}, {"scaled", 1400},
-                                                  {"tilted_edges", 200},  {"ulp", 200}};
+    {"cores_touch", 200},    {"corner_corner", 200}, {"in_line", 310},       {"micro_edge", 2500},
+    {"scaled", 1700},        {"ulp", 200},           {"voronoi_lines", 200}, {"boxes", 60},
+    {"capsules", 190},       {"corner_face", 61},    {"generic", 120},       {"mixed_shapes", 61},
+    {"near_collinear", 120}, {"near_parallel", 60},  {"round_corners", 61},  {"side_planes", 130},
+    {"sliver", 1100},        {"tie_bias", 370},      {"tied_faces", 360},    {"tilted_edges", 190}};
+inline constexpr Budget kOfPerturbedFallBack[] = {
+    {"micro_edge", 780},    {"near_collinear", 3200}, {"near_parallel", 840},
+    {"scaled", 1800},       {"tilted_edges", 200},    {"ulp", 370},
+    {"capsules", 61},       {"corner_corner", 60},    {"mixed_shapes", 730},
+    {"round_corners", 190}, {"side_planes", 61},      {"touching", 61}};
 inline constexpr Budget kOfPerturbedInvalidHull[] = {
     {"boxes", 200},          {"capsules", 3400},
     {"cores_touch", 400000}, {"corner_corner", 1400},
@@ -128,15 +133,17 @@ inline constexpr Budget kOfPerturbedInvalidHull[] = {
     {"tied_faces", 3000},    {"tilted_edges", 400},
     {"ulp", 2200},           {"voronoi_lines", 5200}};
 inline constexpr Budget kOfPerturbedBesideFace[] = {
-    {"cores_touch", 200},  {"corner_corner", 600}, {"in_line", 200}, {"micro_edge", 3000},
-    {"mixed_shapes", 200}, {"near_parallel", 200}, {"regular", 400}, {"sliver", 200},
-    {"tied_faces", 2400},  {"touching", 400},      {"ulp", 600}};
+    {"cores_touch", 200},    {"corner_corner", 2400}, {"in_line", 310},  {"micro_edge", 3000},
+    {"mixed_shapes", 200},   {"near_parallel", 200},  {"regular", 400},  {"sliver", 600},
+    {"tied_faces", 2500},    {"touching", 400},       {"ulp", 730},      {"grid", 60},
+    {"near_collinear", 180}, {"off_unit", 61},        {"tie_bias", 4200}};
 inline constexpr Budget kOfPerturbedChord[] = {{"capsules", 20000},      {"cores_touch", 230000},
                                                {"in_line", 150000},      {"mixed_shapes", 15000},
                                                {"round_corners", 27000}, {"side_planes", 2600},
                                                {"tilted_edges", 15000},  {"voronoi_lines", 8400}};
-inline constexpr Budget kOfPerturbedInnerFace[] = {
-    {"near_collinear", 200}, {"near_parallel", 400}, {"sliver", 1200}};
+inline constexpr Budget kOfPerturbedInnerFace[] = {{"near_collinear", 300}, {"near_parallel", 400},
+                                                   {"sliver", 4800},        {"micro_edge", 120},
+                                                   {"tied_faces", 180},     {"ulp", 130}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfBulletEpa{

@@ -33,8 +33,10 @@ inline constexpr Budget kOfBulletEpaBetweenPlaces[] = {{"near_parallel", 120},
                                                        {"side_planes", 61},
                                                        {"sliver", 60},
                                                        {"tilted_edges", 61}};
-inline constexpr Budget kOfPerturbedBetweenPlaces[] = {{"generic", 1}};
-inline constexpr Budget kOfPerturbedOutOfPlane[] = {{"generic", 1}};
+inline constexpr Budget kOfPerturbedBetweenPlaces[] = {
+    {"near_parallel", 60}, {"round_corners", 61}, {"tilted_edges", 61}};
+inline constexpr Budget kOfPerturbedOutOfPlane[] = {
+    {"cores_touch", 610}, {"in_line", 130}, {"micro_edge", 840}, {"regular", 120}};
 
 inline constexpr Budget kOfBulletEpaRoundedPoint[] = {{"cores_touch", 400}};
 inline constexpr Budget kOfBulletMinkowskiRoundedPoint[] = {{"cores_touch", 400}};
