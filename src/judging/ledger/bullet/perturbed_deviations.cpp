@@ -4,6 +4,7 @@
 
 #include "judging/by_curve.hpp"
 #include "judging/ledger/bullet/bullet_perturbed.hpp"
+#include "judging/ledger/bullet/query_deviations.hpp"
 
 namespace manifuzz {
 namespace {
@@ -15,15 +16,9 @@ enum PerturbedFault : unsigned { kTurnedQueries = 1, kReplacedPoint = 2, kRefres
 
 /// What oracle/bullet/perturbed.cpp declares.
 Declaration declaration_of_perturbed() {
-  constexpr double epa_accuracy = 1e-4;
-  Declaration declaration;
-  declaration.frame = RoundingFrame::world;
-  declaration.min_vertices = 1;
-  declaration.takes_round = true;
-  declaration.clips = false;
-  declaration.points = PointsAt::surface_b;
+  Declaration declaration = declaration_of_epa();
+  declaration.claims = Claims::manifold;
   declaration.one_point_enough = true;
-  declaration.tolerance.absolute = epa_accuracy;
   return declaration;
 }
 

@@ -98,19 +98,6 @@ bool is_of_epa(const RepeatedQuery& query, BulletEpaEnd end) {
          query.epa.end == end;
 }
 
-/// What oracle/bullet/epa.cpp declares.
-Declaration declaration_of_epa() {
-  Declaration declaration;
-  declaration.claims = Claims::point;
-  declaration.frame = RoundingFrame::world;
-  declaration.min_vertices = 1;
-  declaration.takes_round = true;
-  declaration.clips = false;
-  declaration.points = PointsAt::surface_b;
-  declaration.tolerance.absolute = 1e-4;  // EPA_ACCURACY
-  return declaration;
-}
-
 /// The answer with the normal and the depth of the face that EPA ended at.
 replayed::Contact contact_of_face(const Deviation& d, const RepeatedQuery& query) {
   const Vector2<double> outwards(static_cast<double>(query.epa.normal.x()),

@@ -7,6 +7,9 @@ namespace manifuzz {
 // What the ledger's entries on Bullet look for that repeat its query in its own floats: the answer
 // is what the repeated query gives, and that came about by the named rule.
 
+/// What oracle/bullet/epa.cpp declares.
+Declaration declaration_of_epa();
+
 /// How Bullet was asked: prisms with its EPA or with its fixed directions, or flat hulls with
 /// these.
 enum class BulletAsked { epa, directions, flat };
