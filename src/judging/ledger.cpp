@@ -9,6 +9,7 @@
 #include "judging/ledger/bullet/bullet_entries.hpp"
 #include "judging/ledger/bullet/bullet_epa_entries.hpp"
 #include "judging/ledger/bullet/bullet_query_entries.hpp"
+#include "judging/ledger/bullet/displaced_entries.hpp"
 #include "judging/ledger/bullet/perturbed_entries.hpp"
 #include "judging/ledger/bullet/rounded_entries.hpp"
 #include "judging/ledger/chipmunk/chipmunk_entries.hpp"
@@ -52,7 +53,8 @@ constexpr std::array kLedger = joined(
     ledger_of::kOfSat, ledger_of::kOfGodot, ledger_of::kOfJbox2dSearch, ledger_of::kOfParry,
     ledger_of::kOfParryF64, ledger_of::kOfParrySimplified, ledger_of::kOfRapier,
     ledger_of::kOfRapierContact, ledger_of::kOfBulletEpa, ledger_of::kOfBulletQuery,
-    ledger_of::kOfBulletPerturbed, ledger_of::kOfBulletPerturbedEpa, ledger_of::kOfBulletRounded);
+    ledger_of::kOfBulletDisplaced, ledger_of::kOfBulletPerturbed, ledger_of::kOfBulletPerturbedEpa,
+    ledger_of::kOfBulletRounded);
 
 static_assert(kLedger.size() <= kLedgerMax);
 

@@ -37,8 +37,5 @@ bool least_of_flattened_directions_of_equal_vertices(const Deviation& deviation)
 /// too small, by up to the tolerance over the depth, or the last corner is nearer than the root of
 /// the tolerance to the chord that the answer is on.
 bool tolerance_of_squares(const Deviation& deviation);
-/// Of ccdMPRPenetration: the translation ends on the face through which the ray from the middle of
-/// the difference leaves it, whichever face is the nearest.
-bool translation_to_face_of_ray(const Deviation& deviation);
 
 }  // namespace manifuzz

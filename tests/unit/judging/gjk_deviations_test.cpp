@@ -158,20 +158,3 @@ TEST_CASE("a tolerance of squares leaves the answer on a chord, and the last cor
   CHECK_FALSE(is_it(pair, manifold_of({1, 0}, short_of + 0.001)));
   CHECK_FALSE(is_it(pair, manifold_of({1, 0.1}, short_of)));
 }
-
-TEST_CASE("the translation ends on the face that the ray from the centres leaves through") {
-  // Long ones, side by side: the ray from their centres leaves through the far end.
-  const std::array<Vector2<float>, 4> corners{Vector2<float>{-4, -1}, Vector2<float>{4, -1},
-                                              Vector2<float>{4, 1}, Vector2<float>{-4, 1}};
-  PairCase pair{square_at(0, 0), square_at(5, 0.5F)};
-  pair.a.polygon = pair.b.polygon = make_polygon<float>(corners);
-  const auto is_it = [&](const Manifold<double>& got) {
-    return explains(translation_to_face_of_ray, pair, got, Kind::not_minimal, ScalarType::float64);
-  };
-  CHECK(is_it(manifold_of({1, 0}, 3)));
-  CHECK(is_it(manifold_of({3, 0.5}, std::hypot(3, 0.5))));
-  CHECK_FALSE(is_it(manifold_of({1, 0}, 2.5)));
-  CHECK_FALSE(is_it(manifold_of({0, -1}, 2.5)));
-  CHECK_FALSE(is_it(manifold_of({-1, 0}, 13)));
-  CHECK_FALSE(is_it(none()));
-}

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "judging/ledger/bullet/query_deviations.hpp"
 #include "judging/ledger/differences.hpp"
 #include "judging/ledger/gjk_deviations.hpp"
 
@@ -128,6 +129,18 @@ std::vector<Vector2<double>> flattened() {
 }
 
 }  // namespace
+
+Declaration declaration_of_epa() {
+  Declaration declaration;
+  declaration.claims = Claims::point;
+  declaration.frame = RoundingFrame::world;
+  declaration.min_vertices = 1;
+  declaration.takes_round = true;
+  declaration.clips = false;
+  declaration.points = PointsAt::surface_b;
+  declaration.tolerance.absolute = 1e-4;  // EPA_ACCURACY
+  return declaration;
+}
 
 bool below_gjk_distance(const Deviation& d) {
   const double bound = 4 * d.right.bounds.separation;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "judging/ledger/bullet/query_deviations.hpp"
 #include "judging/ledger/gjk_deviations.hpp"
 
 namespace manifuzz::ledger_of {
@@ -145,21 +146,21 @@ inline constexpr std::array kOfBullet{
                                "roundings of which are as long",
                 .source = kDirectionOfPoints,
                 .budgets = kOfBulletEpaDirectionOfRoundings,
-                .explains = direction_of_short_translation},
+                .explains = by_query<BulletAsked::epa, direction_of_short_translation>},
     LedgerEntry{.id = "bullet-epa-least-distance",
                 .collider = "bullet-epa",
                 .description = "overlap, gap and touch within 0.0001 are not told apart",
                 .source = "Bullet 3.24, btGjkEpa2.cpp, GJK::Evaluate: rl < GJK_MIN_DISTANCE is "
                           "Inside",
                 .budgets = kOfBulletEpaLeastDistance,
-                .explains = below_gjk_distance},
+                .explains = epa_below_least_distance},
     LedgerEntry{.id = "bullet-minkowski-fixed-directions",
                 .collider = "bullet-minkowski",
                 .description = "the normal is one of ten in the plane, 36 degrees apart, and the "
                                "depth that of a query beside it",
                 .source = kFixedDirections,
                 .budgets = kOfBulletMinkowskiFixedDirections,
-                .explains = least_of_fixed_directions,
+                .explains = by_query<BulletAsked::directions, least_of_fixed_directions>,
                 .is_no_bug = true},
     LedgerEntry{.id = "bullet-minkowski-direction-of-roundings",
                 .collider = "bullet-minkowski",
@@ -167,21 +168,21 @@ inline constexpr std::array kOfBullet{
                                "roundings of which are as long",
                 .source = kDirectionOfPoints,
                 .budgets = kOfBulletMinkowskiDirectionOfRoundings,
-                .explains = direction_of_short_translation},
+                .explains = by_query<BulletAsked::directions, direction_of_short_translation>},
     LedgerEntry{.id = "bullet-minkowski-gap-as-depth",
                 .collider = "bullet-minkowski",
                 .description = "contact for shapes apart, the gap's width as the depth",
                 .source = kSignOfDistance,
                 .budgets = kOfBulletMinkowskiGapAsDepth,
-                .explains = gap_as_depth},
-    LedgerEntry{.id = "bullet-minkowski-equal-vertices",
-                .collider = "bullet-minkowski",
-                .description =
-                    "contact for shapes apart, a depth smaller than the gap's width: corners "
-                    "nearer than 0.01 are one",
-                .source = kEqualVertices,
-                .budgets = kOfBulletMinkowskiEqualVertices,
-                .explains = least_of_fixed_directions_of_equal_vertices},
+                .explains = by_solver<BulletAsked::directions, gap_as_depth>},
+    LedgerEntry{
+        .id = "bullet-minkowski-equal-vertices",
+        .collider = "bullet-minkowski",
+        .description = "contact for shapes apart, a depth smaller than the gap's width: corners "
+                       "nearer than 0.01 are one",
+        .source = kEqualVertices,
+        .budgets = kOfBulletMinkowskiEqualVertices,
+        .explains = by_query<BulletAsked::directions, least_of_fixed_directions_of_equal_vertices>},
     LedgerEntry{.id = "bullet-convex2d-flattened-directions",
                 .collider = "bullet-convex2d",
                 .description = "a direction that is shorter than 1 without its z is taken to have "
@@ -189,28 +190,28 @@ inline constexpr std::array kOfBullet{
                 .source = "Bullet 3.24, btMinkowskiPenetrationDepthSolver.cpp, calcPenDepth: "
                           "norm[2] = 0.f where check2d",
                 .budgets = kOfBulletConvex2dFlattenedDirections,
-                .explains = least_of_flattened_directions},
+                .explains = by_query<BulletAsked::flat, least_of_flattened_directions>},
     LedgerEntry{.id = "bullet-convex2d-direction-of-roundings",
                 .collider = "bullet-convex2d",
                 .description = "a shallow contact's normal is the direction between two points, "
                                "roundings of which are as long",
                 .source = kDirectionOfPoints,
                 .budgets = kOfBulletConvex2dDirectionOfRoundings,
-                .explains = direction_of_short_translation},
+                .explains = by_query<BulletAsked::flat, direction_of_short_translation>},
     LedgerEntry{.id = "bullet-convex2d-gap-as-depth",
                 .collider = "bullet-convex2d",
                 .description = "contact for shapes apart, the gap's width as the depth",
                 .source = kSignOfDistance,
                 .budgets = kOfBulletConvex2dGapAsDepth,
-                .explains = gap_as_depth},
-    LedgerEntry{.id = "bullet-convex2d-equal-vertices",
-                .collider = "bullet-convex2d",
-                .description =
-                    "contact for shapes apart, a depth smaller than the gap's width: corners "
-                    "nearer than 0.01 are one",
-                .source = kEqualVertices,
-                .budgets = kOfBulletConvex2dEqualVertices,
-                .explains = least_of_flattened_directions_of_equal_vertices},
+                .explains = by_solver<BulletAsked::flat, gap_as_depth>},
+    LedgerEntry{
+        .id = "bullet-convex2d-equal-vertices",
+        .collider = "bullet-convex2d",
+        .description = "contact for shapes apart, a depth smaller than the gap's width: corners "
+                       "nearer than 0.01 are one",
+        .source = kEqualVertices,
+        .budgets = kOfBulletConvex2dEqualVertices,
+        .explains = by_query<BulletAsked::flat, least_of_flattened_directions_of_equal_vertices>},
 };
 
 }  // namespace manifuzz::ledger_of

@@ -73,7 +73,8 @@ std::optional<float> distance_beyond(const EpaFace& face, const Space& a, const 
   if (dot(b, ba) < 0) return std::sqrt(squared(b));
   const float a_dot_b = dot(a, b);
   const float square = (squared(a) * squared(b) - a_dot_b * a_dot_b) / squared(ba);
-  return std::sqrt(std::max(square, 0.0F));
+  // btMax of what is no number is 0.
+  return square > 0 ? std::sqrt(square) : 0;
 }
 
 EpaFace* Epa::add_face(const EpaCorner* a, const EpaCorner* b, const EpaCorner* c, bool is_forced) {
@@ -196,6 +197,7 @@ bool penetrate(const BulletPair& pair, const Space& guess, EpaTrace& trace, Solv
   const EpaDifference difference(pair, true);
   EpaGjk gjk(difference);
   if (gjk.evaluate(Space(-guess)) != EpaGjk::Status::inside) return false;
+  trace.is_near = gjk.is_near;
   Epa epa(gjk);
   trace.end = epa.evaluate();
   Space on_a(0, 0, 0);

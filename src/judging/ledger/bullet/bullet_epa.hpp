@@ -22,6 +22,7 @@ struct EpaTrace {
   /// The origin's projection to the plane of that face is not in it: d is an edge's or a corner's
   /// distance (getedgedist), but what n * d makes of it is not on the face.
   bool is_beside_face = false;
+  bool is_near = false;  ///< its GJK ended by GJK_MIN_DISTANCE
 };
 
 /// btGjkEpaPenetrationDepthSolver::calcPenDepth; `trace` is an EpaTrace.

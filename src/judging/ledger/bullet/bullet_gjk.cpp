@@ -146,7 +146,8 @@ EpaGjk::Status EpaGjk::evaluate(const Space& guess) {
   Status status = Status::valid;
   for (int i = 0; status == Status::valid;) {
     const float length = std::sqrt(squared(ray));
-    if (length < kGjkEpsilon) return Status::inside;
+    is_near = length < kGjkEpsilon;
+    if (is_near) return Status::inside;
     append(Space(-ray));
     const Space w = simplex.c[simplex.rank - 1].w;
     const bool is_known = std::ranges::any_of(
@@ -154,7 +155,7 @@ EpaGjk::Status EpaGjk::evaluate(const Space& guess) {
     if (!is_known) {
       last_at = (last_at + 1) & 3;
       last[last_at] = w;
-      alpha = std::max(dot(ray, w) / length, alpha);
+      alpha = std::max(alpha, dot(ray, w) / length);
     }
     if (is_known || (length - alpha) - kGjkEpsilon * length <= 0 || !reduce(ray, status)) {
       --simplex.rank;

@@ -53,6 +53,8 @@ class EpaGjk {
   EpaCorner corner_along(const Space& along) const;
 
   Simplex simplex;
+  /// It ended as inside since the origin is nearer to the simplex than GJK_MIN_DISTANCE.
+  bool is_near = false;
   static float determinant(const Space& a, const Space& b, const Space& c);
 
  private:

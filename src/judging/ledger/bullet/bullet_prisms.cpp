@@ -74,6 +74,12 @@ const Space& BulletHull::farthest(const Space& along) const {
   return corners[best];
 }
 
+bool BulletHull::has_farthest(const Space& along) const {
+  return std::ranges::any_of(corners, [&](const Space& corner) {
+    return dot(corner, along) > -std::numeric_limits<float>::max();
+  });
+}
+
 Space BulletHull::farthest_of_round(const Space& along) const {
   constexpr float epsilon = std::numeric_limits<float>::epsilon();
   Space unit = squared(along) < epsilon * epsilon ? Space(-1, -1, -1) : along;

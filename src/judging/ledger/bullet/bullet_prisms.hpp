@@ -54,6 +54,8 @@ struct BulletHull {
 
   /// localGetSupportVertexWithoutMargin.
   const Space& farthest(const Space& along) const;
+  /// Whether maxDot finds one.
+  bool has_farthest(const Space& along) const;
   /// localGetSupportVertex: by the margin farther.
   Space farthest_of_round(const Space& along) const;
 };

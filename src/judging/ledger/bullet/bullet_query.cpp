@@ -138,14 +138,22 @@ void revert_normal(BulletAnswer& answer, const BulletPair& pair, const Space& of
   answer.distance = d2;
 }
 
-}  // namespace
+/// Halfway between both origins.
+Space offset_of(const BulletPair& pair) {
+  return (pair.place_a.origin + pair.place_b.origin) * 0.5F;
+}
 
-BulletAnswer ask_detector(const BulletPair& given, DepthSolver solver, void* trace,
-                          float square_max) {
-  BulletPair pair = given;
-  const Space offset = (pair.place_a.origin + pair.place_b.origin) * 0.5F;
+BulletPair moved_by(const Space& offset, BulletPair pair) {
   pair.place_a.origin -= offset;
   pair.place_b.origin -= offset;
+  return pair;
+}
+
+template <class DoIntersect>
+BulletAnswer answer_of(const BulletPair& given, DepthSolver solver, void* trace, float square_max,
+                       const DoIntersect& do_intersect) {
+  const Space offset = offset_of(given);
+  const BulletPair pair = moved_by(offset, given);
   BulletAnswer answer;
   answer.loop = run_loop(pair, square_max);
   take_query(answer, pair);
@@ -154,7 +162,7 @@ BulletAnswer ask_detector(const BulletPair& given, DepthSolver solver, void* tra
   const bool is_caught = answer.loop.end != QueryEnd::none &&
                          answer.distance + (pair.a.margin + pair.b.margin) < kCaught;
   if (solver != nullptr &&
-      (answer.normal_of == NormalOf::nobody || is_caught || do_cores_intersect(pair))) {
+      (answer.normal_of == NormalOf::nobody || is_caught || do_intersect(pair))) {
     answer.is_solver_asked = true;
     const SolverAnswer found = solver(pair, trace);
     answer.cached_axis = found.axis;
@@ -169,6 +177,35 @@ BulletAnswer ask_detector(const BulletPair& given, DepthSolver solver, void* tra
   revert_normal(answer, pair, of_query);
   answer.on_b += offset;
   return answer;
+}
+
+}  // namespace
+
+BulletAnswer ask_detector(const BulletPair& pair, DepthSolver solver, void* trace,
+                          float square_max) {
+  return answer_of(pair, solver, trace, square_max, do_cores_intersect);
+}
+
+BulletAnswer ask_detector_told(bool do_intersect, const BulletPair& pair, DepthSolver solver,
+                               void* trace, float square_max) {
+  return answer_of(pair, solver, trace, square_max,
+                   [do_intersect](const BulletPair&) { return do_intersect; });
+}
+
+bool is_intersection_of_memory(const BulletPair& given) {
+  if (!given.is_flat) return false;
+  const BulletPair pair = moved_by(offset_of(given), given);
+  bool is_of_memory = false;
+  CcdSimplexOf<float> simplex;
+  Space dir(0, 0, 0);
+  is_intersection(
+      [&](const Space& along) {
+        is_of_memory = is_of_memory || !pair.a.has_farthest(pair.place_a.to_local(along)) ||
+                       !pair.b.has_farthest(pair.place_b.to_local(Space(-along)));
+        return corner_towards(pair, Space(-along)).w;
+      },
+      simplex, dir);
+  return is_of_memory;
 }
 
 }  // namespace manifuzz::ledger_of

@@ -58,6 +58,14 @@ using DepthSolver = SolverAnswer (*)(const BulletPair& pair, void* trace);
 BulletAnswer ask_detector(const BulletPair& pair, DepthSolver solver, void* trace,
                           float square_max);
 
+/// Whether the copy of libccd's GJK in it asks for the corner along a direction of which no product
+/// is above the least float, as overflows make it: a flat btConvexHullShape then gives what is in
+/// memory before its corners, and whether they intersect is not to be repeated.
+bool is_intersection_of_memory(const BulletPair& pair);
+/// The answer where that copy says so, whatever it is.
+BulletAnswer ask_detector_told(bool do_intersect, const BulletPair& pair, DepthSolver solver,
+                               void* trace, float square_max);
+
 /// What btMinkowskiPenetrationDepthSolver did.
 struct MinkowskiTrace {
   float overlap = 0;  ///< least of all directions'

@@ -1,7 +1,10 @@
 #include "judging/ledger/bullet/perturbed_deviations.hpp"
 
+#include <cmath>
+
 #include "judging/by_curve.hpp"
 #include "judging/ledger/bullet/bullet_perturbed.hpp"
+#include "judging/ledger/bullet/query_deviations.hpp"
 
 namespace manifuzz {
 namespace {
@@ -13,15 +16,9 @@ enum PerturbedFault : unsigned { kTurnedQueries = 1, kReplacedPoint = 2, kRefres
 
 /// What oracle/bullet/perturbed.cpp declares.
 Declaration declaration_of_perturbed() {
-  constexpr double epa_accuracy = 1e-4;
-  Declaration declaration;
-  declaration.frame = RoundingFrame::world;
-  declaration.min_vertices = 1;
-  declaration.takes_round = true;
-  declaration.clips = false;
-  declaration.points = PointsAt::surface_b;
+  Declaration declaration = declaration_of_epa();
+  declaration.claims = Claims::manifold;
   declaration.one_point_enough = true;
-  declaration.tolerance.absolute = epa_accuracy;
   return declaration;
 }
 
@@ -54,6 +51,18 @@ int query_of_deepest(const Deviation& d) {
   return deepest == nullptr ? 0 : deepest->query;
 }
 
+/// Whether the first query's normal came about by what is wrong with bullet-epa: the axis of cores
+/// that touch or have corners near to each other, a second GJK, or an EPA that ended otherwise than
+/// within its accuracy.
+bool is_first_normal_faulty(const ledger_of::PerturbedAnswer& answer) {
+  const ledger_of::BulletAnswer& first = answer.first;
+  if (first.normal_of == ledger_of::NormalOf::query || first.is_axis_deeper) {
+    return first.loop.end == ledger_of::QueryEnd::at_origin || first.loop.is_by_threshold;
+  }
+  return first.normal_of == ledger_of::NormalOf::solver_apart ||
+         answer.epa.end != ledger_of::BulletEpaEnd::accuracy_reached;
+}
+
 }  // namespace
 
 bool point_replaced_by_turned(const Deviation& d) {
@@ -70,6 +79,14 @@ bool normal_of_turned_query(const Deviation& d) {
 
 bool point_of_turned_query(const Deviation& d) {
   return query_of_deepest(d) == 0 && is_by_part(d, kTurnedQueries);
+}
+
+bool turned_out_of_plane(const Deviation& d) {
+  const auto answer = repeat_without(d, 0);
+  const ledger_of::Space& normal = answer.first.normal;
+  return std::abs(normal.z()) > std::hypot(normal.x(), normal.y()) &&
+         is_first_normal_faulty(answer) &&
+         replayed::is_same_answer(d, ledger_of::seen_in_plane(answer.points));
 }
 
 bool is_of_first_query(const Deviation& d, bool (*explains)(const Deviation&)) {

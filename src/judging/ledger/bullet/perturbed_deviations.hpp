@@ -17,6 +17,10 @@ bool normal_of_turned_query(const Deviation& deviation);
 /// The deepest is the first query's, and the other a turned query's.
 bool point_of_turned_query(const Deviation& deviation);
 
+/// The first query's normal is upright, by a fault of that query's that the entries on bullet-epa
+/// name, and so the shapes are turned out of the plane.
+bool turned_out_of_plane(const Deviation& deviation);
+
 /// The first query's answer, without turned ones, is wrong too, by what a predicate on bullet-epa
 /// looks for.
 bool is_of_first_query(const Deviation& deviation, bool (*explains)(const Deviation&));

@@ -1,11 +1,14 @@
 #include "judging/ledger/bullet/query_deviations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "judging/ledger/bullet/bullet_epa.hpp"
 #include "judging/ledger/differences.hpp"
+#include "judging/ledger/gjk_deviations.hpp"
+#include "judging/ledger/replayed.hpp"
 #include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
@@ -61,10 +64,13 @@ bool is_answered(const Deviation& d, const RepeatedQuery& query) {
       rotate<double>(d.right.pair().a.pose.rotation.cast<double>(), d.got.normal).normalized();
   const double depth = said < 0 ? -distance * in_plane : std::max(-distance * in_plane, 0.0);
   // A solver's depth may be far larger than the shapes, and rounded as such; one that is left of a
-  // displacement is rounded as that was.
+  // displacement is rounded as that was. A manifold takes places to both frames and back, by
+  // rotations that lengthen them.
   const double largest = std::max(std::abs(depth), static_cast<double>(query.directions.moved));
+  const double lengthened =
+      roundings + rotation_defect(d.right.pair().a) + rotation_defect(d.right.pair().b);
   return (got - normal / in_plane).norm() <= roundings &&
-         std::abs(said - depth) <= bound + roundings * largest;
+         std::abs(said - depth) <= bound + lengthened * largest;
 }
 
 /// The same, and that it came about as asked.
@@ -72,6 +78,15 @@ template <class CameAbout>
 bool is_repeated(const Deviation& d, BulletAsked asked, const CameAbout& came_about) {
   const RepeatedQuery query = repeat_query(d.right.pair(), asked);
   return came_about(query) && is_answered(d, query);
+}
+
+/// Where no corner is nearer along the axis p than p, but for the share e of its square, p is from
+/// the nearest place q by |p - q|^2 <= |p|^2 - p . q <= e |p|^2.
+bool is_within_relative_error(const Deviation& d) {
+  constexpr double share = 1e-6;  // REL_ERROR2
+  const Vector2<double> normal = world_normal(d.right.pair(), d.got.normal);
+  const Vector2<double> least = replayed::least_normal_near(d, normal);
+  return (normal - least).norm() <= std::sqrt(share) + d.right.bounds.normal;
 }
 
 bool is_of_own_axis(const RepeatedQuery& query) {
@@ -83,7 +98,28 @@ bool is_of_epa(const RepeatedQuery& query, BulletEpaEnd end) {
          query.epa.end == end;
 }
 
+/// The answer with the normal and the depth of the face that EPA ended at.
+replayed::Contact contact_of_face(const Deviation& d, const RepeatedQuery& query) {
+  const Vector2<double> outwards(static_cast<double>(query.epa.normal.x()),
+                                 static_cast<double>(query.epa.normal.y()));
+  const Vector2<double> turn = d.right.pair().a.pose.rotation.cast<double>();
+  const ledger_of::Space& on_b = query.answer.on_b;
+  return {rotate<double>(turn, outwards).normalized(),
+          {{Vector2<float>(on_b.x(), on_b.y()).cast<double>(),
+            static_cast<double>(query.epa.depth) * outwards.norm()}}};
+}
+
 }  // namespace
+
+bool is_of_solver(const Deviation& d, BulletAsked asked) {
+  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+    return query.answer.normal_of == NormalOf::solver && !query.answer.is_axis_deeper;
+  });
+}
+
+bool is_of_query(const Deviation& d, BulletAsked asked) {
+  return is_repeated(d, asked, [](const RepeatedQuery&) { return true; });
+}
 
 template <BulletAsked asked>
 bool axis_of_touching_cores(const Deviation& d) {
@@ -106,8 +142,9 @@ bool stopped_at_rounded_point(const Deviation& d) {
 
 template <BulletAsked asked>
 bool stopped_by_relative_error(const Deviation& d) {
-  return is_repeated(d, asked, [](const RepeatedQuery& query) {
+  return is_repeated(d, asked, [&](const RepeatedQuery& query) {
     const QueryEnd end = query.deciding().end;
+    if (end == QueryEnd::no_closer) return d.kind == Kind::normal && is_within_relative_error(d);
     return end == QueryEnd::little_closer || end == QueryEnd::no_less;
   });
 }
@@ -195,6 +232,38 @@ bool epa_at_inner_face(const Deviation& d) {
 bool epa_finds_apart(const Deviation& d) {
   return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
     return query.answer.normal_of == NormalOf::solver_apart;
+  });
+}
+
+bool epa_below_least_distance(const Deviation& d) {
+  return below_gjk_distance(d) && is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
+           return query.epa.is_near;
+         });
+}
+
+bool epa_without_axis(const Deviation& d) {
+  return d.got.count == 0 && is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
+           return query.answer.is_solver_asked && query.answer.normal_of == NormalOf::nobody &&
+                  query.answer.normal.isZero(0);
+         });
+}
+
+bool epa_normal_between_places(const Deviation& d) {
+  return is_repeated(d, BulletAsked::epa, [&](const RepeatedQuery& query) {
+    return is_of_epa(query, BulletEpaEnd::accuracy_reached) &&
+           replayed::is_right_answer(d, declaration_of_epa(), contact_of_face(d, query));
+  });
+}
+
+bool corner_before_first(const Deviation& d) {
+  const ledger_of::BulletPair hulls = ledger_of::flat_hulls_of(d.right.pair());
+  if (!ledger_of::is_intersection_of_memory(hulls)) return false;
+  return std::ranges::any_of(std::array{true, false}, [&](bool do_intersect) {
+    RepeatedQuery query;
+    query.answer =
+        ledger_of::ask_detector_told(do_intersect, hulls, ledger_of::solve_by_directions,
+                                     &query.directions, ledger_of::farthest_square_of(hulls));
+    return is_answered(d, query);
   });
 }
 

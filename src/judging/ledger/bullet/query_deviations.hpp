@@ -7,9 +7,26 @@ namespace manifuzz {
 // What the ledger's entries on Bullet look for that repeat its query in its own floats: the answer
 // is what the repeated query gives, and that came about by the named rule.
 
+/// What oracle/bullet/epa.cpp declares.
+Declaration declaration_of_epa();
+
 /// How Bullet was asked: prisms with its EPA or with its fixed directions, or flat hulls with
 /// these.
 enum class BulletAsked { epa, directions, flat };
+
+/// What another predicate looks for, where the answer is the repeated one and the normal the depth
+/// solver's.
+bool is_of_solver(const Deviation& deviation, BulletAsked asked);
+template <BulletAsked asked, bool (*explains)(const Deviation&)>
+bool by_solver(const Deviation& deviation) {
+  return explains(deviation) && is_of_solver(deviation, asked);
+}
+/// The same, whosever the normal is.
+bool is_of_query(const Deviation& deviation, BulletAsked asked);
+template <BulletAsked asked, bool (*explains)(const Deviation&)>
+bool by_query(const Deviation& deviation) {
+  return explains(deviation) && is_of_query(deviation, asked);
+}
 
 /// btGjkPairDetector keeps its own query's axis though that ended below 0.001, the root of
 /// REL_ERROR2, or takes it back from the depth solver: its direction is the roundings'.
@@ -24,7 +41,7 @@ bool stopped_at_near_corner(const Deviation& deviation);
 template <BulletAsked>
 bool stopped_at_rounded_point(const Deviation& deviation);
 /// It ended though corners were left, since the squared distance fell by less than REL_ERROR2 of
-/// it, or by no more than a rounding.
+/// it, or by no more than a rounding; a normal is off by no more than the root of that.
 template <BulletAsked>
 bool stopped_by_relative_error(const Deviation& deviation);
 /// It ended at four corners that pointOutsideOfPlane takes for coplanar, or at a closest point of
@@ -53,6 +70,18 @@ bool normal_turned_back(const Deviation& deviation);
 bool epa_finds_apart(const Deviation& deviation);
 /// EPA::Evaluate found no tetrahedron about the origin: its guess and a depth of 0.
 bool epa_falls_back(const Deviation& deviation);
+
+/// The solver's GJK took the origin for inside within GJK_MIN_DISTANCE of the difference.
+bool epa_below_least_distance(const Deviation& deviation);
+/// GJK::Evaluate found them neither within each other nor apart, so that there is no direction.
+bool epa_without_axis(const Deviation& deviation);
+/// The normal is the direction between two places that are rounded, and not EPA's own: with that,
+/// its depth and the same place the answer would be right.
+bool epa_normal_between_places(const Deviation& deviation);
+
+/// Of flat hulls: the answer where the detector takes cores for intersecting, or does not, of which
+/// it had a corner that is none of theirs: -1 indexes their corners.
+bool corner_before_first(const Deviation& deviation);
 
 /// EPA::Evaluate ended at a hull that it could not expand, and gives the face it had.
 bool epa_at_invalid_hull(const Deviation& deviation);

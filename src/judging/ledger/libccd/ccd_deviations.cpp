@@ -74,6 +74,11 @@ bool holds_origin(const std::vector<CcdTetrahedron>& first) {
 
 }  // namespace
 
+bool is_of_ccd(const Deviation& d) {
+  const CcdAnswer answer = ledger_of::ccd_penetration(d.right.pair());
+  return d.got.count == 0 ? answer.end == CcdEnd::none : is_said_by_ccd(d, answer);
+}
+
 bool polytope_left_by_squares(const Deviation& d) {
   const CcdAnswer answer = ledger_of::ccd_penetration(d.right.pair());
   const double length = answer.end == CcdEnd::along

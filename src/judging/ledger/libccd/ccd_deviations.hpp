@@ -7,6 +7,13 @@ namespace manifuzz {
 // What the ledger's entries on ccdGJKPenetration look for that repeat it in its own doubles, in
 // space: the answer is that of the repeated one, and the polytope was left as named.
 
+/// What another predicate looks for, where the answer is the repeated one.
+bool is_of_ccd(const Deviation& deviation);
+template <bool (*explains)(const Deviation&)>
+bool by_ccd(const Deviation& deviation) {
+  return explains(deviation) && is_of_ccd(deviation);
+}
+
 /// nextSupport compared the tolerance, a length, with a product or a square of lengths that was
 /// below it, though what they are of is longer: an element inside the difference.
 bool polytope_left_by_squares(const Deviation& deviation);

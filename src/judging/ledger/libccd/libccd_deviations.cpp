@@ -4,22 +4,14 @@
 
 #include "judging/ledger/differences.hpp"
 #include "judging/ledger/gjk_deviations.hpp"
-#include "judging/ledger/libccd/libccd_ray.hpp"
 
 // libccd 2, in world directions seen from A's position.
 
 namespace manifuzz {
 namespace {
 
-/// epa_tolerance and mpr_tolerance of CCD_INIT.
+/// epa_tolerance of CCD_INIT.
 constexpr double kTolerance = 1e-4;
-
-/// The mean of a core's vertices: the centre that the adapter gives.
-Vector2<double> centre_of(const exact::RoughPolygon& core) {
-  Vector2<double> sum(0, 0);
-  for (int i = 0; i < core.count; ++i) sum += core.vertices[i];
-  return sum / core.count;
-}
 
 /// Whether the translation ends on a chord of the difference, where an edge or a side of the
 /// polytope seems to be, from which `corner` is by so much at most.
@@ -50,30 +42,6 @@ bool tolerance_of_squares(const Deviation& d) {
                                   ? std::numeric_limits<double>::infinity()
                                   : std::sqrt(kTolerance) + bound;
   return is_on_chord(difference, translation, corner, distance_max, bound);
-}
-
-bool translation_to_face_of_ray(const Deviation& d) {
-  if (d.got.count == 0) return false;
-  const ledger_of::Difference difference(d.right.pair());
-  const exact::RoughPair placed = exact::place_roughly(d.right.pair());
-  const Vector2<double> middle = centre_of(placed.a) - centre_of(placed.b);
-  const Vector2<double> translation = ledger_of::translation_of(d);
-  const double bound = kTolerance + 4 * d.right.bounds.separation;
-  const auto& corners = difference.corners();
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector2<double> from = corners[i];
-    const Vector2<double> along = difference.after(i) - from;
-    const Vector2<double> outward = Vector2<double>(along.y(), -along.x()).normalized();
-    // Where the ray from the middle through the origin is on the face's line.
-    const double run = outward.dot(-middle);
-    if (run <= 0) continue;
-    const double share = outward.dot(from - middle) / run;
-    const Vector2<double> exit = middle - share * middle;
-    if (ledger_of::distance_to_segment(exit, from, difference.after(i)) > bound) continue;
-    if (ledger_of::distance_to_segment(translation, from, difference.after(i)) <= bound)
-      return true;
-  }
-  return translation_to_portal(d);
 }
 
 }  // namespace manifuzz

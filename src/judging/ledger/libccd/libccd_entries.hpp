@@ -9,7 +9,7 @@
 namespace manifuzz::ledger_of {
 
 // libccd 2.1, in double. Budgets are twice what 1,000,000 cases against clip64 showed, of what is
-// repeated in its own doubles 300,000, rounded up.
+// repeated in its own doubles 300,000, or 1,000,000 where those show more, rounded up.
 inline constexpr Budget kOfLibccdGjkZeroOfSquares[] = {{"generic", 12000},
                                                        {"boxes", 13000},
                                                        {"regular", 9600},
@@ -84,7 +84,10 @@ inline constexpr Budget kOfLibccdGjkLeftTouching[] = {{"micro_edge", 270},
                                                       {"tied_faces", 400},
                                                       {"ulp", 270}};
 inline constexpr Budget kOfLibccdMprCornerOfRay[] = {
-    {"boxes", 400}, {"deep", 150000}, {"sliver", 2800}, {"ulp", 7000}};
+    {"boxes", 400},         {"deep", 500000},         {"sliver", 6200},   {"ulp", 27000},
+    {"corner_corner", 720}, {"far_from_origin", 120}, {"grid", 3000},     {"micro_edge", 80},
+    {"near_collinear", 40}, {"off_unit", 160},        {"regular", 12000}, {"scaled", 1400},
+    {"tie_bias", 280},      {"tied_faces", 97000},    {"touching", 3600}};
 
 inline constexpr Budget kOfLibccdGjkWithoutOrigin[] = {
     {"grid", 140}, {"scaled", 1400}, {"ulp", 140}};
@@ -99,9 +102,24 @@ inline constexpr Budget kOfLibccdGjkNoDirection[] = {
     {"regular", 800},     {"scaled", 3200},         {"sliver", 5800},        {"tie_bias", 270},
     {"tied_faces", 3400}, {"touching", 27000},      {"ulp", 16000}};
 inline constexpr Budget kOfLibccdGjkEndless[] = {{"scaled", 1400}, {"ulp", 140}};
-inline constexpr Budget kOfLibccdMprEdgeOfPortal[] = {
-    {"deep", 940},          {"grid", 140},    {"micro_edge", 270}, {"near_collinear", 540},
-    {"near_parallel", 140}, {"sliver", 1600}, {"ulp", 140}};
+inline constexpr Budget kOfLibccdMprEdgeOfPortal[] = {{"deep", 290000},
+                                                      {"grid", 18000},
+                                                      {"micro_edge", 52000},
+                                                      {"near_collinear", 33000},
+                                                      {"near_parallel", 24000},
+                                                      {"sliver", 130000},
+                                                      {"ulp", 50000},
+                                                      {"boxes", 3100},
+                                                      {"corner_corner", 11000},
+                                                      {"corner_face", 37000},
+                                                      {"far_from_origin", 37000},
+                                                      {"generic", 22000},
+                                                      {"off_unit", 33000},
+                                                      {"regular", 2300},
+                                                      {"scaled", 25000},
+                                                      {"tie_bias", 52000},
+                                                      {"tied_faces", 25000},
+                                                      {"touching", 6000}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfLibccd{
@@ -113,14 +131,14 @@ inline constexpr std::array kOfLibccd{
             "are 0",
         .source = "libccd 2.1, src/ccd.c, doSimplex3, nextSupport: ccdIsZero(dist) of a square",
         .budgets = kOfLibccdGjkZeroOfSquares,
-        .explains = zero_of_squares},
+        .explains = by_ccd<zero_of_squares>},
     LedgerEntry{.id = "libccd-gjk-tolerance-of-squares",
                 .collider = "libccd-gjk",
                 .description = "too little depth along another normal: the tolerance, a length, is "
                                "compared with squares of lengths",
                 .source = "libccd 2.1, src/ccd.c, nextSupport: dist - el->dist < epa_tolerance",
                 .budgets = kOfLibccdGjkToleranceOfSquares,
-                .explains = tolerance_of_squares},
+                .explains = by_ccd<tolerance_of_squares>},
     LedgerEntry{
         .id = "libccd-gjk-left-by-squares",
         .collider = "libccd-gjk",
@@ -201,7 +219,7 @@ inline constexpr std::array kOfLibccd{
                     "libccd 2.1, src/mpr.c, findPenetr: ccdVec3PointTriDist2 of the portal that "
                     "the ray from v0 leaves",
                 .budgets = kOfLibccdMprFaceOfRay,
-                .explains = translation_to_face_of_ray},
+                .explains = translation_to_portal},
     LedgerEntry{.id = "libccd-mpr-corner-of-ray",
                 .collider = "libccd-mpr",
                 .description = "a corner, where the origin is on the line from the difference's "
