@@ -49,7 +49,7 @@ struct LedgerEntry {
 /// Every known deviation. An entry is added here, with its witness, and nowhere else.
 std::span<const LedgerEntry> ledger();
 
-inline constexpr std::size_t kLedgerMax = 320;
+inline constexpr std::size_t kLedgerMax = 384;
 
 /// The entry's place in the ledger.
 std::size_t index_of(const LedgerEntry& entry);
