@@ -34,7 +34,7 @@ class Truth {
   const PairCase& pair() const { return pair_; }
   const StoredPair& stored() const { return stored_; }
   double size() const;
-  /// Some distance of two vertices of the smaller shape: the size is at least that.
+  /// The lesser of one distance of two vertices of each shape: the size is at least that.
   double size_at_least() const;
   double extent() const { return extent_; }
 

@@ -57,8 +57,8 @@ bool SmokeRun::is_well() const {
 }
 
 SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interruption& all) {
-  const std::vector<PairCase> pairs = pairs_of(plan.corpus, plan.seed);
   SmokeRun run;
+  run.pairs = pairs_of(plan.corpus, plan.seed);
   {
     Interruption in_time(
         {.first_signal = Interruption::State::stopped, .stopped_at = plan.at(kReplayShare, 1)});
@@ -67,9 +67,9 @@ SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interru
     run.replayed = replay_cases(plan.corpus.cases, *run.asked, plan.known, in_time);
   }
   listener.on_replayed(run.replayed);
-  if (!all.is_stopped()) run.checked = check_all(plan, pairs, listener);
+  if (!all.is_stopped()) run.checked = check_all(plan, run.pairs, listener);
   if (all.is_stopped()) return run;
-  const Plan campaign = campaign_plan(plan, pairs);
+  const Plan campaign = campaign_plan(plan, run.pairs);
   run.campaign =
       run_campaign(campaign, plan.known, {plan.save_to, plan.at(kSavingShare, 2)}, plan.origin,
                    [&](const Progress& progress) { listener.on_progress(campaign, progress); });

@@ -225,10 +225,9 @@ bool plainly_agree(const exact::Truth& truth, const Declaration& of_subject,
   if (s.count != o.count) return false;
   const Bounds for_subject = bounds(truth.pair(), of_subject, truth.extent());
   const Bounds for_oracle = bounds(truth.pair(), of_oracle, truth.extent());
-  const auto is_out = [&](const Bounds& bounds) {
-    return is_ill_posed(truth.size_at_least(), bounds) && is_ill_posed(truth.size(), bounds);
-  };
-  if (is_out(for_subject) || is_out(for_oracle)) return false;
+  for (const Bounds* const own : {&for_subject, &for_oracle}) {
+    if (is_ill_posed(truth.size_at_least(), *own) && is_ill_posed(truth.size(), *own)) return false;
+  }
   if (s.count == 0) {
     return truth.compare_contact(-std::min(for_subject.separation, for_oracle.separation)) >= 0;
   }

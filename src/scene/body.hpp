@@ -80,7 +80,7 @@ struct PairCounts {
   std::size_t separated = 0;   ///< a separating face was proven to separate still
   std::size_t recycled = 0;    ///< touching ones, carried along: 0 in strict mode
   std::size_t collided = 0;    ///< by the kernel
-  std::size_t candidates = 0;  ///< pairs whose fattened boxes overlapped before the step or do now
+  std::size_t candidates = 0;  ///< pairs that there were when they were looked at
 };
 
 /// What the parts of a step did; all are counts.

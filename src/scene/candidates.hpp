@@ -91,14 +91,8 @@ class Candidates {
   /// Takes one out of A's row; the last of that row takes its place.
   void drop(std::uint32_t a, Candidate& candidate) {
     candidate = row(a).back();
-    keep(a, rows_[a].count - 1);
-  }
-
-  /// Leaves so many in A's row.
-  void keep(std::uint32_t a, std::size_t count) {
-    if (a >= rows_.size()) return;
-    count_ -= rows_[a].count - count;
-    rows_[a].count = static_cast<std::uint32_t>(count);
+    --rows_[a].count;
+    --count_;
   }
 
   /// The memory that grows with the number of bodies, and with that of pairs.

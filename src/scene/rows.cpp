@@ -12,9 +12,6 @@ namespace manifuzz::scene::HWY_NAMESPACE {
 
 using Lanes = hn::CappedTag<std::uint32_t, kRowLanes>;
 
-/// So many rows ahead, the next are asked for: they lie anywhere in memory.
-inline constexpr std::uint32_t kRowsAhead = 16;
-
 /// A queue while it grows: what lies behind its end may be overwritten.
 class Tail {
  public:
@@ -55,7 +52,8 @@ std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std:
     candidates.prefetch(a + kRowsAhead);
     const std::span<Candidate> row = candidates.row(a);
     const std::size_t room = row.size() + lanes;
-    if (!touching.has_room(room) || !apart.has_room(room) || !leaving.has_room(room)) break;
+    if (!touching.has_room(room) || !apart.has_room(room)) break;
+    if (sorted.any_left && !leaving.has_room(room)) break;
     const auto mark_a = hn::Set(d, marks[a]);
     for (std::size_t i = 0; i < row.size(); i += lanes) {
       hn::Vec<Lanes> b;

@@ -8,28 +8,31 @@
 
 namespace manifuzz::scene {
 
+/// So many rows ahead, the next are asked for: they lie anywhere in memory.
+inline constexpr std::uint32_t kRowsAhead = 16;
+
 /// A candidate that waits to be collided.
 struct Waiting {
-  std::uint32_t a;
+  std::uint32_t a;      ///< the body of lower index
   std::uint32_t place;  ///< among the candidates
 };
 
-/// They wait together; the array is longer than that.
+/// They wait together.
 struct Queue {
-  std::vector<Waiting> pairs;
-  std::size_t count = 0;
+  std::vector<Waiting> pairs;  ///< and room for more
+  std::size_t count = 0;       ///< of those that wait
 
+  /// Whether so many more leave some of it.
   bool has_room(std::size_t more) const { return count + more < pairs.size(); }
 };
 
-/// What a step must know of a body to sort its pairs: the length of its path, rounded up to where
-/// the last two bits are free, and these two.
+/// What a step must know of a body besides the length of its path.
 enum Mark : std::uint32_t {
-  kHasMoved = 1,
-  kHasLeft = 2,  ///< its fattened box
+  kHasMoved = 1,  ///< it moved, was added or got another shape
+  kHasLeft = 2,   ///< it left its fattened box
 };
 
-/// Of a path, a length >= 0.
+/// Both in one number: the path, a length >= 0, rounded up to where the last two bits are free.
 inline std::uint32_t mark_of(float path, std::uint32_t marks) {
   return ((std::bit_cast<std::uint32_t>(path) + 3) & ~std::uint32_t{3}) | marks;
 }

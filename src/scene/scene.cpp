@@ -74,10 +74,6 @@ std::optional<Defect> Scene::set_shape(BodyHandle body, std::uint32_t shape) {
 /// Nothing that was known of its box and its pairs holds any more.
 void Scene::start_path(std::uint32_t body) {
   paths_[body] = kNoPath;
-  mark_moved(body);
-}
-
-void Scene::mark_moved(std::uint32_t body) {
   states_[body] &= static_cast<std::uint8_t>(~kBoxed);
   if (is(body, kMoved)) return;
   states_[body] |= kMoved;
@@ -85,8 +81,8 @@ void Scene::mark_moved(std::uint32_t body) {
   movers_.push_back({body, placements_[body].pose.position});
 }
 
-/// What is read and written lies in local variables: bytes might be part of anything, and the rest
-/// would be read again after each state is written.
+/// Arrays are held by local pointers: a byte may alias any member, and all would be loaded again
+/// after each state is written.
 void Scene::place(std::span<const Move> moves) {
   std::size_t moved = movers_.size();
   resize(movers_, moved + moves.size());

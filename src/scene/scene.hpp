@@ -132,7 +132,6 @@ class Scene {
   }
 
   void start_path(std::uint32_t body);
-  void mark_moved(std::uint32_t body);
   void place(std::span<const Move> moves);
   bool few_moved() const;
 
@@ -160,7 +159,7 @@ class Scene {
   /// Proves two bodies to be apart for as long as the kernel's gap between them allows.
   void prove_apart(const kernel::BodyPair& bodies, float gap, Candidate& candidate);
   float margin_of(const kernel::BodyPair& bodies, float gap) const;
-  /// Until what sum of their paths two bodies are apart that must yet go this far, a length.
+  /// The sum of both paths up to which two bodies are apart that have this much room, a length.
   float paths_to(const kernel::BodyPair& bodies, float margin) const {
     return (paths_[bodies.a] + paths_[bodies.b] + margin) * (1 - 8 * kRoundoff);
   }

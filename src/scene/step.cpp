@@ -55,12 +55,15 @@ void Scene::look_at_candidates() {
   collide_apart();
 }
 
-/// Pairs whose boxes overlap no longer are looked at once more, before `drop_parted`.
+/// Pairs whose boxes overlap no longer are looked at a last time: `drop_parted` drops them.
 void Scene::look_at_all_rows() {
   const std::size_t room = (left_.empty() ? 0 : candidates_.size()) + kRowLanes + 1;
   if (leaving_.pairs.size() < room) resize(leaving_.pairs, room);
   if (settings_.recycled_motion > 0) {
-    for (std::uint32_t a = 0; a < candidates_.rows(); ++a) look_at_row(a);
+    for (std::uint32_t a = 0; a < candidates_.rows(); ++a) {
+      candidates_.prefetch(a + kRowsAhead);
+      look_at_row(a);
+    }
     return;
   }
   resize(marks_, states_.size());
@@ -120,13 +123,12 @@ void Scene::look_at(std::uint32_t a, Candidate& candidate) {
   const bool touches = candidate.touches();
   const bool may_recycle = touches && (states & kUnproven) == 0 && overlap(a, b);
   if (may_recycle && recycle(a, candidate)) return;
-  const bool is_apart = candidate.is_apart(paths_[a] + paths_[b]);
-  if (!touching_.has_room(1)) collide_touching();
-  if (!apart_.has_room(1)) collide_apart();
-  if (is_apart) {
+  if (candidate.is_apart(paths_[a] + paths_[b])) {
     ++counts_.pairs.separated;
     return;
   }
+  if (!touching_.has_room(1)) collide_touching();
+  if (!apart_.has_room(1)) collide_apart();
   Queue& queue = touches ? touching_ : apart_;
   queue.pairs[queue.count++] = {a, candidates_.place_of(candidate)};
 }
@@ -185,6 +187,8 @@ void Scene::collide_touching() {
     queue.pairs[ended] = queue.pairs[i];
     ended += static_cast<std::size_t>(has_ended);
   }
+  // From the end, where the last contacts are: the last of all takes an ended one's place, and its
+  // pair is looked for.
   for (std::size_t i = ended; i-- > 0;) {
     Candidate& candidate = candidates_.at(queue.pairs[i].place);
     const float gap = -contact_of(i).manifold.points[0].depth;

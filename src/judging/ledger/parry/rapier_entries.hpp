@@ -68,8 +68,7 @@ inline constexpr Budget kOfRapierCircleByGjk[] = {{"circles", 230000},
                                                   {"voronoi_lines", 120000}};
 inline constexpr Budget kOfRapierEpaChord[] = {{"cores_touch", 120000}};
 inline constexpr Budget kOfRapierStepBack[] = {{"side_planes", 800}, {"voronoi_lines", 800}};
-inline constexpr Budget kOfRapierKeptNormals[] = {
-    {"cores_touch", 200}, {"in_line", 600}, {"round_corners", 180}};
+inline constexpr Budget kOfRapierKeptNormals[] = {{"mixed_shapes", 180}, {"round_corners", 200}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfRapier{
