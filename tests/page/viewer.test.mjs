@@ -7,7 +7,7 @@ import {startBrowser} from './browser.mjs';
 import {corpusCases, reportOf} from './sample.mjs';
 
 const cases = corpusCases();
-const witness = cases.find(({file}) => file.includes('witness-box2d-no-contact-on-tied-features'));
+const witness = cases.find(({file}) => file.includes('thin-overlap-box2d'));
 const tie = cases.find(({verdict, answers}) => verdict === 'tie' && answers[0].manifolds.length > 1
   && answers.every(({manifolds}) => manifolds[0]?.points.length === 2));
 const hashOf = ({file}) => `#case=${encodeURIComponent(file)}`;
