@@ -15,24 +15,29 @@ using Lanes = hn::CappedTag<std::uint32_t, kRowLanes>;
 /// A queue while it grows: what lies behind its end may be overwritten.
 class Tail {
  public:
-  explicit Tail(Queue& queue) : queue_(queue), pairs_(queue.pairs.data()), count_(queue.count) {}
+  explicit Tail(Queue& queue)
+      : queue_(queue), a_(queue.a.data()), b_(queue.b.data()), at_(queue.at.data()) {}
   ~Tail() { queue_.count = count_; }
 
   bool has_room(std::size_t more) const { return count_ + more < size_; }
 
   /// The pairs in a mask's lanes.
-  HWY_INLINE void append(hn::Vec<Lanes> a, hn::Vec<Lanes> places, hn::Mask<Lanes> mask) {
+  HWY_INLINE void append(hn::Vec<Lanes> a, hn::Vec<Lanes> b, hn::Vec<Lanes> at,
+                         hn::Mask<Lanes> mask) {
     const Lanes d;
-    auto* const end = reinterpret_cast<std::uint32_t*>(pairs_ + count_);
-    hn::StoreInterleaved2(a, compressed(d, places, mask), d, end);
+    hn::StoreU(a, d, a_ + count_);
+    hn::StoreU(compressed(d, b, mask), d, b_ + count_);
+    hn::StoreU(compressed(d, at, mask), d, at_ + count_);
     count_ += hn::CountTrue(d, mask);
   }
 
  private:
   Queue& queue_;
-  Waiting* pairs_;
-  std::size_t count_;
-  std::size_t size_ = queue_.pairs.size();
+  std::uint32_t* a_;
+  std::uint32_t* b_;
+  std::uint32_t* at_;
+  std::size_t count_ = queue_.count;
+  std::size_t size_ = queue_.a.size();
 };
 
 /// A lane a pair, without a branch that depends on one.
@@ -70,12 +75,13 @@ std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std:
       const auto is_apart = hn::RebindMask(d, hn::Lt(paths, hn::BitCast(df, known)));
       const auto row_a = hn::Set(d, a);
       const auto places = hn::Add(hn::Set(d, candidates.place_of(row[i])), hn::Iota(d, 0));
-      touching.append(row_a, places, hn::And(moved, touches));
-      apart.append(row_a, places, hn::AndNot(hn::Or(touches, is_apart), moved));
+      const auto contacts = hn::AndNot(hn::Set(d, Candidate::kTouches), known);
+      touching.append(row_a, b, contacts, hn::And(moved, touches));
+      apart.append(row_a, b, places, hn::AndNot(hn::Or(touches, is_apart), moved));
       separated += hn::CountTrue(d, hn::And(moved, is_apart));
       if (!sorted.any_left) continue;
       const auto left = hn::And(in_row, hn::TestBit(of_both, hn::Set(d, kHasLeft)));
-      leaving.append(row_a, places, left);
+      leaving.append(row_a, b, places, left);
     }
   }
   sorted.separated += separated;

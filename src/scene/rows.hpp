@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernel/packed.hpp"
 #include "scene/candidates.hpp"
 
 namespace manifuzz::scene {
@@ -11,19 +12,31 @@ namespace manifuzz::scene {
 /// So many rows ahead, the next are asked for: they lie anywhere in memory.
 inline constexpr std::uint32_t kRowsAhead = 16;
 
-/// A candidate that waits to be collided.
-struct Waiting {
-  std::uint32_t a;      ///< the body of lower index
-  std::uint32_t place;  ///< among the candidates
-};
-
-/// They wait together.
+/// Candidates that wait to be collided or dropped; an array each for what is known of them, with
+/// room for more behind those that wait.
 struct Queue {
-  std::vector<Waiting> pairs;  ///< and room for more
-  std::size_t count = 0;       ///< of those that wait
+  std::vector<std::uint32_t> a;   ///< the body of lower index
+  std::vector<std::uint32_t> b;   ///< the other
+  std::vector<std::uint32_t> at;  ///< the contact's index, or the place among the candidates
+  std::size_t count = 0;          ///< of those that wait
 
-  /// Whether so many more leave some of it.
-  bool has_room(std::size_t more) const { return count + more < pairs.size(); }
+  kernel::BodyPair bodies(std::size_t i) const { return {a[i], b[i]}; }
+  /// Whether so many more leave some of the room.
+  bool has_room(std::size_t more) const { return count + more < a.size(); }
+  /// At least so much room.
+  void make_room_for(std::size_t pairs) {
+    if (a.size() >= pairs) return;
+    for (auto* const column : {&a, &b, &at}) resize(*column, pairs);
+  }
+  /// The next one, if it is chosen; no branch depends on that.
+  void push(const kernel::BodyPair& pair, std::uint32_t where, bool chosen = true) {
+    a[count] = pair.a;
+    b[count] = pair.b;
+    at[count] = where;
+    count += static_cast<std::size_t>(chosen);
+  }
+  /// The memory it takes.
+  std::size_t bytes() const { return 3 * sizeof(a[0]) * a.capacity(); }
 };
 
 /// What a step must know of a body besides the length of its path.
@@ -39,9 +52,9 @@ inline std::uint32_t mark_of(float path, std::uint32_t marks) {
 
 /// Where the pairs of rows go, of which a body moved.
 struct SortedPairs {
-  Queue& touching;            ///< those that touched
-  Queue& apart;               ///< those that did not, and are not proven apart
-  Queue& leaving;             ///< those of which a body left its fattened box
+  Queue& touching;            ///< those that touched, at their contacts
+  Queue& apart;               ///< those that did not, and are not proven apart, at their places
+  Queue& leaving;             ///< those of which a body left its fattened box, at their places
   bool any_left;              ///< whether any body did
   std::size_t separated = 0;  ///< how many are proven apart
 };

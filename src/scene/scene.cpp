@@ -141,8 +141,8 @@ Memory Scene::memory() const {
               of(leave_at_) + of(boxes_) + of(left_at_) + cells_.bytes() +
               candidates_.bytes_by_body() + of(movers_) + of(left_) + of(bodies_) + of(marks_) +
               of(tight_) + of(found_),
-          candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + of(touching_.pairs) +
-              of(apart_.pairs) + of(leaving_.pairs) + of(manifolds_) + of(beginning_) + of(began_) +
+          candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + touching_.bytes() +
+              apart_.bytes() + leaving_.bytes() + of(manifolds_) + of(beginning_) + of(began_) +
               of(ended_)};
 }
 

@@ -125,7 +125,6 @@ class Scene {
   bool overlap(std::uint32_t a, std::uint32_t b) const {
     return scene::overlap(boxes_[a], boxes_[b]);
   }
-  kernel::BodyPair bodies_of(const Waiting& pair) { return {pair.a, candidates_.at(pair.place).b}; }
   /// Where a body's fattened box was before this step.
   const Box& box_before(std::uint32_t body) const {
     return is(body, kLeft) ? left_[left_at_[body]].before : boxes_[body];

@@ -38,9 +38,7 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves) {
 
 void Scene::look_at_candidates() {
   const std::size_t room = std::min(kQueueMax, candidates_.size() + kRowLanes + 2);
-  for (Queue* const queue : {&touching_, &apart_}) {
-    if (queue->pairs.size() < room) resize(queue->pairs, room);
-  }
+  for (Queue* const queue : {&touching_, &apart_}) queue->make_room_for(room);
   if (manifolds_.size() < room) resize(manifolds_, room);
   counts_.pairs.candidates = candidates_.size();
   if (few_moved_) {
@@ -57,8 +55,7 @@ void Scene::look_at_candidates() {
 
 /// Pairs whose boxes overlap no longer are looked at a last time: `drop_parted` drops them.
 void Scene::look_at_all_rows() {
-  const std::size_t room = (left_.empty() ? 0 : candidates_.size()) + kRowLanes + 1;
-  if (leaving_.pairs.size() < room) resize(leaving_.pairs, room);
+  leaving_.make_room_for((left_.empty() ? 0 : candidates_.size()) + kRowLanes + 1);
   if (settings_.recycled_motion > 0) {
     for (std::uint32_t a = 0; a < candidates_.rows(); ++a) {
       candidates_.prefetch(a + kRowsAhead);
@@ -85,24 +82,23 @@ void Scene::look_at_all_rows() {
 void Scene::look_at_row(std::uint32_t a) {
   for (Candidate& candidate : candidates_.row(a)) {
     look_at(a, candidate);
-    leaving_.pairs[leaving_.count] = {a, candidates_.place_of(candidate)};
-    leaving_.count += static_cast<std::size_t>(is(a, kLeft) || is(candidate.b, kLeft));
+    const bool has_left = is(a, kLeft) || is(candidate.b, kLeft);
+    leaving_.push({a, candidate.b}, candidates_.place_of(candidate), has_left);
   }
 }
 
 /// Drops the pairs whose boxes overlap no longer. None touches: each was collided in this step, or
 /// proven apart. From the end: the last pair of a row takes a dropped one's place.
 void Scene::drop_parted() {
-  std::size_t parted = 0;
-  for (const Waiting& pair : std::span(leaving_.pairs).first(leaving_.count)) {
-    leaving_.pairs[parted] = pair;
-    parted += static_cast<std::size_t>(!overlap(pair.a, candidates_.at(pair.place).b));
+  Queue& queue = leaving_;
+  const std::size_t count = std::exchange(queue.count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const kernel::BodyPair bodies = queue.bodies(i);
+    queue.push(bodies, queue.at[i], !overlap(bodies.a, bodies.b));
   }
-  for (std::size_t i = parted; i-- > 0;) {
-    const auto [a, place] = leaving_.pairs[i];
-    drop(a, candidates_.at(place));
+  for (std::size_t i = std::exchange(queue.count, 0); i-- > 0;) {
+    drop(queue.a[i], candidates_.at(queue.at[i]));
   }
-  leaving_.count = 0;
 }
 
 /// Of a body, the pairs in other rows that are not looked at with those.
@@ -129,18 +125,21 @@ void Scene::look_at(std::uint32_t a, Candidate& candidate) {
   }
   if (!touching_.has_room(1)) collide_touching();
   if (!apart_.has_room(1)) collide_apart();
-  Queue& queue = touches ? touching_ : apart_;
-  queue.pairs[queue.count++] = {a, candidates_.place_of(candidate)};
+  if (touches) {
+    touching_.push({a, b}, candidate.contact());
+  } else {
+    apart_.push({a, b}, candidates_.place_of(candidate));
+  }
 }
 
 /// Of the pairs that wait and did not touch, those whose tight boxes do not overlap.
 void Scene::leave_out_apart() {
   if (!settings_.certificates) return;
+  const std::size_t count = std::exchange(apart_.count, 0);
   std::size_t undrawn = 0;
-  resize(bodies_, std::min(2 * apart_.count, states_.size()) + 1);
-  for (const Waiting& pair : std::span(apart_.pairs).first(apart_.count)) {
-    const auto [a, b] = bodies_of(pair);
-    for (const std::uint32_t body : {a, b}) {
+  resize(bodies_, std::min(2 * count, states_.size()) + 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const std::uint32_t body : {apart_.a[i], apart_.b[i]}) {
       bodies_[undrawn] = body;
       undrawn += static_cast<std::size_t>(!is(body, kBoxed));
       states_[body] |= kBoxed;
@@ -148,24 +147,21 @@ void Scene::leave_out_apart() {
   }
   bodies_.resize(undrawn);
   draw_tight_boxes();
-  std::size_t kept = 0;
-  for (const Waiting& pair : std::span(apart_.pairs).first(apart_.count)) {
-    const kernel::BodyPair bodies = bodies_of(pair);
+  for (std::size_t i = 0; i < count; ++i) {
+    const kernel::BodyPair bodies = apart_.bodies(i);
     const float apart = gap(tight_[bodies.a], tight_[bodies.b]);
-    candidates_.at(pair.place).be_apart_until(apart > 0 ? paths_to(bodies, apart) : 0);
-    apart_.pairs[kept] = pair;
-    kept += static_cast<std::size_t>(!(apart > 0));
+    candidates_.at(apart_.at[i]).be_apart_until(apart > 0 ? paths_to(bodies, apart) : 0);
+    apart_.push(bodies, apart_.at[i], !(apart > 0));
   }
-  counts_.pairs.separated += apart_.count - kept;
-  counts_.proofs += apart_.count - kept;
-  apart_.count = kept;
+  counts_.pairs.separated += count - apart_.count;
+  counts_.proofs += count - apart_.count;
 }
 
 /// Each pair's manifold goes where `out` says of its place in the queue.
 template <class Out>
 void Scene::collide(const Queue& queue, const Out& out) {
   kernel::PairStream<float> stream(shapes_.for_pairs(), placements_, settings_.tie_bias);
-  for (std::size_t i = 0; i < queue.count; ++i) stream.push(bodies_of(queue.pairs[i]), out(i));
+  for (std::size_t i = 0; i < queue.count; ++i) stream.push(queue.bodies(i), out(i));
   stream.finish();
   counts_.pairs.collided += queue.count;
 }
@@ -173,36 +169,32 @@ void Scene::collide(const Queue& queue, const Out& out) {
 /// Manifolds of pairs that touched go straight to their contacts.
 void Scene::collide_touching() {
   Queue& queue = touching_;
-  const auto contact_of = [&](std::size_t i) -> Contact& {
-    return contacts_[candidates_.at(queue.pairs[i].place).contact()];
-  };
   collide(queue, [&](std::size_t i) -> Manifold<float>& {
-    __builtin_prefetch(&contact_of(std::min(i + kAhead, queue.count - 1)));
-    return contact_of(i).manifold;
+    __builtin_prefetch(&contacts_[queue.at[std::min(i + kAhead, queue.count - 1)]]);
+    return contacts_[queue.at[i]].manifold;
   });
   if (settings_.recycled_motion > 0) keep_touching();
-  std::size_t ended = 0;
-  for (std::size_t i = 0; i < queue.count; ++i) {
-    const bool has_ended = contact_of(i).manifold.count == 0;
-    queue.pairs[ended] = queue.pairs[i];
-    ended += static_cast<std::size_t>(has_ended);
+  const std::size_t count = std::exchange(queue.count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t contact = queue.at[i];
+    queue.push(queue.bodies(i), contact, contacts_[contact].manifold.count == 0);
   }
   // From the end, where the last contacts are: the last of all takes an ended one's place, and its
   // pair is looked for.
-  for (std::size_t i = ended; i-- > 0;) {
-    Candidate& candidate = candidates_.at(queue.pairs[i].place);
-    const float gap = -contact_of(i).manifold.points[0].depth;
+  for (std::size_t i = std::exchange(queue.count, 0); i-- > 0;) {
+    const kernel::BodyPair bodies = queue.bodies(i);
+    Candidate& candidate = *candidates_.find(bodies.a, bodies.b);
+    const float gap = -contacts_[candidate.contact()].manifold.points[0].depth;
     end_contact(candidate);
-    prove_apart(bodies_of(queue.pairs[i]), gap, candidate);
+    prove_apart(bodies, gap, candidate);
   }
-  queue.count = 0;
 }
 
 /// What the kernel gave, to be carried along.
 void Scene::keep_touching() {
-  for (const Waiting& pair : std::span(touching_.pairs).first(touching_.count)) {
-    const std::uint32_t contact = candidates_.at(pair.place).contact();
-    kept_[contact] = {b_in_a(bodies_of(pair)), contacts_[contact].manifold};
+  for (std::size_t i = 0; i < touching_.count; ++i) {
+    const std::uint32_t contact = touching_.at[i];
+    kept_[contact] = {b_in_a(touching_.bodies(i)), contacts_[contact].manifold};
   }
 }
 
@@ -211,8 +203,8 @@ void Scene::collide_apart() {
   leave_out_apart();
   collide(apart_, [&](std::size_t i) -> Manifold<float>& { return manifolds_[i]; });
   for (std::size_t i = 0; i < apart_.count; ++i) {
-    const kernel::BodyPair bodies = bodies_of(apart_.pairs[i]);
-    Candidate& candidate = candidates_.at(apart_.pairs[i].place);
+    const kernel::BodyPair bodies = apart_.bodies(i);
+    Candidate& candidate = candidates_.at(apart_.at[i]);
     if (manifolds_[i].count > 0) {
       beginning_.push_back({bodies, &candidate, manifolds_[i]});
     } else {
