@@ -115,4 +115,13 @@ void resize(std::vector<T>& vector, std::size_t size) {
   vector.resize(size);
 }
 
+/// Empties a list of what happened to so many bodies; where it once held most of them, and does no
+/// more, its memory goes.
+template <class T>
+void clear_for(std::vector<T>& list, std::size_t bodies) {
+  const bool is_large = list.capacity() > bodies / 8 + 64;
+  if (is_large && list.size() < list.capacity() / 4) list = std::vector<T>();
+  list.clear();
+}
+
 }  // namespace manifuzz::scene

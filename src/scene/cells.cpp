@@ -17,11 +17,10 @@ namespace manifuzz::scene::HWY_NAMESPACE {
 using Floats = hn::ScalableTag<float>;
 using Indices = hn::ScalableTag<std::uint32_t>;
 
-/// Bodies found, with room behind them for whole vectors.
+/// Bodies found, with room behind them for whole vectors, which is kept: filling it costs.
 class Found {
  public:
   explicit Found(std::vector<std::uint32_t>& bodies) : bodies_(bodies) {}
-  ~Found() { bodies_.resize(count_); }
 
   std::uint32_t* room_for(std::size_t more) {
     const std::size_t needed = count_ + more + hn::Lanes(Indices());
@@ -82,11 +81,14 @@ HWY_INLINE void scan_near(const CellLevel& level, const BoxColumns& entries, con
   });
 }
 
-void near(std::span<const CellLevel> levels, const BoxColumns& entries, std::uint32_t overflow,
-          std::uint32_t overflow_end, const Box& box, std::vector<std::uint32_t>& bodies) {
+/// How many of `bodies` are found.
+std::size_t near(std::span<const CellLevel> levels, const BoxColumns& entries,
+                 std::uint32_t overflow, std::uint32_t overflow_end, const Box& box,
+                 std::vector<std::uint32_t>& bodies) {
   Found found(bodies);
   for (const CellLevel& level : levels) scan_near(level, entries, box, found);
   scan(entries, overflow, overflow_end, box, found);
+  return found.count();
 }
 
 /// Of two boxes of a level the left one finds the other; of two that begin at one x, that of the
@@ -265,8 +267,10 @@ std::uint32_t Cells::entry_of(const Run& place, std::uint32_t body) const {
   return static_cast<std::uint32_t>(std::find(of + overflow_, of + overflow_end_, body) - of);
 }
 
-void Cells::near(const Box& box, std::vector<std::uint32_t>& found) const {
-  HWY_DYNAMIC_DISPATCH(near)(levels(), entries_, overflow_, overflow_end_, box, found);
+std::span<std::uint32_t> Cells::near(const Box& box) {
+  const std::size_t count =
+      HWY_DYNAMIC_DISPATCH(near)(levels(), entries_, overflow_, overflow_end_, box, found_);
+  return std::span(found_).first(count);
 }
 
 void Cells::pairs(std::vector<kernel::BodyPair>& found) {

@@ -25,8 +25,9 @@ class Cells {
   /// Of a body that is filed with this box.
   void remove(std::uint32_t body, const Box& box);
 
-  /// Puts the bodies whose boxes overlap this one into `found`, in no particular order.
-  void near(const Box& box, std::vector<std::uint32_t>& found) const;
+  /// The bodies whose boxes overlap this one, in no particular order; the caller's to change, until
+  /// the next call.
+  std::span<std::uint32_t> near(const Box& box);
 
   /// Puts all pairs of bodies whose boxes overlap into `found`, each once, a < b.
   void pairs(std::vector<kernel::BodyPair>& found);
@@ -59,7 +60,8 @@ class Cells {
   // Of the filing under way: of each body its level and its place there.
   std::vector<std::uint8_t> level_;
   std::vector<std::uint32_t> place_;
-  std::vector<std::uint32_t> found_;  // by one of the boxes
+
+  std::vector<std::uint32_t> found_;  // by one of the boxes, and room
 };
 
 }  // namespace manifuzz::scene

@@ -108,8 +108,7 @@ void Scene::place(std::span<const Move> moves) {
 void Scene::drop_all(std::uint32_t body) {
   const std::span<Candidate> row = candidates_.row(body);
   for (std::size_t i = row.size(); i-- > 0;) drop(body, row[i]);
-  cells_.near(boxes_[body], found_);
-  for (const std::uint32_t other : found_) {
+  for (const std::uint32_t other : cells_.near(boxes_[body])) {
     if (other > body) continue;
     if (Candidate* const candidate = candidates_.find(other, body)) drop(other, *candidate);
   }

@@ -170,6 +170,7 @@ class Scene {
   Pose<float> b_in_a(const kernel::BodyPair& bodies) const {
     return relative_pose(placements_[bodies.a].pose, placements_[bodies.b].pose);
   }
+  void settle();
   StepResult result();
 
   /// The path of a body of which nothing is known: longer than any.

@@ -39,14 +39,6 @@ Box fattened(const Box& box, const Vector2<float>& motion, float reach, const Fa
   return fat;
 }
 
-/// Empties a list of bodies; where it once held most of them, and does no more, its memory goes.
-template <class T>
-void clear_for(std::vector<T>& list, std::size_t bodies) {
-  const bool is_large = list.capacity() > bodies / 8 + 256;
-  if (is_large && list.size() < list.capacity() / 4) list = std::vector<T>();
-  list.clear();
-}
-
 }  // namespace
 
 void Scene::find_candidates() {
@@ -138,8 +130,7 @@ void Scene::part_from_partners() {
   for (const Leaver& leaver : left_) {
     const bool is_unproven = is(leaver.body, kUnproven);
     if (!is(leaver.body, kFiled) || !(few_moved_ || is_unproven)) continue;
-    cells_.near(leaver.before, found_);
-    for (const std::uint32_t other : found_) {
+    for (const std::uint32_t other : cells_.near(leaver.before)) {
       const auto [a, b] = std::minmax(leaver.body, other);
       Candidate* const candidate = candidates_.find(a, b);
       if (candidate == nullptr) continue;
@@ -171,18 +162,18 @@ void Scene::refile() {
 
 /// Two that left are found by the lower one.
 void Scene::add_partners(std::uint32_t body) {
-  cells_.near(boxes_[body], found_);
-  const bool is_alone = found_.size() == 1;
+  const std::span<std::uint32_t> found = cells_.near(boxes_[body]);
+  const bool is_alone = found.size() == 1;
   states_[body] =
       static_cast<std::uint8_t>(is_alone ? states_[body] | kAlone : states_[body] & ~kAlone);
   const Box before = box_before(body);
   std::size_t added = 0;
-  for (const std::uint32_t other : found_) {
+  for (const std::uint32_t other : found) {
     const bool finds = other != body && !(is(other, kLeft) && other < body);
-    found_[added] = other;
+    found[added] = other;
     added += static_cast<std::size_t>(finds & !scene::overlap(before, box_before(other)));
   }
-  for (const std::uint32_t other : std::span(found_).first(added)) {
+  for (const std::uint32_t other : found.first(added)) {
     const auto [a, b] = std::minmax(body, other);
     candidates_.add(a, b);
   }

@@ -28,12 +28,21 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves) {
   look_at_candidates();
   begin_contacts();
   drop_parted();
-  for (const Mover& mover : movers_) {
-    states_[mover.body] =
-        static_cast<std::uint8_t>(states_[mover.body] & (kFiled | kAlone | kBoxed));
+  settle();
+  return result();
+}
+
+/// What happened to the bodies is over.
+void Scene::settle() {
+  const auto settled = [](std::uint8_t& state) {
+    state = static_cast<std::uint8_t>(state & (kFiled | kAlone | kBoxed));
+  };
+  if (few_moved_) {
+    for (const Mover& mover : movers_) settled(states_[mover.body]);
+  } else {
+    std::ranges::for_each(states_, settled);
   }
   movers_.clear();
-  return result();
 }
 
 void Scene::look_at_candidates() {
@@ -103,8 +112,7 @@ void Scene::drop_parted() {
 
 /// Of a body, the pairs in other rows that are not looked at with those.
 void Scene::look_at_partners(std::uint32_t body) {
-  cells_.near(boxes_[body], found_);
-  for (const std::uint32_t other : found_) {
+  for (const std::uint32_t other : cells_.near(boxes_[body])) {
     if (other > body || is(other, kMoved)) continue;
     Candidate* const candidate = candidates_.find(other, body);
     if (candidate == nullptr) continue;
@@ -241,9 +249,7 @@ void Scene::begin_contacts() {
     contacts_.push_back({handle(bodies.a), handle(bodies.b), manifold});
     if (settings_.recycled_motion > 0) kept_.push_back({b_in_a(bodies), manifold});
   }
-  beginning_.clear();
-  if (beginning_.capacity() > kQueueMax)
-    beginning_ = std::vector<Beginning>();  // a first step's are no measure
+  clear_for(beginning_, body_count_);
 }
 
 /// From what the kernel gave, whenever that was: nothing accumulates.
