@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/body.hpp"
+#include "afresh/lists.hpp"
 
 namespace manifuzz::scene {
 

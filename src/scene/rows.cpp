@@ -4,7 +4,7 @@
 // after foreach_target
 #include <hwy/highway.h>
 
-#include "scene/compressed-inl.hpp"
+#include "afresh/compressed-inl.hpp"
 #include "scene/rows.hpp"
 
 HWY_BEFORE_NAMESPACE();

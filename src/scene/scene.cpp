@@ -136,13 +136,12 @@ void Scene::end_contact(Candidate& candidate) {
 
 Memory Scene::memory() const {
   const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
-  return {of(free_) + of(placements_) + of(generations_) + of(states_) + of(paths_) +
-              of(leave_at_) + of(boxes_) + of(left_at_) + cells_.bytes() +
-              candidates_.bytes_by_body() + of(movers_) + of(left_) + of(bodies_) + of(marks_) +
-              of(tight_) + of(found_),
-          candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + touching_.bytes() +
-              apart_.bytes() + leaving_.bytes() + of(manifolds_) + of(beginning_) + of(began_) +
-              of(ended_)};
+  return {
+      of(free_) + of(placements_) + of(generations_) + of(states_) + of(paths_) + of(leave_at_) +
+          of(boxes_) + of(left_at_) + cells_.bytes() + candidates_.bytes_by_body() + of(movers_) +
+          of(left_) + of(bodies_) + of(marks_) + of(tight_) + of(found_),
+      candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + touching_.bytes() + apart_.bytes() +
+          leaving_.bytes() + of(manifolds_) + of(beginning_) + of(began_) + of(ended_)};
 }
 
 }  // namespace manifuzz::scene

@@ -2,9 +2,9 @@
 
 #include <variant>
 
+#include "afresh/cells.hpp"
 #include "scene/body.hpp"
 #include "scene/candidates.hpp"
-#include "scene/cells.hpp"
 #include "scene/rows.hpp"
 
 // The manifolds of a whole scene, step after step. Of the bodies that moved, in this order:

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "scene/boxes.hpp"
+#include "afresh/boxes.hpp"
 #include "scene/scene.hpp"
 
 namespace manifuzz::scene {

@@ -31,6 +31,7 @@ const std::vector<Folder> kFolders = {
     {"clipping", "own code", {"tools"}},
     {"methods", "own code", {"tools"}},
     {"kernel", "own code", {"tools"}},
+    {"afresh", "own code", {"tools"}},
     {"scene", "own code", {"tools"}},
     {"collider", "collider", {"own code"}},
     {"own_colliders", "own code", {}},

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "afresh/afresh.hpp"
 #include "kernel/packed.hpp"
 #include "measure/referee.hpp"
 #include "oracle/box2d/box2d.hpp"
-#include "scene/afresh.hpp"
 #include "scene/scene.hpp"
 
 namespace manifuzz {

@@ -1,16 +1,17 @@
 // Copied with the bugs planted into the scene, and compiled under a namespace of theirs.
 #include "canary/one_target.hpp"
+// before Highway
+#include "afresh/boxes.cpp"
+#include "afresh/cell_level.cpp"
+#include "afresh/cells.cpp"
+#include "afresh/defect.cpp"
+#include "afresh/shape_table.cpp"
 #include "canary/scene/scene_bugs.hpp"
-#include "scene/body.cpp"
-#include "scene/boxes.cpp"
 #include "scene/candidates.cpp"
-#include "scene/cell_level.cpp"
-#include "scene/cells.cpp"
 #include "scene/recycled.cpp"
 #include "scene/rows.cpp"
 #include "scene/scene.cpp"
 #include "scene/search.cpp"
-#include "scene/shape_table.cpp"
 #include "scene/step.cpp"
 
 namespace manifuzz {

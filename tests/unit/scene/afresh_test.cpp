@@ -1,4 +1,4 @@
-#include "scene/afresh.hpp"
+#include "afresh/afresh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "afresh/boxes.hpp"
 #include "base/random.hpp"
 #include "generating/drafts.hpp"
 #include "geometry/manifold.hpp"
 #include "kernel/batch.hpp"
-#include "scene/boxes.hpp"
 #include "unit/scene/motion.hpp"
 
 using namespace manifuzz;

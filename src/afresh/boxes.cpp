@@ -1,11 +1,11 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "scene/boxes.cpp"
+#define HWY_TARGET_INCLUDE "afresh/boxes.cpp"
 #include <hwy/foreach_target.h>  // includes this file once more for every other target
 // after foreach_target
 #include <cassert>
 #include <hwy/highway.h>
 
-#include "scene/boxes.hpp"
+#include "afresh/boxes.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::scene::HWY_NAMESPACE {

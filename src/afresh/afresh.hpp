@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "afresh/cells.hpp"
+#include "afresh/shape_table.hpp"
 #include "geometry/manifold.hpp"
-#include "scene/cells.hpp"
-#include "scene/shape_table.hpp"
 
 namespace manifuzz::scene {
 

@@ -1,5 +1,5 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "scene/cells.cpp"
+#define HWY_TARGET_INCLUDE "afresh/cells.cpp"
 #include <hwy/foreach_target.h>  // includes this file once more for every other target
 // after foreach_target
 #include <array>
@@ -8,8 +8,8 @@
 #include <hwy/highway.h>
 #include <limits>
 
-#include "scene/cells.hpp"
-#include "scene/compressed-inl.hpp"
+#include "afresh/cells.hpp"
+#include "afresh/compressed-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::scene::HWY_NAMESPACE {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "afresh/cell_level.hpp"
 #include "kernel/packed.hpp"
-#include "scene/cell_level.hpp"
 
 namespace manifuzz::scene {
 

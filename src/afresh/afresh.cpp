@@ -1,10 +1,10 @@
-#include "scene/afresh.hpp"
+#include "afresh/afresh.hpp"
 
 #include <algorithm>
 #include <numeric>
 
+#include "afresh/boxes.hpp"
 #include "kernel/batch.hpp"
-#include "scene/boxes.hpp"
 
 namespace manifuzz::scene {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/cell_level.hpp"
+#include "afresh/cell_level.hpp"
 
 #include <bit>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "scene/body.hpp"
+#include "afresh/defect.hpp"
 
 namespace manifuzz::scene {
 

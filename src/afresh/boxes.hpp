@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
+#include "afresh/shape_table.hpp"
 #include "kernel/packed.hpp"
-#include "scene/shape_table.hpp"
 
 namespace manifuzz::scene {
 

@@ -7,9 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "geometry/pose.hpp"
+#include "afresh/defect.hpp"
 #include "kernel/shapes.hpp"
-#include "scene/body.hpp"
 
 namespace manifuzz::scene {
 

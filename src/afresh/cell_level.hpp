@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/body.hpp"
-#include "scene/shape_table.hpp"
+#include "afresh/lists.hpp"
+#include "afresh/shape_table.hpp"
 
 namespace manifuzz::scene {
 

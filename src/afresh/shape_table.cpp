@@ -1,4 +1,4 @@
-#include "scene/shape_table.hpp"
+#include "afresh/shape_table.hpp"
 
 namespace manifuzz::scene {
 namespace {

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "geometry/pose.hpp"
+
+namespace manifuzz::scene {
+
+/// No coordinate of a position and no reach or radius of a shape is larger: products of two stay
+/// finite as floats.
+inline constexpr float kLengthMax = 1e15F;
+
+/// What can be wrong with what a scene is given.
+enum class Defect {
+  position_not_finite,   ///< infinite, or not a number
+  position_too_far,      ///< a coordinate above kLengthMax
+  rotation_not_unit,     ///< |cos^2 + sin^2 - 1| above kRotationTolerance
+  shape_too_large,       ///< a reach or radius above kLengthMax
+  shape_too_sharp,       ///< a corner is less than 2e-5 radians wide
+  shape_is_round,        ///< a point, a segment, or a polygon with round corners
+  setting_not_a_length,  ///< below 0, above kLengthMax, or not a number
+  unknown_shape,         ///< no shape of that index was added
+  unknown_body,          ///< no such body is in the scene, or not any more
+};
+
+/// Of a pose that has one.
+Defect defect_of(const Pose<float>& pose);
+
+/// The first defect of a pose, or none.
+inline std::optional<Defect> find_defect(const Pose<float>& pose) {
+  const bool is_near =
+      std::abs(pose.position.x()) <= kLengthMax && std::abs(pose.position.y()) <= kLengthMax;
+  if (is_near && is_unit_rotation(pose.rotation)) return std::nullopt;
+  return defect_of(pose);
+}
+
+/// One clause for a person: what is wrong, and what would be right.
+std::string_view describe(Defect defect);
+
+}  // namespace manifuzz::scene
