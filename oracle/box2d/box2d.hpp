@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,10 +32,10 @@ inline b2Transform to_box2d(const Pose<float>& pose) {
 /// Filled as it stands: `b2PolygonShape::Set` would weld, reorder and assert.
 inline b2PolygonShape to_box2d(const ConvexPolygon<float>& polygon) {
   b2PolygonShape shape;
-  for (int i = 0; i < polygon.count; ++i) {
-    shape.m_vertices[i] = to_box2d(polygon.vertices[i]);
-    shape.m_normals[i] = to_box2d(polygon.normals[i]);
-  }
+  static_assert(sizeof(shape.m_vertices) == sizeof(polygon.vertices) &&
+                sizeof(shape.m_normals) == sizeof(polygon.normals));
+  std::memcpy(&shape.m_vertices[0].x, polygon.vertices[0].data(), sizeof(shape.m_vertices));
+  std::memcpy(&shape.m_normals[0].x, polygon.normals[0].data(), sizeof(shape.m_normals));
   shape.m_count = polygon.count;
   shape.m_radius = polygon.radius;
   return shape;

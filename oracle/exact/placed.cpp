@@ -3,6 +3,7 @@
 #include <hwy/foreach_target.h>  // includes this file once more for every other target
 // after foreach_target
 #include <cassert>
+#include <cmath>
 #include <hwy/highway.h>
 #include <limits>
 
@@ -14,47 +15,90 @@ namespace manifuzz::exact::HWY_NAMESPACE {
 
 using namespace manifuzz::HWY_NAMESPACE;
 
-/// A polygon as it stands, at `position` from A's.
-HWY_INLINE void place(const StoredBody& body, double x, double y, RoughPolygon& placed) {
-  const int count = body.polygon.count;
+/// A polygon as it stands: its corners, and its faces' unit normals.
+struct Placed {
+  LanePoints corners;
+  LanePoints normals;
+};
+
+/// At a place from A's position.
+template <class AnyBody>
+HWY_INLINE Placed place(const AnyBody& body, double x, double y) {
   const double cos = static_cast<double>(body.pose.rotation.x());
   const double sin = static_cast<double>(body.pose.rotation.y());
   const LanePoints corners = load_points(body.polygon.vertices[0].data());
-  const LanePoints edges = next(corners, count) - corners;
+  const LanePoints edges = next(corners, body.polygon.count) - corners;
   const LanePoints outward = turned(cos, sin, clockwise_quarter(edges));
+  return {turned(cos, sin, corners) + in_every_lane(x, y), outward / root(dot(outward, outward))};
+}
+template <class AnyPair>
+HWY_INLINE Placed place_a(const AnyPair& pair) {
+  return place(pair.a, 0, 0);
+}
+template <class AnyPair>
+HWY_INLINE Placed place_b(const AnyPair& pair) {
+  const Vector2<float>& a = pair.a.pose.position;
+  const Vector2<float>& b = pair.b.pose.position;
+  return place(pair.b, static_cast<double>(b.x()) - static_cast<double>(a.x()),
+               static_cast<double>(b.y()) - static_cast<double>(a.y()));
+}
+
+HWY_INLINE void store_placed(const Placed& from, int count, RoughPolygon& placed) {
   placed.count = count;
-  store_points(turned(cos, sin, corners) + in_every_lane(x, y), placed.vertices[0].data());
-  store_points(outward / root(dot(outward, outward)), placed.normals[0].data());
+  store_points(from.corners, placed.vertices[0].data());
+  store_points(from.normals, placed.normals[0].data());
   if (count == 1) placed.normals[0] = {0, 0};
 }
 
 void place_both(const StoredPair& pair, RoughPair& placed) {
-  const Pose<float>& a = pair.a.pose;
-  const Pose<float>& b = pair.b.pose;
-  place(pair.a, 0, 0, placed.a);
-  place(pair.b, static_cast<double>(b.position.x()) - static_cast<double>(a.position.x()),
-        static_cast<double>(b.position.y()) - static_cast<double>(a.position.y()), placed.b);
+  store_placed(place_a(pair), pair.a.polygon.count, placed.a);
+  store_placed(place_b(pair), pair.b.polygon.count, placed.b);
 }
 
-/// Of each face of a polygon, and the greatest; all faces at once meet each vertex of the other.
-HWY_INLINE double separate(const RoughPolygon& polygon, const RoughPolygon& opposing,
+/// Of each face of a polygon, and the greatest; all faces at once meet each vertex of the other. A
+/// point has no face: what comes of its lane is anything.
+HWY_INLINE double separate(const Placed& polygon, int face_count, const Placed& opposing, int count,
                            LaneArray& of_face) {
-  const LanePoints corners = load_points(polygon.vertices[0].data());
-  const LanePoints normals = load_points(polygon.normals[0].data());
+  double x[kMaxVertices];
+  double y[kMaxVertices];
+  store(opposing.corners.x, x);
+  store(opposing.corners.y, y);
   const Lanes infinity = in_every_lane(std::numeric_limits<double>::infinity());
   Lanes least = infinity;
-  for (int j = 0; j < opposing.count; ++j) {
-    const double* const vertex = opposing.vertices[j].data();
-    least = lesser(dot(normals, in_every_lane(vertex[0], vertex[1]) - corners), least);
+  for (int j = 0; j < count; ++j) {
+    least = lesser(dot(polygon.normals, in_every_lane(x[j], y[j]) - polygon.corners), least);
   }
   store(least, of_face.data());
-  return -least_of(select(first_lanes(polygon.face_count()), -least, infinity));
+  return -least_of(select(first_lanes(face_count), -least, infinity));
 }
 
-void place_and_separate(const StoredPair& pair, RoughPair& placed, Separations& found) {
-  place_both(pair, placed);
-  found.greatest = {separate(placed.a, placed.b, found.of_face[0]),
-                    separate(placed.b, placed.a, found.of_face[1])};
+template <class AnyPair>
+HWY_INLINE void separate_any(const AnyPair& pair, Separations& found) {
+  const auto& a = pair.a.polygon;
+  const auto& b = pair.b.polygon;
+  const Placed placed_a = place_a(pair);
+  const Placed placed_b = place_b(pair);
+  found.greatest = {separate(placed_a, a.face_count(), placed_b, b.count, found.of_face[0]),
+                    separate(placed_b, b.face_count(), placed_a, a.count, found.of_face[1])};
+}
+
+void separate_stored(const StoredPair& pair, Separations& found) {
+  separate_any(pair, found);
+}
+
+/// The square of a polygon's reach.
+HWY_INLINE double squared_reach(const ConvexPolygon<float>& polygon) {
+  const LanePoints corners = load_points(polygon.vertices[0].data());
+  return -least_of(select(first_lanes(polygon.count), -dot(corners, corners), in_every_lane(0)));
+}
+
+/// With the extent, as `extent` has it.
+void separate_floats(const PairCase& pair, Separations& found) {
+  const Vector2<double> apart =
+      pair.b.pose.position.cast<double>() - pair.a.pose.position.cast<double>();
+  found.extent = std::sqrt(squared_reach(pair.a.polygon)) +
+                 std::sqrt(squared_reach(pair.b.polygon)) + std::sqrt(apart.dot(apart));
+  separate_any(pair, found);
 }
 
 }  // namespace manifuzz::exact::HWY_NAMESPACE
@@ -65,7 +109,8 @@ namespace manifuzz::exact {
 namespace {
 
 HWY_EXPORT(place_both);
-HWY_EXPORT(place_and_separate);
+HWY_EXPORT(separate_stored);
+HWY_EXPORT(separate_floats);
 
 // With u = 2^-53 and E the extent, rotations being unit to 1e-5. As a vector, a placed vertex is
 // off by 1.42 u of its reach from two products, u from their sum, u E from the sum with a position
@@ -111,9 +156,17 @@ RoughPair place_roughly(const StoredPair& pair) {
   return placed;
 }
 
-Separations separations(const StoredPair& pair, double extent, RoughPair& placed) {
+Separations separations(const PairCase& pair) {
   Separations result;
-  HWY_DYNAMIC_DISPATCH(place_and_separate)(pair, placed, result);
+  HWY_DYNAMIC_DISPATCH(separate_floats)(pair, result);
+  result.error = kErrorOfSeparation * result.extent;
+  return result;
+}
+
+Separations separations(const StoredPair& pair, double extent) {
+  Separations result;
+  HWY_DYNAMIC_DISPATCH(separate_stored)(pair, result);
+  result.extent = extent;
   result.error = kErrorOfSeparation * extent;
   return result;
 }

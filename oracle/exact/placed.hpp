@@ -184,11 +184,14 @@ inline RoughPair place_roughly(const PairCase& pair) {
 struct Separations {
   std::array<std::array<double, kMaxVertices>, 2> of_face;
   std::array<double, 2> greatest;  ///< per side; of a point minus infinity
+  double extent = 0;               ///< of the pair
   double error = 0;                ///< of each of them, a world length
 };
 
-/// `extent` is that of the pair, which is placed, too.
-Separations separations(const StoredPair& pair, double extent, RoughPair& placed);
+/// Of the floats, as they are stored.
+Separations separations(const PairCase& pair);
+/// `extent` is that of the pair.
+Separations separations(const StoredPair& pair, double extent);
 
 /// How far the dot of two of the unit normals may be off.
 inline constexpr double kErrorOfDot = 0x1p-48;

@@ -61,17 +61,12 @@ int compare_distance(const StoredPair& pair, const FaceAndVertex& p, int radii, 
 
 }  // namespace
 
-Truth::Truth(const PairCase& pair)
-    : pair_(pair),
-      stored_(exact::stored(pair)),
-      extent_(manifuzz::extent(pair)),
-      rough_(separations(stored_, extent_, placed_)) {}
+Truth::Truth(const PairCase& pair) : pair_(pair), rough_(separations(pair)) {}
 
 Truth::Truth(const PairCase& pair, const UsedShapes& used)
     : stored_(exact::stored(pair, used)), size_(manifuzz::size(pair)) {
-  pair_ = nearest(pair, stored_, used);
-  extent_ = manifuzz::extent(pair_) * kExtentSlack;
-  rough_ = separations(stored_, extent_, placed_);
+  pair_ = nearest(pair, *stored_, used);
+  rough_ = separations(*stored_, manifuzz::extent(pair_) * kExtentSlack);
 }
 
 double Truth::size() const {
@@ -81,12 +76,12 @@ double Truth::size() const {
 
 double Truth::size_at_least() const {
   if (size_) return *size_;
-  const auto across = [](const StoredBody& body) {
-    const auto& [vertices, count, radius] = body.polygon;
-    const Vector2<double> d = vertices[count / 2] - vertices[0];
+  const auto across = [](const ConvexPolygon<float>& polygon) {
+    const Vector2<double> d =
+        polygon.vertices[polygon.count / 2].cast<double>() - polygon.vertices[0].cast<double>();
     return d.dot(d);
   };
-  return std::sqrt(std::min(across(stored_.a), across(stored_.b)));
+  return std::sqrt(std::min(across(pair_.a.polygon), across(pair_.b.polygon)));
 }
 
 int Truth::rough_sign(double value, double offset) const {
@@ -98,15 +93,15 @@ int Truth::support(FaceOf face) const {
   std::optional<int>& known = support_[at(face.side)][face.index];
   if (known) return *known;
   const Side opposing = other(face.side);
-  const RoughPolygon& polygon = placed_[opposing];
-  const Vector2<double>& normal = placed_[face.side].normals[face.index];
+  const RoughPolygon& polygon = placed()[opposing];
+  const Vector2<double>& normal = placed()[face.side].normals[face.index];
   int deepest = 0;
   for (int j = 1; j < polygon.count; ++j) {
     const double deeper = normal.dot(polygon.vertices[deepest] - polygon.vertices[j]);
     const int s = decide_from(deeper, rough_.error, [&]<class Number>() {
       return RootSum<Number>{
-          {{dot(outward<Number>(stored_, face),
-                vertex<Number>(stored_, opposing, deepest) - vertex<Number>(stored_, opposing, j))},
+          {{dot(outward<Number>(stored(), face), vertex<Number>(stored(), opposing, deepest) -
+                                                     vertex<Number>(stored(), opposing, j))},
            {},
            {}}};
     });
@@ -118,7 +113,8 @@ int Truth::support(FaceOf face) const {
 
 DoubleDouble Truth::fine_separation(FaceOf face) const {
   using Fine = Approximate<DoubleDouble>;
-  return (scaled_separation<Fine>(stored_, face, support(face)) / sqrt(square<Fine>(stored_, face)))
+  return (scaled_separation<Fine>(stored(), face, support(face)) /
+          sqrt(square<Fine>(stored(), face)))
       .value;
 }
 
@@ -133,7 +129,7 @@ FaceOf Truth::greatest(Side side) const {
     for (int i = 0; i < pair_[side].polygon.count; ++i) {
       if (separation(FaceOf{side, i}) < contends) continue;
       if (!known ||
-          compare_distances(stored_, deepest({side, i}), deepest({side, *known}), 0) > 0) {
+          compare_distances(stored(), deepest({side, i}), deepest({side, *known}), 0) > 0) {
         known = i;
       }
     }
@@ -147,7 +143,7 @@ int Truth::compare_separation(int radii, double offset) const {
   int greater = -1;
   for (const Side side : {Side::a, Side::b}) {
     if (!has_faces(side)) continue;
-    greater = std::max(greater, compare_distance(stored_, deepest(greatest(side)), radii, offset));
+    greater = std::max(greater, compare_distance(stored(), deepest(greatest(side)), radii, offset));
   }
   return greater;
 }
@@ -168,13 +164,13 @@ int Truth::compare_lead(Side side, double share, double offset) const {
   const Side opposing = other(side);
   const double lead = separation(side) - share * separation(opposing) - offset;
   if (const int s = rough_sign(lead, offset)) return s;
-  return compare_distances(stored_, deepest(greatest(side)), deepest(greatest(opposing)), offset,
+  return compare_distances(stored(), deepest(greatest(side)), deepest(greatest(opposing)), offset,
                            share);
 }
 
 int Truth::compare_separations(FaceOf face, FaceOf another, double offset) const {
   if (const int s = rough_sign(separation(face) - separation(another) - offset, offset)) return s;
-  return compare_distances(stored_, deepest(face), deepest(another), offset);
+  return compare_distances(stored(), deepest(face), deepest(another), offset);
 }
 
 int Truth::compare_with_greatest(FaceOf face, double offset) const {
@@ -185,9 +181,9 @@ int Truth::compare_with_greatest(FaceOf face, double offset) const {
 std::vector<int> Truth::incident_edges(FaceOf reference, double bound) const {
   const Side opposing = other(reference.side);
   const int count = pair_[opposing].polygon.count;
-  const Vector2<double>& normal = placed_[reference.side].normals[reference.index];
+  const Vector2<double>& normal = placed()[reference.side].normals[reference.index];
   std::array<double, kMaxVertices> dots{};
-  for (int j = 0; j < count; ++j) dots[j] = normal.dot(placed_[opposing].normals[j]);
+  for (int j = 0; j < count; ++j) dots[j] = normal.dot(placed()[opposing].normals[j]);
   const double least = *std::min_element(dots.begin(), dots.begin() + count);
 
   // dot_j - dot_k - bound, times the lengths of all three faces.
@@ -195,15 +191,15 @@ std::vector<int> Truth::incident_edges(FaceOf reference, double bound) const {
     const double apart = dots[j] - dots[k] - offset;
     if (std::abs(apart) > 3 * kErrorOfDot) return apart > 0 ? 1 : -1;
     return decide([&]<class Number>() {
-      const auto out = outward<Number>(stored_, reference);
+      const auto out = outward<Number>(stored(), reference);
       const FaceOf edge_j{opposing, j};
       const FaceOf edge_k{opposing, k};
-      const Number square_j = square<Number>(stored_, edge_j);
-      const Number square_k = square<Number>(stored_, edge_k);
+      const Number square_j = square<Number>(stored(), edge_j);
+      const Number square_k = square<Number>(stored(), edge_k);
       return RootSum<Number>{
-          {{dot(out, outward<Number>(stored_, edge_j)), square_k},
-           {-dot(out, outward<Number>(stored_, edge_k)), square_j},
-           {-Number(offset), square<Number>(stored_, reference) * square_j * square_k}}};
+          {{dot(out, outward<Number>(stored(), edge_j)), square_k},
+           {-dot(out, outward<Number>(stored(), edge_k)), square_j},
+           {-Number(offset), square<Number>(stored(), reference) * square_j * square_k}}};
     });
   };
   int best = -1;
@@ -223,7 +219,7 @@ const Clip& Truth::clip(FaceOf reference, int incident) const {
     if (made->reference == reference && made->incident == incident) return *made;
   }
   return *clips_.emplace_back(
-      std::make_unique<const Clip>(exact::clip(stored_, reference, incident)));
+      std::make_unique<const Clip>(exact::clip(stored(), reference, incident)));
 }
 
 }  // namespace manifuzz::exact

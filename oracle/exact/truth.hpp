@@ -32,11 +32,15 @@ class Truth {
   Truth& operator=(const Truth&) = delete;
 
   const PairCase& pair() const { return pair_; }
-  const StoredPair& stored() const { return stored_; }
+  /// Made when it is first asked for, as `placed` is: what separations say at once needs neither.
+  const StoredPair& stored() const {
+    if (!stored_) stored_ = exact::stored(pair_);
+    return *stored_;
+  }
   double size() const;
   /// The lesser of one distance of two vertices of each shape: the size is at least that.
   double size_at_least() const;
-  double extent() const { return extent_; }
+  double extent() const { return rough_.extent; }
 
   /// S of the pair, a side or a face, to within an extent * 2^-48.
   double separation() const { return std::max(separation(Side::a), separation(Side::b)); }
@@ -51,7 +55,7 @@ class Truth {
   int support(FaceOf face) const;
 
   /// Whether a side has faces: all but points do.
-  bool has_faces(Side side) const { return stored_[side].polygon.face_count() > 0; }
+  bool has_faces(Side side) const { return pair_[side].polygon.face_count() > 0; }
   bool has_faces() const { return has_faces(Side::a) || has_faces(Side::b); }
 
   /// The face of a side's greatest separation, the first of equals. The side has faces.
@@ -85,15 +89,19 @@ class Truth {
   const Clip& clip(FaceOf reference, int incident) const;
 
  private:
+  const RoughPair& placed() const {
+    if (!placed_) placed_ = place_roughly(stored());
+    return *placed_;
+  }
   int rough_sign(double value, double offset) const;
   int compare_separation(int radii, double offset) const;
   FaceAndVertex deepest(FaceOf face) const;
 
   PairCase pair_;
-  StoredPair stored_;
-  mutable std::optional<double> size_;  ///< none: not asked for
-  double extent_ = 0;
-  RoughPair placed_;
+  // None: not asked for.
+  mutable std::optional<StoredPair> stored_;
+  mutable std::optional<RoughPair> placed_;
+  mutable std::optional<double> size_;
   Separations rough_;
   mutable std::array<std::optional<int>, 2> greatest_;
   mutable std::array<std::array<std::optional<int>, kMaxVertices>, 2> support_;

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "generating/outline.hpp"
 #include "geometry/lanes.hpp"
 #include "geometry/pair_case.hpp"
 
@@ -12,6 +13,10 @@ namespace manifuzz {
 /// Computes the normals of a polygon. False where it is not plain, by more than rounding, that it
 /// is free of defects and what its normals are; then they are anything.
 bool set_plain_normals(ConvexPolygon<float>& polygon);
+
+/// Rounds outlines to the vertices of a pair's polygons, whose counts are set, and computes their
+/// normals. False where those of one are not plain.
+bool round_plainly(const Outline& a, const Outline& b, PairCase& pair);
 
 /// The faces of one polygon as half planes of B's place: with B's origin at p from A's, both turned
 /// as in the world, face i separates by its normal . p - its offset. Lanes behind the last face
@@ -50,6 +55,9 @@ Faces faces_of(const PairCase& pair);
 /// The last place on the way from `start` along `direction` with separation `target`; `start`
 /// itself where there is none.
 Vector2<double> slide(const Faces& faces, const Vector2<double>& start,
+                      const Vector2<double>& direction, double target);
+/// The same of the faces of a pair.
+Vector2<double> slide(const PairCase& pair, const Vector2<double>& start,
                       const Vector2<double>& direction, double target);
 
 }  // namespace manifuzz

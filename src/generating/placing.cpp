@@ -17,26 +17,37 @@ Outline outline_of(const Body& body) {
   return outline;
 }
 
-/// Rounds the outline to floats; false where that leaves no valid shape.
-bool round(const Outline& outline, float radius, Rounding rounding, ConvexPolygon<float>& polygon) {
-  polygon.count = outline.count;
-  polygon.radius = radius;
-  polygon.rounding = outline.count < kMinVertices ? Rounding::round : rounding;
-  for (int i = 0; i < outline.count; ++i) {
-    store(floats(both(outline.vertices[i])), polygon.vertices[i]);
-  }
-  if (set_plain_normals(polygon)) return true;
-  if (find_shape_defect(polygon.corners(), radius)) return false;
-  polygon = make_polygon(polygon.corners(), radius, rounding);
+/// Makes a polygon of vertices that have been rounded; false where that has left no valid shape.
+bool mend(ConvexPolygon<float>& polygon) {
+  if (find_shape_defect(polygon.corners(), polygon.radius)) return false;
+  polygon = make_polygon(polygon.corners(), polygon.radius, polygon.rounding);
   return true;
 }
 
-/// Makes a body of the sketch; false where rounding spoils its polygon or its rotation.
-bool embody(const Sketch& sketch, float radius, const Pose<double>& world, Body& body) {
-  if (!round(sketch.outline, radius, sketch.rounding, body.polygon)) return false;
+/// All of a polygon but its vertices and normals.
+void outfit(const Outline& outline, float radius, Rounding rounding,
+            ConvexPolygon<float>& polygon) {
+  polygon.count = outline.count;
+  polygon.radius = radius;
+  polygon.rounding = outline.count < kMinVertices ? Rounding::round : rounding;
+}
+
+/// Makes a body of the sketch, but for vertices and normals.
+void embody(const Sketch& sketch, float radius, const Pose<double>& world, Body& body) {
+  outfit(sketch.outline, radius, sketch.rounding, body.polygon);
   body.pose.rotation = rotate(world.rotation, sketch.pose.rotation).cast<float>();
   body.pose.position = transform(world, sketch.pose.position).cast<float>();
-  return is_unit_rotation(body.pose.rotation);
+}
+
+/// Makes both bodies; false where rounding spoils a polygon or a rotation.
+bool embody(const Draft& draft, PairCase& pair) {
+  embody(draft.a, draft.radius_a, draft.world, pair.a);
+  embody(draft.b, draft.radius_b, draft.world, pair.b);
+  if (!round_plainly(draft.a.outline, draft.b.outline, pair) &&
+      !(mend(pair.a.polygon) && mend(pair.b.polygon))) {
+    return false;
+  }
+  return is_unit_rotation(pair.a.pose.rotation) && is_unit_rotation(pair.b.pose.rotation);
 }
 
 /// Puts B where the draft has it; false where its vertices cannot take up what is left.
@@ -45,7 +56,7 @@ bool place_b(const Draft& draft, PairCase& pair) {
       transform(draft.world, Vector2<double>(draft.b.pose.position + draft.start));
   Vector2<double> place = origin - pair.a.pose.position.cast<double>();
   if (draft.gap) {
-    place = slide(faces_of(pair), place, rotate(draft.world.rotation, draft.direction),
+    place = slide(pair, place, rotate(draft.world.rotation, draft.direction),
                   total_radius(pair) + *draft.gap);
   }
   put_apart(pair, place);
@@ -95,7 +106,11 @@ bool place_exactly(PairCase& pair, const std::function<Vector2<double>(const Fac
 std::optional<ConvexPolygon<float>> rounded(const Outline& outline, float radius,
                                             Rounding rounding) {
   ConvexPolygon<float> polygon;
-  if (!round(outline, radius, rounding, polygon)) return std::nullopt;
+  outfit(outline, radius, rounding, polygon);
+  for (int i = 0; i < outline.count; ++i) {
+    store(floats(both(outline.vertices[i])), polygon.vertices[i]);
+  }
+  if (!set_plain_normals(polygon) && !mend(polygon)) return std::nullopt;
   return polygon;
 }
 
@@ -105,10 +120,7 @@ void put_off_unit(Sketch& sketch, double defect) {
 
 std::optional<PairCase> settle(const Draft& draft) {
   std::optional<PairCase> pair(std::in_place);
-  if (!embody(draft.a, draft.radius_a, draft.world, pair->a) ||
-      !embody(draft.b, draft.radius_b, draft.world, pair->b) || !place_b(draft, *pair)) {
-    pair.reset();
-  }
+  if (!embody(draft, *pair) || !place_b(draft, *pair)) pair.reset();
   return pair;
 }
 

@@ -44,6 +44,22 @@ bool is_case(const std::optional<PairCase>& pair) {
   return pair && pair->a.pose.position.allFinite() && pair->b.pose.position.allFinite();
 }
 
+bool is_taken(const GenerationContext& context, const PairCase& pair) {
+  return !is_round(pair) || !context.takes || context.takes(pair);
+}
+
+constexpr int kAttempts = 32;
+
+/// The last case of all attempts, none of which gives one that is taken.
+PairCase untaken(Random random, const Regime& regime, const GenerationContext& context) {
+  PairCase last = plain_pair();
+  for (int i = 0; i < kAttempts; ++i) {
+    const std::optional<PairCase> made = regime.attempt(random, context);
+    if (is_case(made)) last = *made;
+  }
+  return last;
+}
+
 }  // namespace
 
 std::span<const Regime> regimes() {
@@ -65,21 +81,17 @@ const Regime* find_regime(std::string_view name) {
 
 PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,
                   const GenerationContext& context) {
-  constexpr int attempts = 32;
-  Random random(seed, regime.stream, index);
-  std::optional<PairCase> pair;  // the last, which not everybody takes
-  for (int i = 0; i < attempts; ++i) {
+  const Random start(seed, regime.stream, index);
+  Random random = start;
+  for (int i = 0; i < kAttempts; ++i) {
     std::optional<PairCase> made = regime.attempt(random, context);
-    if (!is_case(made)) continue;
-    if (!is_round(*made) || !context.takes || context.takes(*made)) {
-      put_radius(context, *made);
-      return *made;
-    }
-    pair = made;
+    if (!is_case(made) || !is_taken(context, *made)) continue;
+    put_radius(context, *made);
+    return *made;
   }
-  if (!pair) pair = plain_pair();
-  put_radius(context, *pair);
-  return *pair;
+  PairCase pair = untaken(start, regime, context);
+  put_radius(context, pair);
+  return pair;
 }
 
 }  // namespace manifuzz

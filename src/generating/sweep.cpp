@@ -172,7 +172,7 @@ PairCase Walker::next() {
   pair_.b.pose.rotation = rotate(rotation_a_, turned).cast<float>();
   const Vector2<double> start = rotate<double>(rotation_a_, {aside_, 0});
   const Vector2<double> direction = rotate(rotation_a_, heading_);
-  put_apart(pair_, slide(faces_of(pair_), start, direction, gap_));
+  put_apart(pair_, slide(pair_, start, direction, gap_));
   return pair_;
 }
 

@@ -89,6 +89,24 @@ HWY_INLINE LaneMask operator>(const Lanes& a, const Lanes& b) {
   return mask;
 }
 
+HWY_INLINE LaneMask differ(const Lanes& a, const Lanes& b) {
+  LaneMask mask;
+  for (int p = 0; p < kParts; ++p) mask.parts[p] = hn::Ne(a.parts[p], b.parts[p]);
+  return mask;
+}
+
+HWY_INLINE LaneMask operator|(const LaneMask& a, const LaneMask& b) {
+  LaneMask mask;
+  for (int p = 0; p < kParts; ++p) mask.parts[p] = hn::Or(a.parts[p], b.parts[p]);
+  return mask;
+}
+/// What is so, and not `excluded`.
+HWY_INLINE LaneMask without(const LaneMask& excluded, const LaneMask& mask) {
+  LaneMask rest;
+  for (int p = 0; p < kParts; ++p) rest.parts[p] = hn::AndNot(excluded.parts[p], mask.parts[p]);
+  return rest;
+}
+
 /// The lanes of so many corners.
 HWY_INLINE LaneMask first_lanes(int count) {
   LaneMask mask;
@@ -138,6 +156,9 @@ HWY_INLINE Lanes dot(const LanePoints& a, const LanePoints& b) {
 HWY_INLINE LanePoints in_every_lane(double x, double y) {
   return {in_every_lane(x), in_every_lane(y)};
 }
+HWY_INLINE LaneMask differ(const LanePoints& a, const LanePoints& b) {
+  return differ(a.x, b.x) | differ(a.y, b.y);
+}
 HWY_INLINE LanePoints clockwise_quarter(const LanePoints& a) {
   return {a.y, -a.x};
 }
@@ -166,6 +187,19 @@ HWY_INLINE LanePoints load_points(const float* from) {
     points.y.parts[p] = hn::PromoteTo(Part(), y);
   }
   return points;
+}
+/// Each as the float nearest to it.
+HWY_INLINE Lanes rounded_to_floats(const Lanes& a) {
+  return each([&](int p) { return hn::PromoteTo(Part(), hn::DemoteTo(FloatPart(), a.parts[p])); });
+}
+HWY_INLINE LanePoints rounded_to_floats(const LanePoints& points) {
+  return {rounded_to_floats(points.x), rounded_to_floats(points.y)};
+}
+/// Rounds x and y by turns, of kMaxVertices points.
+HWY_INLINE void round_to_floats(const double* from, float* to) {
+  for (int i = 0; i < 2 * kMaxVertices; i += kPart) {
+    hn::StoreU(hn::DemoteTo(FloatPart(), hn::LoadU(Part(), from + i)), FloatPart(), to + i);
+  }
 }
 /// Stores them rounded to floats, and returns what is stored.
 HWY_INLINE LanePoints store_rounded(const LanePoints& points, float* to) {

@@ -225,9 +225,8 @@ bool plainly_agree(const exact::Truth& truth, const Declaration& of_subject,
   if (s.count != o.count) return false;
   const Bounds for_subject = bounds(truth.pair(), of_subject, truth.extent());
   const Bounds for_oracle = bounds(truth.pair(), of_oracle, truth.extent());
-  for (const Bounds* const own : {&for_subject, &for_oracle}) {
-    if (is_ill_posed(truth.size_at_least(), *own) && is_ill_posed(truth.size(), *own)) return false;
-  }
+  const Bounds& wider = for_subject.separation > for_oracle.separation ? for_subject : for_oracle;
+  if (is_ill_posed(truth.size_at_least(), wider) && is_ill_posed(truth.size(), wider)) return false;
   if (s.count == 0) {
     return truth.compare_contact(-std::min(for_subject.separation, for_oracle.separation)) >= 0;
   }

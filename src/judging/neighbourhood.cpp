@@ -21,7 +21,8 @@ ContactSummary summary_of(const Manifold<double>& manifold) {
 
 Standing standing(const exact::Truth& truth) {
   const auto apart_by = [&](double above) {
-    return Standing{.near = std::abs(above) <= kNearShare * truth.size()};
+    return Standing{.near = std::abs(above) <= kNearShare * truth.size_at_least() ||
+                            std::abs(above) <= kNearShare * truth.size()};
   };
   if (!is_round(truth.pair())) {
     if (truth.compare_contact(0) <= 0) return {.touching = true};

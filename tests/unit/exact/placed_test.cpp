@@ -76,6 +76,17 @@ TEST_CASE("all faces separate as each does by itself, on every instruction set")
   });
 }
 
+TEST_CASE("floats separate as what is stored of them in doubles, on every instruction set") {
+  for_all_cases_on_every_target([](const PairCase& pair) {
+    const Separations of_floats = separations(pair);
+    const Separations of_stored = separations(stored(pair), extent(pair));
+    REQUIRE(of_floats.extent == of_stored.extent);
+    REQUIRE(of_floats.error == of_stored.error);
+    REQUIRE(of_floats.greatest == of_stored.greatest);
+    REQUIRE(Truth(pair).extent() == extent(pair));
+  });
+}
+
 TEST_CASE("the size is at least what is known of it without asking for it") {
   for_all_cases_on_every_target([](const PairCase& pair) {
     const Truth truth(pair);

@@ -105,6 +105,40 @@ TEST_CASE("of what is no polygon nothing is plain, on every instruction set") {
   });
 }
 
+TEST_CASE("outlines are rounded as each coordinate is, on every instruction set") {
+  on_every_target([] {
+    int plain = 0;
+    for_all_cases(20, [&](const PairCase& pair) {
+      // Away from floats, and now and then so near to each other that corners fall on one line.
+      const auto outline_of = [](const ConvexPolygon<float>& polygon) {
+        Outline outline;
+        outline.count = polygon.count;
+        for (int i = 0; i < polygon.count; ++i) {
+          outline.vertices[i] = polygon.vertices[i].cast<double>() / 3;
+        }
+        return outline;
+      };
+      const Outline a = outline_of(pair.a.polygon);
+      const Outline b = outline_of(pair.b.polygon);
+      PairCase rounded = pair;
+      const bool are_plain = round_plainly(a, b, rounded);
+      plain += are_plain ? 1 : 0;
+      for (const Side side : {Side::a, Side::b}) {
+        const Outline& outline = side == Side::a ? a : b;
+        ConvexPolygon<float> polygon = rounded[side].polygon;
+        for (int i = 0; i < outline.count; ++i) {
+          REQUIRE(polygon.vertices[i] == Vector2<float>(outline.vertices[i].cast<float>()));
+        }
+        if (!are_plain) continue;
+        REQUIRE(set_plain_normals(polygon));
+        REQUIRE(std::equal(polygon.normals.begin(), polygon.normals.begin() + polygon.count,
+                           rounded[side].polygon.normals.begin()));
+      }
+    });
+    CHECK(plain > 200);
+  });
+}
+
 TEST_CASE("all faces at once are what each is by itself, on every instruction set") {
   on_every_target([] {
     for_all_cases(5, [](const PairCase& pair) {
@@ -117,6 +151,18 @@ TEST_CASE("all faces at once are what each is by itself, on every instruction se
         REQUIRE(faces.normal(k) == face.normal);
         REQUIRE(faces.offset(k) == face.offset);
       }
+    });
+  });
+}
+
+TEST_CASE("a pair slides as its faces do, on every instruction set") {
+  on_every_target([] {
+    Random random(1, "slides", 0);
+    for_all_cases(20, [&](const PairCase& pair) {
+      const double x = random.uniform(-1, 1);
+      const double y = random.uniform(-1, 1);
+      const Vector2<double> start(pair.a.pose.position.cast<double>());
+      REQUIRE(slide(pair, start, {x, y}, 0) == slide(faces_of(pair), start, {x, y}, 0));
     });
   });
 }
