@@ -66,14 +66,15 @@ inline constexpr Budget kOfCpShortNormal[] = {{"capsules", 140000},
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfCp{
-    LedgerEntry{
-        .id = "cp-short-normal",
-        .collider = "cp",
-        .description = "a normal shorter than unit by 1e-15 over the length that it was made of",
-        .source = "cp v2.4.0, vector.go, Normalize: `v.Mult(1.0 / (v.Length() + 1e-15))`; "
-                  "collision.go, ClosestPoints",
-        .budgets = kOfCpShortNormal,
-        .explains = normal_short_by_cp},
+    LedgerEntry{.id = "cp-short-normal",
+                .collider = "cp",
+                .description =
+                    "a normal shorter than unit by 1e-15 over the length that it was made of, "
+                    "or no contact, such normals of two faces being compared",
+                .source = "cp v2.4.0, vector.go, Normalize: `v.Mult(1.0 / (v.Length() + 1e-15))`; "
+                          "collision.go, ClosestPoints and SupportEdgeForPoly",
+                .budgets = kOfCpShortNormal,
+                .explains = normal_short_by_cp},
     LedgerEntry{
         .id = "cp-normal-of-world-vertices",
         .collider = "cp",
