@@ -1,0 +1,115 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "corpus/corpus.hpp"
+#include "judging/ledger/npm/npm_deviations.hpp"
+#include "judging/ledger/npm/p2_replay.hpp"
+#include "judging/ledger/replayed.hpp"
+#include "judging/ledger/round_deviations.hpp"
+#include "judging/ledger/separating_axes/axes_deviations.hpp"
+#include "repeated_pairs.hpp"
+
+// The ledger's predicates on jbox2d, cp, matter-js and p2: what the named fault makes of a pair is
+// explained, and what is wrong otherwise is not.
+
+using namespace manifuzz;
+using test::explains;
+
+namespace {
+
+PairCase pair_of(const char* line) {
+  return parse_case(line, FormatKey::optional).pair;
+}
+
+Manifold<double> one_point(const Vector2<double>& normal, const Vector2<double>& at, double depth) {
+  Manifold<double> manifold;
+  manifold.count = 1;
+  manifold.normal = normal;
+  manifold.points[0].position = at;
+  manifold.points[0].depth = depth;
+  return manifold;
+}
+
+}  // namespace
+
+TEST_CASE("of an edge's sides jbox2d tries the one towards the centroid") {
+  const auto is_it = [](const PairCase& pair, const Manifold<double>& got) {
+    return explains(fault_of_jbox2d_edge<FaultOfJbox2dEdge::front>, pair, got, Kind::not_minimal);
+  };
+  PairCase pair = pair_of(
+      R"({"a":{"vertices":[[0,0],[0.05,-0.5],[0.62,0]]},"b":{"vertices":[[0.3,1],[0.3,-1]],"rounding":"round"}})");
+  const Vector2<double> corner(0.62F, 0);
+  CHECK(is_it(pair, one_point({1, 0}, corner, 0.32)));
+  CHECK_FALSE(is_it(pair, one_point({1, 0}, corner, 0.33)));
+  CHECK_FALSE(is_it(pair, one_point({0, 1}, corner, 0.32)));
+  // Of this one the centroid is on the nearer side, too.
+  pair.b.pose.position.x() = -0.1F;
+  CHECK_FALSE(is_it(pair, one_point({1, 0}, corner, 0.42)));
+}
+
+TEST_CASE("jbox2d has no normal between an edge's end and a corner") {
+  const auto is_it = [](const PairCase& pair) {
+    return explains(fault_of_jbox2d_edge<FaultOfJbox2dEdge::corners>, pair, {},
+                    Kind::missed_contact);
+  };
+  PairCase pair = pair_of(
+      R"({"a":{"vertices":[[0,0],[0.4,-0.8]],"radius":0.1,"rounding":"round"},"b":{"vertices":[[0,0.005],[0.5,0.2],[-0.4,0.6]]}})");
+  CHECK(is_it(pair));
+  // The end is in front of the face: whoever misses that has another fault.
+  pair.b.pose.position.x() = -0.2F;
+  pair.b.pose.position.y() = -0.08F;
+  CHECK_FALSE(is_it(pair));
+}
+
+TEST_CASE("cp compares normals that are short by unlike amounts") {
+  const auto is_it = [](const PairCase& pair) {
+    return explains(normal_short_by_cp, pair, {}, Kind::missed_contact, ScalarType::float64);
+  };
+  CHECK(is_it(pair_of(
+      R"({"a":{"vertices":[[0,0],[0.038081173,0.002492658],[0.039978694,0.010542572],[0.0049486617,0.028575469]]},
+          "b":{"vertices":[[-0.4849146,-1.4115728],[-0.20161723,-1.7546937],[0.29815322,-1.8543302],[0.9318895,-1.121641],
+                           [0.58678687,0],[0,9.282374e-09],[-0.17714061,0],[-0.5396071,-0.5268654]],
+               "position":[0.08286252,0.00029898123]}})")));
+  CHECK_FALSE(is_it(test::squares_side_by_side()));
+}
+
+TEST_CASE("matter-js may find a vertex on an outline inside or not") {
+  const auto is_it = [](const PairCase& pair, const Manifold<double>& got) {
+    return explains(deepest_left_out_by_matter, pair, got, Kind::witness, ScalarType::float64);
+  };
+  // B's deepest corner is on A's lower side, but for roundings.
+  const PairCase pair = pair_of(
+      R"({"a":{"vertices":[[0,1],[-0.8660254,-0.5],[0.8660254,-0.5]],"position":[-0.8155299,2.3866813]},
+          "b":{"vertices":[[0,1],[-1,0],[0,-1],[1,0]],"position":[0.81676316,2.3866813],"rotation":[-0.5,0.8660254]}})");
+  const Vector2<double> normal(0.86602540767034475, 0.49999999326941313);
+  const double depth = 0.086392729623635311;
+  const Vector2<double> of_a(0.8660254F, -0.5);
+  CHECK(is_it(pair, one_point(normal, of_a, depth)));
+  CHECK_FALSE(is_it(pair, one_point(normal, of_a - Vector2<double>(0.01, 0), depth)));
+  CHECK_FALSE(is_it(pair, one_point(normal, of_a, 2 * depth)));
+  PairCase lower = pair;
+  lower.b.pose.position.y() += 0.01F;
+  CHECK_FALSE(is_it(lower, one_point(normal, of_a, depth)));
+}
+
+TEST_CASE("a short capsule's direction is that of rounded ends in p2") {
+  const auto is_it = [](const PairCase& pair, const Manifold<double>& got) {
+    return explains(edge_of_rounded_ends_in_p2, pair, got, Kind::normal);
+  };
+  const PairCase pair = pair_of(
+      R"({"a":{"vertices":[[0.09638,0.3016]],"radius":1,"rounding":"round"},
+          "b":{"vertices":[[0.1516,0.2791],[0.15159647,0.27909133]],"radius":1,"rounding":"round"}})");
+  const auto found = ledger_of::circle_contact_of_p2(pair);
+  REQUIRE(found);
+  const Manifold<double> got =
+      replayed::in_frame_of_a(pair, {found->normal, {{found->at, found->depth}}});
+  CHECK(is_it(pair, got));
+  Manifold<double> turned = got;
+  turned.normal = rotate<double>({std::cos(1e-3), std::sin(1e-3)}, got.normal);
+  CHECK_FALSE(is_it(pair, turned));
+  // Of a long one ends are as good.
+  PairCase longer = pair;
+  longer.b.polygon.vertices[1] = {-0.20140F, -0.58790F};
+  CHECK_FALSE(is_it(longer, got));
+}
