@@ -233,8 +233,13 @@ LeastOverlap least_overlap(const BodyOfMatter& first, const BodyOfMatter& second
   return least;
 }
 
-std::vector<CollisionOfMatter> collisions_of_matter(const PairCase& pair, double slack) {
+std::vector<CollisionOfMatter> collisions_of_matter(const PairCase& pair, double slack,
+                                                    AxesOfMatter axes) {
   CollisionOfMatter found{.a = body_of_matter(pair.a), .b = body_of_matter(pair.b)};
+  if (axes == AxesOfMatter::all) {
+    found.a.axes = found.a.normals;
+    found.b.axes = found.b.normals;
+  }
   std::vector<CollisionOfMatter> all;
   const auto of_sides = least_overlaps(found.a, found.b, slack);
   const Vector2<double> apart = found.b.position - found.a.position;

@@ -52,9 +52,13 @@ struct CollisionOfMatter {
   bool is_exchanged = false;  ///< what decides within the slack is decided the other way
 };
 
+/// Whether of axes that three decimals do not tell apart the last alone is tried, or all are.
+enum class AxesOfMatter { merged, all };
+
 /// Nothing where they do not collide. Where overlaps are within `slack` of each other or of 0,
 /// vertices along the normal of each other, or one of the other body's outline, by which V8's
 /// cosines may exchange them, what it finds of each; as it is decided here before others.
-std::vector<CollisionOfMatter> collisions_of_matter(const PairCase& pair, double slack);
+std::vector<CollisionOfMatter> collisions_of_matter(const PairCase& pair, double slack,
+                                                    AxesOfMatter axes = AxesOfMatter::merged);
 
 }  // namespace manifuzz::ledger_of

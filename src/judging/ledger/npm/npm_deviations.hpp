@@ -23,7 +23,8 @@ bool face_within_box2d_core_epsilon(const Deviation& deviation);
 
 /// The normal has the sign that the centres give, which is not that of the least overlap.
 bool normal_by_matter_centres(const Deviation& deviation);
-/// A face whose gradient is another's to three decimals has less overlap than the axis taken.
+/// A face whose gradient is another's to three decimals has less overlap than the axis taken, or
+/// would be right in its place.
 bool axes_merged_by_matter(const Deviation& deviation);
 /// No support vertex of either is inside the other: the point is A's.
 bool vertex_outside_by_matter(const Deviation& deviation);
