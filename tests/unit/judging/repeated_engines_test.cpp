@@ -5,13 +5,14 @@
 #include "corpus/corpus.hpp"
 #include "judging/ledger/npm/npm_deviations.hpp"
 #include "judging/ledger/npm/p2_replay.hpp"
+#include "judging/ledger/parry/parry_deviations.hpp"
 #include "judging/ledger/replayed.hpp"
 #include "judging/ledger/round_deviations.hpp"
 #include "judging/ledger/separating_axes/axes_deviations.hpp"
 #include "repeated_pairs.hpp"
 
-// The ledger's predicates on jbox2d, cp, matter-js and p2: what the named fault makes of a pair is
-// explained, and what is wrong otherwise is not.
+// The ledger's predicates on jbox2d, cp, matter-js, p2 and Rapier: what the named fault makes of a
+// pair is explained, and what is wrong otherwise is not.
 
 using namespace manifuzz;
 using test::explains;
@@ -112,4 +113,45 @@ TEST_CASE("a short capsule's direction is that of rounded ends in p2") {
   PairCase longer = pair;
   longer.b.polygon.vertices[1] = {-0.20140F, -0.58790F};
   CHECK_FALSE(is_it(longer, got));
+}
+
+TEST_CASE("Rapier's contact is lost where EPA ends on a chord through the origin") {
+  const auto is_it = [](const PairCase& pair) {
+    return explains(chord_of_epa<parry::RapierContact>, pair, {}, Kind::missed_contact);
+  };
+  CHECK(is_it(pair_of(
+      R"({"a":{"vertices":[[-3,1],[0,0],[-2,1]],"position":[7.5,1.5],"rotation":[-1,0]},
+          "b":{"vertices":[[-4,2],[-2,-3],[1,-5],[3,3],[3,4],[0,4]],"position":[10.5,-4],"rotation":[-1,0]}})")));
+  CHECK_FALSE(is_it(test::squares_side_by_side()));
+}
+
+TEST_CASE("Rapier's GJK ends within its tolerance whatever corners it refused") {
+  const auto is_it = [](const PairCase& pair) {
+    return explains(touching_of_gjk<parry::RapierContact>, pair, {}, Kind::missed_contact);
+  };
+  PairCase pair = pair_of(
+      R"({"a":{"vertices":[[-0.6726914,-0.66787684],[0.4082755,1.8122087],[-0.8978041,0.02760892]],
+               "radius":0.5240132,"rounding":"round","position":[12.462757,-5.4828544],"rotation":[-0.39088184,-0.92044085]},
+          "b":{"vertices":[[-0.8538687,0.33142766],[0.8538687,-0.33142766]],"radius":0.47124678,"rounding":"round",
+               "position":[14.357399,-5.270971],"rotation":[0.7880677,-0.61558855]}})");
+  CHECK(is_it(pair));
+  pair.b.pose.position.x() -= 0.1F;
+  CHECK_FALSE(is_it(pair));
+}
+
+TEST_CASE("Rapier takes a circle's centre within epsilon of a capsule's core to be on it") {
+  const auto is_it = [](const PairCase& pair, const Vector2<double>& normal, double depth) {
+    const Manifold<double> got =
+        one_point(normal, {-0.00017470659804530442, -9.31322503561205e-08}, depth);
+    return explains(centre_on_surface<parry::RapierContact>, pair, got, Kind::inconsistent);
+  };
+  PairCase pair = pair_of(
+      R"({"a":{"vertices":[[0,0]],"radius":0.00017470661,"rounding":"round"},
+          "b":{"vertices":[[0,9.375e-08],[0,0.018747909]],"radius":0.00017470661,"rounding":"round"}})");
+  const Vector2<double> normal(-0.9999999403953552, -0.0005330779822543263);
+  CHECK(is_it(pair, normal, 0.00034941325429826975));
+  CHECK_FALSE(is_it(pair, {0, 1}, 0.00034941325429826975));
+  CHECK_FALSE(is_it(pair, normal, 0.00035));
+  pair.b.pose.position.y() = 1e-6F;
+  CHECK_FALSE(is_it(pair, normal, 0.00034941325429826975));
 }

@@ -198,9 +198,14 @@ bool stop_of_gjk(const Deviation& d) {
 template <class Engine>
 bool touching_of_gjk(const Deviation& d) {
   const auto replay = parry::as_reported<Engine>(d);
-  if (!replay || replay->gjk.is_refused ||
-      (replay->gjk.end != GjkEnd::stalled_touching &&
-       replay->gjk.end != GjkEnd::refused_touching)) {
+  if (!replay || (replay->gjk.end != GjkEnd::stalled_touching &&
+                  replay->gjk.end != GjkEnd::refused_touching)) {
+    return false;
+  }
+  // Corners that it refused on the way have nothing to do with it where it ends so without, too.
+  if (replay->gjk.is_refused &&
+      (replay->route == Route::ball || replay->gjk.end != GjkEnd::stalled_touching ||
+       parry::end_without_refusals(*replay) != GjkEnd::stalled_touching)) {
     return false;
   }
   const double apart = replay->route == Route::ball ? parry::centre_from_surface(d)
