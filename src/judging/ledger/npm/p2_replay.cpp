@@ -141,7 +141,11 @@ std::optional<ContactOfP2> circle_line(const Stored& centre, double circle_radiu
                             relative(on_line, frame.position), frame.position);
     }
   }
-  for (const std::size_t i : {0U, 1U}) {
+  std::array<std::size_t, 2> order{0, 1};
+  if (edge == EdgeOfP2::of_angle && dot(along, centre - ends[0]) > dot(along, ends[1] - centre)) {
+    std::swap(order[0], order[1]);
+  }
+  for (const std::size_t i : order) {
     const Stored apart = ends[i] - centre;
     if (!(dot(apart, apart) < radius * radius)) continue;
     const Stored normal = normalized(apart);
