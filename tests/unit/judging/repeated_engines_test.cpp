@@ -11,8 +11,8 @@
 #include "judging/ledger/separating_axes/axes_deviations.hpp"
 #include "repeated_pairs.hpp"
 
-// The ledger's predicates on jbox2d, cp, matter-js, p2 and Rapier: what the named fault makes of a
-// pair is explained, and what is wrong otherwise is not.
+// The ledger's predicates on jbox2d, cp, matter-js, p2, Rapier and Godot: what the named fault
+// makes of a pair is explained, and what is wrong otherwise is not.
 
 using namespace manifuzz;
 using test::explains;
@@ -154,4 +154,52 @@ TEST_CASE("Rapier takes a circle's centre within epsilon of a capsule's core to 
   CHECK_FALSE(is_it(pair, normal, 0.00035));
   pair.b.pose.position.y() = 1e-6F;
   CHECK_FALSE(is_it(pair, normal, 0.00034941325429826975));
+}
+
+TEST_CASE("Rapier's GJK refuses corners that it would go on from") {
+  const auto is_it = [](const PairCase& pair) {
+    return explains(equal_corners_of_gjk<parry::RapierContact>, pair, {}, Kind::missed_contact);
+  };
+  PairCase pair = pair_of(
+      R"({"a":{"vertices":[[0,0],[-1.8968295,0]],"rounding":"round"},
+          "b":{"vertices":[[0,0],[0.7374981,0],[1.7924254,0.66115576],[1.8700929,1.1608782],[1.496641,1.4781543],
+                           [1.2052621,1.58696],[0.3562563,1.3763142],[0.04475291,0.7874512]],
+               "radius":0.0006218889,"rounding":"round","position":[0,0.0005371647]}})");
+  CHECK(is_it(pair));
+  pair.b.pose.position.y() = -0.1F;
+  CHECK_FALSE(is_it(pair));
+}
+
+TEST_CASE("Rapier takes a corner within 10 epsilon for one at the origin") {
+  const auto is_it = [](const PairCase& pair, const Vector2<double>& normal, double depth) {
+    const Manifold<double> got = one_point(normal, {-0.007732951222, -0.000688970077}, depth);
+    return explains(origin_within_tolerance<parry::RapierContact>, pair, got,
+                    Kind::phantom_contact);
+  };
+  PairCase pair = pair_of(
+      R"({"a":{"vertices":[[0.0067269322,-0.0057003554],[0.0010060197,0.0063893246],[-0.007732952,-0.00068896904]],
+               "position":[-0.026710689,0.02869454],"rotation":[-0.07933768,-0.9968478]},
+          "b":{"vertices":[[-0.0028743844,-0.0021079916],[0.0003804199,-0.00059742125],[0.0013002576,0.00012268414],
+                           [0.00090673903,0.00030613178],[0.0006772096,0.00039500112],[0.00048536682,0.00045467532],
+                           [-5.1246192e-05,0.00060726376],[-0.00082436245,0.00081965665]],
+               "position":[-0.02665393,0.040020004],"rotation":[0.6204418,0.7842525]}})");
+  const Vector2<double> normal(-0.629407158, 0.777075691);
+  CHECK(is_it(pair, normal, 6.87145203e-08));
+  CHECK_FALSE(is_it(pair, -normal, 6.87145203e-08));
+  CHECK_FALSE(is_it(pair, normal, 1e-06));
+  pair.b.pose.position.y() += 0.001F;
+  CHECK_FALSE(is_it(pair, normal, 6.87145203e-08));
+}
+
+TEST_CASE("Godot may die of supports that it does not find") {
+  const PairCase pair = pair_of(
+      R"({"a":{"vertices":[[360324640000000,-398217860000000],[0,0],[-153915000000000,-243399120000000]],"rotation":[0,1]},
+          "b":{"vertices":[[0,-125000000000000],[788426900000000,-1077411600000000],[1000000000000000,-1000000000000000],
+                           [1179480700000000,-459005370000000]],
+               "position":[-471383260000000,-783970000000000],"rotation":[0,1]}})");
+  const Answer answer = Lost{};
+  CHECK(no_support_found_by_godot({pair, answer, Lost::How::crashed}));
+  CHECK_FALSE(no_support_found_by_godot({pair, answer, Lost::How::timed_out}));
+  CHECK_FALSE(
+      no_support_found_by_godot({test::squares_side_by_side(), answer, Lost::How::crashed}));
 }

@@ -105,13 +105,18 @@ std::optional<std::array<Vector2<Real>, 2>> searched(Replay<Real>& replay, bool 
   return std::array{replay.gjk.on_a, replay.gjk.on_b};
 }
 
-/// How GJK ends that takes no corners for one but those at one place; of `features` and `supports`.
+/// The search again by a GJK that takes no corners for one but those at one place: its direction
+/// and ends, without points; of `features` and `supports`.
 template <class Real>
-GjkEnd end_without_refusals(Replay<Real> replay) {
+Replay<Real> searched_without_refusals(Replay<Real> replay) {
   const Real radii = replay.prediction + replay.a.shape.radius + replay.b.shape.radius;
   const bool is_round = replay.route == Route::supports;
+  replay.epa = {};
+  replay.epa_going_on = {};
+  replay.normal = {0, 0};
+  replay.points.clear();
   searched<Real>(replay, is_round, is_round ? Real(0) : radii, 0);
-  return replay.gjk.end;
+  return replay;
 }
 
 }  // namespace manifuzz::parry

@@ -104,5 +104,8 @@ enum class FaultOfGodot : unsigned {
 /// One of these.
 template <FaultOfGodot kFault>
 bool fault_of_godot(const Deviation& deviation);
+/// A crash: no vertex of a polygon is farther than where the search for the farthest begins, so
+/// that the count of supports is what the stack held.
+bool no_support_found_by_godot(const LostAnswer& lost);
 
 }  // namespace manifuzz
