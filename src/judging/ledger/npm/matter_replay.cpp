@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 
@@ -259,7 +258,8 @@ std::vector<CollisionOfMatter> collisions_of_matter(const PairCase& pair, double
       }
     }
   }
-  std::ranges::stable_partition(all, std::logical_not<>{}, &CollisionOfMatter::is_exchanged);
+  std::stable_partition(all.begin(), all.end(),
+                        [](const CollisionOfMatter& collision) { return !collision.is_exchanged; });
   return all;
 }
 
