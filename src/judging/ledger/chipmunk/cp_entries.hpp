@@ -14,9 +14,9 @@ inline constexpr Budget kOfCpNormalOfWorldVertices[] = {
     {"regular", 400}, {"scaled", 1600},       {"tied_faces", 400},
     {"ulp", 35000},   {"sliver", 360}};
 inline constexpr Budget kOfCpCornerOnCorner[] = {
-    {"corner_corner", 3000}, {"deep", 2000},      {"grid", 270000},
-    {"off_unit", 1800},      {"scaled", 2600},    {"sliver", 4800},
-    {"tied_faces", 2600},    {"touching", 18000}, {"ulp", 9200}};
+    {"corner_corner", 3000}, {"deep", 2000},   {"grid", 270000},     {"off_unit", 1800},
+    {"scaled", 2600},        {"sliver", 4800}, {"tied_faces", 2600}, {"touching", 18000},
+    {"ulp", 9200},           {"tie_bias", 400}};
 inline constexpr Budget kOfCpCollinearApart[] = {{"grid", 6000}, {"ulp", 200}};
 inline constexpr Budget kOfCpWrongSupportEdge[] = {
     {"near_collinear", 3800}, {"tied_faces", 2200}, {"ulp", 200}};
