@@ -14,9 +14,9 @@ inline constexpr Budget kOfCpNormalOfWorldVertices[] = {
     {"regular", 400}, {"scaled", 1600},       {"tied_faces", 400},
     {"ulp", 35000},   {"sliver", 360}};
 inline constexpr Budget kOfCpCornerOnCorner[] = {
-    {"corner_corner", 3000}, {"deep", 2000},      {"grid", 270000},
-    {"off_unit", 1800},      {"scaled", 2600},    {"sliver", 4800},
-    {"tied_faces", 2600},    {"touching", 18000}, {"ulp", 9200}};
+    {"corner_corner", 3000}, {"deep", 2000},   {"grid", 270000},     {"off_unit", 1800},
+    {"scaled", 2600},        {"sliver", 4800}, {"tied_faces", 2600}, {"touching", 18000},
+    {"ulp", 9200},           {"tie_bias", 400}};
 inline constexpr Budget kOfCpCollinearApart[] = {{"grid", 6000}, {"ulp", 200}};
 inline constexpr Budget kOfCpWrongSupportEdge[] = {
     {"near_collinear", 3800}, {"tied_faces", 2200}, {"ulp", 200}};
@@ -66,14 +66,15 @@ inline constexpr Budget kOfCpShortNormal[] = {{"capsules", 140000},
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfCp{
-    LedgerEntry{
-        .id = "cp-short-normal",
-        .collider = "cp",
-        .description = "a normal shorter than unit by 1e-15 over the length that it was made of",
-        .source = "cp v2.4.0, vector.go, Normalize: `v.Mult(1.0 / (v.Length() + 1e-15))`; "
-                  "collision.go, ClosestPoints",
-        .budgets = kOfCpShortNormal,
-        .explains = normal_short_by_cp},
+    LedgerEntry{.id = "cp-short-normal",
+                .collider = "cp",
+                .description =
+                    "a normal shorter than unit by 1e-15 over the length that it was made of, "
+                    "or no contact, such normals of two faces being compared",
+                .source = "cp v2.4.0, vector.go, Normalize: `v.Mult(1.0 / (v.Length() + 1e-15))`; "
+                          "collision.go, ClosestPoints and SupportEdgeForPoly",
+                .budgets = kOfCpShortNormal,
+                .explains = normal_short_by_cp},
     LedgerEntry{
         .id = "cp-normal-of-world-vertices",
         .collider = "cp",

@@ -22,14 +22,22 @@ Vector2<double> middle_of(const exact::RoughPolygon& core) {
   return 0.5 * (low + high);
 }
 
-/// What cp would answer if it added no more than Chipmunk does; none where it gave another answer
+/// What cp would find if it added no more than Chipmunk does; none where it gave another answer
 /// than its operations give.
-std::optional<replayed::Contact> without_what_cp_adds(const Deviation& d) {
+std::optional<munk::Found> without_what_cp_adds(const Deviation& d) {
   const PairCase& pair = d.right.pair();
   const replayed::Contact given =
       munk::contact_of(munk::found_by(munk::kCp, pair), d.got.reference);
   if (!replayed::is_same_answer(d, given)) return std::nullopt;
-  return munk::contact_of(munk::found_by(munk::kChipmunk, pair), d.got.reference);
+  return munk::found_by(munk::kChipmunk, pair);
+}
+
+/// Whether it would be right, with its points on either edge where the answer had none that says.
+bool is_right_by_chipmunk(const Deviation& d, const munk::Found& found) {
+  const auto is_right = [&](Side reference) {
+    return replayed::is_right_answer(d, as_chipmunk(), munk::contact_of(found, reference));
+  };
+  return is_right(d.got.reference) || (d.got.count == 0 && is_right(other(d.got.reference)));
 }
 
 bool is_wrong_as_chipmunk(const Deviation& d) {
@@ -54,11 +62,12 @@ bool zero_normal_of_one_middle(const Deviation& d) {
 }
 
 bool normal_short_by_cp(const Deviation& d) {
-  const auto contact = without_what_cp_adds(d);
-  if (!contact) return false;
-  if (replayed::is_right_answer(d, as_chipmunk(), *contact)) return true;
+  const auto found = without_what_cp_adds(d);
+  if (!found) return false;
+  if (is_right_by_chipmunk(d, *found)) return true;
   // Beside it something of Chipmunk's may be wrong, which alone is not what was given.
-  const Manifold<double> mended = replayed::in_frame_of_a(d.right.pair(), *contact);
+  const replayed::Contact contact = munk::contact_of(*found, d.got.reference);
+  const Manifold<double> mended = replayed::in_frame_of_a(d.right.pair(), contact);
   const Kind kind = mended.count == 0 ? Kind::missed_contact : d.kind;
   if (!is_wrong_as_chipmunk({d.right, mended, kind})) return false;
   const bool is_short = d.kind == Kind::normal && d.got.normal.norm() <= 1 - d.right.bounds.normal;

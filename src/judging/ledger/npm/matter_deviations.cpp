@@ -5,6 +5,7 @@
 
 #include "judging/ledger/npm/matter_replay.hpp"
 #include "judging/ledger/npm/npm_deviations.hpp"
+#include "judging/ledger/replayed.hpp"
 
 // matter-js: what it finds is recomputed, and has to be the answer.
 
@@ -38,6 +39,32 @@ std::optional<CollisionOfMatter> found_by_matter(const Deviation& d) {
     if (is_answer_of_matter(d, found)) return std::move(found);
   }
   return std::nullopt;
+}
+
+/// As matter-js.mjs declares it.
+Declaration as_declared_by_matter() {
+  Declaration declaration;
+  declaration.scalar = ScalarType::float64;
+  declaration.frame = RoundingFrame::world;
+  declaration.takes_angles = true;
+  declaration.clips = false;
+  declaration.points = PointsAt::vertex;
+  declaration.shares_depth = true;
+  return declaration;
+}
+
+/// Whether it would be right if it tried every face's axis, and another than it did.
+bool is_right_with_all_axes(const Deviation& d, const CollisionOfMatter& found) {
+  const auto mended = ledger_of::collisions_of_matter(d.right.pair(), d.right.bounds.separation,
+                                                      ledger_of::AxesOfMatter::all);
+  if (mended.empty() || (mended[0].normal - found.normal).norm() <= d.right.bounds.normal) {
+    return false;
+  }
+  replayed::Contact contact{mended[0].normal, {}};
+  for (const Vector2<double>& at : mended[0].points) {
+    contact.points.push_back({at, mended[0].depth});
+  }
+  return replayed::is_right_answer(d, as_declared_by_matter(), contact);
 }
 
 bool is_about_points(Kind kind) {
@@ -120,7 +147,7 @@ bool axes_merged_by_matter(const Deviation& d) {
   const double least =
       std::min(ledger_of::least_overlap(found->a, found->b, found->a.normals).overlap,
                ledger_of::least_overlap(found->b, found->a, found->b.normals).overlap);
-  return least < found->depth - d.right.bounds.separation;
+  return least < found->depth - d.right.bounds.separation || is_right_with_all_axes(d, *found);
 }
 
 bool vertex_outside_by_matter(const Deviation& d) {

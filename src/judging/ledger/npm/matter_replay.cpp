@@ -84,18 +84,19 @@ std::array<double, 2> range_of(const Vertices& vertices, const Vector2<double>& 
   return range;
 }
 
-/// Vertices.contains.
-bool contains(const Vertices& vertices, const Vector2<double>& point) {
+/// Vertices.contains, as it is decided, and the other way where that is within the slack.
+std::vector<bool> contains(const Vertices& vertices, const Vector2<double>& point, double slack) {
+  double outside = -INFINITY;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vector2<double>& from = vertices[i > 0 ? i - 1 : vertices.size() - 1];
-    const Vector2<double>& to = vertices[i];
-    if ((point.x() - from.x()) * (to.y() - from.y()) +
-            (point.y() - from.y()) * (from.x() - to.x()) >
-        0) {
-      return false;
-    }
+    const Vector2<double> edge = vertices[i] - from;
+    const double product =
+        (point.x() - from.x()) * edge.y() + (point.y() - from.y()) * (from.x() - vertices[i].x());
+    outside = std::max(outside, product == 0 ? 0.0 : product / edge.norm());
   }
-  return true;
+  const bool is_inside = !(outside > 0);
+  if (std::abs(outside) > slack) return {is_inside};
+  return {is_inside, !is_inside};
 }
 
 /// Collision._findSupports: of `of` along a direction, seen from the other's centre.
@@ -117,9 +118,14 @@ std::vector<SupportsOfMatter> supports_of(const BodyOfMatter& of, const BodyOfMa
     const double nearest = std::min(distance(next), distance(previous));
     for (const int neighbour : {previous, next}) {
       if (distance(neighbour) > nearest + slack) continue;
-      found.push_back({{i, neighbour},
-                       {contains(seen_from.vertices, vertex(i)),
-                        contains(seen_from.vertices, vertex(neighbour))}});
+      const auto insides = contains(seen_from.vertices, vertex(i), slack);
+      const auto of_neighbour = contains(seen_from.vertices, vertex(neighbour), slack);
+      for (const bool first : insides) {
+        for (const bool second : of_neighbour) {
+          const bool is_exchanged = first != insides[0] || second != of_neighbour[0];
+          found.push_back({{i, neighbour}, {first, second}, is_exchanged});
+        }
+      }
     }
   }
   return found;
@@ -140,6 +146,43 @@ void choose_points(CollisionOfMatter& found) {
   if (found.is_none_inside) {
     found.points.push_back(found.a.vertices[static_cast<std::size_t>(found.of_a.index[0])]);
   }
+}
+
+LeastOverlap overlap_along(const BodyOfMatter& first, const BodyOfMatter& second,
+                           const Vector2<double>& axis) {
+  const auto of_first = range_of(first.vertices, axis);
+  const auto of_second = range_of(second.vertices, axis);
+  const double ahead = of_first[1] - of_second[0];
+  const double behind = of_second[1] - of_first[0];
+  return {axis, ahead < behind ? ahead : behind, ahead < behind};
+}
+
+/// An overlap that may be the least, along an axis of a side's.
+struct OverlapOfSide {
+  LeastOverlap overlap;
+  Side side = Side::a;
+  bool is_exchanged = false;  ///< it is not the first of the least of its side's, or not above 0
+};
+
+/// Those within the slack of the least; none where they are apart by more than it.
+std::vector<OverlapOfSide> least_overlaps(const BodyOfMatter& a, const BodyOfMatter& b,
+                                          double slack) {
+  std::vector<OverlapOfSide> all;
+  for (const Side side : {Side::a, Side::b}) {
+    const BodyOfMatter& first = side == Side::a ? a : b;
+    const BodyOfMatter& second = side == Side::a ? b : a;
+    const LeastOverlap least = least_overlap(first, second, first.axes);
+    for (const Vector2<double>& axis : first.axes) {
+      const bool is_exchanged = axis != least.axis || least.overlap <= 0;
+      all.push_back({overlap_along(first, second, axis), side, is_exchanged});
+    }
+  }
+  double least = INFINITY;
+  for (const OverlapOfSide& each : all) least = std::min(least, each.overlap.overlap);
+  std::erase_if(all, [&](const OverlapOfSide& each) {
+    return least <= -slack || each.overlap.overlap > least + slack;
+  });
+  return all;
 }
 
 }  // namespace
@@ -181,28 +224,25 @@ LeastOverlap least_overlap(const BodyOfMatter& first, const BodyOfMatter& second
                            const Vertices& axes) {
   LeastOverlap least{.overlap = std::numeric_limits<double>::max()};
   for (const Vector2<double>& axis : axes) {
-    const auto of_first = range_of(first.vertices, axis);
-    const auto of_second = range_of(second.vertices, axis);
-    const double ahead = of_first[1] - of_second[0];
-    const double behind = of_second[1] - of_first[0];
-    const double overlap = ahead < behind ? ahead : behind;
-    if (overlap >= least.overlap) continue;
-    least = {axis, overlap, ahead < behind};
-    if (overlap <= 0) break;
+    const LeastOverlap along = overlap_along(first, second, axis);
+    if (along.overlap >= least.overlap) continue;
+    least = along;
+    if (least.overlap <= 0) break;
   }
   return least;
 }
 
-std::vector<CollisionOfMatter> collisions_of_matter(const PairCase& pair, double slack) {
+std::vector<CollisionOfMatter> collisions_of_matter(const PairCase& pair, double slack,
+                                                    AxesOfMatter axes) {
   CollisionOfMatter found{.a = body_of_matter(pair.a), .b = body_of_matter(pair.b)};
-  const std::array least{least_overlap(found.a, found.b, found.a.axes),
-                         least_overlap(found.b, found.a, found.b.axes)};
+  if (axes == AxesOfMatter::all) {
+    found.a.axes = found.a.normals;
+    found.b.axes = found.b.normals;
+  }
   std::vector<CollisionOfMatter> all;
-  if (least[0].overlap <= 0 || least[1].overlap <= 0) return all;
+  const auto of_sides = least_overlaps(found.a, found.b, slack);
   const Vector2<double> apart = found.b.position - found.a.position;
-  for (const Side side : {Side::a, Side::b}) {
-    const LeastOverlap& of_side = least[static_cast<std::size_t>(side)];
-    if (of_side.overlap > std::min(least[0].overlap, least[1].overlap) + slack) continue;
+  for (const auto& [of_side, side, is_exchanged] : of_sides) {
     const bool is_ahead = of_side.axis.dot(apart) >= 0;
     found.depth = of_side.overlap;
     found.normal = is_ahead ? of_side.axis : Vector2<double>(-of_side.axis);
@@ -212,11 +252,14 @@ std::vector<CollisionOfMatter> collisions_of_matter(const PairCase& pair, double
       for (const auto& of_a : supports_of(found.a, found.b, found.normal, slack)) {
         found.of_a = of_a;
         found.of_b = of_b;
+        found.is_exchanged = is_exchanged || of_a.is_exchanged || of_b.is_exchanged;
         choose_points(found);
         all.push_back(found);
       }
     }
   }
+  std::stable_partition(all.begin(), all.end(),
+                        [](const CollisionOfMatter& collision) { return !collision.is_exchanged; });
   return all;
 }
 

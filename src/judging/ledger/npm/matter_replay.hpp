@@ -35,6 +35,7 @@ LeastOverlap least_overlap(const BodyOfMatter& first, const BodyOfMatter& second
 struct SupportsOfMatter {
   std::array<int, 2> index{};       ///< the farthest, then its neighbour
   std::array<bool, 2> is_inside{};  ///< the other body, by Vertices.contains
+  bool is_exchanged = false;        ///< of that one is decided the other way
 };
 
 /// What it finds.
@@ -48,10 +49,16 @@ struct CollisionOfMatter {
   SupportsOfMatter of_b{};                ///< against it
   std::vector<Vector2<double>> points{};  ///< in the world
   bool is_none_inside = false;            ///< the one point is A's support, which is not inside B
+  bool is_exchanged = false;  ///< what decides within the slack is decided the other way
 };
 
-/// Nothing where they do not collide. Where overlaps or vertices along the normal are within
-/// `slack` of each other, by which V8's cosines may exchange them, what it finds of each.
-std::vector<CollisionOfMatter> collisions_of_matter(const PairCase& pair, double slack);
+/// Whether of axes that three decimals do not tell apart the last alone is tried, or all are.
+enum class AxesOfMatter { merged, all };
+
+/// Nothing where they do not collide. Where overlaps are within `slack` of each other or of 0,
+/// vertices along the normal of each other, or one of the other body's outline, by which V8's
+/// cosines may exchange them, what it finds of each; as it is decided here before others.
+std::vector<CollisionOfMatter> collisions_of_matter(const PairCase& pair, double slack,
+                                                    AxesOfMatter axes = AxesOfMatter::merged);
 
 }  // namespace manifuzz::ledger_of

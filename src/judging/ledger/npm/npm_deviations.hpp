@@ -23,7 +23,8 @@ bool face_within_box2d_core_epsilon(const Deviation& deviation);
 
 /// The normal has the sign that the centres give, which is not that of the least overlap.
 bool normal_by_matter_centres(const Deviation& deviation);
-/// A face whose gradient is another's to three decimals has less overlap than the axis taken.
+/// A face whose gradient is another's to three decimals has less overlap than the axis taken, or
+/// would be right in its place.
 bool axes_merged_by_matter(const Deviation& deviation);
 /// No support vertex of either is inside the other: the point is A's.
 bool vertex_outside_by_matter(const Deviation& deviation);
@@ -45,6 +46,9 @@ bool zero_normal_of_p2(const Deviation& deviation);
 bool direction_of_roundings_of_p2(const Deviation& deviation);
 /// A capsule's first end, where another place of its core is nearer.
 bool first_end_of_p2(const Deviation& deviation);
+/// A capsule's normal is that of its ends as floats have them in the world: off by their roundings
+/// over its length.
+bool edge_of_rounded_ends_in_p2(const Deviation& deviation);
 /// A face's contact where a vertex is the nearest, or another face.
 bool face_before_vertex_of_p2(const Deviation& deviation);
 /// A vertex' contact, or none, where a face is the nearest: the circle's own point behind that face

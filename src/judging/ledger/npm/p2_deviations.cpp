@@ -6,6 +6,7 @@
 #include "judging/ledger/differences.hpp"
 #include "judging/ledger/npm/npm_deviations.hpp"
 #include "judging/ledger/npm/p2_replay.hpp"
+#include "judging/ledger/replayed.hpp"
 #include "oracle/exact/curve.hpp"
 
 // p2 on circles: what it finds is recomputed, and has to be the answer.
@@ -56,6 +57,15 @@ std::optional<int> nearest_vertex_of_other(const Deviation& d) {
   return d.right.pair().a.polygon.count == 1 ? (*vertices)[1] : (*vertices)[0];
 }
 
+/// As p2-es.mjs declares it.
+Declaration as_declared_by_p2() {
+  Declaration declaration;
+  declaration.frame = RoundingFrame::world;
+  declaration.takes_angles = true;
+  declaration.min_vertices = 1;
+  return declaration;
+}
+
 }  // namespace
 
 bool zero_normal_of_p2(const Deviation& d) {
@@ -96,6 +106,15 @@ bool direction_of_roundings_of_p2(const Deviation& d) {
 bool first_end_of_p2(const Deviation& d) {
   const auto found = found_by_p2(d);
   return found && found->branch == Branch::first_end && nearest_vertex_of_other(d) != 0;
+}
+
+bool edge_of_rounded_ends_in_p2(const Deviation& d) {
+  const auto found = found_by_p2(d);
+  if (!found || found->branch != Branch::beside_line) return false;
+  const auto mended =
+      ledger_of::circle_contact_of_p2(d.right.pair(), ledger_of::EdgeOfP2::of_angle);
+  return mended && replayed::is_right_answer(d, as_declared_by_p2(),
+                                             {mended->normal, {{mended->at, mended->depth}}});
 }
 
 bool face_before_vertex_of_p2(const Deviation& d) {

@@ -13,6 +13,7 @@ inline constexpr Budget kOfP2EsNoContactOnTiedFeatures[] = {
 inline constexpr Budget kOfP2EsZeroNormal[] = {{"cores_touch", 240000}};
 inline constexpr Budget kOfP2EsDirectionOfRoundings[] = {{"cores_touch", 35000}};
 inline constexpr Budget kOfP2EsFirstEnd[] = {{"large_radii", 2200}};
+inline constexpr Budget kOfP2EsEdgeOfRoundedEnds[] = {{"large_radii", 200}};
 inline constexpr Budget kOfP2EsFaceBeforeVertex[] = {
     {"circles", 46000}, {"mixed_shapes", 7600}, {"voronoi_lines", 11000}};
 inline constexpr Budget kOfP2EsVertexBeforeFace[] = {
@@ -54,6 +55,15 @@ inline constexpr std::array kOfP2{
                           "verts",
                 .budgets = kOfP2EsFirstEnd,
                 .explains = first_end_of_p2},
+    LedgerEntry{.id = "p2-es-edge-of-rounded-ends",
+                .collider = "p2-es",
+                .description =
+                    "a capsule's normal off by the roundoff of its ends over its length: "
+                    "its direction is that of its ends as floats have them in the world",
+                .source = "p2-es 1.2.3, dist/p2-es.js, circleLine: subtract(worldEdge, "
+                          "worldVertex1, worldVertex0), of Float32Arrays",
+                .budgets = kOfP2EsEdgeOfRoundedEnds,
+                .explains = edge_of_rounded_ends_in_p2},
     LedgerEntry{.id = "p2-es-face-before-vertex",
                 .collider = "p2-es",
                 .description = "a face's contact where a circle is nearest to a vertex, or to "

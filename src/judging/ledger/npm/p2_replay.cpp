@@ -110,7 +110,7 @@ std::optional<ContactOfP2> circle_circle(const Stored& a, double radius_a, const
 }
 
 std::optional<ContactOfP2> circle_line(const Stored& centre, double circle_radius,
-                                       const Body& capsule) {
+                                       const Body& capsule, EdgeOfP2 edge) {
   const Wide from = capsule.polygon.vertices[0].cast<double>();
   const Wide to = capsule.polygon.vertices[1].cast<double>();
   const auto line_radius = static_cast<double>(capsule.polygon.radius);
@@ -124,7 +124,9 @@ std::optional<ContactOfP2> circle_line(const Stored& centre, double circle_radiu
                     std::atan2(y, x) + angle_of(capsule)};
   const double half = std::sqrt(x * x + y * y) / 2;
   const std::array ends{frame.to_global({-half, 0}), frame.to_global({half, 0})};
-  const Stored along = normalized(ends[1] - ends[0]);
+  const Stored along = edge == EdgeOfP2::of_ends
+                           ? normalized(ends[1] - ends[0])
+                           : Stored(std::cos(frame.angle), std::sin(frame.angle));
   const Stored tangent = clockwise(along);
   const double radius = circle_radius + line_radius;
   const double distance = dot(centre - ends[0], tangent);
@@ -139,7 +141,11 @@ std::optional<ContactOfP2> circle_line(const Stored& centre, double circle_radiu
                             relative(on_line, frame.position), frame.position);
     }
   }
-  for (const std::size_t i : {0U, 1U}) {
+  std::array<std::size_t, 2> order{0, 1};
+  if (edge == EdgeOfP2::of_angle && dot(along, centre - ends[0]) > dot(along, ends[1] - centre)) {
+    std::swap(order[0], order[1]);
+  }
+  for (const std::size_t i : order) {
     const Stored apart = ends[i] - centre;
     if (!(dot(apart, apart) < radius * radius)) continue;
     const Stored normal = normalized(apart);
@@ -244,7 +250,7 @@ std::optional<ContactOfP2> circle_convex(const Stored& centre, double radius, co
 
 }  // namespace
 
-std::optional<ContactOfP2> circle_contact_of_p2(const PairCase& pair) {
+std::optional<ContactOfP2> circle_contact_of_p2(const PairCase& pair, EdgeOfP2 edge) {
   const bool is_of_a = pair.a.polygon.count == 1;
   if (!is_of_a && pair.b.polygon.count != 1) return std::nullopt;
   const Body& circle = is_of_a ? pair.a : pair.b;
@@ -256,7 +262,7 @@ std::optional<ContactOfP2> circle_contact_of_p2(const PairCase& pair) {
     found = circle_circle(centre, radius, centre_of_circle(body),
                           static_cast<double>(body.polygon.radius));
   } else if (body.polygon.count == 2) {
-    found = circle_line(centre, radius, body);
+    found = circle_line(centre, radius, body, edge);
   } else {
     found = circle_convex(centre, radius, body);
   }

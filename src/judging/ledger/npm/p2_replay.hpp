@@ -20,7 +20,12 @@ struct ContactOfP2 {
   Vector2<double> at{0, 0};         ///< on the other shape, or the second circle; in the world
 };
 
+/// Whether a capsule's direction is that of its ends, which are rounded, or of its angle; with that
+/// the nearest of its ends is taken, not the first within reach.
+enum class EdgeOfP2 { of_ends, of_angle };
+
 /// Nothing where it finds no contact, or neither shape is a circle.
-std::optional<ContactOfP2> circle_contact_of_p2(const PairCase& pair);
+std::optional<ContactOfP2> circle_contact_of_p2(const PairCase& pair,
+                                                EdgeOfP2 edge = EdgeOfP2::of_ends);
 
 }  // namespace manifuzz::ledger_of

@@ -9,6 +9,7 @@ template <class Real>
 struct ProjectedCentre {
   Vector2<Real> point{0, 0};
   bool is_inside = false;
+  bool is_on_core = false;  ///< of a capsule: the centre is taken to be on it
 };
 
 /// Capsule::project_local_point, not solid.
@@ -23,8 +24,8 @@ ProjectedCentre<Real> on_capsule(const Shape<Real>& shape, const Vector2<Real>& 
   }
   const Vector2<Real> along = to - from;
   const auto [normal, length] = normalize_and_length(Vector2<Real>(along.y(), -along.x()));
-  if (length > kEpsilon<Real>) return {on_core + normal * shape.radius, true};
-  return {on_core + Vector2<Real>(0, shape.radius), true};
+  if (length > kEpsilon<Real>) return {on_core + normal * shape.radius, true, true};
+  return {on_core + Vector2<Real>(0, shape.radius), true, true};
 }
 
 /// local_point_projection_on_support_map, not solid; how its GJK and EPA ended goes to the replay.
@@ -60,6 +61,7 @@ void collide_ball_at(Replay<Real>& replay, const ProjectedCentre<Real>& nearest)
   const Pose<Real> between = is_flipped ? inverse(replay.between) : replay.between;
   replay.apart = between.position - nearest.point;
   replay.is_inside = nearest.is_inside;
+  replay.is_on_core = nearest.is_on_core;
   Real distance = length_of(replay.apart);
   Vector2<Real> normal = distance == 0
                              ? try_normalize(between.position).value_or(Vector2<Real>(0, 1))

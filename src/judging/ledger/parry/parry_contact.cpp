@@ -72,6 +72,7 @@ void contact_of_ball(Replay<Real>& replay) {
   const ProjectedCentre<Real> nearest = projected(replay, shape, centre);
   replay.apart = centre - nearest.point;
   replay.is_inside = nearest.is_inside;
+  replay.is_on_core = nearest.is_on_core;
   const auto [direction, length] = normalize_and_length(Vector2<Real>(nearest.point - centre));
   Real distance = -radius;
   Vector2<Real> normal = direction;

@@ -198,9 +198,14 @@ bool stop_of_gjk(const Deviation& d) {
 template <class Engine>
 bool touching_of_gjk(const Deviation& d) {
   const auto replay = parry::as_reported<Engine>(d);
-  if (!replay || replay->gjk.is_refused ||
-      (replay->gjk.end != GjkEnd::stalled_touching &&
-       replay->gjk.end != GjkEnd::refused_touching)) {
+  if (!replay || (replay->gjk.end != GjkEnd::stalled_touching &&
+                  replay->gjk.end != GjkEnd::refused_touching)) {
+    return false;
+  }
+  // Corners that it refused on the way have nothing to do with it where it ends so without, too.
+  if (replay->gjk.is_refused &&
+      (replay->route == Route::ball || replay->gjk.end != GjkEnd::stalled_touching ||
+       parry::searched_without_refusals(*replay).gjk.end != GjkEnd::stalled_touching)) {
     return false;
   }
   const double apart = replay->route == Route::ball ? parry::centre_from_surface(d)
@@ -211,7 +216,13 @@ bool touching_of_gjk(const Deviation& d) {
 template <class Engine>
 bool origin_within_tolerance(const Deviation& d) {
   const auto replay = replay_of_search<Engine>(d);
-  if (!replay || replay->epa.end != EpaEnd::backward) return false;
+  if (!replay) return false;
+  if (replay->gjk.end == GjkEnd::on_simplex && replay->epa.end == EpaEnd::corner &&
+      d.kind == Kind::phantom_contact) {
+    // A corner as near as this is taken for one at the origin.
+    return parry::shapes_apart(d, *replay) <= 10 * parry::kEpsilonOf<Engine> + bound_of(d);
+  }
+  if (replay->epa.end != EpaEnd::backward) return false;
   const double excess = parry::excess_along<Engine>(d, *replay, replay->epa_going_on.normal);
   if (excess <= 100 * parry::kEpsilonOf<Engine> + bound_of(d)) return true;
   const double tolerance = 10 * parry::kEpsilonOf<Engine> * std::max(1.0, reach_of_difference(d));
@@ -221,7 +232,13 @@ bool origin_within_tolerance(const Deviation& d) {
 template <class Engine>
 bool equal_corners_of_gjk(const Deviation& d) {
   const auto replay = parry::as_reported<Engine>(d);
-  return replay && replay->gjk.is_refused && is_refusal(replay->gjk.end);
+  if (!replay || !replay->gjk.is_refused) return false;
+  if (is_refusal(replay->gjk.end)) return true;
+  // It ended within its tolerance, having turned away from corners that it would go on from.
+  if (replay->route == Route::ball || replay->gjk.end != GjkEnd::stalled_touching) return false;
+  const auto mended = parry::searched_without_refusals(*replay);
+  return mended.gjk.end != GjkEnd::stalled_touching &&
+         parry::excess_of<Engine>(d, mended) <= 100 * parry::kEpsilonOf<Engine> + bound_of(d);
 }
 
 template <class Engine>

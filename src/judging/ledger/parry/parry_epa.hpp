@@ -17,12 +17,18 @@ enum class EpaEnd {
   exhausted   ///< 100 iterations, or no face left
 };
 
+/// Places on both shapes, and the normal of the face that they are on.
 template <class Real>
-struct EpaResult {
-  EpaEnd end = EpaEnd::none;
+struct EpaPlaces {
   Vector2<Real> on_a{0, 0};
   Vector2<Real> on_b{0, 0};
   Vector2<Real> normal{0, 0};
+};
+
+template <class Real>
+struct EpaResult : EpaPlaces<Real> {
+  EpaEnd end = EpaEnd::none;
+  EpaPlaces<Real> outermost{};   ///< converged: of the face that is no nearer than the tolerance
   bool is_of_chord = false;      ///< of a chord's two sides, whose place is a corner: [1.0, 0.0]
   bool is_out_of_range = false;  ///< its face's length is no finite number
 };
@@ -185,18 +191,18 @@ class Epa {
     turn([&](const Vector2<Real>& n) { return operands_.of_a(n); }, corner.on_a, Real(1));
     turn([&](const Vector2<Real>& n) { return operands_.of_b(Vector2<Real>(-n)); }, corner.on_b,
          Real(-1));
-    return {EpaEnd::corner, corner.on_a, corner.on_b, normal};
+    return {{corner.on_a, corner.on_b, normal}, EpaEnd::corner};
   }
 
-  EpaResult<Real> found(const Face& face, EpaEnd end) const {
+  EpaPlaces<Real> places_on(const Face& face) const {
     const Corner<Real>& from = corners_[face.ends[0]];
     const Corner<Real>& to = corners_[face.ends[1]];
-    return {end,
-            from.on_a * face.shares[0] + to.on_a * face.shares[1],
-            from.on_b * face.shares[0] + to.on_b * face.shares[1],
-            face.normal,
-            face.is_of_chord,
-            !std::isfinite(length_of<Real>(to.point - from.point))};
+    return {from.on_a * face.shares[0] + to.on_a * face.shares[1],
+            from.on_b * face.shares[0] + to.on_b * face.shares[1], face.normal};
+  }
+  EpaResult<Real> found(const Face& face, EpaEnd end, EpaPlaces<Real> outermost = {}) const {
+    const Vector2<Real> along = corners_[face.ends[1]].point - corners_[face.ends[0]].point;
+    return {places_on(face), end, outermost, face.is_of_chord, !std::isfinite(length_of(along))};
   }
 
   EpaResult<Real> expand() {
@@ -215,7 +221,9 @@ class Epa {
         farthest = reach;
       }
       const Real distance = -id.minus_distance;
-      if (farthest - distance < kTolerance) return found(faces_[best], EpaEnd::converged);
+      if (farthest - distance < kTolerance) {
+        return found(faces_[best], EpaEnd::converged, places_on(current));
+      }
       for (const Face& made : {face(current.ends[0], added), face(added, current.ends[1])}) {
         if (made.is_origin_beside) {
           const Real to_face = made.normal.dot(made.nearest);

@@ -65,8 +65,8 @@ inline constexpr ParryFault kTouchingWithin{
     "parry2d 0.30.2 and 0.31.1, src/query/gjk/gjk.rs, closest_points: best_min_bound >= -_eps_rel "
     "* support_scale"};
 inline constexpr ParryFault kOriginWithin{
-    "an arbitrary normal: the origin is within 10 epsilon of the simplex, and a new face of EPA's "
-    "seems nearer than the one it came from",
+    "an arbitrary normal, or contact across such a gap: the origin is within 10 epsilon of the "
+    "simplex, and a new face of EPA's seems nearer than the one it came from, or it is a corner",
     "parry2d 0.30.2 and 0.31.1, src/query/epa/epa2.rs, EPA::closest_points: `dist < curr_dist`; "
     "gjk.rs: dist > "
     "_eps_tol"};
@@ -115,8 +115,8 @@ inline constexpr ParryFault kCircleByGjk{
     "min_bound <= _eps_rel * max_bound"};
 inline constexpr ParryFault kEpaChord{
     "normal, depth and places are those of a chord that EPA ends on, inside of the surface: of "
-    "round "
-    "shapes, and of faces that are nearly in line",
+    "round shapes, and of faces that are nearly in line; no contact where the chord, along a face, "
+    "goes through the origin",
     "parry2d 0.30.2 and 0.31.1, src/query/epa/epa2.rs, EPA::closest_points: "
     "best_face.closest_points(), of the face "
     "with the least support; niter > 100"};

@@ -38,6 +38,7 @@ struct Replay {
   bool is_clipped = false;             ///< of features: they overlap along the normal's tangent
   Vector2<Real> apart{0, 0};  ///< of capsules and a ball: the difference that becomes the normal
   bool is_inside = false;     ///< of a ball: its centre is inside of the other shape
+  bool is_on_core = false;    ///< of a ball and a capsule: its centre is taken to be on the core
   std::vector<TrackedPoint<Real>> both_ends{};  ///< of capsules: both ends of the clip
 };
 
@@ -87,10 +88,11 @@ void run_epa(Replay<Real>& replay, const Operands<Real>& operands, const Simplex
 /// the replay; none of those without contact.
 template <class Real>
 std::optional<std::array<Vector2<Real>, 2>> searched(Replay<Real>& replay, bool is_round,
-                                                     Real farthest) {
+                                                     Real farthest,
+                                                     Real corner_tolerance = kGjkTolerance<Real>) {
   const Operands<Real> operands{&replay.a.shape, &replay.b.shape, replay.between, is_round};
   const auto towards = try_normalize(replay.between.position).value_or(Vector2<Real>(1, 0));
-  Simplex<Real> simplex(corner_along(operands, towards));
+  Simplex<Real> simplex(corner_along(operands, towards), corner_tolerance);
   replay.gjk = Gjk<Real>(operands, farthest, simplex).run();
   if (replay.gjk.is_intersection) {
     run_epa(replay, operands, simplex);
@@ -101,6 +103,20 @@ std::optional<std::array<Vector2<Real>, 2>> searched(Replay<Real>& replay, bool 
   if (!replay.gjk.has_points) return std::nullopt;
   replay.normal = replay.gjk.direction;
   return std::array{replay.gjk.on_a, replay.gjk.on_b};
+}
+
+/// The search again by a GJK that takes no corners for one but those at one place: its direction
+/// and ends, without points; of `features` and `supports`.
+template <class Real>
+Replay<Real> searched_without_refusals(Replay<Real> replay) {
+  const Real radii = replay.prediction + replay.a.shape.radius + replay.b.shape.radius;
+  const bool is_round = replay.route == Route::supports;
+  replay.epa = {};
+  replay.epa_going_on = {};
+  replay.normal = {0, 0};
+  replay.points.clear();
+  searched<Real>(replay, is_round, is_round ? Real(0) : radii, 0);
+  return replay;
 }
 
 }  // namespace manifuzz::parry

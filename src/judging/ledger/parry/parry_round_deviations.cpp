@@ -65,6 +65,21 @@ double error_of_places(const Deviation& d) {
   return std::max(by_first_end, bound_of(d) / (sine * sine));
 }
 
+/// Whether a contact is dropped since the origin is on a chord, and would be right on the face that
+/// EPA ended at.
+template <class Engine>
+bool is_dropped_on_chord(const Deviation& d, parry::ReplayOf<Engine> replay) {
+  if (replay.route != Route::supports || replay.epa.end != EpaEnd::converged ||
+      replay.points.empty()) {
+    return false;
+  }
+  const auto& [on_a, on_b, normal] = replay.epa.outermost;
+  replay.normal = normal;
+  replay.points[0] = {on_a, parry::inverse_transform(replay.between, on_b),
+                      normal.dot(on_b - on_a)};
+  return parry::is_right<Engine>(d, replay);
+}
+
 }  // namespace
 
 template <class Engine>
@@ -101,6 +116,11 @@ template <class Engine>
 bool centre_on_surface(const Deviation& d) {
   const auto replay = replay_of_circle<Engine>(d);
   if (!replay || d.got.count == 0) return false;
+  // Taken to be on a core that is nearer than epsilon: the depth is off by no more than that.
+  if (replay->is_on_core && std::abs(ledger_of::deepest(d.got) - ledger_of::least_depth(d)) <=
+                                parry::kEpsilonOf<Engine> + bound_of(d)) {
+    return true;
+  }
   const double surface = std::abs(centre_from_surface(d));
   // What GJK leaves of the distance outweighs roundings then.
   const bool is_of_stop = has_polygon(d) && replay->gjk.end == GjkEnd::near_enough;
@@ -130,7 +150,8 @@ bool circle_by_gjk_stop(const Deviation& d) {
 template <class Engine>
 bool chord_of_epa(const Deviation& d) {
   const auto replay = parry::as_reported<Engine>(d);
-  if (!replay || replay->route == Route::features || d.got.count == 0) return false;
+  if (!replay || replay->route == Route::features) return false;
+  if (d.got.count == 0) return is_dropped_on_chord<Engine>(d, *replay);
   const bool is_exhausted = replay->epa.end == EpaEnd::exhausted;
   if (!is_exhausted && replay->epa.end != EpaEnd::converged &&
       replay->epa.end != EpaEnd::backward) {

@@ -104,19 +104,23 @@ Projection<Real> project_origin_on_triangle(const std::array<Vector2<Real>, 3>& 
 template <class Real>
 class Simplex {
  public:
-  explicit Simplex(const Corner<Real>& corner) { corners_[0] = corner; }
+  /// `tolerance`: the square of a length, below which two corners are taken for one.
+  explicit Simplex(const Corner<Real>& corner, Real tolerance = kGjkTolerance<Real>)
+      : tolerance_(tolerance) {
+    corners_[0] = corner;
+  }
 
   int count() const { return count_; }
   const Corner<Real>& corner(int i) const { return corners_[static_cast<std::size_t>(i)]; }
 
-  /// False where it has one that is nearer than the root of the tolerance.
+  /// False where it has it, or one that is nearer than the root of the tolerance.
   bool add(const Corner<Real>& corner) {
     previous_count_ = count_;
     previous_shares_ = shares_;
     previous_ = {0, 1, 2};
     for (int i = 0; i < count_; ++i) {
       const Vector2<Real> apart = this->corner(i).point - corner.point;
-      if (apart.dot(apart) < kGjkTolerance<Real>) {
+      if (apart.isZero(0) || apart.dot(apart) < tolerance_) {
         refused_ = length_of(apart);
         return false;
       }
@@ -184,6 +188,7 @@ class Simplex {
   std::array<Real, 2> previous_shares_{};
   int previous_count_ = 1;
   Real refused_ = 0;
+  Real tolerance_;
 };
 
 }  // namespace manifuzz::parry

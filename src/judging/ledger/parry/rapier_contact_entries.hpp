@@ -7,23 +7,15 @@
 namespace manifuzz::ledger_of {
 
 // rapier2d-compat 0.21.0 asked by contactCollider, in floats. Budgets are twice what 300,000 cases
-// against clip64 showed, rounded up.
-inline constexpr Budget kOfRapierContactCornerCones[] = {{"corner_corner", 7400},
-                                                         {"far_from_origin", 800},
-                                                         {"grid", 45000},
-                                                         {"in_line", 3800},
-                                                         {"micro_edge", 600},
-                                                         {"mixed_shapes", 800},
-                                                         {"off_unit", 2000},
-                                                         {"regular", 400},
-                                                         {"scaled", 34000},
-                                                         {"side_planes", 1000},
-                                                         {"tie_bias", 1400},
-                                                         {"touching", 20000},
-                                                         {"ulp", 4000}};
+// against clip64 showed, or another million, rounded up.
+inline constexpr Budget kOfRapierContactCornerCones[] = {
+    {"corner_corner", 7400}, {"far_from_origin", 800}, {"grid", 45000},    {"in_line", 3800},
+    {"micro_edge", 600},     {"mixed_shapes", 800},    {"off_unit", 2000}, {"regular", 400},
+    {"scaled", 34000},       {"side_planes", 1000},    {"tie_bias", 1400}, {"touching", 20000},
+    {"ulp", 4000},           {"round_corners", 400},   {"sliver", 600}};
 inline constexpr Budget kOfRapierContactLostByEpa[] = {
     {"cores_touch", 200}, {"in_line", 600},      {"near_parallel", 400}, {"round_corners", 200},
-    {"scaled", 33000},    {"tilted_edges", 400}, {"ulp", 3200}};
+    {"scaled", 33000},    {"tilted_edges", 400}, {"ulp", 3200},          {"side_planes", 400}};
 inline constexpr Budget kOfRapierContactTouchingWithin[] = {
     {"capsules", 5800},      {"large_radii", 400},
     {"micro_edge", 1200},    {"mixed_shapes", 3400},
@@ -32,7 +24,7 @@ inline constexpr Budget kOfRapierContactTouchingWithin[] = {
     {"scaled", 800},         {"side_planes", 5200},
     {"tie_bias", 800},       {"tied_faces", 400},
     {"tilted_edges", 4000},  {"ulp", 600},
-    {"voronoi_lines", 600}};
+    {"voronoi_lines", 600},  {"sliver", 400}};
 inline constexpr Budget kOfRapierContactOriginWithin[] = {
     {"capsules", 400},    {"corner_corner", 9000}, {"far_from_origin", 400}, {"grid", 200},
     {"in_line", 2000},    {"large_radii", 5000},   {"micro_edge", 2400},     {"mixed_shapes", 200},
@@ -64,7 +56,11 @@ inline constexpr Budget kOfRapierContactCornerOfChord[] = {{"boxes", 1400},
                                                            {"tilted_edges", 400},
                                                            {"touching", 7400},
                                                            {"ulp", 800},
-                                                           {"voronoi_lines", 200}};
+                                                           {"voronoi_lines", 200},
+                                                           {"corner_corner", 400},
+                                                           {"large_radii", 400},
+                                                           {"off_unit", 600},
+                                                           {"sliver", 600}};
 inline constexpr Budget kOfRapierContactCentreOnSurface[] = {{"circles", 11000},
                                                              {"cores_touch", 88000},
                                                              {"large_radii", 8000},
@@ -94,7 +90,7 @@ inline constexpr Budget kOfRapierContactEpaChord[] = {{"capsules", 360000},
                                                       {"ulp", 2800},
                                                       {"voronoi_lines", 320000},
                                                       {"regular", 1400}};
-inline constexpr Budget kOfRapierContactStepBack[] = {{"side_planes", 1}};
+inline constexpr Budget kOfRapierContactStepBack[] = {{"side_planes", 1}, {"voronoi_lines", 600}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfRapierContact{

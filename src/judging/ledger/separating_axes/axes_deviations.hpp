@@ -21,7 +21,9 @@ bool local_maximum_in_jbox2d(const Deviation& deviation);
 enum class FaultOfJbox2dEdge : unsigned {
   radius = 1,      ///< it takes 0.02 for the sum of the radii
   hysteresis = 2,  ///< the edge's face is kept though one of the polygon's is farther
-  slab = 4         ///< the reference face's side planes leave out the radii
+  slab = 4,        ///< the reference face's side planes leave out the radii
+  front = 8,       ///< of the edge's sides, the one towards the polygon's centroid alone is tried
+  corners = 16     ///< corners apart from each other are clipped along a face's normal
 };
 /// One of these.
 template <FaultOfJbox2dEdge kFault>
@@ -102,5 +104,8 @@ enum class FaultOfGodot : unsigned {
 /// One of these.
 template <FaultOfGodot kFault>
 bool fault_of_godot(const Deviation& deviation);
+/// A crash: no vertex of a polygon is farther than where the search for the farthest begins, so
+/// that the count of supports is what the stack held.
+bool no_support_found_by_godot(const LostAnswer& lost);
 
 }  // namespace manifuzz

@@ -217,6 +217,7 @@ template bool after_sat_of_dyn4j<FaultOfDyn4j::neighbour_by_dot>(const Deviation
 template bool after_gjk_of_dyn4j<FaultOfDyn4j::longer_capsule>(const Deviation&);
 template bool after_gjk_of_dyn4j<FaultOfDyn4j::normal_of_edge>(const Deviation&);
 template bool after_gjk_of_dyn4j<FaultOfDyn4j::placed_vertices>(const Deviation&);
+template bool after_gjk_of_dyn4j<FaultOfDyn4j::longer_edges>(const Deviation&);
 template bool after_gjk_of_dyn4j<FaultOfDyn4j::any_angle>(const Deviation&);
 template bool after_gjk_of_dyn4j<FaultOfDyn4j::neighbour_by_dot>(const Deviation&);
 

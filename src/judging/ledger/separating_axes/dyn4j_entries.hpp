@@ -158,6 +158,7 @@ inline constexpr Budget kOfDyn4jGjkPlacedVertices[] = {{"corner_corner", 3300},
                                                        {"ulp", 53000}};
 inline constexpr Budget kOfDyn4jGjkNeighbourByDot[] = {
     {"near_collinear", 12000}, {"tied_faces", 9500}, {"ulp", 390}};
+inline constexpr Budget kOfDyn4jGjkLongerEdges[] = {{"near_collinear", 200}};
 inline constexpr Budget kOfDyn4jGjkAnyAngle[] = {{"capsules", 9500},
                                                  {"cores_touch", 5300},
                                                  {"in_line", 13000},
@@ -252,6 +253,8 @@ inline constexpr std::array kOfDyn4jGjk{
              after_gjk_of_dyn4j<FaultOfDyn4j::normal_of_edge>),
     of_dyn4j("dyn4j-gjk-neighbour-by-dot", "dyn4j-gjk", kNeighbourByDotOfDyn4j,
              kOfDyn4jGjkNeighbourByDot, after_gjk_of_dyn4j<FaultOfDyn4j::neighbour_by_dot>),
+    of_dyn4j("dyn4j-gjk-longer-edges", "dyn4j-gjk", kLongerEdgesOfDyn4j, kOfDyn4jGjkLongerEdges,
+             after_gjk_of_dyn4j<FaultOfDyn4j::longer_edges>),
     of_dyn4j("dyn4j-gjk-any-angle", "dyn4j-gjk", kAnyAngleOfDyn4j, kOfDyn4jGjkAnyAngle,
              after_gjk_of_dyn4j<FaultOfDyn4j::any_angle>),
     of_dyn4j("dyn4j-gjk-tied-edges", "dyn4j-gjk", kTiedEdgesOfDyn4j, kOfDyn4jGjkTiedEdges,

@@ -135,6 +135,10 @@ bool fault_of_godot(const Deviation& d) {
   });
 }
 
+bool no_support_found_by_godot(const LostAnswer& lost) {
+  return lost.how == Lost::How::crashed && as_godot::by_godot(lost.pair, {}).is_without_support;
+}
+
 template bool fault_of_godot<FaultOfGodot::short_difference>(const Deviation&);
 template bool fault_of_godot<FaultOfGodot::first_ends>(const Deviation&);
 template bool fault_of_godot<FaultOfGodot::first_edge>(const Deviation&);

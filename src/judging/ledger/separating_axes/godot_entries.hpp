@@ -61,12 +61,13 @@ inline constexpr Budget kOfGodotFlatCapsule[] = {
 inline constexpr std::array kOfGodot{
     LedgerEntry{.id = "godot3-start-values",
                 .collider = "godot3",
-                .description = "no contact: the farthest vertex is sought from -1e10 upwards, the "
-                               "least overlap from 1e15 downwards",
+                .description = "no contact, or a crash: the farthest vertex is sought from -1e10 "
+                               "upwards, the least overlap from 1e15 downwards",
                 .source = "Godot 3.2.3, servers/physics_2d/shape_2d_sw.cpp, "
                           "ConvexPolygonShape2DSW::get_supports: d = -1e10; "
                           "collision_solver_2d_sat.cpp, SeparatorAxisTest2D: best_depth = 1e15",
-                .explains = fault_of_godot<FaultOfGodot::start_values>},
+                .explains = fault_of_godot<FaultOfGodot::start_values>,
+                .explains_lost = no_support_found_by_godot},
     LedgerEntry{.id = "godot3-squared-length",
                 .collider = "godot3",
                 .description = "no contact, or another normal: the square of an edge's length "

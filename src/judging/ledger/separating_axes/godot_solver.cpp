@@ -204,6 +204,8 @@ GodotAnswer by_godot(const PairCase& pair, const Mends& mends,
   answer.axis = from_a.cast<double>();
   answer.depth = static_cast<double>(best.depth);
   answer.edges = {of_a.edges_met(from_a), of_b.edges_met(-from_a)};
+  answer.is_without_support =
+      a.supports<float>(-best.axis).count == 0 || b.supports<float>(best.axis).count == 0;
   const auto contact = mends.is_edge_exact ? contact_at<double> : contact_at<float>;
   answer.contact = contact(a, b, best.axis, mends, is_swapped);
   return answer;

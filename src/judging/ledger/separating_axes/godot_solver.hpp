@@ -12,6 +12,7 @@ struct GodotAnswer {
   replayed::Contact contact;
   Vector2<double> axis{0, 0};             ///< of the least overlap, from A to B
   double depth = 0;                       ///< along it
+  bool is_without_support = false;        ///< get_supports finds none, and sets no count
   std::array<std::vector<int>, 2> edges;  ///< `Shape::edges_met`, of A and of B
 };
 

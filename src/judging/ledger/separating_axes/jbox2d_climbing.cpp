@@ -90,8 +90,10 @@ replayed::Contact by_jbox2d(const PairCase& pair, bool is_mended) {
   const Vector2<float> from = reference.vertex(edge);
   const Vector2<float> to = reference.vertex(reference.next(edge));
   const Vector2<float> along = to - from;
-  const Vector2<float> tangent =
-      reference.turned(along * (1.0F / std::sqrt(along.x() * along.x() + along.y() * along.y())));
+  // Vec2.normalize leaves what is shorter than Settings.EPSILON as it is.
+  const float length = std::sqrt(along.x() * along.x() + along.y() * along.y());
+  const bool is_short = length < std::numeric_limits<float>::epsilon();
+  const Vector2<float> tangent = reference.turned(along * (is_short ? 1.0F : 1.0F / length));
   const Vector2<float> normal(tangent.y(), -tangent.x());
   const Vector2<float> first = reference.placed(from);
   const Vector2<float> last = reference.placed(to);

@@ -34,6 +34,9 @@ class EdgeAndPolygonOfJbox2d {
         length < std::numeric_limits<float>::epsilon() ? along : Float2(along * (1.0F / length));
     const Float2 normal(unit.y(), -unit.x());
     is_front_ = normal.dot(placing.placed(polygon_.centroid()) - edge_.vertex(0)) >= 0;
+    if (is_mended(FaultOfJbox2dEdge::front)) {
+      is_front_ = edge_separation(normal) >= edge_separation(-normal);
+    }
     normal_ = is_front_ ? normal : Float2(-normal);
     radius_ = is_mended(FaultOfJbox2dEdge::radius) ? edge.polygon.radius + polygon.polygon.radius
                                                    : 2.0F * 0.01F;
@@ -41,7 +44,7 @@ class EdgeAndPolygonOfJbox2d {
 
   /// With the normal from the edge to the polygon.
   replayed::Contact contact() const {
-    const float of_edge = edge_separation();
+    const float of_edge = edge_separation(normal_);
     int face = 0;
     float of_polygon = polygon_separation(0);
     for (int i = 0; i < polygon_.count(); ++i) {
@@ -53,6 +56,9 @@ class EdgeAndPolygonOfJbox2d {
       }
     }
     if (of_edge > radius_) return {};
+    if (is_mended(FaultOfJbox2dEdge::corners) && std::max(of_edge, of_polygon) > 0) {
+      return between_corners();
+    }
     const bool is_mended_bias = is_mended(FaultOfJbox2dEdge::hysteresis);
     const bool is_b = of_polygon > (is_mended_bias ? of_edge : 0.98F * of_edge + 0.001F);
     return is_b ? clipped(vertices_[face], vertices_[polygon_.next(face)], normals_[face],
@@ -66,10 +72,10 @@ class EdgeAndPolygonOfJbox2d {
     return (mended_ & static_cast<unsigned>(fault)) != 0;
   }
   /// computeEdgeSeparation.
-  float edge_separation() const {
+  float edge_separation(const Float2& normal) const {
     float least = std::numeric_limits<float>::max();
     for (int i = 0; i < polygon_.count(); ++i) {
-      least = std::min(least, normal_.dot(vertices_[i] - edge_.vertex(0)));
+      least = std::min(least, normal.dot(vertices_[i] - edge_.vertex(0)));
     }
     return least;
   }
@@ -85,6 +91,23 @@ class EdgeAndPolygonOfJbox2d {
       if (normal_.dot(normals_[i]) < normal_.dot(normals_[most_against])) most_against = i;
     }
     return {vertices_[most_against], vertices_[polygon_.next(most_against)]};
+  }
+  /// Along the line between the corners that are nearest to each other, of cores that are apart.
+  replayed::Contact between_corners() const {
+    Float2 nearest = vertices_[0] - edge_.vertex(0);
+    Float2 at = vertices_[0];
+    for (int i = 0; i < 2 * polygon_.count(); ++i) {
+      const Float2 apart = vertices_[i / 2] - edge_.vertex(i % 2);
+      if (apart.norm() >= nearest.norm()) continue;
+      nearest = apart;
+      at = vertices_[i / 2];
+    }
+    const auto distance = static_cast<double>(nearest.norm());
+    const auto radius = static_cast<double>(polygon_.body.polygon.radius);
+    const Vector2<double> out = edge_.turned(nearest).cast<double>() / distance;
+    const double radii = static_cast<double>(edge_.body.polygon.radius) + radius;
+    if (distance > radii) return {};
+    return {out, {{edge_.placed(at).cast<double>() - radius * out, radii - distance}}};
   }
   replayed::Contact clipped(const Float2& first, const Float2& last, const Float2& normal,
                             jbox2d::Ends ends, bool is_of_polygon) const {
@@ -146,7 +169,8 @@ bool fault_of_jbox2d_edge(const Deviation& d) {
   declaration.frame = RoundingFrame::world;
   declaration.min_vertices = 1;
   declaration.takes_round = true;
-  return replayed::is_needed(static_cast<unsigned>(kFault), 7, [&](unsigned mended) {
+  constexpr unsigned kAll = 31;
+  return replayed::is_needed(static_cast<unsigned>(kFault), kAll, [&](unsigned mended) {
     return replayed::is_right_answer(d, declaration, edge_by_jbox2d(pair, mended));
   });
 }
@@ -154,5 +178,7 @@ bool fault_of_jbox2d_edge(const Deviation& d) {
 template bool fault_of_jbox2d_edge<FaultOfJbox2dEdge::radius>(const Deviation&);
 template bool fault_of_jbox2d_edge<FaultOfJbox2dEdge::hysteresis>(const Deviation&);
 template bool fault_of_jbox2d_edge<FaultOfJbox2dEdge::slab>(const Deviation&);
+template bool fault_of_jbox2d_edge<FaultOfJbox2dEdge::front>(const Deviation&);
+template bool fault_of_jbox2d_edge<FaultOfJbox2dEdge::corners>(const Deviation&);
 
 }  // namespace manifuzz

@@ -17,6 +17,8 @@ inline constexpr Budget kOfJbox2dSecondPoint[] = {
     {"capsules", 4900}, {"mixed_shapes", 1300}, {"voronoi_lines", 2000}};
 inline constexpr Budget kOfJbox2dHysteresis[] = {{"capsules", 1700}, {"mixed_shapes", 440}};
 inline constexpr Budget kOfJbox2dCornerDirection[] = {{"cores_touch", 550}};
+inline constexpr Budget kOfJbox2dEdgeFront[] = {{"capsules", 600}, {"mixed_shapes", 200}};
+inline constexpr Budget kOfJbox2dEdgeCorners[] = {{"capsules", 200}, {"mixed_shapes", 200}};
 
 inline constexpr std::array kOfJbox2dSearch{
     LedgerEntry{.id = "jbox2d-local-maximum",
@@ -72,6 +74,25 @@ inline constexpr std::array kOfJbox2dSearch{
                           "org/jbox2d/common/Vec2.java, normalize: `length < Settings.EPSILON`",
                 .budgets = kOfJbox2dCornerDirection,
                 .explains = corner_direction_not_normalised},
+    LedgerEntry{.id = "jbox2d-edge-front",
+                .collider = "jbox2d",
+                .description = "a face that is not the least deep: of an edge's two sides the one "
+                               "towards the polygon's centroid alone is tried",
+                .source =
+                    "jbox2d 2.2.1.1, org/jbox2d/collision/Collision.java, EPCollider.collide: "
+                    "`m_front = offset1 >= 0.0f`, offset1 of m_centroidB",
+                .budgets = kOfJbox2dEdgeFront,
+                .explains = fault_of_jbox2d_edge<FaultOfJbox2dEdge::front>},
+    LedgerEntry{.id = "jbox2d-edge-corners",
+                .collider = "jbox2d",
+                .description = "too little depth of an edge's end and a polygon's corner, or no "
+                               "contact: they are clipped along a face's normal",
+                .source =
+                    "jbox2d 2.2.1.1, org/jbox2d/collision/Collision.java, EPCollider.collide: "
+                    "primaryAxis is the edge's or one of the polygon's faces, none between "
+                    "corners",
+                .budgets = kOfJbox2dEdgeCorners,
+                .explains = fault_of_jbox2d_edge<FaultOfJbox2dEdge::corners>},
 };
 
 }  // namespace manifuzz::ledger_of
