@@ -57,6 +57,7 @@ struct SegmentDistance {
   Float2 closest2{0, 0};  ///< the place on the second
   Float2 between{0, 0};   ///< from the one to the other
   float square = 0;       ///< of its length
+  bool is_beyond_range = false;  ///< a product of squared lengths is, so that nothing is a number
 
   bool are_ends() const { return is_end(share1) && is_end(share2); }
   static bool is_end(float share) { return share == 0 || share == 1; }
@@ -94,6 +95,7 @@ struct Found {
   bool is_disjoint = false;
   bool is_unclipped = false;
   bool are_apart = false;
+  bool is_beyond_range = false;
 };
 
 /// b2CollideCapsules.

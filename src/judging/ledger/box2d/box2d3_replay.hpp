@@ -24,6 +24,7 @@ struct ContactOfBox2d3 {
   bool is_disjoint = false;     ///< both edges miss each other along the reference face
   bool is_unclipped = false;    ///< the incident edge is too short to be clipped, and sticks out
   bool are_apart = false;       ///< a face is farther than 0.0005
+  bool is_beyond_range = false;  ///< of capsules: a product of their cores' squared lengths is
 };
 
 /// Nothing of a circle.

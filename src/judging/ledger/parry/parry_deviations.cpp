@@ -225,6 +225,20 @@ bool equal_corners_of_gjk(const Deviation& d) {
 }
 
 template <class Engine>
+bool rounded_foot_of_gjk(const Deviation& d) {
+  const auto replay = parry::as_reported<Engine>(d);
+  if (!replay || !replay->gjk.foot || replay->gjk.is_refused) return false;
+  const auto& [foot, chord] = *replay->gjk.foot;
+  const Vector2<double> from = chord[0].template cast<double>();
+  const Vector2<double> to = chord[1].template cast<double>();
+  // The share's error and those of its product and sum are each a few roundings of a coordinate.
+  const Vector2<double> own = ledger_of::nearest_on_segment({0, 0}, from, to);
+  const double roundings = 4 * parry::kEpsilonOf<Engine> * std::max(from.norm(), to.norm());
+  return (foot.template cast<double>() - own).norm() <= roundings &&
+         parry::is_right<Engine>(d, parry::in_doubles(*replay));
+}
+
+template <class Engine>
 bool not_a_number_of_clip(const LostAnswer& lost) {
   if (lost.how != Lost::How::malformed) return false;
   const auto is_beyond_range = [](auto run) { return run != 0 && !std::isfinite(1 / run); };
@@ -258,6 +272,7 @@ template bool not_a_number_of_clip<parry::Rapier>(const LostAnswer&);
 template bool normals_before_simplifying<parry::Floats>(const Deviation&);
 template bool normals_before_simplifying<parry::Rapier>(const Deviation&);
 template bool squared_length_of_epa<parry::Floats>(const Deviation&);
+template bool rounded_foot_of_gjk<parry::Floats>(const Deviation&);
 
 #undef MANIFUZZ_OF_PARRY
 

@@ -30,6 +30,14 @@ struct GjkPlaces {
   Vector2<Real> direction{0, 0};
 };
 
+/// Where it has a corner already to which its direction leads: the origin's place on its chord, from
+/// which the direction comes.
+template <class Real>
+struct GjkFoot {
+  Vector2<Real> foot{0, 0};
+  std::array<Vector2<Real>, 2> chord{};
+};
+
 /// What it found: places, where it found them.
 template <class Real>
 struct GjkResult : GjkPlaces<Real> {
@@ -37,7 +45,8 @@ struct GjkResult : GjkPlaces<Real> {
   bool is_intersection = false;
   bool has_points = false;
   std::optional<GjkPlaces<Real>> after{};  ///< stalled_apart: of the step that it goes back from
-  bool is_refused = false;  ///< add_point took two corners for one that are not at one place
+  std::optional<GjkFoot<Real>> foot{};  ///< refused_apart: of a corner that is one of its chord's
+  bool is_refused = false;              ///< add_point took two corners for one that are not at one place
 };
 
 template <class Real>
@@ -93,7 +102,13 @@ class Gjk {
 
   Found refused() {
     is_refused_ = is_refused_ || simplex_.refused() > 0;
-    if (best_least_ > 0) return points(GjkEnd::refused_apart, false, direction_);
+    if (best_least_ > 0) {
+      GjkResult<Real> result = points(GjkEnd::refused_apart, false, direction_);
+      if (simplex_.count() == 2 && simplex_.refused() == 0) {
+        result.foot = {nearest_, {simplex_.corner(0).point, simplex_.corner(1).point}};
+      }
+      return result;
+    }
     if (is_touching()) return points(GjkEnd::refused_touching, false, direction_);
     if (perturbation_count_ == kPerturbationsMax) return intersection(GjkEnd::refused_inside);
     return std::nullopt;

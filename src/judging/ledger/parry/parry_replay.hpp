@@ -103,4 +103,31 @@ std::optional<std::array<Vector2<Real>, 2>> searched(Replay<Real>& replay, bool 
   return std::array{replay.gjk.on_a, replay.gjk.on_b};
 }
 
+inline Placed<double> in_doubles(const Placed<float>& placed) {
+  Placed<double> wide;
+  wide.pose = {placed.pose.position.cast<double>(), placed.pose.rotation.cast<double>()};
+  wide.shape.radius = static_cast<double>(placed.shape.radius);
+  for (const Vector2<float>& corner : placed.shape.corners) {
+    wide.shape.corners.push_back(corner.cast<double>());
+  }
+  for (const Vector2<float>& normal : placed.shape.normals) {
+    wide.shape.normals.push_back(normal.cast<double>());
+  }
+  return wide;
+}
+
+/// The same with all that it does done in doubles, and rounded at last.
+inline Replay<float> in_doubles(const Replay<float>& replay) {
+  const Replay<double> wide = replayed(in_doubles(replay.a), in_doubles(replay.b),
+                                       static_cast<double>(replay.prediction));
+  Replay<float> rounded = replay;
+  rounded.normal = wide.normal.cast<float>();
+  rounded.points.clear();
+  for (const TrackedPoint<double>& point : wide.points) {
+    rounded.points.push_back({point.on_a.cast<float>(), point.on_b.cast<float>(),
+                              static_cast<float>(point.distance)});
+  }
+  return rounded;
+}
+
 }  // namespace manifuzz::parry
