@@ -95,8 +95,8 @@ bool no_normal_within_box2d3_epsilon(const Deviation& deviation);
 /// Two capsules in Box2D 3.2: the answer is what b2CollideCapsules makes, which is as
 /// phaser-box2d's without the slips, but that A's edge is kept up to 0.0005.
 bool slop_in_box2d3_capsules(const Deviation& deviation);
-/// A circle and a segment, a capsule or a polygon's corner in Box2D 3.2: the normal is the direction
-/// to the place on the core that is nearest as floats have it.
+/// A circle and a segment, a capsule or a polygon's corner in Box2D 3.2: the normal is the
+/// direction to the place on the core that is nearest as floats have it.
 bool direction_of_rounded_place(const Deviation& deviation);
 
 // Of Box2D 3.2, whose operations are repeated in floats: the answer is what they give.

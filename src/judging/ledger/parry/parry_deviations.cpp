@@ -164,12 +164,14 @@ template <class Engine>
 bool direction_of_parry_places(const Deviation& d) {
   const auto replay = parry::as_reported<Engine>(d);
   const double apart = cores_apart(d);
-  if (!replay || d.got.count == 0 || apart <= 0 || ledger_of::is_of_points(d.kind)) return false;
-  const bool is_of_places =
-      replay->route == Route::capsules ||
-      (replay->route == Route::features && is_between_places(replay->gjk.end));
-  return is_of_places && parry::is_depth_right(d) &&
-         parry::error_of_direction<Engine>(d, *replay) * apart <= bound_of(d);
+  if (!replay || d.got.count == 0 || ledger_of::is_of_points(d.kind)) return false;
+  const bool is_of_search = replay->route == Route::features && is_between_places(replay->gjk.end);
+  // Roundings of its places make a gap of cores that touch.
+  const bool is_made_apart =
+      is_of_search && !replay->gjk.is_refused && std::abs(apart) <= bound_of(d);
+  return (is_of_search || replay->route == Route::capsules) && (apart > 0 || is_made_apart) &&
+         parry::is_depth_right(d) &&
+         parry::error_of_direction<Engine>(d, *replay) * std::abs(apart) <= bound_of(d);
 }
 
 template <class Engine>

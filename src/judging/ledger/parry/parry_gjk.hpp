@@ -30,8 +30,8 @@ struct GjkPlaces {
   Vector2<Real> direction{0, 0};
 };
 
-/// Where it has a corner already to which its direction leads: the origin's place on its chord, from
-/// which the direction comes.
+/// Where it has a corner already to which its direction leads: the origin's place on its chord,
+/// from which the direction comes.
 template <class Real>
 struct GjkFoot {
   Vector2<Real> foot{0, 0};
@@ -46,7 +46,7 @@ struct GjkResult : GjkPlaces<Real> {
   bool has_points = false;
   std::optional<GjkPlaces<Real>> after{};  ///< stalled_apart: of the step that it goes back from
   std::optional<GjkFoot<Real>> foot{};  ///< refused_apart: of a corner that is one of its chord's
-  bool is_refused = false;              ///< add_point took two corners for one that are not at one place
+  bool is_refused = false;  ///< add_point took two corners for one that are not at one place
 };
 
 template <class Real>

@@ -118,14 +118,14 @@ inline Placed<double> in_doubles(const Placed<float>& placed) {
 
 /// The same with all that it does done in doubles, and rounded at last.
 inline Replay<float> in_doubles(const Replay<float>& replay) {
-  const Replay<double> wide = replayed(in_doubles(replay.a), in_doubles(replay.b),
-                                       static_cast<double>(replay.prediction));
+  const Replay<double> wide =
+      replayed(in_doubles(replay.a), in_doubles(replay.b), static_cast<double>(replay.prediction));
   Replay<float> rounded = replay;
   rounded.normal = wide.normal.cast<float>();
   rounded.points.clear();
   for (const TrackedPoint<double>& point : wide.points) {
-    rounded.points.push_back({point.on_a.cast<float>(), point.on_b.cast<float>(),
-                              static_cast<float>(point.distance)});
+    rounded.points.push_back(
+        {point.on_a.cast<float>(), point.on_b.cast<float>(), static_cast<float>(point.distance)});
   }
   return rounded;
 }

@@ -79,10 +79,10 @@ class ByCute {
   /// contact, the distance of c2GJK may be its places' roundings.
   bool is_right_inside(unsigned mended, const as_cute::CuteAnswer& answer) const {
     const PairCase& pair = deviation_.right.pair();
-    const double roundings =
-        answer.way == as_cute::Way::apart && ledger_of::least_depth(deviation_) >= total_radius(pair)
-            ? deviation_.right.bounds.separation
-            : 0;
+    const double roundings = answer.way == as_cute::Way::apart &&
+                                     ledger_of::least_depth(deviation_) >= total_radius(pair)
+                                 ? deviation_.right.bounds.separation
+                                 : 0;
     if (static_cast<double>(answer.distance) > roundings || answer.way == as_cute::Way::face ||
         std::max(pair.a.polygon.count, pair.b.polygon.count) > 2) {
       return false;
