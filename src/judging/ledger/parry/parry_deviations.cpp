@@ -236,8 +236,14 @@ bool rounded_foot_of_gjk(const Deviation& d) {
   // The share's error and those of its product and sum are each a few roundings of a coordinate.
   const Vector2<double> own = ledger_of::nearest_on_segment({0, 0}, from, to);
   const double roundings = 4 * parry::kEpsilonOf<Engine> * std::max(from.norm(), to.norm());
-  return (foot.template cast<double>() - own).norm() <= roundings &&
-         parry::is_right<Engine>(d, parry::in_doubles(*replay));
+  if (!((foot.template cast<double>() - own).norm() <= roundings)) return false;
+  const auto mended = parry::in_wider(*replay);
+  if (parry::is_right<Engine>(d, mended)) return true;
+  // What may be left is the direction of roundings, which are fewer then.
+  const double apart = mended.route == Route::ball ? parry::centre_from_surface(d) : cores_apart(d);
+  const double depth = ledger_of::deepest(Engine::answer(mended, d.right.pair()));
+  return std::abs(depth - ledger_of::least_depth(d)) <= bound_of(d) &&
+         parry::error_of_direction<Engine>(d, mended) * std::abs(apart) <= bound_of(d);
 }
 
 template <class Engine>
@@ -275,6 +281,8 @@ template bool normals_before_simplifying<parry::Floats>(const Deviation&);
 template bool normals_before_simplifying<parry::Rapier>(const Deviation&);
 template bool squared_length_of_epa<parry::Floats>(const Deviation&);
 template bool rounded_foot_of_gjk<parry::Floats>(const Deviation&);
+template bool rounded_foot_of_gjk<parry::Doubles>(const Deviation&);
+template bool rounded_foot_of_gjk<parry::Rapier>(const Deviation&);
 
 #undef MANIFUZZ_OF_PARRY
 

@@ -99,7 +99,7 @@ template <class Engine>
 bool equal_corners_of_gjk(const Deviation& deviation);
 
 /// GJK ended with a chord to which its direction leads back, without having converged: the origin's
-/// place on it is rounded, and all in doubles the answer is right.
+/// place on it is rounded, and in a wider scalar the answer is right.
 template <class Engine>
 bool rounded_foot_of_gjk(const Deviation& deviation);
 

@@ -281,6 +281,8 @@ Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real predict
 
 template Replay<float> replayed(const Placed<float>&, const Placed<float>&, float);
 template Replay<double> replayed(const Placed<double>&, const Placed<double>&, double);
+template Replay<long double> replayed(const Placed<long double>&, const Placed<long double>&,
+                                      long double);
 template std::optional<Replay<float>> replayed_after_step(const Replay<float>&);
 template std::optional<Replay<double>> replayed_after_step(const Replay<double>&);
 template std::array<float, 2> clipped_runs(const Replay<float>&);

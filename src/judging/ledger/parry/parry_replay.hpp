@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "geometry/manifold.hpp"
 #include "judging/ledger/parry/parry_epa.hpp"
@@ -103,29 +104,38 @@ std::optional<std::array<Vector2<Real>, 2>> searched(Replay<Real>& replay, bool 
   return std::array{replay.gjk.on_a, replay.gjk.on_b};
 }
 
-inline Placed<double> in_doubles(const Placed<float>& placed) {
-  Placed<double> wide;
-  wide.pose = {placed.pose.position.cast<double>(), placed.pose.rotation.cast<double>()};
-  wide.shape.radius = static_cast<double>(placed.shape.radius);
-  for (const Vector2<float>& corner : placed.shape.corners) {
-    wide.shape.corners.push_back(corner.cast<double>());
+/// A scalar with more digits.
+template <class Real>
+using Wider = std::conditional_t<std::is_same_v<Real, float>, double, long double>;
+
+template <class Real>
+Placed<Wider<Real>> in_wider(const Placed<Real>& placed) {
+  using Wide = Wider<Real>;
+  Placed<Wide> wide;
+  wide.pose = {placed.pose.position.template cast<Wide>(),
+               placed.pose.rotation.template cast<Wide>()};
+  wide.shape.radius = static_cast<Wide>(placed.shape.radius);
+  for (const Vector2<Real>& corner : placed.shape.corners) {
+    wide.shape.corners.push_back(corner.template cast<Wide>());
   }
-  for (const Vector2<float>& normal : placed.shape.normals) {
-    wide.shape.normals.push_back(normal.cast<double>());
+  for (const Vector2<Real>& normal : placed.shape.normals) {
+    wide.shape.normals.push_back(normal.template cast<Wide>());
   }
   return wide;
 }
 
-/// The same with all that it does done in doubles, and rounded at last.
-inline Replay<float> in_doubles(const Replay<float>& replay) {
-  const Replay<double> wide =
-      replayed(in_doubles(replay.a), in_doubles(replay.b), static_cast<double>(replay.prediction));
-  Replay<float> rounded = replay;
-  rounded.normal = wide.normal.cast<float>();
+/// The same with all that it does done in a wider scalar, and rounded at last.
+template <class Real>
+Replay<Real> in_wider(const Replay<Real>& replay) {
+  using Wide = Wider<Real>;
+  const Replay<Wide> wide =
+      replayed(in_wider(replay.a), in_wider(replay.b), static_cast<Wide>(replay.prediction));
+  Replay<Real> rounded = replay;
+  rounded.normal = wide.normal.template cast<Real>();
   rounded.points.clear();
-  for (const TrackedPoint<double>& point : wide.points) {
-    rounded.points.push_back(
-        {point.on_a.cast<float>(), point.on_b.cast<float>(), static_cast<float>(point.distance)});
+  for (const TrackedPoint<Wide>& point : wide.points) {
+    rounded.points.push_back({point.on_a.template cast<Real>(), point.on_b.template cast<Real>(),
+                              static_cast<Real>(point.distance)});
   }
   return rounded;
 }
