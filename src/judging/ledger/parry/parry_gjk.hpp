@@ -45,7 +45,7 @@ struct GjkResult : GjkPlaces<Real> {
   bool is_intersection = false;
   bool has_points = false;
   std::optional<GjkPlaces<Real>> after{};  ///< stalled_apart: of the step that it goes back from
-  std::optional<GjkFoot<Real>> foot{};  ///< refused_apart: of a corner that is one of its chord's
+  std::optional<GjkFoot<Real>> foot{};     ///< refused a corner of its chord: apart, or inside
   bool is_refused = false;  ///< add_point took two corners for one that are not at one place
 };
 
@@ -102,16 +102,19 @@ class Gjk {
 
   Found refused() {
     is_refused_ = is_refused_ || simplex_.refused() > 0;
-    if (best_least_ > 0) {
-      GjkResult<Real> result = points(GjkEnd::refused_apart, false, direction_);
-      if (simplex_.count() == 2 && simplex_.refused() == 0) {
-        result.foot = {nearest_, {simplex_.corner(0).point, simplex_.corner(1).point}};
-      }
-      return result;
-    }
+    if (best_least_ > 0) return on_chord(points(GjkEnd::refused_apart, false, direction_));
     if (is_touching()) return points(GjkEnd::refused_touching, false, direction_);
-    if (perturbation_count_ == kPerturbationsMax) return intersection(GjkEnd::refused_inside);
+    if (perturbation_count_ == kPerturbationsMax) {
+      return on_chord(intersection(GjkEnd::refused_inside));
+    }
     return std::nullopt;
+  }
+
+  GjkResult<Real> on_chord(GjkResult<Real> result) const {
+    if (simplex_.count() == 2 && simplex_.refused() == 0) {
+      result.foot = {nearest_, {simplex_.corner(0).point, simplex_.corner(1).point}};
+    }
+    return result;
   }
 
   static constexpr int kPerturbationsMax = 4;
