@@ -94,3 +94,22 @@ TEST_CASE("parry's normal of capsules that are nearly parallel is across either 
   turned.normal = rotate<double>({std::cos(1e-3), std::sin(1e-3)}, given.normal);
   CHECK_FALSE(is_it(turned));
 }
+
+TEST_CASE("parry's GJK says inside of a gap, of whose chord the foot is rounded") {
+  const std::array<Vector2<float>, 2> of_a{Vector2<float>{-0.82047564F, 0},
+                                           Vector2<float>{0.7927104F, 0}};
+  const std::array<Vector2<float>, 2> of_b{Vector2<float>{-1.45144F, 0},
+                                           Vector2<float>{1.1431631F, 0}};
+  const PairCase pair{body_at(of_a, 0, 0), body_at(of_b, 0, -2.4874705e-06F, 0.013509961F)};
+  const auto replay = parry::Floats::replays(exact::stored(pair)).front();
+  const Manifold<double> given = parry::Floats::answer(replay, pair);
+  const auto is_it = [&](const Manifold<double>& got) {
+    return explains(rounded_foot_of_gjk<parry::Floats>, pair, got, Kind::inconsistent);
+  };
+  CHECK(replay.gjk.end == parry::GjkEnd::refused_inside);
+  CHECK(is_it(given));
+  Manifold<double> shallow = given;
+  for (ContactPoint<double>& point : shallow.points) point.depth -= 0.001;
+  CHECK_FALSE(is_it(shallow));
+  CHECK_FALSE(is_it({}));
+}
