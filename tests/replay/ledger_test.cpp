@@ -42,6 +42,16 @@ Manifold<double> manifold_of(const Answer& answer) {
   return manifold;
 }
 
+/// The same shapes where A's frame is, each scaled to a diameter of 1.
+void scale_to_unit(PairCase& pair) {
+  for (Body* const body : {&pair.a, &pair.b}) {
+    const auto scale = 1 / static_cast<float>(size(body->polygon));
+    body->pose.position = {0, 0};
+    body->polygon.radius *= scale;
+    for (int i = 0; i < body->polygon.count; ++i) body->polygon.vertices[i] *= scale;
+  }
+}
+
 /// The witness of an entry on lost answers: no other loss is explained, nor that of another pair.
 void check_strict_on_lost(const LedgerEntry& entry, const PairCase& pair, const Collider& oracle) {
   Interruption interruption(kUntilSignal);
@@ -51,9 +61,12 @@ void check_strict_on_lost(const LedgerEntry& entry, const PairCase& pair, const 
   for (const auto each : {Lost::How::crashed, Lost::How::timed_out, Lost::How::malformed}) {
     CHECK(entry.explains_lost({pair, answer, each}) == (each == how));
   }
-  PairCase apart = pair;
-  apart.b.pose.position.x() += 4 * static_cast<float>(size(pair.a.polygon) + size(pair.b.polygon));
-  CHECK_FALSE(entry.explains_lost({apart, answer, how}));
+  PairCase other = pair;
+  other.b.pose.position.x() += 4 * static_cast<float>(size(pair.a.polygon) + size(pair.b.polygon));
+  // Where it is the lengths that lose an answer, wherever the shapes are: a pair of usual ones.
+  const Answer of_other = ask_in_child(oracle, other, interruption);
+  if (why_lost(other, {oracle.declaration, of_other})) scale_to_unit(other);
+  CHECK_FALSE(entry.explains_lost({other, answer, how}));
 }
 
 /// The witness of an entry that the penetration curve judges, and what becomes of other wrong

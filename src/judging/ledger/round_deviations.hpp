@@ -95,8 +95,8 @@ bool no_normal_within_box2d3_epsilon(const Deviation& deviation);
 /// Two capsules in Box2D 3.2: the answer is what b2CollideCapsules makes, which is as
 /// phaser-box2d's without the slips, but that A's edge is kept up to 0.0005.
 bool slop_in_box2d3_capsules(const Deviation& deviation);
-/// A circle and a segment or capsule in Box2D 3.2: the normal is the direction to the place on the
-/// core that is nearest as floats have it.
+/// A circle and a segment, a capsule or a polygon's corner in Box2D 3.2: the normal is the
+/// direction to the place on the core that is nearest as floats have it.
 bool direction_of_rounded_place(const Deviation& deviation);
 
 // Of Box2D 3.2, whose operations are repeated in floats: the answer is what they give.
@@ -118,6 +118,9 @@ bool normal_over_box2d3_distance(const Deviation& deviation);
 /// An answer that holds no number: the distance of the nearest places is 0, and their difference is
 /// divided by it.
 bool normal_over_no_distance(const LostAnswer& lost);
+/// An answer that holds no number: of two capsules, the product of both cores' squared lengths is
+/// beyond a float, and the nearest places are shares of infinity over infinity.
+bool squares_beyond_box2d3_range(const LostAnswer& lost);
 /// The incident edge is shorter along the face than float's epsilon, and not clipped.
 bool edge_below_box2d3_epsilon(const Deviation& deviation);
 /// No contact: edges that are apart miss each other along the reference face, by roundings, and are

@@ -67,6 +67,8 @@ SegmentDistance segment_distance(const Float2& p1, const Float2& q1, const Float
   if (denominator != 0) {
     found.share1 = std::clamp((d12 * rd2 - rd1 * dd2) / denominator, 0.0F, 1.0F);
   }
+  // Of finite cores: infinity less infinity, or over infinity.
+  found.is_beyond_range = std::isnan(found.share1);
   found.share2 = (d12 * found.share1 + rd2) / dd2;
   if (found.share2 < 0) {
     found.share2 = 0;
@@ -90,6 +92,7 @@ Found collide_capsules(const Placed& placed) {
   const float radius = placed.radius();
   const SegmentDistance nearest = segment_distance(p1, q1, p2, q2);
   Found found;
+  found.is_beyond_range = nearest.is_beyond_range;
   const float most = radius + kSpeculative;
   if (nearest.square > most * most) return found;
   const float distance = std::sqrt(nearest.square);

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
+#include "judging/ledger/box2d/box2d3_floats.hpp"
 #include "judging/ledger/box2d/box2d3_replay.hpp"
 #include "judging/ledger/differences.hpp"
 #include "judging/ledger/round_deviations.hpp"
@@ -12,11 +14,35 @@
 namespace manifuzz {
 namespace {
 
-/// b2CollideCapsuleAndCircle's difference from the nearest place on the core to the circle's
-/// centre, in the core's frame.
-Vector2<float> to_centre_by_box2d3(const Body& core, const Body& circle) {
+using ledger_of::box2d3::Float2;
+
+/// b2CollidePolygonAndCircle's difference from a corner to a centre; none where it takes the
+/// normal of a face.
+std::optional<Float2> to_centre_from_corner(const ConvexPolygon<float>& core,
+                                            const Float2& centre) {
+  int face = 0;
+  float separation = -std::numeric_limits<float>::max();
+  for (int i = 0; i < core.count; ++i) {
+    const float s = ledger_of::box2d3::dot(core.normals[i], centre - core.vertices[i]);
+    if (s > separation) {
+      separation = s;
+      face = i;
+    }
+  }
+  if (!(separation > ledger_of::box2d3::kEpsilon)) return std::nullopt;
+  const Float2& v1 = core.vertices[face];
+  const Float2& v2 = core.vertices[core.next(face)];
+  if (ledger_of::box2d3::dot(centre - v1, v2 - v1) < 0) return centre - v1;
+  if (ledger_of::box2d3::dot(centre - v2, v1 - v2) < 0) return centre - v2;
+  return std::nullopt;
+}
+
+/// Its difference from the nearest place on the core to the circle's centre, in the core's frame:
+/// b2CollideCapsuleAndCircle's, or that of a polygon's corner.
+std::optional<Float2> to_centre_by_box2d3(const Body& core, const Body& circle) {
   const Pose<float> between = relative_pose(core.pose, circle.pose);
   const Vector2<float> centre = transform(between, circle.polygon.vertices[0]);
+  if (core.polygon.count > 2) return to_centre_from_corner(core.polygon, centre);
   const Vector2<float>& from = core.polygon.vertices[0];
   const Vector2<float>& to = core.polygon.vertices[1];
   const Vector2<float> edge = to - from;
@@ -65,13 +91,14 @@ bool direction_of_rounded_place(const Deviation& d) {
   const PairCase& pair = d.right.pair();
   const Side circle = pair.a.polygon.count == 1 ? Side::a : Side::b;
   const Body& core = pair[other(circle)];
-  if (d.got.count != 1 || pair[circle].polygon.count != 1 || core.polygon.count != 2) return false;
+  if (d.got.count != 1 || pair[circle].polygon.count != 1 || core.polygon.count < 2) return false;
   const Bounds& bounds = d.right.bounds;
   const double least = ledger_of::least_depth(d);
   if (std::abs(d.got.points[0].depth - least) > 4 * bounds.separation) return false;
-  const Vector2<double> apart = to_centre_by_box2d3(core, pair[circle]).cast<double>();
+  const auto apart = to_centre_by_box2d3(core, pair[circle]);
+  if (!apart) return false;
   const Vector2<double> turned =
-      rotate<double>(core.pose.rotation.cast<double>(), apart.normalized());
+      rotate<double>(core.pose.rotation.cast<double>(), apart->cast<double>().normalized());
   const Vector2<double> normal =
       rotate<double>(pair.a.pose.rotation.cast<double>(), d.got.normal).normalized();
   const Vector2<double> found =
@@ -116,6 +143,15 @@ bool normal_over_no_distance(const LostAnswer& lost) {
   const auto found = ledger_of::contact_of_box2d3(lost.pair);
   return found && !found->is_of_capsules && found->are_apart && !found->is_clipped &&
          !found->points.empty() && !found->normal.allFinite();
+}
+
+bool squares_beyond_box2d3_range(const LostAnswer& lost) {
+  if (lost.how != Lost::How::malformed) return false;
+  const Manifold<double>* const got = manifold_in(lost.answer);
+  const auto found = ledger_of::contact_of_box2d3(lost.pair);
+  return got != nullptr && got->count == 1 && !got->points[0].position.allFinite() && found &&
+         found->is_of_capsules && found->is_beyond_range && found->points.size() == 1 &&
+         !found->points[0].at.allFinite();
 }
 
 bool edge_below_box2d3_epsilon(const Deviation& d) {

@@ -100,10 +100,11 @@ inline constexpr std::array kOfBox2d3{
                 .explains = no_normal_within_box2d3_epsilon},
     LedgerEntry{.id = "box2d3-direction-of-rounded-place",
                 .collider = "box2d3",
-                .description = "a circle's centre all but on a capsule's core: the normal is the "
-                               "direction of roundings between both",
+                .description = "a circle's centre all but on a capsule's core or a polygon's "
+                               "corner: the normal is the direction of roundings between both",
                 .source = "Box2D 3.2.0, commit 56edae79, src/manifold.c, "
-                          "b2CollideCapsuleAndCircle: pA = b2MulAdd( p1, s, e )",
+                          "b2CollideCapsuleAndCircle: pA = b2MulAdd( p1, s, e ); "
+                          "b2CollidePolygonAndCircle: b2Normalize( b2Sub( center, v1 ) )",
                 .budgets = kOfBox2d3DirectionOfRoundedPlace,
                 .explains = direction_of_rounded_place},
     LedgerEntry{
@@ -130,6 +131,13 @@ inline constexpr std::array kOfBox2d3{
                 .source = "Box2D 3.2.0, commit 56edae79, src/manifold.c, b2CollidePolygons: "
                           "invDistance = 1.0f / distance",
                 .explains_lost = normal_over_no_distance},
+    LedgerEntry{.id = "box2d3-squares-beyond-float",
+                .collider = "box2d3",
+                .description = "a point that is not a number: of two segments or capsules, the "
+                               "product of whose cores' squared lengths is beyond a float",
+                .source = "Box2D 3.2.0, commit 56edae79, src/manifold.c, b2CollideCapsules: denom "
+                          "= dd1 * dd2 - d12 * d12",
+                .explains_lost = squares_beyond_box2d3_range},
     LedgerEntry{.id = "box2d3-edge-below-epsilon",
                 .collider = "box2d3",
                 .description = "an end beyond a side plane: an incident edge that is shorter than "

@@ -51,12 +51,13 @@ struct Placed {
 
 /// b2SegmentDistance of edges that are longer than its epsilon.
 struct SegmentDistance {
-  float share1 = 0;       ///< of the first edge, from its first end
-  float share2 = 0;       ///< of the second
-  Float2 closest1{0, 0};  ///< the place on the first
-  Float2 closest2{0, 0};  ///< the place on the second
-  Float2 between{0, 0};   ///< from the one to the other
-  float square = 0;       ///< of its length
+  float share1 = 0;              ///< of the first edge, from its first end
+  float share2 = 0;              ///< of the second
+  Float2 closest1{0, 0};         ///< the place on the first
+  Float2 closest2{0, 0};         ///< the place on the second
+  Float2 between{0, 0};          ///< from the one to the other
+  float square = 0;              ///< of its length
+  bool is_beyond_range = false;  ///< a product of squared lengths is, so that nothing is a number
 
   bool are_ends() const { return is_end(share1) && is_end(share2); }
   static bool is_end(float share) { return share == 0 || share == 1; }
@@ -94,6 +95,7 @@ struct Found {
   bool is_disjoint = false;
   bool is_unclipped = false;
   bool are_apart = false;
+  bool is_beyond_range = false;
 };
 
 /// b2CollideCapsules.

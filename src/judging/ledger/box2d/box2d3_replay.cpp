@@ -157,6 +157,7 @@ std::optional<ContactOfBox2d3> contact_of_box2d3(const PairCase& pair) {
   contact.is_disjoint = found.is_disjoint;
   contact.is_unclipped = found.is_unclipped;
   contact.are_apart = found.are_apart;
+  contact.is_beyond_range = found.is_beyond_range;
   return contact;
 }
 

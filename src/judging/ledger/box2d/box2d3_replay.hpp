@@ -18,12 +18,13 @@ struct ContactOfBox2d3 {
     Vector2<double> at;  ///< its place
     double depth = 0;    ///< 0 or more
   };
-  std::vector<Point> points{};  ///< those that are no gaps
-  bool is_of_capsules = false;  ///< b2CollideCapsules found it
-  bool is_clipped = false;      ///< along an edge's normal, not one point between nearest places
-  bool is_disjoint = false;     ///< both edges miss each other along the reference face
-  bool is_unclipped = false;    ///< the incident edge is too short to be clipped, and sticks out
-  bool are_apart = false;       ///< a face is farther than 0.0005
+  std::vector<Point> points{};   ///< those that are no gaps
+  bool is_of_capsules = false;   ///< b2CollideCapsules found it
+  bool is_clipped = false;       ///< along an edge's normal, not one point between nearest places
+  bool is_disjoint = false;      ///< both edges miss each other along the reference face
+  bool is_unclipped = false;     ///< the incident edge is too short to be clipped, and sticks out
+  bool are_apart = false;        ///< a face is farther than 0.0005
+  bool is_beyond_range = false;  ///< of capsules: a product of their cores' squared lengths is
 };
 
 /// Nothing of a circle.

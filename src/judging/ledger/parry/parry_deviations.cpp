@@ -164,12 +164,14 @@ template <class Engine>
 bool direction_of_parry_places(const Deviation& d) {
   const auto replay = parry::as_reported<Engine>(d);
   const double apart = cores_apart(d);
-  if (!replay || d.got.count == 0 || apart <= 0 || ledger_of::is_of_points(d.kind)) return false;
-  const bool is_of_places =
-      replay->route == Route::capsules ||
-      (replay->route == Route::features && is_between_places(replay->gjk.end));
-  return is_of_places && parry::is_depth_right(d) &&
-         parry::error_of_direction<Engine>(d, *replay) * apart <= bound_of(d);
+  if (!replay || d.got.count == 0 || ledger_of::is_of_points(d.kind)) return false;
+  const bool is_of_search = replay->route == Route::features && is_between_places(replay->gjk.end);
+  // Roundings of its places make a gap of cores that touch.
+  const bool is_made_apart =
+      is_of_search && !replay->gjk.is_refused && std::abs(apart) <= bound_of(d);
+  return (is_of_search || replay->route == Route::capsules) && (apart > 0 || is_made_apart) &&
+         parry::is_depth_right(d) &&
+         parry::error_of_direction<Engine>(d, *replay) * std::abs(apart) <= bound_of(d);
 }
 
 template <class Engine>
@@ -242,6 +244,26 @@ bool equal_corners_of_gjk(const Deviation& d) {
 }
 
 template <class Engine>
+bool rounded_foot_of_gjk(const Deviation& d) {
+  const auto replay = parry::as_reported<Engine>(d);
+  if (!replay || !replay->gjk.foot || replay->gjk.is_refused) return false;
+  const auto& [foot, chord] = *replay->gjk.foot;
+  const Vector2<double> from = chord[0].template cast<double>();
+  const Vector2<double> to = chord[1].template cast<double>();
+  // The share's error and those of its product and sum are each a few roundings of a coordinate.
+  const Vector2<double> own = ledger_of::nearest_on_segment({0, 0}, from, to);
+  const double roundings = 4 * parry::kEpsilonOf<Engine> * std::max(from.norm(), to.norm());
+  if (!((foot.template cast<double>() - own).norm() <= roundings)) return false;
+  const auto mended = parry::in_wider(*replay);
+  if (parry::is_right<Engine>(d, mended)) return true;
+  // What may be left is the direction of roundings, which are fewer then.
+  const double apart = mended.route == Route::ball ? parry::centre_from_surface(d) : cores_apart(d);
+  const double depth = ledger_of::deepest(Engine::answer(mended, d.right.pair()));
+  return std::abs(depth - ledger_of::least_depth(d)) <= bound_of(d) &&
+         parry::error_of_direction<Engine>(d, mended) * std::abs(apart) <= bound_of(d);
+}
+
+template <class Engine>
 bool not_a_number_of_clip(const LostAnswer& lost) {
   if (lost.how != Lost::How::malformed) return false;
   const auto is_beyond_range = [](auto run) { return run != 0 && !std::isfinite(1 / run); };
@@ -275,6 +297,9 @@ template bool not_a_number_of_clip<parry::Rapier>(const LostAnswer&);
 template bool normals_before_simplifying<parry::Floats>(const Deviation&);
 template bool normals_before_simplifying<parry::Rapier>(const Deviation&);
 template bool squared_length_of_epa<parry::Floats>(const Deviation&);
+template bool rounded_foot_of_gjk<parry::Floats>(const Deviation&);
+template bool rounded_foot_of_gjk<parry::Doubles>(const Deviation&);
+template bool rounded_foot_of_gjk<parry::Rapier>(const Deviation&);
 
 #undef MANIFUZZ_OF_PARRY
 

@@ -98,6 +98,11 @@ bool origin_within_tolerance(const Deviation& deviation);
 template <class Engine>
 bool equal_corners_of_gjk(const Deviation& deviation);
 
+/// GJK ended with a chord to which its direction leads back, without having converged: the origin's
+/// place on it is rounded, and in a wider scalar the answer is right.
+template <class Engine>
+bool rounded_foot_of_gjk(const Deviation& deviation);
+
 /// Two capsules: both ends of the clip would be right; one point is missing or another was taken.
 template <class Engine>
 bool second_point_of_parry_capsules(const Deviation& deviation);

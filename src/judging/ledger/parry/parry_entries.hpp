@@ -69,6 +69,7 @@ inline constexpr Budget kOfParryCircleByGjk[] = {{"circles", 250000},
 inline constexpr Budget kOfParryEpaChord[] = {{"cores_touch", 120000}};
 inline constexpr Budget kOfParryStepBack[] = {
     {"capsules", 200}, {"cores_touch", 200}, {"side_planes", 1200}, {"voronoi_lines", 1200}};
+inline constexpr Budget kOfParryRoundedFoot[] = {{"cores_touch", 200}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfParry{
@@ -95,6 +96,8 @@ inline constexpr std::array kOfParry{
              origin_within_tolerance<parry::Floats>),
     of_parry("parry2d-equal-corners", "parry2d", kEqualCorners, kOfParryEqualCorners,
              equal_corners_of_gjk<parry::Floats>),
+    of_parry("parry2d-rounded-foot", "parry2d", kRoundedFoot, kOfParryRoundedFoot,
+             rounded_foot_of_gjk<parry::Floats>),
     of_parry("parry2d-second-point-of-capsules", "parry2d", kSecondPoint, kOfParrySecondPoint,
              second_point_of_parry_capsules<parry::Floats>),
     of_parry("parry2d-crossing-capsules", "parry2d", kCrossingCapsules, kOfParryCrossingCapsules,

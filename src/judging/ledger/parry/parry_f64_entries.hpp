@@ -71,6 +71,8 @@ inline constexpr std::array kOfParryF64{
              kOfParryF64TouchingWithin, touching_of_gjk<parry::Doubles>),
     of_parry("parry2d-f64-equal-corners", "parry2d-f64", kEqualCorners, kOfParryF64EqualCorners,
              equal_corners_of_gjk<parry::Doubles>),
+    of_parry("parry2d-f64-rounded-foot", "parry2d-f64", kRoundedFoot, {},
+             rounded_foot_of_gjk<parry::Doubles>),
     of_parry("parry2d-f64-second-point-of-capsules", "parry2d-f64", kSecondPoint,
              kOfParryF64SecondPoint, second_point_of_parry_capsules<parry::Doubles>),
     of_parry("parry2d-f64-crossing-capsules", "parry2d-f64", kCrossingCapsules,

@@ -75,6 +75,11 @@ inline constexpr ParryFault kEqualCorners{
     "taken for one",
     "parry2d 0.30.2 and 0.31.1, src/query/gjk/voronoi_simplex2.rs, add_point: length_squared() < "
     "gjk::eps_tol()"};
+inline constexpr ParryFault kRoundedFoot{
+    "normal and depth of a chord, or of a gap that is taken for an overlap: the place on it that "
+    "is nearest to the origin is rounded, and the direction from it leads back to the chord",
+    "parry2d 0.30.2 and 0.31.1, src/query/gjk/gjk.rs, closest_points: "
+    "!simplex.add_point(cso_point); src/query/point/point_segment.rs: self.a + ab * u"};
 inline constexpr ParryFault kSecondPoint{
     "of two capsules one point, or a second that is not the clip's other end",
     "parry2d 0.30.2 and 0.31.1, src/query/contact_manifolds/contact_manifolds_capsule_capsule.rs: "

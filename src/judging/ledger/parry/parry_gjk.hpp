@@ -30,6 +30,14 @@ struct GjkPlaces {
   Vector2<Real> direction{0, 0};
 };
 
+/// Where it has a corner already to which its direction leads: the origin's place on its chord,
+/// from which the direction comes.
+template <class Real>
+struct GjkFoot {
+  Vector2<Real> foot{0, 0};
+  std::array<Vector2<Real>, 2> chord{};
+};
+
 /// What it found: places, where it found them.
 template <class Real>
 struct GjkResult : GjkPlaces<Real> {
@@ -37,6 +45,7 @@ struct GjkResult : GjkPlaces<Real> {
   bool is_intersection = false;
   bool has_points = false;
   std::optional<GjkPlaces<Real>> after{};  ///< stalled_apart: of the step that it goes back from
+  std::optional<GjkFoot<Real>> foot{};     ///< refused a corner of its chord: apart, or inside
   bool is_refused = false;  ///< add_point took two corners for one that are not at one place
 };
 
@@ -93,10 +102,19 @@ class Gjk {
 
   Found refused() {
     is_refused_ = is_refused_ || simplex_.refused() > 0;
-    if (best_least_ > 0) return points(GjkEnd::refused_apart, false, direction_);
+    if (best_least_ > 0) return on_chord(points(GjkEnd::refused_apart, false, direction_));
     if (is_touching()) return points(GjkEnd::refused_touching, false, direction_);
-    if (perturbation_count_ == kPerturbationsMax) return intersection(GjkEnd::refused_inside);
+    if (perturbation_count_ == kPerturbationsMax) {
+      return on_chord(intersection(GjkEnd::refused_inside));
+    }
     return std::nullopt;
+  }
+
+  GjkResult<Real> on_chord(GjkResult<Real> result) const {
+    if (simplex_.count() == 2 && simplex_.refused() == 0) {
+      result.foot = {nearest_, {simplex_.corner(0).point, simplex_.corner(1).point}};
+    }
+    return result;
   }
 
   static constexpr int kPerturbationsMax = 4;

@@ -22,6 +22,12 @@ struct ClippedPoint {
   Vector2<Real> on_b;
 };
 
+template <class Real>
+TrackedPoint<Real> tracked(const Replay<Real>& replay, const ClippedPoint<Real>& point) {
+  const Vector2<Real> apart = point.on_b - point.on_a;
+  return {point.on_a, inverse_transform(replay.between, point.on_b), apart.dot(replay.normal)};
+}
+
 /// Of a segment from one place along a tangent to another, the point at a place.
 template <class Real>
 Vector2<Real> point_at(const Ends<Real>& ends, const std::array<Real, 2>& range, Real place) {
@@ -135,9 +141,7 @@ template <class Real>
 void add_second(Replay<Real>& replay, const Ends<Real>& a, const Ends<Real>& b,
                 const Vector2<Real>& first) {
   for (const ClippedPoint<Real>& end : clipped(a, b, replay.normal)) {
-    const Vector2<Real> apart = end.on_b - end.on_a;
-    replay.both_ends.push_back(
-        {end.on_a, inverse_transform(replay.between, end.on_b), apart.dot(replay.normal)});
+    replay.both_ends.push_back(tracked(replay, end));
   }
   const auto along_a = try_normalize(Vector2<Real>(a[1] - a[0]));
   const auto along_b = try_normalize(Vector2<Real>(b[1] - b[0]));
@@ -185,9 +189,7 @@ std::vector<TrackedPoint<Real>> points_of(const Replay<Real>& replay, const Ends
                                           const Ends<Real>& b) {
   std::vector<TrackedPoint<Real>> points;
   for (const ClippedPoint<Real>& point : clipped(a, b, replay.normal)) {
-    const Vector2<Real> apart = point.on_b - point.on_a;
-    points.push_back(
-        {point.on_a, inverse_transform(replay.between, point.on_b), apart.dot(replay.normal)});
+    points.push_back(tracked(replay, point));
   }
   add_radii(replay, points);
   return points;
@@ -218,14 +220,17 @@ std::vector<TrackedPoint<Real>> clipped_at(const Replay<Real>& replay, Side side
   const Real run = (along[1] - along[0]).dot(tangent);
   if (!(static_cast<double>(std::abs(run)) <= bound)) return {};
   // Where it is beside the other by roundings alone it is beneath its end.
-  const auto [low, high] = std::minmax({other[0].dot(tangent), other[1].dot(tangent)});
+  const std::array<Real, 2> range{other[0].dot(tangent), other[1].dot(tangent)};
+  const auto [low, high] = std::minmax(range[0], range[1]);
   const Real place = along[end].dot(tangent);
-  const Real moved = std::clamp(place, low, high) - place;
-  if (!(static_cast<double>(std::abs(moved)) <= bound)) return {};
-  along.fill(along[end] + moved * tangent);
-  if (side == Side::b) std::swap(along, other);
-  auto points = points_of(replay, along, other);
-  points.resize(std::min<std::size_t>(points.size(), 1));
+  const Real beneath = std::clamp(place, low, high);
+  if (!(static_cast<double>(std::abs(beneath - place)) <= bound)) return {};
+  const Vector2<Real> moved = along[end] + (beneath - place) * tangent;
+  const Vector2<Real> opposite = point_at(other, range, beneath);
+  const ClippedPoint<Real> point =
+      side == Side::a ? ClippedPoint<Real>{moved, opposite} : ClippedPoint<Real>{opposite, moved};
+  std::vector<TrackedPoint<Real>> points{tracked(replay, point)};
+  add_radii(replay, points);
   return points;
 }
 
@@ -276,6 +281,8 @@ Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real predict
 
 template Replay<float> replayed(const Placed<float>&, const Placed<float>&, float);
 template Replay<double> replayed(const Placed<double>&, const Placed<double>&, double);
+template Replay<long double> replayed(const Placed<long double>&, const Placed<long double>&,
+                                      long double);
 template std::optional<Replay<float>> replayed_after_step(const Replay<float>&);
 template std::optional<Replay<double>> replayed_after_step(const Replay<double>&);
 template std::array<float, 2> clipped_runs(const Replay<float>&);

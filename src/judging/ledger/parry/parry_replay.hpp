@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "geometry/manifold.hpp"
 #include "judging/ledger/parry/parry_epa.hpp"
@@ -117,6 +118,42 @@ Replay<Real> searched_without_refusals(Replay<Real> replay) {
   replay.points.clear();
   searched<Real>(replay, is_round, is_round ? Real(0) : radii, 0);
   return replay;
+}
+
+/// A scalar with more digits.
+template <class Real>
+using Wider = std::conditional_t<std::is_same_v<Real, float>, double, long double>;
+
+template <class Real>
+Placed<Wider<Real>> in_wider(const Placed<Real>& placed) {
+  using Wide = Wider<Real>;
+  Placed<Wide> wide;
+  wide.pose = {placed.pose.position.template cast<Wide>(),
+               placed.pose.rotation.template cast<Wide>()};
+  wide.shape.radius = static_cast<Wide>(placed.shape.radius);
+  for (const Vector2<Real>& corner : placed.shape.corners) {
+    wide.shape.corners.push_back(corner.template cast<Wide>());
+  }
+  for (const Vector2<Real>& normal : placed.shape.normals) {
+    wide.shape.normals.push_back(normal.template cast<Wide>());
+  }
+  return wide;
+}
+
+/// The same with all that it does done in a wider scalar, and rounded at last.
+template <class Real>
+Replay<Real> in_wider(const Replay<Real>& replay) {
+  using Wide = Wider<Real>;
+  const Replay<Wide> wide =
+      replayed(in_wider(replay.a), in_wider(replay.b), static_cast<Wide>(replay.prediction));
+  Replay<Real> rounded = replay;
+  rounded.normal = wide.normal.template cast<Real>();
+  rounded.points.clear();
+  for (const TrackedPoint<Wide>& point : wide.points) {
+    rounded.points.push_back({point.on_a.template cast<Real>(), point.on_b.template cast<Real>(),
+                              static_cast<Real>(point.distance)});
+  }
+  return rounded;
 }
 
 }  // namespace manifuzz::parry

@@ -60,7 +60,10 @@ double error_of_places(const Deviation& d) {
   const double across = cross(along_a, along_b);
   const bool is_taken_for_parallel = across * across <= parry::kEpsilonOf<Engine>;
   const double longest = std::max({along_a.norm(), along_b.norm(), cores_apart(d)});
-  const double by_first_end = is_taken_for_parallel ? std::abs(sine) * longest + bound_of(d) : 0;
+  // The direction is across the one core, and the right one across the other.
+  const double turn =
+      (along_a.normalized() - std::copysign(1, along_a.dot(along_b)) * along_b.normalized()).norm();
+  const double by_first_end = is_taken_for_parallel ? turn * longest + bound_of(d) : 0;
   // b f - c e loses as much as the denominator is smaller than its terms.
   return std::max(by_first_end, bound_of(d) / (sine * sine));
 }

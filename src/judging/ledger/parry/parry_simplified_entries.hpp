@@ -76,6 +76,7 @@ inline constexpr Budget kOfParrySimplifiedKeptNormals[] = {
     {"near_parallel", 60}, {"off_unit", 600},    {"round_corners", 180},
     {"scaled", 200},       {"sliver", 400},      {"tie_bias", 60},
     {"ulp", 120}};
+inline constexpr Budget kOfParrySimplifiedRoundedFoot[] = {{"cores_touch", 200}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfParrySimplified{
@@ -104,6 +105,8 @@ inline constexpr std::array kOfParrySimplified{
              kOfParrySimplifiedOriginWithin, origin_within_tolerance<parry::Floats>),
     of_parry("parry2d-simplified-equal-corners", "parry2d-simplified", kEqualCorners,
              kOfParrySimplifiedEqualCorners, equal_corners_of_gjk<parry::Floats>),
+    of_parry("parry2d-simplified-rounded-foot", "parry2d-simplified", kRoundedFoot,
+             kOfParrySimplifiedRoundedFoot, rounded_foot_of_gjk<parry::Floats>),
     of_parry("parry2d-simplified-second-point-of-capsules", "parry2d-simplified", kSecondPoint,
              kOfParrySimplifiedSecondPoint, second_point_of_parry_capsules<parry::Floats>),
     of_parry("parry2d-simplified-crossing-capsules", "parry2d-simplified", kCrossingCapsules,

@@ -52,15 +52,19 @@ class ByCute {
 
  private:
   bool is_right(unsigned mended) const {
+    const bool is_inside = has(mended, FaultOfCute::inside) && is_rounded_distance();
     as_cute::CuteAnswer answer = as_cute::by_cute(
         deviation_.right.pair(), {.is_normal_of_shape = has(mended, FaultOfCute::placed_vertices),
                                   .is_unbiased = has(mended, FaultOfCute::bias),
                                   .is_plane_inside = has(mended, FaultOfCute::open_planes),
                                   .is_in_world = has(mended, FaultOfCute::two_frames),
+                                  .is_inside = is_inside,
                                   .is_on_surface = has(mended, FaultOfCute::on_core)});
     const bool is_nearest = has(mended, FaultOfCute::nearest_places);
     if (is_nearest && answer.way != as_cute::Way::nearest) return false;
-    if (has(mended, FaultOfCute::inside)) return !is_nearest && is_right_inside(mended, answer);
+    if (has(mended, FaultOfCute::inside) && !(is_inside && has_polygon())) {
+      return !is_nearest && is_right_inside(mended, answer);
+    }
     if (is_nearest) {
       mend(answer.contact);
       answer.contact.points[0].at = answer.on_core + answer.out * answer.contact.normal;
@@ -75,13 +79,23 @@ class ByCute {
     contact.points[0].depth = ledger_of::least_depth(deviation_);
   }
 
+  bool has_polygon() const {
+    const PairCase& pair = deviation_.right.pair();
+    return std::max(pair.a.polygon.count, pair.b.polygon.count) > 2;
+  }
+
+  /// Whether cores overlap, and the roundings of c2GJK's places make a distance that is not below
+  /// the radii: no contact.
+  bool is_rounded_distance() const {
+    return given_.way == as_cute::Way::apart &&
+           ledger_of::least_depth(deviation_) >= total_radius(deviation_.right.pair()) &&
+           static_cast<double>(given_.distance) <= deviation_.right.bounds.separation;
+  }
+
   /// Of capsules at no distance, any of the cores' ends moved to its surface.
   bool is_right_inside(unsigned mended, const as_cute::CuteAnswer& answer) const {
-    const PairCase& pair = deviation_.right.pair();
-    if (answer.distance != 0 || answer.way == as_cute::Way::face ||
-        std::max(pair.a.polygon.count, pair.b.polygon.count) > 2) {
-      return false;
-    }
+    const bool is_at_none = answer.distance == 0 || is_rounded_distance();
+    if (!is_at_none || answer.way == as_cute::Way::face || has_polygon()) return false;
     replayed::Contact contact{answer.contact.normal, {{}}};
     mend(contact);
     return is_right_at_end(mended, contact);
@@ -106,13 +120,16 @@ class ByCute {
 };
 
 /// Whether the nearest places are off by no more than their roundings, whatever those make of the
-/// direction between both; or are as near as the nearest, to roundings of a distance.
+/// direction between both; or are as near as the nearest, to roundings of a distance; or corners
+/// that c2GJK takes for the nearest since they are nearer than epsilon.
 bool is_off_by_roundings(const Deviation& d, const as_cute::CuteAnswer& answer) {
   if (answer.way != as_cute::Way::nearest) return false;
   const Vector2<double>& normal = answer.contact.normal;
   const double bound = 4 * d.right.bounds.separation;
   const Vector2<double> off = normal - replayed::least_normal_near(d, normal);
-  if (off.norm() * static_cast<double>(answer.distance) <= bound) return true;
+  if (off.norm() * static_cast<double>(answer.distance) <= bound || answer.is_within_epsilon) {
+    return true;
+  }
   if (normal.isZero(0)) return false;
   const exact::Along along(*d.right.truth, local_normal(d.right.pair(), normal));
   return along.depth() - ledger_of::least_depth(d) <= bound;

@@ -79,23 +79,26 @@ inline constexpr std::array kOfCute{
                   "0; c2SidePlanes: c2Clip(seg, left) < 2",
         .budgets = kOfCuteOpenPlanes,
         .explains = fault_of_cute<FaultOfCute::open_planes>},
-    LedgerEntry{
-        .id = "cute_c2-inside",
-        .collider = "cute_c2",
-        .description = "cores that cross or touch: the left side for a normal, the sum of "
-                       "the radii for a depth, and without radii no contact",
-        .source =
-            "cute_c2 1.08, in crate c2-sys 0.1.0 cute-header/cute_c2.c, "
-            "c2CapsuletoCapsuleManifold, c2CircletoCapsuleManifold: if (d == 0) n = c2Norm(c2Skew(",
-        .budgets = kOfCuteInside,
-        .explains = fault_of_cute<FaultOfCute::inside>},
+    LedgerEntry{.id = "cute_c2-inside",
+                .collider = "cute_c2",
+                .description = "cores that cross or touch: the left side for a normal, the sum of "
+                               "the radii for a depth, and without radii no contact",
+                .source =
+                    "cute_c2 1.08, in crate c2-sys 0.1.0 cute-header/cute_c2.c, "
+                    "c2CapsuletoCapsuleManifold, c2CircletoCapsuleManifold: if (d == 0) n = "
+                    "c2Norm(c2Skew(; "
+                    "d < r, c2CapsuletoPolyManifold: d < A.r, of the rounded distance of c2GJK",
+                .budgets = kOfCuteInside,
+                .explains = fault_of_cute<FaultOfCute::inside>},
     LedgerEntry{.id = "cute_c2-nearest-places",
                 .collider = "cute_c2",
                 .description =
-                    "another normal: the direction between the nearest points as floats have them",
+                    "another normal: the direction between the nearest points as floats have them, "
+                    "or between corners nearer than 1.2e-7",
                 .source = "cute_c2 1.08, in crate c2-sys 0.1.0 cute-header/cute_c2.c, "
                           "c2CapsuletoCapsuleManifold, c2CircletoCapsuleManifold, "
-                          "c2CircletoPolyManifold, c2CapsuletoPolyManifold: c2Sub(b, a) of c2GJK",
+                          "c2CircletoPolyManifold, c2CapsuletoPolyManifold: c2Sub(b, a) of c2GJK, "
+                          "which ends at c2Dot(d, d) < FLT_EPSILON * FLT_EPSILON",
                 .budgets = kOfCuteNearestPlaces,
                 .explains = fault_of_cute<FaultOfCute::nearest_places>},
     LedgerEntry{.id = "cute_c2-two-frames",

@@ -177,6 +177,7 @@ Nearest nearest_by_cute(const Shape& a, const Shape& b) {
   s.vertices[0] = vertex_of(a, 0, b, 0);
   const auto difference = [](const SimplexVertex& v) { return v.p; };
   float last = std::numeric_limits<float>::max();
+  bool is_within_epsilon = false;
   for (int i = 0; i < kIterationsOfCute; ++i) {
     std::array<SimplexVertex, 4> before = s.vertices;
     const int count = s.count;
@@ -189,7 +190,8 @@ Nearest nearest_by_cute(const Shape& a, const Shape& b) {
     last = square;
     const Vector2<float> d = direction_of(s);
     constexpr float kEpsilon = std::numeric_limits<float>::epsilon();
-    if (d.dot(d) < kEpsilon * kEpsilon) break;
+    is_within_epsilon = d.dot(d) < kEpsilon * kEpsilon;
+    if (is_within_epsilon) break;
     const std::size_t of_a = a.support(turned_back(a.placing, -d));
     const std::size_t of_b = b.support(turned_back(b.placing, d));
     s.vertices[s.count] = vertex_of(a, of_a, b, of_b);
@@ -204,6 +206,7 @@ Nearest nearest_by_cute(const Shape& a, const Shape& b) {
   if (s.count == 3) return {nearest.on_b, nearest.on_b, 0};
   const Vector2<float> apart = nearest.on_a - nearest.on_b;
   nearest.distance = std::sqrt(apart.dot(apart));
+  nearest.is_within_epsilon = is_within_epsilon && s.count == 1;
   return nearest;
 }
 

@@ -47,6 +47,7 @@ struct Nearest {
   Vector2<float> on_a{0, 0};
   Vector2<float> on_b{0, 0};
   float distance = 0;
+  bool is_within_epsilon = false;  ///< c2GJK ended at corners nearer than epsilon
 };
 
 /// c2GJK, without radii.

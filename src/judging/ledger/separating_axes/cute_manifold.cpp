@@ -132,8 +132,10 @@ CuteAnswer of_capsules(const Shape& a, const Shape& b, const Shape& across) {
   const bool is_inside = nearest.distance == 0;
   const Vector2<float> n = is_inside ? unit_of(skew_of(across.vertices[1] - across.vertices[0]))
                                      : unit_of(nearest.on_b - nearest.on_a);
-  return one_point(is_inside ? Way::inside : Way::nearest, n, nearest.on_b, -b.radius,
-                   r - nearest.distance, nearest.distance);
+  CuteAnswer answer = one_point(is_inside ? Way::inside : Way::nearest, n, nearest.on_b, -b.radius,
+                                r - nearest.distance, nearest.distance);
+  answer.is_within_epsilon = nearest.is_within_epsilon;
+  return answer;
 }
 
 /// c2CircletoPolyManifold.
@@ -182,7 +184,7 @@ CuteAnswer of_side(const Shape& capsule, const Shape& polygon, const Plane& side
 /// c2CapsuletoPolyManifold.
 CuteAnswer of_capsule_and_polygon(const Shape& capsule, const Shape& polygon, const Mends& mends) {
   const Nearest nearest = nearest_by_cute(capsule, polygon);
-  if (!(nearest.distance < 1.0e-6F)) {
+  if (!(nearest.distance < 1.0e-6F) && !mends.is_inside) {
     if (!(nearest.distance < capsule.radius)) return apart_by(nearest.distance);
     const Vector2<float> n = unit_of(nearest.on_b - nearest.on_a);
     return one_point(Way::nearest, n, nearest.on_a, capsule.radius,

@@ -11,6 +11,7 @@ struct Mends {
   bool is_unbiased = false;         ///< the face of the greater separation clips
   bool is_plane_inside = false;     ///< an end on a side plane is inside
   bool is_in_world = false;         ///< a capsule clips in the world, as the polygon stands there
+  bool is_inside = false;           ///< a capsule and a polygon are at no distance
   bool is_on_surface = false;       ///< a capsule's points are a radius from its core
 };
 
@@ -28,6 +29,7 @@ struct CuteAnswer {
   float distance = 0;                ///< of c2GJK
   Vector2<double> on_core{0, 0};     ///< of one point, before the radius moves it
   double out = 0;                    ///< how far along the normal that does
+  bool is_within_epsilon = false;    ///< of one point between corners nearer than epsilon
   Vector2<double> own_normal{0, 0};  ///< of polygons: the clipping face's, of its own vertices
 };
 

@@ -1,0 +1,115 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "judging/ledger/parry/parry_engines.hpp"
+#include "judging/ledger/round_deviations.hpp"
+#include "judging/ledger/separating_axes/axes_deviations.hpp"
+#include "unit/judging/repeated_pairs.hpp"
+
+// Ways of an engine's fault that the witness of its entry does not show: nearest places that are
+// rounded. What the engine answers is explained, and what is wrong otherwise is not.
+
+using namespace manifuzz;
+using namespace manifuzz::test;
+
+namespace {
+
+Body circle_at(const Vector2<float>& centre, float radius) {
+  return body_at(std::array{centre}, 0, 0, radius);
+}
+
+Manifold<double> one_point(const Vector2<double>& normal, const Vector2<double>& at, double depth) {
+  Manifold<double> manifold;
+  manifold.count = 1;
+  manifold.normal = normal;
+  manifold.points[0] = {at, depth, {}};
+  return manifold;
+}
+
+/// A circle whose centre is 5.7e-7 from a triangle's corner, moved away by so much more.
+PairCase circle_at_corner(float moved) {
+  const std::array<Vector2<float>, 3> corners{Vector2<float>{0.20444617F, 0.71467215F},
+                                              Vector2<float>{1, 0}, Vector2<float>{-0.82F, 2.33F}};
+  Body triangle = body_at(corners, -0.26420826F, -0.6948011F, 1);
+  triangle.polygon.rounding = Rounding::round;
+  triangle.pose.rotation = {0.9964109F, -0.08464841F};
+  return {triangle, circle_at({-5e-07F - moved, -3e-07F - moved}, 2)};
+}
+
+}  // namespace
+
+TEST_CASE("Box2D 3.2's direction from a corner to a centre is that of its roundings") {
+  const auto is_it = [](float moved, const Vector2<double>& normal, double depth) {
+    return is_explained(direction_of_rounded_place, circle_at_corner(moved), normal, depth,
+                        Kind::not_minimal);
+  };
+  const Vector2<double> given(-0.8479983210563659, -0.5299989581108092);
+  CHECK(is_it(0, given, 2.99999952));
+  CHECK_FALSE(is_it(0, given, 2.99));
+  CHECK_FALSE(is_it(0, {-0.9, -0.4358898943540673}, 2.99999952));
+  CHECK_FALSE(is_it(0, -given, 2.99999952));
+  CHECK_FALSE(is_it(0.01F, given, 2.985858));
+}
+
+TEST_CASE("cute_c2's GJK ends at corners within epsilon, wherever the edge is") {
+  const auto is_it = [](float end, const Manifold<double>& got) {
+    const std::array<Vector2<float>, 2> ends{Vector2<float>{0, end}, Vector2<float>{0, -0.002F}};
+    const PairCase pair{circle_at({0, 0}, 0.08F), body_at(ends, 0, 0)};
+    return explains(fault_of_cute<FaultOfCute::nearest_places>, pair, got, Kind::inconsistent);
+  };
+  CHECK(is_it(8e-8F, one_point({0, 1}, {0, 8e-8}, 0.07999992)));
+  CHECK_FALSE(is_it(8e-8F, one_point({0, 1}, {0, 8e-8}, 0.07)));
+  CHECK_FALSE(is_it(8e-8F, one_point({0, -1}, {0, 8e-8}, 0.07999992)));
+  CHECK_FALSE(is_it(1e-5F, one_point({0, 1}, {0, 1e-5}, 0.07999)));
+}
+
+TEST_CASE("cute_c2 finds no contact of crossing cores by the roundings of their distance") {
+  // The segment begins and ends on both sides of the triangle's corner at the origin.
+  const std::array<Vector2<float>, 3> corners{Vector2<float>{0, 0}, Vector2<float>{256, 256},
+                                              Vector2<float>{-256, 0}};
+  const auto is_it = [&](float from, const Manifold<double>& got) {
+    const std::array<Vector2<float>, 2> ends{Vector2<float>{0, from}, Vector2<float>{256, 0}};
+    const PairCase pair{body_at(corners, 0, 0), body_at(ends, 0, 0)};
+    return explains(fault_of_cute<FaultOfCute::inside>, pair, got, Kind::missed_contact);
+  };
+  CHECK(is_it(102.4F, {}));
+  CHECK_FALSE(is_it(100, {}));  // no roundings: it finds the origin inside
+  CHECK_FALSE(is_it(102.4F, one_point({0.7071067811865476, -0.7071067811865476}, {0, 102}, 1)));
+}
+
+TEST_CASE("parry's normal of capsules that are nearly parallel is across either core") {
+  const std::array<Vector2<float>, 2> of_a{Vector2<float>{0, 0}, Vector2<float>{0, 0.04375F}};
+  const std::array<Vector2<float>, 2> of_b{Vector2<float>{-0.0625F, 0},
+                                           Vector2<float>{-0.062499974F, 0.000125F}};
+  const PairCase pair{body_at(of_a, 0, 0, 0.0625F), body_at(of_b, 0, 0, 0.0625F)};
+  const auto replay = parry::Doubles::replays(exact::stored(pair)).front();
+  const Manifold<double> given = parry::Doubles::answer(replay, pair);
+  const auto is_it = [&](const Manifold<double>& got) {
+    return explains(nearly_parallel_parry_capsules<parry::Doubles>, pair, got, Kind::inconsistent,
+                    ScalarType::float64);
+  };
+  CHECK(is_it(given));
+  Manifold<double> turned = given;
+  turned.normal = rotate<double>({std::cos(1e-3), std::sin(1e-3)}, given.normal);
+  CHECK_FALSE(is_it(turned));
+}
+
+TEST_CASE("parry's GJK says inside of a gap, of whose chord the foot is rounded") {
+  const std::array<Vector2<float>, 2> of_a{Vector2<float>{-0.82047564F, 0},
+                                           Vector2<float>{0.7927104F, 0}};
+  const std::array<Vector2<float>, 2> of_b{Vector2<float>{-1.45144F, 0},
+                                           Vector2<float>{1.1431631F, 0}};
+  const PairCase pair{body_at(of_a, 0, 0), body_at(of_b, 0, -2.4874705e-06F, 0.013509961F)};
+  const auto replay = parry::Floats::replays(exact::stored(pair)).front();
+  const Manifold<double> given = parry::Floats::answer(replay, pair);
+  const auto is_it = [&](const Manifold<double>& got) {
+    return explains(rounded_foot_of_gjk<parry::Floats>, pair, got, Kind::inconsistent);
+  };
+  CHECK(replay.gjk.end == parry::GjkEnd::refused_inside);
+  CHECK(is_it(given));
+  Manifold<double> shallow = given;
+  for (ContactPoint<double>& point : shallow.points) point.depth -= 0.001;
+  CHECK_FALSE(is_it(shallow));
+  CHECK_FALSE(is_it({}));
+}
