@@ -52,6 +52,24 @@ TEST_CASE("Box2D 3.2's direction from a corner to a centre is that of its roundi
   CHECK_FALSE(is_it(0.01F, given, 2.985858));
 }
 
+TEST_CASE("dyn4j's Gjk takes short capsules that are apart for overlapping, the gap for a depth") {
+  const auto is_it = [](float moved, const Manifold<double>& got, Lost::How how) {
+    const std::array<Vector2<float>, 2> a{Vector2<float>{0, 0.00390625F}, Vector2<float>{0, 0}};
+    const std::array<Vector2<float>, 2> b{Vector2<float>{1.953125e-05F, 0.00011328125F},
+                                          Vector2<float>{2.734375e-05F, 0.0001171875F}};
+    const float radius = 1.10783866e-07F;
+    const PairCase pair{body_at(a, 0, 0, radius), body_at(b, moved, 0, radius)};
+    return gjk_depth_below_0_in_dyn4j({pair, Answer(got), how});
+  };
+  const Manifold<double> given = one_point({1, 0}, {1.95e-5, 1e-4}, -1.909e-05);
+  CHECK(is_it(0, given, Lost::How::malformed));
+  CHECK_FALSE(is_it(0, given, Lost::How::timed_out));
+  CHECK_FALSE(is_it(0, one_point({NAN, NAN}, {1.95e-5, 1e-4}, NAN), Lost::How::malformed));
+  CHECK_FALSE(is_it(0, one_point({1, 0}, {1.95e-5, 1e-4}, 1.909e-05), Lost::How::malformed));
+  CHECK_FALSE(is_it(1, given, Lost::How::malformed));
+  CHECK_FALSE(is_it(-2e-5F, given, Lost::How::malformed));
+}
+
 TEST_CASE("cute_c2's GJK ends at corners within epsilon, wherever the edge is") {
   const auto is_it = [](float end, const Manifold<double>& got) {
     const std::array<Vector2<float>, 2> ends{Vector2<float>{0, end}, Vector2<float>{0, -0.002F}};

@@ -42,6 +42,8 @@ bool epa_within_epsilon_in_dyn4j(const Deviation& deviation);
 /// Gjk: a direction of short edges is taken for 0, its square being compared with Epsilon.E: the
 /// edge's left side is searched, wherever the origin lies.
 bool gjk_direction_within_epsilon_in_dyn4j(const Deviation& deviation);
+/// The same of shapes that are apart: Epa then finds the gap between them, as a depth below 0.
+bool gjk_depth_below_0_in_dyn4j(const LostAnswer& lost);
 /// Epa: a point is found twice, and the edge between both has no length and no normal.
 bool epa_edge_of_no_length_in_dyn4j(const Deviation& deviation);
 /// Epa: it ends after 100 iterations.

@@ -171,6 +171,19 @@ bool gjk_direction_within_epsilon_in_dyn4j(const Deviation& d) {
   return is_mended && !is_within_epsilon(d, replayed.found()) && replayed.needs(kFaultOfDetector);
 }
 
+bool gjk_depth_below_0_in_dyn4j(const LostAnswer& lost) {
+  const Manifold<double>* const got = manifold_in(lost.answer);
+  if (lost.how != Lost::How::malformed || got == nullptr || got->count == 0) return false;
+  const as_dyn4j::Placed a(lost.pair.a);
+  const as_dyn4j::Placed b(lost.pair.b);
+  if (as_dyn4j::by_gjk(a, b, 0).touches) return false;
+  const as_dyn4j::Found found = found_by_gjk(a, b);
+  if (!found.touches) return false;
+  const replayed::Contact contact = as_dyn4j::clipped_by_dyn4j(found, a, b, {});
+  return std::ssize(contact.points) == got->count && contact.points[0].depth < 0 &&
+         got->points[0].depth < 0;
+}
+
 bool epa_edge_of_no_length_in_dyn4j(const Deviation& d) {
   const ByDyn4j replayed(d, found_by_gjk);
   const as_dyn4j::Found& found = replayed.found();

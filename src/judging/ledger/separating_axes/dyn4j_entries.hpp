@@ -220,7 +220,8 @@ inline constexpr std::array kOfDyn4jGjk{
                 .source = "dyn4j 6.0.0, collision/narrowphase/Gjk.java, checkSimplex: "
                           "direction.getMagnitudeSquared() <= Epsilon.E",
                 .budgets = kOfDyn4jGjkDirectionWithinEpsilon,
-                .explains = gjk_direction_within_epsilon_in_dyn4j},
+                .explains = gjk_direction_within_epsilon_in_dyn4j,
+                .explains_lost = gjk_depth_below_0_in_dyn4j},
     LedgerEntry{
         .id = "dyn4j-gjk-epa-edge-of-no-length",
         .collider = "dyn4j-gjk",
