@@ -122,7 +122,9 @@ Vector2<double> grid_step(Random& random) {
 }  // namespace
 
 bool generic(Random& random, const GenerationContext& context, PairCase& pair) {
-  Draft draft{.a = {.outline = random_outline(random)}, .b = {.outline = sized_outline(random)}};
+  Draft draft;
+  draft.a.outline = random_outline(random);
+  draft.b.outline = sized_outline(random);
   meet_freely(random, draft);
   draw_radii(random, context, draft);
   draft.gap = draw_gap(random, 0.07) * span(draft);
