@@ -33,9 +33,7 @@ HWY_INLINE bool fits_half(int count) {
 template <class Result, class Operation>
 HWY_INLINE Result each(const Operation& operation) {
   Result result;
-  for (int p = 0; p < Result::kCount; ++p) {
-    result.parts[p] = operation(p);
-  }
+  for (int p = 0; p < Result::kCount; ++p) result.parts[p] = operation(p);
   return result;
 }
 
@@ -105,6 +103,7 @@ HWY_INLINE void store(const Lanes<n>& lanes, double* to) {
   for (int p = 0; p < n; ++p) hn::StoreU(lanes.parts[p], Part(), to + p * kPart);
 }
 
+/// Lane by lane the least of all parts.
 template <int n>
 HWY_INLINE Lanes<1> least_of_parts(const Lanes<n>& a) {
   Lanes<1> least{a.parts[0]};
@@ -121,6 +120,7 @@ HWY_INLINE LaneMask<n> differ(const Lanes<n>& a, const Lanes<n>& b) {
   return each<LaneMask<n>>([&](int p) { return hn::Ne(a.parts[p], b.parts[p]); });
 }
 
+/// Lane by lane whether it is so in any part.
 template <int n>
 HWY_INLINE LaneMask<1> any_of_parts(const LaneMask<n>& a) {
   LaneMask<1> any{a.parts[0]};
