@@ -2,6 +2,7 @@
 #define HWY_TARGET_INCLUDE "oracle/exact/placed.cpp"
 #include <hwy/foreach_target.h>  // includes this file once more for every other target
 // after foreach_target
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <hwy/highway.h>
@@ -16,34 +17,36 @@ namespace manifuzz::exact::HWY_NAMESPACE {
 using namespace manifuzz::HWY_NAMESPACE;
 
 /// A polygon as it stands: its corners, and its faces' unit normals.
+template <int n>
 struct Placed {
-  LanePoints corners;
-  LanePoints normals;
+  LanePoints<n> corners;
+  LanePoints<n> normals;
 };
 
 /// At a place from A's position.
-template <class AnyBody>
-HWY_INLINE Placed place(const AnyBody& body, double x, double y) {
+template <int n, class AnyBody>
+HWY_INLINE Placed<n> place(const AnyBody& body, double x, double y) {
   const double cos = static_cast<double>(body.pose.rotation.x());
   const double sin = static_cast<double>(body.pose.rotation.y());
-  const LanePoints corners = load_points(body.polygon.vertices[0].data());
-  const LanePoints edges = next(corners, body.polygon.count) - corners;
-  const LanePoints outward = turned(cos, sin, clockwise_quarter(edges));
-  return {turned(cos, sin, corners) + in_every_lane(x, y), outward / root(dot(outward, outward))};
+  const LanePoints<n> corners = load_points<n>(body.polygon.vertices[0].data());
+  const LanePoints<n> edges = next(corners, body.polygon.count) - corners;
+  const LanePoints<n> outward = turned(cos, sin, clockwise_quarter(edges));
+  return {turned(cos, sin, corners) + in_every_lane<n>(x, y),
+          outward / root(dot(outward, outward))};
 }
-template <class AnyPair>
-HWY_INLINE Placed place_a(const AnyPair& pair) {
-  return place(pair.a, 0, 0);
+template <int n, class AnyPair>
+HWY_INLINE Placed<n> place_a(const AnyPair& pair) {
+  return place<n>(pair.a, 0, 0);
 }
-template <class AnyPair>
-HWY_INLINE Placed place_b(const AnyPair& pair) {
+template <int n, class AnyPair>
+HWY_INLINE Placed<n> place_b(const AnyPair& pair) {
   const Vector2<float>& a = pair.a.pose.position;
   const Vector2<float>& b = pair.b.pose.position;
-  return place(pair.b, static_cast<double>(b.x()) - static_cast<double>(a.x()),
-               static_cast<double>(b.y()) - static_cast<double>(a.y()));
+  return place<n>(pair.b, static_cast<double>(b.x()) - static_cast<double>(a.x()),
+                  static_cast<double>(b.y()) - static_cast<double>(a.y()));
 }
 
-HWY_INLINE void store_placed(const Placed& from, int count, RoughPolygon& placed) {
+HWY_INLINE void store_placed(const Placed<kParts>& from, int count, RoughPolygon& placed) {
   placed.count = count;
   store_points(from.corners, placed.vertices[0].data());
   store_points(from.normals, placed.normals[0].data());
@@ -51,54 +54,69 @@ HWY_INLINE void store_placed(const Placed& from, int count, RoughPolygon& placed
 }
 
 void place_both(const StoredPair& pair, RoughPair& placed) {
-  store_placed(place_a(pair), pair.a.polygon.count, placed.a);
-  store_placed(place_b(pair), pair.b.polygon.count, placed.b);
+  store_placed(place_a<kParts>(pair), pair.a.polygon.count, placed.a);
+  store_placed(place_b<kParts>(pair), pair.b.polygon.count, placed.b);
 }
 
 /// Of each face of a polygon, and the greatest; all faces at once meet each vertex of the other. A
 /// point has no face: what comes of its lane is anything.
-HWY_INLINE double separate(const Placed& polygon, int face_count, const Placed& opposing, int count,
-                           LaneArray& of_face) {
-  double x[kMaxVertices];
-  double y[kMaxVertices];
+template <int n, int m>
+HWY_INLINE double separate(const Placed<n>& polygon, int face_count, const Placed<m>& opposing,
+                           int count, LaneArray& of_face) {
+  double x[m * kPart];
+  double y[m * kPart];
   store(opposing.corners.x, x);
   store(opposing.corners.y, y);
-  const Lanes infinity = in_every_lane(std::numeric_limits<double>::infinity());
-  Lanes least = infinity;
-  for (int j = 0; j < count; ++j) {
-    least = lesser(dot(polygon.normals, in_every_lane(x[j], y[j]) - polygon.corners), least);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Lanes<n> least = in_every_lane<n>(infinity);
+  for (int j = 0; j < std::min(count, m * kPart); ++j) {
+    least = lesser(dot(polygon.normals, in_every_lane<n>(x[j], y[j]) - polygon.corners), least);
   }
   store(least, of_face.data());
-  return -least_of(select(first_lanes(face_count), -least, infinity));
+  return -least_of(select(first_lanes<n>(face_count), -least, in_every_lane<n>(infinity)));
 }
 
-template <class AnyPair>
+template <int n, int m, class AnyPair>
 HWY_INLINE void separate_any(const AnyPair& pair, Separations& found) {
   const auto& a = pair.a.polygon;
   const auto& b = pair.b.polygon;
-  const Placed placed_a = place_a(pair);
-  const Placed placed_b = place_b(pair);
+  const Placed<n> placed_a = place_a<n>(pair);
+  const Placed<m> placed_b = place_b<m>(pair);
   found.greatest = {separate(placed_a, a.face_count(), placed_b, b.count, found.of_face[0]),
                     separate(placed_b, b.face_count(), placed_a, a.count, found.of_face[1])};
 }
 
 void separate_stored(const StoredPair& pair, Separations& found) {
-  separate_any(pair, found);
+  separate_any<kParts, kParts>(pair, found);
 }
 
 /// The square of a polygon's reach.
+template <int n>
 HWY_INLINE double squared_reach(const ConvexPolygon<float>& polygon) {
-  const LanePoints corners = load_points(polygon.vertices[0].data());
-  return -least_of(select(first_lanes(polygon.count), -dot(corners, corners), in_every_lane(0)));
+  const LanePoints<n> corners = load_points<n>(polygon.vertices[0].data());
+  return -least_of(
+      select(first_lanes<n>(polygon.count), -dot(corners, corners), in_every_lane<n>(0)));
 }
 
 /// With the extent, as `extent` has it.
-void separate_floats(const PairCase& pair, Separations& found) {
+template <int n, int m>
+HWY_INLINE void separate_parts(const PairCase& pair, Separations& found) {
   const Vector2<double> apart =
       pair.b.pose.position.cast<double>() - pair.a.pose.position.cast<double>();
-  found.extent = std::sqrt(squared_reach(pair.a.polygon)) +
-                 std::sqrt(squared_reach(pair.b.polygon)) + std::sqrt(apart.dot(apart));
-  separate_any(pair, found);
+  found.extent = std::sqrt(squared_reach<n>(pair.a.polygon)) +
+                 std::sqrt(squared_reach<m>(pair.b.polygon)) + std::sqrt(apart.dot(apart));
+  separate_any<n, m>(pair, found);
+}
+
+template <int n>
+HWY_INLINE void separate_from(const PairCase& pair, Separations& found) {
+  if (fits_half(pair.b.polygon.count)) return separate_parts<n, kHalf>(pair, found);
+  separate_parts<n, kParts>(pair, found);
+}
+
+void separate_floats(const PairCase& pair, Separations& found) {
+  if (fits_half(pair.a.polygon.count)) return separate_from<kHalf>(pair, found);
+  separate_from<kParts>(pair, found);
 }
 
 }  // namespace manifuzz::exact::HWY_NAMESPACE

@@ -90,7 +90,7 @@ int Truth::rough_sign(double value, double offset) const {
 }
 
 int Truth::support(FaceOf face) const {
-  std::optional<int>& known = support_[at(face.side)][face.index];
+  std::optional<std::uint8_t>& known = support_[at(face.side)][face.index];
   if (known) return *known;
   const Side opposing = other(face.side);
   const RoughPolygon& polygon = placed()[opposing];
@@ -107,7 +107,7 @@ int Truth::support(FaceOf face) const {
     });
     if (s > 0) deepest = j;
   }
-  known = deepest;
+  known = static_cast<std::uint8_t>(deepest);
   return deepest;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -104,7 +105,7 @@ class Truth {
   mutable std::optional<double> size_;
   Separations rough_;
   mutable std::array<std::optional<int>, 2> greatest_;
-  mutable std::array<std::array<std::optional<int>, kMaxVertices>, 2> support_;
+  mutable std::array<std::array<std::optional<std::uint8_t>, kMaxVertices>, 2> support_;
   mutable std::vector<std::unique_ptr<const Clip>> clips_;
 };
 

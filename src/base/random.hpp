@@ -55,7 +55,11 @@ class Random {
     return low + static_cast<int>(((bits() >> 32) * width) >> 32);
   }
 
-  bool chance(double probability) { return unit() < probability; }
+  /// Whether `unit` is below the probability, which is at least 0; of a constant one, integers
+  /// alone say so.
+  bool chance(double probability) {
+    return bits() >> 11 < static_cast<std::uint64_t>(std::ceil(probability * 0x1p53));
+  }
 
   /// 2^k times [1, 2), k in {low, ..., high - 1}: spread over magnitudes without a logarithm.
   double magnitude(int low, int high) {

@@ -143,7 +143,11 @@ Vector2<double> quarter_turn(Random& random) {
   return turns[random.integer(0, 3)];
 }
 
-Pose<double> random_world(Random& random, double size) {
+namespace {
+
+/// `size` is a function: three in four need it, and it is dear.
+template <class Size>
+Pose<double> draw_world(Random& random, const Size& size) {
   Pose<double> world;
   const double kind = random.unit();
   if (kind < 0.1) {
@@ -152,11 +156,17 @@ Pose<double> random_world(Random& random, double size) {
     world.rotation = random_direction(random);
   }
   if (random.chance(0.25)) return world;
-  const double far = size * (random.chance(0.5) ? 2 : 10);
+  const double far = size() * (random.chance(0.5) ? 2 : 10);
   const double x = random.uniform(-far, far);
   const double y = random.uniform(-far, far);
   world.position = {x, y};
   return world;
+}
+
+}  // namespace
+
+Pose<double> random_world(Random& random, double size) {
+  return draw_world(random, [&] { return size; });
 }
 
 void stand(Random& random, Draft& draft) {
@@ -165,7 +175,7 @@ void stand(Random& random, Draft& draft) {
       reframe(*sketch, {random_origin(random, sketch->outline), Vector2<double>(1, 0)});
     }
   }
-  draft.world = random_world(random, span(draft));
+  draft.world = draw_world(random, [&] { return span(draft); });
 }
 
 void frame(Random& random, Draft& draft, double exact) {
@@ -177,7 +187,7 @@ void frame(Random& random, Draft& draft, double exact) {
     const Vector2<double> origin = random_origin(random, sketch->outline);
     reframe(*sketch, {origin, random_direction(random)});
   }
-  draft.world = random_world(random, span(draft));
+  draft.world = draw_world(random, [&] { return span(draft); });
 }
 
 namespace {

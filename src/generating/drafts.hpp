@@ -123,9 +123,9 @@ std::optional<ConvexPolygon<float>> rounded(const Outline& outline, float radius
 /// Gives the rotation cos^2 + sin^2 = 1 + `defect`.
 void put_off_unit(Sketch& sketch, double defect);
 
-/// The drawing as a pair case, B placed by the rounded polygons; none where rounding spoils a
+/// Makes the drawing a pair case, B placed by the rounded polygons; false where rounding spoils a
 /// polygon or a rotation.
-std::optional<PairCase> settle(const Draft& draft);
+bool settle(const Draft& draft, PairCase& pair);
 
 /// A rotation by an angle of tangent 2 t / (1 - t^2).
 inline Vector2<double> turn_by(double t) {

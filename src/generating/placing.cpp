@@ -118,10 +118,8 @@ void put_off_unit(Sketch& sketch, double defect) {
   sketch.pose.rotation *= std::sqrt(1 + defect);
 }
 
-std::optional<PairCase> settle(const Draft& draft) {
-  std::optional<PairCase> pair(std::in_place);
-  if (!embody(draft, *pair) || !place_b(draft, *pair)) pair.reset();
-  return pair;
+bool settle(const Draft& draft, PairCase& pair) {
+  return embody(draft, pair) && place_b(draft, pair);
 }
 
 }  // namespace manifuzz

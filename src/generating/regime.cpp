@@ -38,10 +38,12 @@ void put_radius(const GenerationContext& context, PairCase& pair) {
   }
 }
 
-/// Whether an attempt gave a case. With large radii bodies are put so far away that float ends;
-/// what polygons there are have no defects.
-bool is_case(const std::optional<PairCase>& pair) {
-  return pair && pair->a.pose.position.allFinite() && pair->b.pose.position.allFinite();
+/// One attempt: whether it gave a case. With large radii bodies are put so far away that float
+/// ends; what polygons there are have no defects.
+bool attempt(Random& random, const Regime& regime, const GenerationContext& context,
+             PairCase& pair) {
+  return regime.attempt(random, context, pair) && pair.a.pose.position.allFinite() &&
+         pair.b.pose.position.allFinite();
 }
 
 bool is_taken(const GenerationContext& context, const PairCase& pair) {
@@ -54,8 +56,8 @@ constexpr int kAttempts = 32;
 PairCase untaken(Random random, const Regime& regime, const GenerationContext& context) {
   PairCase last = plain_pair();
   for (int i = 0; i < kAttempts; ++i) {
-    const std::optional<PairCase> made = regime.attempt(random, context);
-    if (is_case(made)) last = *made;
+    PairCase made;
+    if (attempt(random, regime, context, made)) last = made;
   }
   return last;
 }
@@ -83,13 +85,12 @@ PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,
                   const GenerationContext& context) {
   const Random start(seed, regime.stream, index);
   Random random = start;
-  for (int i = 0; i < kAttempts; ++i) {
-    std::optional<PairCase> made = regime.attempt(random, context);
-    if (!is_case(made) || !is_taken(context, *made)) continue;
-    put_radius(context, *made);
-    return *made;
+  PairCase pair;
+  bool is_drawn = false;
+  for (int i = 0; i < kAttempts && !is_drawn; ++i) {
+    is_drawn = attempt(random, regime, context, pair) && is_taken(context, pair);
   }
-  PairCase pair = untaken(start, regime, context);
+  if (!is_drawn) pair = untaken(start, regime, context);
   put_radius(context, pair);
   return pair;
 }
@@ -165,22 +166,24 @@ void mutate(Random& random, PairCase& pair) {
 
 }  // namespace
 
-std::optional<PairCase> ulp(Random& random, const GenerationContext& context) {
+bool ulp(Random& random, const GenerationContext& context, PairCase& pair) {
   const int choice = random.integer(0, static_cast<int>(std::size(kMovable)) - 1);
-  const PairCase pair = generate(random.bits(), *find_regime(kMovable[choice]), 0, context);
-  PairCase moved = pair;
+  const PairCase drawn = generate(random.bits(), *find_regime(kMovable[choice]), 0, context);
+  PairCase moved = drawn;
   step_some(random, moved);
-  return revalidated(moved).value_or(pair);
+  pair = revalidated(moved).value_or(drawn);
+  return true;
 }
 
-std::optional<PairCase> corpus(Random& random, const GenerationContext& context) {
-  if (context.corpus.empty()) return generic(random, context);
+bool corpus(Random& random, const GenerationContext& context, PairCase& pair) {
+  if (context.corpus.empty()) return generic(random, context, pair);
   const auto last = static_cast<int>(context.corpus.size()) - 1;
-  const PairCase& pair = context.corpus[random.integer(0, last)];
-  PairCase mutated = pair;
+  const PairCase& known = context.corpus[random.integer(0, last)];
+  PairCase mutated = known;
   const int times = random.integer(1, 3);
   for (int i = 0; i < times; ++i) mutate(random, mutated);
-  return revalidated(mutated).value_or(pair);
+  pair = revalidated(mutated).value_or(known);
+  return true;
 }
 
 }  // namespace manifuzz::draw

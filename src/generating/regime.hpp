@@ -25,9 +25,9 @@ struct GenerationContext {
 struct Regime {
   std::string_view name;
   std::string_view description;  ///< one line for `list regimes`
-  /// One attempt: none where rounding to floats spoilt a polygon. `generate` below makes cases of
-  /// it.
-  std::optional<PairCase> (*attempt)(Random& random, const GenerationContext& context);
+  /// One attempt: false where rounding to floats spoilt a polygon, and then the pair is anything.
+  /// `generate` below makes cases of it.
+  bool (*attempt)(Random& random, const GenerationContext& context, PairCase& pair);
   bool is_round = false;                 ///< of round shapes
   std::uint64_t stream = hash_of(name);  ///< of its random numbers
 };
@@ -92,7 +92,7 @@ namespace manifuzz::draw {
   REGIME(side_planes, "the end of one edge in front of the end of another")
 
 #define MANIFUZZ_DECLARE(name, description) \
-  std::optional<PairCase> name(Random& random, const GenerationContext& context);
+  bool name(Random& random, const GenerationContext& context, PairCase& pair);
 MANIFUZZ_REGIMES(MANIFUZZ_DECLARE)
 MANIFUZZ_ROUND_REGIMES(MANIFUZZ_DECLARE)
 #undef MANIFUZZ_DECLARE

@@ -11,29 +11,29 @@ namespace manifuzz::draw {
 
 namespace {
 
-std::optional<PairCase> met(Random& random, const GenerationContext& context, Draft draft,
-                            double exact = 0.5) {
+bool met(Random& random, const GenerationContext& context, Draft draft, PairCase& pair,
+         double exact = 0.5) {
   aim(random, context, draft);
   frame(random, draft, exact);
-  return settle(maybe_swapped(random, draft));
+  return settle(maybe_swapped(random, draft), pair);
 }
 
 }  // namespace
 
-std::optional<PairCase> near_parallel(Random& random, const GenerationContext& context) {
+bool near_parallel(Random& random, const GenerationContext& context, PairCase& pair) {
   const Outline a = sized_outline(random);
   const Outline b = sized_outline(random);
   const double tilt = random.chance(0.15) ? 0 : random.either_sign(random.magnitude(-30, -3));
-  return met(random, context, face_to_face(random, a, b, tilt));
+  return met(random, context, face_to_face(random, a, b, tilt), pair);
 }
 
-std::optional<PairCase> corner_face(Random& random, const GenerationContext& context) {
+bool corner_face(Random& random, const GenerationContext& context, PairCase& pair) {
   const Outline a = sized_outline(random);
   const Outline b = sized_outline(random);
-  return met(random, context, corner_to_face(random, a, b));
+  return met(random, context, corner_to_face(random, a, b), pair);
 }
 
-std::optional<PairCase> corner_corner(Random& random, const GenerationContext& context) {
+bool corner_corner(Random& random, const GenerationContext& context, PairCase& pair) {
   const Outline a = sized_outline(random);
   const Outline b = sized_outline(random);
   Draft draft = corner_to_corner(random, a, b);
@@ -47,20 +47,20 @@ std::optional<PairCase> corner_corner(Random& random, const GenerationContext& c
     draft.start.x() = random.either_sign(random.magnitude(-24, -6)) * span(draft);
   }
   frame(random, draft);
-  return settle(maybe_swapped(random, draft));
+  return settle(maybe_swapped(random, draft), pair);
 }
 
-std::optional<PairCase> touching(Random& random, const GenerationContext& context) {
+bool touching(Random& random, const GenerationContext& context, PairCase& pair) {
   Draft draft = any_meeting(random);
   draw_radii(random, context, draft);
   const double reach = span(draft.a.outline) + span(draft.b.outline);
   draft.gap = random.integer(-4, 4) * ulp_of(reach);
   frame(random, draft);
   draft.world.position *= 0.125;  // so that the positions' own ulps do not drown the gap
-  return settle(draft);
+  return settle(draft, pair);
 }
 
-std::optional<PairCase> deep(Random& random, const GenerationContext& context) {
+bool deep(Random& random, const GenerationContext& context, PairCase& pair) {
   const Outline a = random_outline(random);
   const bool copied = random.chance(0.1);
   const double scale = random.chance(0.3) ? 1 : random.magnitude(-12, 0);
@@ -75,16 +75,16 @@ std::optional<PairCase> deep(Random& random, const GenerationContext& context) {
   }
   draw_radii(random, context, draft);
   stand(random, draft);
-  return settle(maybe_swapped(random, draft));
+  return settle(maybe_swapped(random, draft), pair);
 }
 
-std::optional<PairCase> separated(Random& random, const GenerationContext& context) {
+bool separated(Random& random, const GenerationContext& context, PairCase& pair) {
   Draft draft = any_meeting(random);
   draw_radii(random, context, draft);
   const double gap = random.chance(0.15) ? random.uniform(0.15, 0.3) : random.magnitude(-2, 4);
   draft.gap = gap * span(draft);
   frame(random, draft);
-  return settle(draft);
+  return settle(draft, pair);
 }
 
 // Regimes in which two features are nearly as good as each other.
@@ -196,24 +196,24 @@ double draw_lead(Random& random) {
 
 }  // namespace
 
-std::optional<PairCase> tied_faces(Random& random, const GenerationContext& context) {
+bool tied_faces(Random& random, const GenerationContext& context, PairCase& pair) {
   const int kind = random.integer(0, 4);
   Draft draft = kind < 2 ? roof(random) : kind < 4 ? symmetric_meeting(random) : strip(random);
   aim(random, context, draft);
   if (kind == 4) draft.gap.reset();
   frame(random, draft);
-  return settle(maybe_swapped(random, draft));
+  return settle(maybe_swapped(random, draft), pair);
 }
 
-std::optional<PairCase> micro_edge(Random& random, const GenerationContext& context) {
+bool micro_edge(Random& random, const GenerationContext& context, PairCase& pair) {
   Draft draft;
   draft.a.outline = micro_corner(random);
   draft.b.outline = upside_down(partner(random, random.chance(0.3)));
   if (random.chance(0.3)) draft.start.x() = span(draft) * often_none(random, -23, -6);
-  return met(random, context, draft, 0.7);
+  return met(random, context, draft, pair, 0.7);
 }
 
-std::optional<PairCase> near_collinear(Random& random, const GenerationContext& context) {
+bool near_collinear(Random& random, const GenerationContext& context, PairCase& pair) {
   const Outline outline = sized_outline(random, kMaxVertices - 1);
   const int face = random.integer(0, outline.count - 1);
   const double share = random.uniform(0.05, 0.95);
@@ -229,24 +229,23 @@ std::optional<PairCase> near_collinear(Random& random, const GenerationContext& 
   aim(random, context, draft);
   frame(random, draft, least ? 0.2 : 0.6);
   if (least) draft.a.outline = least_bulge(draft.a.outline, face, share);
-  return settle(maybe_swapped(random, draft));
+  return settle(maybe_swapped(random, draft), pair);
 }
 
-std::optional<PairCase> tie_bias(Random& random, const GenerationContext& context) {
+bool tie_bias(Random& random, const GenerationContext& context, PairCase& pair) {
   Draft draft = any_meeting(random);
   draw_radii(random, context, draft);
   const double gap = random.chance(0.5) ? -random.magnitude(-20, -7) : draw_gap(random);
   draft.gap = gap * span(draft);
   frame(random, draft, 0.2);
-  auto pair = settle(draft);
-  if (!pair) return std::nullopt;
-  const auto tie = find_tie(*pair, random.either_sign(1));
-  if (!tie) return std::nullopt;
+  if (!settle(draft, pair)) return false;
+  const auto tie = find_tie(pair, random.either_sign(1));
+  if (!tie) return false;
   const double lead = draw_lead(random);
   const auto place = [&](const Faces& faces) { return place_at(faces, *tie, lead); };
-  if (random.chance(0.7)) return place_exactly(*pair, place) ? pair : std::nullopt;
-  put_apart(*pair, place(faces_of(*pair)));
-  return pair;
+  if (random.chance(0.7)) return place_exactly(pair, place);
+  put_apart(pair, place(faces_of(pair)));
+  return true;
 }
 
 }  // namespace manifuzz::draw

@@ -23,8 +23,8 @@ double radii(const GenerationContext& context, const Solid& a, const Solid& b) {
 }
 
 /// The draft with B moved up by `distance`, and the solids' radii; stood somewhere.
-std::optional<PairCase> stood(Random& random, Draft draft, const Solid& a, const Solid& b,
-                              double distance) {
+bool stood(Random& random, Draft draft, const Solid& a, const Solid& b, double distance,
+           PairCase& pair) {
   set_apart(draft, a, b, distance);
   const double far = random.chance(0.3) ? 5 * std::max(size_of(a), size_of(b)) : 0;
   frame(random, draft);
@@ -33,21 +33,21 @@ std::optional<PairCase> stood(Random& random, Draft draft, const Solid& a, const
     const double y = random.uniform(-far, far);
     draft.world.position += Vector2<double>(x, y);
   }
-  return settle(maybe_swapped(random, draft));
+  return settle(maybe_swapped(random, draft), pair);
 }
 
 /// Touching or nearly, by a share of the smaller solid's size.
-std::optional<PairCase> met(Random& random, const GenerationContext& context, const Draft& draft,
-                            const Solid& a, const Solid& b) {
+bool met(Random& random, const GenerationContext& context, const Draft& draft, const Solid& a,
+         const Solid& b, PairCase& pair) {
   const double gap = draw_gap(random) * std::min(size_of(a), size_of(b));
-  return stood(random, draft, a, b, radii(context, a, b) + gap);
+  return stood(random, draft, a, b, radii(context, a, b) + gap, pair);
 }
 
-std::optional<PairCase> met(Random& random, const GenerationContext& context, const Solid& a,
-                            const Solid& b) {
+bool met(Random& random, const GenerationContext& context, const Solid& a, const Solid& b,
+         PairCase& pair) {
   const Outline below = place_up(random, a.outline);
   const Outline above = place_up(random, b.outline);
-  return met(random, context, facing(below, above), a, b);
+  return met(random, context, facing(below, above), a, b, pair);
 }
 
 /// Next to nothing, of either sign, or nothing.
@@ -57,42 +57,43 @@ double next_to_nothing(Random& random) {
 
 }  // namespace
 
-std::optional<PairCase> circles(Random& random, const GenerationContext& context) {
+bool circles(Random& random, const GenerationContext& context, PairCase& pair) {
   const Solid a = draw_solid(random, Family::circle);
   const Solid b = any_of(random, {Family::circle, Family::polygon, Family::rounded});
-  return met(random, context, a, b);
+  return met(random, context, a, b, pair);
 }
 
-std::optional<PairCase> capsules(Random& random, const GenerationContext& context) {
+bool capsules(Random& random, const GenerationContext& context, PairCase& pair) {
   const Solid a = any_of(random, {Family::segment, Family::capsule, Family::capsule});
   const Solid b =
       any_of(random, {Family::capsule, Family::capsule, Family::circle, Family::polygon});
-  return met(random, context, a, b);
+  return met(random, context, a, b, pair);
 }
 
-std::optional<PairCase> round_corners(Random& random, const GenerationContext& context) {
+bool round_corners(Random& random, const GenerationContext& context, PairCase& pair) {
   const Solid a = draw_solid(random, Family::rounded);
   const Solid b = any_of(random, {Family::rounded, Family::rounded, Family::polygon});
-  return met(random, context, a, b);
+  return met(random, context, a, b, pair);
 }
 
-std::optional<PairCase> mixed_shapes(Random& random, const GenerationContext& context) {
+bool mixed_shapes(Random& random, const GenerationContext& context, PairCase& pair) {
   const auto all = {Family::circle, Family::segment, Family::capsule, Family::rounded,
                     Family::polygon};
   const Solid a =
       any_of(random, {Family::circle, Family::segment, Family::capsule, Family::rounded});
   const Solid b = any_of(random, all);
-  return met(random, context, a, b);
+  return met(random, context, a, b, pair);
 }
 
-std::optional<PairCase> in_line(Random& random, const GenerationContext& context) {
+bool in_line(Random& random, const GenerationContext& context, PairCase& pair) {
   const Solid a = any_of(random, {Family::segment, Family::capsule, Family::capsule});
   const Solid b = any_of(random, {Family::capsule, Family::capsule, Family::circle});
   if (b.outline.count == 1 || random.chance(0.5)) {
     // End to end; one of them leans off the line by next to nothing.
     const Outline below = end_up(span(a.outline), next_to_nothing(random));
     return met(random, context,
-               facing(below, b.outline.count == 1 ? b.outline : end_up(span(b.outline), 0)), a, b);
+               facing(below, b.outline.count == 1 ? b.outline : end_up(span(b.outline), 0)), a, b,
+               pair);
   }
   // On each other, or across: a point of one is on a point of the other.
   const Outline below = face_up(a.outline, 0, random.uniform(0, 1));
@@ -102,10 +103,10 @@ std::optional<PairCase> in_line(Random& random, const GenerationContext& context
   if (kind < 0.5) draft.b.pose.rotation = random_direction(random);
   if (kind >= 0.5 && kind < 0.8) draft.b.pose.rotation = unit({1, next_to_nothing(random)});
   const double off = next_to_nothing(random) * std::min(size_of(a), size_of(b));
-  return stood(random, draft, a, b, off);
+  return stood(random, draft, a, b, off, pair);
 }
 
-std::optional<PairCase> tilted_edges(Random& random, const GenerationContext& context) {
+bool tilted_edges(Random& random, const GenerationContext& context, PairCase& pair) {
   const Solid a = any_of(random, {Family::capsule, Family::segment, Family::rounded});
   const Solid b = any_of(random, {Family::capsule, Family::capsule, Family::rounded});
   // Engines give a second point within an angle of their own: dyn4j's has the cosine 0.98, parry's
@@ -124,10 +125,10 @@ std::optional<PairCase> tilted_edges(Random& random, const GenerationContext& co
     lowest = std::min(lowest, draft.b.outline.vertices[i].y());
   }
   draft.start.y() -= lowest;
-  return met(random, context, draft, a, b);
+  return met(random, context, draft, a, b, pair);
 }
 
-std::optional<PairCase> voronoi_lines(Random& random, const GenerationContext& context) {
+bool voronoi_lines(Random& random, const GenerationContext& context, PairCase& pair) {
   const Solid a =
       any_of(random, {Family::segment, Family::capsule, Family::rounded, Family::polygon});
   const Solid b = any_of(random, {Family::circle, Family::circle, Family::capsule});
@@ -142,10 +143,10 @@ std::optional<PairCase> voronoi_lines(Random& random, const GenerationContext& c
   }
   const Outline above =
       b.outline.count == 1 ? b.outline : end_up(span(b.outline), random.uniform(-0.9, 0.9));
-  return met(random, context, facing(below, above), a, b);
+  return met(random, context, facing(below, above), a, b, pair);
 }
 
-std::optional<PairCase> cores_touch(Random& random, const GenerationContext&) {
+bool cores_touch(Random& random, const GenerationContext&, PairCase& pair) {
   const auto all = {Family::circle, Family::segment, Family::capsule, Family::rounded};
   const Solid a = any_of(random, all);
   const Solid b = any_of(random, {Family::circle, Family::capsule, Family::rounded});
@@ -154,7 +155,7 @@ std::optional<PairCase> cores_touch(Random& random, const GenerationContext&) {
     Draft draft;
     draft.a.outline = draft.b.outline = b.outline;
     if (random.chance(0.5)) draft.b.pose.rotation = unit({1, next_to_nothing(random)});
-    return stood(random, draft, b, b, next_to_nothing(random) * size_of(b));
+    return stood(random, draft, b, b, next_to_nothing(random) * size_of(b), pair);
   }
   const Outline below = place_up(random, a.outline);
   const Outline above = place_up(random, b.outline);
@@ -163,10 +164,10 @@ std::optional<PairCase> cores_touch(Random& random, const GenerationContext&) {
       random.chance(0.2)
           ? 0
           : size * (random.chance(0.7) ? random.magnitude(-40, -3) : -random.magnitude(-30, -6));
-  return stood(random, facing(below, above), a, b, distance);
+  return stood(random, facing(below, above), a, b, distance, pair);
 }
 
-std::optional<PairCase> large_radii(Random& random, const GenerationContext& context) {
+bool large_radii(Random& random, const GenerationContext& context, PairCase& pair) {
   Solid a = any_of(random, {Family::segment, Family::capsule, Family::rounded});
   Solid b = any_of(random, {Family::circle, Family::capsule, Family::rounded});
   for (Solid* const solid : {&a, &b}) {
@@ -174,10 +175,10 @@ std::optional<PairCase> large_radii(Random& random, const GenerationContext& con
     const double scale = random.magnitude(-14, -2);
     solid->outline = stretched(solid->outline, scale, scale);
   }
-  return met(random, context, a, b);
+  return met(random, context, a, b, pair);
 }
 
-std::optional<PairCase> side_planes(Random& random, const GenerationContext& context) {
+bool side_planes(Random& random, const GenerationContext& context, PairCase& pair) {
   const Solid a = any_of(random, {Family::capsule, Family::segment, Family::rounded});
   const Solid b = any_of(random, {Family::capsule, Family::capsule, Family::rounded});
   // The edges face each other, and the first end of one is in front of the last of the other.
@@ -186,7 +187,7 @@ std::optional<PairCase> side_planes(Random& random, const GenerationContext& con
   Draft draft = facing(face_up(a.outline, face_a, 0), face_up(b.outline, face_b, 1));
   if (random.chance(0.3)) draft = facing(draft.a.outline, face_up(b.outline, face_b, 0));
   draft.start.x() = next_to_nothing(random) * std::min(size_of(a), size_of(b));
-  return met(random, context, draft, a, b);
+  return met(random, context, draft, a, b, pair);
 }
 
 }  // namespace manifuzz::draw

@@ -121,26 +121,28 @@ Vector2<double> grid_step(Random& random) {
 
 }  // namespace
 
-std::optional<PairCase> generic(Random& random, const GenerationContext& context) {
-  Draft draft{.a = {.outline = random_outline(random)}, .b = {.outline = sized_outline(random)}};
+bool generic(Random& random, const GenerationContext& context, PairCase& pair) {
+  Draft draft;
+  draft.a.outline = random_outline(random);
+  draft.b.outline = sized_outline(random);
   meet_freely(random, draft);
   draw_radii(random, context, draft);
   draft.gap = draw_gap(random, 0.07) * span(draft);
   stand(random, draft);
-  return settle(draft);
+  return settle(draft, pair);
 }
 
-std::optional<PairCase> boxes(Random& random, const GenerationContext& context) {
+bool boxes(Random& random, const GenerationContext& context, PairCase& pair) {
   const Outline a = random_box(random);
   const Outline b = random_box(random);
   Draft draft = free_pair(random, a, b);
   draft.b.pose.rotation = often_aligned(random, 4);
   aim(random, context, draft);
   stand(random, draft);
-  return settle(draft);
+  return settle(draft, pair);
 }
 
-std::optional<PairCase> regular(Random& random, const GenerationContext& context) {
+bool regular(Random& random, const GenerationContext& context, PairCase& pair) {
   const int count_a = random_count(random);
   const int count_b = random.chance(0.5) ? count_a : random_count(random);
   const double scale = random.chance(0.4) ? 1 : random.magnitude(-2, 1);
@@ -151,15 +153,15 @@ std::optional<PairCase> regular(Random& random, const GenerationContext& context
   if (random.chance(0.5)) draft.direction = often_aligned(random, count_a);
   aim(random, context, draft);
   stand(random, draft);
-  return settle(draft);
+  return settle(draft, pair);
 }
 
-std::optional<PairCase> grid(Random& random, const GenerationContext& context) {
+bool grid(Random& random, const GenerationContext& context, PairCase& pair) {
   Draft draft;
   draft.a.outline = random_grid_outline(random);
   draft.b.outline = random_grid_outline(random);
   if (draft.a.outline.count < kMinVertices || draft.b.outline.count < kMinVertices) {
-    return std::nullopt;
+    return false;
   }
   draft.b.pose.rotation = quarter_turn(random);
   const Outline b = turned(draft.b.outline, draft.b.pose.rotation);
@@ -170,10 +172,10 @@ std::optional<PairCase> grid(Random& random, const GenerationContext& context) {
   const double x = 0.5 * random.integer(-20, 20);
   const double y = 0.5 * random.integer(-20, 20);
   draft.world.position = {x, y};
-  return settle(maybe_swapped(random, draft));
+  return settle(maybe_swapped(random, draft), pair);
 }
 
-std::optional<PairCase> sliver(Random& random, const GenerationContext& context) {
+bool sliver(Random& random, const GenerationContext& context, PairCase& pair) {
   const Outline a = random.chance(0.5) ? random_outline(random) : random_sliver(random);
   const Outline b = random_sliver(random);
   Draft draft;
@@ -190,22 +192,22 @@ std::optional<PairCase> sliver(Random& random, const GenerationContext& context)
     draw_radii(random, context, draft);
   }
   frame(random, draft, 0.1);
-  return settle(maybe_swapped(random, draft));
+  return settle(maybe_swapped(random, draft), pair);
 }
 
 // Regimes named for the magnitudes of the numbers.
 
-std::optional<PairCase> far_from_origin(Random& random, const GenerationContext& context) {
+bool far_from_origin(Random& random, const GenerationContext& context, PairCase& pair) {
   Draft draft = any_meeting(random);
   aim(random, context, draft);
   frame(random, draft, 0);
   const double far = 1.19 * random.magnitude(0, 23);
   draft.world.position = far * random_direction(random);
   draft.exact_gap = far > 1000;  // where rounding the position would spoil the gap
-  return settle(draft);
+  return settle(draft, pair);
 }
 
-std::optional<PairCase> scaled(Random& random, const GenerationContext& context) {
+bool scaled(Random& random, const GenerationContext& context, PairCase& pair) {
   Draft draft = any_meeting(random);
   const double scale = random.magnitude(-20, 20);
   draft.a.outline = stretched(draft.a.outline, scale, scale);
@@ -213,10 +215,10 @@ std::optional<PairCase> scaled(Random& random, const GenerationContext& context)
   draft.start *= scale;
   aim(random, context, draft, scale);
   frame(random, draft, 0.2);
-  return settle(draft);
+  return settle(draft, pair);
 }
 
-std::optional<PairCase> off_unit(Random& random, const GenerationContext& context) {
+bool off_unit(Random& random, const GenerationContext& context, PairCase& pair) {
   Draft draft = any_meeting(random);
   aim(random, context, draft);
   frame(random, draft, 0.2);
@@ -225,7 +227,7 @@ std::optional<PairCase> off_unit(Random& random, const GenerationContext& contex
     const double share = random.chance(0.3) ? 0.99 : random.unit();
     put_off_unit(*sketch, share * limit);
   }
-  return settle(draft);
+  return settle(draft, pair);
 }
 
 }  // namespace manifuzz::draw

@@ -38,8 +38,9 @@ std::span<const Sweep> sweeps() {
 PairCase draw_case(std::uint64_t seed, const Sweep& sweep, double value, std::uint64_t index) {
   constexpr int attempts = 1000;
   Random random(mix(seed) ^ std::bit_cast<std::uint64_t>(value), sweep.name, index);
+  PairCase pair;
   for (int i = 0; i < attempts; ++i) {
-    if (const auto pair = sweep.attempt(random, value)) return *pair;
+    if (sweep.attempt(random, value, pair)) return pair;
   }
   throw std::logic_error(fmt::format("sweep {} draws nothing at {}", sweep.name, value));
 }

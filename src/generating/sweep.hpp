@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <initializer_list>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -20,8 +19,8 @@ struct Sweep {
   std::string_view knob;         ///< what is turned, in words
   std::string_view unit;
   std::vector<double> values;  ///< 20 or more, from benign to absurd
-  /// One attempt at a touching or nearly touching pair: none where floats leave no such pair.
-  std::optional<PairCase> (*attempt)(Random& random, double knob);
+  /// One attempt at a touching or nearly touching pair: false where floats leave no such pair.
+  bool (*attempt)(Random& random, double knob, PairCase& pair);
   bool is_round = false;  ///< of round shapes
 };
 
@@ -100,7 +99,7 @@ namespace manifuzz::turn {
         decades({1, 2, 5}, 0, 8), "circles and capsules far from the world's origin")
 
 #define MANIFUZZ_DECLARE(name, knob, unit, values, description) \
-  std::optional<PairCase> name(Random& random, double value);
+  bool name(Random& random, double value, PairCase& pair);
 MANIFUZZ_SWEEPS(MANIFUZZ_DECLARE)
 MANIFUZZ_ROUND_SWEEPS(MANIFUZZ_DECLARE)
 #undef MANIFUZZ_DECLARE

@@ -39,63 +39,62 @@ Draft benign_pair(Random& random, double scale_a, double scale_b) {
 }
 
 /// Touching or nearly so, anywhere near the origin, A and B exchanged half the time.
-std::optional<PairCase> settled(Random& random, Draft draft, double unit) {
+bool settled(Random& random, Draft draft, double unit, PairCase& pair) {
   meet(random, draft, unit);
   stand_near(random, draft);
-  return settle(maybe_swapped(random, draft));
+  return settle(maybe_swapped(random, draft), pair);
 }
 
-std::optional<PairCase> sized(Random& random, double scale) {
+bool sized(Random& random, double scale, PairCase& pair) {
   Draft draft = benign_pair(random, scale, scale);
   meet(random, draft, span(draft));
   stand_near(random, draft);
-  return settle(draft);
+  return settle(draft, pair);
 }
 
 }  // namespace
 
-std::optional<PairCase> distance(Random& random, double value) {
+bool distance(Random& random, double value, PairCase& pair) {
   Draft draft = benign_pair(random, 1, 1);
   meet(random, draft, span(draft));
   stand_near(random, draft);
   draft.world.position = value * random_direction(random);
-  return settle(draft);
+  return settle(draft, pair);
 }
 
-std::optional<PairCase> small(Random& random, double value) {
-  return sized(random, value);
+bool small(Random& random, double value, PairCase& pair) {
+  return sized(random, value, pair);
 }
 
-std::optional<PairCase> large(Random& random, double value) {
-  return sized(random, value);
+bool large(Random& random, double value, PairCase& pair) {
+  return sized(random, value, pair);
 }
 
-std::optional<PairCase> ratio(Random& random, double value) {
+bool ratio(Random& random, double value, PairCase& pair) {
   const Outline large = benign_outline(random);
   const Outline regular = benign_outline(random);
   const double scale = diameter(large) / (value * diameter(regular));
   const Draft draft = met(random, large, stretched(regular, scale, scale));
-  return settled(random, draft, span(draft));
+  return settled(random, draft, span(draft), pair);
 }
 
-std::optional<PairCase> depth(Random& random, double value) {
+bool depth(Random& random, double value, PairCase& pair) {
   constexpr double roomy = 10;  // deep enough for all of B
   Draft draft = benign_pair(random, roomy, 1);
   draft.gap = -value * std::min(diameter(draft.a.outline), diameter(draft.b.outline));
   stand_near(random, draft);
   draft = maybe_swapped(random, draft);
-  const auto pair = settle(draft);
-  if (!pair) return std::nullopt;
-  const double off = separation(faces_of(*pair), apart(*pair)) - total_radius(*pair) - *draft.gap;
-  return std::abs(off) / std::abs(*draft.gap) > 0.01 ? std::nullopt : pair;
+  if (!settle(draft, pair)) return false;
+  const double off = separation(faces_of(pair), apart(pair)) - total_radius(pair) - *draft.gap;
+  return std::abs(off) / std::abs(*draft.gap) <= 0.01;
 }
 
-std::optional<PairCase> off_unit(Random& random, double value) {
+bool off_unit(Random& random, double value, PairCase& pair) {
   Draft draft = benign_pair(random, 1, 1);
   meet(random, draft, span(draft));
   stand_near(random, draft);
   for (Sketch* sketch : {&draft.a, &draft.b}) put_off_unit(*sketch, random.either_sign(value));
-  return settle(draft);
+  return settle(draft, pair);
 }
 
 // Sweeps named for the polygons' shapes. What is delicate keeps the drawing's axes and lies at its
@@ -104,24 +103,24 @@ std::optional<PairCase> off_unit(Random& random, double value) {
 namespace {
 
 /// A delicate outline below, a benign partner above.
-std::optional<PairCase> met_from_above(Random& random, const Outline& delicate) {
+bool met_from_above(Random& random, const Outline& delicate, PairCase& pair) {
   Draft draft;
   draft.a.outline = delicate;
   draft.b.outline = upside_down(face_or_corner_up(random, benign_outline(random), 0.05));
   give_own_axes(random, draft.b);
-  return settled(random, draft, span(draft));
+  return settled(random, draft, span(draft), pair);
 }
 
 }  // namespace
 
-std::optional<PairCase> angle(Random& random, double value) {
+bool angle(Random& random, double value, PairCase& pair) {
   const Outline a = benign_outline(random);
   const Outline b = benign_outline(random);
   const Draft draft = face_to_face(random, a, b, random.either_sign(value));
-  return settled(random, draft, span(draft));
+  return settled(random, draft, span(draft), pair);
 }
 
-std::optional<PairCase> aspect(Random& random, double value) {
+bool aspect(Random& random, double value, PairCase& pair) {
   const auto sliver = [&] {
     const Outline regular = regular_outline(random_count(random));
     return stretched(turned(regular, random_direction(random)), 1, 1 / value);
@@ -130,10 +129,10 @@ std::optional<PairCase> aspect(Random& random, double value) {
   const Outline b = sliver();
   Draft draft = free_pair(random, a, b);
   if (random.chance(0.3)) draft.direction = draft.b.pose.rotation;
-  return settled(random, draft, random.chance(0.5) ? 1 : 1 / value);
+  return settled(random, draft, random.chance(0.5) ? 1 : 1 / value, pair);
 }
 
-std::optional<PairCase> collinear(Random& random, double value) {
+bool collinear(Random& random, double value, PairCase& pair) {
   const Outline outline = benign_outline(random, kMaxVertices - 1);
   const int face = random.integer(0, outline.count - 1);
   const double share = random.uniform(0.2, 0.8);
@@ -141,17 +140,17 @@ std::optional<PairCase> collinear(Random& random, double value) {
   const double before = share * length(up.face(face));
   const double after = (1 - share) * length(up.face(face));
   const double height = value / (1 / before + 1 / after);
-  return met_from_above(random, with_vertex(up, face, {0, height}));
+  return met_from_above(random, with_vertex(up, face, {0, height}), pair);
 }
 
-std::optional<PairCase> chamfer(Random& random, double value) {
+bool chamfer(Random& random, double value, PairCase& pair) {
   const Outline outline = benign_outline(random, kMaxVertices - 1);
   const int corner = random.integer(0, outline.count - 1);
   const Outline up = corner_up(outline, corner, random.unit());
   const double length = value * span(up);
   const Outline cut = cut_corner(up, corner, length, length);
   const bool chamfer_faces_up = random.chance(0.5);
-  return met_from_above(random, chamfer_faces_up ? face_up(cut, corner, random.unit()) : cut);
+  return met_from_above(random, chamfer_faces_up ? face_up(cut, corner, random.unit()) : cut, pair);
 }
 
 // Sweeps that come near to where a decision turns, in steps of an ulp at 1.
@@ -171,27 +170,26 @@ double greatest(const Faces& faces, Side side, const Vector2<double>& p) {
 }
 
 /// A's face and B's that separate alike, but for B's lead.
-std::optional<PairCase> tied_sides(Random& random, double lead) {
+bool tied_sides(Random& random, double lead, PairCase& pair) {
   const Outline a = benign_outline(random);
   const Outline b = benign_outline(random);
   Draft draft = any_meeting(random, a, b);
   draft.gap = -random.uniform(0.001, 0.1) * span(draft);
   draft.world.rotation = random_direction(random);
-  auto pair = settle(draft);
-  if (!pair) return std::nullopt;
-  const auto tie = find_tie(*pair, random.either_sign(1));
-  if (!tie) return std::nullopt;
+  if (!settle(draft, pair)) return false;
+  const auto tie = find_tie(pair, random.either_sign(1));
+  if (!tie) return false;
   const auto place = [&](const Faces& faces) { return place_at(faces, *tie, lead); };
-  if (!place_exactly(*pair, place)) return std::nullopt;
-  const Faces placed = faces_of(*pair);
-  const Vector2<double> at = apart(*pair);
+  if (!place_exactly(pair, place)) return false;
+  const Faces placed = faces_of(pair);
+  const Vector2<double> at = apart(pair);
   const double off = greatest(placed, Side::b, at) - greatest(placed, Side::a, at) - lead;
-  return std::abs(off) < kAccuracy ? pair : std::nullopt;
+  return std::abs(off) < kAccuracy;
 }
 
 /// B's corner points straight at A's face, but for `tilt`: the edges on both sides of it tie. B is
 /// mirror-symmetric to the last bit, and nothing may move its vertices.
-std::optional<PairCase> tied_edges(Random& random, double tilt) {
+bool tied_edges(Random& random, double tilt, PairCase& pair) {
   const Outline a = benign_outline(random);
   Draft draft;
   const Outline up = face_up(a, random.integer(0, a.count - 1), random.uniform(0.2, 0.8));
@@ -202,43 +200,42 @@ std::optional<PairCase> tied_edges(Random& random, double tilt) {
   draft.gap = -random.uniform(0.001, 0.1) * span(draft);
   stand_near(random, draft);
   draft.exact_gap = false;
-  return settle(maybe_swapped(random, draft));
+  return settle(maybe_swapped(random, draft), pair);
 }
 
 }  // namespace
 
-std::optional<PairCase> tie(Random& random, double value) {
+bool tie(Random& random, double value, PairCase& pair) {
   constexpr double box2d_bias = 0.0005;
   const double off = random.either_sign(value * kUlp);
   switch (random.integer(0, 2)) {
     case 0:
-      return tied_sides(random, off);
+      return tied_sides(random, off, pair);
     case 1:
-      return tied_sides(random, box2d_bias + off);
+      return tied_sides(random, box2d_bias + off, pair);
     default:
-      return tied_edges(random, off);
+      return tied_edges(random, off, pair);
   }
 }
 
-std::optional<PairCase> touch(Random& random, double value) {
+bool touch(Random& random, double value, PairCase& pair) {
   Draft draft = benign_pair(random, 1, 1);
   if (random.chance(0.25)) draft.radius_a = draft.radius_b = 0.01F;
   draft.gap = random.either_sign(value * kUlp);
   stand_near(random, draft);
-  auto pair = settle(draft);
-  if (!pair) return std::nullopt;
-  const double target = total_radius(*pair) + *draft.gap;
-  Vector2<double> start = apart(*pair);
+  if (!settle(draft, pair)) return false;
+  const double target = total_radius(pair) + *draft.gap;
+  Vector2<double> start = apart(pair);
   const auto place = [&](const Faces& faces) {
     const Vector2<double> from = std::exchange(start, {0, 0});
     return slide(faces, from, rotate(draft.world.rotation, draft.direction), target);
   };
-  if (!place_exactly(*pair, place)) return std::nullopt;
-  const double off = separation(faces_of(*pair), apart(*pair)) - target;
-  return std::abs(off) < kAccuracy ? pair : std::nullopt;
+  if (!place_exactly(pair, place)) return false;
+  const double off = separation(faces_of(pair), apart(pair)) - target;
+  return std::abs(off) < kAccuracy;
 }
 
-std::optional<PairCase> corner(Random& random, double value) {
+bool corner(Random& random, double value, PairCase& pair) {
   const auto face_from_origin = [&] {
     const Outline outline = benign_outline(random);
     const int face = random.integer(0, outline.count - 1);
@@ -251,7 +248,7 @@ std::optional<PairCase> corner(Random& random, double value) {
   draft.start.x() = random.either_sign(value * kUlp);
   draft.gap = -random.uniform(0, 0.05) * span(draft);
   stand_near(random, draft);
-  return settle(maybe_swapped(random, draft));
+  return settle(maybe_swapped(random, draft), pair);
 }
 
 }  // namespace manifuzz::turn

@@ -38,8 +38,8 @@ FacingShapes facing_shapes(Random& random) {
 }
 
 /// Touching or nearly, by a share of the smaller solid's size, anywhere near the origin.
-std::optional<PairCase> settled(Random& random, Draft draft, const Solid& a, const Solid& b,
-                                double more = 0) {
+bool settled(Random& random, Draft draft, const Solid& a, const Solid& b, PairCase& pair,
+             double more = 0) {
   const double size = std::min(size_of(a), size_of(b));
   const double radii = static_cast<double>(static_cast<float>(a.radius)) +
                        static_cast<double>(static_cast<float>(b.radius));
@@ -47,12 +47,12 @@ std::optional<PairCase> settled(Random& random, Draft draft, const Solid& a, con
   give_own_axes(random, draft.a);
   give_own_axes(random, draft.b);
   stand_near(random, draft);
-  return settle(maybe_swapped(random, draft));
+  return settle(maybe_swapped(random, draft), pair);
 }
 
 }  // namespace
 
-std::optional<PairCase> capsule_angle(Random& random, double value) {
+bool capsule_angle(Random& random, double value, PairCase& pair) {
   const Solid a = benign_capsule(random);
   const Solid b = benign_capsule(random);
   const Outline below = face_up(a.outline, 0, random.uniform(0.1, 0.9));
@@ -60,10 +60,10 @@ std::optional<PairCase> capsule_angle(Random& random, double value) {
   const double tilt = random.either_sign(value);
   Draft draft = facing(below, turned(above, unit({1, tilt})));
   const double lowest = std::min(draft.b.outline.vertices[0].y(), draft.b.outline.vertices[1].y());
-  return settled(random, draft, a, b, -lowest);
+  return settled(random, draft, a, b, pair, -lowest);
 }
 
-std::optional<PairCase> roundness(Random& random, double value) {
+bool roundness(Random& random, double value, PairCase& pair) {
   Solid a = benign_capsule(random);
   Solid b = random.chance(0.5) ? benign_capsule(random) : benign_circle(random);
   for (Solid* const solid : {&a, &b}) {
@@ -72,24 +72,24 @@ std::optional<PairCase> roundness(Random& random, double value) {
   }
   const Outline below = place_up(random, a.outline);
   const Outline above = place_up(random, b.outline);
-  return settled(random, facing(below, above), a, b);
+  return settled(random, facing(below, above), a, b, pair);
 }
 
-std::optional<PairCase> core_distance(Random& random, double value) {
+bool core_distance(Random& random, double value, PairCase& pair) {
   FacingShapes drawn = facing_shapes(random);
   set_apart(drawn.draft, drawn.a, drawn.b, value * drawn.size());
   give_own_axes(random, drawn.draft.a);
   give_own_axes(random, drawn.draft.b);
   stand_near(random, drawn.draft);
-  return settle(maybe_swapped(random, drawn.draft));
+  return settle(maybe_swapped(random, drawn.draft), pair);
 }
 
-std::optional<PairCase> round_distance(Random& random, double value) {
+bool round_distance(Random& random, double value, PairCase& pair) {
   FacingShapes drawn = facing_shapes(random);
   const double gap = draw_gap(random) * drawn.size();
   set_apart(drawn.draft, drawn.a, drawn.b, drawn.a.radius + drawn.b.radius + gap);
   drawn.draft.world = {value * random_direction(random), random_direction(random)};
-  return settle(maybe_swapped(random, drawn.draft));
+  return settle(maybe_swapped(random, drawn.draft), pair);
 }
 
 }  // namespace manifuzz::turn

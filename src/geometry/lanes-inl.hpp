@@ -23,108 +23,135 @@ using FloatPart = hn::Rebind<float, Part>;
 inline constexpr int kPart = static_cast<int>(hn::MaxLanes(Part()));
 inline constexpr int kParts = kMaxVertices / kPart;
 
-struct Lanes {
-  hn::Vec<Part> parts[kParts];
-};
+/// Half of the parts, where there are several: enough for so many corners.
+inline constexpr int kHalf = kParts > 1 ? kParts / 2 : 1;
+HWY_INLINE bool fits_half(int count) {
+  return kHalf < kParts && count <= kHalf * kPart;
+}
 
-template <class Operation>
-HWY_INLINE Lanes each(const Operation& operation) {
-  Lanes result;
-  for (int p = 0; p < kParts; ++p) result.parts[p] = operation(p);
+/// Lanes, or a mask of lanes, part by part.
+template <class Result, class Operation>
+HWY_INLINE Result each(const Operation& operation) {
+  Result result;
+  for (int p = 0; p < Result::kCount; ++p) result.parts[p] = operation(p);
   return result;
 }
 
-HWY_INLINE Lanes operator+(const Lanes& a, const Lanes& b) {
-  return each([&](int p) { return hn::Add(a.parts[p], b.parts[p]); });
-}
-HWY_INLINE Lanes operator-(const Lanes& a, const Lanes& b) {
-  return each([&](int p) { return hn::Sub(a.parts[p], b.parts[p]); });
-}
-HWY_INLINE Lanes operator*(const Lanes& a, const Lanes& b) {
-  return each([&](int p) { return hn::Mul(a.parts[p], b.parts[p]); });
-}
-HWY_INLINE Lanes operator/(const Lanes& a, const Lanes& b) {
-  return each([&](int p) { return hn::Div(a.parts[p], b.parts[p]); });
-}
-HWY_INLINE Lanes operator-(const Lanes& a) {
-  return each([&](int p) { return hn::Neg(a.parts[p]); });
-}
-HWY_INLINE Lanes root(const Lanes& a) {
-  return each([&](int p) { return hn::Sqrt(a.parts[p]); });
-}
-HWY_INLINE Lanes magnitude(const Lanes& a) {
-  return each([&](int p) { return hn::Abs(a.parts[p]); });
-}
-/// The lesser, b of equals.
-HWY_INLINE Lanes lesser(const Lanes& a, const Lanes& b) {
-  return each([&](int p) { return hn::Min(a.parts[p], b.parts[p]); });
-}
-
-HWY_INLINE Lanes in_every_lane(double value) {
-  return each([&](int) { return hn::Set(Part(), value); });
-}
-
-HWY_INLINE Lanes load(const double* from) {
-  return each([&](int p) { return hn::LoadU(Part(), from + p * kPart); });
-}
-
-HWY_INLINE void store(const Lanes& lanes, double* to) {
-  for (int p = 0; p < kParts; ++p) hn::StoreU(lanes.parts[p], Part(), to + p * kPart);
-}
-
-HWY_INLINE double least_of(const Lanes& a) {
-  hn::Vec<Part> least = a.parts[0];
-  for (int p = 1; p < kParts; ++p) least = hn::Min(a.parts[p], least);
-  return hn::GetLane(hn::MinOfLanes(Part(), least));
-}
-
 /// In which lanes something is so.
+template <int n>
 struct LaneMask {
-  hn::Mask<Part> parts[kParts];
+  static constexpr int kCount = n;
+  hn::Mask<Part> parts[n];
+
+  friend HWY_INLINE LaneMask operator|(const LaneMask& a, const LaneMask& b) {
+    return each<LaneMask>([&](int p) { return hn::Or(a.parts[p], b.parts[p]); });
+  }
 };
 
-HWY_INLINE LaneMask operator>(const Lanes& a, const Lanes& b) {
-  LaneMask mask;
-  for (int p = 0; p < kParts; ++p) mask.parts[p] = hn::Gt(a.parts[p], b.parts[p]);
-  return mask;
+/// In `n` parts, all of them or half of them.
+template <int n = kParts>
+struct Lanes {
+  static constexpr int kCount = n;
+  hn::Vec<Part> parts[n];
+
+  friend HWY_INLINE Lanes operator+(const Lanes& a, const Lanes& b) {
+    return each<Lanes>([&](int p) { return hn::Add(a.parts[p], b.parts[p]); });
+  }
+  friend HWY_INLINE Lanes operator-(const Lanes& a, const Lanes& b) {
+    return each<Lanes>([&](int p) { return hn::Sub(a.parts[p], b.parts[p]); });
+  }
+  friend HWY_INLINE Lanes operator*(const Lanes& a, const Lanes& b) {
+    return each<Lanes>([&](int p) { return hn::Mul(a.parts[p], b.parts[p]); });
+  }
+  friend HWY_INLINE Lanes operator/(const Lanes& a, const Lanes& b) {
+    return each<Lanes>([&](int p) { return hn::Div(a.parts[p], b.parts[p]); });
+  }
+  friend HWY_INLINE Lanes operator-(const Lanes& a) {
+    return each<Lanes>([&](int p) { return hn::Neg(a.parts[p]); });
+  }
+  friend HWY_INLINE LaneMask<n> operator>(const Lanes& a, const Lanes& b) {
+    return each<LaneMask<n>>([&](int p) { return hn::Gt(a.parts[p], b.parts[p]); });
+  }
+};
+
+template <int n>
+HWY_INLINE Lanes<n> root(const Lanes<n>& a) {
+  return each<Lanes<n>>([&](int p) { return hn::Sqrt(a.parts[p]); });
+}
+template <int n>
+HWY_INLINE Lanes<n> magnitude(const Lanes<n>& a) {
+  return each<Lanes<n>>([&](int p) { return hn::Abs(a.parts[p]); });
+}
+/// The lesser, b of equals.
+template <int n>
+HWY_INLINE Lanes<n> lesser(const Lanes<n>& a, const Lanes<n>& b) {
+  return each<Lanes<n>>([&](int p) { return hn::Min(a.parts[p], b.parts[p]); });
 }
 
-HWY_INLINE LaneMask differ(const Lanes& a, const Lanes& b) {
-  LaneMask mask;
-  for (int p = 0; p < kParts; ++p) mask.parts[p] = hn::Ne(a.parts[p], b.parts[p]);
-  return mask;
+template <int n = kParts>
+HWY_INLINE Lanes<n> in_every_lane(double value) {
+  return each<Lanes<n>>([&](int) { return hn::Set(Part(), value); });
 }
 
-HWY_INLINE LaneMask operator|(const LaneMask& a, const LaneMask& b) {
-  LaneMask mask;
-  for (int p = 0; p < kParts; ++p) mask.parts[p] = hn::Or(a.parts[p], b.parts[p]);
-  return mask;
+template <int n = kParts>
+HWY_INLINE Lanes<n> load(const double* from) {
+  return each<Lanes<n>>([&](int p) { return hn::LoadU(Part(), from + p * kPart); });
+}
+
+template <int n>
+HWY_INLINE void store(const Lanes<n>& lanes, double* to) {
+  for (int p = 0; p < n; ++p) hn::StoreU(lanes.parts[p], Part(), to + p * kPart);
+}
+
+/// Lane by lane the least of all parts.
+template <int n>
+HWY_INLINE Lanes<1> least_of_parts(const Lanes<n>& a) {
+  Lanes<1> least{a.parts[0]};
+  for (int p = 1; p < n; ++p) least.parts[0] = hn::Min(a.parts[p], least.parts[0]);
+  return least;
+}
+template <int n>
+HWY_INLINE double least_of(const Lanes<n>& a) {
+  return hn::GetLane(hn::MinOfLanes(Part(), least_of_parts(a).parts[0]));
+}
+
+template <int n>
+HWY_INLINE LaneMask<n> differ(const Lanes<n>& a, const Lanes<n>& b) {
+  return each<LaneMask<n>>([&](int p) { return hn::Ne(a.parts[p], b.parts[p]); });
+}
+
+/// Lane by lane whether it is so in any part.
+template <int n>
+HWY_INLINE LaneMask<1> any_of_parts(const LaneMask<n>& a) {
+  LaneMask<1> any{a.parts[0]};
+  for (int p = 1; p < n; ++p) any.parts[0] = hn::Or(a.parts[p], any.parts[0]);
+  return any;
 }
 /// What is so, and not `excluded`.
-HWY_INLINE LaneMask without(const LaneMask& excluded, const LaneMask& mask) {
-  LaneMask rest;
-  for (int p = 0; p < kParts; ++p) rest.parts[p] = hn::AndNot(excluded.parts[p], mask.parts[p]);
-  return rest;
+template <int n>
+HWY_INLINE LaneMask<n> without(const LaneMask<n>& excluded, const LaneMask<n>& mask) {
+  return each<LaneMask<n>>([&](int p) { return hn::AndNot(excluded.parts[p], mask.parts[p]); });
 }
 
 /// The lanes of so many corners.
-HWY_INLINE LaneMask first_lanes(int count) {
-  LaneMask mask;
+template <int n = kParts>
+HWY_INLINE LaneMask<n> first_lanes(int count) {
   const auto end = hn::Set(Part(), static_cast<double>(count));
-  for (int p = 0; p < kParts; ++p) {
-    mask.parts[p] = hn::Lt(hn::Iota(Part(), static_cast<double>(p * kPart)), end);
-  }
-  return mask;
+  return each<LaneMask<n>>(
+      [&](int p) { return hn::Lt(hn::Iota(Part(), static_cast<double>(p * kPart)), end); });
 }
 
-HWY_INLINE Lanes select(const LaneMask& mask, const Lanes& there, const Lanes& here) {
-  return each([&](int p) { return hn::IfThenElse(mask.parts[p], there.parts[p], here.parts[p]); });
+template <int n>
+HWY_INLINE Lanes<n> select(const LaneMask<n>& mask, const Lanes<n>& there, const Lanes<n>& here) {
+  return each<Lanes<n>>(
+      [&](int p) { return hn::IfThenElse(mask.parts[p], there.parts[p], here.parts[p]); });
 }
 
 /// A bit a lane.
-HWY_INLINE unsigned bits(const LaneMask& mask) {
+template <int n>
+HWY_INLINE unsigned bits(const LaneMask<n>& mask) {
   unsigned all = 0;
-  for (int p = 0; p < kParts; ++p) {
+  for (int p = 0; p < n; ++p) {
     unsigned char of_part[8] = {};
     hn::StoreMaskBits(Part(), mask.parts[p], of_part);
     all |= static_cast<unsigned>(of_part[0]) << (p * kPart);
@@ -133,53 +160,63 @@ HWY_INLINE unsigned bits(const LaneMask& mask) {
 }
 
 /// Points, or directions, of the plane.
+template <int n = kParts>
 struct LanePoints {
-  Lanes x;
-  Lanes y;
+  Lanes<n> x;
+  Lanes<n> y;
+
+  friend HWY_INLINE LanePoints operator+(const LanePoints& a, const LanePoints& b) {
+    return {a.x + b.x, a.y + b.y};
+  }
+  friend HWY_INLINE LanePoints operator-(const LanePoints& a, const LanePoints& b) {
+    return {a.x - b.x, a.y - b.y};
+  }
+  friend HWY_INLINE LanePoints operator*(const LanePoints& a, const Lanes<n>& b) {
+    return {a.x * b, a.y * b};
+  }
+  friend HWY_INLINE LanePoints operator/(const LanePoints& a, const Lanes<n>& b) {
+    return {a.x / b, a.y / b};
+  }
 };
 
-HWY_INLINE LanePoints operator+(const LanePoints& a, const LanePoints& b) {
-  return {a.x + b.x, a.y + b.y};
-}
-HWY_INLINE LanePoints operator-(const LanePoints& a, const LanePoints& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-HWY_INLINE LanePoints operator*(const LanePoints& a, const Lanes& b) {
-  return {a.x * b, a.y * b};
-}
-HWY_INLINE LanePoints operator/(const LanePoints& a, const Lanes& b) {
-  return {a.x / b, a.y / b};
-}
-HWY_INLINE Lanes dot(const LanePoints& a, const LanePoints& b) {
+template <int n>
+HWY_INLINE Lanes<n> dot(const LanePoints<n>& a, const LanePoints<n>& b) {
   return a.x * b.x + a.y * b.y;
 }
-HWY_INLINE LanePoints in_every_lane(double x, double y) {
-  return {in_every_lane(x), in_every_lane(y)};
+template <int n = kParts>
+HWY_INLINE LanePoints<n> in_every_lane(double x, double y) {
+  return {in_every_lane<n>(x), in_every_lane<n>(y)};
 }
-HWY_INLINE LaneMask differ(const LanePoints& a, const LanePoints& b) {
+template <int n>
+HWY_INLINE LaneMask<n> differ(const LanePoints<n>& a, const LanePoints<n>& b) {
   return differ(a.x, b.x) | differ(a.y, b.y);
 }
-HWY_INLINE LanePoints clockwise_quarter(const LanePoints& a) {
-  return {a.y, -a.x};
+template <int n>
+HWY_INLINE LanePoints<n> clockwise_quarter(const LanePoints<n>& a) {
+  // Part by part: g++ 12 copies all parts at once through memory.
+  return {each<Lanes<n>>([&](int p) { return a.y.parts[p]; }), -a.x};
 }
 /// `rotate` of geometry/pose.hpp.
-HWY_INLINE LanePoints turned(double cos, double sin, const LanePoints& a) {
-  const Lanes c = in_every_lane(cos);
-  const Lanes s = in_every_lane(sin);
+template <int n>
+HWY_INLINE LanePoints<n> turned(double cos, double sin, const LanePoints<n>& a) {
+  const Lanes<n> c = in_every_lane<n>(cos);
+  const Lanes<n> s = in_every_lane<n>(sin);
   return {c * a.x - s * a.y, s * a.x + c * a.y};
 }
 
 /// Of x and y by turns.
-HWY_INLINE LanePoints load_points(const double* from) {
-  LanePoints points;
-  for (int p = 0; p < kParts; ++p) {
+template <int n = kParts>
+HWY_INLINE LanePoints<n> load_points(const double* from) {
+  LanePoints<n> points;
+  for (int p = 0; p < n; ++p) {
     hn::LoadInterleaved2(Part(), from + 2 * p * kPart, points.x.parts[p], points.y.parts[p]);
   }
   return points;
 }
-HWY_INLINE LanePoints load_points(const float* from) {
-  LanePoints points;
-  for (int p = 0; p < kParts; ++p) {
+template <int n = kParts>
+HWY_INLINE LanePoints<n> load_points(const float* from) {
+  LanePoints<n> points;
+  for (int p = 0; p < n; ++p) {
     hn::Vec<FloatPart> x;
     hn::Vec<FloatPart> y;
     hn::LoadInterleaved2(FloatPart(), from + 2 * p * kPart, x, y);
@@ -189,22 +226,27 @@ HWY_INLINE LanePoints load_points(const float* from) {
   return points;
 }
 /// Each as the float nearest to it.
-HWY_INLINE Lanes rounded_to_floats(const Lanes& a) {
-  return each([&](int p) { return hn::PromoteTo(Part(), hn::DemoteTo(FloatPart(), a.parts[p])); });
+template <int n>
+HWY_INLINE Lanes<n> rounded_to_floats(const Lanes<n>& a) {
+  return each<Lanes<n>>(
+      [&](int p) { return hn::PromoteTo(Part(), hn::DemoteTo(FloatPart(), a.parts[p])); });
 }
-HWY_INLINE LanePoints rounded_to_floats(const LanePoints& points) {
+template <int n>
+HWY_INLINE LanePoints<n> rounded_to_floats(const LanePoints<n>& points) {
   return {rounded_to_floats(points.x), rounded_to_floats(points.y)};
 }
-/// Rounds x and y by turns, of kMaxVertices points.
+/// Rounds x and y by turns.
+template <int n = kParts>
 HWY_INLINE void round_to_floats(const double* from, float* to) {
-  for (int i = 0; i < 2 * kMaxVertices; i += kPart) {
+  for (int i = 0; i < 2 * n * kPart; i += kPart) {
     hn::StoreU(hn::DemoteTo(FloatPart(), hn::LoadU(Part(), from + i)), FloatPart(), to + i);
   }
 }
 /// Stores them rounded to floats, and returns what is stored.
-HWY_INLINE LanePoints store_rounded(const LanePoints& points, float* to) {
-  LanePoints rounded;
-  for (int p = 0; p < kParts; ++p) {
+template <int n>
+HWY_INLINE LanePoints<n> store_rounded(const LanePoints<n>& points, float* to) {
+  LanePoints<n> rounded;
+  for (int p = 0; p < n; ++p) {
     const auto x = hn::DemoteTo(FloatPart(), points.x.parts[p]);
     const auto y = hn::DemoteTo(FloatPart(), points.y.parts[p]);
     hn::StoreInterleaved2(x, y, FloatPart(), to + 2 * p * kPart);
@@ -213,30 +255,35 @@ HWY_INLINE LanePoints store_rounded(const LanePoints& points, float* to) {
   }
   return rounded;
 }
-HWY_INLINE void store_points(const LanePoints& points, double* to) {
-  for (int p = 0; p < kParts; ++p) {
+template <int n>
+HWY_INLINE void store_points(const LanePoints<n>& points, double* to) {
+  for (int p = 0; p < n; ++p) {
     hn::StoreInterleaved2(points.x.parts[p], points.y.parts[p], Part(), to + 2 * p * kPart);
   }
 }
 
 /// Of each of `count` lanes the next, of the last the first.
-HWY_INLINE Lanes next(const Lanes& lanes, int count) {
+template <int n>
+HWY_INLINE Lanes<n> next(const Lanes<n>& lanes, int count) {
   double memory[kMaxVertices + 1];
   store(lanes, memory);
   memory[count] = memory[0];
-  return load(memory + 1);
+  return load<n>(memory + 1);
 }
-HWY_INLINE LanePoints next(const LanePoints& points, int count) {
+template <int n>
+HWY_INLINE LanePoints<n> next(const LanePoints<n>& points, int count) {
   return {next(points.x, count), next(points.y, count)};
 }
 /// Of each the one before.
-HWY_INLINE Lanes previous(const Lanes& lanes, int count) {
+template <int n>
+HWY_INLINE Lanes<n> previous(const Lanes<n>& lanes, int count) {
   double memory[kMaxVertices + 1];
   store(lanes, memory + 1);
   memory[0] = memory[count];
-  return load(memory);
+  return load<n>(memory);
 }
-HWY_INLINE LanePoints previous(const LanePoints& points, int count) {
+template <int n>
+HWY_INLINE LanePoints<n> previous(const LanePoints<n>& points, int count) {
   return {previous(points.x, count), previous(points.y, count)};
 }
 

@@ -73,17 +73,17 @@ std::optional<Meeting> meeting_of(Random& random, const Solid& a, const Solid& b
   const bool is_mitred = a.rounding == Rounding::mitre && b.rounding == Rounding::mitre;
   set_apart(draft, a, b, is_mitred ? 0 : a.radius + b.radius + gap);
   if (is_mitred) draft.gap = gap;
-  const auto pair = settle(draft);
-  if (!pair) return std::nullopt;
+  PairCase pair;
+  if (!settle(draft, pair)) return std::nullopt;
   const auto [left_a, right_a] = ends_of(a.outline);
   const auto [left_b, right_b] = ends_of(above);
   return Meeting{
-      .a = pair->a.polygon,
-      .b = pair->b.polygon,
-      .at_a = as_double(pair->a.pose),
-      .at_b = as_double(pair->b.pose),
+      .a = pair.a.polygon,
+      .b = pair.b.polygon,
+      .at_a = as_double(pair.a.pose),
+      .at_b = as_double(pair.b.pose),
       .size = std::min(size_of(a), size_of(b)),
-      .height = static_cast<double>(pair->b.pose.position.y()) - draft.b.pose.position.y(),
+      .height = static_cast<double>(pair.b.pose.position.y()) - draft.b.pose.position.y(),
       .left = std::max(left_a, left_b),
       .right = std::min(right_a, right_b)};
 }
