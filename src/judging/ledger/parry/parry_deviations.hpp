@@ -92,9 +92,9 @@ bool stop_of_gjk(const Deviation& deviation);
 template <class Engine>
 bool touching_of_gjk(const Deviation& deviation);
 /// EPA gives the first new face that is nearer than the one it came from: the origin was within
-/// GJK's tolerance of the simplex, or, if it had gone on, it would have ended within its own. Or the
-/// simplex is a chord, of whose sides it takes the farther one for the nearer, and with the signs of
-/// both mended the answer is right.
+/// GJK's tolerance of the simplex, or, if it had gone on, it would have ended within its own. Or
+/// the simplex is a chord, of whose sides it takes the farther one for the nearer, and with the
+/// signs of both mended the answer is right.
 template <class Engine>
 bool origin_within_tolerance(const Deviation& deviation);
 /// GJK's simplex refused a corner that is not where another is, and the search ended.
