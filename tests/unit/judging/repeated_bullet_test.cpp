@@ -6,6 +6,7 @@
 #include "judging/ledger/bullet/bullet_perturbed.hpp"
 #include "judging/ledger/bullet/perturbed_deviations.hpp"
 #include "judging/ledger/bullet/query_deviations.hpp"
+#include "judging/ledger/bullet/repeated_query.hpp"
 #include "judging/ledger/gjk_deviations.hpp"
 #include "unit/judging/repeated_pairs.hpp"
 
@@ -176,6 +177,59 @@ TEST_CASE("a query that ends as no corner is nearer is off by the root of its re
   CHECK(is_it(normal, Kind::normal));
   CHECK_FALSE(is_it(normal, Kind::not_minimal));
   CHECK_FALSE(is_it({normal.x() + 1e-5, normal.y()}, Kind::normal));
+}
+
+TEST_CASE("a query that ends at the corner that rounded products chose is off by as much") {
+  // The segment's other end is nearer by less than a float tells of the squared distance.
+  const std::array<Vector2<float>, 2> ends{Vector2<float>{0.1516F, 0.2791F},
+                                           Vector2<float>{0.15159647F, 0.27909133F}};
+  const PairCase pair{body_at(ends, 0, 0, 0.0478695F),
+                      body_at(std::array{Vector2<float>{0.09638F, 0.3016F}}, 0, 0, 0.0478695F)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
+  REQUIRE(answer.loop.end == QueryEnd::equal_vertex);
+  CHECK(is_nearest_corner_rounded(pair, BulletAsked::epa, answer.loop));
+  const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
+  const auto is_it = [&](const Vector2<double>& along, double depth, Kind kind) {
+    return is_explained(stopped_by_relative_error<BulletAsked::epa>, pair, along, depth, kind);
+  };
+  CHECK(is_it(normal, -answer.distance, Kind::normal));
+  CHECK_FALSE(is_it(normal, -answer.distance, Kind::not_minimal));
+  CHECK_FALSE(is_it(normal, -answer.distance - 1e-4, Kind::normal));
+  CHECK_FALSE(is_it({normal.x() + 1e-5, normal.y()}, -answer.distance, Kind::normal));
+  // The end that is held is the nearest of a segment that does not lie across the axis.
+  PairCase turned = pair;
+  turned.a.polygon.vertices[1] = {0.1517F, 0.279F};
+  const BulletAnswer of_turned = ask_detector(prisms_of(turned), solve_by_epa, &trace, 1e18F);
+  CHECK_FALSE(is_nearest_corner_rounded(turned, BulletAsked::epa, of_turned.loop));
+}
+
+TEST_CASE("EPA ends within its accuracy of small round corners, whichever way its face is turned") {
+  PairCase pair{body_at(std::array{Vector2<float>{0.0030202842F, -0.0073099104F},
+                                   Vector2<float>{-0.0176677F, -0.013545966F}},
+                        0.08747759F, -0.113125F, 0.000478381F),
+                triangle_of({Vector2<float>{0.0041636336F, -0.004145921F},
+                             {0.006042488F, 0.008866736F},
+                             {0, -0.009375F}})};
+  pair.a.pose.rotation = {0.95744765F, -0.28860697F};
+  pair.b.polygon.radius = 0.000478381F;
+  pair.b.polygon.rounding = Rounding::round;
+  pair.b.pose = {{0.09176803F, -0.11602688F}, {0.14290474F, -0.98973644F}};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
+  REQUIRE(trace.end == BulletEpaEnd::accuracy_reached);
+  const Vector2<double> in_world(-answer.normal.x(), -answer.normal.y());
+  const Vector2<double> turn = pair.a.pose.rotation.cast<double>();
+  const Vector2<double> normal = rotate<double>({turn.x(), -turn.y()}, in_world);
+  const double depth = -answer.distance * in_world.norm();
+  const auto is_it = [&](const Vector2<double>& along, double deep, Kind kind) {
+    return is_explained(epa_at_chord, pair, along, deep, kind);
+  };
+  CHECK(is_it(normal, depth, Kind::normal));
+  CHECK_FALSE(is_it(normal, depth, Kind::inconsistent));
+  CHECK_FALSE(is_it(-normal, depth, Kind::normal));
+  CHECK_FALSE(is_it(rotate<double>({0.9999, 0.01}, normal), depth, Kind::normal));
+  CHECK_FALSE(is_it(normal, depth + 1e-5, Kind::normal));
 }
 
 TEST_CASE("shapes are turned out of the plane where the first normal is upright") {

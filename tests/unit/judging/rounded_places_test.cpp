@@ -131,3 +131,62 @@ TEST_CASE("parry's GJK says inside of a gap, of whose chord the foot is rounded"
   CHECK_FALSE(is_it(shallow));
   CHECK_FALSE(is_it({}));
 }
+
+TEST_CASE("parry's EPA takes the far side of a chord within 10 epsilon of the origin") {
+  const std::array<Vector2<float>, 2> of_a{Vector2<float>{0.4233569F, 0},
+                                           Vector2<float>{-0.4564652F, 0}};
+  const std::array<Vector2<float>, 2> of_b{Vector2<float>{0.42095563F, 0},
+                                           Vector2<float>{-0.47352F, 0}};
+  const auto at = [&](float gap) {
+    return PairCase{body_at(of_a, 0, 0, 0.09211564F), body_at(of_b, 0, gap)};
+  };
+  const auto given_of = [](const PairCase& pair) {
+    return parry::Floats::answer(parry::Floats::replays(exact::stored(pair)).front(), pair);
+  };
+  const auto is_it = [](const PairCase& pair, const Manifold<double>& got) {
+    return explains(origin_within_tolerance<parry::Floats>, pair, got, Kind::inconsistent);
+  };
+  const PairCase within = at(1.0610712e-06F);
+  const Manifold<double> given = given_of(within);
+  REQUIRE(given.count == 2);
+  CHECK(given.normal.y() == -1);
+  CHECK(is_it(within, given));
+  Manifold<double> shallow = given;
+  for (ContactPoint<double>& point : shallow.points) point.depth -= 0.001;
+  CHECK_FALSE(is_it(within, shallow));
+  Manifold<double> turned = given;
+  turned.normal = -given.normal;
+  CHECK_FALSE(is_it(within, turned));
+  // Beyond the tolerance it is GJK that finds the direction.
+  const PairCase beyond = at(1e-5F);
+  CHECK(given_of(beyond).normal.y() == 1);
+  CHECK_FALSE(is_it(beyond, given_of(beyond)));
+}
+
+TEST_CASE("parry's place on an edge nearly along the normal is off by more than roundings") {
+  const std::array<Vector2<float>, 2> of_a{Vector2<float>{-0.00057922676F, 0.7916275F},
+                                           Vector2<float>{0.00057922676F, -0.7916275F}};
+  const std::array<Vector2<float>, 2> of_b{Vector2<float>{-0.47436944F, -0.2837607F},
+                                           Vector2<float>{0.47436944F, 0.2837607F}};
+  PairCase pair{body_at(of_a, -6.737253F, 1.4622158F, 0.33741593F),
+                body_at(of_b, -5.8695445F, 2.3081374F)};
+  pair.a.pose.rotation = {0.9089359F, -0.41693586F};
+  pair.b.pose.rotation = {0.95268273F, -0.30396643F};
+  const auto given_of = [](const PairCase& of) {
+    return parry::Floats::answer(parry::Floats::replays(exact::stored(of)).front(), of);
+  };
+  const auto is_it = [](const PairCase& of, const Manifold<double>& got) {
+    return explains(edge_along_normal<parry::Floats>, of, got, Kind::inconsistent);
+  };
+  const Manifold<double> given = given_of(pair);
+  REQUIRE(given.count == 1);
+  CHECK(given.points[0].depth == Approx(0.3373906).margin(1e-7));
+  CHECK(is_it(pair, given));
+  Manifold<double> shallow = given;
+  shallow.points[0].depth -= 0.001;
+  CHECK_FALSE(is_it(pair, shallow));
+  // Not beside its end the edge is as far as it seems.
+  PairCase off = pair;
+  off.b.pose.position.x() += 0.001F;
+  CHECK_FALSE(is_it(off, given_of(off)));
+}

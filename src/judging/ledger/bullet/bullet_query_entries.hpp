@@ -17,7 +17,8 @@ inline constexpr std::string_view kNearCorner =
     "m_equalVertexThreshold, 0.0001";
 inline constexpr std::string_view kRelativeErrorEnds =
     "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual: f0 <= f1, f1 = "
-    "squaredDistance * REL_ERROR2; or previousSquaredDistance - squaredDistance <= SIMD_EPSILON";
+    "squaredDistance * REL_ERROR2; or previousSquaredDistance - squaredDistance <= SIMD_EPSILON; "
+    "or inSimplex(w) before, w being farthest as rounded products tell";
 inline constexpr std::string_view kFlatSimplex =
     "Bullet 3.24, btVoronoiSimplexSolver.cpp, pointOutsideOfPlane: signd * signd < "
     "(1e-4) * (1e-4); updateClosestVectorAndPoints: isValid";

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "judging/ledger/bullet/bullet_epa.hpp"
+#include "judging/ledger/bullet/repeated_query.hpp"
 #include "judging/ledger/differences.hpp"
 #include "judging/ledger/gjk_deviations.hpp"
 #include "judging/ledger/replayed.hpp"
@@ -16,69 +16,11 @@ namespace {
 
 using ledger_of::BulletAnswer;
 using ledger_of::BulletEpaEnd;
+using ledger_of::is_answered;
+using ledger_of::is_repeated;
 using ledger_of::NormalOf;
 using ledger_of::QueryEnd;
-using ledger_of::QueryLoop;
-
-/// What an engine answers, repeated.
-struct RepeatedQuery {
-  BulletAnswer answer;
-  ledger_of::MinkowskiTrace directions;
-  ledger_of::EpaTrace epa;
-
-  /// The loop whose closest points the answer is made of: the first one, or the displaced one.
-  const QueryLoop& deciding() const {
-    return answer.normal_of == NormalOf::solver ? directions.beside.loop : answer.loop;
-  }
-};
-
-RepeatedQuery repeat_query(const PairCase& pair, BulletAsked asked) {
-  RepeatedQuery query;
-  if (asked == BulletAsked::epa) {
-    query.answer = ledger_of::ask_detector(ledger_of::prisms_of(pair), ledger_of::solve_by_epa,
-                                           &query.epa, 1e18F);
-    return query;
-  }
-  const ledger_of::BulletPair hulls =
-      asked == BulletAsked::flat ? ledger_of::flat_hulls_of(pair) : ledger_of::prisms_of(pair);
-  query.answer = ledger_of::ask_detector(hulls, ledger_of::solve_by_directions, &query.directions,
-                                         ledger_of::farthest_square_of(hulls));
-  return query;
-}
-
-/// Whether it is what was answered, a point across a gap too: but for the adapter's and the
-/// manifold's own roundings, which are the bound's.
-bool is_answered(const Deviation& d, const RepeatedQuery& query) {
-  const BulletAnswer& answer = query.answer;
-  const double bound = d.right.bounds.separation;
-  const auto distance = static_cast<double>(answer.distance);
-  const bool is_found = answer.normal_of != NormalOf::nobody;
-  if (d.got.count == 0) return !is_found || distance >= -bound;
-  const double said = ledger_of::deepest(d.got);
-  if (!is_found || (said >= 0 && distance > bound)) return false;
-  const Vector2<double> normal(static_cast<double>(-answer.normal.x()),
-                               static_cast<double>(-answer.normal.y()));
-  const double in_plane = normal.norm();
-  constexpr double roundings = 4 * std::numeric_limits<float>::epsilon();
-  const Vector2<double> got =
-      rotate<double>(d.right.pair().a.pose.rotation.cast<double>(), d.got.normal).normalized();
-  const double depth = said < 0 ? -distance * in_plane : std::max(-distance * in_plane, 0.0);
-  // A solver's depth may be far larger than the shapes, and rounded as such; one that is left of a
-  // displacement is rounded as that was. A manifold takes places to both frames and back, by
-  // rotations that lengthen them.
-  const double largest = std::max(std::abs(depth), static_cast<double>(query.directions.moved));
-  const double lengthened =
-      roundings + rotation_defect(d.right.pair().a) + rotation_defect(d.right.pair().b);
-  return (got - normal / in_plane).norm() <= roundings &&
-         std::abs(said - depth) <= bound + lengthened * largest;
-}
-
-/// The same, and that it came about as asked.
-template <class CameAbout>
-bool is_repeated(const Deviation& d, BulletAsked asked, const CameAbout& came_about) {
-  const RepeatedQuery query = repeat_query(d.right.pair(), asked);
-  return came_about(query) && is_answered(d, query);
-}
+using ledger_of::RepeatedQuery;
 
 /// Where no corner is nearer along the axis p than p, but for the share e of its square, p is from
 /// the nearest place q by |p - q|^2 <= |p|^2 - p . q <= e |p|^2.
@@ -87,6 +29,16 @@ bool is_within_relative_error(const Deviation& d) {
   const Vector2<double> normal = world_normal(d.right.pair(), d.got.normal);
   const Vector2<double> least = replayed::least_normal_near(d, normal);
   return (normal - least).norm() <= std::sqrt(share) + d.right.bounds.normal;
+}
+
+/// Whether the face is inside of the difference, and nothing is farther along its normal than it is
+/// by more than EPA_ACCURACY, so that they are no deeper along it than that beyond the least depth.
+bool is_chord_within_accuracy(const Deviation& d, const RepeatedQuery& query) {
+  constexpr double accuracy = 1e-4;
+  const double bound = d.right.bounds.separation;
+  const double least = ledger_of::least_depth(d);
+  const double deep = exact::Along(*d.right.truth, d.got.normal).depth();
+  return static_cast<double>(query.epa.depth) <= least + bound && deep <= least + accuracy + bound;
 }
 
 bool is_of_own_axis(const RepeatedQuery& query) {
@@ -144,7 +96,12 @@ template <BulletAsked asked>
 bool stopped_by_relative_error(const Deviation& d) {
   return is_repeated(d, asked, [&](const RepeatedQuery& query) {
     const QueryEnd end = query.deciding().end;
-    if (end == QueryEnd::no_closer) return d.kind == Kind::normal && is_within_relative_error(d);
+    const bool is_of_rounded_corner =
+        query.answer.normal_of == NormalOf::query &&
+        is_nearest_corner_rounded(d.right.pair(), asked, query.answer.loop);
+    if (end == QueryEnd::no_closer || is_of_rounded_corner) {
+      return d.kind == Kind::normal && is_within_relative_error(d);
+    }
     return end == QueryEnd::little_closer || end == QueryEnd::no_less;
   });
 }
@@ -214,9 +171,11 @@ bool epa_beside_face(const Deviation& d) {
 }
 
 bool epa_at_chord(const Deviation& d) {
-  if (total_radius(d.right.pair()) == 0 || !ledger_of::is_of_points(d.kind)) return false;
-  return is_repeated(d, BulletAsked::epa, [](const RepeatedQuery& query) {
-    return is_of_epa(query, BulletEpaEnd::accuracy_reached) && !query.epa.is_beside_face;
+  const bool is_of_points = ledger_of::is_of_points(d.kind);
+  if (total_radius(d.right.pair()) == 0 || (!is_of_points && d.kind != Kind::normal)) return false;
+  return is_repeated(d, BulletAsked::epa, [&](const RepeatedQuery& query) {
+    return is_of_epa(query, BulletEpaEnd::accuracy_reached) && !query.epa.is_beside_face &&
+           (is_of_points || is_chord_within_accuracy(d, query));
   });
 }
 

@@ -41,7 +41,8 @@ bool stopped_at_near_corner(const Deviation& deviation);
 template <BulletAsked>
 bool stopped_at_rounded_point(const Deviation& deviation);
 /// It ended though corners were left, since the squared distance fell by less than REL_ERROR2 of
-/// it, or by no more than a rounding; a normal is off by no more than the root of that.
+/// it, or by no more than a rounding, or would have fallen by less with the corner that roundings
+/// of products hid; a normal is off by no more than the root of that.
 template <BulletAsked>
 bool stopped_by_relative_error(const Deviation& deviation);
 /// It ended at four corners that pointOutsideOfPlane takes for coplanar, or at a closest point of
@@ -91,7 +92,8 @@ bool epa_beside_face(const Deviation& deviation);
 /// EPA::Evaluate ended within EPA_ACCURACY of a corner, at a face that is inside of the difference:
 /// its depth is too small, its direction no face's. Of sharp shapes.
 bool epa_at_inner_face(const Deviation& deviation);
-/// EPA::Evaluate ended within EPA_ACCURACY of a curved corner: its face is not tangent there.
+/// EPA::Evaluate ended within EPA_ACCURACY of a curved corner: its face is not tangent there, so
+/// that its points are off, or its normal, along which they are hardly deeper than at least.
 bool epa_at_chord(const Deviation& deviation);
 
 }  // namespace manifuzz

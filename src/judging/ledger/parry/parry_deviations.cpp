@@ -78,12 +78,6 @@ double reach_of_difference(const Deviation& d) {
   return most + total_radius(d.right.pair());
 }
 
-/// Whether GJK's direction is that of its step, between cores that it knows to be apart.
-bool is_between_places(GjkEnd end) {
-  return end == GjkEnd::stalled_apart || end == GjkEnd::refused_apart ||
-         end == GjkEnd::full_apart || end == GjkEnd::near_enough;
-}
-
 bool is_refusal(GjkEnd end) {
   return end == GjkEnd::refused_apart || end == GjkEnd::refused_touching ||
          end == GjkEnd::refused_inside || end == GjkEnd::stalled_inside;
@@ -161,20 +155,6 @@ bool contact_lost_by_epa(const Deviation& d) {
 }
 
 template <class Engine>
-bool direction_of_parry_places(const Deviation& d) {
-  const auto replay = parry::as_reported<Engine>(d);
-  const double apart = cores_apart(d);
-  if (!replay || d.got.count == 0 || ledger_of::is_of_points(d.kind)) return false;
-  const bool is_of_search = replay->route == Route::features && is_between_places(replay->gjk.end);
-  // Roundings of its places make a gap of cores that touch.
-  const bool is_made_apart =
-      is_of_search && !replay->gjk.is_refused && std::abs(apart) <= bound_of(d);
-  return (is_of_search || replay->route == Route::capsules) && (apart > 0 || is_made_apart) &&
-         parry::is_depth_right(d) &&
-         parry::error_of_direction<Engine>(d, *replay) * std::abs(apart) <= bound_of(d);
-}
-
-template <class Engine>
 bool step_back_of_gjk(const Deviation& d) {
   const auto replay = parry::as_reported<Engine>(d);
   if (!replay) return false;
@@ -223,6 +203,10 @@ bool origin_within_tolerance(const Deviation& d) {
       d.kind == Kind::phantom_contact) {
     // A corner as near as this is taken for one at the origin.
     return parry::shapes_apart(d, *replay) <= 10 * parry::kEpsilonOf<Engine> + bound_of(d);
+  }
+  if (replay->gjk.end == GjkEnd::on_simplex && replay->epa.end == EpaEnd::converged) {
+    const auto mended = parry::replayed_with_signs(*replay);
+    return mended && parry::is_right<Engine>(d, *mended);
   }
   if (replay->epa.end != EpaEnd::backward) return false;
   const double excess = parry::excess_along<Engine>(d, *replay, replay->epa_going_on.normal);
@@ -284,7 +268,6 @@ MANIFUZZ_OF_PARRY(clip_of_face_by_cosine)
 MANIFUZZ_OF_PARRY(edge_along_normal)
 MANIFUZZ_OF_PARRY(normal_of_corner_cones)
 MANIFUZZ_OF_PARRY(contact_lost_by_epa)
-MANIFUZZ_OF_PARRY(direction_of_parry_places)
 MANIFUZZ_OF_PARRY(step_back_of_gjk)
 MANIFUZZ_OF_PARRY(stop_of_gjk)
 MANIFUZZ_OF_PARRY(touching_of_gjk)

@@ -65,7 +65,8 @@ bool clip_of_face_by_cosine(const Deviation& deviation);
 template <class Engine>
 bool normals_before_simplifying(const Deviation& deviation);
 /// One of the clipped edges is along the normal, to a bound, and one of its ends alone would be
-/// right: another place on it was taken.
+/// right: another place on it was taken. Or the place taken on an edge is beside its end, to the
+/// bound, and with the end it would be right: the edge is so nearly along the normal.
 template <class Engine>
 bool edge_along_normal(const Deviation& deviation);
 /// EPA of a simplex of one corner: a normal that is outside of a corner's cone. A round corner's is
@@ -91,7 +92,9 @@ bool stop_of_gjk(const Deviation& deviation);
 template <class Engine>
 bool touching_of_gjk(const Deviation& deviation);
 /// EPA gives the first new face that is nearer than the one it came from: the origin was within
-/// GJK's tolerance of the simplex, or, if it had gone on, it would have ended within its own.
+/// GJK's tolerance of the simplex, or, if it had gone on, it would have ended within its own. Or
+/// the simplex is a chord, of whose sides it takes the farther one for the nearer, and with the
+/// signs of both mended the answer is right.
 template <class Engine>
 bool origin_within_tolerance(const Deviation& deviation);
 /// GJK's simplex refused a corner that is not where another is, and the search ended.

@@ -11,7 +11,7 @@ namespace manifuzz::ledger_of {
 inline constexpr Budget kOfParryFaceByCosine[] = {{"micro_edge", 2200},  {"near_collinear", 11000},
                                                   {"scaled", 4800},      {"sliver", 56000},
                                                   {"tied_faces", 49000}, {"ulp", 4800}};
-inline constexpr Budget kOfParryEdgeAlongNormal[] = {{"in_line", 4400}};
+inline constexpr Budget kOfParryEdgeAlongNormal[] = {{"cores_touch", 200}, {"in_line", 4400}};
 inline constexpr Budget kOfParryCornerCones[] = {{"cores_touch", 11000},   {"corner_corner", 9200},
                                                  {"far_from_origin", 800}, {"grid", 92000},
                                                  {"micro_edge", 800},      {"mixed_shapes", 1000},

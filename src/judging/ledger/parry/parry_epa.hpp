@@ -109,6 +109,13 @@ class Epa {
     return run();
   }
 
+  /// The same, but that the distances of a chord's two sides are less than 0 of the side that the
+  /// origin is beyond, as a triangle's are; parry has the other sign.
+  EpaResult<Real> run_with_signs() {
+    has_signs_ = true;
+    return run();
+  }
+
  private:
   struct Face {
     std::array<std::size_t, 2> ends;
@@ -174,8 +181,9 @@ class Epa {
       faces_.push_back({.ends = {i, 1 - i}, .shares = {1, 0}, .is_of_chord = true});
       set_normal(faces_.back());
     }
-    return push(0, faces_[0].normal.dot(corners_[0].point)) &&
-           push(1, faces_[1].normal.dot(corners_[1].point));
+    const Real sign = has_signs_ ? Real(-1) : Real(1);
+    return push(0, sign * faces_[0].normal.dot(corners_[0].point)) &&
+           push(1, sign * faces_[1].normal.dot(corners_[1].point));
   }
 
   EpaResult<Real> at_corner() const {
@@ -243,6 +251,7 @@ class Epa {
   FaceHeap<Real> heap_;
   Real distance_tolerance_ = 0;
   bool may_go_backward_ = false;
+  bool has_signs_ = false;
 };
 
 }  // namespace manifuzz::parry

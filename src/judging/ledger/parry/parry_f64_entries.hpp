@@ -48,6 +48,7 @@ inline constexpr Budget kOfParryF64CircleByGjk[] = {{"circles", 360000},
                                                     {"mixed_shapes", 90000},
                                                     {"voronoi_lines", 210000}};
 inline constexpr Budget kOfParryF64EpaChord[] = {{"cores_touch", 130000}};
+inline constexpr Budget kOfParryF64EdgeAlongNormal[] = {{"cores_touch", 200}};
 inline constexpr Budget kOfParryF64StepBack[] = {
     {"cores_touch", 200}, {"side_planes", 600}, {"voronoi_lines", 600}};
 
@@ -55,8 +56,8 @@ inline constexpr Budget kOfParryF64StepBack[] = {
 inline constexpr std::array kOfParryF64{
     of_parry("parry2d-f64-face-by-cosine", "parry2d-f64", kFaceByCosine, kOfParryF64FaceByCosine,
              clip_of_face_by_cosine<parry::Doubles>),
-    of_parry("parry2d-f64-edge-along-normal", "parry2d-f64", kEdgeAlongNormal, {},
-             edge_along_normal<parry::Doubles>),
+    of_parry("parry2d-f64-edge-along-normal", "parry2d-f64", kEdgeAlongNormal,
+             kOfParryF64EdgeAlongNormal, edge_along_normal<parry::Doubles>),
     of_parry("parry2d-f64-corner-cones", "parry2d-f64", kCornerCones, kOfParryF64CornerCones,
              normal_of_corner_cones<parry::Doubles>),
     of_parry("parry2d-f64-lost-by-epa", "parry2d-f64", kLostByEpa, kOfParryF64LostByEpa,

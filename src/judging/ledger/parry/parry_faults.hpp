@@ -29,9 +29,10 @@ inline constexpr ParryFault kSquaredLength{
     "src/query/epa/epa2.rs, Face::new_with_proj"};
 inline constexpr ParryFault kEdgeAlongNormal{
     "no contact, or too shallow: an edge along the normal is clipped, and its first end or its "
-    "middle is taken though its other end is the nearest",
+    "middle is taken though its other end is the nearest; or an edge nearly along it, as much "
+    "farther from its end as roundings are times its length over its run",
     "parry2d 0.30.2 and 0.31.1, src/query/clip/clip_segment_segment.rs: utils::inv(range2[1] - "
-    "range2[0]), 0 of 0"};
+    "range2[0]), 0 of 0 or large"};
 inline constexpr ParryFault kNotANumber{
     "places and depths that are not numbers: an edge all but along the normal is clipped, and 0 is "
     "multiplied by its run's reciprocal, which is infinite",
@@ -66,9 +67,10 @@ inline constexpr ParryFault kTouchingWithin{
     "* support_scale"};
 inline constexpr ParryFault kOriginWithin{
     "an arbitrary normal, or contact across such a gap: the origin is within 10 epsilon of the "
-    "simplex, and a new face of EPA's seems nearer than the one it came from, or it is a corner",
+    "simplex, and a new face of EPA's seems nearer than the one it came from, or it is a corner, "
+    "or of a chord the far side is taken, the gap for an overlap",
     "parry2d 0.30.2 and 0.31.1, src/query/epa/epa2.rs, EPA::closest_points: `dist < curr_dist`; "
-    "gjk.rs: dist > "
+    "FaceId::new(0, dist1, dist_tol), of a chord without a triangle's minus; gjk.rs: dist > "
     "_eps_tol"};
 inline constexpr ParryFault kEqualCorners{
     "an arbitrary answer: corners nearer than 1.1e-3 (in double 4.7e-8), an absolute length, are "

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "judging/ledger/parry/parry_ball.hpp"
+#include "judging/ledger/parry/parry_clip.hpp"
 
 // contact_manifolds_pfm_pfm.rs, contact_manifolds_capsule_capsule.rs and what they call.
 
@@ -12,73 +13,6 @@ namespace {
 /// Of capsules: utils/consts.rs.
 constexpr double kCosineOfEighth = 0.92387953251;
 constexpr double kSineOfEighth = 0.38268343236;
-
-template <class Real>
-using Ends = std::array<Vector2<Real>, 2>;
-
-template <class Real>
-struct ClippedPoint {
-  Vector2<Real> on_a;
-  Vector2<Real> on_b;
-};
-
-template <class Real>
-TrackedPoint<Real> tracked(const Replay<Real>& replay, const ClippedPoint<Real>& point) {
-  const Vector2<Real> apart = point.on_b - point.on_a;
-  return {point.on_a, inverse_transform(replay.between, point.on_b), apart.dot(replay.normal)};
-}
-
-/// Of a segment from one place along a tangent to another, the point at a place.
-template <class Real>
-Vector2<Real> point_at(const Ends<Real>& ends, const std::array<Real, 2>& range, Real place) {
-  const Real run = range[1] - range[0];
-  const Real share = (place - range[0]) * (run == 0 ? Real(0) : Real(1) / run);
-  return ends[0] + (ends[1] - ends[0]) * share;
-}
-
-/// clip_segment_segment_with_normal: none, or two.
-template <class Real>
-std::vector<ClippedPoint<Real>> clipped(Ends<Real> a, Ends<Real> b, const Vector2<Real>& normal) {
-  const Vector2<Real> tangent(-normal.y(), normal.x());
-  std::array<Real, 2> along_a{a[0].dot(tangent), a[1].dot(tangent)};
-  std::array<Real, 2> along_b{b[0].dot(tangent), b[1].dot(tangent)};
-  if (along_a[1] < along_a[0]) {
-    std::swap(along_a[0], along_a[1]);
-    std::swap(a[0], a[1]);
-  }
-  if (along_b[1] < along_b[0]) {
-    std::swap(along_b[0], along_b[1]);
-    std::swap(b[0], b[1]);
-  }
-  if (along_b[0] > along_a[1] || along_a[0] > along_b[1]) return {};
-  std::vector<ClippedPoint<Real>> found;
-  found.push_back(along_b[0] > along_a[0]
-                      ? ClippedPoint<Real>{point_at(a, along_a, along_b[0]), b[0]}
-                      : ClippedPoint<Real>{a[0], point_at(b, along_b, along_a[0])});
-  found.push_back(along_b[1] < along_a[1]
-                      ? ClippedPoint<Real>{point_at(a, along_a, along_b[1]), b[1]}
-                      : ClippedPoint<Real>{a[1], point_at(b, along_b, along_a[1])});
-  return found;
-}
-
-template <class Real>
-void add_radii(const Replay<Real>& replay, std::vector<TrackedPoint<Real>>& points) {
-  const Real of_a = replay.a.shape.radius;
-  const Real of_b = replay.b.shape.radius;
-  if (of_a == 0 && of_b == 0) return;
-  const Vector2<Real> out_of_b = normal_of_b(replay);
-  for (TrackedPoint<Real>& point : points) {
-    point.on_a += replay.normal * of_a;
-    point.on_b += out_of_b * of_b;
-    point.distance -= of_a + of_b;
-  }
-}
-
-template <class Real>
-Ends<Real> face_of(const Shape<Real>& shape, std::size_t face) {
-  if (!shape.is_polygon()) return {shape.corners[0], shape.corners[1]};
-  return {shape.corners[face], shape.corners[(face + 1) % shape.corners.size()]};
-}
 
 template <class Real>
 void clip_features(Replay<Real>& replay, const Vector2<Real>& on_a, const Vector2<Real>& on_b) {
@@ -195,13 +129,6 @@ std::vector<TrackedPoint<Real>> points_of(const Replay<Real>& replay, const Ends
   return points;
 }
 
-template <class Real>
-Ends<Real> face_of_b(const Replay<Real>& replay, std::size_t face) {
-  Ends<Real> ends = face_of(replay.b.shape, face);
-  for (Vector2<Real>& end : ends) end = transform(replay.between, end);
-  return ends;
-}
-
 }  // namespace
 
 template <class Real>
@@ -218,7 +145,6 @@ std::vector<TrackedPoint<Real>> clipped_at(const Replay<Real>& replay, Side side
   if (side == Side::b) std::swap(along, other);
   const Vector2<Real> tangent(-replay.normal.y(), replay.normal.x());
   const Real run = (along[1] - along[0]).dot(tangent);
-  if (!(static_cast<double>(std::abs(run)) <= bound)) return {};
   // Where it is beside the other by roundings alone it is beneath its end.
   const std::array<Real, 2> range{other[0].dot(tangent), other[1].dot(tangent)};
   const auto [low, high] = std::minmax(range[0], range[1]);
@@ -231,7 +157,24 @@ std::vector<TrackedPoint<Real>> clipped_at(const Replay<Real>& replay, Side side
       side == Side::a ? ClippedPoint<Real>{moved, opposite} : ClippedPoint<Real>{opposite, moved};
   std::vector<TrackedPoint<Real>> points{tracked(replay, point)};
   add_radii(replay, points);
-  return points;
+  if (static_cast<double>(std::abs(run)) <= bound) return points;
+  // Of a face that is not along the normal it took this end itself, or the other's beside it.
+  std::vector<TrackedPoint<Real>> all = clipped_by(replay, replay.faces);
+  if (beneath == place || all.empty()) return {};
+  all[place < beneath ? 0 : 1] = points[0];
+  return all;
+}
+
+template <class Real>
+std::optional<Replay<Real>> replayed_with_signs(const Replay<Real>& replay) {
+  if (!replay.epa_with_signs || replay.route != Route::features) return std::nullopt;
+  const EpaResult<Real>& epa = *replay.epa_with_signs;
+  if (epa.end == EpaEnd::lost) return std::nullopt;
+  Replay<Real> mended = replay;
+  mended.points.clear();
+  mended.normal = epa.normal;
+  clip_features(mended, epa.on_a, epa.on_b);
+  return mended;
 }
 
 template <class Real>
@@ -285,6 +228,8 @@ template Replay<long double> replayed(const Placed<long double>&, const Placed<l
                                       long double);
 template std::optional<Replay<float>> replayed_after_step(const Replay<float>&);
 template std::optional<Replay<double>> replayed_after_step(const Replay<double>&);
+template std::optional<Replay<float>> replayed_with_signs(const Replay<float>&);
+template std::optional<Replay<double>> replayed_with_signs(const Replay<double>&);
 template std::array<float, 2> clipped_runs(const Replay<float>&);
 template std::array<double, 2> clipped_runs(const Replay<double>&);
 template std::vector<TrackedPoint<float>> clipped_by(const Replay<float>&,

@@ -35,6 +35,7 @@ struct Replay {
   GjkResult<Real> gjk{};               ///< of features, supports, and of a ball and a polygon
   EpaResult<Real> epa{};               ///< the same
   EpaResult<Real> epa_going_on{};      ///< where it ended backward: how it would end, going on
+  std::optional<EpaResult<Real>> epa_with_signs{};  ///< where it ended on a chord: with its signs
   std::array<std::size_t, 2> faces{};  ///< of features: those that are clipped, of polygons
   bool is_clipped = false;             ///< of features: they overlap along the normal's tangent
   Vector2<Real> apart{0, 0};  ///< of capsules and a ball: the difference that becomes the normal
@@ -56,8 +57,9 @@ template <class Real>
 std::vector<TrackedPoint<Real>> clipped_by(const Replay<Real>& replay,
                                            const std::array<std::size_t, 2>& faces);
 
-/// The point that it would have of one end of a side's face, 0 or 1, that is along the normal to a
-/// bound: none of any other.
+/// The points that it would have with one end of a side's face, 0 or 1, for the place on it that it
+/// clips: that end alone of a face that is along the normal to a bound; of another that is clipped
+/// beside the end, to the bound, the other point too. None where neither is so.
 template <class Real>
 std::vector<TrackedPoint<Real>> clipped_at(const Replay<Real>& replay, Side side, std::size_t end,
                                            double bound);
@@ -66,6 +68,11 @@ std::vector<TrackedPoint<Real>> clipped_at(const Replay<Real>& replay, Side side
 /// `supports`.
 template <class Real>
 std::optional<Replay<Real>> replayed_after_step(const Replay<Real>& replay);
+
+/// The same where EPA's distances of a chord have the signs that those of a triangle have; none
+/// where it did not end on a chord, and of other routes than `features`.
+template <class Real>
+std::optional<Replay<Real>> replayed_with_signs(const Replay<Real>& replay);
 
 /// How far both edges that are clipped run along the normal's tangent; of capsules, the cores.
 template <class Real>
@@ -82,6 +89,9 @@ void run_epa(Replay<Real>& replay, const Operands<Real>& operands, const Simplex
   replay.epa = Epa<Real>(operands, simplex).run();
   if (replay.epa.end == EpaEnd::backward) {
     replay.epa_going_on = Epa<Real>(operands, simplex).run_on();
+  }
+  if (replay.epa.is_of_chord) {
+    replay.epa_with_signs = Epa<Real>(operands, simplex).run_with_signs();
   }
 }
 
@@ -114,6 +124,7 @@ Replay<Real> searched_without_refusals(Replay<Real> replay) {
   const bool is_round = replay.route == Route::supports;
   replay.epa = {};
   replay.epa_going_on = {};
+  replay.epa_with_signs.reset();
   replay.normal = {0, 0};
   replay.points.clear();
   searched<Real>(replay, is_round, is_round ? Real(0) : radii, 0);

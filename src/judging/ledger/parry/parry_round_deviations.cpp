@@ -2,7 +2,7 @@
 
 #include "judging/ledger/parry/parry_engines.hpp"
 
-// parry2d on circles against any shape, and on two capsules.
+// parry2d on circles against any shape, on two capsules, and on cores that are apart.
 
 namespace manifuzz {
 namespace {
@@ -68,6 +68,12 @@ double error_of_places(const Deviation& d) {
   return std::max(by_first_end, bound_of(d) / (sine * sine));
 }
 
+/// Whether GJK's direction is that of its step, between cores that it knows to be apart.
+bool is_between_places(GjkEnd end) {
+  return end == GjkEnd::stalled_apart || end == GjkEnd::refused_apart ||
+         end == GjkEnd::full_apart || end == GjkEnd::near_enough;
+}
+
 /// Whether a contact is dropped since the origin is on a chord, and would be right on the face that
 /// EPA ended at.
 template <class Engine>
@@ -84,6 +90,20 @@ bool is_dropped_on_chord(const Deviation& d, parry::ReplayOf<Engine> replay) {
 }
 
 }  // namespace
+
+template <class Engine>
+bool direction_of_parry_places(const Deviation& d) {
+  const auto replay = parry::as_reported<Engine>(d);
+  const double apart = cores_apart(d);
+  if (!replay || d.got.count == 0 || ledger_of::is_of_points(d.kind)) return false;
+  const bool is_of_search = replay->route == Route::features && is_between_places(replay->gjk.end);
+  // Roundings of its places make a gap of cores that touch.
+  const bool is_made_apart =
+      is_of_search && !replay->gjk.is_refused && std::abs(apart) <= bound_of(d);
+  return (is_of_search || replay->route == Route::capsules) && (apart > 0 || is_made_apart) &&
+         parry::is_depth_right(d) &&
+         parry::error_of_direction<Engine>(d, *replay) * std::abs(apart) <= bound_of(d);
+}
 
 template <class Engine>
 bool second_point_of_parry_capsules(const Deviation& d) {
@@ -174,6 +194,7 @@ bool chord_of_epa(const Deviation& d) {
   template bool predicate<parry::Rapier>(const Deviation&);  \
   template bool predicate<parry::RapierContact>(const Deviation&);
 
+MANIFUZZ_OF_PARRY(direction_of_parry_places)
 MANIFUZZ_OF_PARRY(second_point_of_parry_capsules)
 MANIFUZZ_OF_PARRY(crossing_of_parry_capsules)
 MANIFUZZ_OF_PARRY(nearly_parallel_parry_capsules)

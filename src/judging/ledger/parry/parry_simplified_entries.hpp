@@ -10,7 +10,8 @@ namespace manifuzz::ledger_of {
 // against clip64 showed, rounded up.
 inline constexpr Budget kOfParrySimplifiedFaceByCosine[] = {
     {"micro_edge", 2200}, {"near_collinear", 200}, {"scaled", 4400}, {"ulp", 200}};
-inline constexpr Budget kOfParrySimplifiedEdgeAlongNormal[] = {{"in_line", 4400}};
+inline constexpr Budget kOfParrySimplifiedEdgeAlongNormal[] = {{"cores_touch", 200},
+                                                               {"in_line", 4400}};
 inline constexpr Budget kOfParrySimplifiedCornerCones[] = {
     {"cores_touch", 11000},   {"corner_corner", 9200},
     {"far_from_origin", 800}, {"grid", 92000},

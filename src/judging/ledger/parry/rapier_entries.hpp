@@ -10,7 +10,7 @@ namespace manifuzz::ledger_of {
 // 300,000 cases against clip64 showed, rounded up.
 inline constexpr Budget kOfRapierFaceByCosine[] = {
     {"micro_edge", 1600}, {"scaled", 4200}, {"ulp", 200}};
-inline constexpr Budget kOfRapierEdgeAlongNormal[] = {{"in_line", 4200}};
+inline constexpr Budget kOfRapierEdgeAlongNormal[] = {{"cores_touch", 200}, {"in_line", 4200}};
 inline constexpr Budget kOfRapierCornerCones[] = {{"cores_touch", 12000},   {"corner_corner", 8800},
                                                   {"far_from_origin", 800}, {"grid", 49000},
                                                   {"micro_edge", 600},      {"mixed_shapes", 1000},
@@ -67,7 +67,8 @@ inline constexpr Budget kOfRapierCircleByGjk[] = {{"circles", 230000},
                                                   {"mixed_shapes", 57000},
                                                   {"voronoi_lines", 120000}};
 inline constexpr Budget kOfRapierEpaChord[] = {{"cores_touch", 120000}};
-inline constexpr Budget kOfRapierStepBack[] = {{"side_planes", 800}, {"voronoi_lines", 800}};
+inline constexpr Budget kOfRapierStepBack[] = {
+    {"cores_touch", 200}, {"side_planes", 800}, {"voronoi_lines", 800}};
 inline constexpr Budget kOfRapierKeptNormals[] = {{"mixed_shapes", 180}, {"round_corners", 200}};
 
 /// The entries, the first that explains before others.
