@@ -24,6 +24,7 @@
 #include "judging/ledger/bullet/bullet_query.cpp"
 #include "judging/ledger/bullet/perturbed_deviations.cpp"
 #include "judging/ledger/bullet/query_deviations.cpp"
+#include "judging/ledger/bullet/repeated_query.cpp"
 #include "judging/ledger/bullet/voronoi_simplex.cpp"
 #include "judging/ledger/chipmunk/chipmunk_corners.cpp"
 #include "judging/ledger/chipmunk/chipmunk_deviations.cpp"

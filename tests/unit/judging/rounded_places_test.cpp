@@ -61,11 +61,11 @@ TEST_CASE("dyn4j's Gjk takes short capsules that are apart for overlapping, the 
     const PairCase pair{body_at(a, 0, 0, radius), body_at(b, moved, 0, radius)};
     return gjk_depth_below_0_in_dyn4j({pair, Answer(got), how});
   };
-  const Manifold<double> given = one_point({1, 0}, {1.95e-5, 1e-4}, -1.909e-05);
+  const Manifold<double> given = one_point({1, 0}, {1.95e-5, 1e-4}, -1.909180898817537e-05);
   CHECK(is_it(0, given, Lost::How::malformed));
   CHECK_FALSE(is_it(0, given, Lost::How::timed_out));
   CHECK_FALSE(is_it(0, one_point({NAN, NAN}, {1.95e-5, 1e-4}, NAN), Lost::How::malformed));
-  CHECK_FALSE(is_it(0, one_point({1, 0}, {1.95e-5, 1e-4}, 1.909e-05), Lost::How::malformed));
+  CHECK_FALSE(is_it(0, one_point({1, 0}, {1.95e-5, 1e-4}, -1.909e-05), Lost::How::malformed));
   CHECK_FALSE(is_it(1, given, Lost::How::malformed));
   CHECK_FALSE(is_it(-2e-5F, given, Lost::How::malformed));
 }

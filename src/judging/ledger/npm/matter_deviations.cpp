@@ -53,11 +53,18 @@ Declaration as_declared_by_matter() {
   return declaration;
 }
 
-/// Whether it would be right if it tried every face's axis, and another than it did.
+/// Whether it tries a body's axis along this, either way.
+bool is_tried(const ledger_of::BodyOfMatter& body, const Vector2<double>& along) {
+  return std::ranges::any_of(
+      body.axes, [&](const Vector2<double>& axis) { return axis == along || axis == -along; });
+}
+
+/// Whether it would be right if it tried every face's axis, along one that it does not try.
 bool is_right_with_all_axes(const Deviation& d, const CollisionOfMatter& found) {
   const auto mended = ledger_of::collisions_of_matter(d.right.pair(), d.right.bounds.separation,
                                                       ledger_of::AxesOfMatter::all);
-  if (mended.empty() || (mended[0].normal - found.normal).norm() <= d.right.bounds.normal) {
+  if (mended.empty() || is_tried(found.a, mended[0].normal) ||
+      is_tried(found.b, mended[0].normal)) {
     return false;
   }
   replayed::Contact contact{mended[0].normal, {}};

@@ -34,8 +34,11 @@ ProjectedCentre<Real> on_support_map(Replay<Real>& replay, const Shape<Real>& sh
                                      const Vector2<Real>& centre) {
   const Operands<Real> operands{&shape, nullptr, {centre, {1, 0}}, true};
   const auto towards = try_normalize(centre).value_or(Vector2<Real>(1, 0));
-  Simplex<Real> simplex(corner_along(operands, towards));
-  replay.gjk = Gjk<Real>(operands, std::numeric_limits<Real>::max(), simplex).run();
+  Simplex<Real> simplex(corner_along(operands, towards),
+                        replay.is_foot_unrounded ? 0 : kGjkTolerance<Real>);
+  replay.gjk =
+      Gjk<Real>(operands, std::numeric_limits<Real>::max(), simplex, replay.is_foot_unrounded)
+          .run();
   if (!replay.gjk.is_intersection) return {replay.gjk.on_a, false};
   run_epa(replay, operands, simplex);
   if (replay.epa.end == EpaEnd::lost) return {centre, true};

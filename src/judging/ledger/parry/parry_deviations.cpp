@@ -230,7 +230,8 @@ bool equal_corners_of_gjk(const Deviation& d) {
 template <class Engine>
 bool rounded_foot_of_gjk(const Deviation& d) {
   const auto replay = parry::as_reported<Engine>(d);
-  if (!replay || !replay->gjk.foot || replay->gjk.is_refused) return false;
+  if (ledger_of::is_of_points(d.kind) || !replay || !replay->gjk.foot || replay->gjk.is_refused)
+    return false;
   const auto& [foot, chord] = *replay->gjk.foot;
   const Vector2<double> from = chord[0].template cast<double>();
   const Vector2<double> to = chord[1].template cast<double>();
@@ -238,13 +239,18 @@ bool rounded_foot_of_gjk(const Deviation& d) {
   const Vector2<double> own = ledger_of::nearest_on_segment({0, 0}, from, to);
   const double roundings = 4 * parry::kEpsilonOf<Engine> * std::max(from.norm(), to.norm());
   if (!((foot.template cast<double>() - own).norm() <= roundings)) return false;
-  const auto mended = parry::in_wider(*replay);
-  if (parry::is_right<Engine>(d, mended)) return true;
-  // What may be left is the direction of roundings, which are fewer then.
-  const double apart = mended.route == Route::ball ? parry::centre_from_surface(d) : cores_apart(d);
-  const double depth = ledger_of::deepest(Engine::answer(mended, d.right.pair()));
-  return std::abs(depth - ledger_of::least_depth(d)) <= bound_of(d) &&
-         parry::error_of_direction<Engine>(d, mended) * std::abs(apart) <= bound_of(d);
+  // Places on both shapes are rounded as the foot is: depth and direction may be off by as much.
+  const auto is_right_but_for_roundings = [&](const auto& replayed) {
+    const double apart =
+        replayed.route == Route::ball ? parry::centre_from_surface(d) : cores_apart(d);
+    const double depth = ledger_of::deepest(Engine::answer(replayed, d.right.pair()));
+    const double most = bound_of(d) + roundings;
+    return std::abs(depth - ledger_of::least_depth(d)) <= most &&
+           parry::error_of_direction<Engine>(d, replayed) * std::abs(apart) <= most;
+  };
+  const auto mended = parry::replayed_with_unrounded_feet(*replay);
+  return parry::is_right<Engine>(d, mended) ||
+         (is_right_but_for_roundings(mended) && !is_right_but_for_roundings(*replay));
 }
 
 template <class Engine>
@@ -282,7 +288,6 @@ template bool normals_before_simplifying<parry::Rapier>(const Deviation&);
 template bool squared_length_of_epa<parry::Floats>(const Deviation&);
 template bool rounded_foot_of_gjk<parry::Floats>(const Deviation&);
 template bool rounded_foot_of_gjk<parry::Doubles>(const Deviation&);
-template bool rounded_foot_of_gjk<parry::Rapier>(const Deviation&);
 
 #undef MANIFUZZ_OF_PARRY
 

@@ -52,8 +52,13 @@ struct GjkResult : GjkPlaces<Real> {
 template <class Real>
 class Gjk {
  public:
-  Gjk(const Operands<Real>& operands, Real farthest, Simplex<Real>& simplex)
-      : operands_(operands), farthest_(farthest), simplex_(simplex) {}
+  /// Mended, if so asked: the origin's place on a chord is that of products without roundings.
+  Gjk(const Operands<Real>& operands, Real farthest, Simplex<Real>& simplex,
+      bool is_foot_unrounded = false)
+      : operands_(operands),
+        farthest_(farthest),
+        simplex_(simplex),
+        is_foot_unrounded_(is_foot_unrounded) {}
 
   GjkResult<Real> run() {
     const Vector2<Real> first = simplex_.nearest_to_origin();
@@ -91,13 +96,19 @@ class Gjk {
     }
     if (!simplex_.add(corner)) return refused();
     old_direction_ = direction_;
-    nearest_ = simplex_.nearest_to_origin();
+    nearest_ = nearest();
     if (simplex_.count() == 3) {
       if (least >= kGjkTolerance<Real>) return points(GjkEnd::full_apart, true, old_direction_);
       return intersection(GjkEnd::inside);
     }
     if (++iterations_ == 100) return ended(GjkEnd::too_many_iterations);
     return std::nullopt;
+  }
+
+  Vector2<Real> nearest() {
+    const Vector2<Real> place = simplex_.nearest_to_origin();
+    if (!is_foot_unrounded_ || simplex_.count() != 2) return place;
+    return unrounded_foot(simplex_.corner(0).point, simplex_.corner(1).point);
   }
 
   Found refused() {
@@ -153,6 +164,7 @@ class Gjk {
   const Operands<Real>& operands_;
   Real farthest_;
   Simplex<Real>& simplex_;
+  bool is_foot_unrounded_;
   Vector2<Real> nearest_{0, 0};
   Vector2<Real> direction_{0, 0};
   Vector2<Real> old_direction_{0, 0};

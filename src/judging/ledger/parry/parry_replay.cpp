@@ -204,28 +204,47 @@ std::array<Real, 2> clipped_runs(const Replay<Real>& replay) {
 }
 
 template <class Real>
-Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real prediction) {
-  Replay<Real> replay{
-      .a = a, .b = b, .between = composed(inverse(a.pose), b.pose), .prediction = prediction};
-  if (a.shape.is_ball() && b.shape.is_ball()) {
+void collide(Replay<Real>& replay) {
+  const Shape<Real>& a = replay.a.shape;
+  const Shape<Real>& b = replay.b.shape;
+  if (a.is_ball() && b.is_ball()) {
     replay.route = Route::balls;
     collide_balls(replay);
-  } else if (a.shape.is_ball() || b.shape.is_ball()) {
+  } else if (a.is_ball() || b.is_ball()) {
     replay.route = Route::ball;
     collide_ball(replay);
-  } else if (a.shape.is_capsule() && b.shape.is_capsule()) {
+  } else if (a.is_capsule() && b.is_capsule()) {
     replay.route = Route::capsules;
     collide_capsules(replay);
   } else {
     collide_features(replay);
   }
+}
+
+template <class Real>
+Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real prediction) {
+  Replay<Real> replay{
+      .a = a, .b = b, .between = composed(inverse(a.pose), b.pose), .prediction = prediction};
+  collide(replay);
   return replay;
+}
+
+template <class Real>
+Replay<Real> replayed_with_unrounded_feet(const Replay<Real>& replay) {
+  Replay<Real> mended{.a = replay.a,
+                      .b = replay.b,
+                      .between = replay.between,
+                      .prediction = replay.prediction,
+                      .is_swapped = replay.is_swapped,
+                      .is_foot_unrounded = true};
+  collide(mended);
+  return mended;
 }
 
 template Replay<float> replayed(const Placed<float>&, const Placed<float>&, float);
 template Replay<double> replayed(const Placed<double>&, const Placed<double>&, double);
-template Replay<long double> replayed(const Placed<long double>&, const Placed<long double>&,
-                                      long double);
+template Replay<float> replayed_with_unrounded_feet(const Replay<float>&);
+template Replay<double> replayed_with_unrounded_feet(const Replay<double>&);
 template std::optional<Replay<float>> replayed_after_step(const Replay<float>&);
 template std::optional<Replay<double>> replayed_after_step(const Replay<double>&);
 template std::optional<Replay<float>> replayed_with_signs(const Replay<float>&);

@@ -26,15 +26,16 @@ struct Replay {
   Route route = Route::features;
   Placed<Real> a;
   Placed<Real> b;
-  Pose<Real> between;       ///< b's frame in a's
-  Real prediction = 0;      ///< how far apart shapes may be whose points it gives
-  bool is_swapped = false;  ///< a is the case's B
+  Pose<Real> between;              ///< b's frame in a's
+  Real prediction = 0;             ///< how far apart shapes may be whose points it gives
+  bool is_swapped = false;         ///< a is the case's B
+  bool is_foot_unrounded = false;  ///< mended: GJK's places on chords, before they are rounded
   std::vector<TrackedPoint<Real>> points{};
   Vector2<Real> normal{0, 0};  ///< in a's frame
 
-  GjkResult<Real> gjk{};               ///< of features, supports, and of a ball and a polygon
-  EpaResult<Real> epa{};               ///< the same
-  EpaResult<Real> epa_going_on{};      ///< where it ended backward: how it would end, going on
+  GjkResult<Real> gjk{};           ///< of features, supports, and of a ball and a polygon
+  EpaResult<Real> epa{};           ///< the same
+  EpaResult<Real> epa_going_on{};  ///< where it ended backward: how it would end, going on
   std::optional<EpaResult<Real>> epa_with_signs{};  ///< where it ended on a chord: with its signs
   std::array<std::size_t, 2> faces{};  ///< of features: those that are clipped, of polygons
   bool is_clipped = false;             ///< of features: they overlap along the normal's tangent
@@ -47,6 +48,11 @@ struct Replay {
 /// contact_manifold_convex_convex.
 template <class Real>
 Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real prediction = 0);
+
+/// The same again, but that GJK's places on chords are not rounded as parry's are, and that no
+/// corners are taken for one to which those places lead.
+template <class Real>
+Replay<Real> replayed_with_unrounded_feet(const Replay<Real>& replay);
 
 /// contact without prediction: one point, of shapes with their radii.
 template <class Real>
@@ -103,8 +109,9 @@ std::optional<std::array<Vector2<Real>, 2>> searched(Replay<Real>& replay, bool 
                                                      Real corner_tolerance = kGjkTolerance<Real>) {
   const Operands<Real> operands{&replay.a.shape, &replay.b.shape, replay.between, is_round};
   const auto towards = try_normalize(replay.between.position).value_or(Vector2<Real>(1, 0));
-  Simplex<Real> simplex(corner_along(operands, towards), corner_tolerance);
-  replay.gjk = Gjk<Real>(operands, farthest, simplex).run();
+  Simplex<Real> simplex(corner_along(operands, towards),
+                        replay.is_foot_unrounded ? 0 : corner_tolerance);
+  replay.gjk = Gjk<Real>(operands, farthest, simplex, replay.is_foot_unrounded).run();
   if (replay.gjk.is_intersection) {
     run_epa(replay, operands, simplex);
     if (replay.epa.end == EpaEnd::lost) return std::nullopt;
@@ -129,42 +136,6 @@ Replay<Real> searched_without_refusals(Replay<Real> replay) {
   replay.points.clear();
   searched<Real>(replay, is_round, is_round ? Real(0) : radii, 0);
   return replay;
-}
-
-/// A scalar with more digits.
-template <class Real>
-using Wider = std::conditional_t<std::is_same_v<Real, float>, double, long double>;
-
-template <class Real>
-Placed<Wider<Real>> in_wider(const Placed<Real>& placed) {
-  using Wide = Wider<Real>;
-  Placed<Wide> wide;
-  wide.pose = {placed.pose.position.template cast<Wide>(),
-               placed.pose.rotation.template cast<Wide>()};
-  wide.shape.radius = static_cast<Wide>(placed.shape.radius);
-  for (const Vector2<Real>& corner : placed.shape.corners) {
-    wide.shape.corners.push_back(corner.template cast<Wide>());
-  }
-  for (const Vector2<Real>& normal : placed.shape.normals) {
-    wide.shape.normals.push_back(normal.template cast<Wide>());
-  }
-  return wide;
-}
-
-/// The same with all that it does done in a wider scalar, and rounded at last.
-template <class Real>
-Replay<Real> in_wider(const Replay<Real>& replay) {
-  using Wide = Wider<Real>;
-  const Replay<Wide> wide =
-      replayed(in_wider(replay.a), in_wider(replay.b), static_cast<Wide>(replay.prediction));
-  Replay<Real> rounded = replay;
-  rounded.normal = wide.normal.template cast<Real>();
-  rounded.points.clear();
-  for (const TrackedPoint<Wide>& point : wide.points) {
-    rounded.points.push_back({point.on_a.template cast<Real>(), point.on_b.template cast<Real>(),
-                              static_cast<Real>(point.distance)});
-  }
-  return rounded;
 }
 
 }  // namespace manifuzz::parry

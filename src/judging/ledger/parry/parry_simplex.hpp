@@ -100,6 +100,19 @@ Projection<Real> project_origin_on_triangle(const std::array<Vector2<Real>, 3>& 
   return {.point = origin, .vertex_count = 3};
 }
 
+/// The origin's place on the line through two corners by products without roundings: what is left
+/// of them is of the place's own length. parry does not do so.
+template <class Real>
+Vector2<Real> unrounded_foot(const Vector2<Real>& from, const Vector2<Real>& to) {
+  const Real left = from.x() * to.y();
+  const Real right = from.y() * to.x();
+  const Real left_rest = std::fma(from.x(), to.y(), -left);
+  const Real right_rest = std::fma(from.y(), to.x(), -right);
+  const Vector2<Real> along = to - from;
+  const Vector2<Real> across(along.y(), -along.x());
+  return across * (((left - right) + (left_rest - right_rest)) / along.dot(along));
+}
+
 /// VoronoiSimplex of voronoi_simplex2.rs.
 template <class Real>
 class Simplex {

@@ -181,7 +181,7 @@ bool gjk_depth_below_0_in_dyn4j(const LostAnswer& lost) {
   if (!found.touches) return false;
   const replayed::Contact contact = as_dyn4j::clipped_by_dyn4j(found, a, b, {});
   return std::ssize(contact.points) == got->count && contact.points[0].depth < 0 &&
-         got->points[0].depth < 0;
+         got->points[0].depth == contact.points[0].depth;
 }
 
 bool epa_edge_of_no_length_in_dyn4j(const Deviation& d) {

@@ -103,6 +103,7 @@ class EdgeAndPolygonOfJbox2d {
       at = vertices_[i / 2];
     }
     const auto distance = static_cast<double>(nearest.norm());
+    if (distance == 0) return {};
     const auto radius = static_cast<double>(polygon_.body.polygon.radius);
     const Vector2<double> out = edge_.turned(nearest).cast<double>() / distance;
     const double radii = static_cast<double>(edge_.body.polygon.radius) + radius;
