@@ -29,6 +29,7 @@ constexpr float kCellHeight = 2;
 
 void CellLevel::lay_out(float extent_max, const Box& span, std::size_t count) {
   extent_max_ = extent_max;
+  aside_ = 0;
   x_origin_ = span.x_min;
   y_origin_ = span.y_min;
   x_inverse_ = 1 / (kCellWidth * extent_max);

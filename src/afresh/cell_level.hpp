@@ -54,16 +54,24 @@ class CellLevel {
 
   /// The place of the cell in which a box's lower left corner lies.
   std::uint32_t place_of(const Box& box) const { return place(column(box.x_min), row(box.y_min)); }
+  /// The place of the cell to the right of one's.
+  std::uint32_t right_of(std::uint32_t place) const {
+    return (place & ~column_mask_) | ((place + 1) & column_mask_);
+  }
   std::uint32_t places() const { return (column_mask_ + 1) * (row_mask_ + 1); }
+
+  /// From now on a box may lie so many cells to the right of its own.
+  void allow_aside(int cells) { aside_ = std::max(aside_, cells); }
 
   /// The cells of boxes that may overlap this one.
   CellRange near(const Box& box) const {
-    return {column(box.x_min - extent_max_), column(box.x_max), row(box.y_min - extent_max_),
-            row(box.y_max)};
+    return {column(box.x_min - extent_max_), column(box.x_max) + aside_,
+            row(box.y_min - extent_max_), row(box.y_max)};
   }
   /// The same of boxes whose left side is not left of this one's.
   CellRange right_of(const Box& box) const {
-    return {column(box.x_min), column(box.x_max), row(box.y_min - extent_max_), row(box.y_max)};
+    return {column(box.x_min), column(box.x_max) + aside_, row(box.y_min - extent_max_),
+            row(box.y_max)};
   }
 
   /// Calls `run(first, last)` for the entries in those cells, each once.
@@ -113,6 +121,7 @@ class CellLevel {
   float y_origin_ = 0;
   float x_inverse_ = 0;  ///< of a cell's width and height
   float y_inverse_ = 0;
+  int aside_ = 0;  ///< so many cells to the right of its own a box may lie
   std::uint32_t column_mask_ = 0;
   std::uint32_t row_mask_ = 0;
   std::vector<std::uint32_t> begin_;

@@ -155,6 +155,9 @@ std::size_t size_of(float extent) {
 
 constexpr std::size_t kSizesALevel = 8;  // down to a quarter of the largest
 
+/// A box whose cell is full may lie so far to the right of it: every search goes as far.
+constexpr int kAsideMax = 2;
+
 /// How many boxes may lie in no cell: every search goes through them, in eight steps of sixteen.
 std::uint32_t overflow_max(std::size_t bodies) {
   return static_cast<std::uint32_t>(std::min<std::size_t>(bodies / 16, 128));
@@ -232,7 +235,7 @@ void Cells::file(std::span<const std::uint32_t> bodies, std::span<const Box> box
 }
 
 bool Cells::refile(std::uint32_t body, const Box* before, const Box& box) {
-  const Run place = place_of(box);
+  const Place place = place_of(box);
   if (before != nullptr) {
     if (place_of(*before) == place) {
       entries_.set(entry_of(place, body), body, box);
@@ -253,21 +256,31 @@ void Cells::remove(std::uint32_t body, const Box& box) {
   entries_.clear(entry_of(place_of(box), body));
 }
 
-Cells::Run Cells::place_of(const Box& box) const {
+Cells::Place Cells::place_of(const Box& box) const {
   const std::size_t level = level_of(box);
-  if (level == used_) return {overflow_, overflow_};
-  const std::uint32_t* const begin = &levels_[level].begin()[levels_[level].place_of(box)];
-  return {begin[0], begin[1]};
+  return {level, level == used_ ? 0 : levels_[level].place_of(box)};
 }
 
-std::uint32_t Cells::entry_of(const Run& place, std::uint32_t body) const {
-  const auto of = entries_.body.begin();
-  const auto found = std::find(of + place.first, of + place.last, body);
-  if (found != of + place.last) return static_cast<std::uint32_t>(found - of);
-  return static_cast<std::uint32_t>(std::find(of + overflow_, of + overflow_end_, body) - of);
+std::uint32_t Cells::entry_of(const Place& place, std::uint32_t body) {
+  const auto find = [&](std::uint32_t first, std::uint32_t last) {
+    const auto of = entries_.body.begin();
+    return static_cast<std::uint32_t>(std::find(of + first, of + last, body) - of);
+  };
+  if (place.level < used_) {
+    CellLevel& level = levels_[place.level];
+    std::uint32_t at = place.place;
+    for (int aside = 0; aside <= kAsideMax; ++aside, at = level.right_of(at)) {
+      const std::uint32_t last = level.begin()[at + 1];
+      const std::uint32_t entry = find(level.begin()[at], last);
+      if (entry == last) continue;
+      level.allow_aside(aside);
+      return entry;
+    }
+  }
+  return find(overflow_, overflow_end_);
 }
 
-std::span<std::uint32_t> Cells::near(const Box& box) {
+std::span<const std::uint32_t> Cells::near(const Box& box) {
   const std::size_t count =
       HWY_DYNAMIC_DISPATCH(near)(levels(), entries_, overflow_, overflow_end_, box, found_);
   return std::span(found_).first(count);

@@ -17,17 +17,17 @@ class Cells {
   /// that is not 0 some find room in no cell.
   void file(std::span<const std::uint32_t> bodies, std::span<const Box> boxes, std::uint32_t room);
 
-  /// Files a body whose box was another one, or that was not there (`before` is null): in its cell,
-  /// or where there is no room, or the box is larger than all, in none. False where that is full
-  /// too, and all must be filed anew.
+  /// Files a body whose box was another one, or that was not there (`before` is null): in its cell
+  /// or, where that is full, in one of the next to the right; where those are full too, or the box
+  /// is larger than all, in none. False where there is no room for that, and all must be filed
+  /// anew.
   bool refile(std::uint32_t body, const Box* before, const Box& box);
 
   /// Of a body that is filed with this box.
   void remove(std::uint32_t body, const Box& box);
 
-  /// The bodies whose boxes overlap this one, in no particular order; the caller's to change, until
-  /// the next call.
-  std::span<std::uint32_t> near(const Box& box);
+  /// The bodies whose boxes overlap this one, in no particular order; until the next call.
+  std::span<const std::uint32_t> near(const Box& box);
 
   /// Puts all pairs of bodies whose boxes overlap into `found`, each once, a < b.
   void pairs(std::vector<kernel::BodyPair>& found);
@@ -36,17 +36,19 @@ class Cells {
   std::size_t bytes() const;
 
  private:
-  /// The entries of a place, from the first to before the last.
-  struct Run {
-    std::uint32_t first, last;
-    friend bool operator==(const Run&, const Run&) = default;
+  /// A level, and a cell's place there; all that lie in no cell have one level.
+  struct Place {
+    std::size_t level;
+    std::uint32_t place;
+    friend bool operator==(const Place&, const Place&) = default;
   };
 
   void make_levels(std::span<const std::uint32_t> bodies, std::span<const Box> boxes);
   std::size_t level_of(const Box& box) const;
-  Run place_of(const Box& box) const;
-  /// Of a body, or of kNone, in a place or in the overflow; the overflow's end if there is none.
-  std::uint32_t entry_of(const Run& place, std::uint32_t body) const;
+  Place place_of(const Box& box) const;
+  /// Of a body filed there, or of none, which may be filed there from now on; the overflow's end if
+  /// there is none.
+  std::uint32_t entry_of(const Place& place, std::uint32_t body);
 
   std::span<CellLevel> levels() { return std::span(levels_).first(used_); }
   std::span<const CellLevel> levels() const { return std::span(levels_).first(used_); }

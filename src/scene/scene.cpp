@@ -81,9 +81,19 @@ void Scene::start_path(std::uint32_t body) {
   movers_.push_back({body, placements_[body].pose.position});
 }
 
+/// Of those to be looked at, bodies that are in the scene no more.
+void Scene::forget_removed() {
+  std::erase_if(movers_, [&](const Mover& mover) {
+    const bool is_gone = generations_[mover.body] % 2 == 0;
+    if (is_gone) states_[mover.body] = 0;
+    return is_gone;
+  });
+}
+
 /// Arrays are held by local pointers: a byte may alias any member, and all would be loaded again
 /// after each state is written.
 void Scene::place(std::span<const Move> moves) {
+  forget_removed();
   std::size_t moved = movers_.size();
   resize(movers_, moved + moves.size());
   Mover* const movers = movers_.data();
@@ -124,6 +134,11 @@ void Scene::end_contact(Candidate& candidate) {
   const std::uint32_t contact = candidate.contact();
   candidate.be_apart_until(0);
   ended_.push_back({contacts_[contact].a, contacts_[contact].b});
+  erase_contact(contact);
+}
+
+/// The last contact of all takes its place, and that one's pair is looked for.
+void Scene::erase_contact(std::uint32_t contact) {
   const Contact& last = contacts_.back();
   if (contact + 1 < contacts_.size()) {
     candidates_.find(last.a.index, last.b.index)->touch(contact);
@@ -136,12 +151,13 @@ void Scene::end_contact(Candidate& candidate) {
 
 Memory Scene::memory() const {
   const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
-  return {
-      of(free_) + of(placements_) + of(generations_) + of(states_) + of(paths_) + of(leave_at_) +
-          of(boxes_) + of(left_at_) + cells_.bytes() + candidates_.bytes_by_body() + of(movers_) +
-          of(left_) + of(bodies_) + of(marks_) + of(tight_) + of(found_),
-      candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + touching_.bytes() + apart_.bytes() +
-          leaving_.bytes() + of(manifolds_) + of(beginning_) + of(began_) + of(ended_)};
+  return {of(free_) + of(placements_) + of(generations_) + of(states_) + of(paths_) +
+              of(leave_at_) + of(boxes_) + of(left_at_) + cells_.bytes() +
+              candidates_.bytes_by_body() + of(movers_) + of(left_) + of(bodies_) + of(marks_) +
+              of(tight_) + of(found_),
+          candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + touching_.bytes() +
+              apart_.bytes() + leaving_.bytes() + of(adding_) + of(manifolds_) + of(beginning_) +
+              of(vacant_) + of(began_) + of(ended_)};
 }
 
 }  // namespace manifuzz::scene

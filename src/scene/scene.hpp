@@ -131,6 +131,7 @@ class Scene {
   }
 
   void start_path(std::uint32_t body);
+  void forget_removed();
   void place(std::span<const Move> moves);
   bool few_moved() const;
 
@@ -140,7 +141,8 @@ class Scene {
   void draw_tight_boxes();
   void part_from_partners();
   void refile();
-  void add_partners(std::uint32_t body);
+  void find_partners(std::uint32_t body);
+  void add_candidates();
   void drop(std::uint32_t a, Candidate& candidate);
   void drop_all(std::uint32_t body);
 
@@ -165,6 +167,7 @@ class Scene {
   void begin_contacts();
   void drop_parted();
   void end_contact(Candidate& candidate);
+  void erase_contact(std::uint32_t contact);
 
   bool recycle(std::uint32_t a, const Candidate& candidate);
   Pose<float> b_in_a(const kernel::BodyPair& bodies) const {
@@ -203,11 +206,13 @@ class Scene {
   std::vector<std::uint32_t> bodies_;
   std::vector<std::uint32_t> marks_;  // by body
   std::vector<std::uint32_t> found_;
+  std::vector<kernel::BodyPair> adding_;  // pairs that are to be candidates
   Queue touching_;
   Queue apart_;
   Queue leaving_;  // pairs of which a body left its box
   std::vector<Manifold<float>> manifolds_;
   std::vector<Beginning> beginning_;
+  std::vector<std::uint32_t> vacant_;  // contacts that ended in this step
   StepCounts counts_;
 
   // What a step reports.

@@ -42,11 +42,6 @@ Box fattened(const Box& box, const Vector2<float>& motion, float reach, const Fa
 }  // namespace
 
 void Scene::find_candidates() {
-  std::erase_if(movers_, [&](const Mover& mover) {
-    const bool is_gone = generations_[mover.body] % 2 == 0;
-    if (is_gone) states_[mover.body] = 0;
-    return is_gone;
-  });
   counts_.moved = movers_.size();
   few_moved_ = few_moved();
   find_leavers();
@@ -54,7 +49,8 @@ void Scene::find_candidates() {
   if (left_.empty()) return;
   part_from_partners();
   refile();
-  for (const Leaver& leaver : left_) add_partners(leaver.body);
+  for (const Leaver& leaver : left_) find_partners(leaver.body);
+  add_candidates();
 }
 
 /// Then only their pairs are looked at. Each is found by going along a row, and rows are long where
@@ -161,23 +157,29 @@ void Scene::refile() {
 }
 
 /// Two that left are found by the lower one.
-void Scene::add_partners(std::uint32_t body) {
-  const std::span<std::uint32_t> found = cells_.near(boxes_[body]);
+void Scene::find_partners(std::uint32_t body) {
+  const std::span<const std::uint32_t> found = cells_.near(boxes_[body]);
   const bool is_alone = found.size() == 1;
   states_[body] =
       static_cast<std::uint8_t>(is_alone ? states_[body] | kAlone : states_[body] & ~kAlone);
   const Box before = box_before(body);
-  std::size_t added = 0;
+  std::size_t count = adding_.size();
+  resize(adding_, count + found.size());
   for (const std::uint32_t other : found) {
     const bool finds = other != body && !(is(other, kLeft) && other < body);
-    found[added] = other;
-    added += static_cast<std::size_t>(finds & !scene::overlap(before, box_before(other)));
+    adding_[count] = {std::min(body, other), std::max(body, other)};
+    count += static_cast<std::size_t>(finds & !scene::overlap(before, box_before(other)));
   }
-  for (const std::uint32_t other : found.first(added)) {
-    const auto [a, b] = std::minmax(body, other);
-    candidates_.add(a, b);
+  adding_.resize(count);
+}
+
+void Scene::add_candidates() {
+  for (std::size_t i = 0; i < adding_.size(); ++i) {
+    candidates_.prefetch(adding_[std::min(i + kRowsAhead, adding_.size() - 1)].a);
+    candidates_.add(adding_[i].a, adding_[i].b);
   }
-  counts_.pairs_added += added;
+  counts_.pairs_added += adding_.size();
+  clear_for(adding_, body_count_);
 }
 
 }  // namespace manifuzz::scene

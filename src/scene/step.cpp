@@ -11,7 +11,7 @@ namespace {
 /// Pairs that are collided together: enough for the kernel to sort, few enough for the cache.
 constexpr std::size_t kQueueMax = 4096;
 
-/// So many pairs ahead, contacts are asked for: they lie anywhere in memory.
+/// So many pairs ahead, contacts and candidates are asked for: they lie anywhere in memory.
 constexpr std::size_t kAhead = 16;
 
 }  // namespace
@@ -174,7 +174,8 @@ void Scene::collide(const Queue& queue, const Out& out) {
   counts_.pairs.collided += queue.count;
 }
 
-/// Manifolds of pairs that touched go straight to their contacts.
+/// Manifolds of pairs that touched go straight to their contacts. The places of those that end are
+/// vacant until contacts begin.
 void Scene::collide_touching() {
   Queue& queue = touching_;
   collide(queue, [&](std::size_t i) -> Manifold<float>& {
@@ -187,15 +188,14 @@ void Scene::collide_touching() {
     const std::uint32_t contact = queue.at[i];
     queue.push(queue.bodies(i), contact, contacts_[contact].manifold.count == 0);
   }
-  // From the end, where the last contacts are: the last of all takes an ended one's place, and its
-  // pair is looked for.
-  for (std::size_t i = std::exchange(queue.count, 0); i-- > 0;) {
+  for (std::size_t i = 0; i < queue.count; ++i) {
     const kernel::BodyPair bodies = queue.bodies(i);
-    Candidate& candidate = *candidates_.find(bodies.a, bodies.b);
-    const float gap = -contacts_[candidate.contact()].manifold.points[0].depth;
-    end_contact(candidate);
-    prove_apart(bodies, gap, candidate);
+    const Contact& contact = contacts_[queue.at[i]];
+    ended_.push_back({contact.a, contact.b});
+    vacant_.push_back(queue.at[i]);
+    prove_apart(bodies, -contact.manifold.points[0].depth, *candidates_.find(bodies.a, bodies.b));
   }
+  queue.count = 0;
 }
 
 /// What the kernel gave, to be carried along.
@@ -240,16 +240,27 @@ void Scene::prove_apart(const kernel::BodyPair& bodies, float gap, Candidate& ca
   counts_.proofs += static_cast<std::size_t>(is_proven);
 }
 
+/// In the first places of those that ended in this step, then behind the last of all.
 void Scene::begin_contacts() {
-  for (const auto& [bodies, candidate, manifold] : beginning_) {
-    const auto contact = static_cast<std::uint32_t>(contacts_.size());
+  std::ranges::sort(vacant_);
+  const std::size_t count = beginning_.size();
+  const std::size_t behind_last = contacts_.size() - vacant_.size();
+  resize(contacts_, std::max(contacts_.size(), behind_last + count));
+  if (settings_.recycled_motion > 0) resize(kept_, contacts_.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    __builtin_prefetch(beginning_[std::min(i + kAhead, count - 1)].candidate);
+    const auto& [bodies, candidate, manifold] = beginning_[i];
+    const std::uint32_t contact =
+        i < vacant_.size() ? vacant_[i] : static_cast<std::uint32_t>(behind_last + i);
     candidate->touch(contact);
     began_.push_back(contact);
-    make_room(contacts_, contacts_.size() + 1);
-    contacts_.push_back({handle(bodies.a), handle(bodies.b), manifold});
-    if (settings_.recycled_motion > 0) kept_.push_back({b_in_a(bodies), manifold});
+    contacts_[contact] = {handle(bodies.a), handle(bodies.b), manifold};
+    if (settings_.recycled_motion > 0) kept_[contact] = {b_in_a(bodies), manifold};
   }
+  // From the end: the last contact of all has then neither ended nor begun.
+  for (std::size_t i = vacant_.size(); i-- > count;) erase_contact(vacant_[i]);
   clear_for(beginning_, body_count_);
+  clear_for(vacant_, body_count_);
 }
 
 /// From what the kernel gave, whenever that was: nothing accumulates.

@@ -93,7 +93,8 @@ struct Filed {
     for (const std::uint32_t other : bodies) {
       if (overlap(boxes[body], boxes[other])) right.push_back(other);
     }
-    const std::span<std::uint32_t> found = cells.near(boxes[body]);
+    const std::span<const std::uint32_t> near = cells.near(boxes[body]);
+    std::vector<std::uint32_t> found(near.begin(), near.end());
     std::ranges::sort(found);
     CHECK(std::ranges::equal(found, right));
   }
