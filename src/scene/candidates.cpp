@@ -37,7 +37,7 @@ void Candidates::add(std::uint32_t a, std::uint32_t b) {
 
 /// The rows one after another, as the bodies are.
 void Candidates::pack() {
-  std::vector<Candidate> packed;
+  LargeVector<Candidate> packed;
   std::size_t size = 0;
   longest_row_ = 0;
   for (const Row& row : rows_) {

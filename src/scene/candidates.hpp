@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "afresh/lists.hpp"
+#include "scene/large_pages.hpp"
 
 namespace manifuzz::scene {
 
@@ -109,7 +110,7 @@ class Candidates {
   void pack();
 
   std::vector<Row> rows_;       // by body
-  std::vector<Candidate> all_;  // and kRowLanes past the last row's room
+  LargeVector<Candidate> all_;  // and kRowLanes past the last row's room
   std::size_t end_ = 0;         // of the last row's room
   std::size_t count_ = 0;
   std::uint32_t longest_row_ = 0;

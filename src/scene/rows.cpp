@@ -40,7 +40,7 @@ class Tail {
   std::size_t size_ = queue_.a.size();
 };
 
-/// A lane a pair, without a branch that depends on one.
+/// A lane a pair, and hardly a branch that depends on one: those of bodies that left are rare.
 std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
                         SortedPairs& sorted) {
   const Lanes d;
@@ -81,7 +81,7 @@ std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std:
       separated += hn::CountTrue(d, hn::And(moved, is_apart));
       if (!sorted.any_left) continue;
       const auto left = hn::And(in_row, hn::TestBit(of_both, hn::Set(d, kHasLeft)));
-      leaving.append(row_a, b, places, left);
+      if (!hn::AllFalse(d, left)) leaving.append(row_a, b, places, left);
     }
   }
   sorted.separated += separated;

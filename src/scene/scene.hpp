@@ -5,6 +5,7 @@
 #include "afresh/cells.hpp"
 #include "scene/body.hpp"
 #include "scene/candidates.hpp"
+#include "scene/large_pages.hpp"
 #include "scene/rows.hpp"
 
 // The manifolds of a whole scene, step after step. Of the bodies that moved, in this order:
@@ -185,7 +186,7 @@ class Scene {
   std::vector<std::uint32_t> free_;  // bodies' places to be used again
 
   // By body.
-  std::vector<kernel::Placement<float>> placements_;
+  LargeVector<kernel::Placement<float>> placements_;
   std::vector<std::uint32_t> generations_;
   std::vector<std::uint8_t> states_;    // of State
   std::vector<float> paths_;            // how far its vertices went since its path began, at most
@@ -196,8 +197,8 @@ class Scene {
 
   Cells cells_;  // of the fattened boxes
   Candidates candidates_;
-  std::vector<Contact> contacts_;
-  std::vector<Kept> kept_;  // by contact, unless strict
+  LargeVector<Contact> contacts_;
+  LargeVector<Kept> kept_;  // by contact, unless strict
 
   // Of the step under way.
   std::vector<Mover> movers_;

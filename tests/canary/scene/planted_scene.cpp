@@ -8,6 +8,7 @@
 #include "afresh/shape_table.cpp"
 #include "canary/scene/scene_bugs.hpp"
 #include "scene/candidates.cpp"
+#include "scene/large_pages.cpp"
 #include "scene/recycled.cpp"
 #include "scene/rows.cpp"
 #include "scene/scene.cpp"
