@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
@@ -69,6 +70,7 @@ std::optional<Unsupported> beyond_limits(const Declaration& declaration, const P
   }
   if (!takes_shapes(declaration, pair)) {
     const int least = std::min(pair.a.polygon.count, pair.b.polygon.count);
+    if (!is_round(pair)) return Unsupported{"takes no polygon so flat, or so small"};
     return Unsupported{least >= declaration.min_vertices ? "takes no polygons with round corners"
                        : least == 1                      ? "takes no circles"
                                                          : "takes no segments or capsules"};
@@ -96,6 +98,15 @@ void check_declaration(const Declaration& declaration, std::string_view prefix) 
     if (std::isfinite(length) && length >= 0) continue;
     throw UserError(
         fmt::format("{}{}: {} is no length; 0 or more is expected", prefix, key, length));
+  }
+  const LeastPolygon& least = declaration.least_polygon;
+  if (!(least.turn >= 0 && least.turn < std::numbers::pi / 2)) {
+    throw UserError(
+        fmt::format("{}least_polygon.turn: {} is no angle below pi / 2", prefix, least.turn));
+  }
+  if (!(std::isfinite(least.area) && least.area >= 0)) {
+    throw UserError(fmt::format("{}least_polygon.area: {} is no area; 0 or more is expected",
+                                prefix, least.area));
   }
   if (!(std::abs(declaration.tie_bias.relative) < 1)) {
     throw UserError(fmt::format("{}tie_bias.relative: {} is no share; one between -1 and 1 is",

@@ -53,6 +53,7 @@ Feature from_c(const manifuzz_feature& feature) {
 constexpr std::array kBytesOfInterface{
     offsetof(manifuzz_declaration, claims),
     offsetof(manifuzz_declaration, claims) + offsetof(manifuzz_claims, vertices_min),
+    offsetof(manifuzz_declaration, claims) + offsetof(manifuzz_claims, least_polygon_turn),
     sizeof(manifuzz_declaration)};
 static_assert(kBytesOfInterface.size() == MANIFUZZ_INTERFACE);
 
@@ -162,6 +163,7 @@ Declaration declaration_of(const manifuzz_declaration& declared) {
       .min_vertices =
           declared.claims.vertices_min == 0 ? kMinVertices : declared.claims.vertices_min,
       .takes_round = declared.claims.takes_round != 0,
+      .least_polygon = {declared.claims.least_polygon_turn, declared.claims.least_polygon_area},
       .second_point = second_point_of(declared.claims),
       .claims = static_cast<Claims>(declared.claims.answers),
       .clips = declared.claims.does_not_clip == 0,

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-enum { MANIFUZZ_INTERFACE = 3, MANIFUZZ_VERTICES_MAX = 8 };
+enum { MANIFUZZ_INTERFACE = 4, MANIFUZZ_VERTICES_MAX = 8 };
 
 typedef struct { float x, y; } manifuzz_float2;
 typedef struct { double x, y; } manifuzz_double2;
@@ -99,11 +99,14 @@ typedef struct {
   int32_t takes_round;  /* 1: polygons with round corners too */
   int32_t second_point; /* of round shapes, a manifuzz_second_point */
   double second_point_angle; /* in radians */
+  /* From interface 4 on: what a polygon must have to be asked; 0, or */
+  double least_polygon_turn; /* radians, by more than which three of its corners turn */
+  double least_polygon_area;
 } manifuzz_claims;
 
 /* What the collider says of itself; it is judged by this alone. */
 typedef struct {
-  int32_t interface;    /* MANIFUZZ_INTERFACE; of 1 and 2, what later ones added is not read */
+  int32_t interface;    /* MANIFUZZ_INTERFACE; of earlier ones, what later ones added is not read */
   const char* name;     /* as tables and the corpus have it */
   const char* version;
   int32_t scalar;       /* manifuzz_scalar: what it computes in */

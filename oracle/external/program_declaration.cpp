@@ -89,14 +89,22 @@ std::vector<std::array<ShapeFamily, 2>> declines_in(const JsonView& object) {
   return declines;
 }
 
+LeastPolygon least_polygon_in(const JsonView& object) {
+  const auto least = object.find("least_polygon");
+  if (!least) return {};
+  least->expect_keys({"turn", "area"});
+  return {number_in(*least, "turn"), number_in(*least, "area")};
+}
+
 /// What is left out is taken to be the least that a collider can promise: float, in the world.
 Declaration read_declaration(const JsonView& object, const std::string& usual_name) {
-  object.expect_keys({"name",        "version",          "scalar",       "frame",
-                      "tie_bias",    "vertices_max",     "takes_radius", "points",
-                      "normal",      "snippet",          "claims",       "clips",
-                      "depths",      "one_point_enough", "speculative",  "least_depth",
-                      "rotation",    "alters_shapes",    "tolerance",    "vertices_min",
-                      "takes_round", "second_point",     "keeping",      "declines"});
+  object.expect_keys({"name",         "version",          "scalar",       "frame",
+                      "tie_bias",     "vertices_max",     "takes_radius", "points",
+                      "normal",       "snippet",          "claims",       "clips",
+                      "depths",       "one_point_enough", "speculative",  "least_depth",
+                      "rotation",     "alters_shapes",    "tolerance",    "vertices_min",
+                      "takes_round",  "second_point",     "keeping",      "declines",
+                      "least_polygon"});
   const auto bias = object.find("tie_bias");
   const auto tolerance = object.find("tolerance");
   const auto second_point = object.find("second_point");
@@ -113,6 +121,7 @@ Declaration read_declaration(const JsonView& object, const std::string& usual_na
           .takes_radius = flag_in(object, "takes_radius", true),
           .min_vertices = vertices_min_in(object),
           .takes_round = flag_in(object, "takes_round", second_point.has_value()),
+          .least_polygon = least_polygon_in(object),
           .declines = declines_in(object),
           .second_point = second_point ? second_point_in(*second_point) : SecondPoint{},
           .claims =

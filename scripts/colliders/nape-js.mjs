@@ -37,6 +37,8 @@ const declaration = {
   vertices_max: 8,
   takes_radius: false,
   vertices_min: 1,
+  // ZPP_Polygon.valid: degenerate where area < nape.Config.epsilon.
+  least_polygon: { area: 1e-8 },
   declines: [["capsule", "circle"], ["capsule", "capsule"], ["capsule", "polygon"]],
   points: "midpoint",
   normal: "a_to_b",

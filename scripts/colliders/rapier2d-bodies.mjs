@@ -31,6 +31,9 @@ export const declaration = {
   takes_radius: false,
   vertices_min: 1,
   takes_round: true,
+  // Rapier makes none of fewer than three corners whose normals' product is at most 1 - sqrt(2^-23)
+  // (parry2d 0.31.1, src/shape/convex_polygon.rs, from_convex_polyline): that of an angle of 0.02628.
+  least_polygon: { turn: 0.0263 },
   clips: false,
   points: "surface_a",
   alters_shapes: true,

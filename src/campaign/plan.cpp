@@ -18,20 +18,34 @@ JudgedCase judged_case(const CorpusCase& given, const Collider& subject, const C
           judge_in_child(given.pair, subject, oracle, interruption)};
 }
 
-std::vector<const Regime*> regimes_for(std::vector<const Collider*> colliders,
+std::vector<const Regime*> regimes_for(const std::vector<Collider>& colliders,
                                        std::span<const std::string> names) {
   std::vector<const Regime*> chosen = chosen_by_name(regimes(), names, "regime", "--regime");
   if (!names.empty()) return chosen;
-  const GenerationContext context{
-      .corpus = {}, .radius = {}, .takes = [&](const PairCase& pair) {
-        return std::ranges::all_of(
-            colliders, [&](const Collider* collider) { return takes(*collider, pair); });
-      }};
+  GenerationContext context{};
+  narrow_to(colliders, context);
   // Of each case many are drawn before one is given that nobody takes.
   std::erase_if(chosen, [&](const Regime* regime) {
     return regime->is_round && !context.takes(generate(1, *regime, 0, context));
   });
   return chosen;
+}
+
+void narrow_to(const std::vector<Collider>& colliders, GenerationContext& context) {
+  const auto is_any = [&](bool (*is)(const Declaration&)) {
+    return std::ranges::any_of(colliders, is, &Collider::declaration);
+  };
+  context.takes = [colliders](const PairCase& pair) {
+    return std::ranges::all_of(colliders,
+                               [&](const Collider& collider) { return takes(collider, pair); });
+  };
+  // Most take all of them, and asking costs.
+  if (is_any([](const Declaration& of) { return !of.least_polygon.is_none(); })) {
+    context.takes_mitred = context.takes;
+  }
+  if (!context.radius && is_any([](const Declaration& of) { return !of.takes_radius; })) {
+    context.mitred_radius = 0.0F;
+  }
 }
 
 void BucketTally::add(const BucketTally& tally) {

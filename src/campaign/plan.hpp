@@ -178,19 +178,15 @@ struct Plan {
 };
 
 /// Those of these names; without names all that have cases which the colliders take.
-std::vector<const Regime*> regimes_for(std::vector<const Collider*> colliders,
+std::vector<const Regime*> regimes_for(const std::vector<Collider>& colliders,
                                        std::span<const std::string> names);
 
-/// Of round pairs only those are asked for that both colliders take; the radii of sharp polygons
+/// Only pairs are drawn that all of these take; the radii of sharp polygons, unless they are given,
 /// are none where a collider takes none.
+void narrow_to(const std::vector<Collider>& colliders, GenerationContext& context);
+
 inline void narrow_to_colliders(Plan& plan) {
-  plan.context.takes = [subject = plan.subject, oracle = plan.oracle](const PairCase& pair) {
-    return takes(subject, pair) && takes(oracle, pair);
-  };
-  if (plan.context.radius) return;
-  if (!plan.subject.declaration.takes_radius || !plan.oracle.declaration.takes_radius) {
-    plan.context.mitred_radius = 0.0F;
-  }
+  narrow_to({plan.subject, plan.oracle}, plan.context);
 }
 
 }  // namespace manifuzz

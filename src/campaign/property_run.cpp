@@ -148,9 +148,8 @@ void run_rapidcheck(const Property& property, const Collider& subject, const Pro
     return check(property, collider, pair);
   };
   GenerationContext context{plan.corpus, {}};
-  if (!collider.declaration.takes_radius) context.mitred_radius = 0.0F;
-  context.takes = [&collider](const PairCase& pair) { return takes(collider, pair); };
-  const std::vector<const Regime*> from = regimes_for({&collider}, {});
+  narrow_to({collider}, context);
+  const std::vector<const Regime*> from = regimes_for({collider}, {});
   const auto testable = [&] {
     // Thrown as they stand: RapidCheck's macros put this file's name into what people read.
     using CaseEnd = rc::detail::CaseResult;

@@ -31,7 +31,7 @@ Plan campaign_plan(const SmokePlan& smoke, const std::vector<PairCase>& pairs) {
   Plan plan;
   plan.subject = smoke.subject;
   plan.oracle = smoke.oracle;
-  plan.regimes = regimes_for({&plan.subject, &plan.oracle}, {});
+  plan.regimes = regimes_for({plan.subject, plan.oracle}, {});
   narrow_to_colliders(plan);
   plan.context.corpus = pairs;
   plan.seed = smoke.seed;

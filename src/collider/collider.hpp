@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "collider/least_polygon.hpp"
 #include "collider/used_shapes.hpp"
 #include "geometry/manifold.hpp"
 
@@ -74,6 +75,7 @@ struct Declaration {
   bool takes_radius = true;         ///< false: rounded polygons are not asked
   int min_vertices = kMinVertices;  ///< 2: it takes segments and capsules too; 1: circles as well
   bool takes_round = false;         ///< polygons with round corners
+  LeastPolygon least_polygon{};     ///< with less it is not asked
   /// Round pairs of which it has no function, either way about, though it takes both shapes.
   std::vector<std::array<ShapeFamily, 2>> declines{};
   SecondPoint second_point{};  ///< of round shapes that touch along edges
@@ -161,15 +163,18 @@ inline bool declines(const Declaration& declaration, const PairCase& pair) {
   });
 }
 
-/// Whether it may be asked a case with these shapes, by what it declares of vertices and rounding.
+/// Whether it may be asked a case with these shapes, by what it declares of vertices, rounding and
+/// the least polygon.
 inline bool takes_shapes(const Declaration& declaration, const PairCase& pair) {
   const auto takes = [&](const ConvexPolygon<float>& shape) {
     const bool is_polygon = shape.count >= kMinVertices;
     const bool has_round_corners = is_polygon && shape.is_round();
     const bool has_radius = is_polygon && shape.radius > 0 && is_round(pair);
+    const bool is_large_enough = !is_polygon || declaration.least_polygon.is_none() ||
+                                 has_at_least(shape, declaration.least_polygon);
     return shape.count >= declaration.min_vertices && shape.count <= declaration.max_vertices &&
            (!has_round_corners || declaration.takes_round) &&
-           (!has_radius || declaration.takes_radius || declaration.takes_round);
+           (!has_radius || declaration.takes_radius || declaration.takes_round) && is_large_enough;
   };
   return takes(pair.a.polygon) && takes(pair.b.polygon) && !declines(declaration, pair);
 }
@@ -206,9 +211,10 @@ struct Collider {
   bool is_isolated() const { return static_cast<bool>(collide_many); }
 };
 
-/// Whether a collider takes a round pair.
+/// Whether a collider takes a pair.
 inline bool takes(const Collider& collider, const PairCase& pair) {
-  return takes_shapes(collider.declaration, pair) && (!collider.takes || collider.takes(pair));
+  const bool is_asked = is_round(pair) && collider.takes;
+  return takes_shapes(collider.declaration, pair) && (!is_asked || collider.takes(pair));
 }
 
 }  // namespace manifuzz

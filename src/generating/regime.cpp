@@ -47,10 +47,11 @@ bool attempt(Random& random, const Regime& regime, const GenerationContext& cont
 }
 
 bool is_taken(const GenerationContext& context, const PairCase& pair) {
-  return !is_round(pair) || !context.takes || context.takes(pair);
+  const auto& takes = is_round(pair) ? context.takes : context.takes_mitred;
+  return !takes || takes(pair);
 }
 
-constexpr int kAttempts = 32;
+constexpr int kAttempts = 64;
 
 /// The last case of all attempts, none of which gives one that is taken.
 PairCase untaken(Random random, const Regime& regime, const GenerationContext& context) {

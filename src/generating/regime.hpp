@@ -19,6 +19,8 @@ struct GenerationContext {
   std::optional<float> mitred_radius{};
   /// Which cases of round shapes are asked for; all where it is empty, or where none is drawn.
   std::function<bool(const PairCase&)> takes{};
+  /// The same where both have sharp corners.
+  std::function<bool(const PairCase&)> takes_mitred{};
 };
 
 /// A named family of cases. Adding one changes no case of another.

@@ -55,6 +55,47 @@ TEST_CASE("a program is not asked about the pairs that it declines, either way a
   CHECK_THROWS_AS(declared(R"([["polygon", "square"]])"), UserError);
 }
 
+TEST_CASE("cases whose polygons are less than a collider declares are drawn again") {
+  for (const auto& [least, regime_name] :
+       {std::pair(R"({"turn": 0.0263})", "sliver"), std::pair(R"({"area": 1e-8})", "scaled")}) {
+    INFO(least);
+    Collider collider;
+    collider.declaration =
+        program_declaration("mine",
+                            std::string(R"({"declaration": {"least_polygon": )") + least + "}}")
+            .declaration;
+    GenerationContext context;
+    narrow_to({collider}, context);
+    const Regime& regime = *find_regime(regime_name);
+    int refused = 0;
+    int still_refused = 0;
+    for (std::uint64_t i = 0; i < kCases; ++i) {
+      refused += takes(collider, generate(1, regime, i)) ? 0 : 1;
+      still_refused += takes(collider, generate(1, regime, i, context)) ? 0 : 1;
+    }
+    CHECK(refused > static_cast<int>(kCases) / 6);
+    CHECK(still_refused < refused / 20);
+  }
+}
+
+TEST_CASE("a least polygon has three corners that turn, and an area") {
+  const LeastPolygon least{.turn = 0.1, .area = 0.5};
+  const auto polygon = [](std::vector<Vector2<float>> vertices) {
+    return make_polygon<float>(vertices);
+  };
+  CHECK(has_at_least(polygon({{0, 0}, {1, 0}, {0, 1}}), least));
+  CHECK_FALSE(has_at_least(polygon({{0, 0}, {0.99F, 0}, {0, 1}}), least));
+  CHECK(has_at_least(polygon({{0, 0}, {20, -0.01F}, {40, 0}, {20, 1}}), {.turn = 0.0009}));
+  CHECK_FALSE(has_at_least(polygon({{0, 0}, {20, -0.01F}, {40, 0}, {20, 1}}), {.turn = 0.11}));
+  CHECK(has_at_least(polygon({{0, 0}, {20, -2}, {40, 0}, {20, 2}}), least));
+  for (const char* wrong :
+       {R"({"turn": 2})", R"({"turn": -1})", R"({"area": -1})", R"({"width": 1})"}) {
+    INFO(wrong);
+    const std::string line = std::string(R"({"declaration": {"least_polygon": )") + wrong + "}}";
+    CHECK_THROWS_AS(program_declaration("mine", line), UserError);
+  }
+}
+
 TEST_CASE("a program whose normals point from B to A is found out, whatever it claims") {
   const JobsResult result = run_without_radii(program("reversed"));
   const std::uint64_t reversed = count_of(result, Kind::reversed);

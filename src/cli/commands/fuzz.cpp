@@ -62,7 +62,7 @@ void plan_cases(Plan& plan, const FuzzArguments& options) {
   plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
   plan.oracle = find_collider(asked.oracle, asked.external);
   expect_no_motions(options.regimes);
-  plan.regimes = regimes_for({&plan.subject, &plan.oracle}, options.regimes);
+  plan.regimes = regimes_for({plan.subject, plan.oracle}, options.regimes);
   if (options.radius) plan.context.radius = radius_of(*options.radius);
   narrow_to_colliders(plan);
 }

@@ -288,6 +288,7 @@ template bool normals_before_simplifying<parry::Rapier>(const Deviation&);
 template bool squared_length_of_epa<parry::Floats>(const Deviation&);
 template bool rounded_foot_of_gjk<parry::Floats>(const Deviation&);
 template bool rounded_foot_of_gjk<parry::Doubles>(const Deviation&);
+template bool rounded_foot_of_gjk<parry::Rapier>(const Deviation&);
 
 #undef MANIFUZZ_OF_PARRY
 

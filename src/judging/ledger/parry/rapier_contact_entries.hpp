@@ -12,7 +12,7 @@ inline constexpr Budget kOfRapierContactCornerCones[] = {
     {"corner_corner", 7400}, {"far_from_origin", 800}, {"grid", 45000},    {"in_line", 3800},
     {"micro_edge", 600},     {"mixed_shapes", 800},    {"off_unit", 2000}, {"regular", 400},
     {"scaled", 34000},       {"side_planes", 1000},    {"tie_bias", 1400}, {"touching", 20000},
-    {"ulp", 4000},           {"round_corners", 400},   {"sliver", 600}};
+    {"ulp", 4000},           {"round_corners", 400},   {"sliver", 2400}};
 inline constexpr Budget kOfRapierContactLostByEpa[] = {
     {"cores_touch", 200}, {"in_line", 600},      {"near_parallel", 400}, {"round_corners", 200},
     {"scaled", 33000},    {"tilted_edges", 400}, {"ulp", 3200},          {"side_planes", 400}};
@@ -24,13 +24,13 @@ inline constexpr Budget kOfRapierContactTouchingWithin[] = {
     {"scaled", 800},         {"side_planes", 5200},
     {"tie_bias", 800},       {"tied_faces", 400},
     {"tilted_edges", 4000},  {"ulp", 600},
-    {"voronoi_lines", 600},  {"sliver", 400}};
+    {"voronoi_lines", 600},  {"sliver", 1400}};
 inline constexpr Budget kOfRapierContactOriginWithin[] = {
     {"capsules", 400},    {"corner_corner", 9000}, {"far_from_origin", 400}, {"grid", 200},
     {"in_line", 2000},    {"large_radii", 5000},   {"micro_edge", 2400},     {"mixed_shapes", 200},
     {"off_unit", 1200},   {"regular", 200},        {"round_corners", 2000},  {"scaled", 200},
     {"side_planes", 800}, {"tie_bias", 1000},      {"tied_faces", 800},      {"touching", 9400},
-    {"ulp", 2000},        {"voronoi_lines", 2400}};
+    {"ulp", 2000},        {"voronoi_lines", 2400}, {"sliver", 400}};
 inline constexpr Budget kOfRapierContactEqualCorners[] = {
     {"capsules", 8600},     {"circles", 200},       {"cores_touch", 5200},   {"in_line", 4200},
     {"micro_edge", 14000},  {"mixed_shapes", 5400}, {"round_corners", 5000}, {"scaled", 3200},
@@ -60,7 +60,7 @@ inline constexpr Budget kOfRapierContactCornerOfChord[] = {{"boxes", 1400},
                                                            {"corner_corner", 400},
                                                            {"large_radii", 400},
                                                            {"off_unit", 600},
-                                                           {"sliver", 600}};
+                                                           {"sliver", 1000}};
 inline constexpr Budget kOfRapierContactCentreOnSurface[] = {{"circles", 11000},
                                                              {"cores_touch", 88000},
                                                              {"large_radii", 8000},
@@ -89,7 +89,8 @@ inline constexpr Budget kOfRapierContactEpaChord[] = {{"capsules", 360000},
                                                       {"tilted_edges", 270000},
                                                       {"ulp", 2800},
                                                       {"voronoi_lines", 320000},
-                                                      {"regular", 1400}};
+                                                      {"regular", 1400},
+                                                      {"sliver", 800}};
 inline constexpr Budget kOfRapierContactStepBack[] = {{"side_planes", 1}, {"voronoi_lines", 600}};
 
 /// The entries, the first that explains before others.

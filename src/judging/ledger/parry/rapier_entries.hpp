@@ -7,7 +7,7 @@
 namespace manifuzz::ledger_of {
 
 // rapier2d-compat 0.21.0, which has parry2d 0.31.1 inside, in floats. Budgets are twice what
-// 300,000 cases against clip64 showed, rounded up.
+// 300,000 cases against clip64 showed, or another million, rounded up.
 inline constexpr Budget kOfRapierFaceByCosine[] = {
     {"micro_edge", 1600}, {"scaled", 4200}, {"ulp", 200}};
 inline constexpr Budget kOfRapierEdgeAlongNormal[] = {{"cores_touch", 200}, {"in_line", 4200}};
@@ -16,7 +16,7 @@ inline constexpr Budget kOfRapierCornerCones[] = {{"cores_touch", 12000},   {"co
                                                   {"micro_edge", 600},      {"mixed_shapes", 1000},
                                                   {"off_unit", 2800},       {"regular", 400},
                                                   {"round_corners", 200},   {"scaled", 22000},
-                                                  {"sliver", 600},          {"tie_bias", 2200},
+                                                  {"sliver", 3000},         {"tie_bias", 2200},
                                                   {"touching", 23000},      {"ulp", 4200}};
 inline constexpr Budget kOfRapierLostByEpa[] = {{"cores_touch", 8200},
                                                 {"in_line", 5800},
@@ -35,13 +35,13 @@ inline constexpr Budget kOfRapierTouchingWithin[] = {
     {"generic", 200},      {"in_line", 14000},      {"micro_edge", 6000},
     {"mixed_shapes", 600}, {"near_collinear", 200}, {"near_parallel", 19000},
     {"off_unit", 400},     {"regular", 200},        {"round_corners", 400},
-    {"scaled", 200},       {"side_planes", 1000},   {"sliver", 200},
+    {"scaled", 200},       {"side_planes", 1000},   {"sliver", 2400},
     {"tie_bias", 600},     {"tied_faces", 400},     {"tilted_edges", 2400},
     {"touching", 1000},    {"ulp", 1200},           {"voronoi_lines", 200}};
 inline constexpr Budget kOfRapierOriginWithin[] = {
     {"capsules", 200},  {"cores_touch", 2800}, {"corner_corner", 11000}, {"far_from_origin", 600},
     {"grid", 600},      {"micro_edge", 2800},  {"mixed_shapes", 400},    {"near_collinear", 200},
-    {"off_unit", 1600}, {"regular", 400},      {"scaled", 200},          {"sliver", 200},
+    {"off_unit", 1600}, {"regular", 400},      {"scaled", 200},          {"sliver", 1000},
     {"tie_bias", 1400}, {"tied_faces", 1400},  {"touching", 13000},      {"ulp", 2600}};
 inline constexpr Budget kOfRapierEqualCorners[] = {
     {"circles", 200},    {"cores_touch", 3800}, {"micro_edge", 14000}, {"scaled", 200},
@@ -69,6 +69,7 @@ inline constexpr Budget kOfRapierCircleByGjk[] = {{"circles", 230000},
 inline constexpr Budget kOfRapierEpaChord[] = {{"cores_touch", 120000}};
 inline constexpr Budget kOfRapierStepBack[] = {
     {"cores_touch", 200}, {"side_planes", 800}, {"voronoi_lines", 800}};
+inline constexpr Budget kOfRapierRoundedFoot[] = {{"cores_touch", 200}};
 inline constexpr Budget kOfRapierKeptNormals[] = {{"mixed_shapes", 180}, {"round_corners", 200}};
 
 /// The entries, the first that explains before others.
@@ -97,6 +98,8 @@ inline constexpr std::array kOfRapier{
              origin_within_tolerance<parry::Rapier>),
     of_parry("rapier2d-equal-corners", "rapier2d", kEqualCorners, kOfRapierEqualCorners,
              equal_corners_of_gjk<parry::Rapier>),
+    of_parry("rapier2d-rounded-foot", "rapier2d", kRoundedFoot, kOfRapierRoundedFoot,
+             rounded_foot_of_gjk<parry::Rapier>),
     of_parry("rapier2d-second-point-of-capsules", "rapier2d", kSecondPoint, kOfRapierSecondPoint,
              second_point_of_parry_capsules<parry::Rapier>),
     of_parry("rapier2d-crossing-capsules", "rapier2d", kCrossingCapsules, kOfRapierCrossingCapsules,

@@ -139,6 +139,8 @@ pub struct Claims {
     pub takes_round: i32,
     pub second_point: i32,
     pub second_point_angle: f64,
+    pub least_polygon_turn: f64,
+    pub least_polygon_area: f64,
 }
 
 #[repr(C)]
@@ -180,11 +182,13 @@ pub const CLAIMS: Claims = Claims {
     takes_round: 0,
     second_point: 0,
     second_point_angle: 0.0,
+    least_polygon_turn: 0.0,
+    least_polygon_area: 0.0,
 };
 
 /// The first of each choice.
 pub const DECLARATION: Declaration = Declaration {
-    interface: 3,
+    interface: 4,
     name: null(),
     version: null(),
     scalar: FLOAT32,
