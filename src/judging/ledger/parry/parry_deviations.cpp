@@ -279,6 +279,7 @@ MANIFUZZ_OF_PARRY(stop_of_gjk)
 MANIFUZZ_OF_PARRY(touching_of_gjk)
 MANIFUZZ_OF_PARRY(origin_within_tolerance)
 MANIFUZZ_OF_PARRY(equal_corners_of_gjk)
+MANIFUZZ_OF_PARRY(rounded_foot_of_gjk)
 
 template bool not_a_number_of_clip<parry::Floats>(const LostAnswer&);
 template bool not_a_number_of_clip<parry::Rapier>(const LostAnswer&);
@@ -286,9 +287,6 @@ template bool not_a_number_of_clip<parry::Rapier>(const LostAnswer&);
 template bool normals_before_simplifying<parry::Floats>(const Deviation&);
 template bool normals_before_simplifying<parry::Rapier>(const Deviation&);
 template bool squared_length_of_epa<parry::Floats>(const Deviation&);
-template bool rounded_foot_of_gjk<parry::Floats>(const Deviation&);
-template bool rounded_foot_of_gjk<parry::Doubles>(const Deviation&);
-template bool rounded_foot_of_gjk<parry::Rapier>(const Deviation&);
 
 #undef MANIFUZZ_OF_PARRY
 

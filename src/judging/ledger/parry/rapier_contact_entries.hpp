@@ -92,6 +92,7 @@ inline constexpr Budget kOfRapierContactEpaChord[] = {{"capsules", 360000},
                                                       {"regular", 1400},
                                                       {"sliver", 800}};
 inline constexpr Budget kOfRapierContactStepBack[] = {{"side_planes", 1}, {"voronoi_lines", 600}};
+inline constexpr Budget kOfRapierContactRoundedFoot[] = {{"cores_touch", 200}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfRapierContact{
@@ -107,6 +108,8 @@ inline constexpr std::array kOfRapierContact{
              kOfRapierContactOriginWithin, origin_within_tolerance<parry::RapierContact>),
     of_parry("rapier2d-contact-equal-corners", "rapier2d-contact", kEqualCorners,
              kOfRapierContactEqualCorners, equal_corners_of_gjk<parry::RapierContact>),
+    of_parry("rapier2d-contact-rounded-foot", "rapier2d-contact", kRoundedFoot,
+             kOfRapierContactRoundedFoot, rounded_foot_of_gjk<parry::RapierContact>),
     of_parry("rapier2d-contact-corner-of-chord", "rapier2d-contact", kCornerOfChord,
              kOfRapierContactCornerOfChord, corner_of_epa_chord<parry::RapierContact>),
     of_parry("rapier2d-contact-centre-on-surface", "rapier2d-contact", kCentreOnSurfaceOfContact,
