@@ -7,7 +7,7 @@
 namespace manifuzz::ledger_of {
 
 // Munk2D, as pymunk 7.3.0 has it: what it has of Chipmunk's is looked for as there. Budgets are
-// twice what 300,000 cases against clip64 showed, rounded up.
+// twice what 300,000 cases against clip64 showed, or another million, rounded up.
 inline constexpr Budget kOfMunkNormalOfWorldVertices[] = {{"boxes", 600},
                                                           {"corner_corner", 2600},
                                                           {"corner_face", 3000},
@@ -18,6 +18,7 @@ inline constexpr Budget kOfMunkNormalOfWorldVertices[] = {{"boxes", 600},
                                                           {"near_collinear", 13000},
                                                           {"near_parallel", 400},
                                                           {"off_unit", 2800},
+                                                          {"regular", 420},
                                                           {"scaled", 1800},
                                                           {"sliver", 7000},
                                                           {"tie_bias", 3200},

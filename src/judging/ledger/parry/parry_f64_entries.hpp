@@ -48,7 +48,7 @@ inline constexpr Budget kOfParryF64CircleByGjk[] = {{"circles", 360000},
                                                     {"mixed_shapes", 90000},
                                                     {"voronoi_lines", 210000}};
 inline constexpr Budget kOfParryF64EpaChord[] = {{"cores_touch", 130000}};
-inline constexpr Budget kOfParryF64EdgeAlongNormal[] = {{"cores_touch", 200}};
+inline constexpr Budget kOfParryF64EdgeAlongNormal[] = {{"cores_touch", 200}, {"in_line", 4800}};
 inline constexpr Budget kOfParryF64StepBack[] = {
     {"cores_touch", 200}, {"side_planes", 600}, {"voronoi_lines", 600}};
 
