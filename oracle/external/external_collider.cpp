@@ -70,7 +70,13 @@ std::optional<Unsupported> beyond_limits(const Declaration& declaration, const P
   }
   if (!takes_shapes(declaration, pair)) {
     const int least = std::min(pair.a.polygon.count, pair.b.polygon.count);
-    if (!is_round(pair)) return Unsupported{"takes no polygon so flat, or so small"};
+    if (declines(declaration, pair)) return Unsupported{"has no function for such a pair"};
+    const bool is_too_small =
+        std::ranges::any_of(std::array{pair.a, pair.b}, [&](const Body& body) {
+          return body.polygon.count >= kMinVertices &&
+                 !has_at_least(body.polygon, declaration.least_polygon);
+        });
+    if (is_too_small) return Unsupported{"takes no polygon so flat, or so small"};
     return Unsupported{least >= declaration.min_vertices ? "takes no polygons with round corners"
                        : least == 1                      ? "takes no circles"
                                                          : "takes no segments or capsules"};
@@ -102,7 +108,8 @@ void check_declaration(const Declaration& declaration, std::string_view prefix) 
   const LeastPolygon& least = declaration.least_polygon;
   if (!(least.turn >= 0 && least.turn < std::numbers::pi / 2)) {
     throw UserError(
-        fmt::format("{}least_polygon.turn: {} is no angle below pi / 2", prefix, least.turn));
+        fmt::format("{}least_polygon.turn: {} is no angle; one from 0 to below pi / 2 is expected",
+                    prefix, least.turn));
   }
   if (!(std::isfinite(least.area) && least.area >= 0)) {
     throw UserError(fmt::format("{}least_polygon.area: {} is no area; 0 or more is expected",

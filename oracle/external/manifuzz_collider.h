@@ -99,8 +99,9 @@ typedef struct {
   int32_t takes_round;  /* 1: polygons with round corners too */
   int32_t second_point; /* of round shapes, a manifuzz_second_point */
   double second_point_angle; /* in radians */
-  /* From interface 4 on: what a polygon must have to be asked; 0, or */
-  double least_polygon_turn; /* radians, by more than which three of its corners turn */
+  /* From interface 4 on, 0: any. Polygons of which fewer than three corners turn by more (radians,
+   * below pi / 2), or of less area, are not asked. */
+  double least_polygon_turn;
   double least_polygon_area;
 } manifuzz_claims;
 

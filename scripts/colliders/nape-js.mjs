@@ -37,7 +37,7 @@ const declaration = {
   vertices_max: 8,
   takes_radius: false,
   vertices_min: 1,
-  // ZPP_Polygon.valid: degenerate where area < nape.Config.epsilon.
+  // ZPP_Polygon.valid: degenerate where area < nape.Config.epsilon, of the corners that are kept.
   least_polygon: { area: 1e-8 },
   declines: [["capsule", "circle"], ["capsule", "capsule"], ["capsule", "polygon"]],
   points: "midpoint",

@@ -55,7 +55,7 @@ class CellLevel {
   /// The place of the cell in which a box's lower left corner lies.
   std::uint32_t place_of(const Box& box) const { return place(column(box.x_min), row(box.y_min)); }
   /// The place of the cell to the right of one's.
-  std::uint32_t right_of(std::uint32_t place) const {
+  std::uint32_t next_in_row(std::uint32_t place) const {
     return (place & ~column_mask_) | ((place + 1) & column_mask_);
   }
   std::uint32_t places() const { return (column_mask_ + 1) * (row_mask_ + 1); }
@@ -68,10 +68,9 @@ class CellLevel {
     return {column(box.x_min - extent_max_), column(box.x_max) + aside_,
             row(box.y_min - extent_max_), row(box.y_max)};
   }
-  /// The same of boxes whose left side is not left of this one's.
+  /// The same of boxes whose left side is not left of this one's, where each lies in its own cell.
   CellRange right_of(const Box& box) const {
-    return {column(box.x_min), column(box.x_max) + aside_, row(box.y_min - extent_max_),
-            row(box.y_max)};
+    return {column(box.x_min), column(box.x_max), row(box.y_min - extent_max_), row(box.y_max)};
   }
 
   /// Calls `run(first, last)` for the entries in those cells, each once.

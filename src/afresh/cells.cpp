@@ -155,7 +155,7 @@ std::size_t size_of(float extent) {
 
 constexpr std::size_t kSizesALevel = 8;  // down to a quarter of the largest
 
-/// A box whose cell is full may lie so far to the right of it: every search goes as far.
+/// A box whose cell is full may lie so far to the right of it: searches go as far as one does.
 constexpr int kAsideMax = 2;
 
 /// How many boxes may lie in no cell: every search goes through them, in eight steps of sixteen.
@@ -269,7 +269,7 @@ std::uint32_t Cells::entry_of(const Place& place, std::uint32_t body) {
   if (place.level < used_) {
     CellLevel& level = levels_[place.level];
     std::uint32_t at = place.place;
-    for (int aside = 0; aside <= kAsideMax; ++aside, at = level.right_of(at)) {
+    for (int aside = 0; aside <= kAsideMax; ++aside, at = level.next_in_row(at)) {
       const std::uint32_t last = level.begin()[at + 1];
       const std::uint32_t entry = find(level.begin()[at], last);
       if (entry == last) continue;

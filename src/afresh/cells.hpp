@@ -29,7 +29,8 @@ class Cells {
   /// The bodies whose boxes overlap this one, in no particular order; until the next call.
   std::span<const std::uint32_t> near(const Box& box);
 
-  /// Puts all pairs of bodies whose boxes overlap into `found`, each once, a < b.
+  /// Puts all pairs of bodies whose boxes overlap into `found`, each once, a < b; where they have
+  /// just been filed without room.
   void pairs(std::vector<kernel::BodyPair>& found);
 
   /// The memory it takes.

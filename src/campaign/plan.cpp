@@ -40,9 +40,10 @@ void narrow_to(const std::vector<Collider>& colliders, GenerationContext& contex
                                [&](const Collider& collider) { return takes(collider, pair); });
   };
   // Most take all of them, and asking costs.
-  if (is_any([](const Declaration& of) { return !of.least_polygon.is_none(); })) {
-    context.takes_mitred = context.takes;
-  }
+  const auto is_choosy = [](const Declaration& of) {
+    return of.max_vertices < kMaxVertices || !of.least_polygon.is_none();
+  };
+  if (is_any(is_choosy)) context.takes_mitred = context.takes;
   if (!context.radius && is_any([](const Declaration& of) { return !of.takes_radius; })) {
     context.mitred_radius = 0.0F;
   }

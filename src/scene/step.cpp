@@ -206,7 +206,7 @@ void Scene::keep_touching() {
   }
 }
 
-/// Contacts begin at the end of the step: until then those that end leave no gaps in what began.
+/// Contacts begin at the end of the step, when it is known whose places are vacant.
 void Scene::collide_apart() {
   leave_out_apart();
   collide(apart_, [&](std::size_t i) -> Manifold<float>& { return manifolds_[i]; });

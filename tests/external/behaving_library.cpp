@@ -59,6 +59,10 @@ manifuzz_declaration declaration() {
   if (behaviour() == "unknown-claim") declared.claims.answers = 7;
   if (behaviour() == "unclipped") declared.claims.does_not_clip = 1;
   if (behaviour() == "no-shapes") declared.claims.alters_shapes = 1;
+  if (behaviour() == "choosy") {
+    declared.claims.vertices_min = declared.claims.takes_round = 1;
+    declared.claims.least_polygon_turn = 0.1;
+  }
   if (behaviour() == "unsourced") declared.claims.tolerance_absolute = 1;
   return declared;
 }

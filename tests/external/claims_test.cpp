@@ -78,6 +78,33 @@ TEST_CASE("cases whose polygons are less than a collider declares are drawn agai
   }
 }
 
+TEST_CASE(
+    "a library declares its least polygon, against which it is not asked round shapes either") {
+  const Told told("choosy");
+  const Collider choosy = library();
+  CHECK(choosy.declaration.least_polygon.turn == 0.1);
+  const std::vector<Vector2<float>> flat{{0, 0}, {20, -0.01F}, {40, 0}};
+  const std::vector<Vector2<float>> centre{{20, 0.5F}};
+  PairCase pair = overlapping_boxes();
+  pair.a.polygon = make_polygon<float>(flat);
+  for (int i = 0; i < 2; ++i) {
+    CHECK_FALSE(takes(choosy, pair));
+    CHECK(std::get<Unsupported>(choosy.collide(pair)).why ==
+          "takes no polygon so flat, or so small");
+    pair.b.polygon = make_polygon<float>(centre, 1);
+  }
+}
+
+TEST_CASE("cases with more vertices than a collider takes are drawn again") {
+  Collider collider;
+  collider.declaration.max_vertices = 4;
+  GenerationContext context;
+  narrow_to({collider}, context);
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    CHECK(takes(collider, generate(1, *find_regime("generic"), i, context)));
+  }
+}
+
 TEST_CASE("a least polygon has three corners that turn, and an area") {
   const LeastPolygon least{.turn = 0.1, .area = 0.5};
   const auto polygon = [](std::vector<Vector2<float>> vertices) {

@@ -18,6 +18,17 @@ Vector2<double> placed_by_relay(const Body& body, int i) {
   return {r.x() * v.x() - r.y() * v.y() + p.x(), r.y() * v.x() + r.x() * v.y() + p.y()};
 }
 
+/// Geometry::is_polygon_clockwise; of a thin polygon roundings decide.
+bool is_clockwise(const std::vector<Vector2<float>>& points) {
+  float sum = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector2<float>& from = points[i];
+    const Vector2<float>& to = points[(i + 1) % points.size()];
+    sum += (to.x() - from.x()) * (to.y() + from.y());
+  }
+  return sum > 0;
+}
+
 }  // namespace
 
 Vector2<float> normalized(const Vector2<float>& v, const Mends& mends) {
@@ -40,6 +51,8 @@ Shape::Shape(const Body& body, const Mends& mends, int edge)
   const ConvexPolygon<float>& polygon = body.polygon;
   for (int i = 0; i < polygon.count; ++i) points_.push_back(polygon.vertices[i]);
   type_ = polygon.count > 2 ? Type::polygon : Type::segment;
+  // ConvexPolygonShape2D::_update_shape.
+  if (type_ == Type::polygon && is_clockwise(points_)) std::ranges::reverse(points_);
   if (polygon.count == 1) {
     type_ = Type::circle;
     origin_ = placed_by_relay(body, 0).cast<float>();
