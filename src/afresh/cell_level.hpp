@@ -87,7 +87,7 @@ class CellLevel {
         all_columns ? column_mask_ : static_cast<std::uint32_t>(range.x_last) & column_mask_;
     for (std::uint32_t k = 0; k <= rows; ++k) {
       const std::uint32_t row = (static_cast<std::uint32_t>(range.y_first) + k) & row_mask_;
-      const std::uint32_t* const begin = begin_.data() + row * columns;
+      const std::uint32_t* const begin = begin_.data() + std::size_t{row} * columns;
       if (left <= right) {
         run(begin[left], begin[right + 1]);
       } else {

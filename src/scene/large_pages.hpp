@@ -14,17 +14,21 @@ void free_in_large_pages(void* memory, std::size_t bytes);
 /// An allocator of such memory.
 template <class T>
 struct LargePages {
-  using value_type = T;
+  using value_type = T;  ///< as every allocator has it
   LargePages() = default;
+  /// From that of another type.
   template <class U>
   explicit LargePages(const LargePages<U>&) {}
 
+  /// Memory for so many.
   T* allocate(std::size_t count) {
     static_assert(alignof(T) <= 64);
     return static_cast<T*>(allocate_in_large_pages(count * sizeof(T)));
   }
+  /// Gives it back; `count` as it was asked for.
   void deallocate(T* memory, std::size_t count) { free_in_large_pages(memory, count * sizeof(T)); }
 
+  /// Any gives back what another gave.
   friend bool operator==(const LargePages&, const LargePages&) { return true; }
 };
 
