@@ -56,6 +56,7 @@ std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std:
   for (; a < rows; ++a) {
     candidates.prefetch(a + kRowsAhead);
     const std::span<Candidate> row = candidates.row(a);
+    if (row.empty()) continue;
     const std::size_t room = row.size() + lanes;
     if (!touching.has_room(room) || !apart.has_room(room)) break;
     if (sorted.any_left && !leaving.has_room(room)) break;
