@@ -14,8 +14,8 @@ Acceptance acceptance_of(const CorpusCase& known, Acceptance asked);
 /// The case in this file, with that acceptance, which is not written yet. Throws UserError.
 CorpusCase accepted_case(const std::string& file, const Acceptance& asked);
 
-/// Writes its acceptance into its file, and before that the case into the corpus where it is no
-/// file of it; `path` is the file then. Throws UserError.
+/// Writes its acceptance into its file; of a case that has no file of its own (a line, the standard
+/// input) into one in the corpus, which `path` is then. Throws UserError.
 void accept_in(const std::filesystem::path& corpus, CorpusCase& accepted);
 
 /// Takes the acceptance out of the file. Throws UserError where it has none.
@@ -24,7 +24,7 @@ void drop_acceptance(const std::string& file);
 /// "FILE: BUCKET of SUBJECT, up to ..., until ...: because ... (link)".
 std::string acceptance_in_words(const CorpusCase& accepted, const std::string& today);
 
-/// The same of each case in the corpus that is accepted, a line each. Throws UserError.
-std::string list_accepted(const std::filesystem::path& corpus, const std::string& today);
+/// A line like that of each accepted case.
+std::string list_accepted(const Corpus& known_cases, const std::string& today);
 
 }  // namespace manifuzz

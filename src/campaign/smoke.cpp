@@ -64,7 +64,7 @@ SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interru
         {.first_signal = Interruption::State::stopped, .stopped_at = plan.at(kReplayShare, 1)});
     run.asked = std::make_shared<NamedColliders>([](const auto&) { return std::nullopt; },
                                                  plan.subject, plan.oracle);
-    run.replayed = replay_cases(plan.corpus.cases, *run.asked, plan.known, in_time);
+    run.replayed = replay_cases(plan.known_cases.cases, *run.asked, plan.known, in_time);
   }
   listener.on_replayed(run.replayed);
   if (!all.is_stopped()) run.checked = check_all(plan, run.pairs, listener);

@@ -13,13 +13,14 @@
 
 namespace manifuzz {
 
-/// A corpus again, every property and a campaign, within so many seconds, however slow the
+/// Known cases again, every property and a campaign, within so many seconds, however slow the
 /// colliders.
 struct SmokePlan {
   Collider subject;
   Collider oracle;
-  Corpus corpus;
-  Known known{};  ///< of the corpus
+  Corpus known_cases;  ///< which are replayed
+  Corpus corpus{};     ///< of them, those that the regime `corpus` may mutate
+  Known known{};       ///< of the known cases
   std::uint64_t seed = 0;
   std::string save_to{};  ///< a corpus folder; empty: nowhere
   Origin origin{};
@@ -53,7 +54,7 @@ struct SmokeListener {
   std::function<void(const Plan&, const Progress&)> on_progress;
 };
 
-/// `all` is stopped by a signal in any part. The run refers to the plan's corpus.
+/// `all` is stopped by a signal in any part. The run refers to the plan's known cases.
 SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interruption& all);
 
 }  // namespace manifuzz

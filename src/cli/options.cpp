@@ -165,8 +165,8 @@ float radius_of(double radius) {
   throw UserError(fmt::format("--radius: {} is beyond float; take 0 to {}", radius, most));
 }
 
-void add_corpus(CLI::App& app, std::string& folder, const std::string& description) {
-  app.add_option("--corpus", folder, description)->type_name("DIR")->capture_default_str();
+void add_corpus(CLI::App& app, CorpusFolders& folders, const std::string& description) {
+  app.add_option("--corpus", folders.named, description)->type_name("DIR");
 }
 
 CLI::Option* add_day(CLI::App& app, const std::string& name, std::string& day,
@@ -183,10 +183,6 @@ CLI::Option* add_day(CLI::App& app, const std::string& name, std::string& day,
 void add_today(CLI::App& app, std::string& day) {
   day = today();
   add_day(app, "--today", day, "the day that acceptances are held against, for tests");
-}
-
-std::string corpus_again(const std::string& folder) {
-  return folder == "corpus" ? "" : " --corpus " + quoted_for_shell(folder);
 }
 
 void add_no_save(CLI::App& app, bool& no_save) {
@@ -218,13 +214,13 @@ void add_case_argument(CLI::App& app, CaseArgument& argument) {
   add_text(app, "file", argument.name, "FILE",
            "a case, - for stdin; or a bucket or the beginning of a file's name in the corpus")
       ->required();
-  add_text(app, "--corpus", argument.corpus, "DIR",
-           "the folder where a bucket or a beginning is found")
-      ->capture_default_str();
+  add_corpus(app, argument.folders,
+             "the folder where a bucket or a beginning is looked up; if not given, corpus and the "
+             "folder of findings");
 }
 
 std::string case_file(const CaseArgument& argument) {
-  const FoundCase found = find_case(argument.name, argument.corpus);
+  const FoundCase found = find_case(argument.name, argument.folders.all());
   if (!found.remark.empty()) write_remark(found.remark);
   return found.file;
 }

@@ -12,6 +12,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "corpus/corpus_folders.hpp"
+
 namespace manifuzz {
 
 /// What is wrong with a command line that could not be parsed, and what would be right: one line
@@ -53,9 +55,7 @@ void add_regimes(CLI::App& app, std::vector<std::string>& names);
 void add_radius(CLI::App& app, std::optional<double>& radius);
 /// Such a radius as a float. Throws UserError where it is too large for one.
 float radius_of(double radius);
-void add_corpus(CLI::App& app, std::string& folder, const std::string& description);
-/// Such a folder again, for a shell; nothing for the usual one.
-std::string corpus_again(const std::string& folder);
+void add_corpus(CLI::App& app, CorpusFolders& folders, const std::string& description);
 /// An option that takes a day, as 2027-01-31.
 CLI::Option* add_day(CLI::App& app, const std::string& name, std::string& day,
                      const std::string& description);
@@ -76,8 +76,8 @@ void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regime
 
 /// How a case is named on the command line.
 struct CaseArgument {
-  std::string name;  ///< a file, "-" for stdin, or what is looked up in the corpus
-  std::string corpus = "corpus";
+  std::string name;         ///< a file, "-" for stdin, or what is looked up in the corpus
+  CorpusFolders folders{};  ///< the corpus that it is looked up in
 };
 
 /// Adds the argument, and --corpus.

@@ -100,6 +100,16 @@ void Corpus::add(CorpusCase one) {
   (one.is_sequence() ? sequences : cases).push_back(std::move(one));
 }
 
+void Corpus::add(Corpus more) {
+  const auto append = [](auto& to, auto& from) {
+    to.insert(to.end(), std::move_iterator(from.begin()), std::move_iterator(from.end()));
+  };
+  append(cases, more.cases);
+  append(errors, more.errors);
+  append(files, more.files);
+  append(sequences, more.sequences);
+}
+
 std::vector<CorpusCase> Corpus::all() const {
   std::vector<CorpusCase> both = cases;
   both.insert(both.end(), sequences.begin(), sequences.end());

@@ -99,6 +99,8 @@ struct Corpus {
 
   /// Adds it to its like.
   void add(CorpusCase one);
+  /// Adds all of another corpus behind its own.
+  void add(Corpus more);
   /// The sequences behind the cases.
   std::vector<CorpusCase> all() const;
 };
@@ -225,9 +227,9 @@ struct FoundCase {
   std::string remark{};  ///< "taken: ..." where the name was not the file's
 };
 
-/// The file that is meant: the name itself where it is "-" or exists. Else it is looked up in the
-/// corpus, as a bucket (with slashes or dashes), whose smallest case it is then, or as the
+/// The file that is meant: the name itself where it is "-" or exists. Else it is looked up in these
+/// folders, as a bucket (with slashes or dashes), whose smallest case it is then, or as the
 /// beginning of a file's name. Throws UserError where that gives no case, or several.
-FoundCase find_case(const std::string& name, const std::filesystem::path& corpus);
+FoundCase find_case(const std::string& name, std::span<const std::filesystem::path> folders);
 
 }  // namespace manifuzz

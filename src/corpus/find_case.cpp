@@ -79,7 +79,14 @@ CaseList matching(const std::vector<CorpusCase>& corpus, const Matches& matches)
   return shrunk.empty() ? worst : shrunk;
 }
 
-[[noreturn]] void complain_of_none(const std::string& name, const fs::path& folder,
+/// "corpus", or "corpus and build/found".
+std::string in_words(std::span<const fs::path> folders) {
+  std::vector<std::string> names;
+  for (const fs::path& folder : folders) names.push_back(printable_path(folder));
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+[[noreturn]] void complain_of_none(const std::string& name, std::span<const fs::path> folders,
                                    const std::vector<CorpusCase>& corpus) {
   std::set<std::string> names;
   for (const CorpusCase& known : corpus) {
@@ -87,11 +94,10 @@ CaseList matching(const std::vector<CorpusCase>& corpus, const Matches& matches)
   }
   const std::vector<std::string_view> views(names.begin(), names.end());
   throw UserError(fmt::format("{}: there is no such file, and no such bucket or file in {}{}",
-                              printable_path(name), printable_path(folder),
-                              did_you_mean(name, views)));
+                              printable_path(name), in_words(folders), did_you_mean(name, views)));
 }
 
-[[noreturn]] void complain_of_several(const std::string& name, const fs::path& folder,
+[[noreturn]] void complain_of_several(const std::string& name, std::span<const fs::path> folders,
                                       const CaseList& found) {
   std::vector<std::string> names;
   for (const CorpusCase* const known : found) names.push_back(printable_path(file_name(*known)));
@@ -100,15 +106,15 @@ CaseList matching(const std::vector<CorpusCase>& corpus, const Matches& matches)
   const std::size_t left = found.size() - names.size();
   const std::string more = left > 0 ? fmt::format(" and {} more", left) : "";
   throw UserError(fmt::format("{}: {} files in {} begin with that: {}{}", printable_path(name),
-                              found.size(), printable_path(folder), fmt::join(names, ", "), more));
+                              found.size(), in_words(folders), fmt::join(names, ", "), more));
 }
 
 }  // namespace
 
-FoundCase find_case(const std::string& name, const fs::path& folder) {
+FoundCase find_case(const std::string& name, std::span<const fs::path> folders) {
   std::error_code unknown;
   if (name == "-" || fs::exists(name, unknown)) return {name};
-  const std::vector<CorpusCase> corpus = read_corpus({&folder, 1}).all();  // what is whole of it
+  const std::vector<CorpusCase> corpus = read_corpus(folders).all();  // what is whole of it
   const std::string wanted = dashed(name);
   const CaseList alike = matching(
       corpus, [&](const CorpusCase& known) { return is_of(dashed(bucket_of(known)), wanted); });
@@ -122,8 +128,8 @@ FoundCase find_case(const std::string& name, const fs::path& folder) {
   }
   const CaseList begun = matching(
       corpus, [&](const CorpusCase& known) { return file_name(known).starts_with(wanted); });
-  if (begun.empty()) complain_of_none(name, folder, corpus);
-  if (begun.size() > 1) complain_of_several(name, folder, begun);
+  if (begun.empty()) complain_of_none(name, folders, corpus);
+  if (begun.size() > 1) complain_of_several(name, folders, begun);
   const std::string& path = begun.front()->path;
   return {path, fmt::format("taken: {}", printable_path(path))};
 }

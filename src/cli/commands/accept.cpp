@@ -1,5 +1,6 @@
 #include "campaign/accept.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -23,7 +24,7 @@ struct AcceptArguments {
   std::string link;
   std::string until;
   std::optional<double> up_to;
-  std::string corpus = "corpus";
+  CorpusFolders folders;
   std::string drop;
   std::string today;
   bool list = false;
@@ -31,7 +32,7 @@ struct AcceptArguments {
 
 /// The file that is meant, of the smallest case where the worst was named.
 std::string file_of(const std::string& name, const AcceptArguments& options) {
-  return shrunk_beside(case_file({name, options.corpus}));
+  return shrunk_beside(case_file({name, options.folders}));
 }
 
 /// The case as `show` shows it, or as it is recorded where its colliders are not at hand.
@@ -49,6 +50,16 @@ int drop(const AcceptArguments& options) {
   return 0;
 }
 
+/// A file that no campaign reads excuses nothing there.
+void warn_of_elsewhere(const std::string& file, const CorpusFolders& folders) {
+  const auto holds = [&](const std::filesystem::path& folder) {
+    return Place(file).is_within(Place(folder));
+  };
+  if (std::ranges::any_of(folders.all(), holds)) return;
+  write_remark(fmt::format("{} is outside of {}: it counts for runs whose --corpus holds it",
+                           printable(file, 200), printable(folders.corpus(), 200)));
+}
+
 int accept_files(const AcceptArguments& options) {
   const Acceptance asked{.because = options.because,
                          .link = options.link,
@@ -58,19 +69,20 @@ int accept_files(const AcceptArguments& options) {
   for (const std::string& name : options.files) {
     all.push_back(accepted_case(file_of(name, options), asked));
   }
-  NamedColliders colliders(find_installed_or_named({options.corpus}), {}, {});
+  NamedColliders colliders(find_installed_or_named({options.folders.corpus()}), {}, {});
   Interruption interruption(kUntilSignal);
   for (CorpusCase& known : all) {
     write_output(shown(known, colliders, interruption) + '\n');
-    accept_in(options.corpus, known);
+    accept_in(options.folders.corpus(), known);
     write_output(acceptance_in_words(known, options.today) + '\n');
+    warn_of_elsewhere(known.path, options.folders);
   }
   return 0;
 }
 
 int accept(const AcceptArguments& options) {
   if (options.list) {
-    write_output(list_accepted(options.corpus, options.today));
+    write_output(list_accepted(read_whole(options.folders), options.today));
     return 0;
   }
   if (!options.drop.empty()) return drop(options);
@@ -95,7 +107,8 @@ void add_accept_arguments(CLI::App& app, AcceptArguments& options) {
   CLI::Option* const up_to =
       add_length(app, "--up-to", options.up_to,
                  "the greatest magnitude, as a share of the size; 3 times the worst if not given");
-  add_corpus(app, options.corpus, "the folder of known cases");
+  add_corpus(app, options.folders,
+             "the folder of known cases; if not given, corpus and the folder of findings");
   CLI::Option* const list = app.add_flag("--list", options.list, "what is accepted, a line each");
   CLI::Option* const drop_file =
       add_text(app, "--drop", options.drop, "FILE", "accept it no more")->excludes(list);

@@ -36,7 +36,7 @@ struct FuzzArguments {
   std::vector<std::string> regimes;
   std::optional<double> tie_bias;
   std::optional<double> radius;
-  std::string corpus = "corpus";
+  CorpusFolders folders;
   std::string json;
   bool no_save = false;
   bool until_new = false;
@@ -94,24 +94,25 @@ std::string repeating_command(const FuzzArguments& options) {
   if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
   if (options.radius) command += fmt::format(" --radius {}", *options.radius);
   if (options.judge_every) command += fmt::format(" --judge-every {}", *options.judge_every);
-  return command + corpus_again(options.corpus);
+  return command + options.folders.again();
 }
 
-/// The page of this campaign and its corpus.
+/// The page of this campaign, its corpus and what was found before.
 std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_json& summary,
                              const FuzzArguments& options) {
   const bool is_kept = !options.json.empty() && options.json != "-";
   const std::string run = is_kept ? kept_path(options.json).string() : "this run";
-  const RunFiles files{read_corpus_folder(options.corpus),
-                       {{run, "fuzz", summary, campaign.result}}};
+  const RunFiles files{read_whole(options.folders), {{run, "fuzz", summary, campaign.result}}};
   const PageColliders colliders{
       {find_installed, campaign.plan.subject, campaign.plan.oracle},
       named_keepers(options.colliders.subject, options.colliders.external)};
   const std::string program = this_program();
-  const std::string again =
-      is_kept ? fmt::format("{} report {} {}", program, quoted_for_shell(options.corpus),
-                            quoted_for_shell(run))
-              : "";
+  std::string again = is_kept ? fmt::format("{} report", program) : "";
+  if (is_kept) {
+    for (const auto& folder : options.folders.all())
+      again += ' ' + quoted_for_shell(folder.string());
+    again += ' ' + quoted_for_shell(run);
+  }
   return page_of(files, colliders, kMapsUsual, {program, again});
 }
 
@@ -138,38 +139,43 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
   return outputs;
 }
 
+/// The folder that findings are saved in; empty: none.
+std::string save_to(const FuzzArguments& options) {
+  return options.no_save ? "" : options.folders.found();
+}
+
 CommandFiles files_of(const FuzzArguments& options) {
-  CommandFiles files{{{"--corpus", options.no_save ? "" : options.corpus, OutputPath::Kind::corpus},
+  CommandFiles files{{{"--corpus", save_to(options), OutputPath::Kind::corpus},
                       {.option = "--json", .path = options.json, .replaces = options.baseline},
                       {"--report", options.report}},
-                     {options.corpus}};
+                     options.folders.all()};
   if (!options.baseline.empty()) files.inputs.emplace_back(options.baseline);
   return files;
 }
 
 Campaign run_with_progress(const Plan& plan, const Known& known, const FuzzArguments& options) {
-  const SaveTo save_to{.folder = options.no_save ? "" : options.corpus,
-                       .shrink_seconds = options.shrink_seconds.value_or(kShrinkSeconds)};
+  const SaveTo saved{.folder = save_to(options),
+                     .shrink_seconds = options.shrink_seconds.value_or(kShrinkSeconds)};
   std::vector<Declaration> asked{plan.subject.declaration};
   if (!plan.sequences) asked.push_back(plan.oracle.declaration);
   const Origin origin{repeating_command(options), provenance(plan.seed, asked)};
   const ProgressLine line;
-  return run_campaign(plan, known, save_to, origin,
+  return run_campaign(plan, known, saved, origin,
                       [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
 }
 
 int fuzz(FuzzArguments& options) {
-  // No absolute path goes into what is kept.
-  if (!options.corpus.empty()) options.corpus = kept_path(options.corpus).string();
+  options.folders.make_relative();
   check_outputs(files_of(options), options.ci);
-  const Corpus corpus = read_corpus_folder(options.corpus);
+  const Corpus corpus = read_corpus_folder(options.folders.corpus());
+  const Corpus all = read_whole(options.folders);
   Plan plan = plan_of(options);
   std::optional<CampaignResult> baseline;
   if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
-  Known known = known_of(plan.sequences ? corpus.sequences : corpus.cases, options.today);
+  Known known = known_of(plan.sequences ? all.sequences : all.cases, options.today);
   if (baseline) add_baseline(*baseline, plan, known);
   Campaign campaign = run_with_progress(plan, known, options);
   if (baseline) hold_against(*baseline, campaign.result);
@@ -200,7 +206,9 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
   add_regimes(app, options.regimes);
   add_length(app, "--tie-bias", options.tie_bias, "the subject's tie bias");
   add_radius(app, options.radius);
-  add_corpus(app, options.corpus, "the folder of known cases, where new ones are saved");
+  add_corpus(app, options.folders,
+             "the folder of known cases, where new ones are saved; if not given, corpus is read, "
+             "and new ones go to build/found of the tree that was built, or to found");
   add_no_save(app, options.no_save);
   add_text(app, "--baseline", options.baseline, "FILE",
            "the --json of an earlier run: says which buckets are new, worse, gone; the status is 1 "

@@ -19,7 +19,7 @@ struct GenerateArguments {
   std::optional<std::uint64_t> first;
   std::optional<std::uint64_t> cases;
   std::optional<double> radius;
-  std::string corpus = "corpus";
+  CorpusFolders folders;
 };
 
 int generate_cases(const GenerateArguments& options) {
@@ -35,7 +35,7 @@ int generate_cases(const GenerateArguments& options) {
   expect_indices(first, cases, chosen.size());
   GenerationContext context;
   if (options.radius) context.radius = radius_of(*options.radius);
-  const Corpus corpus = read_corpus_folder(options.corpus);
+  const Corpus corpus = read_corpus_folder(options.folders.corpus());
   const std::uint64_t seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, seed);
   context.corpus = pairs;
@@ -59,7 +59,8 @@ void add_generate_arguments(CLI::App& app, GenerateArguments& options) {
   add_whole_number(app, "--first", options.first, "the first index in each regime; 0 if not given");
   add_whole_number(app, "--cases", options.cases, "how many cases; 10 if not given", 1);
   add_radius(app, options.radius);
-  add_corpus(app, options.corpus, "the folder that the regimes may mutate cases of");
+  add_corpus(app, options.folders,
+             "the folder whose cases the regime corpus may mutate; corpus if not given");
 }
 
 }  // namespace

@@ -25,16 +25,16 @@ struct PropertyArguments {
   ExternalOptions external;
   std::optional<std::uint64_t> cases;
   std::optional<std::uint64_t> seed;
-  std::string corpus = "corpus";
+  CorpusFolders folders;
   bool no_save = false;
   std::string today;
   CiOutput ci;
 };
 
-/// What repeats a property beside RC_PARAMS; no absolute path goes into what is kept.
+/// What repeats a property beside RC_PARAMS.
 std::string options_again(const PropertyArguments& options, std::uint64_t seed) {
   return fmt::format("{} --seed {}{}", options_again(options.subject, options.external), seed,
-                     corpus_again(kept_path(options.corpus).string()));
+                     options.folders.again());
 }
 
 PropertyPlan plan_of(const PropertyArguments& options) {
@@ -46,12 +46,14 @@ PropertyPlan plan_of(const PropertyArguments& options) {
 }
 
 int hold_properties(PropertyArguments& options) {
-  const std::string save_to = options.no_save ? "" : options.corpus;
-  check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, {options.corpus}}, options.ci);
+  const std::string save_to = options.no_save ? "" : options.folders.found();
+  check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, options.folders.all()},
+                options.ci);
   const std::vector<const Property*> chosen =
       chosen_by_name(properties(), options.names, "property", "property");
   const Collider subject = find_collider(options.subject, options.external);
-  const Corpus corpus = read_corpus_folder(options.corpus);
+  const Corpus corpus = read_corpus_folder(options.folders.corpus());
+  const Known known = known_of(read_whole(options.folders).cases, options.today);
   PropertyPlan plan = plan_of(options);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.corpus = pairs;
@@ -63,8 +65,8 @@ int hold_properties(PropertyArguments& options) {
     outputs.write(is_told, [&] { write_to_reader(property_text(one)); });
     outputs.add_error(one.why_unsaved);
   };
-  const std::vector<CheckedProperty> checked = check_properties(
-      chosen, subject, plan, known_of(corpus.cases, options.today), {}, save_to, tell);
+  const std::vector<CheckedProperty> checked =
+      check_properties(chosen, subject, plan, known, {}, save_to, tell);
   if (all.is_stopped()) outputs.add_error("property: interrupted before it was done");
   if (is_wanted(options.ci)) {
     const CalledAgain again{this_program(), options_again(options, plan.seed)};
@@ -81,7 +83,9 @@ void add_property_arguments(CLI::App& app, PropertyArguments& options) {
   add_whole_number(app, "--cases", options.cases, "how many for each; 10000 if not given", 1,
                    kCasesMax);
   add_seed(app, options.seed);
-  add_corpus(app, options.corpus, "the folder of known cases, where failures are saved");
+  add_corpus(app, options.folders,
+             "the folder of known cases, where failures are saved; if not given, corpus is read, "
+             "and failures go to build/found of the tree that was built, or to found");
   app.add_flag("--no-save", options.no_save, "save nothing");
   add_today(app, options.today);
   add_junit(app, options.ci.junit);

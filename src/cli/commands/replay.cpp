@@ -28,7 +28,7 @@ struct ReplayArguments {
 
 int replay(ReplayArguments& options) {
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
-  if (paths.empty()) paths.emplace_back("corpus");
+  if (paths.empty()) paths = CorpusFolders().all();
   check_outputs({{{"--json", options.json}}, paths}, options.ci);
   const SubjectAndOracle& asked = options.colliders;
   const bool is_of_sequences = keeps_points(asked.subject);
@@ -71,7 +71,8 @@ int replay(ReplayArguments& options) {
 }
 
 void add_replay_arguments(CLI::App& app, ReplayArguments& options) {
-  add_text(app, "paths", options.paths, "PATH", "files and folders of cases; corpus if not given");
+  add_text(app, "paths", options.paths, "PATH",
+           "files and folders of cases; if not given, corpus and the folder of findings");
   add_collider(app, options.colliders.subject,
                "the collider under test; if not given, the one that each case names, or clip");
   add_collider(app, options.colliders.oracle,

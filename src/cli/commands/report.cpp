@@ -47,7 +47,7 @@ PageColliders page_colliders(const SubjectAndOracle& asked) {
 int report(const ReportArguments& options) {
   std::vector<std::filesystem::path> paths;
   for (const std::string& path : options.paths) paths.push_back(kept_path(path));
-  if (paths.empty()) paths.emplace_back("corpus");
+  if (paths.empty()) paths = CorpusFolders().all();
   check_outputs({{{"--output", options.output}}, paths});
   const RunFiles files = read_run_files(paths);
   write_complaints(files.corpus.errors);
@@ -69,8 +69,10 @@ int report(const ReportArguments& options) {
 }
 
 void add_report_arguments(CLI::App& app, ReportArguments& options) {
-  add_text(app, "paths", options.paths, "PATH",
-           "folders and files of cases, and what --json wrote; corpus if not given");
+  add_text(
+      app, "paths", options.paths, "PATH",
+      "folders and files of cases, and what --json wrote; if not given, corpus and the folder of "
+      "findings");
   add_text(app, "--output", options.output, "FILE.html", "the page, - for stdout")
       ->capture_default_str();
   add_whole_number(app, "--maps", options.maps,

@@ -24,7 +24,7 @@ struct SmokeArguments {
   SubjectAndOracle colliders;
   std::optional<std::uint64_t> seed;
   std::optional<double> seconds;
-  std::string corpus = "corpus";
+  CorpusFolders folders;
   bool no_save = false;
   std::string today;
   CiOutput ci;
@@ -38,10 +38,11 @@ SmokePlan plan_of(const SmokeArguments& options) {
     throw UserError(fmt::format("--seconds: {} s are not on; more than 0, up to {} is expected",
                                 plan.seconds, kSmokeSecondsMax));
   }
-  plan.save_to = options.no_save ? "" : options.corpus;
-  plan.corpus = read_known(options.corpus);
-  write_complaints(plan.corpus.errors);
-  plan.known = known_of(plan.corpus.cases, options.today);
+  plan.save_to = options.no_save ? "" : options.folders.found();
+  plan.known_cases = read_known(options.folders);
+  write_complaints(plan.known_cases.errors);
+  plan.corpus = read_known(options.folders.corpus());
+  plan.known = known_of(plan.known_cases.cases, options.today);
   const ColliderChoice& subject = options.colliders.subject;
   const ColliderChoice& oracle = options.colliders.oracle;
   ExternalOptions external = options.colliders.external;
@@ -53,7 +54,7 @@ SmokePlan plan_of(const SmokeArguments& options) {
   plan.start_seconds = seconds_since(before);
   plan.seed = seed_or_draw(options.seed);
   plan.origin = {fmt::format("{} fuzz {}{}", this_program(), options_again(options.colliders),
-                             corpus_again(options.corpus)),
+                             options.folders.again()),
                  provenance(plan.seed, {plan.subject.declaration, plan.oracle.declaration})};
   return plan;
 }
@@ -87,10 +88,10 @@ SmokeListener printer(const SmokeArguments& options, const ProgressLine& line, O
 }
 
 int smoke(SmokeArguments& options) {
-  // No absolute path goes into what is kept.
-  if (!options.corpus.empty()) options.corpus = kept_path(options.corpus).string();
-  const std::string save_to = options.no_save ? "" : options.corpus;
-  check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, {options.corpus}}, options.ci);
+  options.folders.make_relative();
+  const std::string save_to = options.no_save ? "" : options.folders.found();
+  check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, options.folders.all()},
+                options.ci);
   Interruption all(kUntilSignal);
   const SmokePlan plan = plan_of(options);
   const ProgressLine line;
@@ -100,13 +101,13 @@ int smoke(SmokeArguments& options) {
   if (is_wanted(options.ci)) {
     const std::string subject_again =
         fmt::format("{} --seed {}{}", options_again(options.colliders.subject, {}), plan.seed,
-                    corpus_again(options.corpus));
+                    options.folders.again());
     write_ci(options.ci,
              smoke_suites(run, plan, {this_program(), options_again(options.colliders)},
                           {this_program(), subject_again}),
              outputs);
   }
-  if (!outputs.are_written() || !plan.corpus.errors.empty()) return 2;
+  if (!outputs.are_written() || !plan.known_cases.errors.empty()) return 2;
   return run.is_well() ? 0 : 1;
 }
 
@@ -116,8 +117,10 @@ void add_smoke_arguments(CLI::App& app, SmokeArguments& options) {
   add_seed(app, options.seed);
   add_length(app, "--seconds", options.seconds,
              "how long altogether; 18 if not given, and at most");
-  add_corpus(app, options.corpus,
-             "the folder of known cases, which is replayed, and where new ones are saved");
+  add_corpus(app, options.folders,
+             "the folder of known cases, which is replayed, and where new ones are saved; if not "
+             "given, corpus is read, and new ones go to build/found of the tree that was built, or "
+             "to found");
   add_no_save(app, options.no_save);
   add_today(app, options.today);
   add_junit(app, options.ci.junit);

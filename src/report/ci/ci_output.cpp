@@ -200,7 +200,7 @@ std::vector<TestSuite> smoke_suites(const SmokeRun& run, const SmokePlan& plan,
   std::vector<TestSuite> suites{replay_suite(run.replayed, again, in_time),
                                 property_suite(run.checked, plan.subject, subject_again, in_time)};
   if (run.campaign) suites.push_back(fuzz_suite(*run.campaign, in_time));
-  suites.front().errors = plan.corpus.errors;
+  suites.front().errors = plan.known_cases.errors;
   return suites;
 }
 

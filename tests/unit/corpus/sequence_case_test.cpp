@@ -107,6 +107,6 @@ TEST_CASE("a corpus keeps sequences apart from pair cases") {
   CHECK(write_corpus_case(folder.path() / "sequences", known) == file);
   known.frames.pop_back();
   CHECK(write_corpus_case(folder.path() / "sequences", known) != file);
-  CHECK(find_case("subject/known/normal/none/a/gross", folder.path()).file ==
+  CHECK(find_case("subject/known/normal/none/a/gross", {{folder.path()}}).file ==
         (folder.path() / "sequences" / corpus_file_name(known)).string());
 }
