@@ -98,48 +98,50 @@ LeastPolygon least_polygon_in(const JsonView& object) {
 
 /// What is left out is taken to be the least that a collider can promise: float, in the world.
 Declaration read_declaration(const JsonView& object, const std::string& usual_name) {
-  object.expect_keys({"name",         "version",          "scalar",       "frame",
-                      "tie_bias",     "vertices_max",     "takes_radius", "points",
-                      "normal",       "snippet",          "claims",       "clips",
-                      "depths",       "one_point_enough", "speculative",  "least_depth",
-                      "rotation",     "alters_shapes",    "tolerance",    "vertices_min",
-                      "takes_round",  "second_point",     "keeping",      "declines",
-                      "least_polygon"});
+  object.expect_keys({"name",          "version",          "scalar",       "frame",
+                      "tie_bias",      "vertices_max",     "takes_radius", "points",
+                      "normal",        "snippet",          "claims",       "clips",
+                      "depths",        "one_point_enough", "speculative",  "least_depth",
+                      "rotation",      "alters_shapes",    "tolerance",    "vertices_min",
+                      "takes_round",   "second_point",     "keeping",      "declines",
+                      "least_polygon", "normals"});
   const auto bias = object.find("tie_bias");
   const auto tolerance = object.find("tolerance");
   const auto second_point = object.find("second_point");
   if (tolerance) tolerance->expect_keys({"absolute", "relative", "source"});
-  return {.name = object.string_or("name", usual_name),
-          .version = object.string_or("version", "unknown"),
-          .description = "a program",
-          .scalar = choice_in<ScalarType>(object, "scalar", {"float32", "float64"}),
-          .frame = choice_in<bool>(object, "frame", {"world", "local"}) ? RoundingFrame::local
-                                                                        : RoundingFrame::world,
-          .takes_angles = choice_in<bool>(object, "rotation", {"matrix", "angle"}),
-          .tie_bias = bias ? read_tie_bias(*bias) : TieBias{},
-          .max_vertices = vertices_max_in(object),
-          .takes_radius = flag_in(object, "takes_radius", true),
-          .min_vertices = vertices_min_in(object),
-          .takes_round = flag_in(object, "takes_round", second_point.has_value()),
-          .least_polygon = least_polygon_in(object),
-          .declines = declines_in(object),
-          .second_point = second_point ? second_point_in(*second_point) : SecondPoint{},
-          .claims =
-              choice_in<Claims>(object, "claims", {"manifold", "point", "separation", "touching"}),
-          .clips = flag_in(object, "clips", true),
-          .points = choice_in<PointsAt>(object, "points",
-                                        {"clip", "midpoint", "vertex", "surface_a", "surface_b"}),
-          .shares_depth = choice_in<bool>(object, "depths", {"point", "shared"}),
-          .one_point_enough = flag_in(object, "one_point_enough", false),
-          .speculative = number_in(object, "speculative"),
-          .least_depth = number_in(object, "least_depth"),
-          .alters_shapes = flag_in(object, "alters_shapes", false),
-          .tolerance = tolerance ? Tolerance{number_in(*tolerance, "absolute"),
-                                             number_in(*tolerance, "relative")}
-                                 : Tolerance{},
-          .tolerance_source = tolerance ? tolerance->string_or("source", "") : "",
-          .normal_from_b = choice_in<bool>(object, "normal", {"a_to_b", "b_to_a"}),
-          .snippet = object.string_or("snippet", "")};
+  return {
+      .name = object.string_or("name", usual_name),
+      .version = object.string_or("version", "unknown"),
+      .description = "a program",
+      .scalar = choice_in<ScalarType>(object, "scalar", {"float32", "float64"}),
+      .frame = choice_in<bool>(object, "frame", {"world", "local"}) ? RoundingFrame::local
+                                                                    : RoundingFrame::world,
+      .takes_angles = choice_in<bool>(object, "rotation", {"matrix", "angle"}),
+      .normals = choice_in<NormalsFrom>(object, "normals", {"given", "vertices", "world_vertices"}),
+      .tie_bias = bias ? read_tie_bias(*bias) : TieBias{},
+      .max_vertices = vertices_max_in(object),
+      .takes_radius = flag_in(object, "takes_radius", true),
+      .min_vertices = vertices_min_in(object),
+      .takes_round = flag_in(object, "takes_round", second_point.has_value()),
+      .least_polygon = least_polygon_in(object),
+      .declines = declines_in(object),
+      .second_point = second_point ? second_point_in(*second_point) : SecondPoint{},
+      .claims =
+          choice_in<Claims>(object, "claims", {"manifold", "point", "separation", "touching"}),
+      .clips = flag_in(object, "clips", true),
+      .points = choice_in<PointsAt>(object, "points",
+                                    {"clip", "midpoint", "vertex", "surface_a", "surface_b"}),
+      .shares_depth = choice_in<bool>(object, "depths", {"point", "shared"}),
+      .one_point_enough = flag_in(object, "one_point_enough", false),
+      .speculative = number_in(object, "speculative"),
+      .least_depth = number_in(object, "least_depth"),
+      .alters_shapes = flag_in(object, "alters_shapes", false),
+      .tolerance = tolerance ? Tolerance{number_in(*tolerance, "absolute"),
+                                         number_in(*tolerance, "relative")}
+                             : Tolerance{},
+      .tolerance_source = tolerance ? tolerance->string_or("source", "") : "",
+      .normal_from_b = choice_in<bool>(object, "normal", {"a_to_b", "b_to_a"}),
+      .snippet = object.string_or("snippet", "")};
 }
 
 /// "planck" of "node scripts/planck.mjs --fast".

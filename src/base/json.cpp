@@ -200,7 +200,7 @@ bool JsonView::is_string() const {
   return value_->is_string();
 }
 
-void JsonView::expect_keys(std::initializer_list<std::string_view> allowed) const {
+void JsonView::expect_keys(std::span<const std::string_view> allowed) const {
   for (const std::string_view key : keys()) {
     if (std::ranges::find(allowed, key) != allowed.end()) continue;
     const auto meant = nearest(key, {allowed.begin(), allowed.end()});

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,7 +35,10 @@ class JsonView {
   bool is_string() const;
 
   /// Fails unless this is an object whose keys are all among `allowed`.
-  void expect_keys(std::initializer_list<std::string_view> allowed) const;
+  void expect_keys(std::span<const std::string_view> allowed) const;
+  void expect_keys(std::initializer_list<std::string_view> allowed) const {
+    expect_keys(std::span(allowed.begin(), allowed.size()));
+  }
   /// The names of an object's members.
   std::vector<std::string_view> keys() const;
   /// The member of that name; this must be an object.

@@ -11,6 +11,21 @@
 #include "judging/bucket.hpp"
 
 namespace manifuzz {
+namespace {
+
+/// ", up to 0.5 of the size in position, 0.1 in depth": each component that is accepted.
+std::string limits_in_words(const Errors& up_to) {
+  std::string text;
+  for (std::size_t i = 0; i < kComponentNames.size(); ++i) {
+    if (up_to.all()[i] == 0) continue;
+    text += text.empty() ? fmt::format(", up to {:.3g} of the size", up_to.all()[i])
+                         : fmt::format(", {:.3g}", up_to.all()[i]);
+    text += fmt::format(" in {}", kComponentNames[i]);
+  }
+  return text.empty() ? ", no error beyond bounds" : text;
+}
+
+}  // namespace
 
 Acceptance acceptance_of(const CorpusCase& known, Acceptance asked) {
   const Expectation expect = known.expect.value_or(Expectation{});
@@ -23,16 +38,28 @@ Acceptance acceptance_of(const CorpusCase& known, Acceptance asked) {
                     printable(known.path, 200)));
   }
   const std::optional<Seen> seen = known.found ? known.found->seen : std::nullopt;
-  if (!asked.up_to && !seen && !expect.magnitude) {
+  const bool has_errors = expect.errors || (seen && seen->errors);
+  if (!asked.up_to && !seen && !expect.magnitude && !has_errors) {
     throw UserError(
         fmt::format("{}: does not record how bad it is; say with --up-to how bad it may be",
                     printable(known.path, 200)));
   }
-  if (!asked.up_to) {
+  // Shrinking again and again may have made it worse than any case that the campaign met.
+  const auto limit = [](double seen_error, double as_saved) {
+    return std::max(kAcceptedTimesWorst * seen_error, as_saved);
+  };
+  if (has_errors) {
+    const Errors as_saved = expect.errors.value_or(Errors{});
+    const Errors worst = seen && seen->errors ? *seen->errors : as_saved;
+    Errors& up_to = asked.errors_up_to.emplace();
+    for (std::size_t i = 0; i < kComponentNames.size(); ++i) {
+      const double of_component = limit(worst.all()[i], as_saved.all()[i]);
+      up_to.all()[i] = of_component > 0 ? asked.up_to.value_or(of_component) : 0;
+    }
+    asked.up_to.reset();
+  } else if (!asked.up_to) {
     const double as_saved = expect.magnitude.value_or(0);
-    const double worst = seen ? seen->magnitude : as_saved;
-    // Shrinking again and again may have made it worse than any case that the campaign met.
-    asked.up_to = std::max(kAcceptedTimesWorst * worst, as_saved);
+    asked.up_to = limit(seen ? seen->magnitude : as_saved, as_saved);
   }
   if (!seen) return asked;
   for (const auto& [regime, count] : seen->regimes) {
@@ -69,6 +96,7 @@ std::string acceptance_in_words(const CorpusCase& accepted, const std::string& t
   std::string text = fmt::format("accepted {}: {} of {}", printable(accepted.path, 200), what,
                                  printable(expect.subject));
   if (acceptance.up_to) text += fmt::format(", up to {:.3g} of the size", *acceptance.up_to);
+  if (acceptance.errors_up_to) text += limits_in_words(*acceptance.errors_up_to);
   if (!acceptance.until.empty()) {
     const bool is_past = acceptance.until < today;
     text += fmt::format(", until {}{}", acceptance.until, is_past ? ", which is past" : "");

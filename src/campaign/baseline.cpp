@@ -103,7 +103,7 @@ BucketComparison compared(const CampaignResult& earlier, const CampaignResult& n
     const auto before = std::ranges::find(earlier.buckets, found.bucket, &BucketResult::bucket);
     if (before == earlier.buckets.end()) {
       comparison.appeared.push_back(found.bucket);
-    } else if (found.magnitude > kWorseFrom * before->magnitude) {
+    } else if (found.error.magnitude > kWorseFrom * before->error.magnitude) {
       comparison.worse.push_back(found.bucket);
     } else {
       comparison.still.push_back(found.bucket);

@@ -40,16 +40,44 @@ std::vector<std::string> keys_of(const CorpusCase& known) {
 bool is_wider(const Acceptance& one, const Acceptance& other, const std::string& today) {
   const auto width = [&today](const Acceptance& acceptance) {
     const bool holds = acceptance.until.empty() || acceptance.until >= today;
-    return std::pair(holds, acceptance.up_to.value_or(std::numeric_limits<double>::infinity()));
+    if (!acceptance.errors_up_to) {
+      return std::pair(holds, acceptance.up_to.value_or(std::numeric_limits<double>::infinity()));
+    }
+    return std::pair(holds, std::ranges::max(acceptance.errors_up_to->all()));
   };
   return width(one) > width(other);
 }
 
-/// The greatest magnitude that a file tells of.
-double worst_of(const CorpusCase& known) {
-  const double of_case = known.expect->magnitude.value_or(0);
-  return known.found && known.found->seen ? std::max(of_case, known.found->seen->magnitude)
-                                          : of_case;
+/// The greatest of what a file tells of.
+WorstError worst_of(const CorpusCase& known) {
+  WorstError worst{known.expect->magnitude.value_or(0), known.expect->errors.value_or(Errors{})};
+  if (known.found && known.found->seen) {
+    const Seen& seen = *known.found->seen;
+    widen(worst, {seen.magnitude, seen.errors.value_or(Errors{})});
+  }
+  return worst;
+}
+
+/// The component that is worse than is accepted and than any file tells of, if one is; the
+/// magnitude counts as none.
+struct WorseThanKnown {
+  bool is_worse = false;
+  std::optional<Component> component;
+};
+
+WorseThanKnown worse_than_known(const Acceptance& acceptance, const WorstError& error,
+                                const WorstError& worst) {
+  if (acceptance.up_to && error.magnitude > *acceptance.up_to &&
+      error.magnitude > worst.magnitude) {
+    return {true, {}};
+  }
+  for (std::size_t i = 0; acceptance.errors_up_to && i < kComponentNames.size(); ++i) {
+    const double got = error.errors.all()[i];
+    if (got > acceptance.errors_up_to->all()[i] && got > worst.errors.all()[i]) {
+      return {true, static_cast<Component>(i)};
+    }
+  }
+  return {};
 }
 
 /// That it was met more often than is accepted in some regimes; empty where in none.
@@ -90,7 +118,7 @@ Known known_of(std::span<const CorpusCase> corpus, const std::string& today) {
     if (!one.expect) continue;
     for (const std::string& key : keys_of(one)) {
       known.files.emplace(key, one.path);
-      known.worst[key] = std::max(known.worst[key], worst_of(one));
+      widen(known.worst[key], worst_of(one));
       if (!one.accepted) continue;
       const auto [of_key, is_first] =
           known.accepted.try_emplace(key, Accepted{*one.accepted, one.path});
@@ -111,7 +139,7 @@ void add_baseline(const CampaignResult& baseline, const Plan& plan, Known& known
   }
 }
 
-KnownAs known_as(const std::string& key, double magnitude, const Known& known) {
+KnownAs known_as(const std::string& key, const WorstError& error, const Known& known) {
   KnownAs as;
   const auto shown = known.files.find(key);
   if (shown != known.files.end()) as.file = shown->second;
@@ -119,9 +147,10 @@ KnownAs known_as(const std::string& key, double magnitude, const Known& known) {
   const auto accepted = known.accepted.find(key);
   if (accepted == known.accepted.end()) return as;
   as.acceptance = &accepted->second.acceptance;
-  as.objection = objection(*as.acceptance, magnitude, known.today);
-  as.is_worst =
-      as.acceptance->up_to && magnitude > *as.acceptance->up_to && magnitude > known.worst.at(key);
+  as.objection = objection(*as.acceptance, error, known.today);
+  const WorseThanKnown worse = worse_than_known(*as.acceptance, error, known.worst.at(key));
+  as.is_worst = worse.is_worse;
+  as.worst_in = worse.component;
   return as;
 }
 
@@ -129,13 +158,13 @@ bool is_bucket(const std::string& got, const std::string& recorded) {
   return recorded.empty() || got == recorded || got.starts_with(recorded + '/');
 }
 
-std::string objection(const Acceptance& acceptance, double magnitude, const std::string& today) {
+std::string objection(const Acceptance& acceptance, const WorstError& error,
+                      const std::string& today) {
   if (!acceptance.until.empty() && acceptance.until < today) {
     return fmt::format("accepted until {}, and that is past", acceptance.until);
   }
-  if (!acceptance.up_to || magnitude <= *acceptance.up_to) return "";
-  return fmt::format("worse than is accepted: {:.3g} of the size, above {:.3g}", magnitude,
-                     *acceptance.up_to);
+  const std::string worse = worse_than_accepted(acceptance, error);
+  return worse.empty() ? "" : "worse than is accepted: " + worse;
 }
 
 bool is_stale(const CorpusCase& known, const std::string& got, const Collider& subject,
@@ -151,12 +180,15 @@ bool is_stale(const CorpusCase& known, const std::string& got, const Collider& s
 std::vector<Finding> findings(const Tally& tally, const Plan& plan, const Known& known) {
   std::vector<Finding> found;
   for (const auto& [bucket, met] : tally.buckets.all()) {
-    const KnownAs as = known_as(finding_key(bucket, plan), met->magnitude, known);
+    const KnownAs as = known_as(finding_key(bucket, plan), met->error, known);
     Finding finding{bucket, *met, false, as.file};
     const bool is_unknown = finding.file.empty() && !as.is_in_baseline &&
                             (plan.has_ties || bucket.verdict != Verdict::tie);
     // Worse than all that was seen: a case to look at, and to accept or not.
     finding.is_new = is_unknown || as.is_worst;
+    if (as.worst_in) {
+      finding.tally.worst = met->worst_of[static_cast<std::size_t>(*as.worst_in)];
+    }
     if (as.acceptance != nullptr) {
       finding.objection = as.objection.empty()
                               ? objection_to_frequency(*as.acceptance, finding, tally, plan)
@@ -179,13 +211,16 @@ bool is_new_and_wrong(const Judgement& judgement, const Plan& plan, const Known&
   const bool is_wanted =
       is_unexplained(bucket.verdict) || (plan.has_ties && bucket.verdict == Verdict::tie);
   if (!is_wanted) return false;
-  const KnownAs as = known_as(finding_key(bucket, plan), judgement.magnitude, known);
+  const KnownAs as = known_as(finding_key(bucket, plan), worst_error(judgement), known);
   if (as.acceptance != nullptr) return !as.is_accepted();
   return as.file.empty() && !as.is_in_baseline;
 }
 
 Seen seen_of(const Finding& finding, const Tally& tally, const Plan& plan) {
-  Seen seen{.cases = tally.regimes[0].cases, .magnitude = finding.tally.magnitude, .regimes = {}};
+  Seen seen{.cases = tally.regimes[0].cases,
+            .magnitude = finding.tally.error.magnitude,
+            .regimes = {},
+            .errors = finding.tally.error.errors};
   for (std::size_t r = 0; r < plan.regimes.size(); ++r) {
     seen.cases = std::min(seen.cases, tally.regimes[r].cases);
     seen.regimes[std::string(plan.regimes[r]->name)] = finding.tally.regimes[r];

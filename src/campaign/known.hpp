@@ -29,7 +29,7 @@ struct Accepted {
 struct Known {
   std::map<std::string, std::string> files;
   std::map<std::string, Accepted> accepted;  ///< of several, the one that accepts most
-  std::map<std::string, double> worst;       ///< the greatest magnitude that a file tells of
+  std::map<std::string, WorstError> worst;   ///< the greatest of what files tell of
   std::set<std::string> baseline;            ///< the keys of its buckets
   std::string today;                         ///< until which days acceptances hold
 };
@@ -39,24 +39,26 @@ Known known_of(std::span<const CorpusCase> corpus, const std::string& today);
 /// nobody.
 void add_baseline(const CampaignResult& baseline, const Plan& plan, Known& known);
 
-/// A finding of some magnitude beside what is known.
+/// A finding, so wrong, beside what is known.
 struct KnownAs {
   std::string file;  ///< of the corpus, where one shows it; else empty
   bool is_in_baseline = false;
   const Acceptance* acceptance = nullptr;  ///< what the corpus accepts of it, if anything
   std::string objection;                   ///< why it accepts less than that; else empty
   bool is_worst = false;                   ///< worse than is accepted and than any file tells of
+  std::optional<Component> worst_in{};     ///< in this, if not in magnitude
 
   bool is_accepted() const { return acceptance != nullptr && objection.empty(); }
 };
-KnownAs known_as(const std::string& key, double magnitude, const Known& known);
+KnownAs known_as(const std::string& key, const WorstError& error, const Known& known);
 
 /// Whether it is the recorded bucket, or one of its classes: older files name none, or no bucket.
 bool is_bucket(const std::string& got, const std::string& recorded);
 
-/// What keeps a finding of this magnitude from being accepted: it is worse, or the day is past;
+/// What keeps a finding that is so wrong from being accepted: it is worse, or the day is past;
 /// empty where nothing does.
-std::string objection(const Acceptance& acceptance, double magnitude, const std::string& today);
+std::string objection(const Acceptance& acceptance, const WorstError& error,
+                      const std::string& today);
 
 /// Whether the case is accepted of these colliders, and another bucket came than was accepted.
 bool is_stale(const CorpusCase& known, const std::string& got, const Collider& subject,

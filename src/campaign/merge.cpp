@@ -164,7 +164,8 @@ void add_buckets(CampaignResult& sum, const CampaignResult& run) {
     }
     BucketResult added = place_of(other, sum) < place_of(*kept, sum) ? other : *kept;
     added.count = kept->count + other.count;
-    added.magnitude = std::max(kept->magnitude, other.magnitude);
+    added.error = kept->error;
+    widen(added.error, other.error);
     added.regimes = kept->regimes;
     for (const auto& [regime, count] : other.regimes) added.regimes[regime] += count;
     added.is_new = kept->is_new || other.is_new;
@@ -205,6 +206,7 @@ void add_run(CampaignResult& sum, const CampaignResult& run) {
   sum.jobs = std::max(sum.jobs, run.jobs);
   for (std::size_t i = 0; i < sum.verdicts.size(); ++i) sum.verdicts[i] += run.verdicts[i];
   sum.by_tolerance += run.by_tolerance;
+  sum.agreeing_judged += run.agreeing_judged;
   widen(sum.of_subject, run.of_subject);
   widen(sum.of_oracle, run.of_oracle);
   sum.unshrunk += run.unshrunk;

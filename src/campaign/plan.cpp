@@ -58,9 +58,14 @@ void BucketTally::add(const BucketTally& tally) {
   count += tally.count;
   for (std::size_t i = 0; i < regimes.size(); ++i) regimes[i] += tally.regimes[i];
   first = std::min(first, tally.first);
-  if (tally.magnitude > magnitude || (tally.magnitude == magnitude && tally.worst < worst)) {
-    magnitude = tally.magnitude;
-    worst = tally.worst;
+  const auto take_worse = [](double& mine, CaseNumber& at, double other, CaseNumber there) {
+    if (other < mine || (other == mine && there >= at)) return;
+    mine = other;
+    at = there;
+  };
+  take_worse(error.magnitude, worst, tally.error.magnitude, tally.worst);
+  for (std::size_t i = 0; i < worst_of.size(); ++i) {
+    take_worse(error.errors.all()[i], worst_of[i], tally.error.errors.all()[i], tally.worst_of[i]);
   }
 }
 
@@ -107,8 +112,8 @@ void RegimeTally::add(const RegimeTally& tally) {
 
 void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
                 const Judgement& judgement, std::size_t frames) {
-  widen(of_subject, judgement.of_subject);
-  widen(of_oracle, judgement.of_oracle);
+  widen(of_subject, judgement.of_subject.errors);
+  widen(of_oracle, judgement.of_oracle.errors);
   const Bucket& bucket = judgement.bucket;
   RegimeTally& of_regime = regimes[regime];
   ++of_regime.cases;
@@ -121,8 +126,10 @@ void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
   if (is_unexplained(bucket.verdict)) ++of_regime.unexplained;
   ++verdicts[static_cast<std::size_t>(bucket.verdict)];
   if (judgement.is_by_tolerance) ++by_tolerance;
+  if (bucket.verdict == Verdict::agree && judgement.is_judged) ++agreeing_judged;
   if (bucket.verdict != Verdict::agree) {
-    BucketTally met{1, number, number, judgement.magnitude};
+    BucketTally met{1, number, number, worst_error(judgement)};
+    met.worst_of.fill(number);
     met.regimes[regime] = 1;
     buckets.of(bucket).add(met);
   }
@@ -134,6 +141,7 @@ void Tally::add(const Tally& tally) {
   widen(of_oracle, tally.of_oracle);
   for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] += tally.verdicts[i];
   by_tolerance += tally.by_tolerance;
+  agreeing_judged += tally.agreeing_judged;
   for (std::size_t i = 0; i < regimes.size(); ++i) regimes[i].add(tally.regimes[i]);
   buckets.add(tally.buckets);
   for (std::size_t i = 0; i < explained.size(); ++i) {

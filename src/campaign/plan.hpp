@@ -57,7 +57,9 @@ struct BucketTally {
   std::uint64_t count = 0;
   CaseNumber first = 0;  ///< the least case number
   CaseNumber worst = 0;  ///< of the greatest magnitude, the least of equals
-  double magnitude = 0;
+  WorstError error{};
+  std::array<CaseNumber, kComponentNames.size()>
+      worst_of{};                                    ///< of each component's greatest error
   std::array<std::uint64_t, kRegimesMax> regimes{};  ///< the count in each
 
   void add(const BucketTally& tally);
@@ -112,10 +114,11 @@ struct Tally {
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
   std::array<RegimeTally, kRegimesMax> regimes{};
   BucketTallies buckets;
-  std::uint64_t by_tolerance = 0;  ///< right, but only by the tolerance that a collider declares
+  std::uint64_t by_tolerance = 0;     ///< right, but only by the tolerance that a collider declares
+  std::uint64_t agreeing_judged = 0;  ///< of those that agree, what was judged too
   /// The worst errors of wrong answers.
-  ManifoldError of_subject;
-  ManifoldError of_oracle;
+  Errors of_subject;
+  Errors of_oracle;
   /// How often each entry of the ledger fired in each regime.
   std::array<std::array<std::uint64_t, kRegimesMax>, kLedgerMax> explained{};
 
@@ -131,6 +134,12 @@ struct Tally {
 };
 
 inline constexpr std::uint64_t kJudgeEvery = 256;
+
+/// Of how many agreeing cases one is judged, if nobody says: where either collider is asked in a
+/// process of its own, judging takes less than asking, and all are.
+inline std::uint64_t usual_judge_every(const Collider& subject, const Collider& oracle) {
+  return subject.is_isolated() || oracle.is_isolated() ? 1 : kJudgeEvery;
+}
 
 /// What a campaign of sequences runs in place of pair cases. The judge alone says who is right.
 struct SequencePlan {

@@ -32,9 +32,9 @@ struct OutcomeSlot {
 };
 
 /// Of a failure that may be accepted by that key.
-Replayed failed_unless_accepted(const std::string& key, double magnitude, const Known& known,
+Replayed failed_unless_accepted(const std::string& key, const WorstError& error, const Known& known,
                                 const std::string& expected, const std::string& got) {
-  const KnownAs as = known_as(key, magnitude, known);
+  const KnownAs as = known_as(key, error, known);
   if (as.acceptance == nullptr) return {false, expected, got};
   if (!as.is_accepted()) return {false, expected, fmt::format("{}: {}", got, as.objection)};
   return {.passed = true, .expected = got, .got = got, .is_accepted = true};
@@ -67,7 +67,7 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject, co
   }
   const std::string got = has_ended ? slot->why.str() : lost_by(ending).why;
   return failed_unless_accepted(finding_key(property->name, subject.declaration.name),
-                                slot->magnitude, known, sentence, got);
+                                {slot->magnitude, {}}, known, sentence, got);
 }
 
 /// Of a subject that is wrong.
@@ -80,7 +80,7 @@ Replayed replay_wrong(const CorpusCase& recorded, const Judgement& judgement,
   if (!is_again) return {false, expected, got};
   const std::string key =
       finding_key(Expectation{subject.declaration.name, oracle.declaration.name, "", got, {}});
-  return failed_unless_accepted(key, judgement.magnitude, known, expected, got);
+  return failed_unless_accepted(key, worst_error(judgement), known, expected, got);
 }
 
 }  // namespace
@@ -255,7 +255,7 @@ std::vector<CheckedProperty> check_properties(
     checked.seconds = seconds_since(start);
     if (!checked.result.passed) {
       const KnownAs as = known_as(finding_key(property->name, subject.declaration.name),
-                                  checked.result.magnitude, known);
+                                  {checked.result.magnitude, {}}, known);
       checked.objection = as.objection;
       checked.is_accepted = as.is_accepted();
     }

@@ -14,7 +14,7 @@ std::uint64_t CampaignResult::unexplained() const {
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     if (is_unexplained(static_cast<Verdict>(i))) sum += verdicts[i];
   }
-  return sum;
+  return sum - std::min(sum, accepted());
 }
 
 double CampaignResult::seconds() const {

@@ -47,7 +47,7 @@ struct BucketResult {
   std::uint64_t seed = 0;         ///< of its first case
   std::uint64_t first_index = 0;  ///< of its first case, in `regime`
   std::string regime{};
-  double magnitude = 0;         ///< the greatest; may be infinite
+  WorstError error{};           ///< may be infinite
   std::string file{};           ///< of the corpus, or empty
   std::string command{};        ///< repeats the first case
   bool is_new = false;          ///< neither corpus nor baseline showed it before
@@ -94,9 +94,10 @@ struct CampaignResult {
   std::vector<CasesRun> parts;  ///< one of a campaign, each of several that were merged; sorted
   std::uint64_t jobs = 0;
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
-  std::uint64_t by_tolerance = 0;  ///< right only by the tolerance that a collider declares
-  ManifoldError of_subject;        ///< the worst errors of wrong answers
-  ManifoldError of_oracle;
+  std::uint64_t by_tolerance = 0;     ///< right only by the tolerance that a collider declares
+  std::uint64_t agreeing_judged = 0;  ///< of the agreeing cases, those that were judged too
+  Errors of_subject;                  ///< the worst errors of wrong answers
+  Errors of_oracle;
   bool interrupted = false;
   std::uint64_t unshrunk = 0;        ///< new findings that there was no time to make smaller
   std::vector<std::string> stale{};  ///< files whose finding is accepted and comes no more
@@ -112,8 +113,9 @@ struct CampaignResult {
   std::uint64_t frames() const { return sum_of(regimes, &RegimeTally::frames); }
   /// Whether its cases are sequences.
   bool is_of_sequences() const { return frames() > 0; }
-  std::uint64_t unexplained() const;
-  std::uint64_t accepted() const;             ///< of those, the accepted ones
+  std::uint64_t agreeing() const { return verdicts[static_cast<std::size_t>(Verdict::agree)]; }
+  std::uint64_t unexplained() const;          ///< nor accepted
+  std::uint64_t accepted() const;             ///< not explained, but accepted
   double seconds() const;                     ///< of all parts
   std::optional<std::uint64_t> seed() const;  ///< none: several
   std::uint64_t first() const;                ///< the least index in each regime

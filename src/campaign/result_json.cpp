@@ -17,8 +17,11 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json json_of(const ManifoldError& error) {
-  return {{"depth", error.depth}, {"position", error.position}};
+Json json_of(const Errors& errors) {
+  Json json;
+  for (std::size_t i = 0; i < kComponentNames.size(); ++i)
+    json[std::string(kComponentNames[i])] = errors.all()[i];
+  return json;
 }
 
 Json json_of(const RegimeResult& regime) {
@@ -46,7 +49,8 @@ Json json_of(const BucketResult& found) {
             {"seed", found.seed},
             {"first_index", found.first_index},
             {"regime", found.regime},
-            {"magnitude", found.magnitude},
+            {"magnitude", found.error.magnitude},
+            {"errors", json_of(found.error.errors)},
             {"file", found.file},
             {"command", found.command},
             {"new", found.is_new},
@@ -98,10 +102,6 @@ std::map<std::string, Count> read_counts(const JsonView& object) {
   return counts;
 }
 
-ManifoldError read_error(const JsonView& object) {
-  return {.position = object.at("position").magnitude(), .depth = object.at("depth").magnitude()};
-}
-
 RegimeResult read_regime(const JsonView& row) {
   const std::string name(row.at("name").string());
   return {{count_in(row, "cases"), count_in(row, "touching"), count_in(row, "near"),
@@ -127,7 +127,8 @@ BucketResult read_bucket(const JsonView& row, Count seed) {
           .seed = row.find("seed") ? whole_in(row, "seed") : seed,
           .first_index = whole_in(row, "first_index"),
           .regime = std::string(row.at("regime").string()),
-          .magnitude = row.at("magnitude").magnitude(),
+          .error = {row.at("magnitude").magnitude(),
+                    row.find("errors") ? read_errors(row.at("errors")) : Errors{}},
           .file = std::string(row.at("file").string()),
           .command = std::string(row.at("command").string()),
           .is_new = flag_in(row, "new"),
@@ -233,6 +234,8 @@ Json json_of(const CampaignResult& result) {
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
     json["verdicts"][std::string(kVerdictNames[i])] = result.verdicts[i];
   }
+  json["agreeing"] = result.agreeing();
+  json["agreeing_judged"] = result.agreeing_judged;
   json["unexplained"] = result.unexplained();
   json["accepted"] = result.accepted();
   json["stale"] = result.stale;
@@ -270,9 +273,10 @@ CampaignResult read_campaign_result(const JsonView& root) {
     result.verdicts[i] = count_in(root.at("verdicts"), kVerdictNames[i]);
   }
   result.by_tolerance = count_or(root, "by_tolerance", 0);
+  result.agreeing_judged = count_or(root, "agreeing_judged", 0);
   if (const auto worst = root.find("worst_error")) {
-    result.of_subject = read_error(worst->at("subject"));
-    result.of_oracle = read_error(worst->at("oracle"));
+    result.of_subject = read_errors(worst->at("subject"));
+    result.of_oracle = read_errors(worst->at("oracle"));
   }
   if (const auto stale = root.find("stale")) {
     for (const JsonView& file : stale->elements()) result.stale.emplace_back(file.string());

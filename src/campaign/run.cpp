@@ -134,7 +134,7 @@ BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::
           .seed = plan.seed,
           .first_index = plan.index_of(first),
           .regime = regime,
-          .magnitude = finding.tally.magnitude,
+          .error = finding.tally.error,
           .file = finding.file,
           .command = fmt::format("{} --regime {} --seed {} --first {} --cases 1", command, regime,
                                  plan.seed, plan.index_of(first)),
@@ -142,6 +142,15 @@ BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::
           .is_accepted = finding.is_accepted,
           .objection = finding.objection,
           .regimes = counts_of(finding, plan)};
+}
+
+/// What is accepted is no more unexplained in its regimes.
+void count_as_accepted(const BucketResult& found, CampaignResult& result) {
+  for (RegimeResult& regime : result.regimes) {
+    const auto count = found.regimes.find(regime.name);
+    if (count != found.regimes.end())
+      regime.unexplained -= std::min(regime.unexplained, count->second);
+  }
 }
 
 CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
@@ -153,6 +162,7 @@ CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
   result.jobs = static_cast<std::uint64_t>(plan.jobs);
   result.verdicts = tally.verdicts;
   result.by_tolerance = tally.by_tolerance;
+  result.agreeing_judged = tally.agreeing_judged;
   result.of_subject = tally.of_subject;
   result.of_oracle = tally.of_oracle;
   result.interrupted = campaign.run.interrupted || campaign.saving.interrupted;
@@ -168,6 +178,7 @@ CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
   result.ledger = ledger_counts(tally, plan);
   for (const Finding& finding : campaign.findings) {
     result.buckets.push_back(bucket_result(finding, plan, origin.command));
+    if (finding.is_accepted) count_as_accepted(result.buckets.back(), result);
   }
   return result;
 }

@@ -111,7 +111,7 @@ bool save_finding(Finding& finding, const Tally& tally, const Plan& plan,
   const Judgement of_worst = judged(worst);
   const auto folder = corpus / corpus_folder(finding.bucket, plan.oracle.declaration.name);
   if (of_worst.bucket != finding.bucket) {
-    CorpusCase unrepeated = recorded(worst, {finding.bucket, finding.tally.magnitude});
+    CorpusCase unrepeated = recorded(worst, {finding.bucket, finding.tally.error.magnitude});
     unrepeated.note += fmt::format(" Asked again, alone, it is {}.", to_string(of_worst.bucket));
     finding.file = write_corpus_case(folder, unrepeated).string();
     return true;
@@ -184,7 +184,10 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
       .severity = has_passed(severity_until)
                       ? std::nullopt
                       : recorded_severity(pair, judgement.bucket, subject, oracle, interruption)});
-  if (judgement.bucket.verdict != Verdict::agree) expect.magnitude = judgement.magnitude;
+  if (judgement.bucket.verdict != Verdict::agree) {
+    expect.magnitude = judgement.magnitude;
+    if (judgement.bucket.fault != Fault::none) expect.errors = error_of(judgement).errors;
+  }
   for (const Manifold<double>& right : right_manifolds(admissible(pair, subject.declaration))) {
     expect.manifolds.push_back({std::string(kJudgeName), without_negative_zeros(right)});
   }

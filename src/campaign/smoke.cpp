@@ -38,6 +38,7 @@ Plan campaign_plan(const SmokePlan& smoke, const std::vector<PairCase>& pairs) {
   const std::chrono::duration<double> left = *smoke.at(kCampaignShare, 2) - Clock::now();
   plan.seconds = std::max(kCampaignSecondsMin, left.count() - smoke.start_seconds);
   plan.latest = std::max(*smoke.at(kSavingShare, 2), after(kCampaignSecondsMin));
+  plan.judge_every = usual_judge_every(plan.subject, plan.oracle);
   plan.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   return plan;
 }

@@ -62,6 +62,13 @@ inline ShapeFamily shape_family(const ConvexPolygon<float>& shape) {
   return shape.is_round() ? ShapeFamily::rounded : ShapeFamily::polygon;
 }
 
+/// Where a collider takes a face's normal from.
+enum class NormalsFrom {
+  given,           ///< the normals that come with the case
+  vertices,        ///< the face's vertices, in the body's own frame
+  world_vertices,  ///< the face's vertices once they are rounded in the world
+};
+
 /// What a collider declares of itself. It is judged by this, and by nothing else.
 struct Declaration {
   std::string name;         ///< in tables, options and the names of files
@@ -70,6 +77,7 @@ struct Declaration {
   ScalarType scalar = ScalarType::float32;
   RoundingFrame frame = RoundingFrame::local;
   bool takes_angles = false;  ///< a rotation reaches it as an angle, and is rounded once more
+  NormalsFrom normals = NormalsFrom::given;
   TieBias tie_bias{};
   int max_vertices = kMaxVertices;  ///< of a polygon; with more it is not asked
   bool takes_radius = true;         ///< false: rounded polygons are not asked

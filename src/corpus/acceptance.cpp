@@ -70,7 +70,13 @@ Acceptance read_acceptance(const JsonView& object) {
   if (!acceptance.until.empty() && !is_day(acceptance.until)) {
     object.at("until").fail("is no day; one such as 2027-01-31 is expected");
   }
-  if (const auto up_to = object.find("up_to")) acceptance.up_to = up_to->magnitude();
+  if (const auto up_to = object.find("up_to")) {
+    if (up_to->is_object()) {
+      acceptance.errors_up_to = read_errors(*up_to);
+    } else {
+      acceptance.up_to = up_to->magnitude();
+    }
+  }
   if (const auto rates = object.find("per_million")) {
     for (const std::string_view regime : rates->keys()) {
       acceptance.per_million[std::string(regime)] = rates->at(regime).magnitude();
@@ -79,9 +85,43 @@ Acceptance read_acceptance(const JsonView& object) {
   return acceptance;
 }
 
+std::string worse_than_accepted(const Acceptance& acceptance, const WorstError& error) {
+  const auto in_words = [](std::string_view what, double got, double limit) {
+    return fmt::format("{}{:.3g} of the size, above {:.3g}", what, got, limit);
+  };
+  if (acceptance.up_to && !(error.magnitude <= *acceptance.up_to)) {
+    return in_words("", error.magnitude, *acceptance.up_to);
+  }
+  if (!acceptance.errors_up_to) return "";
+  for (std::size_t i = 0; i < kComponentNames.size(); ++i) {
+    const double limit = acceptance.errors_up_to->all()[i];
+    const double got = error.errors.all()[i];
+    if (!(got <= limit)) return in_words(fmt::format("{} ", kComponentNames[i]), got, limit);
+  }
+  return "";
+}
+
+Errors read_errors(const JsonView& object) {
+  object.expect_keys(kComponentNames);
+  Errors errors;
+  for (std::size_t i = 0; i < kComponentNames.size(); ++i) {
+    if (const auto error = object.find(kComponentNames[i])) errors.all()[i] = error->magnitude();
+  }
+  return errors;
+}
+
+void append_errors(std::string& out, const Errors& errors) {
+  std::map<std::string_view, double> beyond;
+  for (std::size_t i = 0; i < kComponentNames.size(); ++i) {
+    if (errors.all()[i] > 0) beyond.emplace(kComponentNames[i], errors.all()[i]);
+  }
+  append_object(out, beyond, [&](double error) { append_number(out, error); });
+}
+
 Seen read_seen(const JsonView& object) {
-  object.expect_keys({"cases", "magnitude", "regimes"});
+  object.expect_keys({"cases", "magnitude", "errors", "regimes"});
   Seen seen{object.at("cases").whole_number(), object.at("magnitude").magnitude(), {}};
+  if (const auto errors = object.find("errors")) seen.errors = read_errors(*errors);
   const JsonView regimes = object.at("regimes");
   for (const std::string_view regime : regimes.keys()) {
     seen.regimes[std::string(regime)] = regimes.at(regime).whole_number();
@@ -104,6 +144,7 @@ std::string acceptance_member(const Acceptance& acceptance) {
     out += ", \"up_to\": ";
     append_number(out, *acceptance.up_to);
   }
+  if (acceptance.errors_up_to) append_errors(out += ", \"up_to\": ", *acceptance.errors_up_to);
   if (!acceptance.per_million.empty()) {
     out += ",\n    \"per_million\": ";
     append_object(out, acceptance.per_million, [&](double rate) { append_number(out, rate); });
@@ -114,6 +155,7 @@ std::string acceptance_member(const Acceptance& acceptance) {
 void append_seen(std::string& out, const Seen& seen) {
   fmt::format_to(std::back_inserter(out), "{{\"cases\": {}, \"magnitude\": ", seen.cases);
   append_number(out, seen.magnitude);
+  if (seen.errors) append_errors(out += ", \"errors\": ", *seen.errors);
   out += ", \"regimes\": ";
   append_object(out, seen.regimes, [&](std::uint64_t count) { out += std::to_string(count); });
   out += '}';

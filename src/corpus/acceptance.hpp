@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/json.hpp"
+#include "judging/errors/answer_error.hpp"
 
 namespace manifuzz {
 
@@ -15,16 +16,26 @@ struct Seen {
   std::uint64_t cases = 0;                       ///< of each regime, in the one with the fewest
   double magnitude = 0;                          ///< the worst, as a share of the size
   std::map<std::string, std::uint64_t> regimes;  ///< its count in each regime that ran
+  std::optional<Errors> errors{};                ///< the worst; not recorded by older versions
 };
 
 /// That a finding is known to whoever writes its subject, and may stay as it is: `accept` says so.
 struct Acceptance {
   std::string because;
   std::string link = {};
-  std::string until = {};            ///< the last day, as 2027-01-31; empty: no end
-  std::optional<double> up_to = {};  ///< the greatest magnitude, as a share of the size
+  std::string until = {};                   ///< the last day, as 2027-01-31; empty: no end
+  std::optional<double> up_to = {};         ///< the greatest magnitude, as a share of the size
+  std::optional<Errors> errors_up_to = {};  ///< in its place: the greatest error of each component
   std::map<std::string, double> per_million = {};  ///< at most, in each regime; in others any
 };
+
+/// What such an answer is in words beside what is accepted: the magnitude, or the first component,
+/// that is worse; empty where none is. A component that is within its bound is never worse.
+std::string worse_than_accepted(const Acceptance& acceptance, const WorstError& error);
+
+/// {"normal": 0.5, ...}, without those that are 0.
+Errors read_errors(const JsonView& object);
+void append_errors(std::string& out, const Errors& errors);
 
 /// So many times what was seen is accepted where nobody says how much.
 inline constexpr double kAcceptedTimesWorst = 3;

@@ -39,7 +39,8 @@ struct Expectation {
   std::string bucket;
   std::vector<NamedAnswer> manifolds;    ///< the right ones by kJudgeName, then the colliders'
   std::optional<double> severity = {};   ///< the share of neighbours that fail alike, 0 to 1
-  std::optional<double> magnitude = {};  ///< the worst error as a share of the size, or infinite
+  std::optional<double> magnitude = {};  ///< how wrong, as a share of the size, or infinite
+  std::optional<Errors> errors = {};     ///< in what; not recorded by older versions
 };
 
 /// A case as corpus/README.md describes it, a pair case or a sequence; a bare one is one without

@@ -64,10 +64,10 @@ double read_share(const JsonView& value) {
 /// Of a sequence there is no oracle, and no neighbourhood.
 Expectation read_expectation(const JsonView& object, const CorpusCase& given) {
   if (given.is_sequence()) {
-    object.expect_keys({"subject", "verdict", "bucket", "magnitude"});
+    object.expect_keys({"subject", "verdict", "bucket", "magnitude", "errors"});
   } else {
     object.expect_keys(
-        {"subject", "oracle", "verdict", "bucket", "severity", "magnitude", "manifolds"});
+        {"subject", "oracle", "verdict", "bucket", "severity", "magnitude", "errors", "manifolds"});
   }
   Expectation expect{object.string_or("subject", ""),
                      object.string_or("oracle", ""),
@@ -76,6 +76,7 @@ Expectation read_expectation(const JsonView& object, const CorpusCase& given) {
                      {}};
   if (const auto severity = object.find("severity")) expect.severity = read_share(*severity);
   if (const auto magnitude = object.find("magnitude")) expect.magnitude = magnitude->magnitude();
+  if (const auto errors = object.find("errors")) expect.errors = read_errors(*errors);
   if (const auto manifolds = object.find("manifolds")) {
     for (std::size_t i = 0; i < manifolds->length("an array of manifolds"); ++i) {
       expect.manifolds.push_back(read_recorded_answer((*manifolds)[i], given.pair));
@@ -128,6 +129,7 @@ void append_expectation(std::string& out, const PairCase& pair, const Expectatio
     out.append(separator) += "\"magnitude\": ";
     append_number(out, *expect.magnitude);
   }
+  if (expect.errors) append_errors(out.append(separator) += "\"errors\": ", *expect.errors);
   if (!expect.manifolds.empty()) {
     out.append(separator) += "\"manifolds\": [";
     for (std::size_t i = 0; i < expect.manifolds.size(); ++i) {

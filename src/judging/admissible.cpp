@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "judging/turned_faces.hpp"
 #include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
@@ -82,22 +83,6 @@ Mismatch point_mismatch(const Admissible& right, const Clip& clip,
   return closest;
 }
 
-/// With what the face's normal may be off by, and what such a normal moves, where it is taken from
-/// vertices that were scaled.
-Admissible with_scaled_face(const Admissible& right, const Clip& clip) {
-  const auto& [side, face] = clip.reference;
-  const exact::StoredPolygon& polygon = (*clip.pair)[side].polygon;
-  const Vector2<double>& from = polygon.vertices[face];
-  const Vector2<double>& to = polygon.vertices[polygon.next(face)];
-  const double turn = right.bounds.vertex * (from.norm() + to.norm()) / (to - from).norm();
-  const double of_lengths = turn * (right.truth->extent() + total_radius(right.pair()));
-  Admissible result = right;
-  result.bounds.normal += turn;
-  result.bounds.separation += of_lengths;
-  result.bounds.position += of_lengths;
-  return result;
-}
-
 Mismatch mismatch_within(const Manifold<double>& manifold, const Clip& clip,
                          const Admissible& right) {
   if (manifold.count > 0) {
@@ -122,6 +107,16 @@ Mismatch mismatch_within(const Manifold<double>& manifold, const Clip& clip,
 }
 
 }  // namespace
+
+Admissible with_face_of(const Admissible& right, const Clip& clip) {
+  Admissible result = right;
+  const double turn = face_turn(right.bounds, *clip.pair, clip.reference);
+  const double of_lengths = turn * (right.truth->extent() + total_radius(right.pair()));
+  result.bounds.normal += turn;
+  result.bounds.separation += of_lengths;
+  result.bounds.position += of_lengths;
+  return result;
+}
 
 std::vector<const Clip*> clips_within(const exact::Truth& truth, Side side, const Bounds& bounds) {
   const double bound = bounds.separation;
@@ -200,12 +195,14 @@ Admissible admissible(std::shared_ptr<const exact::Truth> truth, const TieBias& 
                       const Bounds& bounds) {
   Admissible result;
   result.bounds = bounds;
+  result.tie_bias = tie_bias;
   const double bound = result.bounds.separation;
   if (!std::isfinite(bound) || is_round(truth->pair())) {
     result.truth = std::move(truth);
     result.may_touch = result.may_be_apart = true;
     return result;
   }
+  if (bounds.world_vertex > 0) return admissible_by_turned_faces(std::move(truth), result);
   result.must_touch = truth->compare_separation(-bound) < 0;
   result.may_touch = truth->compare_contact(bound) <= 0;
   result.may_be_apart = truth->compare_contact(-bound) >= 0;
@@ -227,8 +224,10 @@ Admissible admissible(const PairCase& pair, const Declaration& declaration) {
 
 Mismatch mismatch(const Manifold<double>& manifold, const Clip& clip, const Admissible& right) {
   const Mismatch found = mismatch_within(manifold, clip, right);
-  if (found.kind == Kind::none || right.bounds.vertex == 0) return found;
-  return mismatch_within(manifold, clip, with_scaled_face(right, clip));
+  if (found.kind == Kind::none || face_turn(right.bounds, *clip.pair, clip.reference) == 0) {
+    return found;
+  }
+  return mismatch_within(manifold, clip, with_face_of(right, clip));
 }
 
 Mismatch mismatch(const Manifold<double>& manifold, const Admissible& right) {

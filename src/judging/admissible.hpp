@@ -28,6 +28,7 @@ Side reference_under(const exact::Truth& truth, const TieBias& bias);
 struct Admissible {
   std::shared_ptr<const exact::Truth> truth;
   Bounds bounds;
+  TieBias tie_bias{};                          ///< that references are held to
   bool must_touch = false;                     ///< S < -bound
   bool may_touch = false;                      ///< S <= total radius + bound
   bool may_be_apart = false;                   ///< S >= total radius - bound
@@ -64,6 +65,10 @@ inline double depth_bound(const Admissible& right, const exact::Clip& clip,
   return depth_bound(right.bounds, clip, point);
 }
 
+/// What is right, with what the normal of this clip's face may be off by, and what such a normal
+/// moves, where it is taken from vertices that were rounded.
+Admissible with_face_of(const Admissible& right, const exact::Clip& clip);
+
 /// Whether the incident edge misses the slab, or nearly; or the slab is narrower than rounding.
 bool may_miss(const Admissible& right, const exact::Clip& clip);
 
@@ -87,6 +92,7 @@ struct Mismatch {
   Kind kind = Kind::none;
   double magnitude = 0;  ///< world length (normal: length of the difference)
   double bound = 0;      ///< within which it would be right
+  double missing = 0;    ///< depth of a point that is left out, a world length
 };
 
 /// Against one candidate. Features count only where nothing that decides them is within bound.

@@ -18,6 +18,9 @@ constexpr Constants kOfFloat{15, 9, 6, 10};
 constexpr Constants kOfDouble{26, 17, 12, 14};
 constexpr double kOfWorldNormal = 9;  ///< more for a double one's normal in world coordinates
 constexpr double kOfAngles = 8;       ///< more of each for one that takes angles
+constexpr double kOfVertices = 2;     ///< more for a float one's normal, if it is none of the given
+constexpr double kOfWorldVertex = 3.42;
+constexpr double kOfScaledVertex = 3;  ///< more for a double one's, which has to scale it
 
 double smallest(ScalarType scalar) {
   return scalar == ScalarType::float32
@@ -49,26 +52,29 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
   const bool in_world = declaration.frame == RoundingFrame::world;
   const Constants& of = narrow ? kOfFloat : kOfDouble;
   const double of_angles = declaration.takes_angles ? kOfAngles : 0;
-  const double of_normal = of.normal + (in_world && !narrow ? kOfWorldNormal : 0);
+  const double of_vertices = narrow && declaration.normals != NormalsFrom::given ? kOfVertices : 0;
+  const double of_normal = of.normal + of_vertices + (in_world && !narrow ? kOfWorldNormal : 0);
   const double u = roundoff(declaration.scalar);
   double reach = extent + total_radius(pair);
   const double underflow = of.separation * smallest(declaration.scalar);
   const double of_rotations =
       (narrow ? rotation_defect(pair.a) + rotation_defect(pair.b) : 0) + of_angles * u;
   const double of_lengths = of_rotations * reach + underflow;
-  if (in_world) {
-    reach += std::max(pair.a.pose.position.cast<double>().norm(),
-                      pair.b.pose.position.cast<double>().norm());
-  }
+  const double in_world_reach = reach + std::max(pair.a.pose.position.cast<double>().norm(),
+                                                 pair.b.pose.position.cast<double>().norm());
+  if (in_world) reach = in_world_reach;
   if (narrow && reach > kFloatReachMax) {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     return {unbounded, unbounded, unbounded, unbounded};
   }
-  return {.separation = of.separation * u * reach + of_lengths,
-          .incident_dot = of.incident_dot * u + of_rotations,
+  const double of_world_vertex = (kOfWorldVertex + (narrow ? 0 : kOfScaledVertex)) * u;
+  const bool are_of_world = declaration.normals == NormalsFrom::world_vertices;
+  return {.separation = (of.separation + of_vertices) * u * reach + of_lengths,
+          .incident_dot = (of.incident_dot + 2 * of_vertices) * u + of_rotations,
           .normal = of_normal * u + of_rotations,
           .position = of.position * u * reach + of_lengths,
-          .vertex = declaration.takes_angles && !narrow ? u : 0};
+          .vertex = declaration.takes_angles && !narrow ? u : 0,
+          .world_vertex = are_of_world ? of_world_vertex * in_world_reach : 0};
 }
 
 }  // namespace manifuzz

@@ -25,6 +25,7 @@ struct Bounds {
   double normal = 0;        ///< length of the difference of two unit vectors
   double position = 0;      ///< world length, of an end that is not clipped
   double vertex = 0;        ///< a share of its length: of each that a face's normal is taken from
+  double world_vertex = 0;  ///< world length, of each likewise, where it is rounded in the world
 };
 
 /// What one operation of that scalar may be off by, as a share of its result: 2^-24 or 2^-53.

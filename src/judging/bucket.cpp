@@ -1,6 +1,7 @@
 #include "judging/bucket.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
@@ -11,12 +12,16 @@ ErrorClass class_of(Kind kind, double magnitude, double bound) {
   constexpr double kRounding = 1000;                    // bounds
   constexpr double kGross = 0.01;                       // of the size
   if (kind == Kind::features) return ErrorClass::fine;  // off by no length
-  if (magnitude <= kRounding * bound) return ErrorClass::rounding;
-  return magnitude <= kGross ? ErrorClass::fine : ErrorClass::gross;
+  if (!(magnitude <= kGross)) return ErrorClass::gross;
+  return magnitude <= kRounding * bound ? ErrorClass::rounding : ErrorClass::fine;
 }
 
 bool is_about(double magnitude, double other) {
-  return magnitude >= 0.3 * other && magnitude <= 3 * other;
+  if (!(magnitude > 0 && other > 0) || std::isinf(magnitude) || std::isinf(other)) {
+    return magnitude == other;
+  }
+  const auto order = [](double of) { return std::floor(std::ilogb(of) / 3.0); };
+  return order(magnitude) == order(other);
 }
 
 bool is_of_lost(const Bucket& bucket) {

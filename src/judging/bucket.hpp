@@ -65,17 +65,18 @@ inline constexpr std::array<std::string_view, 2> kSideNames{"a", "b"};
 /// How far off a wrong answer is: what rounds too much and what is plainly wrong are unlike bugs.
 enum class ErrorClass {
   none,      ///< nobody is wrong, or there is no answer
-  rounding,  ///< by at most a thousand bounds
-  fine,      ///< by more, yet by at most a hundredth of the size
-  gross,
+  rounding,  ///< by at most a hundredth of the size, and at most a thousand bounds
+  fine,      ///< by at most a hundredth of the size, and more bounds
+  gross,     ///< by more than a hundredth of the size, whatever the bound
 };
 inline constexpr std::array<std::string_view, 4> kErrorClassNames{"none", "rounding", "fine",
                                                                   "gross"};
 
-/// Of an error and of the bound within which it would be right, as shares of the size.
+/// The class of an error, which would be right within `bound`; both as shares of the size.
 ErrorClass class_of(Kind kind, double magnitude, double bound);
 
-/// Whether an error is 0.3 to 3 times another.
+/// Whether two errors are of one order, of which each begins at a power of eight. What is about
+/// another is about all that this is about: so shrinking again what was shrunk changes nothing.
 bool is_about(double magnitude, double other);
 
 /// One name for all findings with one look:

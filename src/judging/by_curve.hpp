@@ -4,6 +4,7 @@
 
 #include "judging/admissible.hpp"
 #include "judging/compare.hpp"
+#include "judging/errors/answer_error.hpp"
 #include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
@@ -11,12 +12,14 @@ namespace manifuzz {
 /// How far an answer's figures may lie from the penetration curve, by its declaration; bounds.md
 /// derives them.
 struct CurveBounds {
-  double consistency = 0;  ///< of a depth against the curve at the reported normal, world lengths
-  double minimality = 0;   ///< of the depth at the normal against the least
-  double along = 0;        ///< of a contact point, along the tangent
-  double across = 0;       ///< of a contact point, along the normal
-  double touching = 0;     ///< of the least depth against 0
-  double normal = 0;       ///< of the normal's length against 1
+  double consistency = 0;   ///< of a depth against the curve at the reported normal, world lengths
+  double minimality = 0;    ///< of the depth at the normal against the least
+  double along = 0;         ///< of a contact point, along the tangent
+  double across = 0;        ///< of a contact point, along the normal
+  double touching = 0;      ///< of the least depth against 0
+  double normal = 0;        ///< of the normal's length against 1
+  double direction = 0;     ///< of the normal against the nearest direction
+  double world_vertex = 0;  ///< of each vertex that a face's normal is taken from
 };
 
 /// How far a collider may stop short of the least depth, as it declares: a world length.
@@ -35,6 +38,7 @@ struct CurveJudgement {
   std::optional<bool> consistent{};  ///< the depth is the curve's at the reported normal
   std::optional<bool> minimal{};     ///< no other normal has clearly less depth
   std::optional<bool> witness{};     ///< every point lies where it claims, with that overlap
+  double missing = 0;                ///< depth of a second point that is left out, a world length
 };
 
 /// Of a manifold, complete or not, or a penetration; whatever the collider's frame, in A's. Within
@@ -46,6 +50,11 @@ inline CurveJudgement judge_by_curve(const exact::Truth& truth, const Declaratio
   return judge_by_curve(truth, declaration, answer,
                         curve_bounds(truth.pair(), declaration, truth.extent()));
 }
+
+/// How wrong an answer is that this judgement finds wrong: all that is beyond its bounds, along the
+/// normal that it names, or, where that is reversed, along the normal turned about.
+AnswerError curve_error(const exact::Truth& truth, const Declaration& declaration,
+                        const Answer& answer, const CurveJudgement& judgement);
 
 /// A depth along a normal.
 struct AlongNormal {

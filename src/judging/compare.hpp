@@ -13,7 +13,7 @@ namespace manifuzz {
 struct Deviation {
   const Admissible& right;
   const Manifold<double>& got;
-  Kind kind = Kind::none;  ///< of the mismatch
+  Kind kind = Kind::none;  ///< the first condition of a right answer that it does not meet
   /// The case, which is not `right`'s where the oracle used other shapes; nullptr where unknown.
   const PairCase* asked = nullptr;
 };

@@ -41,6 +41,7 @@ ExtentLeftOut against(const Clip& clip, const Bounds& bounds, const Manifold<dou
       const auto [low, high] =
           std::minmax({along.dot(first.position()), along.dot(last.position())});
       left.run = high - low;
+      left.depth = std::min(first.depth(), last.depth());
       left.lost = left.run - spanned(manifold, along, low, high);
     }
   }
@@ -81,7 +82,7 @@ std::optional<Mismatch> extent_mismatch(const exact::Truth& truth, const Declara
   const ExtentLeftOut left = extent_left_out(truth, declaration.tie_bias, of_faces, manifold);
   const double bound = left.bound + 2 * tolerance;
   if (left.lost <= bound) return std::nullopt;
-  return Mismatch{manifold.count < 2 ? Kind::count : Kind::extent, left.lost, bound};
+  return Mismatch{manifold.count < 2 ? Kind::count : Kind::extent, left.lost, bound, left.depth};
 }
 
 }  // namespace manifuzz

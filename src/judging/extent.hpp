@@ -12,6 +12,7 @@ struct ExtentLeftOut {
   double run = 0;    ///< between the clip's ends, a world length; 0 where it need not have both
   double lost = 0;   ///< of that, what is not between the points
   double bound = 0;  ///< how much of that may be rounding
+  double depth = 0;  ///< of the clip's end that is less deep, a world length
 
   /// The share of the contact that is left out; none where it has no extent beyond rounding.
   std::optional<double> share() const;

@@ -3,22 +3,19 @@
 #include <algorithm>
 
 #include "judging/by_curve.hpp"
+#include "judging/errors/clip_error.hpp"
 #include "judging/tie_class.hpp"
+#include "judging/unjudged.hpp"
 #include "judging/used_shapes.hpp"
 
 namespace manifuzz {
 namespace {
 
-/// Its magnitude is a difference of directions then, and no length.
-bool is_of_normal(Kind kind) {
-  return kind == Kind::normal || kind == Kind::reversed;
-}
-
 /// A normal is the reference face's: no other tie has to do with it. A boundary within bound
 /// excuses a difference of two right manifolds; what is wrong lies beyond every bound, whatever
 /// boundary is near.
-TieClass relevant(TieClass tie_class, Verdict verdict, Kind kind) {
-  if (is_of_normal(kind) && tie_class != TieClass::reference) return TieClass::none;
+TieClass relevant(TieClass tie_class, Verdict verdict, bool is_of_face) {
+  if (is_of_face && tie_class != TieClass::reference) return TieClass::none;
   const bool boundary =
       tie_class == TieClass::contact_boundary || tie_class == TieClass::clip_boundary;
   return boundary && verdict != Verdict::tie ? TieClass::none : tie_class;
@@ -31,61 +28,33 @@ Manifold<double> manifold_of(const Answer& answer, const Admissible& right) {
   return std::get<Manifold<double>>(answer);
 }
 
-Verdict verdict_of(Lost::How how) {
-  constexpr std::array verdicts{Verdict::crashed, Verdict::timed_out, Verdict::malformed};
-  return verdicts[static_cast<std::size_t>(how)];
-}
-
-/// An answer that is no manifold to judge, as the finding that it is by itself: lost, or nonsense.
-std::optional<Bucket> without_manifold(const PairCase& pair, const ColliderAnswer& given,
-                                       Fault fault) {
-  const Answer& answer = given.answer;
-  if (const auto* const lost = std::get_if<Lost>(&answer)) {
-    return bucket_of_lost(verdict_of(lost->how), fault);
-  }
-  if (!why_malformed(pair, given)) return std::nullopt;
-  return bucket_of_lost(Verdict::malformed, fault);
-}
-
-/// A verdict that needs no judging of manifolds, if it is one.
-std::optional<Bucket> without_judging(const exact::Truth& truth, const ColliderAnswer& subject,
-                                      const ColliderAnswer& oracle) {
-  const PairCase& pair = truth.pair();
-  const auto is_tighter = [](const Bounds& a, const Bounds& b) {
-    return a.separation < b.separation;
-  };
-  const Bounds wider = std::max({bounds(pair, subject.declaration, truth.extent()),
-                                 bounds(pair, oracle.declaration, truth.extent())},
-                                is_tighter);
-  // What overflows in the collider's scalar is no nonsense of the collider's.
-  if (!std::isfinite(wider.separation)) return Bucket{.verdict = Verdict::ill_posed};
-  if (const auto bucket = without_manifold(pair, subject, Fault::subject)) return bucket;
-  if (const auto bucket = without_manifold(pair, oracle, Fault::oracle)) return bucket;
-  if (std::holds_alternative<Unsupported>(subject.answer) ||
-      std::holds_alternative<Unsupported>(oracle.answer)) {
-    return Bucket{.verdict = Verdict::unsupported};
-  }
-  if (is_ill_posed(truth.size(), wider) ||
-      std::max(tolerance_of(truth, subject.declaration), tolerance_of(truth, oracle.declaration)) >
-          kIllPosedShare * truth.size()) {
-    return Bucket{.verdict = Verdict::ill_posed};
-  }
-  return std::nullopt;
-}
-
 /// One collider's answer, what is right for it, and how it falls short.
 struct Judged {
   Admissible right;
   Manifold<double> manifold;  ///< without places of one that claims less
   Mismatch mismatch;
+  AnswerError error;       ///< how wrong it is
+  Kind kind = Kind::none;  ///< in what
   bool by_curve = false;
   bool touches = false;
   bool is_unjudged = false;      ///< what it used is no pair of polygons to judge by
   bool is_altered = false;       ///< it used other shapes than the case's
   bool is_by_tolerance = false;  ///< right, but only by the tolerance that it declares
 
-  bool is_wrong() const { return mismatch.kind != Kind::none; }
+  bool is_wrong() const { return kind != Kind::none; }
+  /// Whether its normal is none of the right faces' ones.
+  bool is_of_face() const {
+    return mismatch.kind == Kind::normal || mismatch.kind == Kind::reversed;
+  }
 };
+
+void measure_clip(const exact::Truth& truth, const ColliderAnswer& given, Judged& clip) {
+  if (clip.mismatch.kind == Kind::none) return;
+  clip.error = clip_error(clip.manifold, clip.right);
+  clip.kind = kind_of_clip(clip.error, clip.manifold, clip.right);
+  if (clip.mismatch.kind != Kind::normal || !is_reversed(truth, given)) return;
+  clip.mismatch.kind = clip.kind = Kind::reversed;
+}
 
 Judged judged_on(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& given) {
   Judged result;
@@ -101,6 +70,10 @@ Judged judged_on(const std::shared_ptr<const exact::Truth>& truth, const Collide
     }
     if (const auto* const manifold = manifold_in(given.answer)) result.manifold = *manifold;
     result.mismatch = {curve.kind, curve.magnitude, curve.bound};
+    result.kind = curve.kind;
+    if (result.is_wrong()) {
+      result.error = curve_error(*truth, given.declaration, given.answer, curve);
+    }
     result.touches = touches(given.answer);
     result.is_by_tolerance = curve.is_by_tolerance;
     return result;
@@ -112,9 +85,7 @@ Judged judged_on(const std::shared_ptr<const exact::Truth>& truth, const Collide
       result.manifold.count == 1) {
     result.mismatch = {};
   }
-  if (result.mismatch.kind == Kind::normal && is_reversed(*truth, given)) {
-    result.mismatch.kind = Kind::reversed;
-  }
+  measure_clip(*truth, given, result);
   return result;
 }
 
@@ -134,20 +105,25 @@ Judged judged(const std::shared_ptr<const exact::Truth>& truth, const ColliderAn
   if (!result.is_wrong() && altered->is_beyond_rounding && !given.declaration.alters_shapes) {
     result.by_curve = true;
     result.mismatch = {Kind::altered_shape, altered->distance, altered->bound};
+    result.kind = Kind::altered_shape;
+    result.error.add_beyond(Component::position, altered->distance / truth->size(),
+                            altered->bound / truth->size());
   }
   return result;
 }
 
-/// Why the oracle's answer is lost or nonsense, where the ledger says so and the subject is right.
-const LedgerEntry* explanation_of_lost(const std::shared_ptr<const exact::Truth>& truth,
-                                       const ColliderAnswer& subject,
-                                       const ColliderAnswer& oracle) {
-  if (std::holds_alternative<Unsupported>(subject.answer)) return nullptr;
-  const auto* const lost = std::get_if<Lost>(&oracle.answer);
+/// The ledger's cause of an answer that is lost or nonsense.
+const LedgerEntry* explanation_of_lost(const PairCase& pair, const ColliderAnswer& given) {
+  const auto* const lost = std::get_if<Lost>(&given.answer);
   const Lost::How how = lost != nullptr ? lost->how : Lost::How::malformed;
-  const LedgerEntry* const entry =
-      find_explanation(oracle.declaration.name, LostAnswer{truth->pair(), oracle.answer, how});
-  return entry != nullptr && !judged(truth, subject).is_wrong() ? entry : nullptr;
+  return find_explanation(given.declaration.name, LostAnswer{pair, given.answer, how});
+}
+
+/// The ledger's cause of a wrong answer.
+const LedgerEntry* explanation_of_wrong(const PairCase& pair, const ColliderAnswer& given,
+                                        const Judged& wrong) {
+  return find_explanation(given.declaration.name,
+                          {wrong.right, wrong.manifold, wrong.mismatch.kind, &pair});
 }
 
 /// Of answers that are both right: whether they say the same, as far as both say it of the same
@@ -171,16 +147,6 @@ Verdict verdict_of(Fault fault) {
   return verdicts[static_cast<std::size_t>(fault)];
 }
 
-/// The error of a wrong manifold.
-ManifoldError error_of(const Judged& judged) {
-  if (!judged.is_wrong()) return {};
-  if (judged.by_curve && is_of_normal(judged.mismatch.kind)) {
-    return {.normal = judged.mismatch.magnitude};
-  }
-  if (judged.by_curve) return {.depth = judged.mismatch.magnitude / judged.right.truth->size()};
-  return share_of_size(plain_error(judged.manifold, judged.right), judged.right.truth->size());
-}
-
 /// How two right manifolds differ, or else how a wrong one falls short, the subject's before the
 /// oracle's; the magnitude as a share of the size.
 Mismatch disagreement(const Judged& subject, const Judged& oracle, double size) {
@@ -193,9 +159,8 @@ Mismatch disagreement(const Judged& subject, const Judged& oracle, double size) 
         difference(subject.manifold, oracle.manifold, subject.right.from_contact());
     return {apart.kind, apart.magnitude / size};
   }
-  const auto [kind, magnitude, bound] = subject.is_wrong() ? subject.mismatch : oracle.mismatch;
-  if (is_of_normal(kind)) return {kind, magnitude, bound};
-  return {kind, magnitude / size, bound / size};
+  const Judged& wrong = subject.is_wrong() ? subject : oracle;
+  return {wrong.kind, wrong.error.magnitude, wrong.error.bound};
 }
 
 /// How many points a manifold has less than any right one must have; below zero, more than any has.
@@ -216,12 +181,21 @@ int points_missing(const Judged& judged) {
 
 }  // namespace
 
+const AnswerError& error_of(const Judgement& judgement) {
+  return judgement.bucket.fault == Fault::oracle ? judgement.of_oracle : judgement.of_subject;
+}
+
+WorstError worst_error(const Judgement& judgement) {
+  return {judgement.magnitude, error_of(judgement).errors};
+}
+
 bool is_alike(const Judgement& judgement, const Judgement& root) {
-  const bool are_within_bounds =
-      judgement.magnitude <= judgement.bound && root.magnitude <= root.bound;
+  const bool is_within = judgement.magnitude <= judgement.bound;
+  const bool is_root_within = root.magnitude <= root.bound;
+  const bool are_about =
+      is_within == is_root_within && (is_within || is_about(judgement.magnitude, root.magnitude));
   return judgement.bucket == root.bucket && judgement.explanation == root.explanation &&
-         judgement.points_missing == root.points_missing &&
-         (is_about(judgement.magnitude, root.magnitude) || are_within_bounds);
+         judgement.points_missing == root.points_missing && are_about;
 }
 
 Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& subject,
@@ -229,19 +203,23 @@ Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const Collider
   if (const auto bucket = without_judging(*truth, subject, oracle)) {
     Judgement result{.bucket = *bucket};
     if (!is_of_lost(*bucket) || bucket->fault != Fault::oracle) return result;
-    result.explanation = explanation_of_lost(truth, subject, oracle);
+    const bool is_judgeable = !std::holds_alternative<Unsupported>(subject.answer);
+    if (!is_judgeable || judged(truth, subject).is_wrong()) return result;
+    result.explanation = explanation_of_lost(truth->pair(), oracle);
     if (result.explanation != nullptr) result.bucket.verdict = Verdict::known;
     return result;
   }
   const Judged of_subject = judged(truth, subject);
   const Judged of_oracle = judged(truth, oracle);
-  Judgement result{.of_subject = error_of(of_subject),
-                   .of_oracle = error_of(of_oracle),
+  Judgement result{.is_judged = true,
+                   .of_subject = of_subject.error,
+                   .of_oracle = of_oracle.error,
                    .is_by_tolerance = of_subject.is_by_tolerance || of_oracle.is_by_tolerance};
   Bucket& bucket = result.bucket;
   if (truth->has_faces()) bucket.reference = truth->greatest().side;
   bucket.fault = fault_of(of_subject, of_oracle);
-  if (bucket.fault == Fault::none && (of_subject.is_unjudged || of_oracle.is_unjudged)) {
+  const bool is_unjudged = of_subject.is_unjudged || of_oracle.is_unjudged;
+  if (bucket.fault == Fault::none && (is_unjudged || hides_all(*truth, subject, oracle))) {
     return {.bucket = {.verdict = Verdict::ill_posed}};
   }
   if (bucket.fault == Fault::none && agree(of_subject, of_oracle)) return result;
@@ -250,19 +228,30 @@ Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const Collider
   bucket.kind = found.kind;
   const bool is_one_truth = of_subject.right.truth == of_oracle.right.truth;
   const TieClass tie = is_one_truth ? tie_class(of_subject.right, of_oracle.right) : TieClass::none;
-  bucket.tie_class = relevant(tie, bucket.verdict, bucket.kind);
+  const Judged& wrong = of_subject.is_wrong() ? of_subject : of_oracle;
+  const bool is_of_face = wrong.is_wrong() ? wrong.is_of_face() : bucket.kind == Kind::normal;
+  bucket.tie_class = relevant(tie, bucket.verdict, is_of_face);
   result.magnitude = found.magnitude;
   result.bound = found.bound;
   if (bucket.fault != Fault::none) {
     bucket.error_class = class_of(found.kind, found.magnitude, found.bound);
   }
-  result.points_missing = points_missing(of_subject.is_wrong() ? of_subject : of_oracle);
+  result.points_missing = points_missing(wrong);
   if (bucket.verdict == Verdict::oracle_wrong) {
-    result.explanation = find_explanation(
-        oracle.declaration.name, {of_oracle.right, of_oracle.manifold, found.kind, &truth->pair()});
+    result.explanation = explanation_of_wrong(truth->pair(), oracle, of_oracle);
     if (result.explanation != nullptr) bucket.verdict = Verdict::known;
   }
   return result;
+}
+
+void explain_subject(const std::shared_ptr<const exact::Truth>& truth,
+                     const ColliderAnswer& subject, Judgement& judgement) {
+  Bucket& bucket = judgement.bucket;
+  if (bucket.fault != Fault::subject || !is_failure(bucket)) return;
+  judgement.explanation =
+      is_of_lost(bucket) ? explanation_of_lost(truth->pair(), subject)
+                         : explanation_of_wrong(truth->pair(), subject, judged(truth, subject));
+  if (judgement.explanation != nullptr) bucket.verdict = Verdict::known;
 }
 
 Judgement judge(const PairCase& pair, const ColliderAnswer& subject, const ColliderAnswer& oracle) {

@@ -7,6 +7,7 @@
 #include "collider/collider.hpp"
 #include "judging/bucket.hpp"
 #include "judging/compare.hpp"
+#include "judging/errors/answer_error.hpp"
 #include "judging/manifold_error.hpp"
 #include "oracle/exact/truth.hpp"
 
@@ -15,17 +16,24 @@ namespace manifuzz {
 /// The verdict on a subject's and an oracle's answer to one case.
 struct Judgement {
   Bucket bucket{};
-  double magnitude = 0;                      ///< the finding's worst error as a share of the size
+  double magnitude = 0;                      ///< how wrong, or how unlike, as a share of the size
   double bound = 0;                          ///< of that error, as a share of the size too
   int points_missing = 0;                    ///< of the wrong answer; below zero: it has too many
   const LedgerEntry* explanation = nullptr;  ///< set where the verdict is known
-  ManifoldError of_subject{};  ///< of a wrong manifold, as shares of the size; 0 of a right one
-  ManifoldError of_oracle{};
+  bool is_judged = false;                    ///< not only compared
+  AnswerError of_subject{};                  ///< how wrong it is; none where it is right
+  AnswerError of_oracle{};
   bool is_by_tolerance = false;  ///< an answer is right, but only by the tolerance it declares
 };
 
+/// The error of whoever is at fault, the subject's before the oracle's.
+const AnswerError& error_of(const Judgement& judgement);
+
+/// The finding's magnitude and errors.
+WorstError worst_error(const Judgement& judgement);
+
 /// Whether it is the same finding: its bucket, its ledger entry, points missing or too many, and
-/// 0.3 to 3 times its magnitude, unless both are right within their bounds.
+/// its magnitude's order, unless both are right within their bounds.
 bool is_alike(const Judgement& judgement, const Judgement& root);
 
 /// Where a case stands by the truth alone.
@@ -42,6 +50,11 @@ Standing standing(const exact::Truth& truth);
 Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const ColliderAnswer& subject,
                 const ColliderAnswer& oracle);
 Judgement judge(const PairCase& pair, const ColliderAnswer& subject, const ColliderAnswer& oracle);
+
+/// Names the ledger's cause of a verdict against the subject, which is `known` then, as one against
+/// the oracle is.
+void explain_subject(const std::shared_ptr<const exact::Truth>& truth,
+                     const ColliderAnswer& subject, Judgement& judgement);
 
 /// The full verdict on what these two answer now.
 Judgement judge(const PairCase& pair, const Collider& subject, const Collider& oracle);

@@ -43,11 +43,19 @@ ClipFigures::ClipFigures(const exact::Clip& of)
   for (int k = 0; k < of.count; ++k) points[k] = exact::locate<Number>(of, of.points[k].end);
 }
 
+double normal_error(const Manifold<double>& manifold, const ClipFigures& truth) {
+  return length(Fine(manifold.normal.x()) - truth.normal.x,
+                Fine(manifold.normal.y()) - truth.normal.y);
+}
+
+ManifoldError point_error(const ContactPoint<double>& reported, const ClipFigures& truth, int k) {
+  return error_of(reported, truth.points[k]);
+}
+
 ErrorAgainstClip error_against(const Manifold<double>& manifold, const ClipFigures& truth,
                                const Bounds& bounds) {
   const exact::Clip& clip = *truth.clip;
-  ManifoldError error{.normal = length(Fine(manifold.normal.x()) - truth.normal.x,
-                                       Fine(manifold.normal.y()) - truth.normal.y)};
+  ManifoldError error{.normal = normal_error(manifold, truth)};
   ManifoldError of_bound{.normal = error.normal / bounds.normal};
   for (int i = 0; i < manifold.count; ++i) {
     std::array<ManifoldError, 2> errors;

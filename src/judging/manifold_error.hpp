@@ -25,6 +25,13 @@ void widen(ManifoldError& worst, const ManifoldError& other);
 /// Position and depth divided by the size; a normal's error is a share already.
 ManifoldError share_of_size(const ManifoldError& error, double size);
 
+struct ClipFigures;
+
+/// Of a manifold's normal against that of a clip.
+double normal_error(const Manifold<double>& manifold, const ClipFigures& truth);
+/// Of a reported point, its position and depth against one of a clip's points.
+ManifoldError point_error(const ContactPoint<double>& reported, const ClipFigures& truth, int k);
+
 /// An error against one clip, free of any bound, and as a share of the bounds.
 struct ErrorAgainstClip {
   ManifoldError error;

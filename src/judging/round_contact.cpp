@@ -78,6 +78,26 @@ bool is_as_near(const BeforeFace& seen, double least, double separation) {
   return seen.least_height() >= least && is_in_front_of_inside(seen, 2 * separation, -separation);
 }
 
+/// Whether two vertices would be the nearest of all if each vertex moved by up to `separation`, a
+/// world length: each is, within twice that, the farthest of its core towards the other.
+bool are_as_near(const exact::StoredPair& pair, int of_a, int of_b, double separation) {
+  const Place from = exact::vertex<DoubleDouble>(pair, Side::a, of_a);
+  const Place to = exact::vertex<DoubleDouble>(pair, Side::b, of_b);
+  const Place towards_b = unit_of(to - from);
+  const auto is_behind = [&](Side side, int k) {
+    const Place at = exact::vertex<DoubleDouble>(pair, side, k);
+    const DoubleDouble ahead =
+        side == Side::a ? dot(towards_b, at - from) : dot(towards_b, to - at);
+    return ahead.high <= 2 * separation;
+  };
+  for (const Side side : {Side::a, Side::b}) {
+    for (int k = 0; k < pair[side].polygon.count; ++k) {
+      if (!is_behind(side, k)) return false;
+    }
+  }
+  return true;
+}
+
 /// An edge as it is seen along a contact's normal.
 struct SeenEdge {
   DoubleDouble low;   ///< its first place along the tangent
@@ -153,6 +173,7 @@ struct Second {
   bool is_required = false;  ///< it must
   double run = 0;            ///< between both points, along the tangent, a world length
   double off = 0;            ///< how far a far end may be off, a world length
+  double depth = 0;          ///< of the end that is less deep, a world length
 };
 
 /// The angle's term is that of clips: the far end may move by s / cos along its edge.
@@ -174,7 +195,8 @@ Second second_of(const AlongContact& along, const SeenEdge& a, const SeenEdge& b
   return {.is_allowed = may_be_edges && run >= -2 * off && lesser >= -off,
           .is_required = are_edges && run > 2 * (bounds.position + off) && lesser > off,
           .run = run,
-          .off = off};
+          .off = off,
+          .depth = lesser};
 }
 
 }  // namespace
@@ -213,6 +235,14 @@ double NearestNormal::error(const Vector2<double>& normal) const {
       least = std::min(least, off(unit_of(exact::outward_from_a<DoubleDouble>(pair, face))));
     }
   }
+  for (int i = 0; i < pair.a.polygon.count; ++i) {
+    for (int j = 0; j < pair.b.polygon.count; ++j) {
+      if (!are_as_near(pair, i, j, bound_of_separation_)) continue;
+      const Place between = exact::vertex<DoubleDouble>(pair, Side::b, j) -
+                            exact::vertex<DoubleDouble>(pair, Side::a, i);
+      least = std::min(least, off(unit_of(between)));
+    }
+  }
   return least;
 }
 
@@ -240,7 +270,7 @@ std::optional<Mismatch> second_point_mismatch(const exact::Truth& truth,
   if (!is_required) return std::nullopt;
   if (manifold.count < 2) {
     if (declaration.one_point_enough) return std::nullopt;
-    return Mismatch{Kind::count, shortest.run, bounds.position};
+    return Mismatch{Kind::count, shortest.run, bounds.position, shortest.depth};
   }
   const double span = std::abs(
       (along.place(manifold.points[1].position) - along.place(manifold.points[0].position)).high);

@@ -25,8 +25,8 @@ class NearestNormal {
   }
   /// Whether a normal may be near the nearest direction, whatever its excess.
   bool may_be_near() const { return decides() && !is_inside_face_; }
-  /// |n - n*|, the normal in A's frame; n* is also that of any face with a vertex in front of it
-  /// whose distance rounding cannot tell from the least.
+  /// |n - n*|, the normal in A's frame; n* is also that of any face with a vertex in front of it,
+  /// and of any two vertices, whose distance rounding cannot tell from the least.
   double error(const Vector2<double>& normal) const;
   /// How much of that is rounding.
   double bound() const;

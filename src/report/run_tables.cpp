@@ -101,7 +101,7 @@ std::string bucket_rows(const BucketResult& found) {
   const std::string how = found.is_new ? fresh("new ") : found.is_accepted ? "accepted " : "";
   std::string text =
       fmt::format("{}{}: {} times, worst {:.2g} of the size\n", how,
-                  is_bad ? bad(found.bucket) : found.bucket, found.count, found.magnitude);
+                  is_bad ? bad(found.bucket) : found.bucket, found.count, found.error.magnitude);
   if (!found.objection.empty()) text += fmt::format("  {}\n", bad(found.objection));
   if (!found.file.empty()) text += fmt::format("  {}\n", found.file);
   const auto bucket = find_bucket(found.bucket);

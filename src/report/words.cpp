@@ -29,7 +29,9 @@ std::string wrong_in_words(const JudgedCase& judged, const DeclaredAnswer& asked
     case Kind::depth:
       return fmt::format("a depth of {} is off by {}", name, off);
     case Kind::count:
-      return fmt::format("{} leaves out a second point, {} from the first", name, off);
+      return error_of(judged.judgement).component == Component::extra
+                 ? fmt::format("{} reports a point too many, {} off", name, off)
+                 : fmt::format("{} leaves out a point that is {} deep", name, off);
     case Kind::features:
       return fmt::format("{} names the wrong features", name);
     case Kind::reversed:

@@ -80,7 +80,7 @@ bool differs_from_twin(JudgeOf judge_of, const Bug& bug, std::uint64_t number,
   }();
   const Bucket expected = twin_bucket(pair, ColliderAnswer{subject.declaration, of_subject},
                                       ColliderAnswer{oracle.declaration, of_oracle});
-  return !(as_twin_has_it(bucket) == expected);
+  return !(as_twin_has_it(bucket, pair) == as_twin_has_it(expected, pair));
 }
 
 }  // namespace

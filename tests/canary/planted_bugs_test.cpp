@@ -163,7 +163,7 @@ TEST_CASE("the number of jobs changes no verdict and no bucket") {
     CHECK(met[i].tally->count == also_met[i].tally->count);
     CHECK(met[i].tally->first == also_met[i].tally->first);
     CHECK(met[i].tally->worst == also_met[i].tally->worst);
-    CHECK(met[i].tally->magnitude == also_met[i].tally->magnitude);
+    CHECK(met[i].tally->error.magnitude == also_met[i].tally->error.magnitude);
     CHECK(met[i].tally->regimes == also_met[i].tally->regimes);
   }
 }

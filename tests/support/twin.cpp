@@ -149,11 +149,6 @@ TwinJudgement twin_judge(const PairCase& pair, const ColliderAnswer& subject,
     bucket.verdict = Verdict::unsupported;
     return result;
   }
-  if (is_ill_posed(size(pair), bounds(pair, subject.declaration)) ||
-      is_ill_posed(size(pair), bounds(pair, oracle.declaration))) {
-    bucket.verdict = Verdict::ill_posed;
-    return result;
-  }
   if (for_subject) {
     judge_mitred(pair, *for_subject, subject.declaration, *of_subject, oracle.declaration,
                  *of_oracle, bucket);
@@ -161,6 +156,9 @@ TwinJudgement twin_judge(const PairCase& pair, const ColliderAnswer& subject,
     judge_round(twin::RoundTwin(pair), subject.declaration, *of_subject, oracle.declaration,
                 *of_oracle, bucket);
   }
+  const bool is_hidden = is_ill_posed(size(pair), bounds(pair, subject.declaration)) ||
+                         is_ill_posed(size(pair), bounds(pair, oracle.declaration));
+  if (is_hidden && bucket.fault == Fault::none) bucket = {.verdict = Verdict::ill_posed};
   return result;
 }
 

@@ -32,10 +32,14 @@ struct TwinJudgement {
   Bucket bucket;                          ///< as `as_twin_has_it`
 };
 
-/// The twin neither asks the ledger nor sorts errors into classes.
-inline Bucket as_twin_has_it(Bucket bucket) {
+/// The twin neither asks the ledger nor measures how wrong a clip is: errors have no class, and a
+/// wrong clip with a contact that there may be, unless it is reversed, no kind.
+inline Bucket as_twin_has_it(Bucket bucket, const PairCase& pair) {
   if (bucket.verdict == Verdict::known) bucket.verdict = Verdict::oracle_wrong;
   bucket.error_class = ErrorClass::none;
+  const bool is_measured = bucket.kind != Kind::missed_contact &&
+                           bucket.kind != Kind::phantom_contact && bucket.kind != Kind::reversed;
+  if (bucket.fault != Fault::none && !is_round(pair) && is_measured) bucket.kind = Kind::none;
   return bucket;
 }
 

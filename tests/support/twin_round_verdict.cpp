@@ -78,7 +78,7 @@ class RoundVerdict {
   bool may_be_apart() const {
     return !twin_.greatest() || Real(-of_clip_.separation) <= twin_.greatest()->separation;
   }
-  /// Whether cores are apart by so many bounds of a separation.
+  /// Whether cores are apart by so many bounds.
   bool is_apart_by(double bounds) const {
     return is_apart_ && Real(bounds * of_clip_.separation) < distance_;
   }
@@ -122,15 +122,32 @@ class RoundVerdict {
   /// The nearest direction within its bound; or, where that says nothing, the least depth.
   bool is_minimal(const Exact& direction) const {
     if (is_apart_by(1) && !is_inside_face_) {
-      const Real length = square_root(direction * direction);
-      const Real x = Real(direction.x) / length - Real(twin_.apart_.x) / distance_;
-      const Real y = Real(direction.y) / length - Real(twin_.apart_.y) / distance_;
       const Real bound = Real(of_clip_.normal) +
                          Real(of_clip_.separation) / (distance_ - Real(of_clip_.separation));
-      if (x * x + y * y <= bound * bound) return true;
-      if (is_apart_by(2)) return false;
+      if (is_towards(direction, twin_.apart_, distance_, bound)) return true;
+      if (is_apart_by(2)) return is_of_near_vertices(direction, bound);
     }
     return is_excess_small(direction) || is_let_by_bias(direction);
+  }
+  /// The direction between two vertices that would be the nearest if each moved by a bound.
+  bool is_of_near_vertices(const Exact& direction, const Real& bound) const {
+    bool is_found = false;
+    for (const Exact& from : twin_.a_.corners) {
+      for (const Exact& to : twin_.b_.corners) {
+        const Exact between = to - from;
+        const Real apart = square_root(between * between);
+        const Real within = Real(2 * of_clip_.separation) * apart;
+        bool are_near = is_towards(direction, between, apart, bound);
+        for (const Exact& at : twin_.a_.corners) {
+          are_near = are_near && Real(between * (at - from)) <= within;
+        }
+        for (const Exact& at : twin_.b_.corners) {
+          are_near = are_near && Real(between * (to - at)) <= within;
+        }
+        is_found = is_found || are_near;
+      }
+    }
+    return is_found;
   }
   /// A bias lets a side's best face stand though the other's has less depth.
   bool is_let_by_bias(const Exact& direction) const {

@@ -92,4 +92,13 @@ class View {
   Real length_;
 };
 
+/// Whether a direction is that of `other`, so long, within a bound.
+inline bool is_towards(const Exact& direction, const Exact& other, const Real& length,
+                       const Real& bound) {
+  const Real own = square_root(direction * direction);
+  const Real x = Real(direction.x) / own - Real(other.x) / length;
+  const Real y = Real(direction.y) / own - Real(other.y) / length;
+  return x * x + y * y <= bound * bound;
+}
+
 }  // namespace manifuzz::twin

@@ -60,7 +60,7 @@ const std::set<std::string> kTopLevel = {"CMakeLists.txt", "CMakePresets.json",
                                          "corpus",         "scripts"};
 
 constexpr std::size_t kMaxLines = 300;
-constexpr std::size_t kMaxModules = 20;
+constexpr std::size_t kMaxModules = 24;
 
 std::string first_part(std::string_view path) {
   return std::string(path.substr(0, path.find('/')));

@@ -23,7 +23,7 @@ Violations forbidden_includes(const std::vector<SourceFile>& files);
 /// Source files (src, oracle, tests, scripts) of more than 300 lines.
 Violations long_files(const std::vector<SourceFile>& files);
 
-/// Folders of src and oracle with more than 20 modules; a header and its source are one.
+/// Folders of src and oracle with more than 24 modules; a header and its source are one.
 Violations crowded_folders(const std::vector<SourceFile>& files);
 
 /// Files whose top-level entry the layout does not name.

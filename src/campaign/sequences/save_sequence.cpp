@@ -51,7 +51,7 @@ bool save_sequence(Finding& finding, const Found& found, const Plan& plan,
   if (of_worst.bucket != finding.bucket) {
     SequenceJudgement unrepeated = of_worst;
     unrepeated.bucket = finding.bucket;
-    unrepeated.magnitude = finding.tally.magnitude;
+    unrepeated.magnitude = finding.tally.error.magnitude;
     CorpusCase saved = recorded(worst, unrepeated);
     saved.note += fmt::format(" Asked again, alone, it is {}.", to_string(of_worst.bucket));
     finding.file = write_corpus_case(folder, saved).string();

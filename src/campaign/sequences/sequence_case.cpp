@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "campaign/in_child.hpp"
+#include "judging/errors/clip_error.hpp"
 #include "process/pool.hpp"
 #include "sequence/sequence_json.hpp"
 
@@ -102,8 +103,14 @@ SequenceCollider watched(const SequenceCollider& subject, const std::function<vo
 }
 
 Judgement counted(const SequenceJudgement& judgement) {
-  return {
-      .bucket = judgement.bucket, .magnitude = judgement.magnitude, .bound = bound_of(judgement)};
+  Judgement result{.bucket = judgement.bucket,
+                   .magnitude = judgement.magnitude,
+                   .bound = bound_of(judgement),
+                   .is_judged = true};
+  if (judgement.bucket.kind != Kind::none) {
+    result.of_subject.add_beyond(component_of(judgement.bucket.kind), judgement.magnitude, 0);
+  }
+  return result;
 }
 
 bool is_alike(const SequenceJudgement& judgement, const SequenceJudgement& root) {

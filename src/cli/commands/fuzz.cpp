@@ -81,7 +81,7 @@ Plan plan_of(const FuzzArguments& options) {
   if (is_unlimited) plan.seconds = kDefaultSeconds;
   const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
   plan.jobs = static_cast<int>(options.jobs.value_or(cores));
-  plan.judge_every = options.judge_every.value_or(kJudgeEvery);
+  plan.judge_every = options.judge_every.value_or(usual_judge_every(plan.subject, plan.oracle));
   return plan;
 }
 
@@ -201,8 +201,11 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
   add_whole_number(app, "--first", options.first, "the first index in each regime");
   add_whole_number(app, "--jobs", options.jobs, "how many processes; one a core if not given", 1,
                    kJobsMax);
-  add_whole_number(app, "--judge-every", options.judge_every,
-                   "of the cases that agree, one in so many is judged too; 256 if not given", 1);
+  add_whole_number(
+      app, "--judge-every", options.judge_every,
+      "of the cases that agree, one in so many is judged too; if not given, 256, or 1 where "
+      "a collider runs in a process of its own",
+      1);
   add_regimes(app, options.regimes);
   add_length(app, "--tie-bias", options.tie_bias, "the subject's tie bias");
   add_radius(app, options.radius);

@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
@@ -39,15 +40,18 @@ int judge_cases(const JudgeArguments& options) {
   if (!options.manifolds.empty()) {
     answers.emplace(options.manifolds, conventions_of(subject.declaration));
   }
+  // A program that takes an engine's name for its own is not excused by that engine's faults.
+  const bool is_named = asked.subject.command.empty() && find_entry(asked.subject.name) != nullptr;
   bool unexplained = false;
   answer_each(options.file, [&](const PairCase& pair, std::size_t index, std::string& line) {
     const auto truth = std::make_shared<const exact::Truth>(pair);
     const Admissible right = admissible(truth, subject.declaration);
     const Answer of_subject = answers ? whole(answers->at(index, pair), right, subject.declaration)
                                       : subject.collide(pair);
-    const Judgement judgement =
-        judge(truth, {subject.declaration, of_subject}, {oracle.declaration, oracle.collide(pair)});
-    append_judgement(line, right, {subject.declaration, of_subject}, judgement);
+    const ColliderAnswer asked_subject{subject.declaration, of_subject};
+    Judgement judgement = judge(truth, asked_subject, {oracle.declaration, oracle.collide(pair)});
+    if (is_named) explain_subject(truth, asked_subject, judgement);
+    append_judgement(line, right, asked_subject, judgement);
     unexplained = unexplained || is_unexplained(judgement.bucket.verdict);
   });
   if (answers) answers->expect_end();

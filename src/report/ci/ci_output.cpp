@@ -60,7 +60,7 @@ TestResult test_of_bucket(const CampaignResult& result, const Finding& finding,
       found.bucket,
       {expected,
        fmt::format("{}: {} times, worst {:.2g} of the size{}{}", found.bucket, found.count,
-                   found.magnitude, found.objection.empty() ? "" : "; ", found.objection),
+                   found.error.magnitude, found.objection.empty() ? "" : "; ", found.objection),
        found.file, found.command});
 }
 

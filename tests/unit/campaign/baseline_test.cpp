@@ -17,7 +17,7 @@ CampaignResult run_with(const std::vector<std::pair<std::string, double>>& magni
   run.settings.oracle = "box2d";
   run.regimes = {{{10, 1, 0, 0}, "boxes"}};
   for (const auto& [bucket, magnitude] : magnitudes) {
-    run.buckets.push_back({.bucket = bucket, .verdict = "tie", .magnitude = magnitude});
+    run.buckets.push_back({.bucket = bucket, .verdict = "tie", .error = {magnitude}});
   }
   return run;
 }

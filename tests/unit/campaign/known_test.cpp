@@ -56,7 +56,7 @@ Tally tally_of(const std::string& bucket, std::uint64_t count, double magnitude)
   BucketTally& met = tally.buckets.of(*find_bucket(bucket));
   met.count = count;
   met.regimes[0] = count;
-  met.magnitude = magnitude;
+  met.error.magnitude = magnitude;
   return tally;
 }
 
@@ -81,13 +81,13 @@ bool is_waited_for(const std::string& bucket, double magnitude, const CorpusCase
 
 TEST_CASE("an acceptance holds up to its magnitude and on its last day, not beyond") {
   const Acceptance acceptance{.because = "so", .until = "2027-01-31", .up_to = 0.5};
-  CHECK(objection(acceptance, 0.5, "2027-01-31").empty());
-  CHECK_THAT(objection(acceptance, 0.51, "2027-01-31"), Contains("worse than is accepted: 0.51"));
-  CHECK_THAT(objection(acceptance, 0.1, "2027-02-01"), Contains("until 2027-01-31, and that is"));
-  CHECK_THAT(objection(acceptance, kInfinity, "2026-01-01"), Contains("worse than is accepted"));
-  CHECK(objection({.because = "so"}, kInfinity, "9999-12-31").empty());
-  CHECK(objection({.because = "so", .up_to = 0}, 0, kToday).empty());
-  CHECK_FALSE(objection({.because = "so", .up_to = 0}, 1e-12, kToday).empty());
+  CHECK(objection(acceptance, {0.5}, "2027-01-31").empty());
+  CHECK_THAT(objection(acceptance, {0.51}, "2027-01-31"), Contains("worse than is accepted: 0.51"));
+  CHECK_THAT(objection(acceptance, {0.1}, "2027-02-01"), Contains("until 2027-01-31, and that is"));
+  CHECK_THAT(objection(acceptance, {kInfinity}, "2026-01-01"), Contains("worse than is accepted"));
+  CHECK(objection({.because = "so"}, {kInfinity}, "9999-12-31").empty());
+  CHECK(objection({.because = "so", .up_to = 0}, {0}, kToday).empty());
+  CHECK_FALSE(objection({.because = "so", .up_to = 0}, {1e-12}, kToday).empty());
 }
 
 TEST_CASE("without a bound three times the worst seen is accepted, and at least the case itself") {

@@ -28,7 +28,8 @@ CampaignResult sample() {
                      .judge_every = 7};
   result.jobs = 3;
   result.verdicts = {90, 5, 4, 0, 1};
-  result.of_oracle = {0.25, std::numeric_limits<double>::infinity()};
+  result.of_oracle[Component::depth] = std::numeric_limits<double>::infinity();
+  result.of_oracle[Component::excess] = 0.25;
   result.stopped_early = true;
   result.budgets_hold = true;
   result.regimes = {{{60, 30, 20, 1}, "boxes"}, {{40, 10, 5, 0}, "grid"}};
@@ -36,9 +37,10 @@ CampaignResult sample() {
   const double beyond = std::numeric_limits<double>::infinity();
   const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
   result.buckets = {
-      {kOracleWrong, "oracle_wrong", 1, most, 9, "boxes", beyond, "a.json", "x", true},
-      {"none/tie/none/none/a", "tie", 5, 3, most, "grid", 0, "", "y", false},
-      {"oracle/known/depth/none/a", "known", 4, 3, 8, "boxes", 0.5, "", "z", false}};
+      {kOracleWrong, "oracle_wrong", 1, most, 9, "boxes", {beyond}, "a.json", "x", true},
+      {"none/tie/none/none/a", "tie", 5, 3, most, "grid", {0}, "", "y", false},
+      {"oracle/known/depth/none/a", "known", 4, 3, 8, "boxes", {0.5}, "", "z", false}};
+  result.buckets[2].error.errors[Component::position] = 0.5;
   for (BucketResult& found : result.buckets) found.regimes = {{"boxes", 1}};
   result.stale = {"b.json"};
   result.parts = {{3, most, {{"boxes", 20}}, 0.5}, {most, 7, {{"boxes", 40}, {"grid", 40}}, 1}};
@@ -65,7 +67,7 @@ std::string refusal(const Json& json) {
 TEST_CASE("a result of fuzz is read back as it was written, infinity too") {
   const Json json = json_of(sample());
   CHECK(json_of(read(json)).dump() == json.dump());
-  CHECK(read(json).buckets[0].magnitude == std::numeric_limits<double>::infinity());
+  CHECK(read(json).buckets[0].error.magnitude == std::numeric_limits<double>::infinity());
   CHECK(json["cases"] == 100);
   CHECK(json["touching"] == 40);
   CHECK(json["unexplained"] == 1);
@@ -73,8 +75,8 @@ TEST_CASE("a result of fuzz is read back as it was written, infinity too") {
 
 TEST_CASE("a result of fuzz with any part of another type, or without it, is refused by its path") {
   // These follow from others, and are not read.
-  const std::set<std::string> unread{"/seed", "/first", "/seconds", "/cases_per_second",
-                                     "/vacuous"};
+  const std::set<std::string> unread{"/seed",     "/first",  "/seconds", "/cases_per_second",
+                                     "/agreeing", "/vacuous"};
   const Json good = json_of(sample());
   const Json parts = good.flatten();
   CHECK(parts.size() > 80);

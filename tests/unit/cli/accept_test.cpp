@@ -45,13 +45,14 @@ TEST_CASE(
   const std::size_t said = outcome.out.find("accepted " + file + ": subject/");
   REQUIRE(said != std::string::npos);
   CHECK(shown < said);
-  CHECK_THAT(outcome.out, Contains(" of one_eyed, up to 0.5 of the size, until 2027-01-31"));
+  CHECK_THAT(outcome.out,
+             Contains(" of one_eyed, up to 0.5 of the size in missing, until 2027-01-31"));
   const CorpusCase known = read_case_file(file);
   REQUIRE(known.accepted);
   CHECK(known.accepted->because == "known since 2.3");
   CHECK(known.accepted->link == "https://example.org/7");
   CHECK(known.accepted->until == "2027-01-31");
-  CHECK(known.accepted->up_to == 0.5);
+  CHECK((*known.accepted->errors_up_to)[Component::missing] == 0.5);
   CHECK(known.accepted->per_million.contains("boxes"));
   CHECK(drop(folder, file).status == 0);
   CHECK(text_of(file) == before);
@@ -62,7 +63,7 @@ TEST_CASE("without more than a reason three times the worst is accepted, and a r
   const std::string file = accept_findings(folder, one_eyed(folder)).front();
   const CorpusCase known = read_case_file(file);
   const Seen seen = known.found->seen.value();
-  CHECK(known.accepted->up_to == 3 * seen.magnitude);
+  CHECK((*known.accepted->errors_up_to)[Component::missing] == 3 * seen.magnitude);
   CHECK(known.accepted->until.empty());
   REQUIRE(seen.regimes.size() == 1);
   CHECK(known.accepted->per_million.at("boxes") ==
@@ -88,7 +89,7 @@ TEST_CASE("a finding that is accepted again is accepted as was said last") {
   const TemporaryFolder folder;
   const std::string file = accept_findings(folder, one_eyed(folder)).front();
   CHECK(accept(folder, {file, file}, {"--up-to", "0.125"}).status == 0);
-  CHECK(read_case_file(file).accepted->up_to == 0.125);
+  CHECK((*read_case_file(file).accepted->errors_up_to)[Component::missing] == 0.125);
   CHECK(text_of(file).find("\"accepted\"") == text_of(file).rfind("\"accepted\""));
 }
 

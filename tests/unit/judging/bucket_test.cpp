@@ -33,12 +33,14 @@ TEST_CASE("unexplained is what nobody explains, and failures are the subject's")
   CHECK(is_failure({.fault = Fault::subject, .verdict = Verdict::crashed}));
 }
 
-TEST_CASE("an error is rounding up to a thousand bounds, and gross above a hundredth of the size") {
+TEST_CASE(
+    "an error is gross above a hundredth of the size, and else rounding up to a thousand bounds") {
   CHECK(class_of(Kind::depth, 1000 * 0x1p-20, 0x1p-20) == ErrorClass::rounding);
   CHECK(class_of(Kind::depth, 1001 * 0x1p-20, 0x1p-20) == ErrorClass::fine);
   CHECK(class_of(Kind::depth, 0.01, 1e-7) == ErrorClass::fine);
   CHECK(class_of(Kind::depth, 0.011, 1e-7) == ErrorClass::gross);
-  CHECK(class_of(Kind::depth, 0.5, 1e-3) == ErrorClass::rounding);
+  CHECK(class_of(Kind::depth, 0.5, 1e-3) == ErrorClass::gross);
+  CHECK(class_of(Kind::depth, 0.009, 1e-5) == ErrorClass::rounding);
   CHECK(class_of(Kind::depth, std::numeric_limits<double>::quiet_NaN(), 1) == ErrorClass::gross);
   CHECK(class_of(Kind::features, 0, 1) == ErrorClass::fine);
 }

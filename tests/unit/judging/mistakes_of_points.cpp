@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "mistakes.hpp"
+#include "oracle/exact/witness.hpp"
 
 namespace manifuzz::mistakes {
 namespace {

@@ -1,8 +1,12 @@
+#include "judging/unjudged.hpp"
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "judging/compare.hpp"
+#include "judging/by_curve.hpp"
 
 namespace manifuzz {
 namespace {
@@ -82,6 +86,59 @@ std::optional<std::string> why_malformed(const PairCase& pair, const ColliderAns
 std::optional<std::string> why_lost(const PairCase& pair, const ColliderAnswer& given) {
   if (const auto* const lost = std::get_if<Lost>(&given.answer)) return lost->why;
   return why_malformed(pair, given);
+}
+
+namespace {
+
+Verdict verdict_of(Lost::How how) {
+  constexpr std::array verdicts{Verdict::crashed, Verdict::timed_out, Verdict::malformed};
+  return verdicts[static_cast<std::size_t>(how)];
+}
+
+/// An answer that is no manifold to judge, as the finding that it is by itself: lost, or nonsense.
+std::optional<Bucket> without_manifold(const PairCase& pair, const ColliderAnswer& given,
+                                       Fault fault) {
+  const Answer& answer = given.answer;
+  if (const auto* const lost = std::get_if<Lost>(&answer)) {
+    return bucket_of_lost(verdict_of(lost->how), fault);
+  }
+  if (!why_malformed(pair, given)) return std::nullopt;
+  return bucket_of_lost(Verdict::malformed, fault);
+}
+
+/// The wider of both colliders' bounds.
+Bounds wider_bounds(const exact::Truth& truth, const ColliderAnswer& subject,
+                    const ColliderAnswer& oracle) {
+  const auto of = [&](const ColliderAnswer& given) {
+    return bounds(truth.pair(), given.declaration, truth.extent());
+  };
+  return std::max(of(subject), of(oracle),
+                  [](const Bounds& a, const Bounds& b) { return a.separation < b.separation; });
+}
+
+}  // namespace
+
+bool hides_all(const exact::Truth& truth, const ColliderAnswer& subject,
+               const ColliderAnswer& oracle) {
+  return is_ill_posed(truth.size(), wider_bounds(truth, subject, oracle)) ||
+         std::max(tolerance_of(truth, subject.declaration),
+                  tolerance_of(truth, oracle.declaration)) > kIllPosedShare * truth.size();
+}
+
+std::optional<Bucket> without_judging(const exact::Truth& truth, const ColliderAnswer& subject,
+                                      const ColliderAnswer& oracle) {
+  const PairCase& pair = truth.pair();
+  // What overflows in the collider's scalar is no nonsense of the collider's.
+  if (!std::isfinite(wider_bounds(truth, subject, oracle).separation)) {
+    return Bucket{.verdict = Verdict::ill_posed};
+  }
+  if (const auto bucket = without_manifold(pair, subject, Fault::subject)) return bucket;
+  if (const auto bucket = without_manifold(pair, oracle, Fault::oracle)) return bucket;
+  if (std::holds_alternative<Unsupported>(subject.answer) ||
+      std::holds_alternative<Unsupported>(oracle.answer)) {
+    return Bucket{.verdict = Verdict::unsupported};
+  }
+  return std::nullopt;
 }
 
 }  // namespace manifuzz
