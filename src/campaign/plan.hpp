@@ -16,6 +16,7 @@
 #include "judging/judge.hpp"
 #include "process/interruption.hpp"
 #include "sequence/motions.hpp"
+#include "sequence/sequence_judge.hpp"
 
 namespace manifuzz {
 
@@ -145,6 +146,8 @@ inline std::uint64_t usual_judge_every(const Collider& subject, const Collider& 
 struct SequencePlan {
   SequenceCollider subject;
   std::vector<const Motion*> motions;  ///< in the places of the plan's regimes
+
+  bool takes(const Sequence& sequence) const { return manifuzz::takes(subject, sequence); }
 };
 
 /// What a campaign runs: which cases, through which two colliders.
@@ -182,7 +185,8 @@ struct Plan {
     return generate(seed, *regimes[regime_of(number)], index_of(number), context);
   }
   Sequence sequence(CaseNumber number) const {
-    return draw_sequence(seed, *sequences->motions[regime_of(number)], index_of(number));
+    return draw_sequence(seed, *sequences->motions[regime_of(number)], index_of(number),
+                         [this](const Sequence& drawn) { return sequences->takes(drawn); });
   }
 };
 

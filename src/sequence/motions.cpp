@@ -16,6 +16,9 @@ constexpr Motion kMotions[] = {
 #undef MANIFUZZ_ENTRY
 };
 
+/// Two triangles, of solids of any kind, are one of 144 that are drawn.
+constexpr int kAttempts = 4096;
+
 }  // namespace
 
 std::span<const Motion> motions() {
@@ -26,9 +29,20 @@ const Motion* find_motion(std::string_view name) {
   return find_by_name(kMotions, name);
 }
 
-Sequence draw_sequence(std::uint64_t seed, const Motion& motion, std::uint64_t index) {
+Sequence draw_sequence(std::uint64_t seed, const Motion& motion, std::uint64_t index,
+                       const TakesSequence& takes) {
   Random random(seed, motion.name, index);
-  return motion.draw(random);
+  const Sequence first = motion.draw(random);
+  Sequence drawn = first;
+  for (int i = 1; takes && !takes(drawn); ++i) {
+    if (i == kAttempts) return first;
+    drawn = motion.draw(random);
+  }
+  return drawn;
+}
+
+bool has_taken(const Motion& motion, const TakesSequence& takes) {
+  return !takes || takes(draw_sequence(1, motion, 0, takes));
 }
 
 }  // namespace manifuzz

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -27,8 +28,16 @@ std::span<const Motion> motions();
 /// The motion of that name, or nullptr.
 const Motion* find_motion(std::string_view name);
 
-/// Sequence `index` of a motion: a function of (seed, the motion's name, index).
-Sequence draw_sequence(std::uint64_t seed, const Motion& motion, std::uint64_t index);
+/// Which sequences are asked for; all where it is empty.
+using TakesSequence = std::function<bool(const Sequence&)>;
+
+/// Sequence `index` of a motion: a function of (seed, the motion's name, index), the first of many
+/// that is taken. Where none is, it is the first.
+Sequence draw_sequence(std::uint64_t seed, const Motion& motion, std::uint64_t index,
+                       const TakesSequence& takes = {});
+
+/// Whether any sequences of a motion are taken.
+bool has_taken(const Motion& motion, const TakesSequence& takes);
 
 }  // namespace manifuzz
 

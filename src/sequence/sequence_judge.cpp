@@ -130,7 +130,15 @@ SequenceJudgement judge_sequence(const Sequence& sequence, const SequenceCollide
   return SequenceJudge(sequence, subject, answers).judge();
 }
 
+bool takes(const SequenceCollider& subject, const Sequence& sequence) {
+  const PairCase pair = sequence.at(0);
+  const bool has_mitred_radius = !is_round(pair) && total_radius(pair) > 0;
+  return takes_shapes(subject.declaration, pair) &&
+         (subject.declaration.takes_radius || !has_mitred_radius);
+}
+
 std::vector<KeptAnswer> ask_sequence(const SequenceCollider& subject, const Sequence& sequence) {
+  if (!takes(subject, sequence)) return {Unsupported{"declares that it takes no such shapes"}};
   std::vector<KeptAnswer> answers;
   const auto ask = subject.begin();
   for (std::size_t frame = 0; frame < sequence.frames.size(); ++frame) {

@@ -36,7 +36,12 @@ struct SequenceJudgement {
 SequenceJudgement judge_sequence(const Sequence& sequence, const SequenceCollider& subject,
                                  std::span<const KeptAnswer> answers);
 
-/// What the subject answers, frame by frame, up to the first that is lost or unsupported.
+/// Whether a collider may be asked about a sequence, by what it declares of shapes. Sharp polygons
+/// have no radius for one that takes none.
+bool takes(const SequenceCollider& subject, const Sequence& sequence);
+
+/// What the subject answers, frame by frame, up to the first that is lost or unsupported; it is not
+/// asked about shapes that it does not take.
 std::vector<KeptAnswer> ask_sequence(const SequenceCollider& subject, const Sequence& sequence);
 
 }  // namespace manifuzz

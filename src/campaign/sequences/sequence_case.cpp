@@ -129,7 +129,7 @@ Standing standing(const Sequence& sequence) {
 
 std::vector<KeptAnswer> ask_in_child(const SequenceCollider& subject, const Sequence& sequence,
                                      Interruption& interruption) {
-  if (subject.is_isolated) return ask_sequence(subject, sequence);
+  if (subject.is_isolated || !takes(subject, sequence)) return ask_sequence(subject, sequence);
   const Shared<AnswerSlot> slots(sequence.frames.size());
   const Shared<std::atomic<std::size_t>> done;
   const auto body = [&] {

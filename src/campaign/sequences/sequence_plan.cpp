@@ -1,5 +1,8 @@
 #include "campaign/sequences/sequence_plan.hpp"
 
+#include <fmt/format.h>
+
+#include "base/text.hpp"
 #include "exchange/json.hpp"
 #include "sequence/motions.hpp"
 
@@ -34,6 +37,15 @@ void plan_sequences(Plan& plan, const SequenceCollider& subject,
   plan.oracle = no_oracle();
   plan.oracle.declaration.name = kJudgeName;
   plan.sequences = {subject, chosen_by_name(motions(), names, "motion", "--regime")};
+  if (names.empty()) {
+    std::erase_if(plan.sequences->motions, [&](const Motion* motion) {
+      return !has_taken(*motion, [&](const Sequence& drawn) { return takes(subject, drawn); });
+    });
+  }
+  if (plan.sequences->motions.empty()) {
+    throw UserError(
+        fmt::format("{} takes no shapes that any motion has", subject.declaration.name));
+  }
   for (const Motion* const motion : plan.sequences->motions) {
     plan.regimes.push_back(named_after(*motion));
   }

@@ -6,6 +6,7 @@
 #include "campaign/sequences/replay_sequence.hpp"
 #include "campaign/sequences/save_sequence.hpp"
 #include "campaign/sequences/sequence_case.hpp"
+#include "campaign/sequences/sequence_plan.hpp"
 #include "sequence/motions.hpp"
 #include "unit/sequence/keepers.hpp"
 
@@ -136,4 +137,46 @@ TEST_CASE("a keeper that is not there is not asked, and one that is not installe
   const ReplayRun run = replay_sequences(saved, absent, {}, interruption);
   CHECK(run.unsupported() == 1);
   CHECK(run.failed() == 0);
+}
+
+TEST_CASE("a campaign draws sequences of shapes that the keeper declares") {
+  SequenceCollider subject = keeper_with(Mistake::none);
+  subject.declaration.min_vertices = kMinVertices;
+  subject.declaration.takes_round = false;
+  subject.declaration.takes_radius = false;
+  subject.declaration.max_vertices = 5;
+  Plan plan;
+  plan.seed = 1;
+  plan_sequences(plan, subject, {});
+  CHECK(plan.regimes.size() == motions().size());
+  for (CaseNumber number = 0; number < 400; ++number) {
+    const PairCase pair = plan.sequence(number).at(0);
+    REQUIRE_FALSE(is_round(pair));
+    REQUIRE(total_radius(pair) == 0);
+    REQUIRE(std::max(pair.a.polygon.count, pair.b.polygon.count) <= 5);
+  }
+}
+
+TEST_CASE("motions that have no shapes which a keeper takes are left out, unless they are named") {
+  SequenceCollider of_circles = keeper_with(Mistake::none);
+  of_circles.declaration.min_vertices = 1;
+  of_circles.declaration.takes_round = true;
+  for (const ShapeFamily other :
+       {ShapeFamily::capsule, ShapeFamily::polygon, ShapeFamily::rounded}) {
+    for (const ShapeFamily any :
+         {ShapeFamily::circle, ShapeFamily::capsule, ShapeFamily::polygon, ShapeFamily::rounded}) {
+      of_circles.declaration.declines.push_back({other, any});
+    }
+  }
+  of_circles.declaration.max_vertices = 1;
+  Plan plan;
+  plan_sequences(plan, of_circles, {});
+  // What rolls has a floor under it.
+  CHECK(plan.regimes.size() == motions().size() - 1);
+  const std::string rolling = "rolling";
+  Plan named;
+  plan_sequences(named, of_circles, {&rolling, 1});
+  Interruption interruption;
+  const Sequence untaken = named.sequence(0);
+  CHECK(judge_in_child(untaken, of_circles, interruption).bucket.verdict == Verdict::unsupported);
 }

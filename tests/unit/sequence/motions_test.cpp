@@ -125,6 +125,28 @@ TEST_CASE("a sequence depends on the seed, the motion's name and the index alone
   CHECK(find_motion("none of them") == nullptr);
 }
 
+TEST_CASE("sequences are drawn of shapes that are taken, else the first of all") {
+  const TakesSequence of_polygons = [](const Sequence& sequence) {
+    return !is_round(sequence.at(0));
+  };
+  int others = 0;
+  for (const Motion& motion : motions()) {
+    for (std::uint64_t i = 0; i < kSequences; ++i) {
+      const Sequence any = draw_sequence(7, motion, i);
+      const Sequence taken = draw_sequence(7, motion, i, of_polygons);
+      REQUIRE(of_polygons(taken));
+      REQUIRE(taken == draw_sequence(7, motion, i, of_polygons));
+      if (of_polygons(any)) REQUIRE(taken == any);
+      others += of_polygons(any) ? 0 : 1;
+    }
+    CHECK(has_taken(motion, of_polygons));
+    CHECK_FALSE(has_taken(motion, [](const Sequence&) { return false; }));
+    CHECK(draw_sequence(7, motion, 3, [](const Sequence&) { return false; }) ==
+          draw_sequence(7, motion, 3));
+  }
+  CHECK(others > 0);
+}
+
 TEST_CASE("most frames of motions touch, and those of teleport now and then") {
   const std::map<std::string, double> least = {
       {"resting", 0.5},  {"rocking", 0.5},          {"sliding", 0.4},        {"rolling", 0.9},
