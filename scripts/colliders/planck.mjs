@@ -3,7 +3,7 @@ import {
   CircleShape, CollideCircles, CollideEdgeCircle, CollideEdgePolygon, CollidePolygonCircle,
   CollidePolygons, ContactFeatureType, EdgeShape, Manifold, ManifoldType, PolygonShape, Rot, Settings,
 } from "planck";
-import { centroidOf, serve, toWorld, versionOf } from "./protocol.mjs";
+import { centroidOf, isProgram, serve, toWorld, versionOf } from "./protocol.mjs";
 
 const snippet = `@language js
 @point world.points $m, separations $s
@@ -130,4 +130,6 @@ function collide(a, b) {
   return { points, normal: [world.normal.x, world.normal.y], reference: byA ? "a" : "b" };
 }
 
-serve(declaration, collide);
+export { collide, declaration };
+
+if (isProgram(import.meta.url)) serve(declaration, collide);

@@ -35,26 +35,48 @@
 //   "touching"    {touching: true} or {touching: false}
 // One with a single depth for all points declares `depths: "shared"`, and returns
 // {points: [{position}, ...], normal, depth}. Where it throws, the case is counted as crashed.
-import { readFileSync } from "node:fs";
+//
+// `serveSequences(declaration, begin)` does the same for a program that keeps points from frame to
+// frame: `begin()` is called at the first frame of each sequence, and the function that it returns
+// is called with (a, b) for that frame and each after it. What that returns are kept points; see
+// "Programs that keep points" of oracle/external/README.md.
+import { readFileSync, realpathSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 
-export async function serve(declaration, collide) {
+export function serve(declaration, collide) {
+  return serveCases(declaration, ({ a, b }) => collide(readBody(a), readBody(b)));
+}
+
+export function serveSequences(declaration, begin) {
+  let next;
+  return serveCases(declaration, ({ frame, a, b }) => {
+    if (frame === 0) next = begin();
+    return next(readBody(a), readBody(b));
+  });
+}
+
+// Whether a module, by its import.meta.url, is the program and not what another one imports.
+export function isProgram(url) {
+  return realpathSync(process.argv[1]) === realpathSync(fileURLToPath(url));
+}
+
+async function serveCases(declaration, answer) {
   process.stdout.write(JSON.stringify({ declaration }) + "\n");
   let unfinished = "";
   for await (const chunk of process.stdin.setEncoding("utf8")) {
     const lines = (unfinished + chunk).split("\n");
     unfinished = lines.pop();
-    writeAnswers(lines, collide);
+    writeAnswers(lines, answer);
   }
-  writeAnswers([unfinished], collide);
+  writeAnswers([unfinished], answer);
 }
 
 // All in one write. Where the engine throws, those before it still go out: they tell which case.
-function writeAnswers(lines, collide) {
+function writeAnswers(lines, answer) {
   let answers = "";
   try {
     for (const line of lines.filter((line) => line.trim())) {
-      const { a, b } = JSON.parse(line);
-      answers += JSON.stringify(collide(readBody(a), readBody(b))) + "\n";
+      answers += JSON.stringify(answer(JSON.parse(line))) + "\n";
     }
   } finally {
     if (answers) process.stdout.write(answers);

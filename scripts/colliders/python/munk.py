@@ -31,15 +31,18 @@ PARALLEL = 1e-9
 class Shape:
     """One of Munk2D's, with the corners that it has in the world."""
 
-    def __init__(self, body):
+    def __init__(self, body, owner=ffi.NULL):
         count, radius = len(body.vertices), body.radius
         if count == 1:
-            shape = lib.cpCircleShapeNew(ffi.NULL, radius, body.vertices[0])
+            shape = lib.cpCircleShapeNew(owner, radius, body.vertices[0])
         elif count == 2:
-            shape = lib.cpSegmentShapeNew(ffi.NULL, *body.vertices, radius)
+            shape = lib.cpSegmentShapeNew(owner, *body.vertices, radius)
         else:  # as it stands: pymunk.Poly would take the hull
-            shape = lib.cpPolyShapeNewRaw(ffi.NULL, count, body.vertices, radius)
+            shape = lib.cpPolyShapeNewRaw(owner, count, body.vertices, radius)
         self.shape = ffi.gc(shape, lib.cpShapeFree)
+        self.place(body)
+
+    def place(self, body):
         c, s = body.rotation
         x, y = body.position
         lib.cpShapeUpdate(self.shape, (c, s, -s, c, x, y))
@@ -81,4 +84,5 @@ def collide(body_a, body_b):
     return answer if reference is None else {**answer, "reference": reference}
 
 
-serve(DECLARATION, collide)
+if __name__ == "__main__":
+    serve(DECLARATION, collide)

@@ -21,11 +21,29 @@ class Body(NamedTuple):
 
 
 def serve(declaration, collide):
+    serve_cases(declaration, lambda case: collide(read(case["a"]), read(case["b"])))
+
+
+def serve_sequences(declaration, begin):
+    """Of a program that keeps points from frame to frame: `begin(a, b)` is called at the first frame
+    of each sequence, and what it returns with (a, b) for that frame and each after it."""
+    following = None
+
+    def answer(case):
+        nonlocal following
+        a, b = read(case["a"]), read(case["b"])
+        if case["frame"] == 0:
+            following = begin(a, b)
+        return following(a, b)
+
+    serve_cases(declaration, answer)
+
+
+def serve_cases(declaration, answer):
     print(json.dumps({"declaration": declaration}), flush=True)
     for line in sys.stdin:
         if line.strip():
-            case = json.loads(line)
-            print(json.dumps(collide(read(case["a"]), read(case["b"]))), flush=True)
+            print(json.dumps(answer(json.loads(line))), flush=True)
 
 
 def read(body):
