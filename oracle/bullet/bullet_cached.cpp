@@ -161,6 +161,7 @@ Keeping keeping() {
           .drift = threshold,
           .since = StaleSince::birth,
           .match = threshold,
+          .match_by = MatchBy::a,
           .points_max = MANIFOLD_CACHE_SIZE};
 }
 

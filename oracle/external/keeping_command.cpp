@@ -104,8 +104,8 @@ SequenceCollider keeper_of_command(const std::string& command, double seconds_ma
   const ProgramDeclaration declared = program->ask_declaration();
   SequenceCollider keeper;
   keeper.declaration = declared.declaration;
-  keeper.declaration.claims = Claims::point;
-  keeper.declaration.clips = false;
+  // Whoever gives points claims them, whatever else.
+  if (declared.declaration.claims != Claims::manifold) keeper.declaration.claims = Claims::point;
   keeper.declaration.points = PointsAt::surface_a;
   keeper.keeping = *declared.keeping;
   keeper.begin = [program] { return program->begin_sequence(program); };

@@ -57,6 +57,10 @@ struct ShapeLength {
 /// Since when a point's drift and turn count.
 enum class StaleSince { birth, refresh };
 
+/// By which of their anchors two points are near each other: those on both bodies, the nearer ones,
+/// those on A, those on B.
+enum class MatchBy { both, either, a, b };
+
 /// What a collider that keeps points declares of them. Without a limit it is infinite.
 struct Keeping {
   ShapeLength gap;    ///< the greatest across which a point is kept
@@ -64,14 +68,16 @@ struct Keeping {
   double turn = std::numeric_limits<double>::infinity();  ///< of B against A, in radians
   StaleSince since = StaleSince::birth;
   ShapeLength match;  ///< within which a new point takes an old one's place
+  MatchBy match_by = MatchBy::both;
   int points_max = 2;
 };
 
 /// There is one each frame: no contact is one without points.
 using KeptAnswer = std::variant<KeptManifold, Unsupported, Lost>;
 
-/// A collider with a memory. What it says of a point at its birth is judged as `declaration` has it
-/// (claims `point`), and what becomes of it by `keeping`.
+/// A collider with a memory. What it says of a point at its birth is judged as `declaration` has
+/// it: of one that claims `point` each new point is the deepest, of one that claims `manifold` each
+/// is a point of some right contact. What becomes of a point is judged by `keeping`.
 struct SequenceCollider {
   Declaration declaration;
   Keeping keeping;

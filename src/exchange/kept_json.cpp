@@ -149,12 +149,14 @@ KeptAnswer KeptReader::read(const JsonView& object, const PairCase& pair) {
 }
 
 Keeping read_keeping(const JsonView& object) {
-  object.expect_keys({"gap", "drift", "turn", "since", "match", "points_max"});
+  object.expect_keys({"gap", "drift", "turn", "since", "match", "match_by", "points_max"});
   constexpr std::array<std::string_view, 2> since{"birth", "refresh"};
+  constexpr std::array<std::string_view, 4> match_by{"both", "either", "a", "b"};
   Keeping keeping{.gap = read_length(object, "gap"),
                   .drift = read_length(object, "drift"),
                   .since = static_cast<StaleSince>(read_word(object, "since", since)),
-                  .match = read_length(object, "match")};
+                  .match = read_length(object, "match"),
+                  .match_by = static_cast<MatchBy>(read_word(object, "match_by", match_by))};
   if (const auto turn = object.find("turn")) keeping.turn = turn->magnitude();
   if (const auto most = object.find("points_max")) keeping.points_max = read_count(*most);
   return keeping;

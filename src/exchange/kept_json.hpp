@@ -57,9 +57,9 @@ class KeptReader {
 };
 
 /// What a program declares of the points that it keeps: {"gap": length, "drift": length, "turn":
-/// radians, "since": "birth"|"refresh", "match": length, "points_max": n}, a length being a number
-/// or {"absolute": x, "relative": x, "measure": "reach"|"angular_disc"}. Throws UserError that
-/// begins with a path.
+/// radians, "since": "birth"|"refresh", "match": length, "match_by": "both"|"either"|"a"|"b",
+/// "points_max": n}, a length being a number or {"absolute": x, "relative": x, "measure":
+/// "reach"|"angular_disc"}. Throws UserError that begins with a path.
 Keeping read_keeping(const JsonView& object);
 
 }  // namespace manifuzz

@@ -65,6 +65,7 @@ struct InPlane {
             .turn = methods::kKeptShare,
             .since = StaleSince::birth,
             .match = share,
+            .match_by = MatchBy::either,
             .points_max = 3};
   }
 
@@ -82,8 +83,12 @@ struct InPlane {
 struct AsBullet {
   static Keeping keeping() {
     constexpr ShapeLength share = share_of(ShapeMeasure::angular_disc);
-    return {
-        .gap = share, .drift = share, .since = StaleSince::birth, .match = share, .points_max = 4};
+    return {.gap = share,
+            .drift = share,
+            .since = StaleSince::birth,
+            .match = share,
+            .match_by = MatchBy::a,
+            .points_max = 4};
   }
 
   template <class Scalar, class Detect>

@@ -114,8 +114,11 @@ FrameJudgement judge_gone(const FrameView& view, const Gone& gone) {
   if (view.points().empty()) {
     return found(gone.depth + view.keeping().gap.of(view.pair()), bound);
   }
+  // One end of a manifold may have taken its place and been left out, as others are as deep as they
+  // overlap; `judge_deepest` holds them to that.
+  const bool may_be_left_out = view.subject.declaration.claims == Claims::manifold;
   const double deeper = gone.depth - greatest_depth(view);
-  if (deeper > bound) return found(deeper, bound);
+  if (deeper > bound && !may_be_left_out) return found(deeper, bound);
   if (!has_room(view)) return {};
   const double beyond = beyond_on_a_side(view, gone);
   const double match = match_distance(view);

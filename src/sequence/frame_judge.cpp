@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -9,37 +11,6 @@
 
 namespace manifuzz {
 namespace {
-
-FrameJudgement of_length(const FrameView& view, Kind kind, double magnitude, double bound) {
-  return {.kind = kind, .magnitude = magnitude / view.size(), .bound = bound / view.size()};
-}
-
-/// The point as a detection of its own, on one side's surface, in A's frame.
-Manifold<double> detected_at(const PairCase& pair, const KeptPoint& point,
-                             const Vector2<double>& place) {
-  Manifold<double> manifold;
-  manifold.count = 1;
-  manifold.normal = local_normal(pair, point.normal);
-  manifold.points[0].position = place;
-  manifold.points[0].depth = point.depth;
-  return manifold;
-}
-
-/// By the anchor on A; the one on B is a depth away.
-FrameJudgement judge_detection(const FrameView& view, const KeptPoint& point) {
-  Declaration declaration = view.subject.declaration;
-  declaration.claims = Claims::point;
-  declaration.points = PointsAt::surface_a;
-  // Across gaps that it keeps it may detect as well, its depth rounded as at birth.
-  const double gap = rounded_limit(view.keeping().gap.of(view.pair()), declaration);
-  declaration.speculative = std::max(declaration.speculative, gap) + view.bound().birth.consistency;
-  const CurveJudgement curve = judge_by_curve(
-      view.truth, declaration, detected_at(view.pair(), point, point.anchor_a), view.bound().birth);
-  if (curve.kind == Kind::normal || curve.kind == Kind::reversed) {
-    return {.kind = curve.kind, .magnitude = curve.magnitude, .bound = curve.bound};
-  }
-  return of_length(view, curve.kind, curve.magnitude, curve.bound);
-}
 
 bool is_wrong(const FrameJudgement& judgement) {
   return judgement.kind != Kind::none;
@@ -66,8 +37,9 @@ FrameJudgement judge_normal(const FrameView& view, const KeptPoint& point, const
   const int refreshes = is_renewed ? static_cast<int>(view.frame - born) : 1;
   const double bound = carried_normal_bound(view.bounds[born], view.bound(), refreshes);
   const double off_unit = std::abs(point.normal.norm() - 1);
-  const double off = std::max(
-      off_unit, off_carried(view.sequence.at(born), view.pair(), birth.normal, point.normal));
+  const double turned = off_carried(view.sequence.at(born), view.pair(), point.travels_with,
+                                    birth.normal, point.normal);
+  const double off = std::max(off_unit, turned);
   if (off <= bound) return {};
   return {.kind = Kind::normal, .magnitude = off, .bound = bound};
 }
@@ -104,25 +76,6 @@ void add_lingering(std::vector<FrameJudgement>& found, const FrameView& view,
 
 }  // namespace
 
-FrameJudgement judge_birth(const FrameView& view, const KeptPoint& point) {
-  FrameJudgement found = judge_detection(view, point);
-  if (is_wrong(found)) return found;
-  const AnchorsNow now = anchors_now(view.pair(), point, point.normal);
-  const KeptBounds& bound = view.bound();
-  const double off = std::abs(point.depth - now.depth);
-  if (off > bound.birth.consistency) {
-    return of_length(view, Kind::inconsistent, off, bound.birth.consistency);
-  }
-  if (now.drift > 2 * bound.birth.across) {
-    return of_length(view, Kind::witness, now.drift, 2 * bound.birth.across);
-  }
-  return {};
-}
-
-Manifold<double> detected_on_b(const PairCase& pair, const KeptPoint& point) {
-  return detected_at(pair, point, anchor_b_in_a(pair, point));
-}
-
 std::vector<FrameJudgement> judge_kept(const FrameView& view, const KeptPoint& point) {
   const KeptPoint& birth = view.birth_of(point);
   std::vector<FrameJudgement> found{judge_anchors(view, point, birth), judge_depth(view, point),
@@ -132,6 +85,34 @@ std::vector<FrameJudgement> judge_kept(const FrameView& view, const KeptPoint& p
   return found;
 }
 
+namespace {
+
+/// The depth of a clip's deepest point, less by how much it may be off.
+double least_depth_of(const Admissible& right, const exact::Clip& clip) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const exact::ClipPoint& point : points_of(clip)) {
+    most = std::max(most, point.depth() - depth_bound(right, clip, point));
+  }
+  return most;
+}
+
+/// Whether a right clip has no point that is deeper, or keeps none. Under a bias, or of faces that
+/// rounding cannot tell apart, side planes may cut off the deepest corner.
+bool is_as_deep_as_a_clip(const FrameView& view, double depth) {
+  const Declaration& declaration = view.subject.declaration;
+  if (declaration.claims != Claims::manifold || !declaration.clips) return false;
+  const Admissible right =
+      admissible(std::make_shared<const exact::Truth>(view.pair()), declaration);
+  const auto manifolds = right_manifolds(right);
+  if (!manifolds.empty() && manifolds.front().count == 0) return true;
+  return std::ranges::any_of(right.candidates, [&](const exact::Clip* clip) {
+    return compare_gap(*clip, right.bounds.separation) <= 0 &&
+           least_depth_of(right, *clip) <= depth;
+  });
+}
+
+}  // namespace
+
 FrameJudgement judge_deepest(const FrameView& view) {
   const Declaration& declaration = view.subject.declaration;
   const CurveJudgement none =
@@ -139,13 +120,15 @@ FrameJudgement judge_deepest(const FrameView& view) {
   if (none.kind == Kind::none) return {};
   const double bound = view.bound().missing + tolerance_of(view.truth, declaration);
   const std::vector<KeptPoint>& points = view.points();
-  const auto deepest = std::ranges::max_element(points, {}, &KeptPoint::depth);
-  if (deepest == points.end() || deepest->depth < -bound) {
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (const KeptPoint& point : points) deepest = std::max(deepest, point.depth);
+  const exact::PenetrationCurve curve(view.truth, exact::skin_of(view.truth));
+  if (!points.empty() && curve.compare_least(deepest + bound) <= 0) return {};
+  if (is_as_deep_as_a_clip(view, deepest + bound)) return {};
+  if (points.empty() || deepest < -bound) {
     return of_length(view, Kind::missed_contact, none.magnitude, none.bound);
   }
-  const exact::PenetrationCurve curve(view.truth, exact::skin_of(view.truth));
-  if (curve.compare_least(deepest->depth + bound) <= 0) return {};
-  return of_length(view, Kind::depth, curve.least() - deepest->depth, bound);
+  return of_length(view, Kind::depth, curve.least() - deepest, bound);
 }
 
 std::vector<FrameJudgement> judge_frame(const FrameView& view) {
@@ -160,7 +143,10 @@ std::vector<FrameJudgement> judge_frame(const FrameView& view) {
     }
   }
   found.push_back(judge_deepest(view));
-  if (view.frame > 0) found.push_back(judge_extent(view));
+  if (view.frame > 0) {
+    found.push_back(judge_extent(view));
+    found.push_back(judge_match(view));
+  }
   std::erase_if(found, [](const FrameJudgement& judgement) { return !is_wrong(judgement); });
   return found;
 }

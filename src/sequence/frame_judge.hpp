@@ -45,6 +45,11 @@ struct FrameView {
   }
 };
 
+/// What is wrong by a world length.
+inline FrameJudgement of_length(const FrameView& view, Kind kind, double magnitude, double bound) {
+  return {.kind = kind, .magnitude = magnitude / view.size(), .bound = bound / view.size()};
+}
+
 /// In words, what an answer says that none can say: a figure that is not finite, too many points,
 /// an id twice, a birth in the future, or one that the frame before knows nothing of.
 std::optional<std::string> why_malformed(const Keeping& keeping,
@@ -53,7 +58,8 @@ std::optional<std::string> why_malformed(const Keeping& keeping,
 /// A point as a detection of its own, on B's surface, in A's frame.
 Manifold<double> detected_on_b(const PairCase& pair, const KeptPoint& point);
 
-/// What is wrong with a point that is born in this frame: by the penetration curve.
+/// What is wrong with a point that is born in this frame: by the penetration curve. Of a collider
+/// that claims `manifold` it may be a shallower end, whose depth is the overlap there.
 FrameJudgement judge_birth(const FrameView& view, const KeptPoint& point);
 
 /// What is wrong with a point that is kept from the frame before: each of its faults.
@@ -64,6 +70,9 @@ FrameJudgement judge_deepest(const FrameView& view);
 
 /// Whether a point of the frame before is gone that should be there.
 FrameJudgement judge_extent(const FrameView& view);
+
+/// Whether a point is kept beside a new one that should have taken its place.
+FrameJudgement judge_match(const FrameView& view);
 
 /// Everything that is wrong in a frame.
 std::vector<FrameJudgement> judge_frame(const FrameView& view);

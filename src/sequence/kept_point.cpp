@@ -63,17 +63,19 @@ Vector2<double> carried(const PairCase& then, const PairCase& now, Side by,
   return unit_of(carried_by(then, now, by, fine(normal)));
 }
 
-double off_carried(const PairCase& then, const PairCase& now, const Vector2<double>& normal_then,
-                   const Vector2<double>& normal_now) {
+double off_carried(const PairCase& then, const PairCase& now, TravelsWith by,
+                   const Vector2<double>& normal_then, const Vector2<double>& normal_now) {
   const FinePoint by_a = carried_by(then, now, Side::a, fine(normal_then));
   const FinePoint by_b = carried_by(then, now, Side::b, fine(normal_then));
   const FinePoint n = fine(normal_now);
+  const Vector2<double> now_unit = unit_of(n);
+  if (by == TravelsWith::a) return apart_of_units(now_unit, unit_of(by_a));
+  if (by == TravelsWith::b) return apart_of_units(now_unit, unit_of(by_b));
   const double turn = fine_cross(by_a, by_b).high;
   const double from_a = fine_cross(by_a, n).high;
   const double to_b = fine_cross(n, by_b).high;
   const bool is_between = turn > 0 ? from_a >= 0 && to_b >= 0 : from_a <= 0 && to_b <= 0;
   if (turn != 0 && is_between) return 0;
-  const Vector2<double> now_unit = unit_of(n);
   return std::min(apart_of_units(now_unit, unit_of(by_a)), apart_of_units(now_unit, unit_of(by_b)));
 }
 

@@ -34,10 +34,11 @@ double place_along(const PairCase& pair, Side side, const Vector2<double>& ancho
 Vector2<double> carried(const PairCase& then, const PairCase& now, Side by,
                         const Vector2<double>& normal);
 
-/// How far a normal is from the nearest direction between those of an earlier one as A carries it
-/// and as B does: the length of the difference of two unit vectors.
-double off_carried(const PairCase& then, const PairCase& now, const Vector2<double>& normal_then,
-                   const Vector2<double>& normal_now);
+/// How far a normal is from an earlier one as this body carries it; from the nearest direction
+/// between those as A carries it and as B does where it travels with none: the length of the
+/// difference of two unit vectors.
+double off_carried(const PairCase& then, const PairCase& now, TravelsWith by,
+                   const Vector2<double>& normal_then, const Vector2<double>& normal_now);
 
 /// The angle by which B has turned against A, in radians.
 double turned_since(const PairCase& then, const PairCase& now);

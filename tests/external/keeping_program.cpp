@@ -32,18 +32,23 @@ std::string answer_to(const std::string& line, const SequenceCollider& keeper,
   return answer;
 }
 
+test::Mistake mistake_of(std::string_view behaviour) {
+  if (behaviour == "stale") return test::Mistake::stale_normal;
+  return behaviour == "both_ends" ? test::Mistake::both_ends : test::Mistake::none;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::string_view behaviour = argc > 1 ? argv[1] : "";
-  const SequenceCollider keeper =
-      test::keeper_with(behaviour == "stale" ? test::Mistake::stale_normal : test::Mistake::none);
+  const SequenceCollider keeper = test::keeper_with(mistake_of(behaviour));
   if (behaviour != "undeclared") {
-    std::cout
-        << R"({"declaration": {"name": "keeping", "version": "1.0", "scalar": "float64", )"
-        << R"("frame": "local", "second_point": "clip", "keeping": {"gap": {"relative": 0.02}, )"
-        << R"("drift": {"relative": 0.02}, "turn": 0.02, "match": {"relative": 0.02}, )"
-        << R"("points_max": 3}}})" << std::endl;
+    std::cout << R"({"declaration": {"name": "keeping", "version": "1.0", "scalar": "float64", )"
+              << (behaviour == "both_ends" ? "" : R"("claims": "point", )")
+              << R"("frame": "local", "second_point": "clip", "keeping": {"gap": )"
+              << R"({"relative": 0.02}, "drift": {"relative": 0.02}, "turn": 0.02, )"
+              << R"("match": {"relative": 0.02}, "match_by": "either", "points_max": 3}}})"
+              << std::endl;
   }
   for (std::string line; std::getline(std::cin, line);) {
     std::cout << answer_to(line, keeper, behaviour) << std::endl;

@@ -1,16 +1,24 @@
+#include <filesystem>
+#include <map>
+#include <optional>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/text.hpp"
 #include "oracle/external/external_collider.hpp"
 #include "sequence/motions.hpp"
 #include "sequence/sequence_judge.hpp"
 #include "support/run_program.hpp"
+#include "support/skip.hpp"
+#include "support/source_tree.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/sequence/keepers.hpp"
 
 using namespace manifuzz;
 using namespace manifuzz::test;
 using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -71,6 +79,67 @@ TEST_CASE("what a program loses is its sequence's verdict, and the next one begi
       CHECK(std::holds_alternative<KeptManifold>(answers[1]));
       CHECK(judge_sequence(sequence, subject, answers).bucket.verdict == verdict);
     }
+  }
+}
+
+TEST_CASE("a program that claims a manifold may give both ends of a contact") {
+  const SequenceCollider ends = keeping("both_ends");
+  CHECK(ends.declaration.claims == Claims::manifold);
+  CHECK(ends.keeping.match_by == MatchBy::either);
+  for (std::uint64_t index = 0; index < 40; ++index) {
+    const Sequence sequence = draw_sequence(1, *find_motion("rocking"), index);
+    CHECK(judged(ends, sequence).bucket.verdict == Verdict::agree);
+  }
+}
+
+namespace {
+
+/// How many sequences an adapter of scripts/colliders is asked, and of which kinds are those on
+/// which it is wrong; none where what it needs is not installed.
+std::optional<std::map<Kind, int>> wrong_kinds(const std::string& program, const fs::path& needed,
+                                               std::uint64_t of_each) {
+  const fs::path adapters = source_dir() / "scripts/colliders";
+  if (!fs::exists(adapters / needed)) return std::nullopt;
+  const SequenceCollider keeper = keeper_of_command(program, 10, 60);
+  std::map<Kind, int> kinds;
+  for (const Motion& motion : motions()) {
+    for (std::uint64_t index = 0; index < of_each; ++index) {
+      const Sequence sequence =
+          draw_sequence(1, motion, index, [&](const Sequence& s) { return takes(keeper, s); });
+      const Bucket bucket = judged(keeper, sequence).bucket;
+      const bool is_judged =
+          bucket.verdict == Verdict::agree || bucket.verdict == Verdict::subject_wrong;
+      CAPTURE(motion.name, index, to_string(bucket));
+      CHECK(is_judged);
+      if (bucket.verdict == Verdict::subject_wrong) ++kinds[bucket.kind];
+    }
+  }
+  return kinds;
+}
+
+std::string adapter(const std::string& file) {
+  return quoted_for_shell((source_dir() / "scripts/colliders" / file).string());
+}
+
+}  // namespace
+
+TEST_CASE("planck's clips are kept without a fault but for contacts that planck misses") {
+  const auto kinds = wrong_kinds("node " + adapter("planck-kept.mjs"), "node_modules/planck", 100);
+  if (!kinds) return skip("planck is not installed");
+  for (const auto& [kind, count] : *kinds) {
+    CHECK(kind == Kind::missed_contact);
+    CHECK(count < 8);
+  }
+}
+
+TEST_CASE("the contacts of a Munk2D space are right, but for those that Munk2D gets wrong") {
+  const std::string python = "python/installed/bin/python";
+  const auto kinds =
+      wrong_kinds(adapter(python) + " " + adapter("python/munk_kept.py"), python, 50);
+  if (!kinds) return skip("pymunk is not installed");
+  for (const auto& [kind, count] : *kinds) {
+    CHECK(kind == Kind::not_minimal);
+    CHECK(count < 8);
   }
 }
 

@@ -1,6 +1,5 @@
 #include "canary/cached/cached_bugs.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -30,45 +29,11 @@ std::set<std::string>& planted() {
   return bugs;
 }
 
-bool has_id(const std::vector<KeptPoint>& points, int id) {
-  return std::ranges::find(points, id, &KeptPoint::id) != points.end();
-}
-
-/// Whether a point is new beside an old one whose place it should have taken: clearly within the
-/// match distance, on either body.
-bool is_new_beside_old(const KeptManifold& before, const KeptManifold& now, double match) {
-  for (const KeptPoint& point : now.points) {
-    if (has_id(before.points, point.id)) continue;
-    for (const KeptPoint& old : now.points) {
-      if (!has_id(before.points, old.id)) continue;
-      const double apart =
-          std::min((point.anchor_a - old.anchor_a).norm(), (point.anchor_b - old.anchor_b).norm());
-      if (apart < 0.99 * match) return true;
-    }
-  }
-  return false;
-}
-
-bool matches_as_declared(const SequenceCollider& subject, const Sequence& sequence,
-                         const std::vector<KeptAnswer>& answers) {
-  const double match = subject.keeping.match.of(sequence.at(0));
-  for (std::size_t i = 1; i < answers.size(); ++i) {
-    const auto* const before = std::get_if<KeptManifold>(&answers[i - 1]);
-    const auto* const now = std::get_if<KeptManifold>(&answers[i]);
-    if (before != nullptr && now != nullptr && is_new_beside_old(*before, *now, match)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// What the judge blames a collider for, or that it does not match points as it declares, which is
-/// no fault of a contact; none where all is well.
+/// What the judge blames a collider for; none where all is well.
 std::optional<std::string> blamed(const SequenceCollider& subject, const Sequence& sequence) {
   const auto answers = ask_sequence(subject, sequence);
   const SequenceJudgement judgement = judge_sequence(sequence, subject, answers);
   if (is_failure(judgement.bucket)) return to_string(judgement.bucket);
-  if (!matches_as_declared(subject, sequence, answers)) return "matches not as declared";
   return std::nullopt;
 }
 

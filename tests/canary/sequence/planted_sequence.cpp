@@ -1,10 +1,12 @@
 // Copied with the bugs planted into the judge of sequences, and compiled under a namespace of
 // theirs.
 #include "canary/sequence/sequence_bugs.hpp"
+#include "sequence/birth.cpp"
 #include "sequence/extent.cpp"
 #include "sequence/frame_judge.cpp"
 #include "sequence/kept_bounds.cpp"
 #include "sequence/kept_point.cpp"
+#include "sequence/match.cpp"
 #include "sequence/sequence_judge.cpp"
 #include "sequence/sequence_ledger.cpp"
 

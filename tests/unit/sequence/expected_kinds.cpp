@@ -38,10 +38,15 @@ const std::vector<Expected>& expected() {
         {Mistake::shares_ids, "rocking", "malformed", 60, {"extent", "normal"}},
         {Mistake::born_before, "sliding", "malformed", 140},
         {Mistake::too_many, "resting", "malformed", 200},
+        {Mistake::one_depth, "rocking", "witness", 40, {"inconsistent"}},
+        {Mistake::end_aside, "rocking", "witness", 25, {"inconsistent"}},
+        {Mistake::new_beside_old, "sliding", "lingering", 30},
+        {Mistake::wrong_carrier, "rocking", "normal", 60},
     };
     for (const Motion& motion : motions()) {
       made.push_back({Mistake::none, motion.name, ""});
       made.push_back({Mistake::keeps_nothing, motion.name, ""});
+      made.push_back({Mistake::both_ends, motion.name, ""});
     }
     return made;
   }();

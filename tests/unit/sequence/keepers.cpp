@@ -56,6 +56,7 @@ class Keeper {
 
   void detect(const PairCase& pair, const methods::KeepLimits<double>& limits) {
     if (is(Mistake::detects_no_more) && cache_.frame > 0) return;
+    if (gives_both_ends() && !is_round(pair)) return detect_ends(pair, limits);
     auto found = own::detected(pair, one_point_.declaration, one_point_.collide(pair));
     if (!found) return;
     const double aside = 0.3 * size(pair) / length_;
@@ -66,7 +67,32 @@ class Keeper {
       found->on_a += far * tangent;
       found->on_b += far * tangent;
     }
-    methods::add(cache_, b_in_a_, limits, *found);
+    auto within = limits;
+    if (is(Mistake::new_beside_old)) within.match = 0;
+    methods::add(cache_, b_in_a_, within, *found);
+  }
+
+  bool gives_both_ends() const {
+    return is(Mistake::both_ends) || is(Mistake::one_depth) || is(Mistake::end_aside);
+  }
+
+  /// The deeper end last: it takes the other's place where both are near each other.
+  void detect_ends(const PairCase& pair, const methods::KeepLimits<double>& limits) {
+    auto clip = std::get<Manifold<double>>(clip_.collide(pair));
+    auto& [first, second] = clip.points;
+    if (clip.count == 2 && first.depth > second.depth) std::swap(first, second);
+    for (int i = 0; i < clip.count; ++i) {
+      Manifold<double> end = clip;
+      end.count = 1;
+      end.points[0] = clip.points[i];
+      const bool is_shallow = i + 1 < clip.count;
+      if (is_shallow && is(Mistake::one_depth)) end.points[0].depth = clip.points[i + 1].depth;
+      if (is_shallow && is(Mistake::end_aside)) {
+        end.points[0].position += clip.points[i].position - clip.points[i + 1].position;
+      }
+      methods::add(cache_, b_in_a_, limits, *own::detected(pair, clip_.declaration, end));
+      methods::reduce(cache_, b_in_a_);
+    }
   }
 
   /// The deepest of those kept, or the one farthest to a side that is not the deepest.
@@ -85,6 +111,12 @@ class Keeper {
     methods::keep_if(cache_, [&](const Point& point) { return point.id != dropped; });
   }
 
+  TravelsWith carrier_of(const Point& point) const {
+    if (is(Mistake::stale_normal)) return TravelsWith::world;
+    const bool is_of_a = point.carrier == methods::Carrier::a;
+    return is_of_a != is(Mistake::wrong_carrier) ? TravelsWith::a : TravelsWith::b;
+  }
+
   KeptPoint said_of(const Point& point, const PairCase& pair) {
     const bool is_kept = point.born != cache_.frame;
     const Vector2<double> normal = world_normal(pair, methods::normal_in_a(point, b_in_a_));
@@ -93,6 +125,7 @@ class Keeper {
                    .anchor_a = point.anchor_a,
                    .anchor_b = point.anchor_b,
                    .normal = normal,
+                   .travels_with = carrier_of(point),
                    .depth = point.depth * length_};
     const auto old =
         std::ranges::find_if(last_.points, [&](const KeptPoint& p) { return p.id == point.id; });
@@ -118,6 +151,7 @@ class Keeper {
 
   Mistake mistake_;
   Collider one_point_;
+  Collider clip_ = make_clip64();
   Cache cache_;
   KeptManifold last_;
   Pose<double> b_in_a_;
@@ -130,6 +164,11 @@ SequenceCollider keeper_with(Mistake mistake) {
   const Collider gjk = make_gjk64();
   SequenceCollider collider = make_cached64();
   collider.declaration.name = "a keeper";
+  const std::set ends{Mistake::both_ends, Mistake::one_depth, Mistake::end_aside};
+  if (ends.contains(mistake)) {
+    collider.declaration.claims = Claims::manifold;
+    collider.declaration.clips = true;
+  }
   if (mistake == Mistake::keeps_nothing)
     collider.keeping = Keeping{.gap = {}, .drift = {}, .turn = 0, .match = {}};
   collider.begin = [mistake, gjk] {

@@ -15,6 +15,11 @@ namespace manifuzz::test {
 enum class Mistake {
   none,
   keeps_nothing,    ///< no mistake: the detection of each frame alone
+  both_ends,        ///< no mistake: of polygons both ends of clips are detected
+  one_depth,        ///< the shallower end of a clip has the depth of the other
+  end_aside,        ///< the shallower end of a clip is beside its place
+  new_beside_old,   ///< a new point takes no old one's place
+  wrong_carrier,    ///< a normal travels with the other body than it says
   stale_normal,     ///< its normals stay as they were in the world
   past_gap,         ///< points are kept whatever their gap
   past_drift,       ///< points are kept however far they slid

@@ -32,8 +32,8 @@ struct Closest {
       return;
     }
     const auto born = static_cast<std::size_t>(point.born);
-    const double off =
-        off_carried(view.sequence.at(born), view.pair(), view.birth_of(point).normal, point.normal);
+    const double off = off_carried(view.sequence.at(born), view.pair(), point.travels_with,
+                                   view.birth_of(point).normal, point.normal);
     depth = std::max(depth, std::abs(point.depth - now.depth) / bound.gap);
     normal = std::max(normal, off / carried_normal_bound(view.bounds[born], bound, 1));
   }
