@@ -42,8 +42,8 @@ bool slot_by_areas(const FrameView& view, const FrameJudgement& judgement) {
          });
 }
 
-/// The answer as bullet-epa would give it: the same queries of the same prisms, and nothing kept.
-bool detected_by_epa(const FrameView& view, const FrameJudgement& judgement) {
+/// The answer as an engine gives it that keeps nothing: its entries explain what is detected.
+bool detected_by(std::string_view engine, const FrameView& view, const FrameJudgement& judgement) {
   Manifold<double> got;
   if (judgement.point) {
     if (judgement.kind == Kind::extent) return false;
@@ -54,7 +54,20 @@ bool detected_by_epa(const FrameView& view, const FrameJudgement& judgement) {
   const Declaration& declaration = view.subject.declaration;
   const auto truth = std::make_shared<const exact::Truth>(view.pair());
   const Admissible right = admissible(truth, declaration);
-  return find_explanation("bullet-epa", {right, got, judgement.kind}) != nullptr;
+  return find_explanation(engine, {right, got, judgement.kind}) != nullptr;
+}
+
+/// By bullet-epa: the same queries of the same prisms.
+bool detected_by_epa(const FrameView& view, const FrameJudgement& judgement) {
+  return detected_by("bullet-epa", view, judgement);
+}
+
+bool detected_by_planck(const FrameView& view, const FrameJudgement& judgement) {
+  return detected_by("planck", view, judgement);
+}
+
+bool detected_by_munk(const FrameView& view, const FrameJudgement& judgement) {
+  return detected_by("pymunk", view, judgement);
 }
 
 /// Where the solver of penetrations is asked about shapes that are apart, the distance is that of
@@ -97,6 +110,12 @@ constexpr std::array kSequenceLedger{
     entry_of("bullet-cached-axis-across-gap", "bullet-cached",
              "a gap below 0.001 has its width as distance, and an axis of before as normal",
              kAxisSource, axis_across_gap),
+    entry_of("planck-kept-detection", "planck-kept",
+             "what is detected is wrong as planck's answers are",
+             "planck 1.5.0, CollidePolygon.js, CollidePolygons", detected_by_planck),
+    entry_of("pymunk-kept-detection", "pymunk-kept",
+             "what is detected is wrong as pymunk's answers are",
+             "pymunk 7.3.0, Munk2D's cpCollision.c, cpCollide", detected_by_munk),
     entry_of("cached-bullet-world-normal", "cached-bullet", kWorldNormal, kWorldNormalSource,
              normal_of_the_world),
     entry_of("cached-bullet-slot-by-areas", "cached-bullet", kAreas, kAreasSource, slot_by_areas),
