@@ -42,8 +42,25 @@ bool slot_by_areas(const FrameView& view, const FrameJudgement& judgement) {
          });
 }
 
+bool detected_by(std::string_view engine, const FrameView& view, const FrameJudgement& judgement);
+
+/// No point is as deep as they overlap since the one that is new is not.
+bool detected_too_shallow(std::string_view engine, const FrameView& view) {
+  for (std::size_t i = 0; i < view.points().size(); ++i) {
+    if (!view.is_born(view.points()[i])) continue;
+    FrameJudgement of_birth = judge_birth(view, view.points()[i]);
+    of_birth.point = i;
+    if (of_birth.kind != Kind::none && detected_by(engine, view, of_birth)) return true;
+  }
+  return false;
+}
+
 /// The answer as an engine gives it that keeps nothing: its entries explain what is detected.
 bool detected_by(std::string_view engine, const FrameView& view, const FrameJudgement& judgement) {
+  const bool is_anything_new = std::ranges::any_of(
+      view.points(), [&](const KeptPoint& point) { return view.is_born(point); });
+  const bool is_too_shallow = judgement.kind == Kind::depth;
+  if (is_too_shallow && is_anything_new) return detected_too_shallow(engine, view);
   Manifold<double> got;
   if (judgement.point) {
     if (judgement.kind == Kind::extent) return false;
@@ -54,7 +71,9 @@ bool detected_by(std::string_view engine, const FrameView& view, const FrameJudg
   const Declaration& declaration = view.subject.declaration;
   const auto truth = std::make_shared<const exact::Truth>(view.pair());
   const Admissible right = admissible(truth, declaration);
-  return find_explanation(engine, {right, got, judgement.kind}) != nullptr;
+  // What is kept hides that the contact was missed.
+  const Kind kind = is_too_shallow ? Kind::missed_contact : judgement.kind;
+  return find_explanation(engine, {right, got, kind}) != nullptr;
 }
 
 /// By bullet-epa: the same queries of the same prisms.
