@@ -94,3 +94,24 @@ TEST_CASE("what Bullet detects is kept by its rules here as Bullet keeps it") {
   }
   CHECK(checked > 100);
 }
+
+TEST_CASE("what Bullet keeps is right, or wrong in a way that the ledger knows") {
+  const auto of_bullet = installed("bullet-cached");
+  if (!of_bullet) {
+    test::skip("Bullet is not installed");
+    return;
+  }
+  int known = 0;
+  for (const Motion& motion : motions()) {
+    for (std::uint64_t index = 0; index < 150; ++index) {
+      CAPTURE(motion.name, index);
+      const Sequence sequence = draw_sequence(
+          77'001, motion, index, [&](const Sequence& drawn) { return takes(*of_bullet, drawn); });
+      const auto judgement =
+          judge_sequence(sequence, *of_bullet, ask_sequence(*of_bullet, sequence));
+      CHECK(judgement.bucket.verdict != Verdict::subject_wrong);
+      known += judgement.bucket.verdict == Verdict::known ? 1 : 0;
+    }
+  }
+  CHECK(known > 100);
+}
