@@ -1,5 +1,6 @@
 #include "canary/kept_polygons/polygon_bugs.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
