@@ -81,6 +81,27 @@ double beyond_all(const FrameView& view, const KeptPoint& gone, const Vector2<do
   return beyond;
 }
 
+bool claims_manifold(const FrameView& view) {
+  return view.subject.declaration.claims == Claims::manifold;
+}
+
+/// How far the anchors of an end that was detected, and left out, may be apart along the tangent of
+/// another normal: no deeper than the deepest, it has them along its own.
+double apart_along_tangent(const FrameView& view, const Vector2<double>& normal) {
+  if (!claims_manifold(view)) return 0;
+  std::vector<Vector2<double>> detected;
+  for (const KeptPoint& point : view.points()) {
+    if (view.is_born(point)) detected.push_back(point.normal);
+  }
+  const exact::PenetrationCurve curve(view.truth, exact::skin_of(view.truth));
+  for (const Vector2<double>& least : curve.minima(view.bound().birth.minimality)) {
+    detected.push_back(world_normal(view.pair(), least));
+  }
+  double sine = 0;
+  for (const Vector2<double>& of : detected) sine = std::max(sine, std::abs(cross(normal, of)));
+  return sine * std::max(greatest_depth(view), 0.0);
+}
+
 /// By how much it is beyond the others on the side that it is on, whichever of those normals along
 /// which the contact may be deepest gives the sides; negative where it is not.
 double beyond_on_a_side(const FrameView& view, const Gone& gone) {
@@ -93,8 +114,9 @@ double beyond_on_a_side(const FrameView& view, const Gone& gone) {
   double beyond = std::numeric_limits<double>::infinity();
   for (const Vector2<double>& normal : normals) {
     const Vector2<double> side = counter_clockwise_quarter(normal);
-    beyond = std::min(
-        beyond, std::max(beyond_all(view, gone.point, side), beyond_all(view, gone.point, -side)));
+    const double on_a_side =
+        std::max(beyond_all(view, gone.point, side), beyond_all(view, gone.point, -side));
+    beyond = std::min(beyond, on_a_side - apart_along_tangent(view, normal));
   }
   return beyond;
 }
@@ -116,9 +138,8 @@ FrameJudgement judge_gone(const FrameView& view, const Gone& gone) {
   }
   // One end of a manifold may have taken its place and been left out, as others are as deep as they
   // overlap; `judge_deepest` holds them to that.
-  const bool may_be_left_out = view.subject.declaration.claims == Claims::manifold;
   const double deeper = gone.depth - greatest_depth(view);
-  if (deeper > bound && !may_be_left_out) return found(deeper, bound);
+  if (deeper > bound && !claims_manifold(view)) return found(deeper, bound);
   if (!has_room(view)) return {};
   const double beyond = beyond_on_a_side(view, gone);
   const double match = match_distance(view);
