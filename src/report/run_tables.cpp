@@ -48,6 +48,7 @@ std::string verdict_rows(const CampaignResult& result) {
     text += fmt::format("{}{:>14}\n", is_bad ? bad(name) : name, result.verdicts[i]);
   }
   text += fmt::format("{:<18}{:>14}\n", "unexplained", result.unexplained());
+  text += fmt::format("{:<18}{:>14}  of those that agree\n", "judged", result.agreeing_judged);
   if (result.accepted() > 0) text += fmt::format("{:<18}{:>14}\n", "accepted", result.accepted());
   if (result.by_tolerance > 0) {
     text += fmt::format("{:<18}{:>14}\n", "by tolerance", result.by_tolerance);
