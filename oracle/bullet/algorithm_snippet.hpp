@@ -16,8 +16,8 @@ int main() {
   btDefaultCollisionConfiguration configuration; btCollisionDispatcher dispatcher(&configuration);
 )" MANIFUZZ_BULLET_ALGORITHM
     R"(  btManifoldResult result(&inA, &inB); algorithm.@asked(processCollision)@(&inA, &inB, btDispatcherInfo(), &result);
-  const btPersistentManifold& found = *result.getPersistentManifold(); std::printf("%d points\n", found.getNumContacts());
-  for (int i = 0; i < found.getNumContacts(); ++i) for (const btManifoldPoint& p : {found.getContactPoint(i)}) std::printf("(%.9g, %.9g, %.9g), normal (%.9g, %.9g), distance %.9g\n", p.getPositionWorldOnB().x(), p.getPositionWorldOnB().y(), p.getPositionWorldOnB().z(), p.m_normalWorldOnB.x(), p.m_normalWorldOnB.y(), p.getDistance());
+  const btPersistentManifold& found = *result.getPersistentManifold(); std::printf("%d points\n", found.getNumContacts()); btManifoldPoint deepest; for (int i = 0; i < found.getNumContacts(); ++i) if (i == 0 || found.getContactPoint(i).getDistance() < deepest.getDistance()) deepest = found.getContactPoint(i);
+  const btVector3 n = deepest.m_normalWorldOnB; const float part = std::hypot(n.x(), n.y());  /* of it in the plane */ for (int i = 0; i < found.getNumContacts(); ++i) for (const btManifoldPoint& p : {found.getContactPoint(i)}) std::printf("(%.9g, %.9g, %.9g), normal of the deepest (%.9g, %.9g), distance %.9g\n", p.getPositionWorldOnB().x(), p.getPositionWorldOnB().y(), p.getPositionWorldOnB().z(), n.x() / part, n.y() / part, p.getDistance() * part);
 }
 )";
 

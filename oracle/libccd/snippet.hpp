@@ -22,7 +22,7 @@ void support(const void* object, const ccd_vec3_t* to, ccd_vec3_t* out) {
   ccd_t ccd; double depth = 0, part; ccd_vec3_t to, at; CCD_INIT(&ccd); ccd.max_iterations = 1000;
   ccd.support1 = ccd.support2 = support;)" MANIFUZZ_LIBCCD_SET_MIDDLE R"(
   if (@asked()" MANIFUZZ_LIBCCD_ASKED
-    R"()@(&a, &b, &ccd, &depth, &to, &at) != 0 || (part = hypot(to.v[0], to.v[1])) == 0) return puts("no contact");
+    R"()@(&a, &b, &ccd, &depth, &to, &at) != 0 || (part = hypot(to.v[0], to.v[1])) == 0) return puts("no contact"), 0;
   printf("they touch, depth %.9g, direction (%.9g, %.9g)\n", depth * part, to.v[0] / part, to.v[1] / part); // in the plane
 }
 )";

@@ -3,9 +3,8 @@ import * as p2 from "p2-es";
 import { serve, toWorld, versionOf } from "./protocol.mjs";
 
 const snippet = `@language js
-@point in the world contactPointA $a, contactPointB $b
+@point in the world contactPointB $p, gap $s
 @!a.circle? @b.circle? @b_first
-@!a.circle? @b.circle? @point in the world contactPointA $b, contactPointB $a
 import * as p2 from "p2-es";
 @each @*.polygon? const @* = new p2.Convex({ vertices: [@*.vertices([$X, $Y])@] });
 @each @*.polygon? const body@^ = new p2.Body({ position: [@*.position($X, $Y)@], angle: Math.atan2(@*.rotation($Y, $X)@) });
@@ -20,10 +19,12 @@ narrowphase.currentContactMaterial = new p2.ContactMaterial(new p2.Material(), n
 const [first, second] = [[bodyA, a], [bodyB, b]].sort(([, p], [, q]) => p.type - q.type)
   .map(([body, shape]) => [body, shape, body.position, body.angle]);
 narrowphase.@asked(narrowphases)@[a.type | b.type](...first, ...second);
-const inWorld = (body, place) => body.position.map((x, k) => x + place[k]);
+const gapOf = ({ bodyA, bodyB, normalA, contactPointA, contactPointB }) => p2.vec2.dot(normalA, // as computeB has it
+  bodyB.position.map((x, k) => x + contactPointB[k] - bodyA.position[k] - contactPointA[k]));
+const inWorld = (body, place) => Array.from(body.position, (x, k) => x + place[k]); // not rounded to floats
 console.log(narrowphase.contactEquations.length, "points", narrowphase.contactEquations.map((of) => [
   of.bodyA === bodyA ? "A to B" : "B to A", of.normalA, // from its own body A
-  inWorld(of.bodyA, of.contactPointA), inWorld(of.bodyB, of.contactPointB)]));
+  inWorld(of.bodyA, of.contactPointA), inWorld(of.bodyB, of.contactPointB), "gap", gapOf(of)]));
 `;
 
 const declaration = {

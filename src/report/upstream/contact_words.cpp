@@ -41,12 +41,13 @@ class EngineTerms {
 
   /// `on`: on whose surface, or the middle where there is none.
   std::string point(const Vector2<double>& world_place, double depth, std::optional<Side> on,
-                    const Vector2<double>& world_unit, bool is_clamped) const {
+                    const Vector2<double>& world_unit, bool is_clamped,
+                    const std::string& form) const {
     const double back = on ? 0.0 : depth / 2;
     const Vector2<double> on_a =
         on == Side::b ? world_place + depth * world_unit : world_place + back * world_unit;
     const Vector2<double> on_b = on_a - depth * world_unit;
-    std::string text = program_.point;
+    std::string text = form;
     boost::replace_all(text, "$p", place_text(world_place));
     boost::replace_all(text, "$m", place_text(0.5 * (on_a + on_b)));
     boost::replace_all(text, "$a", place_text(on_a));
@@ -58,8 +59,12 @@ class EngineTerms {
 
   /// Of the engine's own answer, whose points lie where it declares.
   std::string got(const Manifold<double>& manifold) const {
-    if (!is_judged_by_curve(declaration_, pair_))
+    const bool is_by_curve = is_judged_by_curve(declaration_, pair_);
+    // Across a gap no right contact has an incident edge that a midpoint is moved to.
+    const bool is_moved = !is_by_curve && !admissible(pair_, declaration_).candidates.empty();
+    if (is_moved || (!is_by_curve && declaration_.points != PointsAt::midpoint)) {
       return contact(manifold, manifold.reference, true);
+    }
     switch (declaration_.points) {
       case PointsAt::midpoint:
         return contact(manifold, std::nullopt, true);
@@ -79,7 +84,11 @@ class EngineTerms {
     if (manifold.count <= 0) return program_.none;
     const Vector2<double> normal_there = world_normal(pair_, manifold.normal);
     const double length = normal_there.norm();
-    const Vector2<double> unit = length > 0 ? normal_there / length : Vector2<double>(0, 0);
+    // A midpoint was moved along the normal as it was given.
+    const bool is_as_given =
+        length == 0 || (is_clamped && reference && declaration_.points == PointsAt::midpoint);
+    const Vector2<double> unit =
+        is_as_given ? normal_there : Vector2<double>(normal_there / length);
     std::vector<std::string> parts;
     if (program_.has_normal) parts.push_back(normal(manifold.normal));
     for (int i = 0; i < std::min(manifold.count, 2); ++i) {
@@ -93,7 +102,8 @@ class EngineTerms {
           at += (*on == Side::a ? radius : -radius) * unit;
         }
       }
-      parts.push_back(point(at, depth, on, unit, is_clamped));
+      parts.push_back(point(without_roundings(at), depth, on, unit, is_clamped,
+                            i > 0 && declaration_.shares_depth ? form_of_place() : program_.point));
       if (detail_.has_features) {
         parts.back() += fmt::format(", between {} and {}", place_name(Side::a, features.a),
                                     place_name(Side::b, features.b));
@@ -115,6 +125,23 @@ class EngineTerms {
     const int digits = declaration_.scalar == ScalarType::float32 ? 7 : 9;
     if (std::isnan(value)) return "nan";  // its sign differs between machines
     return fmt::format("{:.{}g}", value + 0.0, digits + detail_.more_digits);
+  }
+
+  /// Of a second point, where one depth is given for both.
+  std::string form_of_place() const { return program_.point.substr(0, program_.point.find(',')); }
+
+  /// A place comes by A's frame, where that is not the world's: what is left there of a coordinate
+  /// of 0 is roundings.
+  Vector2<double> without_roundings(Vector2<double> place) const {
+    const Pose<float>& frame = pair_.a.pose;
+    if (frame.rotation == Vector2<float>(1, 0) && frame.position == Vector2<float>(0, 0))
+      return place;
+    const double largest =
+        place.cwiseAbs().maxCoeff() + frame.position.cast<double>().cwiseAbs().maxCoeff();
+    for (int i = 0; i < 2; ++i) {
+      if (std::abs(place[i]) <= 0x1p-50 * largest) place[i] = 0;
+    }
+    return place;
   }
 
   std::string place_text(const Vector2<double>& place) const {
@@ -203,11 +230,26 @@ double true_depth(const PairCase& pair) {
   return total_radius(pair) - exact::separation_of(exact::Truth(pair));
 }
 
+RightContact right_contact(const PairCase& pair, const DeclaredAnswer& asked) {
+  if (const auto along_own = right_along_own(pair, asked)) {
+    return {.manifold = along_own, .count = 1, .is_along_own = true};
+  }
+  const std::vector<Manifold<double>> right =
+      manifolds_to_show(admissible(pair, asked.declaration), asked.declaration);
+  if (right.empty()) return {};
+  return {.manifold = nearest_to(right, claim_of(asked.answer)),
+          .count = static_cast<int>(right.size())};
+}
+
 std::string got_in_words(const PairCase& pair, const DeclaredAnswer& asked, const Program& program,
                          Detail detail) {
   const EngineTerms terms(pair, asked.declaration, program, detail);
   if (const auto* const said = std::get_if<Penetration>(&asked.answer)) {
     return terms.penetration(*said);
+  }
+  const auto* const lost = std::get_if<Lost>(&asked.answer);
+  if (lost != nullptr && lost->why.ends_with("is null; a number is expected")) {
+    return "a contact with figures that are no numbers";  // JSON has neither nan nor infinity
   }
   const Manifold<double>* const manifold = asked.manifold();
   return manifold == nullptr ? answer_in_words(asked) : terms.got(*manifold);
@@ -216,16 +258,11 @@ std::string got_in_words(const PairCase& pair, const DeclaredAnswer& asked, cons
 std::string expected_in_words(const PairCase& pair, const DeclaredAnswer& asked,
                               const Program& program, Detail detail) {
   const EngineTerms terms(pair, asked.declaration, program, detail);
-  if (const auto along_own = right_along_own(pair, asked)) {
-    return in_terms(terms, asked.declaration, *along_own);
-  }
-  const std::vector<Manifold<double>> right =
-      manifolds_to_show(admissible(pair, asked.declaration), asked.declaration);
-  if (right.empty()) return program.none;
-  const Manifold<double>& shown = nearest_to(right, claim_of(asked.answer));
-  const std::string text = in_terms(terms, asked.declaration, shown);
-  if (right.size() == 1) return text;
-  return fmt::format("{}; or another of {} that are right", text, right.size());
+  const RightContact right = right_contact(pair, asked);
+  const std::string text =
+      right.manifold ? in_terms(terms, asked.declaration, *right.manifold) : program.none;
+  if (right.count <= 1) return text;
+  return fmt::format("{}; or another of {} that are right", text, right.count);
 }
 
 }  // namespace manifuzz

@@ -25,14 +25,40 @@ double true_depth(const PairCase& pair);
 /// Three significant digits.
 std::string plain(double value);
 
+/// The right contact that an answer is held against, in A's frame.
+struct RightContact {
+  std::optional<Manifold<double>> manifold{};  ///< none where they are apart
+  int count = 0;                               ///< how many are right
+  bool is_along_own = false;  ///< along the answer's own normal, which has the least depth
+};
+
+/// The one along the answer's own normal, where that is right, else the one whose normal is
+/// nearest to it.
+RightContact right_contact(const PairCase& pair, const DeclaredAnswer& asked);
+
 /// How deep they overlap along the answer's own normal; the least depth where it has none.
 double depth_along(const PairCase& pair, const Claim& claim);
 
 /// Whether they are said to be so much deeper than they are that a wrong normal is the lesser news.
 bool is_far_too_deep(const PairCase& pair, const Claim& claim, const Declaration& declaration);
 
-/// Whether points lie where the shapes overlap, but not as deep there as is said.
-bool is_depth_elsewhere(const JudgedCase& judged, const Declaration& declaration);
+/// How far the contact point that lies farthest out of either shape lies out of it; 0 where each is
+/// in both.
+double outside_by(const PairCase& pair, const DeclaredAnswer& asked);
+
+/// By how much contact points differ from the nearest ones of a right contact: the largest of them,
+/// of the right contact that is nearest.
+struct PointErrors {
+  double place = 0;  ///< a distance
+  double depth = 0;
+};
+PointErrors point_errors(const PairCase& pair, const DeclaredAnswer& asked);
+
+/// How far the two points of a contact are from each other; 0 of one.
+double span_of(const Manifold<double>& manifold);
+
+/// By how much the normal of an answer is turned from the nearest right one, in radians.
+double turn_of(const PairCase& pair, const Vector2<double>& normal, const Declaration& declaration);
 
 /// How many points a right answer has at most.
 int right_count(const JudgedCase& judged, const Declaration& declaration);

@@ -6,6 +6,7 @@
 #include "judging/bounds.hpp"
 #include "oracle/exact/curve.hpp"
 #include "report/round_truth.hpp"
+#include "report/upstream/effect.hpp"
 #include "report/upstream/parts.hpp"
 #include "report/words.hpp"
 
@@ -27,11 +28,6 @@ bool is_far_too_deep(const PairCase& pair, const Claim& claim, const Declaration
          claim.depth - depth > 100 * bounds(pair, declaration).separation;
 }
 
-bool is_depth_elsewhere(const JudgedCase& judged, const Declaration& declaration) {
-  const PairCase& pair = judged.given.pair;
-  return judged.judgement.magnitude * size(pair) <= bounds(pair, declaration).position;
-}
-
 int right_count(const JudgedCase& judged, const Declaration& declaration) {
   int most = 0;
   for (const Manifold<double>& right :
@@ -48,76 +44,120 @@ bool is_nonsense(const DeclaredAnswer& asked) {
 
 namespace {
 
-/// Of a size, or of a unit normal: so little is not seen, but checks fail by it.
+/// Of the smaller shape's size, or of a unit normal: so little is not seen, but checks fail by it.
 constexpr double kUnseen = 1e-3;
 
-constexpr std::string_view kUnseenInWords =
-    "nothing on a screen, but what takes these figures for exact, such as an assertion or a "
-    "comparison between platforms, fails";
-
-std::string pushed_too_far(double by, double enough) {
-  if (plain(by) == plain(enough)) {
-    return fmt::format("the bodies are pushed {} farther than they need", plain(by - enough));
-  }
-  return fmt::format("the bodies are pushed by {} where {} suffices", plain(by), plain(enough));
+std::string with_share(const Sight& sight, double size) {
+  if (!(sight.share < kUnseen)) return sight.text;
+  const std::string against =
+      sight.is_length ? fmt::format(" on a shape of size {}", plain(size)) : "";
+  return fmt::format(
+      "{}; that is too little to be visible{}, but exact comparisons fail, such as "
+      "assertions or checks that two platforms agree",
+      sight.text, against);
 }
 
-/// `depth`: what moves them apart.
-std::string seen_of_depth(const Claim& claim, double depth) {
-  if (claim.depth <= depth) {
-    return fmt::format("the bodies stay {} inside each other", plain(depth - claim.depth));
+/// Of points that lie beside the right ones.
+std::optional<Sight> seen_of_place(const JudgedCase& judged, const DeclaredAnswer& asked) {
+  const PairCase& pair = judged.given.pair;
+  constexpr std::string_view spin = "so the bodies get a spin that they should not have";
+  if (judged.judgement.bucket.kind == Kind::position) {
+    const double off = point_errors(pair, asked).place;
+    return Sight{fmt::format("the impulse acts {} beside the right place, {}", plain(off), spin),
+                 off / size(pair)};
   }
-  return pushed_too_far(claim.depth, std::max(depth, 0.0));
+  const double outside = outside_by(pair, asked);
+  if (outside > bounds(pair, asked.declaration).position) {
+    return Sight{
+        fmt::format("the impulse acts {} outside one of the bodies, {}", plain(outside), spin),
+        outside / size(pair)};
+  }
+  return Sight{
+      fmt::format("the impulse acts where the bodies are not as deep in each other as the "
+                  "depth says, {}",
+                  spin)};
+}
+
+/// Of points that are too many, too few or too close together.
+std::optional<Sight> seen_of_count(const JudgedCase& judged, const DeclaredAnswer& asked) {
+  const Claim claim = claim_of(asked.answer);
+  if (claim.points > right_count(judged, asked.declaration)) {
+    return Sight{"a second contact point takes a part of the impulse where one point is right"};
+  }
+  const Manifold<double>* const given = manifold_in(asked.answer);
+  const RightContact right = right_contact(judged.given.pair, asked);
+  if (given == nullptr || !right.manifold) return std::nullopt;
+  const double full = span_of(*right.manifold);
+  const double span = span_of(*given);
+  const double share = std::abs(full - span) / size(judged.given.pair);
+  if (claim.points < 2) {
+    return Sight{fmt::format("one contact point carries bodies that touch along {}, so they rock",
+                             plain(full)),
+                 share};
+  }
+  if (span > full) {
+    return Sight{
+        fmt::format("the contact points are {} apart where the bodies touch along {} only, "
+                    "so a part of the impulse acts beside them",
+                    plain(span), plain(full)),
+        share};
+  }
+  return Sight{
+      fmt::format("the contact points are {} apart where the bodies touch along {}, so they "
+                  "rock",
+                  plain(span), plain(full)),
+      share};
+}
+
+/// Of points where the deepest one and the normal are as they should be.
+Sight seen_of_points(const JudgedCase& judged, const DeclaredAnswer& asked) {
+  const PointErrors off = point_errors(judged.given.pair, asked);
+  if (off.depth > off.place && !asked.declaration.shares_depth) {
+    return {fmt::format("one contact point's depth is off by {}, so the push turns the bodies",
+                        plain(off.depth)),
+            off.depth / size(judged.given.pair)};
+  }
+  return {fmt::format("the impulse acts {} beside the right place", plain(off.place)),
+          off.place / size(judged.given.pair)};
+}
+
+/// What the kind of the finding says first; none where the push says it all.
+std::optional<Sight> seen_of_kind(const JudgedCase& judged, const DeclaredAnswer& asked) {
+  switch (judged.judgement.bucket.kind) {
+    case Kind::position:
+    case Kind::witness:
+      return seen_of_place(judged, asked);
+    case Kind::count:
+    case Kind::extent:
+      return seen_of_count(judged, asked);
+    case Kind::features:
+      return Sight{"impulses of the last step are not found again, so warm starting is lost"};
+    case Kind::altered_shape:
+      return Sight{"bodies collide as another shape than was given"};
+    default:
+      return std::nullopt;
+  }
 }
 
 }  // namespace
 
 std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked) {
-  const PairCase& pair = judged.given.pair;
-  const Claim claim = claim_of(asked.answer);
-  const Kind kind = judged.judgement.bucket.kind;
-  const bool is_of_figures = kind == Kind::normal || kind == Kind::depth ||
-                             kind == Kind::inconsistent || kind == Kind::not_minimal ||
-                             kind == Kind::position || kind == Kind::witness;
-  const bool is_elsewhere = kind == Kind::witness && is_depth_elsewhere(judged, asked.declaration);
-  const bool is_unseen = judged.judgement.magnitude < kUnseen;
-  if (is_of_figures && !is_elsewhere && is_unseen) return std::string(kUnseenInWords);
-  switch (kind) {
-    case Kind::missed_contact:
-      return "nothing holds the bodies apart here, so they move further into each other";
-    case Kind::phantom_contact:
-      return "bodies that do not touch are stopped or pushed across the gap";
-    case Kind::normal:
-      if (is_far_too_deep(pair, claim, asked.declaration)) {
-        return seen_of_depth(claim, true_depth(pair));
-      }
-      return "impulses act along a wrong direction or with a wrong strength, so bodies sink into "
-             "each other or jump aside";
-    case Kind::position:
-    case Kind::witness:
-      return "the impulse has a wrong lever arm, so the bodies get a spin that they should not "
-             "have";
-    case Kind::count:
-    case Kind::extent:
-      return claim.points > right_count(judged, asked.declaration)
-                 ? "a part of the impulse acts where the shapes hardly touch"
-                 : "a face rests on too few points and rocks";
-    case Kind::features:
-      return "impulses of the last step are not found again, so warm starting is lost";
-    case Kind::reversed:
-      return "the bodies are pushed further into each other";
-    case Kind::depth:
-    case Kind::inconsistent:
-      return seen_of_depth(claim, depth_along(pair, claim));
-    case Kind::not_minimal:
-      return pushed_too_far(depth_along(pair, claim), true_depth(pair));
-    case Kind::altered_shape:
-      return "bodies collide as another shape than was given";
-    default:
-      return is_nonsense(asked)
-                 ? "figures that are no numbers, or no contact, spread through the simulation"
-                 : "the simulation stops";
+  if (judged.judgement.bucket.kind == Kind::none) {  // the answer was lost, or cannot be read
+    return is_nonsense(asked)
+               ? "figures that are no numbers, or no contact, spread through the simulation"
+               : "the simulation stops";
   }
+  const std::optional<Sight> of_kind = seen_of_kind(judged, asked);
+  if (of_kind && of_kind->share >= kUnseen) return with_share(*of_kind, size(judged.given.pair));
+  Effect effect = effect_of(judged, asked);
+  std::optional<Sight> of_push = seen_of_push(effect);
+  if (!of_kind && !of_push) {  // what is wrong is within what the depth may be off by
+    effect.rounding = effect.turn_rounding = 0;
+    of_push = seen_of_push(effect);
+  }
+  if (of_push && (!of_kind || of_push->share >= kUnseen))
+    return with_share(*of_push, size(judged.given.pair));
+  return with_share(of_kind ? *of_kind : seen_of_points(judged, asked), size(judged.given.pair));
 }
 
 }  // namespace manifuzz

@@ -8,6 +8,7 @@
 #include "judging/bounds.hpp"
 #include "oracle/exact/curve.hpp"
 #include "report/round_truth.hpp"
+#include "report/upstream/effect.hpp"
 #include "report/upstream/parts.hpp"
 #include "report/words.hpp"
 
@@ -43,34 +44,18 @@ std::string pair_in_words(const PairCase& pair) {
   return shapes + " that just touch";
 }
 
-/// By how much a normal is turned from the nearest right one, in radians.
-double turn_of(const JudgedCase& judged, const Vector2<double>& normal,
-               const Declaration& declaration) {
-  double turn = std::numbers::pi;
-  for (const Manifold<double>& right :
-       manifolds_to_show(admissible(judged.given.pair, declaration), declaration)) {
-    if (right.count == 0) continue;
-    const Vector2<double>& n = right.normal;
-    turn = std::min(turn,
-                    std::abs(std::atan2(n.x() * normal.y() - n.y() * normal.x(), n.dot(normal))));
-  }
-  return turn;
-}
-
 /// The kind of an error of a normal, as an end of "the normal of ... ".
 std::string normal_in_words(const JudgedCase& judged, const Vector2<double>& normal,
                             const Declaration& declaration) {
   const double length = normal.norm();
   if (length == 0) return "has length 0";
-  const double turn = turn_of(judged, normal, declaration);
+  const double turn = turn_of(judged.given.pair, normal, declaration);
   const double lacking = std::abs(1 - length);
   if (lacking > turn) {
     if (lacking > 1e-3) return "has length " + plain(length);
     return fmt::format("has length 1 {} {}", length < 1 ? '-' : '+', plain(lacking));
   }
-  const double degrees = turn * 180 / std::numbers::pi;
-  if (degrees >= 0.1) return fmt::format("is off by {} degrees", plain(degrees));
-  return fmt::format("is off by {} radians", plain(turn));
+  return "is off by " + angle_in_words(turn);
 }
 
 std::string wrong_normal_in_words(const JudgedCase& judged, const Claim& claim,
@@ -88,7 +73,7 @@ std::string depth_in_words(const PairCase& pair, const Claim& claim) {
 std::string reversed_in_words(const JudgedCase& judged, const Claim& claim,
                               const Declaration& declaration) {
   const PairCase& pair = judged.given.pair;
-  const double turn = turn_of(judged, claim.normal.value(), declaration);
+  const double turn = turn_of(pair, claim.normal.value(), declaration);
   if (turn > std::numbers::pi / 2) return "the normal of " + pair_in_words(pair) + " is reversed";
   if (turn <= bounds(pair, declaration).normal) return depth_in_words(pair, claim);
   return wrong_normal_in_words(judged, claim, declaration);
@@ -134,6 +119,17 @@ std::string count_in_words(const JudgedCase& judged, const Claim& claim,
                      claim.points == 1 ? "one contact point" : "contact points too close together");
 }
 
+/// A point where the shapes overlap by less than it says, or that lies out of one of them.
+std::string witness_in_words(const PairCase& pair, const DeclaredAnswer& asked) {
+  const double outside = outside_by(pair, asked);
+  const std::string point = "a contact point of " + pair_in_words(pair);
+  if (outside <= bounds(pair, asked.declaration).position) {
+    return fmt::format("{} has depth {}, but the shapes do not overlap by that there", point,
+                       plain(claim_of(asked.answer).depth));
+  }
+  return fmt::format("{} lies {} outside one of them", point, plain(outside));
+}
+
 std::string lost_in_words(const DeclaredAnswer& asked) {
   if (is_nonsense(asked)) return "get an invalid answer";
   const bool is_late = std::get<Lost>(asked.answer).how == Lost::How::timed_out;
@@ -145,6 +141,7 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const std::string pair_words = pair_in_words(pair);
   const Claim claim = claim_of(asked.answer);
   const std::string off = plain(judged.judgement.magnitude * size(pair));  // a length is seen
+  const PointErrors points = point_errors(pair, asked);
   const std::string phantom = depth_in_words(pair, claim);
   switch (judged.judgement.bucket.kind) {
     case Kind::missed_contact:
@@ -155,10 +152,11 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
       if (is_far_too_deep(pair, claim, asked.declaration)) return phantom;
       return wrong_normal_in_words(judged, claim, asked.declaration);
     case Kind::position:
-      return fmt::format("a contact point of {} is off by {}", pair_words, off);
+      return fmt::format("a contact point of {} is off by {}", pair_words, plain(points.place));
     case Kind::depth:
       if (plain(claim.depth) != plain(true_depth(pair))) return phantom;
-      return fmt::format("the depth of a contact point of {} is off by {}", pair_words, off);
+      return fmt::format("the depth of a contact point of {} is off by {}", pair_words,
+                         plain(points.depth));
     case Kind::count:
     case Kind::extent:
       return count_in_words(judged, claim, asked.declaration);
@@ -172,12 +170,7 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
     case Kind::not_minimal:
       return not_minimal_in_words(pair, claim);
     case Kind::witness:
-      if (is_depth_elsewhere(judged, asked.declaration)) {
-        return fmt::format("a contact point of {} is said to be {} deep, and they are not so there",
-                           pair_words, plain(claim.depth));
-      }
-      return fmt::format("a contact point of {} lies {} away from where they overlap", pair_words,
-                         off);
+      return witness_in_words(pair, asked);
     case Kind::altered_shape:
       return fmt::format("the shapes used for {} are off by {}", pair_words, off);
     default:

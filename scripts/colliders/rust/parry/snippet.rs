@@ -5,7 +5,7 @@ macro_rules! snippet {
         concat!(
             r#"@language rust
 @none no point of a dist of 0 or less
-@point local_p1 in the world $a, local_p2 in the world $b, dist $s
+@point middle of local_p1 and local_p2 in the world $m, dist $s
 // cargo add "#, $package, r#"@0.30.2
 use "#, $module, r#"::{math::*, query::*, shape::*};
 fn main() {
@@ -21,7 +21,8 @@ fn main() {
     DefaultQueryDispatcher.@asked(contact_manifold_convex_convex)@(
         &at_a.inv_mul(&at_b), &a, &b, None, None, 0.0, &mut found).unwrap();
     println!("{} points, normal {:?}", found.points.len(), at_a.rotation * found.local_n1);
-    for p in &found.points { println!("{:?} {:?} {}", at_a * p.local_p1, at_b * p.local_p2, p.dist); }
+    for p in &found.points { let (on_a, on_b) = (at_a * p.local_p1, at_b * p.local_p2);
+        println!("{on_a:?} {on_b:?}, middle {:?}, dist {}", (on_a + on_b) / 2.0, p.dist); }
 }
 "#, "\0"
         )
