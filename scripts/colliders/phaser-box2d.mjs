@@ -30,7 +30,7 @@ const manifold = new phaser.b2Manifold();
 @a.circle? @b.segment? phaser.@asked(b2CollideCapsuleAndCircle)@(b, atB, a, atA, manifold);
 @a.segment? @b.polygon? @b_first
 @a.circle? @!b.circle? @b_first
-console.log(manifold.pointCount, "points", manifold);
+console.log(manifold.pointCount, "points, normal", [manifold.normalX, manifold.normalY], manifold);
 `;
 
 const declaration = {

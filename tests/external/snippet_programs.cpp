@@ -116,13 +116,13 @@ void check_touching(const std::vector<SnippetCase>& cases, const Prints& prints)
   CHECK(std::ranges::count_if(cases, touches) >= prints.least_touching);
 }
 
-std::string all_in_one(const std::vector<SnippetCase>& cases, const Language& language) {
+std::string all_in_one(const std::vector<std::string>& texts, const Language& language) {
   std::string top;
   std::string programs;
   std::string chosen(language.begin);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
+  for (std::size_t i = 0; i < texts.size(); ++i) {
     programs += fmt::format("{} case_{} {{\n", language.space, i);
-    for (std::string line : lines_of(cases[i].program)) {
+    for (std::string line : lines_of(texts[i])) {
       boost::replace_all(line, language.main, language.run);
       const bool is_top = !language.top.empty() && line.starts_with(language.top);
       if (!is_top || i == 0) (is_top ? top : programs) += line + '\n';
@@ -139,19 +139,38 @@ Outcome run_in_shell(std::string command, const std::string& file, const Tempora
   return run_program({"sh", "-c", command});
 }
 
+std::vector<std::string> programs_of(const std::vector<SnippetCase>& cases) {
+  std::vector<std::string> programs;
+  for (const SnippetCase& asked : cases) programs.push_back(asked.program);
+  return programs;
+}
+
+void check_outputs(const std::vector<SnippetCase>& cases, const std::vector<Outcome>& ran,
+                   const Prints& prints) {
+  REQUIRE(ran.size() == cases.size());
+  for (std::size_t i = 0; i < cases.size(); ++i) check_output(cases[i], ran[i], prints);
+  check_touching(cases, prints);
+}
+
 }  // namespace
+
+std::vector<Outcome> run_each(const std::vector<std::string>& programs, const std::string& file,
+                              const std::string& command, const std::vector<std::string>& links) {
+  const TemporaryFolder folder;
+  for (const fs::path link : links) fs::create_symlink(link, folder.path() / link.filename());
+  std::vector<Outcome> ran;
+  for (const std::string& program : programs) {
+    std::ofstream(folder.path() / file) << program;
+    ran.push_back(run_in_shell(command, file, folder));
+  }
+  return ran;
+}
 
 void check_programs(const Collider& collider, const std::string& file, const std::string& command,
                     const Prints& prints, const std::vector<std::string>& links) {
   INFO(collider.declaration.name);
-  const TemporaryFolder folder;
-  for (const fs::path link : links) fs::create_symlink(link, folder.path() / link.filename());
   const std::vector<SnippetCase> cases = cases_for(collider);
-  for (const SnippetCase& asked : cases) {
-    std::ofstream(folder.path() / file) << asked.program;
-    check_output(asked, run_in_shell(command, file, folder), prints);
-  }
-  check_touching(cases, prints);
+  check_outputs(cases, run_each(programs_of(cases), file, command, links), prints);
 }
 
 const Language kCpp{"snippets.cpp",
@@ -181,22 +200,28 @@ const Language kRust{"snippets.rs",
                      "if asked == \"{0}\" {{ case_{0}::main() }}",
                      "}\n"};
 
-void check_at_once(const Collider& collider, const Language& language, const std::string& compile,
-                   const std::string& run, const Prints& prints) {
-  INFO(collider.declaration.name);
+std::vector<Outcome> run_at_once(const std::vector<std::string>& programs, const Language& language,
+                                 const std::string& compile, const std::string& run) {
   const TemporaryFolder folder;
   const std::string file(language.file);
-  const std::vector<SnippetCase> cases = cases_for(collider);
-  std::ofstream(folder.path() / file) << all_in_one(cases, language);
+  std::ofstream(folder.path() / file) << all_in_one(programs, language);
   const Outcome compiled = run_in_shell(compile, file, folder);
   INFO(compiled.err);
   REQUIRE(compiled.status == 0);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
+  std::vector<Outcome> ran;
+  for (std::size_t i = 0; i < programs.size(); ++i) {
     std::string command = run;
     boost::replace_all(command, "{}", std::to_string(i));
-    check_output(cases[i], run_in_shell(command, file, folder), prints);
+    ran.push_back(run_in_shell(command, file, folder));
   }
-  check_touching(cases, prints);
+  return ran;
+}
+
+void check_at_once(const Collider& collider, const Language& language, const std::string& compile,
+                   const std::string& run, const Prints& prints) {
+  INFO(collider.declaration.name);
+  const std::vector<SnippetCase> cases = cases_for(collider);
+  check_outputs(cases, run_at_once(programs_of(cases), language, compile, run), prints);
 }
 
 }  // namespace manifuzz::test

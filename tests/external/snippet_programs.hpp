@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "collider/collider.hpp"
+#include "support/run_program.hpp"
 
 // The programs that reports hold, run on every pair of kinds of shape that their collider takes.
 
@@ -23,6 +24,11 @@ struct Prints {
 void check_programs(const Collider& collider, const std::string& file, const std::string& command,
                     const Prints& prints = {}, const std::vector<std::string>& links = {});
 
+/// What each of these programs prints, run as check_programs runs them.
+std::vector<Outcome> run_each(const std::vector<std::string>& programs, const std::string& file,
+                              const std::string& command,
+                              const std::vector<std::string>& links = {});
+
 /// How a language writes the programs of all pairs in one file, which is compiled once and told
 /// which to run.
 struct Language {
@@ -38,6 +44,10 @@ struct Language {
 extern const Language kCpp;
 extern const Language kJava;
 extern const Language kRust;
+
+/// What each of these programs prints, run as check_at_once runs them.
+std::vector<Outcome> run_at_once(const std::vector<std::string>& programs, const Language& language,
+                                 const std::string& compile, const std::string& run);
 
 /// As check_programs, all in one file. In both commands stand {file} and {folder}, and in `run` {}
 /// for which program.
