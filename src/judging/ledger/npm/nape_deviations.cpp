@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
+#include "judging/ledger/npm/nape_replay.hpp"
 #include "judging/ledger/npm/npm_deviations.hpp"
+#include "judging/ledger/replayed.hpp"
 
 // nape in JavaScript.
 
@@ -12,52 +15,12 @@ namespace manifuzz {
 namespace {
 
 constexpr double kEpsilonOfNape = 1e-8;  // nape.Config.epsilon
-constexpr double kSquareOfNape = kEpsilonOfNape * kEpsilonOfNape;
-
-/// ZPP_Polygon.splice_collinear_real: a corner within epsilon of the next goes, and then each whose
-/// sides' cross product is below epsilon, until there is none.
-std::vector<Vector2<double>> spliced_by_nape(std::vector<Vector2<double>> corners) {
-  const auto at = [&](std::size_t i) -> const Vector2<double>& {
-    return corners[i % corners.size()];
-  };
-  const auto erase = [&](std::size_t i) {
-    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i % corners.size()));
-  };
-  for (std::size_t i = 0; i < corners.size();) {
-    const Vector2<double> apart = at(i) - at(i + 1);
-    if (apart.x() * apart.x() + apart.y() * apart.y() < kSquareOfNape) {
-      erase(i);
-    } else {
-      ++i;
-    }
-  }
-  for (bool is_removed = true; is_removed && !corners.empty();) {
-    is_removed = false;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Vector2<double> a = at(i + 1) - at(i);
-      const Vector2<double> b = at(i + 2) - at(i + 1);
-      const double cross = b.y() * a.x() - b.x() * a.y();
-      if (cross * cross >= kSquareOfNape) continue;
-      // The first is erased from before this one.
-      const bool is_first = i + 1 == corners.size();
-      erase(i + 1);
-      is_removed = true;
-      if (is_first) --i;
-    }
-  }
-  return corners;
-}
 
 /// The corners that it keeps of a shape, as the case has them; the adapter hands them over as much
 /// longer as the rotation is longer than unit.
 std::vector<Vector2<double>> kept_of(const Body& body) {
-  const Vector2<double> rotation = body.pose.rotation.cast<double>();
-  const double length = std::sqrt(rotation.x() * rotation.x() + rotation.y() * rotation.y());
-  std::vector<Vector2<double>> corners;
-  for (int i = 0; i < body.polygon.count; ++i) {
-    corners.emplace_back(length * body.polygon.vertices[i].cast<double>());
-  }
-  const std::vector<Vector2<double>> kept = spliced_by_nape(corners);
+  const std::vector<Vector2<double>> corners = ledger_of::given_to_nape(body);
+  const std::vector<Vector2<double>> kept = ledger_of::spliced_by_nape(corners);
   std::vector<Vector2<double>> stored;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (std::ranges::find(kept, corners[i]) == kept.end()) continue;
@@ -156,6 +119,60 @@ bool any_clip_of_nape(const Deviation& d, const Fault& is_at_fault) {
   return false;
 }
 
+using ledger_of::ContactOfNape;
+using ledger_of::CutOfNape;
+
+/// The ends that are no gaps, as nape-js.mjs has it.
+std::vector<std::size_t> given_of(const ContactOfNape& contact) {
+  std::vector<std::size_t> given;
+  for (const std::size_t k : {0U, 1U}) {
+    if (!(contact.depths[k] < 0)) given.push_back(k);
+  }
+  return given;
+}
+
+/// Whether its operations, repeated, give the answer: places off a shape are as large as they are.
+bool is_repeated_by(const Deviation& d, const ContactOfNape& contact) {
+  constexpr double kRoundings = 16 * std::numeric_limits<double>::epsilon();
+  const PairCase& pair = d.right.pair();
+  const Vector2<double> turn = pair.a.pose.rotation.cast<double>().normalized();
+  const Vector2<double> normal = rotate<double>(turn, d.got.normal);
+  const std::vector<std::size_t> given = given_of(contact);
+  if (static_cast<int>(given.size()) != d.got.count ||
+      !((normal - contact.normal).norm() <= d.right.bounds.normal)) {
+    return false;
+  }
+  const double across = d.got.reference == contact.reference ? 0.0
+                        : d.got.reference == Side::a         ? 1.0
+                                                             : -1.0;
+  return std::ranges::all_of(given, [&](std::size_t k) {
+    const double bound = d.right.bounds.separation + kRoundings * contact.ends[k].norm();
+    return std::any_of(d.got.points.begin(), d.got.points.begin() + d.got.count,
+                       [&](const ContactPoint<double>& point) {
+                         const Vector2<double> at =
+                             to_world(pair, point.position) + across * point.depth * normal;
+                         return (at - contact.ends[k]).norm() <= 2 * bound &&
+                                std::abs(point.depth - contact.depths[k]) <= bound;
+                       });
+  });
+}
+
+/// Whether the answer would be right if no end were moved by more than the edge's length.
+bool is_right_within_edge(const Deviation& d) {
+  Declaration declaration;
+  declaration.frame = RoundingFrame::world;
+  declaration.takes_angles = true;
+  declaration.min_vertices = 1;
+  const auto contacts = ledger_of::contacts_of_nape(d.right.pair(), CutOfNape::within_edge);
+  return std::ranges::any_of(contacts, [&](const ContactOfNape& contact) {
+    replayed::Contact mended{contact.normal, {}};
+    for (const std::size_t k : given_of(contact)) {
+      mended.points.push_back({contact.ends[k], contact.depths[k]});
+    }
+    return replayed::is_right_answer(d, declaration, mended);
+  });
+}
+
 bool is_of_clip(Kind kind) {
   return kind == Kind::position || kind == Kind::depth || kind == Kind::count ||
          kind == Kind::phantom_contact;
@@ -196,9 +213,27 @@ bool unclipped_within_nape_epsilon(const Deviation& d) {
 }
 
 bool edge_extended_by_nape(const Deviation& d) {
-  return is_of_clip(d.kind) && any_clip_of_nape(d, [&](const exact::Clip& clip, const ClipOfNape&) {
-           return compare_gap(clip, -d.right.bounds.separation) > 0;
-         });
+  if (!is_of_clip(d.kind)) return false;
+  if (any_clip_of_nape(d, [&](const exact::Clip& clip, const ClipOfNape&) {
+        return compare_gap(clip, -d.right.bounds.separation) > 0;
+      })) {
+    return true;
+  }
+  const auto contacts = ledger_of::contacts_of_nape(d.right.pair(), CutOfNape::of_any_share);
+  return std::ranges::any_of(
+             contacts, [&](const ContactOfNape& contact) { return is_repeated_by(d, contact); }) &&
+         is_right_within_edge(d);
+}
+
+bool edge_of_no_run_in_nape(const LostAnswer& lost) {
+  if (lost.how != Lost::How::malformed) return false;
+  const auto contacts = ledger_of::contacts_of_nape(lost.pair, CutOfNape::of_any_share);
+  return std::ranges::any_of(contacts, [](const ContactOfNape& contact) {
+    return !std::isfinite(1 / contact.run) &&
+           std::ranges::any_of(given_of(contact), [&](std::size_t k) {
+             return !contact.ends[k].allFinite() || !std::isfinite(contact.depths[k]);
+           });
+  });
 }
 
 }  // namespace manifuzz

@@ -46,12 +46,19 @@ inline constexpr std::array kOfNape{
                 .explains = unclipped_within_nape_epsilon},
     LedgerEntry{.id = "nape-js-edge-extended-to-slab",
                 .collider = "nape-js",
-                .description = "a point off the polygon: an incident edge that misses the slab is "
-                               "prolonged to it",
+                .description = "a point off the polygon: an incident edge that misses the slab, or "
+                               "is along the normal but for roundings, is prolonged to it",
                 .source = "@newkrok/nape-js 1.0.0, js/libs/nape-js.js, ZPP_Collide.contactCollide: "
                           "c0x += dvx * t1, of any t1",
                 .budgets = kOfNapeJsEdgeExtendedToSlab,
                 .explains = edge_extended_by_nape},
+    LedgerEntry{.id = "nape-js-edge-of-no-run",
+                .collider = "nape-js",
+                .description = "an answer that holds no number: the incident edge has no run along "
+                               "the reference face, and is prolonged by shares of it",
+                .source = "@newkrok/nape-js 1.0.0, js/libs/nape-js.js, ZPP_Collide.contactCollide: "
+                          "den = 1 / (d1 - d0)",
+                .explains_lost = edge_of_no_run_in_nape},
     LedgerEntry{.id = "nape-js-no-contact-on-tied-features",
                 .collider = "nape-js",
                 .description = "no contact for overlapping polygons: faces or edges tie in double, "

@@ -84,7 +84,7 @@ bool direction_of_roundings_of_p2(const Deviation& d) {
   if (!found || found->normal.isZero(0)) return false;
   if (found->branch != Branch::beside_line) return found_by_p2(d).has_value();
   // Beside it both signs are of roundings, V8's cosine's too: the normal's, and that of the side on
-  // which the capsule's radius is added.
+  // which the capsule's radius is added, or on neither: the vector from the middle has no length.
   const Side circle = pair.a.polygon.count == 1 ? Side::a : Side::b;
   const auto of_capsule = static_cast<double>(pair[other(circle)].polygon.radius);
   const auto of_circle = static_cast<double>(pair[circle].polygon.radius);
@@ -95,7 +95,7 @@ bool direction_of_roundings_of_p2(const Deviation& d) {
     const Vector2<double> normal = sign * found->normal;
     const Vector2<double> out = circle == Side::a ? normal : Vector2<double>(-normal);
     if (!has_normal(d, normal)) continue;
-    for (const double side : {-1.0, 1.0}) {
+    for (const double side : {-1.0, 0.0, 1.0}) {
       const double depth = std::max(of_circle - side * of_capsule, 0.0);
       if (has_depth(d, depth) && has_place(d, centre + side * of_capsule * out)) return true;
     }
