@@ -47,6 +47,7 @@
 #include "judging/ledger/npm/matter_deviations.cpp"
 #include "judging/ledger/npm/matter_replay.cpp"
 #include "judging/ledger/npm/nape_deviations.cpp"
+#include "judging/ledger/npm/nape_replay.cpp"
 #include "judging/ledger/npm/p2_deviations.cpp"
 #include "judging/ledger/npm/p2_replay.cpp"
 #include "judging/ledger/parry/parry_adapters.cpp"
