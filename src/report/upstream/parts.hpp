@@ -54,6 +54,10 @@ struct PointErrors {
 };
 PointErrors point_errors(const PairCase& pair, const DeclaredAnswer& asked);
 
+/// What a report tells of first: the finding's kind, but that a point is left out where those that
+/// were given are in the places of the right manifold that it shows.
+Kind told_kind(const JudgedCase& judged, const DeclaredAnswer& asked);
+
 /// How far the two points of a contact are from each other; 0 of one.
 double span_of(const Manifold<double>& manifold);
 

@@ -61,7 +61,7 @@ std::string with_share(const Sight& sight, double size) {
 std::optional<Sight> seen_of_place(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const PairCase& pair = judged.given.pair;
   constexpr std::string_view spin = "so the bodies get a spin that they should not have";
-  if (judged.judgement.bucket.kind == Kind::position) {
+  if (told_kind(judged, asked) == Kind::position) {
     const double off = point_errors(pair, asked).place;
     return Sight{fmt::format("the impulse acts {} beside the right place, {}", plain(off), spin),
                  off / size(pair)};
@@ -123,7 +123,7 @@ Sight seen_of_points(const JudgedCase& judged, const DeclaredAnswer& asked) {
 
 /// What the kind of the finding says first; none where the push says it all.
 std::optional<Sight> seen_of_kind(const JudgedCase& judged, const DeclaredAnswer& asked) {
-  switch (judged.judgement.bucket.kind) {
+  switch (told_kind(judged, asked)) {
     case Kind::position:
     case Kind::witness:
       return seen_of_place(judged, asked);

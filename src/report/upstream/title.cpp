@@ -143,7 +143,7 @@ std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const std::string off = plain(judged.judgement.magnitude * size(pair));  // a length is seen
   const PointErrors points = point_errors(pair, asked);
   const std::string phantom = depth_in_words(pair, claim);
-  switch (judged.judgement.bucket.kind) {
+  switch (told_kind(judged, asked)) {
     case Kind::missed_contact:
       return pair_words + " have no contact";
     case Kind::phantom_contact:

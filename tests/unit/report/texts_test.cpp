@@ -61,7 +61,7 @@ TEST_CASE("each verdict has its sentence") {
   CHECK(sentence(Verdict::both_wrong, Kind::position, Fault::both) ==
         "both wrong: a point of clip is off by 0.7071, and box2d is wrong too");
   CHECK(sentence(Verdict::subject_wrong, Kind::count, Fault::subject) ==
-        "subject wrong: clip leaves out a second point, 0.7071 from the first");
+        "subject wrong: clip leaves out a point that is 0.7071 deep");
   CHECK(sentence(Verdict::crashed, Kind::none, Fault::oracle) ==
         "crashed: box2d died on this case");
   CHECK(sentence(Verdict::timed_out, Kind::none, Fault::subject) ==
