@@ -23,6 +23,12 @@ bool direction_of_roundings(const Deviation& deviation);
 /// their distance, since b2Vec2::Normalize leaves it so, and the depth is taken along it, or the
 /// distance along it from the radii.
 bool corner_direction_not_normalised(const Deviation& deviation);
+/// A circle whose centre is in front of a polygon by less than epsilon: what Box2D 2.4 makes of it
+/// is a face's normal, beyond its corner too, and it would be right without that epsilon.
+bool face_within_box2d_epsilon(const Deviation& deviation);
+/// As `tiny_reference_face`, or a circle against an edge that is shorter than epsilon: what Box2D
+/// 2.4 makes of it is the edge's normal, as short as the edge.
+bool tiny_reference_face_of_box2d(const Deviation& deviation);
 
 /// cpShapesCollide put the shapes into its own order: distances have the wrong sign, so that
 /// depths are lost; all else is right.
@@ -36,7 +42,8 @@ bool direction_to_place_on_segment(const Deviation& deviation);
 /// difference that ends there.
 bool normal_across_corner_on_corner(const Deviation& deviation);
 /// A corner of one core lies on one of the other's: the normal is the direction between both as
-/// doubles have it, which is that of their roundings.
+/// doubles have it, which is that of their roundings, or perpendicular to the chord between two
+/// such differences, which is as short.
 bool direction_between_corners(const Deviation& deviation);
 /// A circle whose centre lies on a segment: the normal is the segment's, as much longer than unit
 /// as its rotation is.

@@ -63,6 +63,60 @@ TEST_CASE("jbox2d has no normal between an edge's end and a corner") {
   CHECK_FALSE(is_it(pair));
 }
 
+TEST_CASE("Box2D takes a centre within epsilon of a polygon to be inside") {
+  const auto is_it = [](const PairCase& pair, const Vector2<double>& normal, double depth) {
+    const Manifold<double> got =
+        one_point(normal, {0.0027621358738203483, 0.0011441563849414749}, depth);
+    return explains(face_within_box2d_epsilon, pair, got, Kind::normal);
+  };
+  PairCase pair = pair_of(
+      R"({"a":{"vertices":[[0,0],[0,0.00390625],[-0.00390625,0]],"radius":0.00390625},
+          "b":{"vertices":[[0,0.0039062924]],"radius":0.00390625,"rounding":"round"}})");
+  const Vector2<double> normal(-0.7071067690849304, 0.7071067690849304);
+  const double depth = 0.007812470197677612;
+  CHECK(is_it(pair, normal, depth));
+  CHECK_FALSE(is_it(pair, {0, 1}, depth));
+  CHECK_FALSE(is_it(pair, normal, 2 * depth));
+  // In front of a face it is that face's normal, which is right.
+  pair.b.polygon.vertices[0] = {1.0e-8F, 0.001F};
+  CHECK_FALSE(is_it(pair, {1, 0}, depth));
+}
+
+TEST_CASE("Box2D's normal of an edge shorter than epsilon is as short") {
+  const auto is_it = [](const PairCase& pair, const Vector2<double>& normal, double depth) {
+    const Manifold<double> got =
+        one_point(normal, {0.00037648447323590517, 0.0011781248031184077}, depth);
+    return explains(tiny_reference_face_of_box2d, pair, got, Kind::normal);
+  };
+  PairCase pair = pair_of(
+      R"({"a":{"vertices":[[0.00037648447,0.0011781248]],"radius":0.00390625,"rounding":"round"},
+          "b":{"vertices":[[0.0005921875,0.0010902345],[0.00059217366,0.0010902005]],"radius":0.00390625,"rounding":"round"}})");
+  const Vector2<double> normal(3.3993273973464966e-08, -1.3853423297405243e-08);
+  CHECK(is_it(pair, normal, 9.893344823930228e-18));
+  CHECK_FALSE(is_it(pair, {0, 1}, 9.893344823930228e-18));
+  CHECK_FALSE(is_it(pair, normal, 0.001));
+  pair.b.polygon.vertices[1] = {0.00059F, 0.001F};
+  CHECK_FALSE(is_it(pair, normal, 9.893344823930228e-18));
+}
+
+TEST_CASE("Chipmunk's normal is across a chord of roundings where corners lie on corners") {
+  const auto is_it = [](const PairCase& pair, const Vector2<double>& normal, double depth) {
+    Manifold<double> got = one_point(normal, {0, 0.0013107247650623322}, depth);
+    got.count = 2;
+    got.points[1] = got.points[0];
+    return explains(direction_between_corners, pair, got, Kind::not_minimal, ScalarType::float64);
+  };
+  PairCase pair = pair_of(
+      R"({"a":{"vertices":[[0,0],[0,1]],"radius":0.0013107248,"rounding":"round","rotation":[1,1e-45]},
+          "b":{"vertices":[[0,0],[0,1]],"radius":0.0013107248,"rounding":"round","rotation":[1,-1e-45]}})");
+  const double depth = 0.0026214495301246643;
+  CHECK(is_it(pair, {0, -1}, depth));
+  CHECK_FALSE(is_it(pair, {0, 1}, depth));
+  CHECK_FALSE(is_it(pair, {0, -1}, 2 * depth));
+  pair.b.pose.position.x() = 0.001F;
+  CHECK_FALSE(is_it(pair, {0, -1}, depth));
+}
+
 TEST_CASE("cp compares normals that are short by unlike amounts") {
   const auto is_it = [](const PairCase& pair) {
     return explains(normal_short_by_cp, pair, {}, Kind::missed_contact, ScalarType::float64);

@@ -49,7 +49,7 @@ inline constexpr std::array kOfBox2d{
                           "b2_epsilon) return 0.0f`; src/collision/b2_collide_polygon.cpp, "
                           "b2CollidePolygons: side offsets of world vertices",
                 .budgets = kOfTinyFaces,
-                .explains = tiny_reference_face},
+                .explains = tiny_reference_face_of_box2d},
     LedgerEntry{.id = "box2d-huge-reference-face",
                 .collider = "box2d",
                 .description =
@@ -131,6 +131,13 @@ inline constexpr std::array kOfBox2d{
                           "include/box2d/b2_math.h, b2Vec2::Normalize: `if (length < b2_epsilon)`",
                 .budgets = kOfCornerDirectionNotNormalised,
                 .explains = corner_direction_not_normalised},
+    LedgerEntry{.id = "box2d-face-within-epsilon",
+                .collider = "box2d",
+                .description = "a face's normal beyond the face: a circle's centre is in front of "
+                               "a polygon by less than epsilon, nearest to its corner",
+                .source = "Box2D 2.4.1, src/collision/b2_collide_circle.cpp, "
+                          "b2CollidePolygonAndCircle: `if (separation < b2_epsilon)`",
+                .explains = face_within_box2d_epsilon},
 };
 
 // jbox2d 2.2.1.1, Box2D 2.2 in Java: what it has of Box2D's is looked for as there. Budgets are

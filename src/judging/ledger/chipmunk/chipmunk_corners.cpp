@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "judging/ledger/chipmunk/munk_search.hpp"
 #include "judging/ledger/round_deviations.hpp"
@@ -23,21 +24,34 @@ bool is_given_by_a_port(const Deviation& d) {
   });
 }
 
+/// From a corner of A to one of B, where both lie at one place but for roundings.
+std::vector<munk::Vector> differences_of_one_place(const Deviation& d) {
+  const munk::Shape a = munk::placed({}, d.right.pair().a);
+  const munk::Shape b = munk::placed({}, d.right.pair().b);
+  std::vector<munk::Vector> found;
+  for (const munk::Vector& from : a.corners) {
+    for (const munk::Vector& to : b.corners) {
+      if ((to - from).norm() <= 4 * d.right.bounds.separation) found.emplace_back(to - from);
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 bool direction_between_corners(const Deviation& d) {
   const PairCase& pair = d.right.pair();
   if (d.got.count == 0 || !is_round(pair) || d.got.normal.isZero(0)) return false;
   if (!is_given_by_a_port(d)) return false;
-  const double bound = 4 * d.right.bounds.separation;
-  const munk::Shape a = munk::placed({}, pair.a);
-  const munk::Shape b = munk::placed({}, pair.b);
-  return std::ranges::any_of(a.corners, [&](const munk::Vector& from) {
-    return std::ranges::any_of(b.corners, [&](const munk::Vector& to) {
-      const munk::Vector apart = to - from;
-      return !apart.isZero(0) && apart.norm() <= bound &&
-             (world_normal_of(d) - apart.normalized()).norm() <= d.right.bounds.normal;
-    });
+  const munk::Vector normal = world_normal_of(d);
+  const auto differences = differences_of_one_place(d);
+  const auto is_along = [&](const munk::Vector& apart) {
+    return !apart.isZero(0) && (normal - apart.normalized()).norm() <= d.right.bounds.normal;
+  };
+  return std::ranges::any_of(differences, [&](const munk::Vector& from) {
+    return is_along(from) || std::ranges::any_of(differences, [&](const munk::Vector& to) {
+             return is_along(clockwise_quarter<double>(to - from));
+           });
   });
 }
 
