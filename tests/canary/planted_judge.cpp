@@ -15,6 +15,7 @@
 #include "judging/ledger/box2d/box2d3_capsules.cpp"
 #include "judging/ledger/box2d/box2d3_deviations.cpp"
 #include "judging/ledger/box2d/box2d3_replay.cpp"
+#include "judging/ledger/box2d/box2d_circles.cpp"
 #include "judging/ledger/box2d/box2d_deviations.cpp"
 #include "judging/ledger/box2d/phaser_deviations.cpp"
 #include "judging/ledger/box2d/phaser_polygons.cpp"
