@@ -27,9 +27,9 @@ ManifoldError share_of_size(const ManifoldError& error, double size);
 
 struct ClipFigures;
 
-/// Of a manifold's normal against that of a clip.
+/// The error of a manifold's normal against that of a clip.
 double normal_error(const Manifold<double>& manifold, const ClipFigures& truth);
-/// Of a reported point, its position and depth against one of a clip's points.
+/// The error of a reported point's position and depth against one of a clip's points.
 ManifoldError point_error(const ContactPoint<double>& reported, const ClipFigures& truth, int k);
 
 /// An error against one clip, free of any bound, and as a share of the bounds.

@@ -58,7 +58,7 @@ FrameJudgement judge_match(const FrameView& view) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const KeptPoint* const before = find_same(view.points_before(), points[i]);
       if (before == nullptr) continue;
-      // Those that are anchored anew at each refresh may be compared before it or after.
+      // Points that are anchored anew at each refresh may be compared before it or after.
       const double most = std::max(apart(born, points[i], view.keeping().match_by),
                                    apart(born, *before, view.keeping().match_by));
       if (most >= match - bound) continue;

@@ -28,7 +28,7 @@ std::span<const Motion> motions();
 /// The motion of that name, or nullptr.
 const Motion* find_motion(std::string_view name);
 
-/// Which sequences are asked for; all where it is empty.
+/// The sequences that are asked for; all where it is empty.
 using TakesSequence = std::function<bool(const Sequence&)>;
 
 /// Sequence `index` of a motion: a function of (seed, the motion's name, index), the first of many

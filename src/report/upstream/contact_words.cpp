@@ -127,7 +127,7 @@ class EngineTerms {
     return fmt::format("{:.{}g}", value + 0.0, digits + detail_.more_digits);
   }
 
-  /// Of a second point, where one depth is given for both.
+  /// A second point's, where one depth is given for both.
   std::string form_of_place() const { return program_.point.substr(0, program_.point.find(',')); }
 
   /// A place comes by A's frame, where that is not the world's: what is left there of a coordinate

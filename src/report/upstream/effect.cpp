@@ -122,7 +122,7 @@ Sight seen_too_far(const Effect& effect, double enough) {
           share};
 }
 
-/// Of a push that is as long as it should be.
+/// What a push does that is as long as it should be.
 std::optional<Sight> seen_of_normal(const Effect& effect) {
   if (effect.turn > std::numbers::pi / 2) {
     return Sight{"the normal points the wrong way, so impulses drive the bodies into each other"};

@@ -44,7 +44,8 @@ bool is_nonsense(const DeclaredAnswer& asked) {
 
 namespace {
 
-/// Of the smaller shape's size, or of a unit normal: so little is not seen, but checks fail by it.
+/// A share of the smaller shape's size, or of a unit normal: so little is not seen, but checks fail
+/// by it.
 constexpr double kUnseen = 1e-3;
 
 std::string with_share(const Sight& sight, double size) {

@@ -94,7 +94,7 @@ TEST_CASE("no error of an answer hides another: the greater of two is how wrong 
     const Judgement judgement = judged(planted.pair, changed(planted));
     CHECK(judgement.bucket.verdict == Verdict::subject_wrong);
     CHECK(judgement.of_subject.component == planted.component);
-    // Of a large error what other faces are deeper may be taken off: here 3 at most.
+    // What other faces are deeper may be taken off a large error: here 3 at most.
     CHECK(judgement.magnitude <= 1.0001 * planted.magnitude);
     CHECK(judgement.magnitude >= 0.9 * planted.magnitude);
     const bool is_gross = judgement.magnitude > 0.01;

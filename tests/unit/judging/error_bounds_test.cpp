@@ -30,7 +30,7 @@ TEST_CASE("a wrong side or feature alone is of kind features, and has no magnitu
 TEST_CASE("another face is wrong by what it is deeper than the best, not by its direction") {
   const float by = 0.11F;
   const PairCase pair = boxes(by);
-  // The same overlap from the other side: in y, as if that were less.
+  // An equal overlap from the other side: in y, as if that were less.
   PairCase narrow = pair;
   narrow.b.pose.position.x() = 1.5F;
   Manifold<double> of_top = right_of(narrow);
