@@ -67,8 +67,13 @@ class CurveError {
   void add_positions(const Along& along, double off, bool is_minimal) {
     // Along a normal that is not the least, right points may lie on two lines, and as far from a
     // thin shape as they are deep.
-    const double farthest = is_minimal ? farthest_witness(along, off)
-                                       : farthest_from_both() - std::max(answer_.said().depth, 0.0);
+    double farthest = is_minimal ? farthest_witness(along, off)
+                                 : farthest_from_both() - std::max(answer_.said().depth, 0.0);
+    // The points of a reversed normal may be those of the right one, or follow it.
+    if (judged_.kind == Kind::reversed) {
+      const Along as_given(answer_.truth(), *answer_.said().normal);
+      farthest = std::min(farthest, farthest_witness(as_given, off));
+    }
     const double within = answer_.within().along + answer_.tolerance();
     if (judged_.kind == Kind::witness || farthest > within) {
       add_length(Component::position, farthest, within);
