@@ -27,7 +27,7 @@ std::vector<double> numbers_in(const std::string& text) {
 using Figure = std::vector<std::string>;
 
 std::vector<Figure> figures_in(std::string got) {
-  // These say how a figure is read, and are no figures of the program's.
+  // Such words say how a figure is read, and are no figures of the program's.
   got = std::regex_replace(
       got, std::regex(R"( of length (1 [-+] )?[-\d.e+]+| of 0 or (above|less))"), "");
   static const std::regex figure("(?:^|[^A-Za-z_0-9.])(?:\\((" + kNumber + "), (" + kNumber +

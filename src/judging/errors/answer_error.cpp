@@ -36,7 +36,7 @@ void AnswerError::add_beyond(Component of, double error, double within) {
 
 bool is_less_wrong(const AnswerError& first, const AnswerError& second) {
   const auto sum = [](const AnswerError& of) {
-    return std::reduce(of.errors.all().begin(), of.errors.all().end());
+    return std::accumulate(of.errors.all().begin(), of.errors.all().end(), 0.0);  // in order
   };
   return std::pair(first.magnitude, sum(first)) < std::pair(second.magnitude, sum(second));
 }
