@@ -78,6 +78,13 @@ double reach_of_difference(const Deviation& d) {
   return most + total_radius(d.right.pair());
 }
 
+/// Whether a replay has no contact, of shapes that touch to the bound.
+template <class Engine>
+bool is_touch_left_out(const Deviation& d, const parry::ReplayOf<Engine>& replay) {
+  return Engine::answer(replay, d.right.pair()).count == 0 &&
+         ledger_of::least_depth(d) <= d.right.bounds.separation;
+}
+
 bool is_refusal(GjkEnd end) {
   return end == GjkEnd::refused_apart || end == GjkEnd::refused_touching ||
          end == GjkEnd::refused_inside || end == GjkEnd::stalled_inside;
@@ -111,7 +118,7 @@ bool normals_before_simplifying(const Deviation& d) {
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (corners(kept[i]) == corners(full[i])) continue;
     if (!parry::is_same_answer(d, Engine::answer(kept[i], *d.asked))) continue;
-    if (parry::is_right<Engine>(d, own[i])) return true;
+    if (parry::is_right<Engine>(d, own[i]) || is_touch_left_out<Engine>(d, own[i])) return true;
   }
   return false;
 }
@@ -240,17 +247,18 @@ bool rounded_foot_of_gjk(const Deviation& d) {
   const double roundings = 4 * parry::kEpsilonOf<Engine> * std::max(from.norm(), to.norm());
   if (!((foot.template cast<double>() - own).norm() <= roundings)) return false;
   // Places on both shapes are rounded as the foot is: depth and direction may be off by as much.
-  const auto is_right_but_for_roundings = [&](const auto& replayed) {
+  const auto error_of = [&](const auto& replayed) {
     const double apart =
         replayed.route == Route::ball ? parry::centre_from_surface(d) : cores_apart(d);
     const double depth = ledger_of::deepest(Engine::answer(replayed, d.right.pair()));
-    const double most = bound_of(d) + roundings;
-    return std::abs(depth - ledger_of::least_depth(d)) <= most &&
-           parry::error_of_direction<Engine>(d, replayed) * std::abs(apart) <= most;
+    return std::max(std::abs(depth - ledger_of::least_depth(d)),
+                    parry::error_of_direction<Engine>(d, replayed) * std::abs(apart));
   };
   const auto mended = parry::replayed_with_unrounded_feet(*replay);
-  return parry::is_right<Engine>(d, mended) ||
-         (is_right_but_for_roundings(mended) && !is_right_but_for_roundings(*replay));
+  if (parry::is_right<Engine>(d, mended)) return true;
+  const double left = error_of(mended);
+  return left <= bound_of(d) + roundings &&
+         error_of(*replay) > std::max(left, d.right.bounds.separation);
 }
 
 template <class Engine>

@@ -28,7 +28,6 @@ struct EpaPlaces {
 template <class Real>
 struct EpaResult : EpaPlaces<Real> {
   EpaEnd end = EpaEnd::none;
-  EpaPlaces<Real> outermost{};   ///< converged: of the face that is no nearer than the tolerance
   bool is_of_chord = false;      ///< of a chord's two sides, whose place is a corner: [1.0, 0.0]
   bool is_out_of_range = false;  ///< its face's length is no finite number
 };
@@ -208,9 +207,9 @@ class Epa {
     return {from.on_a * face.shares[0] + to.on_a * face.shares[1],
             from.on_b * face.shares[0] + to.on_b * face.shares[1], face.normal};
   }
-  EpaResult<Real> found(const Face& face, EpaEnd end, EpaPlaces<Real> outermost = {}) const {
+  EpaResult<Real> found(const Face& face, EpaEnd end) const {
     const Vector2<Real> along = corners_[face.ends[1]].point - corners_[face.ends[0]].point;
-    return {places_on(face), end, outermost, face.is_of_chord, !std::isfinite(length_of(along))};
+    return {places_on(face), end, face.is_of_chord, !std::isfinite(length_of(along))};
   }
 
   EpaResult<Real> expand() {
@@ -230,7 +229,7 @@ class Epa {
       }
       const Real distance = -id.minus_distance;
       if (farthest - distance < kTolerance) {
-        return found(faces_[best], EpaEnd::converged, places_on(current));
+        return found(faces_[best], EpaEnd::converged);
       }
       for (const Face& made : {face(current.ends[0], added), face(added, current.ends[1])}) {
         if (made.is_origin_beside) {

@@ -74,19 +74,20 @@ bool is_between_places(GjkEnd end) {
          end == GjkEnd::full_apart || end == GjkEnd::near_enough;
 }
 
-/// Whether a contact is dropped since the origin is on a chord, and would be right on the face that
-/// EPA ended at.
+/// Whether EPA's direction is right to its tolerance.
 template <class Engine>
-bool is_dropped_on_chord(const Deviation& d, parry::ReplayOf<Engine> replay) {
-  if (replay.route != Route::supports || replay.epa.end != EpaEnd::converged ||
-      replay.points.empty()) {
-    return false;
-  }
-  const auto& [on_a, on_b, normal] = replay.epa.outermost;
-  replay.normal = normal;
-  replay.points[0] = {on_a, parry::inverse_transform(replay.between, on_b),
-                      normal.dot(on_b - on_a)};
-  return parry::is_right<Engine>(d, replay);
+bool is_direction_of_epa_right(const Deviation& d, const parry::ReplayOf<Engine>& replay) {
+  return excess_of_epa<Engine>(d, replay) <= 100 * parry::kEpsilonOf<Engine> + bound_of(d);
+}
+
+/// Whether a contact is dropped since the origin is on the chord that EPA ended on: its places are
+/// apart by roundings.
+template <class Engine>
+bool is_dropped_on_chord(const Deviation& d, const parry::ReplayOf<Engine>& replay) {
+  return replay.route == Route::supports && replay.epa.end == EpaEnd::converged &&
+         !replay.points.empty() &&
+         static_cast<double>(replay.points[0].distance) <= bound_of(d) &&
+         is_direction_of_epa_right<Engine>(d, replay);
 }
 
 }  // namespace
@@ -183,9 +184,8 @@ bool chord_of_epa(const Deviation& d) {
   // The chord is inside of the surface, so the depth is too small; what supports its face is found
   // no farther than the tolerance.
   const double least = ledger_of::least_depth(d);
-  const double excess = is_exhausted ? 0 : excess_of_epa<Engine>(d, *replay);
   return ledger_of::deepest(d.got) <= least + bound_of(d) &&
-         excess <= 100 * parry::kEpsilonOf<Engine> + bound_of(d);
+         (is_exhausted || is_direction_of_epa_right<Engine>(d, *replay));
 }
 
 #define MANIFUZZ_OF_PARRY(predicate)                         \
