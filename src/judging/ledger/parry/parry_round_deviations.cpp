@@ -85,8 +85,7 @@ bool is_direction_of_epa_right(const Deviation& d, const parry::ReplayOf<Engine>
 template <class Engine>
 bool is_dropped_on_chord(const Deviation& d, const parry::ReplayOf<Engine>& replay) {
   return replay.route == Route::supports && replay.epa.end == EpaEnd::converged &&
-         !replay.points.empty() &&
-         static_cast<double>(replay.points[0].distance) <= bound_of(d) &&
+         !replay.points.empty() && static_cast<double>(replay.points[0].distance) <= bound_of(d) &&
          is_direction_of_epa_right<Engine>(d, replay);
 }
 
