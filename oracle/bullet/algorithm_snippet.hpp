@@ -7,6 +7,7 @@ namespace manifuzz_bullet {
 /// report/upstream fills it in.
 inline constexpr const char* kAlgorithmSnippet =
     R"(@language cpp
+@none no point of a getDistance() of 0 or less
 @point getPositionWorldOnB() $b, getDistance() $s
 )" MANIFUZZ_BULLET_HEADERS R"(#include <btBulletCollisionCommon.h>
 #include <cstdio>

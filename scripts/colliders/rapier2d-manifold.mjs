@@ -2,7 +2,8 @@
 import { serve, toWorld } from "./protocol.mjs";
 import { collidersOf, declaration, snippetThat } from "./rapier2d-bodies.mjs";
 
-const snippet = snippetThat(`@point in the world on A $a, contactDist $s
+const snippet = snippetThat(`@figures by way of A's frame, so to a few roundings of the largest
+@point in the world on A $a, contactDist $s
 world.timestep = 0, world.step();
 let found = ["0 points"];
 const onA = ({ x, y }, at = a.translation(), c = Math.cos(a.rotation()), s = Math.sin(a.rotation())) => [c * x - s * y + at.x, s * x + c * y + at.y];

@@ -1,5 +1,6 @@
 #include "external/printed_figures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -45,40 +46,60 @@ std::string in_digits(double number, int digits) {
   return fmt::format("{:.{}g}", number + 0.0, digits);
 }
 
-bool is_in_digits(const std::string& figure, double number, int digits, bool is_float) {
-  return in_digits(number, digits) == figure ||
-         (is_float && in_digits(static_cast<double>(static_cast<float>(number)), digits) == figure);
+/// How a figure was rounded: to so many digits, of a float or a double, after it was off by this.
+struct Rounding {
+  int digits = 0;
+  bool is_float = false;
+  double off = 0;
+};
+
+bool is_rounded(const std::string& figure, double number, const Rounding& by) {
+  if (in_digits(number, by.digits) == figure) return true;
+  if (by.off > 0 && std::abs(std::strtod(figure.c_str(), nullptr) - number) <= by.off) return true;
+  return by.is_float &&
+         in_digits(static_cast<double>(static_cast<float>(number)), by.digits) == figure;
 }
 
-bool stands_at(const Figure& figure, const std::vector<double>& numbers, std::size_t at, int digits,
-               bool is_float) {
+bool stands_at(const Figure& figure, const std::vector<double>& numbers, std::size_t at,
+               const Rounding& by) {
   for (std::size_t i = 0; i < figure.size(); ++i) {
-    if (!is_in_digits(figure[i], numbers[at + i], digits, is_float)) return false;
+    if (!is_rounded(figure[i], numbers[at + i], by)) return false;
   }
   return true;
 }
 
-bool is_printed(const Figure& figure, const std::vector<double>& numbers, int digits,
-                bool is_float) {
+bool is_printed(const Figure& figure, const std::vector<double>& numbers, const Rounding& by) {
   for (std::size_t at = 0; at + figure.size() <= numbers.size(); ++at) {
-    if (stands_at(figure, numbers, at, digits, is_float)) return true;
+    if (stands_at(figure, numbers, at, by)) return true;
   }
   return false;
+}
+
+/// So many roundings of the largest.
+double roundings_of(const std::vector<double>& numbers, int count, bool is_float) {
+  double most = 0;
+  for (const double number : numbers) {
+    if (std::isfinite(number)) most = std::max(most, std::abs(number));
+  }
+  const double one = is_float ? static_cast<double>(std::numeric_limits<float>::epsilon())
+                              : std::numeric_limits<double>::epsilon();
+  return count * one * most;
 }
 
 }  // namespace
 
 std::vector<std::string> figures_not_printed(const std::string& got, const std::string& printed,
-                                             bool is_float) {
+                                             bool is_float, int roundings) {
   const std::vector<Figure> figures = figures_in(got);
   const std::vector<double> numbers = numbers_in(printed);
+  Rounding by{.is_float = is_float, .off = roundings_of(numbers, roundings, is_float)};
   std::vector<std::string> fewest;
   // A report gives all its figures in the same number of digits, from 7 of a float, 9 of a double.
-  for (int digits = is_float ? 7 : 9; digits <= std::numeric_limits<double>::max_digits10;
-       ++digits) {
+  for (by.digits = is_float ? 7 : 9; by.digits <= std::numeric_limits<double>::max_digits10;
+       ++by.digits) {
     std::vector<std::string> missing;
     for (const Figure& figure : figures) {
-      if (!is_printed(figure, numbers, digits, is_float)) {
+      if (!is_printed(figure, numbers, by)) {
         missing.push_back(fmt::format("{}", fmt::join(figure, ", ")));
       }
     }

@@ -17,6 +17,7 @@ from protocol import serve  # noqa: E402
 
 SNIPPET = """@language gdscript
 @no_normal
+@figures by way of A's frame, so to a few roundings of the largest
 @point on A $a, on B $b
 extends SceneTree # godot3-server --no-window -s snippet.gd
 func _init():

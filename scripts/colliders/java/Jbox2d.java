@@ -23,6 +23,7 @@ public class Jbox2d {
 
   private static final String SNIPPET = """
       @language java
+      @figures by way of A's frame, so to a few roundings of the largest
       @point world.points $m
       import org.jbox2d.collision.*; import org.jbox2d.collision.shapes.*; import org.jbox2d.common.*;
       public class Snippet {

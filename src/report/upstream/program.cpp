@@ -214,6 +214,7 @@ bool take_directive(const std::string& line, Program& program) {
   if (const auto language = said("@language ")) return program.language = *language, true;
   if (const auto point = said("@point ")) return program.point = *point, true;
   if (const auto none = said("@none ")) return program.none = *none, true;
+  if (const auto figures = said("@figures ")) return program.figures = *figures, true;
   if (said("@no_normal")) return program.has_normal = false, true;
   if (said("@b_first")) return program.is_b_first = true, true;
   return false;

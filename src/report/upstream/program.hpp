@@ -13,6 +13,7 @@ struct Program {
   std::string language;                      ///< of the fence around it
   std::string point = "point $p, depth $d";  ///< how the engine gives a point, see point_in_words
   std::string none = "no contact";           ///< how it says that there is none
+  std::string figures{};                     ///< how its figures are read; empty: as they stand
   bool has_normal = true;                    ///< whether it gives a normal at all
   bool is_b_first = false;                   ///< it is asked with B before A
 };

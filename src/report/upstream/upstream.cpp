@@ -76,7 +76,9 @@ std::string upstream_report(const JudgedCase& judged, const std::string& options
   text += "." + cause_in_words(judged.judgement.explanation);
   text += "\n\n" + code_block(program.text, language_of(program)) + '\n';
   const auto [got, expected] = got_and_expected(judged, asked, program);
-  text += fmt::format("- Got: {}.\n- Expected: {}.\n", got, expected);
+  const std::string read =
+      program.figures.empty() ? "" : fmt::format(" (figures {})", program.figures);
+  text += fmt::format("- Got: {}{}.\n- Expected: {}.\n", got, read, expected);
   text += fmt::format("- Users see: {}.\n", seen_by_users(judged, asked));
   text += neighbours_in_words(judged);
   return text + fmt::format("- By hand: {}\n", checked_by_hand(pair));

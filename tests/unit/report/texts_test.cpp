@@ -193,15 +193,17 @@ TEST_CASE("a snippet's lines stand where their conditions hold") {
 }
 
 TEST_CASE("a snippet says of its engine what the report needs") {
-  const Program program =
-      program_for("@language js\n@point at $p\n@no_normal\n@b_first\nlib.@asked(collide)@(1);\n",
-                  test::box_on_box(0.25F));
+  const Program program = program_for(
+      "@language js\n@point at $p\n@no_normal\n@b_first\n@figures as they stand\n"
+      "lib.@asked(collide)@(1);\n",
+      test::box_on_box(0.25F));
   CHECK(program.text == "lib.collide(1);\n");
   CHECK(program.function == "collide");
   CHECK(program.language == "js");
   CHECK(program.point == "at $p");
   CHECK_FALSE(program.has_normal);
   CHECK(program.is_b_first);
+  CHECK(program.figures == "as they stand");
 }
 
 TEST_CASE("a report says what was got, what is right, and how to see it") {

@@ -5,6 +5,7 @@ macro_rules! snippet {
         concat!(
             r#"@language rust
 @none no point of a dist of 0 or less
+@figures by way of A's frame, so to a few roundings of the largest
 @point middle of local_p1 and local_p2 in the world $m, dist $s
 // cargo add "#, $package, r#"@0.30.2
 use "#, $module, r#"::{math::*, query::*, shape::*};
