@@ -145,6 +145,18 @@ bool is_by_fault_of_circle(const Deviation& d, unsigned fault) {
   });
 }
 
+/// Whether the normal is as long as an edge below b2_epsilon, whose direction is left as it is.
+bool is_normal_of_short_edge(const Deviation& d) {
+  constexpr double epsilon = kEpsilonOfFloat;
+  const auto is_as_long = [&](const ConvexPolygon<float>& core) {
+    if (core.count != 2) return false;
+    const double length = (core.vertices[1] - core.vertices[0]).cast<double>().norm();
+    return length < epsilon && std::abs(d.got.normal.norm() - length) <= 4 * epsilon * length;
+  };
+  const PairCase& pair = d.right.pair();
+  return d.got.count > 0 && (is_as_long(pair.a.polygon) || is_as_long(pair.b.polygon));
+}
+
 }  // namespace
 
 std::optional<replayed::Contact> ledger_of::circle_contact_of_box2d(const PairCase& pair,
@@ -170,7 +182,7 @@ bool face_within_box2d_epsilon(const Deviation& d) {
 }
 
 bool tiny_reference_face_of_box2d(const Deviation& d) {
-  return tiny_reference_face(d) ||
+  return tiny_reference_face(d) || is_normal_of_short_edge(d) ||
          ((d.right.pair().a.polygon.count == 2 || d.right.pair().b.polygon.count == 2) &&
           is_by_fault_of_circle(d, FaultOfBox2dCircle::short_direction));
 }

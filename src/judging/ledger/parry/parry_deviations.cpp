@@ -256,6 +256,10 @@ bool rounded_foot_of_gjk(const Deviation& d) {
   };
   const auto mended = parry::replayed_with_unrounded_feet(*replay);
   if (parry::is_right<Engine>(d, mended)) return true;
+  // A circle's centre that it would then find to be on the surface, within GJK's tolerance.
+  if (mended.route == Route::ball && mended.gjk.end == GjkEnd::on_simplex) {
+    return std::abs(parry::centre_from_surface(d)) <= 10 * parry::kEpsilonOf<Engine> + bound_of(d);
+  }
   const double left = error_of(mended);
   return left <= bound_of(d) + roundings &&
          error_of(*replay) > std::max(left, d.right.bounds.separation);

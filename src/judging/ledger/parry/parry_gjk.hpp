@@ -30,8 +30,8 @@ struct GjkPlaces {
   Vector2<Real> direction{0, 0};
 };
 
-/// Where it has a corner already to which its direction leads: the origin's place on its chord,
-/// from which the direction comes.
+/// Where it has a corner already to which its direction leads, or comes no nearer: the origin's
+/// place on its chord, from which the direction comes.
 template <class Real>
 struct GjkFoot {
   Vector2<Real> foot{0, 0};
@@ -45,7 +45,7 @@ struct GjkResult : GjkPlaces<Real> {
   bool is_intersection = false;
   bool has_points = false;
   std::optional<GjkPlaces<Real>> after{};  ///< stalled_apart: of the step that it goes back from
-  std::optional<GjkFoot<Real>> foot{};     ///< refused a corner of its chord: apart, or inside
+  std::optional<GjkFoot<Real>> foot{};     ///< refused a corner of its chord, or stalled_apart
   bool is_refused = false;  ///< add_point took two corners for one that are not at one place
 };
 
@@ -81,7 +81,7 @@ class Gjk {
     direction_ = direction;
     most_ = distance;
     if (most_ >= old_most) {
-      if (best_least_ > 0) return points(GjkEnd::stalled_apart, true, old_direction_);
+      if (best_least_ > 0) return on_chord(points(GjkEnd::stalled_apart, true, old_direction_));
       if (is_touching()) return points(GjkEnd::stalled_touching, true, old_direction_);
       if (perturbation_count_ == kPerturbationsMax) return intersection(GjkEnd::stalled_inside);
       direction_ = perturbed(direction_, ++perturbation_count_);

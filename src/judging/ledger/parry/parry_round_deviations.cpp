@@ -45,6 +45,14 @@ bool has_polygon(const Deviation& d) {
   return std::max(pair.a.polygon.count, pair.b.polygon.count) >= kMinVertices;
 }
 
+/// Whether GJK ended within its tolerance, or would but for the roundings of a place on a chord.
+template <class Real>
+bool is_stopped_by_tolerance(const parry::Replay<Real>& replay) {
+  return replay.gjk.end == GjkEnd::near_enough ||
+         (replay.gjk.foot && !replay.gjk.is_refused &&
+          parry::replayed_with_unrounded_feet(replay).gjk.end == GjkEnd::near_enough);
+}
+
 /// How far closest_points_segment_segment may be from the nearest places of two cores.
 template <class Engine>
 double error_of_places(const Deviation& d) {
@@ -161,7 +169,7 @@ template <class Engine>
 bool circle_by_gjk_stop(const Deviation& d) {
   const auto replay = replay_of_circle<Engine>(d);
   const double surface = centre_from_surface(d);
-  if (!replay || replay->gjk.end != GjkEnd::near_enough || surface <= 0) return false;
+  if (!replay || surface <= 0 || !is_stopped_by_tolerance(*replay)) return false;
   // The place is in the shape, and no farther than the distance over 1 - _eps_rel.
   const double share = parry::relative_of<Engine>() / (1 - parry::relative_of<Engine>());
   const double found = static_cast<double>(parry::length_of(replay->apart));
