@@ -13,14 +13,13 @@
 namespace manifuzz {
 namespace {
 
-/// ", up to 0.5 of the size in position, 0.1 in depth": each component that is accepted.
+/// ", up to 0.5 in normal, 0.1 of the size in depth": each component that is accepted.
 std::string limits_in_words(const Errors& up_to) {
   std::string text;
   for (std::size_t i = 0; i < kComponentNames.size(); ++i) {
     if (up_to.all()[i] == 0) continue;
-    text += text.empty() ? fmt::format(", up to {:.3g} of the size", up_to.all()[i])
-                         : fmt::format(", {:.3g}", up_to.all()[i]);
-    text += fmt::format(" in {}", kComponentNames[i]);
+    text += fmt::format(", {}{:.3g}{} in {}", text.empty() ? "up to " : "", up_to.all()[i],
+                        unit_of(static_cast<Component>(i)), kComponentNames[i]);
   }
   return text.empty() ? ", no error beyond bounds" : text;
 }
@@ -48,9 +47,9 @@ Acceptance acceptance_of(const CorpusCase& known, Acceptance asked) {
   const auto limit = [](double seen_error, double as_saved) {
     return std::max(kAcceptedTimesWorst * seen_error, as_saved);
   };
-  if (has_errors) {
-    const Errors as_saved = expect.errors.value_or(Errors{});
-    const Errors worst = seen && seen->errors ? *seen->errors : as_saved;
+  const Errors as_saved = expect.errors.value_or(Errors{});
+  const Errors worst = seen && seen->errors ? *seen->errors : as_saved;
+  if (worst != Errors{} || as_saved != Errors{}) {
     Errors& up_to = asked.errors_up_to.emplace();
     for (std::size_t i = 0; i < kComponentNames.size(); ++i) {
       const double of_component = limit(worst.all()[i], as_saved.all()[i]);
@@ -58,8 +57,8 @@ Acceptance acceptance_of(const CorpusCase& known, Acceptance asked) {
     }
     asked.up_to.reset();
   } else if (!asked.up_to) {
-    const double as_saved = expect.magnitude.value_or(0);
-    asked.up_to = limit(seen ? seen->magnitude : as_saved, as_saved);
+    const double magnitude = expect.magnitude.value_or(0);
+    asked.up_to = limit(seen ? seen->magnitude : magnitude, magnitude);
   }
   if (!seen) return asked;
   for (const auto& [regime, count] : seen->regimes) {

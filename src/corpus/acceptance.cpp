@@ -86,17 +86,17 @@ Acceptance read_acceptance(const JsonView& object) {
 }
 
 std::string worse_than_accepted(const Acceptance& acceptance, const WorstError& error) {
-  const auto in_words = [](std::string_view what, double got, double limit) {
-    return fmt::format("{}{:.3g} of the size, above {:.3g}", what, got, limit);
-  };
   if (acceptance.up_to && !(error.magnitude <= *acceptance.up_to)) {
-    return in_words("", error.magnitude, *acceptance.up_to);
+    return fmt::format("{:.3g} of the size, above {:.3g}", error.magnitude, *acceptance.up_to);
   }
   if (!acceptance.errors_up_to) return "";
   for (std::size_t i = 0; i < kComponentNames.size(); ++i) {
     const double limit = acceptance.errors_up_to->all()[i];
     const double got = error.errors.all()[i];
-    if (!(got <= limit)) return in_words(fmt::format("{} ", kComponentNames[i]), got, limit);
+    if (!(got <= limit)) {
+      return fmt::format("{} {:.3g}{}, above {:.3g}", kComponentNames[i], got,
+                         unit_of(static_cast<Component>(i)), limit);
+    }
   }
   return "";
 }

@@ -13,6 +13,9 @@ namespace {
 using Fine = ClipFigures::Number;
 
 double length(const Fine& x, const Fine& y) {
+  // Squares of such figures are beyond double.
+  const double rough = std::hypot(exact::leading(x.value), exact::leading(y.value));
+  if (!(rough < 1e150)) return rough;
   return exact::leading(sqrt(x * x + y * y).value);
 }
 

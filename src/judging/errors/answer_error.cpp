@@ -34,11 +34,18 @@ void AnswerError::add_beyond(Component of, double error, double within) {
   component = of;
 }
 
+double AnswerError::total() const {
+  return std::accumulate(errors.all().begin(), errors.all().end(), 0.0);  // in order
+}
+
 bool is_less_wrong(const AnswerError& first, const AnswerError& second) {
-  const auto sum = [](const AnswerError& of) {
-    return std::accumulate(of.errors.all().begin(), of.errors.all().end(), 0.0);  // in order
+  // Beside a figure that is beyond all others their sum tells nothing.
+  const auto beside_greatest = [](AnswerError of) {
+    if (of.component) of.errors[*of.component] = 0;
+    return of.total();
   };
-  return std::pair(first.magnitude, sum(first)) < std::pair(second.magnitude, sum(second));
+  return std::pair(first.total(), beside_greatest(first)) <
+         std::pair(second.total(), beside_greatest(second));
 }
 
 }  // namespace manifuzz

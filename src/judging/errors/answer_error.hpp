@@ -22,6 +22,11 @@ enum class Component {
 inline constexpr std::array<std::string_view, 6> kComponentNames{"normal",  "position", "depth",
                                                                  "missing", "extra",    "excess"};
 
+/// What a component's figures are shares of, in words.
+constexpr std::string_view unit_of(Component component) {
+  return component == Component::normal ? "" : " of the size";
+}
+
 /// A figure for each component: shares of the smaller shape's size, but for the normal's. What lies
 /// within its own bound is 0.
 class Errors {
@@ -48,6 +53,8 @@ struct AnswerError {
   double bound = 0;                    ///< within which that one would be right
   std::optional<Component> component;  ///< whose it is; none where no error exceeds its bound
 
+  double total() const;  ///< the sum of all of them
+
   /// Counts an error that exceeds its bound.
   void add(Component of, double error, double within);
   /// Counts an error that is known to exceed its bound, whatever its figures were rounded to.
@@ -65,7 +72,8 @@ struct WorstError {
 /// Keeps the larger of each figure.
 void widen(WorstError& worst, const WorstError& other);
 
-/// Whether the answer is nearer to being right in the first reading than in the second.
+/// Whether the answer is nearer to being right in the first reading than in the second: in the sum
+/// of its errors, so that one that is far off in one thing is not read as off in all by less.
 bool is_less_wrong(const AnswerError& first, const AnswerError& second);
 
 }  // namespace manifuzz

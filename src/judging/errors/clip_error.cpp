@@ -33,7 +33,7 @@ class AgainstClips {
     for (const Clip* const clip : right_.candidates) hold_against(*clip, 0);
     for (const FaceOf face : exact::all_faces(truth_.stored())) {
       const double excess = excess_of(face);
-      if (best_ && excess > best_->magnitude) continue;  // no clip of this face is nearer
+      if (best_ && excess > best_->total()) continue;  // no clip of this face is nearer
       for (const int edge : truth_.incident_edges(face, right_.bounds.incident_dot)) {
         const Clip& clip = truth_.clip(face, edge);
         if (std::ranges::count(right_.candidates, &clip) == 0) hold_against(clip, excess);

@@ -27,6 +27,7 @@ class CurveError {
       measure_along(*said.normal);
     } else if (judged_.kind != Kind::none) {
       error_.add_beyond(Component::normal, judged_.magnitude, judged_.bound);
+      measure_along_nearest();
     }
     return error_;
   }
@@ -37,10 +38,24 @@ class CurveError {
     error_.add_beyond(of, length / size_, within / size_);
   }
 
-  void measure_along(const Vector2<double>& normal) {
+  /// Without a direction of its own: along that of the least depth with which it is the least
+  /// wrong.
+  void measure_along_nearest() {
+    std::optional<AnswerError> least;
+    for (const Vector2<double>& minimum : answer_.curve().minima(answer_.within().minimality)) {
+      CurveError reading = *this;
+      reading.measure_along(minimum);
+      if (!least || is_less_wrong(reading.error_, *least)) least = reading.error_;
+    }
+    if (least) error_ = *least;
+  }
+
+  void measure_along(Vector2<double> normal) {
+    const double length = normal.stableNorm();
+    if (!std::isfinite(normal.squaredNorm())) normal = normal.stableNormalized();
     const bool is_reversed = judged_.kind == Kind::reversed;
     const Along along(answer_.truth(), is_reversed ? Vector2<double>(-normal) : normal);
-    error_.add(Component::normal, std::abs(normal.norm() - 1), answer_.within().normal);
+    error_.add(Component::normal, std::abs(length - 1), answer_.within().normal);
     if (is_reversed) error_.add_beyond(Component::normal, 2, answer_.within().normal);
     const double depth = answer_.said().depth;
     // Across a gap any normal will do.
@@ -67,8 +82,8 @@ class CurveError {
   void add_positions(const Along& along, double off, bool is_minimal) {
     // Along a normal that is not the least, right points may lie on two lines, and as far from a
     // thin shape as they are deep.
-    double farthest = is_minimal ? farthest_witness(along, off)
-                                 : farthest_from_both() - std::max(answer_.said().depth, 0.0);
+    const double overlap = std::clamp(answer_.said().depth, 0.0, std::max(along.depth(), 0.0));
+    double farthest = is_minimal ? farthest_witness(along, off) : farthest_from_both() - overlap;
     // The points of a reversed normal may be those of the right one, or follow it.
     if (judged_.kind == Kind::reversed) {
       const Along as_given(answer_.truth(), *answer_.said().normal);

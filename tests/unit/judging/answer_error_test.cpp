@@ -94,10 +94,29 @@ TEST_CASE("no error of an answer hides another: the greater of two is how wrong 
     const Judgement judgement = judged(planted.pair, changed(planted));
     CHECK(judgement.bucket.verdict == Verdict::subject_wrong);
     CHECK(judgement.of_subject.component == planted.component);
-    // What other faces are deeper may be taken off a large error: here 3 at most.
-    CHECK(judgement.magnitude <= 1.0001 * planted.magnitude);
-    CHECK(judgement.magnitude >= 0.9 * planted.magnitude);
+    CHECK_THAT(judgement.magnitude, WithinRel(planted.magnitude, 2e-4));
     const bool is_gross = judgement.magnitude > 0.01;
     CHECK((judgement.bucket.error_class == ErrorClass::gross) == is_gross);
   }
+}
+
+TEST_CASE("one point that is far away leaves the other errors at none") {
+  for (const double far : {0.5, 3.0, 10.0, 1e155, 1e300}) {
+    CAPTURE(far);
+    const Planted planted{"", leaning(), {moved(1, -far, 0)}, Component::position, far / kLeaning};
+    const Judgement judgement = judged(planted.pair, changed(planted));
+    Errors expected;
+    expected[Component::position] = judgement.magnitude;
+    CHECK(judgement.of_subject.errors == expected);
+    CHECK_THAT(judgement.magnitude, WithinRel(planted.magnitude, 1e-4));
+    CHECK(judgement.bucket.error_class == ErrorClass::gross);
+  }
+}
+
+TEST_CASE("a normal beyond what squares hold is as wrong as it is long") {
+  Manifold<double> manifold = right_of(leaning());
+  manifold.normal *= 1e200;
+  const Judgement judgement = judged(leaning(), manifold);
+  CHECK(judgement.bucket.kind == Kind::normal);
+  CHECK_THAT(judgement.magnitude, WithinRel(1e200, 1e-12));
 }

@@ -97,6 +97,10 @@ TEST_CASE("Box2D's normal of an edge shorter than epsilon is as short") {
   CHECK_FALSE(is_it(pair, normal, 0.001));
   pair.b.polygon.vertices[1] = {0.00059F, 0.001F};
   CHECK_FALSE(is_it(pair, normal, 9.893344823930228e-18));
+  const PairCase beside_triangle = pair_of(
+      R"({"a":{"vertices":[[0,8e-08],[-2e-08,7.6e-08],[5e-09,2e-08]],"radius":0},
+          "b":{"vertices":[[0,0],[0,4e-08]],"radius":6e-08,"rounding":"round"}})");
+  CHECK(is_it(beside_triangle, {3.999999975690116e-08, 0}, 9.769962793982985e-23));
 }
 
 TEST_CASE("Chipmunk's normal is across a chord of roundings where corners lie on corners") {

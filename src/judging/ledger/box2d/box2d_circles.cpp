@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "judging/ledger/differences.hpp"
 #include "judging/ledger/round_deviations.hpp"
 
 // Box2D 2.4 on a circle and an edge or a polygon, whose operations are repeated in floats.
@@ -145,7 +146,8 @@ bool is_by_fault_of_circle(const Deviation& d, unsigned fault) {
   });
 }
 
-/// Whether the normal is as long as an edge below b2_epsilon, whose direction is left as it is.
+/// Whether the normal is as long as an edge below b2_epsilon, whose direction is left as it is, and
+/// depths along it are none.
 bool is_normal_of_short_edge(const Deviation& d) {
   constexpr double epsilon = kEpsilonOfFloat;
   const auto is_as_long = [&](const ConvexPolygon<float>& core) {
@@ -154,7 +156,8 @@ bool is_normal_of_short_edge(const Deviation& d) {
     return length < epsilon && std::abs(d.got.normal.norm() - length) <= 4 * epsilon * length;
   };
   const PairCase& pair = d.right.pair();
-  return d.got.count > 0 && (is_as_long(pair.a.polygon) || is_as_long(pair.b.polygon));
+  return d.got.count > 0 && ledger_of::deepest(d.got) <= d.right.bounds.separation &&
+         (is_as_long(pair.a.polygon) || is_as_long(pair.b.polygon));
 }
 
 }  // namespace
