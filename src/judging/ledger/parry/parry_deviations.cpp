@@ -235,37 +235,6 @@ bool equal_corners_of_gjk(const Deviation& d) {
 }
 
 template <class Engine>
-bool rounded_foot_of_gjk(const Deviation& d) {
-  const auto replay = parry::as_reported<Engine>(d);
-  if (ledger_of::is_of_points(d.kind) || !replay || !replay->gjk.foot || replay->gjk.is_refused)
-    return false;
-  const auto& [foot, chord] = *replay->gjk.foot;
-  const Vector2<double> from = chord[0].template cast<double>();
-  const Vector2<double> to = chord[1].template cast<double>();
-  // The share's error and those of its product and sum are each a few roundings of a coordinate.
-  const Vector2<double> own = ledger_of::nearest_on_segment({0, 0}, from, to);
-  const double roundings = 4 * parry::kEpsilonOf<Engine> * std::max(from.norm(), to.norm());
-  if (!((foot.template cast<double>() - own).norm() <= roundings)) return false;
-  // Places on both shapes are rounded as the foot is: depth and direction may be off by as much.
-  const auto error_of = [&](const auto& replayed) {
-    const double apart =
-        replayed.route == Route::ball ? parry::centre_from_surface(d) : cores_apart(d);
-    const double depth = ledger_of::deepest(Engine::answer(replayed, d.right.pair()));
-    return std::max(std::abs(depth - ledger_of::least_depth(d)),
-                    parry::error_of_direction<Engine>(d, replayed) * std::abs(apart));
-  };
-  const auto mended = parry::replayed_with_unrounded_feet(*replay);
-  if (parry::is_right<Engine>(d, mended)) return true;
-  // A circle's centre that it would then find to be on the surface, within GJK's tolerance.
-  if (mended.route == Route::ball && mended.gjk.end == GjkEnd::on_simplex) {
-    return std::abs(parry::centre_from_surface(d)) <= 10 * parry::kEpsilonOf<Engine> + bound_of(d);
-  }
-  const double left = error_of(mended);
-  return left <= bound_of(d) + roundings &&
-         error_of(*replay) > std::max(left, d.right.bounds.separation);
-}
-
-template <class Engine>
 bool not_a_number_of_clip(const LostAnswer& lost) {
   if (lost.how != Lost::How::malformed) return false;
   const auto is_beyond_range = [](auto run) { return run != 0 && !std::isfinite(1 / run); };
@@ -291,7 +260,6 @@ MANIFUZZ_OF_PARRY(stop_of_gjk)
 MANIFUZZ_OF_PARRY(touching_of_gjk)
 MANIFUZZ_OF_PARRY(origin_within_tolerance)
 MANIFUZZ_OF_PARRY(equal_corners_of_gjk)
-MANIFUZZ_OF_PARRY(rounded_foot_of_gjk)
 
 template bool not_a_number_of_clip<parry::Floats>(const LostAnswer&);
 template bool not_a_number_of_clip<parry::Rapier>(const LostAnswer&);

@@ -195,6 +195,37 @@ bool chord_of_epa(const Deviation& d) {
          (is_exhausted || is_direction_of_epa_right<Engine>(d, *replay));
 }
 
+template <class Engine>
+bool rounded_foot_of_gjk(const Deviation& d) {
+  const auto replay = parry::as_reported<Engine>(d);
+  if (ledger_of::is_of_points(d.kind) || !replay || !replay->gjk.foot || replay->gjk.is_refused)
+    return false;
+  const auto& [foot, chord] = *replay->gjk.foot;
+  const Vector2<double> from = chord[0].template cast<double>();
+  const Vector2<double> to = chord[1].template cast<double>();
+  // The share's error and those of its product and sum are each a few roundings of a coordinate.
+  const Vector2<double> own = ledger_of::nearest_on_segment({0, 0}, from, to);
+  const double roundings = 4 * parry::kEpsilonOf<Engine> * std::max(from.norm(), to.norm());
+  if (!((foot.template cast<double>() - own).norm() <= roundings)) return false;
+  // Places on both shapes are rounded as the foot is: depth and direction may be off by as much.
+  const auto error_of = [&](const auto& replayed) {
+    const double apart =
+        replayed.route == Route::ball ? parry::centre_from_surface(d) : cores_apart(d);
+    const double depth = ledger_of::deepest(Engine::answer(replayed, d.right.pair()));
+    return std::max(std::abs(depth - ledger_of::least_depth(d)),
+                    parry::error_of_direction<Engine>(d, replayed) * std::abs(apart));
+  };
+  const auto mended = parry::replayed_with_unrounded_feet(*replay);
+  if (parry::is_right<Engine>(d, mended)) return true;
+  // A circle's centre that it would then find to be on the surface, within GJK's tolerance.
+  if (mended.route == Route::ball && mended.gjk.end == GjkEnd::on_simplex) {
+    return std::abs(parry::centre_from_surface(d)) <= 10 * parry::kEpsilonOf<Engine> + bound_of(d);
+  }
+  const double left = error_of(mended);
+  return left <= bound_of(d) + roundings &&
+         error_of(*replay) > std::max(left, d.right.bounds.separation);
+}
+
 #define MANIFUZZ_OF_PARRY(predicate)                         \
   template bool predicate<parry::Floats>(const Deviation&);  \
   template bool predicate<parry::Doubles>(const Deviation&); \
@@ -209,6 +240,7 @@ MANIFUZZ_OF_PARRY(corner_of_epa_chord)
 MANIFUZZ_OF_PARRY(centre_on_surface)
 MANIFUZZ_OF_PARRY(circle_by_gjk_stop)
 MANIFUZZ_OF_PARRY(chord_of_epa)
+MANIFUZZ_OF_PARRY(rounded_foot_of_gjk)
 
 #undef MANIFUZZ_OF_PARRY
 
