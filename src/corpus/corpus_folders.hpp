@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "corpus/corpus.hpp"
@@ -23,6 +24,8 @@ struct CorpusFolders {
   std::string found() const;
   /// Each of both, once.
   std::vector<std::filesystem::path> all() const;
+  /// What an error calls the folder that new cases are saved in: its option, if it was named.
+  std::string_view found_in_words() const { return named ? "--corpus" : "findings"; }
   /// The option that names the folder again, for a shell, with the space before it; else empty.
   std::string again() const;
   /// Names the folder from the working folder, since no absolute path goes into what is kept.

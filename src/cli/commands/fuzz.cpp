@@ -145,10 +145,11 @@ std::string save_to(const FuzzArguments& options) {
 }
 
 CommandFiles files_of(const FuzzArguments& options) {
-  CommandFiles files{{{"--corpus", save_to(options), OutputPath::Kind::corpus},
-                      {.option = "--json", .path = options.json, .replaces = options.baseline},
-                      {"--report", options.report}},
-                     options.folders.all()};
+  CommandFiles files{
+      {{options.folders.found_in_words(), save_to(options), OutputPath::Kind::corpus},
+       {.option = "--json", .path = options.json, .replaces = options.baseline},
+       {"--report", options.report}},
+      options.folders.all()};
   if (!options.baseline.empty()) files.inputs.emplace_back(options.baseline);
   return files;
 }

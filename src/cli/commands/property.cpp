@@ -47,7 +47,8 @@ PropertyPlan plan_of(const PropertyArguments& options) {
 
 int hold_properties(PropertyArguments& options) {
   const std::string save_to = options.no_save ? "" : options.folders.found();
-  check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, options.folders.all()},
+  check_outputs({{{options.folders.found_in_words(), save_to, OutputPath::Kind::corpus}},
+                 options.folders.all()},
                 options.ci);
   const std::vector<const Property*> chosen =
       chosen_by_name(properties(), options.names, "property", "property");

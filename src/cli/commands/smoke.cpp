@@ -90,7 +90,8 @@ SmokeListener printer(const SmokeArguments& options, const ProgressLine& line, O
 int smoke(SmokeArguments& options) {
   options.folders.make_relative();
   const std::string save_to = options.no_save ? "" : options.folders.found();
-  check_outputs({{{"--corpus", save_to, OutputPath::Kind::corpus}}, options.folders.all()},
+  check_outputs({{{options.folders.found_in_words(), save_to, OutputPath::Kind::corpus}},
+                 options.folders.all()},
                 options.ci);
   Interruption all(kUntilSignal);
   const SmokePlan plan = plan_of(options);

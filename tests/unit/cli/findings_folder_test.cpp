@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/file.hpp"
 #include "corpus/corpus.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
@@ -103,4 +104,16 @@ TEST_CASE("a bucket is looked up among findings too") {
                    manifuzz_path(), json["buckets"][0]["bucket"].get<std::string>()});
   CHECK(shown.status == 0);
   CHECK(shown.out.find("taken: found/defects/box2d/") != std::string::npos);
+}
+
+TEST_CASE("a file in the place of the folder for findings is what the error names") {
+  const TemporaryFolder folder;
+  manifuzz::write_file((folder.path() / "found").string(), "");
+  for (const char* const command : {"fuzz", "property", "smoke"}) {
+    const Outcome outcome = run_program(
+        {"sh", "-c", "cd \"$0\" && exec \"$@\"", folder.path().string(), manifuzz_path(), command});
+    CAPTURE(command, outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err == "manifuzz: findings: found: is no folder\n");
+  }
 }
