@@ -157,8 +157,11 @@ bool normal_of_corner_cones(const Deviation& d) {
 
 template <class Engine>
 bool contact_lost_by_epa(const Deviation& d) {
-  const auto replay = replay_of_search<Engine>(d);
-  return replay && d.got.count == 0 && replay->epa.end == EpaEnd::lost;
+  const auto replay = parry::as_reported<Engine>(d);
+  if (!replay || replay->epa.end != EpaEnd::lost) return false;
+  // A circle's centre is then taken for a place on the other's surface.
+  return replay->route == Route::ball || (d.got.count == 0 && (replay->route == Route::features ||
+                                                               replay->route == Route::supports));
 }
 
 template <class Engine>

@@ -44,7 +44,9 @@ inline constexpr ParryFault kCornerCones{
     "parry2d 0.30.2 and 0.31.1, src/query/epa/epa2.rs, EPA::closest_points: simplex.dimension() == "
     "0"};
 inline constexpr ParryFault kLostByEpa{
-    "no contact: GJK says that the origin is inside, and EPA finds it outside of a face",
+    "no contact, or a circle's at its own centre: GJK says that the origin is inside, and EPA "
+    "finds "
+    "it outside of a face",
     "parry2d 0.30.2 and 0.31.1, src/query/epa/epa2.rs, EPA::closest_points: FaceId::new(...)?"};
 inline constexpr ParryFault kDirectionOfRoundings{
     "cores apart by little: the normal is the direction between places that are rounded",

@@ -52,7 +52,8 @@ struct GjkResult : GjkPlaces<Real> {
 template <class Real>
 class Gjk {
  public:
-  /// Mended, if so asked: the origin's place on a chord is that of products without roundings.
+  /// Mended, if so asked: the origin's place on a chord is that of products without roundings, and
+  /// shapes that are apart do not stall where it comes no nearer.
   Gjk(const Operands<Real>& operands, Real farthest, Simplex<Real>& simplex,
       bool is_foot_unrounded = false)
       : operands_(operands),
@@ -80,7 +81,8 @@ class Gjk {
     if (!(distance > kGjkTolerance<Real>)) return intersection(GjkEnd::on_simplex);
     direction_ = direction;
     most_ = distance;
-    if (most_ >= old_most) {
+    const bool goes_on = is_foot_unrounded_ && best_least_ > 0;
+    if (most_ >= old_most && !goes_on) {
       if (best_least_ > 0) return on_chord(points(GjkEnd::stalled_apart, true, old_direction_));
       if (is_touching()) return points(GjkEnd::stalled_touching, true, old_direction_);
       if (perturbation_count_ == kPerturbationsMax) return intersection(GjkEnd::stalled_inside);
