@@ -216,8 +216,7 @@ bool take_directive(const std::string& line, Program& program) {
   if (const auto none = said("@none ")) return program.none = *none, true;
   if (const auto figures = said("@figures ")) return program.figures = *figures, true;
   if (said("@no_normal")) return program.has_normal = false, true;
-  if (said("@b_first")) return program.is_b_first = true, true;
-  return false;
+  return said("@b_first") && (program.is_b_first = true);
 }
 
 /// `@asked(NAME)@` is the name of the function that is asked, at its call.
