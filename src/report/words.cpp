@@ -8,22 +8,30 @@
 
 #include "exchange/json.hpp"
 #include "judging/by_curve.hpp"
+#include "judging/errors/clip_error.hpp"
 
 namespace manifuzz {
 namespace {
 
+/// How wrong it is in what its kind names: other errors of the answer may be greater.
+double error_of_kind(const Judgement& judgement) {
+  const double of_kind = error_of(judgement).errors[component_of(judgement.bucket.kind)];
+  return of_kind > 0 ? of_kind : judgement.magnitude;
+}
+
 /// What is wrong with a collider's answer.
 std::string wrong_in_words(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const std::string& name = asked.declaration.name;
-  // A magnitude is a share of the size; people want to see the length.
-  const std::string off = brief(judged.judgement.magnitude * size(judged.given.pair));
+  const double error = error_of_kind(judged.judgement);
+  // It is a share of the size; people want to see the length.
+  const std::string off = brief(error * size(judged.given.pair));
   switch (judged.judgement.bucket.kind) {
     case Kind::missed_contact:
       return fmt::format("{} reports no contact, true {}", name, truth_in_words(judged.given.pair));
     case Kind::phantom_contact:
       return fmt::format("{} reports contact across a {}", name, truth_in_words(judged.given.pair));
     case Kind::normal:
-      return fmt::format("the normal of {} is off by {}", name, brief(judged.judgement.magnitude));
+      return fmt::format("the normal of {} is off by {}", name, brief(error));
     case Kind::position:
       return fmt::format("a point of {} is off by {}", name, off);
     case Kind::depth:

@@ -56,6 +56,9 @@ TEST_CASE("each verdict has its sentence") {
         "oracle wrong (known): box2d reports no contact, true overlap 0.25");
   CHECK(sentence(Verdict::subject_wrong, Kind::depth, Fault::subject) ==
         "subject wrong: a depth of clip is off by 0.7071");
+  judged.judgement.of_subject.errors[Component::depth] = 0.25;
+  CHECK(sentence(Verdict::subject_wrong, Kind::depth, Fault::subject) ==
+        "subject wrong: a depth of clip is off by 0.3536");
   CHECK(sentence(Verdict::oracle_wrong, Kind::normal, Fault::oracle) ==
         "oracle wrong: the normal of box2d is off by 0.5");
   CHECK(sentence(Verdict::both_wrong, Kind::position, Fault::both) ==
