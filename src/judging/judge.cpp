@@ -185,6 +185,11 @@ const AnswerError& error_of(const Judgement& judgement) {
   return judgement.bucket.fault == Fault::oracle ? judgement.of_oracle : judgement.of_subject;
 }
 
+double error_of_kind(const Judgement& judgement) {
+  const double of_kind = error_of(judgement).errors[component_of(judgement.bucket.kind)];
+  return of_kind > 0 ? of_kind : judgement.magnitude;
+}
+
 WorstError worst_error(const Judgement& judgement) {
   return {judgement.magnitude, error_of(judgement).errors};
 }

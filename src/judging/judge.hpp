@@ -29,6 +29,10 @@ struct Judgement {
 /// The error of whoever is at fault, the subject's before the oracle's.
 const AnswerError& error_of(const Judgement& judgement);
 
+/// How wrong it is in what the finding's kind names, a share of the size; other errors of the
+/// answer may be greater.
+double error_of_kind(const Judgement& judgement);
+
 /// The finding's magnitude and errors.
 WorstError worst_error(const Judgement& judgement);
 

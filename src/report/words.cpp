@@ -8,16 +8,9 @@
 
 #include "exchange/json.hpp"
 #include "judging/by_curve.hpp"
-#include "judging/errors/clip_error.hpp"
 
 namespace manifuzz {
 namespace {
-
-/// How wrong it is in what its kind names: other errors of the answer may be greater.
-double error_of_kind(const Judgement& judgement) {
-  const double of_kind = error_of(judgement).errors[component_of(judgement.bucket.kind)];
-  return of_kind > 0 ? of_kind : judgement.magnitude;
-}
 
 /// What is wrong with a collider's answer.
 std::string wrong_in_words(const JudgedCase& judged, const DeclaredAnswer& asked) {
