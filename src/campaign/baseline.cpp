@@ -136,6 +136,18 @@ std::string comparison_text(const CampaignResult& earlier, const CampaignResult&
   return text;
 }
 
+std::string comparison_line(const CampaignResult& earlier, const CampaignResult& now) {
+  const BucketComparison comparison = compared(earlier, now);
+  std::vector<std::string> counts;
+  for (const Part& part : kParts) {
+    counts.push_back(fmt::format("{} {}", (comparison.*part.buckets).size(), part.name));
+  }
+  std::string line = fmt::format("buckets against the baseline: {}", fmt::join(counts, ", "));
+  const std::string differences = differences_in_words(earlier, now);
+  if (!differences.empty()) line += "; " + differences.substr(0, differences.size() - 1);
+  return line;
+}
+
 nlohmann::ordered_json comparison_json(const BucketComparison& comparison) {
   nlohmann::ordered_json json;
   for (const Part& part : kParts) json[std::string(part.name)] = comparison.*part.buckets;

@@ -205,6 +205,8 @@ void hold_against(const CampaignResult& earlier, CampaignResult& now);
 
 /// For people: what differs in the terms, and the buckets that are new, worse or gone.
 std::string comparison_text(const CampaignResult& earlier, const CampaignResult& now);
+/// How many buckets those are, and what differs in the terms, in a line without its end.
+std::string comparison_line(const CampaignResult& earlier, const CampaignResult& now);
 nlohmann::ordered_json comparison_json(const BucketComparison& comparison);
 
 /// What several corpora know of one finding.

@@ -78,7 +78,11 @@ std::optional<ColliderChoice> named_choice(const ColliderChoice& by_name,
                                            const NamedSubjects& subjects) {
   const auto named = subjects.find(by_name.name);
   if (named == subjects.end()) return std::nullopt;
-  return ColliderChoice{by_name.role, named->second.library, named->second.command, false};
+  const NamedSubject& subject = named->second;
+  write_remark(fmt::format("{} is {}, as {} says", printable(by_name.name),
+                           printable(subject.command + subject.library, 200),
+                           printable(subject.file, 200)));
+  return ColliderChoice{by_name.role, subject.library, subject.command, false};
 }
 
 Collider find_named(const ColliderChoice& choice, const std::string& name,
@@ -93,8 +97,8 @@ Collider find_named(const ColliderChoice& choice, const std::string& name,
   }
 }
 
-NamedColliders::Find find_installed_or_named(std::vector<std::filesystem::path> corpora) {
-  return [subjects = read_subjects(corpora)](const std::string& name) -> std::optional<Collider> {
+NamedColliders::Find find_installed_or_named(const SubjectsFrom& from) {
+  return [subjects = read_subjects(from)](const std::string& name) -> std::optional<Collider> {
     const auto choice = named_choice({"subject", name, ""}, subjects);
     if (!choice) return find_installed(name);
     try {
@@ -113,6 +117,12 @@ void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& desc
   add_text(app, "--" + choice.role + "-command", choice.command, "COMMAND",
            "the same as a program: case lines in, manifold lines out")
       ->excludes(name);
+}
+
+void add_subjects(CLI::App& app, std::string& file) {
+  add_text(app, "--subjects", file, "FILE",
+           "the file that says how colliders from outside are started; if not given, subjects.json "
+           "in the folder of known cases or beside it, if it belongs to you or to root");
 }
 
 void add_sequences(CLI::App& app, ColliderChoice& choice) {
@@ -156,6 +166,14 @@ std::string options_again(const SubjectAndOracle& colliders) {
   const std::string subject = option_again(colliders.subject);
   const std::string rest = options_again(colliders.oracle, colliders.external);
   return subject + (subject.empty() || rest.empty() ? "" : " ") + rest;
+}
+
+std::string options_to_show(const SubjectAndOracle& colliders) {
+  const auto is_named = [](const ColliderChoice& choice) {
+    return choice.command.empty() && choice.name.find('/') == std::string::npos;
+  };
+  if (is_named(colliders.subject) && is_named(colliders.oracle)) return "";
+  return ' ' + options_again(colliders);
 }
 
 std::string options_again(const ColliderChoice& choice, const ExternalOptions& external) {

@@ -43,7 +43,9 @@ void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& desc
 void add_sequences(CLI::App& app, ColliderChoice& choice);
 /// Adds --in-process and --time-limit.
 void add_external_options(CLI::App& app, ExternalOptions& external);
-/// Adds all of these.
+/// Adds --subjects.
+void add_subjects(CLI::App& app, std::string& file);
+/// Adds --ROLE, --ROLE-command and the external options of both.
 void add_subject_and_oracle(CLI::App& app, SubjectAndOracle& colliders);
 
 /// The collider of that choice, with the tie bias where one is given. Throws UserError that says
@@ -63,9 +65,9 @@ std::optional<ColliderChoice> named_choice(const ColliderChoice& by_name,
 Collider find_named(const ColliderChoice& choice, const std::string& name,
                     const ExternalOptions& external);
 
-/// The installed collider of a name, or what a file subjects.json beside these corpora gives that
-/// name; what is wrong with that is an error line.
-NamedColliders::Find find_installed_or_named(std::vector<std::filesystem::path> corpora);
+/// The installed collider of a name, or what a file subjects.json gives that name; what is wrong
+/// with that is an error line.
+NamedColliders::Find find_installed_or_named(const SubjectsFrom& from);
 
 /// The seconds that a library or a program may take over a case. Throws UserError.
 double time_limit_of(const ExternalOptions& external);
@@ -73,5 +75,7 @@ double time_limit_of(const ExternalOptions& external);
 /// The options that choose the same colliders, or one collider, again, for a shell.
 std::string options_again(const SubjectAndOracle& colliders);
 std::string options_again(const ColliderChoice& choice, const ExternalOptions& external);
+/// As above, with a space before them; empty where a case's own record of its colliders is enough.
+std::string options_to_show(const SubjectAndOracle& colliders);
 
 }  // namespace manifuzz

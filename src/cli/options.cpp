@@ -185,8 +185,8 @@ void add_today(CLI::App& app, std::string& day) {
   add_day(app, "--today", day, "the day that acceptances are held against, for tests");
 }
 
-void add_no_save(CLI::App& app, bool& no_save) {
-  app.add_flag("--no-save", no_save, "shrink and save nothing");
+void add_no_save(CLI::App& app, CorpusFolders& folders) {
+  app.add_flag("--no-save", folders.is_unsaved, "shrink and save nothing");
 }
 
 void add_junit(CLI::App& app, std::string& file) {

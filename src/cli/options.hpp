@@ -61,7 +61,7 @@ CLI::Option* add_day(CLI::App& app, const std::string& name, std::string& day,
                      const std::string& description);
 /// Adds --today, which acceptances end by.
 void add_today(CLI::App& app, std::string& day);
-void add_no_save(CLI::App& app, bool& no_save);
+void add_no_save(CLI::App& app, CorpusFolders& folders);
 /// Adds --junit.
 void add_junit(CLI::App& app, std::string& file);
 

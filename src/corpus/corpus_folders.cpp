@@ -26,6 +26,14 @@ std::string CorpusFolders::found() const {
   return named ? corpus() : findings_folder().string();
 }
 
+std::string CorpusFolders::save_to() const {
+  return is_unsaved ? "" : found();
+}
+
+OutputPath CorpusFolders::saved() const {
+  return {named ? "--corpus" : "findings", save_to(), OutputPath::Kind::corpus};
+}
+
 std::vector<fs::path> CorpusFolders::all() const {
   if (named) return {corpus()};
   return {corpus(), found()};

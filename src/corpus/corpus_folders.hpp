@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "corpus/corpus.hpp"
@@ -17,6 +16,7 @@ std::filesystem::path findings_folder();
 /// Where a command reads known cases, and where it saves new ones.
 struct CorpusFolders {
   std::optional<std::string> named{};  ///< one folder for both
+  bool is_unsaved = false;             ///< new cases are saved nowhere
 
   /// The regime `corpus` mutates its cases, and subjects.json lies beside it.
   std::string corpus() const;
@@ -24,8 +24,10 @@ struct CorpusFolders {
   std::string found() const;
   /// Each of both, once.
   std::vector<std::filesystem::path> all() const;
-  /// What an error calls the folder that new cases are saved in: its option, if it was named.
-  std::string_view found_in_words() const { return named ? "--corpus" : "findings"; }
+  /// `found`; empty where nothing is saved.
+  std::string save_to() const;
+  /// That folder as an output; an error calls it by its option, if it was named.
+  OutputPath saved() const;
   /// The option that names the folder again, for a shell, with the space before it; else empty.
   std::string again() const;
   /// Names the folder from the working folder, since no absolute path goes into what is kept.

@@ -89,18 +89,15 @@ using IsAtHand = std::function<bool(const std::string& collider)>;
 std::string next_steps(const std::string& program, const std::string& corpus,
                        const IsAtHand& is_at_hand);
 
+/// How a run is called again, for a shell: this program, and the options that choose colliders,
+/// seed and corpus.
+struct CalledAgain {
+  std::string program;
+  std::string options;
+  std::string to_show{};  ///< those of `show` for a case that it saved, with the space before
+};
+
 // What campaigns, replays, properties and lists print, for people.
-
-/// Regimes, verdicts (zeros too), findings with their commands, and what is new, worse and gone
-/// against a baseline.
-std::string summary_table(const Campaign& campaign,
-                          const std::optional<CampaignResult>& baseline = {});
-
-/// What of that decides the status, alone; nothing where all is well.
-std::string objections(const Campaign& campaign);
-
-/// One line of a running campaign: cases, rate, verdicts that count, time left.
-std::string progress_line(const Plan& plan, const Progress& progress);
 
 /// How many findings of so many cases were written to that folder, and the verdicts of the result.
 std::string merged_text(const MergedRuns& runs, std::size_t cases, const std::string& folder);
@@ -118,6 +115,10 @@ void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std:
 
 /// What RapidCheck says, how to repeat a failure, and where its case was written.
 std::string property_text(const CheckedProperty& checked);
+/// All of them in at most 20 lines: how many hold, and of those that fail the command that shows
+/// it.
+std::string property_screen(std::span<const CheckedProperty> checked, const std::string& subject,
+                            const CalledAgain& again);
 /// A property that holds, in a line.
 std::string property_line(const CheckedProperty& checked);
 

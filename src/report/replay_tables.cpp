@@ -91,34 +91,4 @@ void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std:
   }
 }
 
-std::string property_text(const CheckedProperty& checked) {
-  const PropertyResult& result = checked.result;
-  const std::string how = checked.is_vacuous()  ? "--  "
-                          : result.passed       ? good("ok  ")
-                          : checked.is_accepted ? "accepted"
-                                                : bad("FAIL");
-  std::string text = fmt::format("{} {}: {}\n{}\n", how, checked.property->name,
-                                 checked.property->sentence, result.report);
-  if (checked.is_vacuous()) text += "it applies to none of these cases: nothing was tested\n";
-  if (!checked.objection.empty()) text += fmt::format("{}\n", bad(checked.objection));
-  if (!result.reproduce.empty()) {
-    text += fmt::format("repeat with RC_PARAMS=\"{}\"\n", result.reproduce);
-  }
-  if (!checked.saved.empty()) text += fmt::format("saved {}\n", checked.saved);
-  return text;
-}
-
-std::string property_line(const CheckedProperty& checked) {
-  const Property& property = *checked.property;
-  if (checked.is_left_out()) {
-    return fmt::format("--   {}: left out, for time was up\n", property.name);
-  }
-  if (checked.is_vacuous()) {
-    return fmt::format("--   {}: applies to none of {} cases\n", property.name,
-                       checked.result.cases);
-  }
-  return fmt::format("{} {}: {}, {} cases\n", checked.is_accepted ? "accepted" : good("ok  "),
-                     property.name, property.sentence, checked.result.cases);
-}
-
 }  // namespace manifuzz

@@ -15,6 +15,7 @@
 #include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"
+#include "report/campaign_text.hpp"
 #include "report/ci/ci_output.hpp"
 #include "report/outputs.hpp"
 #include "report/page/page.hpp"
@@ -38,8 +39,8 @@ struct FuzzArguments {
   std::optional<double> radius;
   CorpusFolders folders;
   std::string json;
-  bool no_save = false;
   bool until_new = false;
+  bool is_verbose = false;
   bool has_ties = false;
   std::optional<double> shrink_seconds;
   std::string today;
@@ -116,6 +117,11 @@ std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_j
   return page_of(files, colliders, kMapsUsual, {program, again});
 }
 
+ShowAgain show_again(const FuzzArguments& options) {
+  return {this_program(), options_to_show(options.colliders),
+          options.report == "-" ? "" : options.report};
+}
+
 /// Everything that was asked for; one output that fails loses no other.
 Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>& baseline,
                   const FuzzArguments& options) {
@@ -124,12 +130,16 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
   Outputs outputs;
   outputs.write(!options.ci.stdout_is_data, [&] {
     const bool is_terse = leaves_out_tables({options.json});
-    write_to_reader(is_terse ? objections(campaign) : summary_table(campaign, baseline));
+    write_to_reader(is_terse ? objections(campaign)
+                    : options.is_verbose
+                        ? summary_table(campaign, baseline)
+                        : campaign_screen(campaign, show_again(options), baseline));
   });
   outputs.write(!options.json.empty(), [&] { write_data(options.json, json_text(summary)); });
   outputs.write(!options.report.empty(), [&] {
     write_data(options.report, page_of_campaign(campaign, summary, options));
-    if (options.report != "-") write_remark("page " + options.report);
+    const bool is_on_screen = !options.is_verbose && !options.ci.stdout_is_data;
+    if (options.report != "-" && !is_on_screen) write_remark("page " + options.report);
   });
   outputs.add_error(campaign.saving.first_error);
   if (is_wanted(options.ci)) {
@@ -139,23 +149,17 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
   return outputs;
 }
 
-/// The folder that findings are saved in; empty: none.
-std::string save_to(const FuzzArguments& options) {
-  return options.no_save ? "" : options.folders.found();
-}
-
 CommandFiles files_of(const FuzzArguments& options) {
-  CommandFiles files{
-      {{options.folders.found_in_words(), save_to(options), OutputPath::Kind::corpus},
-       {.option = "--json", .path = options.json, .replaces = options.baseline},
-       {"--report", options.report}},
-      options.folders.all()};
+  CommandFiles files{{options.folders.saved(),
+                      {.option = "--json", .path = options.json, .replaces = options.baseline},
+                      {"--report", options.report}},
+                     options.folders.all()};
   if (!options.baseline.empty()) files.inputs.emplace_back(options.baseline);
   return files;
 }
 
 Campaign run_with_progress(const Plan& plan, const Known& known, const FuzzArguments& options) {
-  const SaveTo saved{.folder = save_to(options),
+  const SaveTo saved{.folder = options.folders.save_to(),
                      .shrink_seconds = options.shrink_seconds.value_or(kShrinkSeconds)};
   std::vector<Declaration> asked{plan.subject.declaration};
   if (!plan.sequences) asked.push_back(plan.oracle.declaration);
@@ -213,10 +217,12 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
   add_corpus(app, options.folders,
              "the folder of known cases, where new ones are saved; if not given, corpus is read, "
              "and new ones go to build/found of the tree that was built, or to found");
-  add_no_save(app, options.no_save);
+  add_no_save(app, options.folders);
   add_text(app, "--baseline", options.baseline, "FILE",
            "the --json of an earlier run: says which buckets are new, worse, gone; the status is 1 "
            "only for what is new or worse");
+  app.add_flag("--verbose", options.is_verbose,
+               "the tables of regimes, verdicts, causes and buckets in place of the short summary");
   add_json(app, options.json, "the summary as JSON");
   add_text(app, "--report", options.report, "FILE.html",
            "a page of this run and its corpus, - for stdout");

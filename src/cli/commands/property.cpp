@@ -26,7 +26,7 @@ struct PropertyArguments {
   std::optional<std::uint64_t> cases;
   std::optional<std::uint64_t> seed;
   CorpusFolders folders;
-  bool no_save = false;
+  bool is_verbose = false;
   std::string today;
   CiOutput ci;
 };
@@ -46,10 +46,7 @@ PropertyPlan plan_of(const PropertyArguments& options) {
 }
 
 int hold_properties(PropertyArguments& options) {
-  const std::string save_to = options.no_save ? "" : options.folders.found();
-  check_outputs({{{options.folders.found_in_words(), save_to, OutputPath::Kind::corpus}},
-                 options.folders.all()},
-                options.ci);
+  check_outputs({{options.folders.saved()}, options.folders.all()}, options.ci);
   const std::vector<const Property*> chosen =
       chosen_by_name(properties(), options.names, "property", "property");
   const Collider subject = find_collider(options.subject, options.external);
@@ -61,16 +58,25 @@ int hold_properties(PropertyArguments& options) {
 
   Interruption all(kUntilSignal);
   Outputs outputs;
+  const ProgressLine line;
+  std::size_t done = 0;
   const auto tell = [&](const CheckedProperty& one) {
-    const bool is_told = !options.ci.stdout_is_data && !(one.holds() && is_quiet());
-    outputs.write(is_told, [&] { write_to_reader(property_text(one)); });
+    const bool is_told = options.is_verbose || (is_quiet() && !one.holds());
+    outputs.write(is_told && !options.ci.stdout_is_data,
+                  [&] { write_to_reader(property_text(one)); });
     outputs.add_error(one.why_unsaved);
+    line.show(fmt::format("{} of {} properties tested", ++done, chosen.size()));
   };
   const std::vector<CheckedProperty> checked =
-      check_properties(chosen, subject, plan, known, {}, save_to, tell);
+      check_properties(chosen, subject, plan, known, {}, options.folders.save_to(), tell);
   if (all.is_stopped()) outputs.add_error("property: interrupted before it was done");
+  line.show("");
+  const CalledAgain again{this_program(), options_again(options, plan.seed),
+                          options_to_show({options.subject, {}, options.external})};
+  outputs.write(!options.is_verbose && !is_quiet() && !options.ci.stdout_is_data, [&] {
+    write_to_reader(property_screen(checked, subject.declaration.name, again));
+  });
   if (is_wanted(options.ci)) {
-    const CalledAgain again{this_program(), options_again(options, plan.seed)};
     write_ci(options.ci, {property_suite(checked, subject, again, all)}, outputs);
   }
   if (!outputs.are_written()) return 2;
@@ -87,7 +93,9 @@ void add_property_arguments(CLI::App& app, PropertyArguments& options) {
   add_corpus(app, options.folders,
              "the folder of known cases, where failures are saved; if not given, corpus is read, "
              "and failures go to build/found of the tree that was built, or to found");
-  app.add_flag("--no-save", options.no_save, "save nothing");
+  app.add_flag("--no-save", options.folders.is_unsaved, "save nothing");
+  app.add_flag("--verbose", options.is_verbose,
+               "what RapidCheck says of each property, in place of the short summary");
   add_today(app, options.today);
   add_junit(app, options.ci.junit);
 }

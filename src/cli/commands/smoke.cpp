@@ -11,6 +11,7 @@
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "measure/provenance.hpp"
+#include "report/campaign_text.hpp"
 #include "report/ci/ci_output.hpp"
 #include "report/outputs.hpp"
 
@@ -25,7 +26,6 @@ struct SmokeArguments {
   std::optional<std::uint64_t> seed;
   std::optional<double> seconds;
   CorpusFolders folders;
-  bool no_save = false;
   std::string today;
   CiOutput ci;
 };
@@ -38,7 +38,7 @@ SmokePlan plan_of(const SmokeArguments& options) {
     throw UserError(fmt::format("--seconds: {} s are not on; more than 0, up to {} is expected",
                                 plan.seconds, kSmokeSecondsMax));
   }
-  plan.save_to = options.no_save ? "" : options.folders.found();
+  plan.save_to = options.folders.save_to();
   plan.known_cases = read_known(options.folders);
   write_complaints(plan.known_cases.errors);
   plan.corpus = read_known(options.folders.corpus());
@@ -59,8 +59,9 @@ SmokePlan plan_of(const SmokeArguments& options) {
   return plan;
 }
 
-std::string campaign_text(const Campaign& campaign) {
-  std::string text = is_quiet() ? objections(campaign) : '\n' + summary_table(campaign);
+std::string campaign_text(const Campaign& campaign, const SmokeArguments& options) {
+  const ShowAgain show{this_program(), options_to_show(options.colliders)};
+  std::string text = is_quiet() ? objections(campaign) : '\n' + campaign_screen(campaign, show);
   if (campaign.saving.unsaved > 0) {
     text += fmt::format("\n{} findings are not saved, for time was up\n", campaign.saving.unsaved);
   }
@@ -77,9 +78,9 @@ SmokeListener printer(const SmokeArguments& options, const ProgressLine& line, O
             if (one.holds() && !is_quiet()) print(property_line(one));
             outputs.add_error(one.why_unsaved);
           },
-          [print, &line, &outputs](const Campaign& campaign) {
+          [print, &line, &outputs, &options](const Campaign& campaign) {
             line.show("");
-            print(campaign_text(campaign));
+            print(campaign_text(campaign, options));
             outputs.add_error(campaign.saving.first_error);
           },
           [&line](const Plan& plan, const Progress& progress) {
@@ -89,10 +90,7 @@ SmokeListener printer(const SmokeArguments& options, const ProgressLine& line, O
 
 int smoke(SmokeArguments& options) {
   options.folders.make_relative();
-  const std::string save_to = options.no_save ? "" : options.folders.found();
-  check_outputs({{{options.folders.found_in_words(), save_to, OutputPath::Kind::corpus}},
-                 options.folders.all()},
-                options.ci);
+  check_outputs({{options.folders.saved()}, options.folders.all()}, options.ci);
   Interruption all(kUntilSignal);
   const SmokePlan plan = plan_of(options);
   const ProgressLine line;
@@ -122,7 +120,7 @@ void add_smoke_arguments(CLI::App& app, SmokeArguments& options) {
              "the folder of known cases, which is replayed, and where new ones are saved; if not "
              "given, corpus is read, and new ones go to build/found of the tree that was built, or "
              "to found");
-  add_no_save(app, options.no_save);
+  add_no_save(app, options.folders);
   add_today(app, options.today);
   add_junit(app, options.ci.junit);
 }

@@ -69,13 +69,6 @@ std::string junit_xml(std::span<const TestSuite> suites);
 
 // Runs as test suites. Of the first failures the cases are drawn, as far as there is time.
 
-/// How a run is called again, for a shell: this program, and the options that choose colliders,
-/// seed and corpus.
-struct CalledAgain {
-  std::string program;
-  std::string options;
-};
-
 /// A test for each regime, failing where anything is wrong with the subject, which takes its share
 /// of the time; one for each bucket, each entry of the ledger and the vacuous run that decide the
 /// status.
