@@ -26,6 +26,20 @@ std::string limits_in_words(const Errors& up_to) {
 
 }  // namespace
 
+bool is_of_same_kind(const CorpusCase& known, const CorpusCase& wanted) {
+  if (!known.expect || !wanted.expect || known.property != wanted.property) return false;
+  const Expectation& one = *known.expect;
+  const Expectation& other = *wanted.expect;
+  if (!known.property.empty()) return one.subject == other.subject;
+  const auto bucket = find_bucket(one.bucket);
+  const auto other_bucket = find_bucket(other.bucket);
+  if (!bucket || !other_bucket || bucket->fault != other_bucket->fault) return false;
+  const bool is_same_collider =
+      bucket->fault == Fault::oracle ? one.oracle == other.oracle : one.subject == other.subject;
+  return is_same_collider && is_unexplained(bucket->verdict) &&
+         bucket->kind == other_bucket->kind && bucket->verdict == other_bucket->verdict;
+}
+
 Acceptance acceptance_of(const CorpusCase& known, Acceptance asked) {
   const Expectation expect = known.expect.value_or(Expectation{});
   const auto bucket = find_bucket(expect.bucket);
@@ -96,6 +110,7 @@ std::string acceptance_in_words(const CorpusCase& accepted, const std::string& t
                                  printable(expect.subject));
   if (acceptance.up_to) text += fmt::format(", up to {:.3g} of the size", *acceptance.up_to);
   if (acceptance.errors_up_to) text += limits_in_words(*acceptance.errors_up_to);
+  if (acceptance.is_of_kind) text += ", and other buckets of its kind";
   if (!acceptance.until.empty()) {
     const bool is_past = acceptance.until < today;
     text += fmt::format(", until {}{}", acceptance.until, is_past ? ", which is past" : "");

@@ -7,6 +7,10 @@
 
 namespace manifuzz {
 
+/// Whether both show the same kind of mistake of the same collider, or the same property of it that
+/// fails.
+bool is_of_same_kind(const CorpusCase& known, const CorpusCase& wanted);
+
 /// What is asked for, completed from the case: its rates, and how much worse it may become. Throws
 /// UserError where it is nobody's mistake.
 Acceptance acceptance_of(const CorpusCase& known, Acceptance asked);

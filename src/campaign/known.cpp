@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,6 +20,19 @@ std::string key_of(std::string_view bucket, std::string_view subject, std::strin
   return fmt::format("{}|{}|{}", bucket,
                      fault == "subject" || fault == "both" ? subject : std::string_view(),
                      fault == "oracle" || fault == "both" ? oracle : std::string_view());
+}
+
+/// Adds to what is accepted of a kind what a file accepts of one of its buckets.
+void widen(Acceptance& of_kind, const Acceptance& of_bucket) {
+  const bool ends_first =
+      of_kind.until.empty() || (!of_bucket.until.empty() && of_bucket.until < of_kind.until);
+  if (ends_first) of_kind.until = of_bucket.until;
+  if (of_bucket.up_to) of_kind.up_to = std::max(of_kind.up_to.value_or(0), *of_bucket.up_to);
+  if (of_bucket.errors_up_to) {
+    if (!of_kind.errors_up_to) of_kind.errors_up_to.emplace();
+    widen(*of_kind.errors_up_to, *of_bucket.errors_up_to);
+  }
+  for (const auto& [regime, rate] : of_bucket.per_million) of_kind.per_million[regime] += rate;
 }
 
 /// The keys of what a file shows: one, or, of an older file that names no class, one for each.
@@ -58,37 +72,31 @@ WorstError worst_of(const CorpusCase& known) {
   return worst;
 }
 
-/// The component that is worse than is accepted and than any file tells of, if one is; the
-/// magnitude counts as none.
-struct WorseThanKnown {
-  bool is_worse = false;
-  std::optional<Component> component;
-};
+/// The first error that is worse than is accepted and than any file tells of, if one is.
+std::optional<Excess> beyond_known(std::span<const Excess> beyond, const WorstError& worst) {
+  const auto found = std::ranges::find_if(beyond, [&](const Excess& excess) {
+    return excess.got > (excess.component ? worst.errors[*excess.component] : worst.magnitude);
+  });
+  return found == beyond.end() ? std::optional<Excess>{} : *found;
+}
 
-WorseThanKnown worse_than_known(const Acceptance& acceptance, const WorstError& error,
-                                const WorstError& worst) {
-  if (acceptance.up_to && error.magnitude > *acceptance.up_to &&
-      error.magnitude > worst.magnitude) {
-    return {true, {}};
+/// Why the acceptance does not hold; empty where it does.
+std::string objection(const Acceptance& acceptance, std::span<const Excess> beyond,
+                      const std::string& today) {
+  if (!acceptance.until.empty() && acceptance.until < today) {
+    return fmt::format("accepted until {}, and that is past", acceptance.until);
   }
-  for (std::size_t i = 0; acceptance.errors_up_to && i < kComponentNames.size(); ++i) {
-    const double got = error.errors.all()[i];
-    if (got > acceptance.errors_up_to->all()[i] && got > worst.errors.all()[i]) {
-      return {true, static_cast<Component>(i)};
-    }
-  }
-  return {};
+  return beyond.empty() ? "" : "worse than is accepted: " + in_words(beyond.front());
 }
 
 /// That it was met more often than is accepted in some regimes; empty where in none.
-std::string objection_to_frequency(const Acceptance& acceptance, const Finding& finding,
+std::string objection_to_frequency(const Acceptance& acceptance, const BucketTally& met,
                                    const Tally& tally, const Plan& plan) {
   std::vector<std::string_view> regimes;
   for (std::size_t r = 0; r < plan.regimes.size(); ++r) {
     const auto budget = acceptance.per_million.find(std::string(plan.regimes[r]->name));
     if (budget == acceptance.per_million.end()) continue;
-    if (is_over_budget(budget->second, budget->first, finding.tally.regimes[r],
-                       tally.regimes[r].cases)) {
+    if (is_over_budget(budget->second, budget->first, met.regimes[r], tally.regimes[r].cases)) {
       regimes.push_back(plan.regimes[r]->name);
     }
   }
@@ -101,10 +109,38 @@ std::string finding_key(const Bucket& bucket, const Plan& plan) {
   return key_of(to_string(bucket), plan.subject.declaration.name, plan.oracle.declaration.name);
 }
 
+std::string kind_key(const Bucket& bucket, const Plan& plan) {
+  return manifuzz::kind_key(bucket, plan.subject.declaration.name, plan.oracle.declaration.name);
+}
+
+/// What is accepted of a bucket that no file shows, since all of its kind may come.
+const Acceptance* acceptance_of_kind(const Bucket& bucket, const KnownAs& as, const Plan& plan,
+                                     const Known& known) {
+  if (!as.file.empty()) return nullptr;
+  const auto of_kind = known.kinds.find(kind_key(bucket, plan));
+  return of_kind == known.kinds.end() ? nullptr : &of_kind->second;
+}
+
+/// How often all buckets of its kind were met together.
+BucketTally all_of_kind(const Bucket& bucket, const Tally& tally, const Plan& plan) {
+  BucketTally sum;
+  for (const auto& [other, met] : tally.buckets.all()) {
+    if (kind_key(other, plan) != kind_key(bucket, plan)) continue;
+    for (std::size_t r = 0; r < plan.regimes.size(); ++r) sum.regimes[r] += met->regimes[r];
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::string finding_key(const Expectation& expect) {
   return key_of(expect.bucket, expect.subject, expect.oracle);
+}
+
+std::string kind_key(const Bucket& bucket, std::string_view subject, std::string_view oracle) {
+  return key_of(fmt::format("{}/{}/{}", name_of(bucket.fault, kFaultNames),
+                            to_string(bucket.verdict), name_of(bucket.kind, kKindNames)),
+                subject, oracle);
 }
 
 std::string finding_key(std::string_view property, std::string_view subject) {
@@ -120,6 +156,11 @@ Known known_of(std::span<const CorpusCase> corpus, const std::string& today) {
       known.files.emplace(key, one.path);
       widen(known.worst[key], worst_of(one));
       if (!one.accepted) continue;
+      const auto bucket = find_bucket(one.expect->bucket);
+      if (one.accepted->is_of_kind && bucket && key == keys_of(one).front()) {
+        widen(known.kinds[kind_key(*bucket, one.expect->subject, one.expect->oracle)],
+              *one.accepted);
+      }
       const auto [of_key, is_first] =
           known.accepted.try_emplace(key, Accepted{*one.accepted, one.path});
       if (!is_first && is_wider(*one.accepted, of_key->second.acceptance, today)) {
@@ -147,10 +188,11 @@ KnownAs known_as(const std::string& key, const WorstError& error, const Known& k
   const auto accepted = known.accepted.find(key);
   if (accepted == known.accepted.end()) return as;
   as.acceptance = &accepted->second.acceptance;
-  as.objection = objection(*as.acceptance, error, known.today);
-  const WorseThanKnown worse = worse_than_known(*as.acceptance, error, known.worst.at(key));
-  as.is_worst = worse.is_worse;
-  as.worst_in = worse.component;
+  const std::vector<Excess> beyond = beyond_accepted(*as.acceptance, error);
+  as.objection = objection(*as.acceptance, beyond, known.today);
+  const std::optional<Excess> worst = beyond_known(beyond, known.worst.at(key));
+  as.is_worst = worst.has_value();
+  if (worst) as.worst_in = worst->component;
   return as;
 }
 
@@ -160,11 +202,7 @@ bool is_bucket(const std::string& got, const std::string& recorded) {
 
 std::string objection(const Acceptance& acceptance, const WorstError& error,
                       const std::string& today) {
-  if (!acceptance.until.empty() && acceptance.until < today) {
-    return fmt::format("accepted until {}, and that is past", acceptance.until);
-  }
-  const std::string worse = worse_than_accepted(acceptance, error);
-  return worse.empty() ? "" : "worse than is accepted: " + worse;
+  return objection(acceptance, beyond_accepted(acceptance, error), today);
 }
 
 bool is_stale(const CorpusCase& known, const std::string& got, const Collider& subject,
@@ -191,9 +229,17 @@ std::vector<Finding> findings(const Tally& tally, const Plan& plan, const Known&
     }
     if (as.acceptance != nullptr) {
       finding.objection = as.objection.empty()
-                              ? objection_to_frequency(*as.acceptance, finding, tally, plan)
+                              ? objection_to_frequency(*as.acceptance, *met, tally, plan)
                               : as.objection;
       finding.is_accepted = finding.objection.empty();
+    } else if (const Acceptance* const of_kind = acceptance_of_kind(bucket, as, plan, known)) {
+      finding.objection = objection(*of_kind, met->error, known.today);
+      if (finding.objection.empty()) {
+        finding.objection =
+            objection_to_frequency(*of_kind, all_of_kind(bucket, tally, plan), tally, plan);
+      }
+      finding.is_accepted = finding.objection.empty();
+      finding.is_new = !finding.is_accepted;
     }
     found.push_back(finding);
   }
@@ -213,6 +259,9 @@ bool is_new_and_wrong(const Judgement& judgement, const Plan& plan, const Known&
   if (!is_wanted) return false;
   const KnownAs as = known_as(finding_key(bucket, plan), worst_error(judgement), known);
   if (as.acceptance != nullptr) return !as.is_accepted();
+  if (const Acceptance* const of_kind = acceptance_of_kind(bucket, as, plan, known)) {
+    return !objection(*of_kind, worst_error(judgement), known.today).empty();
+  }
   return as.file.empty() && !as.is_in_baseline;
 }
 

@@ -18,6 +18,9 @@ struct CampaignResult;
 std::string finding_key(const Expectation& expect);
 std::string finding_key(std::string_view property, std::string_view subject);
 
+/// What findings of one kind of the same colliders have in common.
+std::string kind_key(const Bucket& bucket, std::string_view subject, std::string_view oracle);
+
 /// An acceptance, and the file that it stands in.
 struct Accepted {
   Acceptance acceptance;
@@ -30,8 +33,10 @@ struct Known {
   std::map<std::string, std::string> files;
   std::map<std::string, Accepted> accepted;  ///< of several, the one that accepts most
   std::map<std::string, WorstError> worst;   ///< the greatest of what files tell of
-  std::set<std::string> baseline;            ///< the keys of its buckets
-  std::string today;                         ///< until which days acceptances hold
+  /// What is accepted of all buckets of a kind together, by `kind_key`.
+  std::map<std::string, Acceptance> kinds;
+  std::set<std::string> baseline;  ///< the keys of its buckets
+  std::string today;               ///< until which days acceptances hold
 };
 Known known_of(std::span<const CorpusCase> corpus, const std::string& today);
 

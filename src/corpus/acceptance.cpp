@@ -63,10 +63,13 @@ std::string today() {
 }
 
 Acceptance read_acceptance(const JsonView& object) {
-  object.expect_keys({"because", "link", "until", "up_to", "per_million"});
+  object.expect_keys({"because", "link", "until", "up_to", "per_million", "whole_kind"});
   Acceptance acceptance{.because = std::string(object.at("because").string()),
                         .link = object.string_or("link", ""),
                         .until = object.string_or("until", "")};
+  if (acceptance.because.empty()) {
+    object.at("because").fail("is empty; why the finding may stay is expected");
+  }
   if (!acceptance.until.empty() && !is_day(acceptance.until)) {
     object.at("until").fail("is no day; one such as 2027-01-31 is expected");
   }
@@ -77,6 +80,9 @@ Acceptance read_acceptance(const JsonView& object) {
       acceptance.up_to = up_to->magnitude();
     }
   }
+  if (const auto whole_kind = object.find("whole_kind")) {
+    acceptance.is_of_kind = whole_kind->boolean();
+  }
   if (const auto rates = object.find("per_million")) {
     for (const std::string_view regime : rates->keys()) {
       acceptance.per_million[std::string(regime)] = rates->at(regime).magnitude();
@@ -85,20 +91,25 @@ Acceptance read_acceptance(const JsonView& object) {
   return acceptance;
 }
 
-std::string worse_than_accepted(const Acceptance& acceptance, const WorstError& error) {
-  if (acceptance.up_to && !(error.magnitude <= *acceptance.up_to)) {
-    return fmt::format("{:.3g} of the size, above {:.3g}", error.magnitude, *acceptance.up_to);
+std::vector<Excess> beyond_accepted(const Acceptance& acceptance, const WorstError& error) {
+  std::vector<Excess> found;
+  const auto hold = [&](std::optional<Component> component, double got, double accepted) {
+    if (!(got <= accepted)) found.push_back({component, got, accepted});
+  };
+  if (acceptance.up_to) hold({}, error.magnitude, *acceptance.up_to);
+  for (std::size_t i = 0; acceptance.errors_up_to && i < kComponentNames.size(); ++i) {
+    hold(static_cast<Component>(i), error.errors.all()[i], acceptance.errors_up_to->all()[i]);
   }
-  if (!acceptance.errors_up_to) return "";
-  for (std::size_t i = 0; i < kComponentNames.size(); ++i) {
-    const double limit = acceptance.errors_up_to->all()[i];
-    const double got = error.errors.all()[i];
-    if (!(got <= limit)) {
-      return fmt::format("{} {:.3g}{}, above {:.3g}", kComponentNames[i], got,
-                         unit_of(static_cast<Component>(i)), limit);
-    }
-  }
-  return "";
+  return found;
+}
+
+std::string in_words(const Excess& excess) {
+  const std::string name =
+      excess.component
+          ? fmt::format("{} ", kComponentNames[static_cast<std::size_t>(*excess.component)])
+          : "";
+  const std::string_view unit = excess.component ? unit_of(*excess.component) : " of the size";
+  return fmt::format("{}{:.3g}{}, above {:.3g}", name, excess.got, unit, excess.accepted);
 }
 
 Errors read_errors(const JsonView& object) {
@@ -145,6 +156,7 @@ std::string acceptance_member(const Acceptance& acceptance) {
     append_number(out, *acceptance.up_to);
   }
   if (acceptance.errors_up_to) append_errors(out += ", \"up_to\": ", *acceptance.errors_up_to);
+  if (acceptance.is_of_kind) out += ", \"whole_kind\": true";
   if (!acceptance.per_million.empty()) {
     out += ",\n    \"per_million\": ";
     append_object(out, acceptance.per_million, [&](double rate) { append_number(out, rate); });

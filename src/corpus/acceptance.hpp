@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/json.hpp"
 #include "judging/errors/answer_error.hpp"
@@ -27,11 +28,22 @@ struct Acceptance {
   std::optional<double> up_to = {};         ///< the greatest magnitude, as a share of the size
   std::optional<Errors> errors_up_to = {};  ///< in its place: the greatest error of each component
   std::map<std::string, double> per_million = {};  ///< at most, in each regime; in others any
+  bool is_of_kind = false;  ///< other buckets of the same kind and collider may come too
 };
 
-/// What such an answer is in words beside what is accepted: the magnitude, or the first component,
-/// that is worse; empty where none is. A component that is within its bound is never worse.
-std::string worse_than_accepted(const Acceptance& acceptance, const WorstError& error);
+/// An error that is worse than is accepted.
+struct Excess {
+  std::optional<Component> component;  ///< none: of the magnitude
+  double got = 0;
+  double accepted = 0;
+};
+
+/// Where an answer is worse than is accepted: the magnitude first, then the components in their
+/// order. A component that is within its bound is never worse.
+std::vector<Excess> beyond_accepted(const Acceptance& acceptance, const WorstError& error);
+
+/// As "depth 0.5 of the size, above 0.3".
+std::string in_words(const Excess& excess);
 
 /// {"normal": 0.5, ...}, without those that are 0.
 Errors read_errors(const JsonView& object);

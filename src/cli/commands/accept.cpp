@@ -28,19 +28,12 @@ struct AcceptArguments {
   std::string drop;
   std::string today;
   bool list = false;
+  bool is_by_kind = false;
 };
 
 /// The file that is meant, of the smallest case where the worst was named.
 std::string file_of(const std::string& name, const AcceptArguments& options) {
   return shrunk_beside(case_file({name, options.folders}));
-}
-
-/// The case as `show` shows it, or as it is recorded where its colliders are not at hand.
-std::string shown(const CorpusCase& known, NamedColliders& colliders, Interruption& interruption) {
-  const Collider* const subject = colliders.subject_of(known);
-  const Collider* const oracle = colliders.oracle_of(known);
-  if (subject == nullptr || oracle == nullptr) return format_case(known);
-  return case_text(judged_case(known, *subject, *oracle, interruption));
 }
 
 int drop(const AcceptArguments& options) {
@@ -60,19 +53,35 @@ void warn_of_elsewhere(const std::string& file, const CorpusFolders& folders) {
                            printable(file, 200), printable(folders.corpus(), 200)));
 }
 
+/// Those that are named and, if asked for, all of the corpus whose finding is of their kind.
+std::vector<std::string> files_to_accept(const AcceptArguments& options) {
+  std::vector<std::string> files;
+  const auto add = [&](const std::string& file) {
+    if (std::ranges::find(files, file) == files.end()) files.push_back(file);
+  };
+  for (const std::string& name : options.files) add(file_of(name, options));
+  if (!options.is_by_kind) return files;
+  const Corpus corpus = read_whole(options.folders);
+  for (const std::string& named : std::vector(files)) {
+    const CorpusCase wanted = read_case_file(named, CaseKind::either);
+    for (const CorpusCase& known : corpus.all()) {
+      if (is_of_same_kind(known, wanted)) add(shrunk_beside(known.path));
+    }
+  }
+  return files;
+}
+
 int accept_files(const AcceptArguments& options) {
   const Acceptance asked{.because = options.because,
                          .link = options.link,
                          .until = options.until,
-                         .up_to = options.up_to};
+                         .up_to = options.up_to,
+                         .is_of_kind = options.is_by_kind};
   std::vector<CorpusCase> all;  // read before anything is written
-  for (const std::string& name : options.files) {
-    all.push_back(accepted_case(file_of(name, options), asked));
+  for (const std::string& file : files_to_accept(options)) {
+    all.push_back(accepted_case(file, asked));
   }
-  NamedColliders colliders(find_installed_or_named({options.folders.corpus()}), {}, {});
-  Interruption interruption(kUntilSignal);
   for (CorpusCase& known : all) {
-    write_output(shown(known, colliders, interruption) + '\n');
     accept_in(options.folders.corpus(), known);
     write_output(acceptance_in_words(known, options.today) + '\n');
     warn_of_elsewhere(known.path, options.folders);
@@ -112,7 +121,11 @@ void add_accept_arguments(CLI::App& app, AcceptArguments& options) {
   CLI::Option* const list = app.add_flag("--list", options.list, "what is accepted, a line each");
   CLI::Option* const drop_file =
       add_text(app, "--drop", options.drop, "FILE", "accept it no more")->excludes(list);
-  for (CLI::Option* const of_accepting : {files, because, link, until, up_to}) {
+  CLI::Option* const by_kind = app.add_flag(
+      "--kind", options.is_by_kind,
+      "every bucket of a named file's kind and collider: those of the corpus, and in later runs "
+      "rarer ones too, no worse and all together no more often");
+  for (CLI::Option* const of_accepting : {files, because, link, until, up_to, by_kind}) {
     of_accepting->excludes(list)->excludes(drop_file);
   }
   add_today(app, options.today);
@@ -123,6 +136,8 @@ void add_accept_arguments(CLI::App& app, AcceptArguments& options) {
 const Command kAccept{
     "accept", "Findings that may stay: from now on only what is worse or more frequent fails.",
     "manifuzz accept corpus/regressions/subject-*.json --because 'since 2.3' --up-to 0.5\n"
+    "manifuzz accept found/regressions/subject-subject_wrong-normal-none-a-gross-1.json --kind "
+    "--because 'normals of near ties, since 2.3'\n"
     "manifuzz accept --list",
     define<AcceptArguments, add_accept_arguments, accept>};
 
