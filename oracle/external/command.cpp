@@ -34,6 +34,7 @@ class CommandCollider {
     }
     const ProgramDeclaration read = program_declaration(command_, declaration);
     program_.conventions = conventions_of(read.declaration);
+    program_.scalar = read.declaration.scalar;
     program_.conventions.normal_from_b = read.declaration.normal_from_b;
     return read.declaration;
   }

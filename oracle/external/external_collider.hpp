@@ -95,13 +95,20 @@ SequenceCollider keeper_of_command(const std::string& command, double seconds_ma
 struct NamedSubject {
   std::string command;
   std::string library;
+  std::string file{};  ///< that says so
 };
 using NamedSubjects = std::map<std::string, NamedSubject, std::less<>>;
 
+/// Where names are looked for.
+struct SubjectsFrom {
+  std::string file{};                            ///< whoever owns it; empty: none was named
+  std::vector<std::filesystem::path> corpora{};  ///< else by the folders that a command reads
+};
+
 /// The names that files called subjects.json give to colliders, {"NAME": {"command": "..."}} or
-/// {"library": "..."}: for each of these files and folders of cases the nearest one, in it or
-/// above. Throws UserError that begins with the file's name.
-NamedSubjects read_subjects(std::span<const std::filesystem::path> corpora);
+/// {"library": "..."}: in or beside each folder of cases, and owned by this user or root. Throws
+/// UserError that begins with the file's name.
+NamedSubjects read_subjects(const SubjectsFrom& from);
 
 /// How a batch of cases ended.
 enum class BatchEnd {
@@ -133,6 +140,7 @@ class ProgramProcess {
   double start_seconds;     ///< until a process is ready: it has declared itself, or answered
   double case_seconds;      ///< over a case, once it is ready
   Conventions conventions;  ///< of its answers, as it declares them
+  ScalarType scalar = ScalarType::float32;  ///< that it computes in, as it declares
 
   /// Asks all at once, and reads while it writes; starts the program where it does not run, again
   /// where it died before it was asked. `go_on` is asked several times a second; where it says no,

@@ -40,6 +40,7 @@ class KeepingProgram {
                       command_));
     }
     normal_from_b_ = read.declaration.normal_from_b;
+    program_.scalar = read.declaration.scalar;
     return read;
   }
 
@@ -74,7 +75,7 @@ class KeepingProgram {
               asked.answer = Lost{Lost::How::malformed, why};
             },
         .may_restart = number.frame == 0};  // else it has forgotten what it kept
-    append_frame_line(line.text, pair, number);
+    append_frame_line(line.text, pair, number, program_.scalar);
     line.text += '\n';
     const BatchResult result = program_.ask(line, [] { return true; });
     asked.end = result.end;

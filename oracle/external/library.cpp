@@ -17,14 +17,20 @@ manifuzz_float2 to_c(const Vector2<float>& v) {
   return {v.x(), v.y()};
 }
 
+manifuzz_double2 to_c(const Vector2<double>& v) {
+  return {v.x(), v.y()};
+}
+
 }  // namespace
 
 manifuzz_body c_body(const Body& body) {
+  const ConvexPolygon<double> in_double = polygon_cast<double>(body.polygon);
   manifuzz_body result{};
   result.count = body.polygon.count;
   for (int i = 0; i < body.polygon.count; ++i) {
     result.vertices[i] = to_c(body.polygon.vertices[i]);
     result.normals[i] = to_c(body.polygon.normals[i]);
+    result.normals_double[i] = to_c(in_double.normals[i]);
   }
   result.radius = body.polygon.radius;
   result.position = to_c(body.pose.position);
@@ -54,6 +60,7 @@ constexpr std::array kBytesOfInterface{
     offsetof(manifuzz_declaration, claims),
     offsetof(manifuzz_declaration, claims) + offsetof(manifuzz_claims, vertices_min),
     offsetof(manifuzz_declaration, claims) + offsetof(manifuzz_claims, least_polygon_turn),
+    offsetof(manifuzz_declaration, claims) + offsetof(manifuzz_claims, normals),
     sizeof(manifuzz_declaration)};
 static_assert(kBytesOfInterface.size() == MANIFUZZ_INTERFACE);
 
@@ -149,6 +156,8 @@ Declaration declaration_of(const manifuzz_declaration& declared) {
   expect_between(declared.claims.vertices_min, 0, kMinVertices, "claims.vertices_min");
   expect_between(declared.claims.second_point, MANIFUZZ_SECOND_POINT_BY_CLIP,
                  MANIFUZZ_SECOND_POINT_WITHIN_ANGLE, "claims.second_point");
+  expect_between(declared.claims.normals, MANIFUZZ_NORMALS_GIVEN,
+                 MANIFUZZ_NORMALS_OF_WORLD_VERTICES, "claims.normals");
   Declaration declaration{
       .name = text_of(declared.name),
       .version = text_of(declared.version),
@@ -156,6 +165,7 @@ Declaration declaration_of(const manifuzz_declaration& declared) {
       .scalar = declared.scalar == MANIFUZZ_FLOAT32 ? ScalarType::float32 : ScalarType::float64,
       .frame = declared.rounds_in == MANIFUZZ_WORLD ? RoundingFrame::world : RoundingFrame::local,
       .takes_angles = declared.claims.takes_angles != 0,
+      .normals = static_cast<NormalsFrom>(declared.claims.normals),
       .tie_bias = {declared.tie_bias, declared.claims.tie_bias_relative,
                    declared.claims.tie_bias_towards == MANIFUZZ_B ? Side::b : Side::a},
       .max_vertices = declared.vertices_max,

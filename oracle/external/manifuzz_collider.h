@@ -9,13 +9,23 @@
 extern "C" {
 #endif
 
-enum { MANIFUZZ_INTERFACE = 4, MANIFUZZ_VERTICES_MAX = 8 };
+enum { MANIFUZZ_INTERFACE = 5, MANIFUZZ_VERTICES_MAX = 8 };
 
 typedef struct { float x, y; } manifuzz_float2;
 typedef struct { double x, y; } manifuzz_double2;
 
 /* A strictly convex polygon, counter-clockwise, or a segment (2 vertices) or a point (1), with a
-   radius around it: world = R vertex + position. A segment has two faces, one a side; a point none. */
+   radius around it: world = R vertex + position. A segment has two faces, one a side; a point none.
+
+   (cos, sin) is a unit vector to a float's precision only. A collider in double that takes R's
+   transpose for its inverse is off by that, unless it moves the length into the vertices first:
+
+     const double length = hypot(body->rotation.x, body->rotation.y);
+     const double cosine = body->rotation.x / length, sine = body->rotation.y / length;
+     for (int i = 0; i < body->count; ++i) {
+       vertices[i] = (vector){length * body->vertices[i].x, length * body->vertices[i].y};
+     }
+*/
 typedef struct {
   int32_t count; /* `vertices_min` to `vertices_max` of the declaration */
   manifuzz_float2 vertices[MANIFUZZ_VERTICES_MAX];
@@ -25,6 +35,8 @@ typedef struct {
   manifuzz_float2 rotation; /* (cos, sin), R = {{cos, -sin}, {sin, cos}} */
   /* From interface 3 on. */
   int32_t round; /* 1: corners are round, as they are of segments and points; 0: mitred */
+  /* From interface 5 on: the normals in double, of the vertices as they are. */
+  manifuzz_double2 normals_double[MANIFUZZ_VERTICES_MAX];
 } manifuzz_body;
 
 typedef enum { MANIFUZZ_UNSAID = 0, MANIFUZZ_VERTEX, MANIFUZZ_FACE } manifuzz_feature_kind;
@@ -79,6 +91,13 @@ typedef enum {
   MANIFUZZ_SECOND_POINT_WITHIN_ANGLE /* of both edges' normals and the contact's */
 } manifuzz_second_point;
 
+/* Where it takes a face's normal from. */
+typedef enum {
+  MANIFUZZ_NORMALS_GIVEN = 0,   /* the body's */
+  MANIFUZZ_NORMALS_OF_VERTICES, /* from the body's vertices */
+  MANIFUZZ_NORMALS_OF_WORLD_VERTICES /* from vertices that were rounded in the world */
+} manifuzz_normals;
+
 /* What its answers claim; README.md says what each means. All zero: manifolds that clips make. */
 typedef struct {
   int32_t answers;          /* manifuzz_claim */
@@ -103,6 +122,7 @@ typedef struct {
    * below pi / 2), or of less area, are not asked. */
   double least_polygon_turn;
   double least_polygon_area;
+  int32_t normals; /* a manifuzz_normals; from interface 5 on */
 } manifuzz_claims;
 
 /* What the collider says of itself; it is judged by this alone. */

@@ -40,7 +40,7 @@ BatchResult ProgramProcess::ask(std::span<const PairCase> pairs, std::span<Answe
                     answers[i] = Lost{Lost::How::malformed, why};
                   }};
   for (const PairCase& pair : pairs) {
-    append_case_line(lines.text, pair);
+    append_program_line(lines.text, pair, scalar);
     lines.text += '\n';
   }
   return ask(lines, go_on);

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -14,15 +16,25 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kFileName = "subjects.json";
 
-/// The nearest such file: in the folder itself, or in one of those above it.
+/// Such a file in the folder of a corpus, or in the one that holds it.
 std::optional<fs::path> subjects_file(const fs::path& corpus) {
-  constexpr int kFoldersUp = 4;  // corpus/defects/box2d/case.json, and beside the corpus
-  fs::path folder = resolved(corpus);
-  for (int up = 0; up <= kFoldersUp; ++up, folder = folder.parent_path()) {
-    std::error_code unknown;
-    if (fs::is_regular_file(folder / kFileName, unknown)) return folder / kFileName;
+  const fs::path folder = resolved(corpus);
+  std::error_code unknown;
+  if (!fs::is_directory(folder, unknown)) return std::nullopt;
+  for (const fs::path& at : {folder, folder.parent_path()}) {
+    if (fs::is_regular_file(at / kFileName, unknown)) return at / kFileName;
   }
   return std::nullopt;
+}
+
+/// What it names is started: whoever else could have written it would run it as this user.
+void expect_own(const fs::path& file) {
+  struct stat status {};
+  if (stat(file.c_str(), &status) != 0 || status.st_uid == 0 || status.st_uid == geteuid()) return;
+  throw UserError(
+      fmt::format("{}: belongs to another user, and names programs to start; --subjects FILE "
+                  "takes it all the same",
+                  printable(file.string(), 200)));
 }
 
 NamedSubject read_subject(const JsonView& object) {
@@ -34,23 +46,30 @@ NamedSubject read_subject(const JsonView& object) {
   return subject;
 }
 
+void add_subjects(NamedSubjects& subjects, const fs::path& path) {
+  InputFile file(path.string());
+  try {
+    const JsonTree tree = parse_json(file.read_all());
+    const JsonView root(tree);
+    for (const std::string_view name : root.keys()) {
+      subjects.emplace(name, read_subject(root.at(name)));
+      subjects.find(name)->second.file = file.name();
+    }
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("{}: {}", file.name(), error.what()));
+  }
+}
+
 }  // namespace
 
-NamedSubjects read_subjects(std::span<const fs::path> corpora) {
+NamedSubjects read_subjects(const SubjectsFrom& from) {
   NamedSubjects subjects;
-  for (const fs::path& corpus : corpora) {
+  if (!from.file.empty()) add_subjects(subjects, from.file);
+  for (const fs::path& corpus : from.corpora) {
     const auto path = subjects_file(corpus);
-    if (!path) continue;
-    InputFile file(path->string());
-    try {
-      const JsonTree tree = parse_json(file.read_all());
-      const JsonView root(tree);
-      for (const std::string_view name : root.keys()) {
-        subjects.emplace(name, read_subject(root.at(name)));
-      }
-    } catch (const UserError& error) {
-      throw UserError(fmt::format("{}: {}", file.name(), error.what()));
-    }
+    if (!path || !from.file.empty()) continue;
+    expect_own(*path);
+    add_subjects(subjects, *path);
   }
   return subjects;
 }

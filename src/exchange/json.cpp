@@ -61,12 +61,61 @@ ConvexPolygon<float> read_members(const JsonView& object) {
                     object.find("rounding"));
 }
 
-/// The white space before a member that is not on the line of the one before it; empty: all are on
-/// one line.
-struct LineBreaks {
-  std::string_view in_case;
-  std::string_view in_body;
+using AppendFloat = void (*)(std::string&, float);
+using AppendNormals = void (*)(std::string&, const ConvexPolygon<float>&);
+
+/// A point has none.
+int face_count(const ConvexPolygon<float>& polygon) {
+  return polygon.count == 1 ? 0 : polygon.count;
+}
+
+/// Fails unless they are the polygon's own, as a line to a program has them.
+void expect_normals(const JsonView& array, const ConvexPolygon<float>& polygon) {
+  constexpr float kRounding = 1e-6F;
+  const int faces = face_count(polygon);
+  const std::size_t count = array.length("an array of normals");
+  if (count != static_cast<std::size_t>(faces)) {
+    array.fail(fmt::format("has {} elements; {} are expected, one for each face", count, faces));
+  }
+  for (int i = 0; i < faces; ++i) {
+    const JsonView one = array[static_cast<std::size_t>(i)];
+    if ((read_vector(one) - polygon.normals[i]).norm() <= kRounding) continue;
+    one.fail(
+        fmt::format("is not the outward unit normal of face {}; leave normals out, they "
+                    "follow from the vertices",
+                    i));
+  }
+}
+
+/// How a case is written.
+struct CaseStyle {
+  // The white space before a member that is not on the line of the one before it; empty: all are on
+  // one line.
+  std::string_view break_in_case{};
+  std::string_view break_in_body{};
+  AppendFloat append_float = append_number;
+  AppendNormals append_normals = nullptr;  ///< none: they follow from the vertices
 };
+
+/// The float as a double: all its digits, so that whoever reads it in either has the same value.
+void append_all_digits(std::string& out, float value) {
+  append_number(out, static_cast<double>(value));
+}
+
+template <class Scalar>
+void append_normals(std::string& out, const ConvexPolygon<float>& polygon) {
+  const ConvexPolygon<Scalar> of_scalar = polygon_cast<Scalar>(polygon);
+  for (int i = 0; i < face_count(polygon); ++i) {
+    if (i > 0) out += ',';
+    append_vector(out, Vector2<double>(of_scalar.normals[i].template cast<double>()));
+  }
+}
+
+void append_float_vector(std::string& out, const Vector2<float>& v, AppendFloat append_float) {
+  append_float(out += '[', v.x());
+  append_float(out += ',', v.y());
+  out += ']';
+}
 
 /// Appends a comma and the key of the next member.
 void append_key(std::string& out, std::string_view line_break, std::string_view key) {
@@ -75,38 +124,42 @@ void append_key(std::string& out, std::string_view line_break, std::string_view 
 }
 
 /// What a polygon is, a member after the other: a line break before each.
-void append_members(std::string& out, const ConvexPolygon<float>& polygon,
-                    std::string_view line_break) {
-  out.append(line_break) += "\"vertices\": [";
+void append_members(std::string& out, const ConvexPolygon<float>& polygon, const CaseStyle& style) {
+  out.append(style.break_in_body) += "\"vertices\": [";
   for (int i = 0; i < polygon.count; ++i) {
     if (i > 0) out += ',';
-    append_vector(out, polygon.vertices[i]);
+    append_float_vector(out, polygon.vertices[i], style.append_float);
   }
   out += ']';
-  append_key(out, line_break, "radius");
-  append_number(out, polygon.radius);
+  if (style.append_normals != nullptr) {
+    append_key(out, style.break_in_body, "normals");
+    style.append_normals(out += '[', polygon);
+    out += ']';
+  }
+  append_key(out, style.break_in_body, "radius");
+  style.append_float(out, polygon.radius);
   if (!polygon.is_round()) return;
-  append_key(out, line_break, "rounding");
+  append_key(out, style.break_in_body, "rounding");
   out += "\"round\"";
 }
 
-void append_body(std::string& out, const Body& body, const LineBreaks& breaks) {
-  append_members(out += '{', body.polygon, breaks.in_body);
-  append_key(out, breaks.in_body, "position");
-  append_vector(out, body.pose.position);
-  append_key(out, breaks.in_body, "rotation");
-  append_vector(out, body.pose.rotation);
-  out.append(breaks.in_case) += '}';
+void append_body(std::string& out, const Body& body, const CaseStyle& style) {
+  append_members(out += '{', body.polygon, style);
+  append_key(out, style.break_in_body, "position");
+  append_float_vector(out, body.pose.position, style.append_float);
+  append_key(out, style.break_in_body, "rotation");
+  append_float_vector(out, body.pose.rotation, style.append_float);
+  out.append(style.break_in_case) += '}';
 }
 
 /// Without the closing brace.
-void append_case(std::string& out, const PairCase& pair, const LineBreaks& breaks) {
-  out.append("{").append(breaks.in_case) += "\"format\": \"";
+void append_case(std::string& out, const PairCase& pair, const CaseStyle& style) {
+  out.append("{").append(style.break_in_case) += "\"format\": \"";
   out.append(format_of(pair)) += '"';
-  append_key(out, breaks.in_case, "a");
-  append_body(out, pair.a, breaks);
-  append_key(out, breaks.in_case, "b");
-  append_body(out, pair.b, breaks);
+  append_key(out, style.break_in_case, "a");
+  append_body(out, pair.a, style);
+  append_key(out, style.break_in_case, "b");
+  append_body(out, pair.b, style);
 }
 
 }  // namespace
@@ -122,8 +175,9 @@ void expect_two(const JsonView& array, std::string_view expected) {
 }
 
 Body read_body(const JsonView& object) {
-  object.expect_keys({"vertices", "radius", "rounding", "position", "rotation"});
+  object.expect_keys({"vertices", "normals", "radius", "rounding", "position", "rotation"});
   Body body{read_members(object), {}};
+  if (const auto normals = object.find("normals")) expect_normals(*normals, body.polygon);
   if (const auto position = object.find("position")) body.pose.position = read_vector(*position);
   if (const auto rotation = object.find("rotation")) {
     body.pose.rotation = read_vector(*rotation);
@@ -184,8 +238,15 @@ void append_case_line(std::string& out, const PairCase& pair) {
   out += '}';
 }
 
+void append_program_line(std::string& out, const PairCase& pair, ScalarType scalar) {
+  const AppendNormals normals =
+      scalar == ScalarType::float64 ? append_normals<double> : append_normals<float>;
+  append_case(out, pair, {.append_float = append_all_digits, .append_normals = normals});
+  out += '}';
+}
+
 void append_case_start(std::string& out, const PairCase& pair) {
-  append_case(out, pair, {"\n  ", "\n    "});
+  append_case(out, pair, {.break_in_case = "\n  ", .break_in_body = "\n    "});
 }
 
 }  // namespace manifuzz

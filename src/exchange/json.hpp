@@ -145,6 +145,10 @@ void append_vector(std::string& out, const Vector2<Scalar>& v) {
 /// Appends a pair case as one line, without the line's end.
 void append_case_line(std::string& out, const PairCase& pair);
 
+/// Appends the same for a program: every number with all digits, so that it has one value whether
+/// it is read as a double or as a float, and the normals, rounded to the scalar that it declares.
+void append_program_line(std::string& out, const PairCase& pair, ScalarType scalar);
+
 /// Appends the same as a corpus file begins: a line for each member, and the last brace not yet.
 void append_case_start(std::string& out, const PairCase& pair);
 

@@ -59,9 +59,10 @@ void append_kept_answer(std::string& out, const PairCase& pair, std::string_view
   out += points.empty() ? "\"points\": []}" : "]}";
 }
 
-void append_frame_line(std::string& out, const PairCase& pair, const FrameNumber& number) {
+void append_frame_line(std::string& out, const PairCase& pair, const FrameNumber& number,
+                       ScalarType scalar) {
   std::string line;
-  append_case_line(line, pair);
+  append_program_line(line, pair, scalar);
   fmt::format_to(std::back_inserter(out), "{{\"sequence\": {}, \"frame\": {}, {}", number.sequence,
                  number.frame, std::string_view(line).substr(1));
 }

@@ -31,7 +31,8 @@ void append_kept_answer(std::string& out, const PairCase& pair, std::string_view
 
 /// Appends the line that a program which keeps points is asked a frame with: a case's, with the
 /// keys "sequence" and "frame" before the others.
-void append_frame_line(std::string& out, const PairCase& pair, const FrameNumber& number);
+void append_frame_line(std::string& out, const PairCase& pair, const FrameNumber& number,
+                       ScalarType scalar);
 
 /// Reads what a program answers to the frames of one sequence, in order: {"points": [...]}, each
 /// point with "position" (in the world) or "local" (in A's frame) on A's surface or with both

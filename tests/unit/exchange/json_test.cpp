@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "base/random.hpp"
 #include "base/text.hpp"
@@ -181,6 +182,58 @@ TEST_CASE("A case line has the keys of the format in order and reads back equal"
       R"("position": [3,-2], "rotation": [0.6,0.8]}, "b": {"vertices": [[0,0],[2,0],[1,2]], )"
       R"("radius": 0.1, "position": [0.5,0.75], "rotation": [1,0]}})");
   CHECK(read_pair(line) == pair);
+}
+
+TEST_CASE("A line to a program has the same values whether its numbers are doubles or floats") {
+  PairCase pair = turned_pair();
+  pair.a.polygon.radius = 0.1F;
+  pair.b.pose.position = {0.3F, -1e-7F};
+  for (const ScalarType scalar : {ScalarType::float32, ScalarType::float64}) {
+    std::string line;
+    append_program_line(line, pair, scalar);
+    const nlohmann::json json = nlohmann::json::parse(line);
+    CHECK(json["a"]["radius"].get<double>() == static_cast<double>(0.1F));
+    CHECK(json["b"]["position"][0].get<double>() == static_cast<double>(0.3F));
+    CHECK(json["b"]["position"][1].get<double>() == static_cast<double>(-1e-7F));
+    CHECK(json["a"]["rotation"][0].get<double>() == static_cast<double>(0.6F));
+    CHECK(read_pair(line) == pair);
+  }
+}
+
+TEST_CASE("A line to a program has normals in the scalar that it declares, and a point has none") {
+  const PairCase pair = turned_pair();
+  for (const ScalarType scalar : {ScalarType::float32, ScalarType::float64}) {
+    std::string line;
+    append_program_line(line, pair, scalar);
+    const nlohmann::json json = nlohmann::json::parse(line);
+    for (const Side side : {Side::a, Side::b}) {
+      const auto& polygon = pair[side].polygon;
+      const auto in_double = polygon_cast<double>(polygon);
+      const auto& normals = json[side == Side::a ? "a" : "b"]["normals"];
+      REQUIRE(normals.size() == static_cast<std::size_t>(polygon.count));
+      for (int i = 0; i < polygon.count; ++i) {
+        const double expected = scalar == ScalarType::float64
+                                    ? in_double.normals[i].x()
+                                    : static_cast<double>(polygon.normals[i].x());
+        CHECK(normals[static_cast<std::size_t>(i)][0].get<double>() == expected);
+      }
+    }
+  }
+  PairCase circle = pair;
+  const std::array<Vector2<float>, 1> centre{Vector2<float>{1, 2}};
+  circle.b.polygon = make_polygon<float>(centre, 0.5F);
+  std::string line;
+  append_program_line(line, circle, ScalarType::float64);
+  CHECK_THAT(line, Catch::Contains("\"normals\": [], \"radius\": 0.5"));
+  CHECK(read_pair(line) == circle);
+}
+
+TEST_CASE("Normals that are not the polygon's own are refused") {
+  std::string line;
+  append_program_line(line, turned_pair(), ScalarType::float64);
+  const std::size_t at = line.find("\"normals\": [[") + 13;
+  CHECK_THAT(complaint_about(std::string(line).insert(at, "7")),
+             Catch::Contains("a.normals[0]") && Catch::Contains("is not the outward unit normal"));
 }
 
 TEST_CASE("A manifold line is in world coordinates, its local points in A's frame") {
