@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -21,10 +23,18 @@ namespace {
 struct ReplayArguments {
   std::vector<std::string> paths;
   SubjectAndOracle colliders{{"subject", "", ""}, {"oracle", "", ""}, {}};
+  std::string subjects;
   std::string today;
   std::string json;
   CiOutput ci;
 };
+
+/// The folders of known cases that are read, or that files may lie in.
+std::vector<std::filesystem::path> corpora_of(const std::vector<std::filesystem::path>& paths) {
+  std::vector<std::filesystem::path> corpora = paths;
+  std::ranges::copy(CorpusFolders().all(), std::back_inserter(corpora));
+  return corpora;
+}
 
 int replay(ReplayArguments& options) {
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
@@ -33,7 +43,7 @@ int replay(ReplayArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
   const bool is_of_sequences = keeps_points(asked.subject);
   NamedColliders colliders(
-      find_installed_or_named(paths),
+      find_installed_or_named({options.subjects, corpora_of(paths)}),
       is_of_sequences ? std::nullopt : given_collider(asked.subject, asked.external),
       given_collider(asked.oracle, asked.external));
   NamedKeepers keepers = named_keepers(asked.subject, asked.external);
@@ -79,6 +89,7 @@ void add_replay_arguments(CLI::App& app, ReplayArguments& options) {
                "what it is held against; if not given, the one that each case names, or box2d");
   add_sequences(app, options.colliders.subject);
   add_external_options(app, options.colliders.external);
+  add_subjects(app, options.subjects);
   add_today(app, options.today);
   add_junit(app, options.ci.junit);
   add_json(app, options.json, "the summary as JSON");

@@ -27,6 +27,7 @@ constexpr std::uint64_t kMapStepMax = 100'000;
 struct ShowArguments {
   CaseArgument given;
   SubjectAndOracle colliders{{"subject", "", ""}, {"oracle", "", ""}, {}};
+  std::string subjects;
   std::string svg;
   std::string curve;
   bool upstream = false;
@@ -38,11 +39,10 @@ struct ShowArguments {
 /// The collider that was asked for, else the one that the case names, built in or in subjects.json,
 /// else the usual one; `asked` is how it is asked for then.
 Collider chosen(const std::string& file, ColliderChoice& asked, const ExternalOptions& external,
-                const std::string& recorded, const char* usual) {
+                const NamedSubjects& subjects, const std::string& recorded, const char* usual) {
   if (asked.is_given()) return find_collider(asked, external);
   asked.name = recorded.empty() ? usual : recorded;
-  const std::filesystem::path path = file;
-  if (const auto named = named_choice(asked, read_subjects({&path, 1}))) {
+  if (const auto named = named_choice(asked, subjects)) {
     return find_named(asked = *named, recorded, external);
   }
   if (find_entry(asked.name) != nullptr) return find_collider(asked, external);
@@ -78,8 +78,11 @@ int show(const ShowArguments& options) {
   }
   const Expectation recorded = given.expect.value_or(Expectation{});
   SubjectAndOracle asked = options.colliders;
-  const Collider subject = chosen(file, asked.subject, asked.external, recorded.subject, "clip");
-  const Collider oracle = chosen(file, asked.oracle, asked.external, recorded.oracle, "box2d");
+  const NamedSubjects named = read_subjects({options.subjects, options.given.folders.all()});
+  const Collider subject =
+      chosen(file, asked.subject, asked.external, named, recorded.subject, "clip");
+  const Collider oracle =
+      chosen(file, asked.oracle, asked.external, named, recorded.oracle, "box2d");
   Interruption interruption(kUntilSignal);
   const JudgedCase judged = judged_case(given, subject, oracle, interruption);
   const bool is_picture_alone = options.svg == "-";
@@ -113,6 +116,7 @@ void add_show_arguments(CLI::App& app, ShowArguments& options) {
                "the collider it is held against; if not given, the one the case names, or box2d");
   add_sequences(app, options.colliders.subject);
   add_external_options(app, options.colliders.external);
+  add_subjects(app, options.subjects);
   app.add_option("--svg", options.svg,
                  "a picture too, of a sequence its frames; - for the picture alone, on stdout")
       ->type_name("FILE.svg|FILE.png");

@@ -21,6 +21,7 @@ namespace {
 struct ShrinkArguments {
   CaseArgument given;
   SubjectAndOracle colliders{{"subject", "", ""}, {"oracle", "", ""}, {}};
+  std::string subjects;
   std::string output = "-";
 };
 
@@ -33,7 +34,7 @@ int shrink_folder(const ShrinkArguments& options) {
   const ColliderChoice& asked = options.colliders.subject;
   const Corpus corpus = taken_by(asked, read_corpus_folder(folder));
   NamedColliders colliders(
-      find_installed_or_named({folder}),
+      find_installed_or_named({options.subjects, {folder}}),
       keeps_points(asked) ? std::nullopt : given_collider(asked, options.colliders.external),
       given_collider(options.colliders.oracle, options.colliders.external));
   Interruption interruption(kUntilSignal);
@@ -86,6 +87,7 @@ void add_shrink_arguments(CLI::App& app, ShrinkArguments& options) {
   add_case_argument(app, options.given);
   add_subject_and_oracle(app, options.colliders);
   add_sequences(app, options.colliders.subject);
+  add_subjects(app, options.subjects);
   app.add_option("--output", options.output, "where the smallest case goes, - for stdout")
       ->type_name("FILE")
       ->capture_default_str();

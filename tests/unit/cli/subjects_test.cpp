@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 
@@ -23,22 +24,43 @@ std::string named(const std::string& name, const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("replay asks the subject that a file names, by subjects.json in or above the corpus") {
+TEST_CASE("replay asks the subject that a file names, by subjects.json in or beside the corpus") {
   const TemporaryFolder folder;
   const auto files = accept_findings(folder, one_eyed(folder));
-  for (const char* where :
-       {"corpus/subjects.json", "corpus/regressions/subjects.json", "subjects.json"}) {
+  for (const char* where : {"corpus/subjects.json", "subjects.json"}) {
     CAPTURE(where);
     const std::string path = folder.write(where, named("one_eyed", one_eyed(folder)));
-    const bool is_below = std::string(where).find("regressions") != std::string::npos;
-    const Outcome outcome = is_below ? replay_as_named(folder, files) : replay_as_named(folder);
+    const Outcome outcome = replay_as_named(folder);
     CHECK(outcome.status == 0);
+    CHECK_THAT(outcome.err, Contains("one_eyed is sh ") && Contains(", as " + path + " says\n"));
     const Json run = json_of(outcome);
     CHECK(run["accepted"] == files.size());
     CHECK(run["subject"] == "one_eyed");
     CHECK(run["unasked"] == Json::array());
     fs::remove(path);
   }
+}
+
+TEST_CASE("nothing is started that stands beside a stranger's case, or is another user's") {
+  const TemporaryFolder folder;
+  const auto files = accept_findings(folder, one_eyed(folder));
+  const std::string mark = (folder.path() / "started").string();
+  const std::string starts = named("one_eyed", "touch '" + mark + "'; exit 3");
+  folder.write("corpus/regressions/subjects.json", starts);
+  folder.write("subjects.json", starts);
+  for (const char* const command : {"show", "replay", "shrink"}) {
+    CAPTURE(command);
+    CHECK(run_manifuzz({command, files.front()}).status == 2);
+    CHECK_FALSE(fs::exists(mark));
+  }
+  const std::string own = folder.write("corpus/subjects.json", starts);
+  if (::chown(own.c_str(), 65534, 65534) != 0) return;  // only root can give a file away
+  const Outcome outcome = replay_as_named(folder);
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains(own + ": belongs to another user"));
+  CHECK_FALSE(fs::exists(mark));
+  const std::string mine = folder.write("mine.json", named("one_eyed", one_eyed(folder)));
+  CHECK(run_manifuzz({"replay", corpus_in(folder), "--subjects", mine}).status == 0);
 }
 
 TEST_CASE("a file whose subject is not at hand is not asked, which is status 2, never a pass") {
@@ -83,12 +105,12 @@ TEST_CASE("show asks whom a file names, by subjects.json, and says where it cann
   const TemporaryFolder folder;
   const std::string file = save_findings(folder, one_eyed(folder)).front();
   const std::string subjects = folder.write("subjects.json", named("one_eyed", one_eyed(folder)));
-  const Outcome shown = run_manifuzz({"show", file});
+  const Outcome shown = run_manifuzz({"show", file, "--corpus", corpus_in(folder)});
   CHECK(shown.status == 0);
   CHECK_THAT(shown.out, Contains("subject: one_eyed 1") && Contains("oracle: box2d "));
   CHECK_THAT(run_manifuzz({"show", file, "--subject", "clip64"}).out, Contains("subject: clip64 "));
   const auto refused = [&](const std::string& complaint) {
-    const Outcome outcome = run_manifuzz({"show", file});
+    const Outcome outcome = run_manifuzz({"show", file, "--corpus", corpus_in(folder), "--quiet"});
     CHECK(outcome.status == 2);
     CHECK(is_one_clear_line(outcome.err));
     CHECK_THAT(outcome.err, Contains(complaint));
