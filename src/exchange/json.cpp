@@ -175,7 +175,7 @@ void expect_two(const JsonView& array, std::string_view expected) {
 }
 
 Body read_body(const JsonView& object) {
-  object.expect_keys({"vertices", "normals", "radius", "rounding", "position", "rotation"});
+  object.expect_keys({"vertices", "radius", "rounding", "position", "rotation", "normals"});
   Body body{read_members(object), {}};
   if (const auto normals = object.find("normals")) expect_normals(*normals, body.polygon);
   if (const auto position = object.find("position")) body.pose.position = read_vector(*position);

@@ -147,7 +147,7 @@ TEST_CASE("huge radii end no campaign, and a bias beyond float is refused") {
     const TemporaryFolder folder;
     const Outcome outcome =
         run_manifuzz({"fuzz", "--radius", radius, "--seed", "17", "--cases", "2000", "--corpus",
-                      folder.path().string(), "--judge-every", "1"});
+                      folder.path().string(), "--judge-every", "1", "--verbose"});
     INFO(outcome.out << outcome.err);
     CHECK(outcome.status == 0);
     CHECK(outcome.out.find("crashed                        0") != std::string::npos);

@@ -45,7 +45,11 @@ bool has_colour(const std::string& text) {
 
 TEST_CASE("a terminal shows what decides the status in red, what is new in yellow") {
   const TemporaryFolder folder;
-  const std::string text = shown({"TERM=xterm"}, box2d_campaign(folder, {"--no-save"}));
+  const std::string screen = shown({"TERM=xterm"}, box2d_campaign(folder, {"--no-save"}));
+  CHECK_THAT(screen, Contains(kYellow + "new "));
+  CHECK_THAT(screen, Contains(kRed + "box2d: missed contact"));
+  const std::string text =
+      shown({"TERM=xterm"}, box2d_campaign(folder, {"--no-save", "--verbose"}));
   CHECK_THAT(text, Contains(kYellow + "new "));
   CHECK_THAT(text, Contains(kRed + "subject/subject_wrong/missed_contact"));
   CHECK_THAT(text, Contains(kRed + "subject_wrong "));
@@ -85,7 +89,8 @@ TEST_CASE("nothing is coloured where it is not wanted, or no terminal shows it")
 TEST_CASE("each stream is coloured for itself") {
   const std::string text = shown(
       {"TERM=xterm"}, {"sh", "-c",
-                       "\"$0\" property depth-is-overlap --cases 10 --seed 1 --no-save | cat; "
+                       "\"$0\" property depth-is-overlap --cases 10 --seed 1 --no-save --verbose "
+                       "| cat; "
                        "\"$0\" fuz",
                        manifuzz_path()});
   CHECK_THAT(text, Contains("ok   depth-is-overlap"));  // no colour between the words
@@ -112,7 +117,8 @@ TEST_CASE("progress is for terminals, and not for quiet ones") {
 TEST_CASE("a quiet campaign says what decides its status, where a file has the rest") {
   const TemporaryFolder folder;
   const std::string json = (folder.path() / "summary.json").string();
-  const Outcome loud = run_program(box2d_campaign(folder, {"--no-save", "--json", json}));
+  const Outcome loud =
+      run_program(box2d_campaign(folder, {"--no-save", "--verbose", "--json", json}));
   CHECK_THAT(loud.out, Contains("box2d against clip"));
   CHECK_THAT(run_program(box2d_campaign(folder, {"--no-save", "--quiet"})).out,
              Contains("box2d against clip"));
