@@ -7,6 +7,7 @@
 #include "campaign/result.hpp"
 #include "generating/sweep.hpp"
 #include "measure/scene/scene_run.hpp"
+#include "report/hint_lines.hpp"
 #include "report/outputs.hpp"
 #include "report/sequence/sequence_report.hpp"
 
@@ -142,6 +143,7 @@ std::string summary_table(const Campaign& campaign, const std::optional<Campaign
   if (!result.ledger.empty()) text += '\n' + ledger_rows(result);
   if (!result.buckets.empty()) text += '\n';
   text += lines_of(result.buckets, bucket_rows);
+  text += hint_lines(result.hints);
   if (campaign.plan.until_new && !campaign.run.sought && !has_new(campaign.findings)) {
     text += "\nnothing new: the corpus shows each of these already\n";
   }

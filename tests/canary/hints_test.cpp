@@ -1,0 +1,82 @@
+#include "campaign/hints/hints.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "campaign/run.hpp"
+#include "canary/planted.hpp"
+#include "generating/regime.hpp"
+#include "own_colliders/own_colliders.hpp"
+
+// Bugs planted into a collider are no mistakes of an adapter, and no hint may say that they are.
+
+namespace manifuzz::canary {
+namespace {
+
+/// A collider with a bug in it.
+struct Planted {
+  Bug bug;
+  Collider collider;
+};
+
+std::vector<Planted>& planted() {
+  static std::vector<Planted> all;
+  return all;
+}
+
+std::vector<Hint> hints_about(const Collider& subject, bool is_round) {
+  Plan plan;
+  plan.subject = subject;
+  plan.oracle = make_clip64();
+  for (const Regime& regime : regimes()) {
+    if (regime.is_round == is_round && regime.name != "corpus") plan.regimes.push_back(&regime);
+  }
+  plan.seed = 1;
+  plan.cases = 3000;
+  plan.jobs = 2;
+  Interruption interruption;
+  const JobsResult run =
+      run_jobs(plan, {0, plan.cases_max()}, interruption, [](const Progress&) {});
+  return hints_of(*run.tally, plan, interruption);
+}
+
+void check_unnamed(const Bug& bug, const Collider& collider) {
+  INFO(bug.name << " in " << collider.declaration.name);
+  for (const Hint& hint : hints_about(collider, bug.is_round())) {
+    INFO(hint.mistake << ": " << hint.text);
+    CHECK(hint.mistake.empty());
+  }
+}
+
+}  // namespace
+
+bool add_colliders(const std::vector<Bug>& bugs, const MakeCollider& make) {
+  for (const Bug& bug : bugs) planted().push_back({bug, with_bug(bug, make(0))});
+  return true;
+}
+
+bool add_round_colliders(const std::vector<Bug>& bugs, const MakeCollider& make,
+                         MakeWithSecondPoint /*make_with_second_point*/) {
+  return add_colliders(bugs, make);
+}
+
+Collider with_bug(const Bug& bug, Collider collider) {
+  collider.collide = [bug, collide = collider.collide](const PairCase& pair) {
+    const Acting acting(bug);
+    return collide(pair);
+  };
+  collider.in_double = [bug, make = collider.in_double] { return with_bug(bug, make()); };
+  return collider;
+}
+
+}  // namespace manifuzz::canary
+
+using namespace manifuzz::canary;
+
+TEST_CASE("no hint takes a bug of a collider in float for a mistake of its adapter") {
+  REQUIRE(planted().size() >= 20);
+  for (const Planted& one : planted()) check_unnamed(one.bug, one.collider);
+}
+
+TEST_CASE("no hint takes a bug of a collider in double for a mistake of its adapter") {
+  for (const Planted& one : planted()) check_unnamed(one.bug, one.collider.in_double());
+}
