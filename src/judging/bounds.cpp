@@ -64,7 +64,8 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
   const double of_lengths = of_rotations * reach + underflow;
   const bool has_float_normals = !narrow && declaration.normals == NormalsFrom::given_as_floats;
   const double of_float_normals = has_float_normals ? roundoff(ScalarType::float32) : 0;
-  const double of_turned_lengths = of_float_normals * reach;
+  const double of_turned_lengths = 2 * of_float_normals * reach;
+  const double of_turned_radii = is_round(pair) ? of_float_normals * total_radius(pair) : 0;
   const double in_world_reach = reach + std::max(pair.a.pose.position.cast<double>().norm(),
                                                  pair.b.pose.position.cast<double>().norm());
   if (in_world) reach = in_world_reach;
@@ -76,9 +77,9 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
   const bool are_of_world = declaration.normals == NormalsFrom::world_vertices;
   return {
       .separation = (of.separation + of_vertices) * u * reach + of_lengths + of_turned_lengths,
-      .incident_dot = (of.incident_dot + 2 * of_vertices) * u + of_rotations + 2 * of_float_normals,
+      .incident_dot = (of.incident_dot + 2 * of_vertices) * u + of_rotations + 4 * of_float_normals,
       .normal = of_normal * u + of_rotations + of_float_normals,
-      .position = of.position * u * reach + of_lengths,
+      .position = of.position * u * reach + of_lengths + of_turned_radii,
       .vertex = declaration.takes_angles && !narrow ? u : 0,
       .world_vertex = are_of_world ? of_world_vertex * in_world_reach : 0};
 }

@@ -56,74 +56,93 @@ Judgement judged_undone(const AskedAgain& asked, const Undone& undone) {
   return judged_alone(truth, {undone.declaration, undone.answer});
 }
 
-bool is_right_without(const Mistake& mistake, const AskedAgain& asked, const Plan& plan) {
+/// What becomes of an answer without a mistake; open is what nobody can judge then.
+enum class Fate { right, wrong, open };
+
+Fate fate_without(const Mistake& mistake, const AskedAgain& asked, const Plan& plan) {
   const auto undone = mistake.undo({*asked.truth, plan.subject.declaration, asked.answer});
-  if (!undone) return false;
+  if (!undone) return Fate::wrong;
   const Judgement judgement = judged_undone(asked, *undone);
-  const bool is_near = is_wrong(judgement) && judgement.is_judged &&
-                       judgement.of_subject.magnitude <= undone->within;
-  return is_right(judgement) || is_near;
+  if (!is_wrong(judgement)) return is_right(judgement) ? Fate::right : Fate::open;
+  const bool is_near = judgement.is_judged && judgement.of_subject.magnitude <= undone->within;
+  return is_near ? Fate::right : Fate::wrong;
 }
 
-bool becomes_wrong_without(const Mistake& mistake, const AskedAgain& asked, const Plan& plan) {
-  const auto undone = mistake.undo({*asked.truth, plan.subject.declaration, asked.answer});
-  if (!undone) return false;
-  const Judgement judgement = judged_undone(asked, *undone);
-  return is_wrong(judgement) && judgement.of_subject.magnitude >= undone->within;
+bool becomes_wrong_without(const Mistake& mistake, const AskedAgain& right, const Plan& plan) {
+  const bool is_shown =
+      mistake.undo({*right.truth, plan.subject.declaration, right.answer}).has_value();
+  return is_shown && fate_without(mistake, right, plan) == Fate::wrong;
 }
 
-/// How many of a kind are right without the mistake; 0 where too few are. The first few decide
-/// against nearly every mistake.
-std::size_t right_of_kind(const Mistake& mistake, std::span<const AskedAgain> wrong,
-                          const Plan& plan) {
-  const auto wrong_max =
-      static_cast<std::size_t>((1 - kHintedShare) * static_cast<double>(wrong.size()));
-  std::size_t still_wrong = 0;
+/// Of a kind, or of several, how many are right without the mistake, of so many that can be judged.
+struct RightOf {
+  std::size_t right = 0;
+  std::size_t of = 0;
+};
+
+/// None right where too few are. The first few decide against nearly every mistake.
+RightOf right_of_kind(const Mistake& mistake, std::span<const AskedAgain> wrong, const Plan& plan) {
+  const auto share_of = [](std::size_t count) {
+    return static_cast<std::size_t>((1 - kHintedShare) * static_cast<double>(count));
+  };
+  RightOf result;
   for (const AskedAgain& asked : wrong) {
-    if (!is_right_without(mistake, asked, plan) && ++still_wrong > wrong_max) return 0;
+    const Fate fate = fate_without(mistake, asked, plan);
+    if (fate == Fate::right) ++result.right;
+    if (fate != Fate::open) ++result.of;
+    if (result.of - result.right > share_of(wrong.size())) return {};
   }
-  return wrong.size() - still_wrong;
+  return result.of - result.right > share_of(result.of) ? RightOf{} : result;
 }
 
 /// What a mistake explains of a sample.
 struct Explained {
   const Mistake* mistake = nullptr;
-  std::size_t right = 0;
-  std::size_t of = 0;
+  RightOf answers{};
   std::vector<Kind> kinds{};
 };
 
 Explained explained_by(const Mistake& mistake, const Sample& sample, const Plan& plan) {
   Explained explained{&mistake};
   for (const auto& [kind, wrong] : sample.wrong) {
-    const std::size_t right = right_of_kind(mistake, wrong, plan);
-    if (right == 0) continue;
-    explained.right += right;
-    explained.of += wrong.size();
+    const RightOf of_kind = right_of_kind(mistake, wrong, plan);
+    if (of_kind.right == 0) continue;
+    explained.answers.right += of_kind.right;
+    explained.answers.of += of_kind.of;
     explained.kinds.push_back(kind);
   }
   return explained;
 }
 
-/// The mistake that explains most, the first of equals; none where none explains enough.
+bool harms(const Mistake& mistake, const Sample& sample, const Plan& plan) {
+  return std::ranges::any_of(sample.right, [&](const AskedAgain& right) {
+    return becomes_wrong_without(mistake, right, plan);
+  });
+}
+
+/// The mistake that explains most, the first of those that explain nearly as much; none where none
+/// explains enough.
 Explained best_explanation(const Sample& sample, const Plan& plan) {
-  Explained best;
+  std::vector<Explained> all;
+  std::size_t most = 0;
   for (const Mistake& mistake : mistakes()) {
     Explained explained = explained_by(mistake, sample, plan);
-    if (explained.right < kHintedMin || explained.right <= best.right) continue;
-    const bool harms = std::ranges::any_of(sample.right, [&](const AskedAgain& right) {
-      return becomes_wrong_without(mistake, right, plan);
-    });
-    if (!harms) best = std::move(explained);
+    if (explained.answers.right < kHintedMin || harms(mistake, sample, plan)) continue;
+    most = std::max(most, explained.answers.right);
+    all.push_back(std::move(explained));
   }
-  return best;
+  const auto first = std::ranges::find_if(all, [most](const Explained& explained) {
+    return static_cast<double>(explained.answers.right) >= kHintedShare * static_cast<double>(most);
+  });
+  return first == all.end() ? Explained{} : *first;
 }
 
 Hint hint_of(const Explained& explained) {
   const Mistake& mistake = *explained.mistake;
-  return {std::string(mistake.name), explained.of, explained.right,
-          fmt::format("of {} wrong answers, asked again, {} are right if {}: {}", explained.of,
-                      explained.right, mistake.condition, mistake.advice)};
+  const auto& [right, of] = explained.answers;
+  return {std::string(mistake.name), of, right,
+          fmt::format("of {} wrong answers, asked again, {} are right if {}: {}", of, right,
+                      mistake.condition, mistake.advice)};
 }
 
 /// Asks the subject about these cases of the plan, up to one to which it gives nothing any more.

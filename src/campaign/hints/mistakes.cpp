@@ -106,26 +106,29 @@ constexpr std::array kMistakes{
             [](Asked asked) { return with_unit_rotations(SeenFrom::world, asked); }},
     Mistake{"unit-rotation", "rotations are made unit", kUnitAdvice,
             [](Asked asked) { return with_unit_rotations(SeenFrom::frame_of_a, asked); }},
-    Mistake{"unit-rotation", "a rotation's transpose is taken for its inverse", kUnitAdvice,
-            with_transposes_for_inverses},
     Mistake{"decimals-as-doubles", "the case's numbers are read as doubles",
             "numbers are the shortest decimals of floats: round each to float when it is read",
-            with_decimals_as_doubles},
+            [](Asked asked) { return with_decimals_as_doubles(SeenFrom::world, asked); }},
+    Mistake{"decimals-as-doubles", "the case's numbers are read as doubles",
+            "numbers are the shortest decimals of floats: round each to float when it is read",
+            [](Asked asked) { return with_decimals_as_doubles(SeenFrom::frame_of_a, asked); }},
     Mistake{"undeclared-angle", "rotations reach it as angles",
             "declare \"rotation\": \"angle\", or take (cos, sin) as they stand", with_angles},
-    Mistake{"float-normals", "normals are floats",
-            "the normals that it is given are floats; in double take them from the vertices",
-            with_float_normals},
     Mistake{"undeclared-world-vertices", "normals are taken from world vertices",
             "declare \"normals\": \"world_vertices\", or take each face's normal from its vertices "
             "in the body's own frame and turn it",
             with_world_vertices},
-    Mistake{"float-figures", "it computes in float",
-            "figures are rounded to float somewhere; declare \"scalar\": \"float32\", or compute "
-            "in double throughout",
-            in_float},
+    Mistake{"float-normals", "normals are floats",
+            "the normals that it is given are floats; in double take them from the vertices",
+            with_float_normals},
+    Mistake{
+        "float-figures", "it computes in float",
+        "figures are as good as floats: something is rounded to float, or a rotation's transpose "
+        "taken for its inverse; declare \"scalar\": \"float32\", or compute in double throughout",
+        in_float},
     Mistake{"float-figures", "it computes in float, in the world",
-            "figures are rounded to float somewhere; declare \"scalar\": \"float32\" and "
+            "figures are as good as floats: something is rounded to float; declare \"scalar\": "
+            "\"float32\" and "
             "\"frame\": \"world\", or compute in double throughout",
             in_float_in_world},
 };

@@ -1,6 +1,7 @@
 #include "campaign/hints/place_mistakes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace manifuzz {
 namespace {
@@ -13,8 +14,26 @@ std::optional<PartialManifold> partial_of(const Answer& answer) {
   return PartialManifold{.manifold = *manifold, .names_reference = true, .names_features = true};
 }
 
+/// How nearly a direction in A's frame is that of a face's normal out of this side: the cosine.
+double likeness(const PairCase& pair, Side side, const Vector2<double>& direction) {
+  double most = -1;
+  for (int i = 0; i < pair[side].polygon.face_count(); ++i) {
+    const Vector2<double> normal = pair[side].polygon.normals[i].cast<double>();
+    const Vector2<double> in_world =
+        rotate<double>(pair[side].pose.rotation.cast<double>(), normal);
+    most = std::max(most, local_normal(pair, in_world).dot(direction));
+  }
+  return most;
+}
+
+/// The one that is named, or whose face has the normal that is given, or of both the best.
 Side reference_of(const PartialManifold& partial, const AskedCase& asked) {
+  const Vector2<double>& normal = partial.manifold.normal;
   if (partial.names_reference || !asked.truth.has_faces()) return partial.manifold.reference;
+  const double of_a = likeness(asked.pair(), Side::a, normal);
+  const double of_b = likeness(asked.pair(), Side::b, -normal);
+  constexpr double kAlike = 1e-5;
+  if (std::abs(of_a - of_b) > kAlike) return of_a > of_b ? Side::a : Side::b;
   return asked.truth.greatest().side;
 }
 

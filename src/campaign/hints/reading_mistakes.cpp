@@ -31,17 +31,9 @@ SeenBody seen(const Body& body) {
 using See = std::function<SeenBody(const Body&)>;
 
 /// Where B's point lies in A's frame, of poses as they were seen.
-using ToFrameOfA = Vector (*)(const Pose<double>& a, const Pose<double>& b, const Vector& point);
-
 Vector to_frame_of_a(const Pose<double>& a, const Pose<double>& b, const Vector& point) {
   return rotate_inverse<double>(a.rotation,
                                 rotate<double>(b.rotation, point) + (b.position - a.position));
-}
-
-Vector to_frame_of_a_by_transpose(const Pose<double>& a, const Pose<double>& b,
-                                  const Vector& point) {
-  return rotate_back<double>(a.rotation,
-                             rotate<double>(b.rotation, point) + (b.position - a.position));
 }
 
 /// The vertices, in the body's true frame, that are in the world where they were seen.
@@ -56,28 +48,17 @@ UsedVertices in_true_frame(const Body& body, const SeenBody& as_seen) {
   return used;
 }
 
-/// The vertices of B, in its true frame, that are in A's frame where they were seen.
-UsedVertices in_true_frame_of_b(const PairCase& pair, const SeenBody& a, const SeenBody& b,
-                                ToFrameOfA to_a) {
+/// The same of B, which are in A's frame where they were seen.
+UsedVertices in_true_frame_of_b(const PairCase& pair, const SeenBody& a, const SeenBody& b) {
   const Pose<double> true_a = seen(pair.a).pose;
   const Pose<double> true_b = seen(pair.b).pose;
   UsedVertices used = b.vertices;
   for (int i = 0; i < used.count; ++i) {
-    const Vector in_a = to_a(a.pose, b.pose, used.all[i]);
+    const Vector in_a = to_frame_of_a(a.pose, b.pose, used.all[i]);
     used.all[i] = rotate_inverse<double>(true_b.rotation, rotate<double>(true_a.rotation, in_a) +
                                                               (true_a.position - true_b.position));
   }
   return used;
-}
-
-/// Depths were measured in A's frame as it was seen, but are world lengths.
-void scale_depths(Answer& answer, double factor) {
-  const auto scale = [factor](Manifold<double>& manifold) {
-    for (ContactPoint<double>& point : manifold.points) point.depth *= factor;
-  };
-  if (auto* const whole = std::get_if<Manifold<double>>(&answer)) scale(*whole);
-  if (auto* const partial = std::get_if<PartialManifold>(&answer)) scale(partial->manifold);
-  if (auto* const less = std::get_if<Penetration>(&answer)) less->depth *= factor;
 }
 
 /// The answer, about these shapes in place of the case's; none where it has some already, or gave
@@ -99,22 +80,28 @@ MaybeUndone about(const UsedShapes& shapes, const AskedCase& asked) {
   return undone;
 }
 
-MaybeUndone as_seen(const See& see, SeenFrom from, const AskedCase& asked,
-                    ToFrameOfA to_a = to_frame_of_a) {
+MaybeUndone as_seen_in_world(const See& see, const AskedCase& asked) {
   const PairCase& pair = asked.pair();
+  return about({in_true_frame(pair.a, see(pair.a)), in_true_frame(pair.b, see(pair.b))}, asked);
+}
+
+/// Of double, the frame is A's as it was seen, so that a length there is one in the world; of
+/// float, whose bounds allow for it, it is as long as A's rotation.
+MaybeUndone as_seen_in_frame_of_a(const See& see, const AskedCase& asked) {
+  PairCase pair = asked.pair();
   const SeenBody a = see(pair.a);
   const SeenBody b = see(pair.b);
-  const bool is_world = from == SeenFrom::world;
-  MaybeUndone undone =
-      about({is_world ? in_true_frame(pair.a, a) : a.vertices,
-             is_world ? in_true_frame(pair.b, b) : in_true_frame_of_b(pair, a, b, to_a)},
-            asked);
-  if (undone && !is_world) {
-    const double unit = seen(pair.a).pose.rotation.norm();
-    const bool has_length = to_a == to_frame_of_a;
-    scale_depths(undone->answer, unit / (has_length ? a.pose.rotation.norm() : 1));
+  if (asked.declaration.scalar == ScalarType::float64) {
+    pair.a.pose.rotation = {1, 0};
+    pair.b.pose = pair.a.pose;
   }
+  MaybeUndone undone = about({a.vertices, in_true_frame_of_b(pair, a, b)}, asked);
+  if (undone) undone->pair = pair;
   return undone;
+}
+
+MaybeUndone as_seen(const See& see, SeenFrom from, const AskedCase& asked) {
+  return from == SeenFrom::world ? as_seen_in_world(see, asked) : as_seen_in_frame_of_a(see, asked);
 }
 
 /// Of what has angles, which have digits of their own.
@@ -134,10 +121,6 @@ MaybeUndone with_unit_rotations(SeenFrom from, const AskedCase& asked) {
     return unit;
   };
   return by_angles(as_seen(see, from, asked), 0);
-}
-
-MaybeUndone with_transposes_for_inverses(const AskedCase& asked) {
-  return as_seen(seen, SeenFrom::frame_of_a, asked, to_frame_of_a_by_transpose);
 }
 
 MaybeUndone with_rotations_backwards(SeenFrom from, const AskedCase& asked) {
@@ -178,7 +161,7 @@ MaybeUndone with_vertices_flipped(const AskedCase& asked) {
   return undone;
 }
 
-MaybeUndone with_decimals_as_doubles(const AskedCase& asked) {
+MaybeUndone with_decimals_as_doubles(SeenFrom from, const AskedCase& asked) {
   if (asked.declaration.scalar == ScalarType::float64) return std::nullopt;
   const auto as_double = [](float value) {
     return std::strtod(fmt::format("{}", value).c_str(), nullptr);
@@ -194,7 +177,7 @@ MaybeUndone with_decimals_as_doubles(const AskedCase& asked) {
     read.pose = {both(body.pose.position), both(body.pose.rotation)};
     return read;
   };
-  return as_seen(see, SeenFrom::world, asked);
+  return as_seen(see, from, asked);
 }
 
 MaybeUndone with_radii_times(float factor, const AskedCase& asked) {

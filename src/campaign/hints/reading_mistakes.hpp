@@ -11,8 +11,6 @@ enum class SeenFrom { world, frame_of_a };
 
 /// (cos, sin), which are not quite unit, are made so.
 MaybeUndone with_unit_rotations(SeenFrom from, const AskedCase& asked);
-/// The transpose of a rotation is taken for its inverse, in A's frame.
-MaybeUndone with_transposes_for_inverses(const AskedCase& asked);
 /// Bodies are turned the other way.
 MaybeUndone with_rotations_backwards(SeenFrom from, const AskedCase& asked);
 /// Bodies are turned by so many times their angle.
@@ -20,7 +18,7 @@ MaybeUndone with_angles_times(double factor, SeenFrom from, const AskedCase& ask
 /// y of the vertices is negated, each in its body's frame.
 MaybeUndone with_vertices_flipped(const AskedCase& asked);
 /// Decimals that stand for floats are taken for doubles.
-MaybeUndone with_decimals_as_doubles(const AskedCase& asked);
+MaybeUndone with_decimals_as_doubles(SeenFrom from, const AskedCase& asked);
 /// Radii are so many times as large.
 MaybeUndone with_radii_times(float factor, const AskedCase& asked);
 

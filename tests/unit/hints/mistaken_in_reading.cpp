@@ -110,7 +110,7 @@ Answer by_unit_rotations(const PairCase& pair) {
   return manifold;
 }
 
-/// The transpose of a rotation for its inverse.
+/// The transpose of a rotation for its inverse, which costs as much as floats do.
 Answer by_transposes(const PairCase& pair) {
   const auto pose = [](const Pose<float>& of) {
     return Pose<double>{of.position.cast<double>(), of.rotation.cast<double>()};
@@ -197,7 +197,7 @@ std::vector<MistakenAdapter> mistaken_in_reading() {
        asking(in_double(), by_unit_rotations<true>)},
       {"unit-rotation", "rotations are made unit, figures of A's frame",
        asking(in_double(), by_unit_rotations<false>)},
-      {"unit-rotation", "a transpose for an inverse", asking(in_double(), by_transposes)},
+      {"float-figures", "a transpose for an inverse", asking(in_double(), by_transposes)},
       {"float-figures", "answers are rounded to float", asking(in_double(), rounded_to_float)},
       {"float-figures", "it computes in float", asking(in_double(), clip.collide)},
       {"decimals-as-doubles", "decimals are read as doubles, and float is declared",
