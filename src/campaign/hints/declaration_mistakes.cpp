@@ -16,10 +16,18 @@ MaybeUndone with_float_normals(const AskedCase& asked) {
   return undone;
 }
 
+MaybeUndone in_world(const AskedCase& asked) {
+  if (asked.declaration.frame == RoundingFrame::world) return std::nullopt;
+  Undone undone{asked.declaration, asked.answer};
+  undone.declaration.frame = RoundingFrame::world;
+  return undone;
+}
+
 MaybeUndone with_world_vertices(const AskedCase& asked) {
   if (asked.declaration.normals == NormalsFrom::world_vertices) return std::nullopt;
   Undone undone{asked.declaration, asked.answer};
   undone.declaration.normals = NormalsFrom::world_vertices;
+  undone.declaration.frame = RoundingFrame::world;  // where they were rounded
   return undone;
 }
 

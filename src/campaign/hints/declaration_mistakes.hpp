@@ -8,6 +8,8 @@ namespace manifuzz {
 
 /// One in double takes the normals that it is given, which are floats.
 MaybeUndone with_float_normals(const AskedCase& asked);
+/// It rounds in world coordinates.
+MaybeUndone in_world(const AskedCase& asked);
 /// Normals are those of world vertices.
 MaybeUndone with_world_vertices(const AskedCase& asked);
 /// Rotations reach it as angles.

@@ -64,7 +64,8 @@ Fate fate_without(const Mistake& mistake, const AskedAgain& asked, const Plan& p
   if (!undone) return Fate::wrong;
   const Judgement judgement = judged_undone(asked, *undone);
   if (!is_wrong(judgement)) return is_right(judgement) ? Fate::right : Fate::open;
-  const bool is_near = judgement.is_judged && judgement.of_subject.magnitude <= undone->within;
+  const bool is_near = judgement.is_judged && judgement.bucket.kind != Kind::features &&
+                       judgement.of_subject.magnitude < undone->within;
   return is_near ? Fate::right : Fate::wrong;
 }
 
@@ -78,6 +79,7 @@ bool becomes_wrong_without(const Mistake& mistake, const AskedAgain& right, cons
 struct RightOf {
   std::size_t right = 0;
   std::size_t of = 0;
+  std::size_t open = 0;  ///< those that cannot
 };
 
 /// None right where too few are. The first few decide against nearly every mistake.
@@ -89,7 +91,7 @@ RightOf right_of_kind(const Mistake& mistake, std::span<const AskedAgain> wrong,
   for (const AskedAgain& asked : wrong) {
     const Fate fate = fate_without(mistake, asked, plan);
     if (fate == Fate::right) ++result.right;
-    if (fate != Fate::open) ++result.of;
+    ++(fate == Fate::open ? result.open : result.of);
     if (result.of - result.right > share_of(wrong.size())) return {};
   }
   return result.of - result.right > share_of(result.of) ? RightOf{} : result;
@@ -106,12 +108,20 @@ Explained explained_by(const Mistake& mistake, const Sample& sample, const Plan&
   Explained explained{&mistake};
   for (const auto& [kind, wrong] : sample.wrong) {
     const RightOf of_kind = right_of_kind(mistake, wrong, plan);
+    explained.answers.open += of_kind.open;
     if (of_kind.right == 0) continue;
     explained.answers.right += of_kind.right;
     explained.answers.of += of_kind.of;
     explained.kinds.push_back(kind);
   }
   return explained;
+}
+
+bool is_enough(const Explained& explained, const Sample& sample) {
+  const auto& [right, of, open] = explained.answers;
+  const std::size_t needed = explained.mistake->is_allowance ? sample.wrong_count() - open : of;
+  return right >= kHintedMin &&
+         static_cast<double>(right) >= kHintedShare * static_cast<double>(needed);
 }
 
 bool harms(const Mistake& mistake, const Sample& sample, const Plan& plan) {
@@ -127,7 +137,7 @@ Explained best_explanation(const Sample& sample, const Plan& plan) {
   std::size_t most = 0;
   for (const Mistake& mistake : mistakes()) {
     Explained explained = explained_by(mistake, sample, plan);
-    if (explained.answers.right < kHintedMin || harms(mistake, sample, plan)) continue;
+    if (!is_enough(explained, sample) || harms(mistake, sample, plan)) continue;
     most = std::max(most, explained.answers.right);
     all.push_back(std::move(explained));
   }
@@ -139,7 +149,7 @@ Explained best_explanation(const Sample& sample, const Plan& plan) {
 
 Hint hint_of(const Explained& explained) {
   const Mistake& mistake = *explained.mistake;
-  const auto& [right, of] = explained.answers;
+  const auto& [right, of, open] = explained.answers;
   return {std::string(mistake.name), of, right,
           fmt::format("of {} wrong answers, asked again, {} are right if {}: {}", of, right,
                       mistake.condition, mistake.advice)};

@@ -113,24 +113,30 @@ constexpr std::array kMistakes{
             "numbers are the shortest decimals of floats: round each to float when it is read",
             [](Asked asked) { return with_decimals_as_doubles(SeenFrom::frame_of_a, asked); }},
     Mistake{"undeclared-angle", "rotations reach it as angles",
-            "declare \"rotation\": \"angle\", or take (cos, sin) as they stand", with_angles},
+            "declare \"rotation\": \"angle\", or take (cos, sin) as they stand", with_angles, true},
+    Mistake{
+        "undeclared-world", "it rounds in world coordinates",
+        "\"frame\": \"local\" is declared, but figures are as good as world coordinates: declare "
+        "\"frame\": \"world\", or subtract the positions first",
+        in_world, true},
     Mistake{"undeclared-world-vertices", "normals are taken from world vertices",
-            "declare \"normals\": \"world_vertices\", or take each face's normal from its vertices "
+            "declare \"normals\": \"world_vertices\" and \"frame\": \"world\", or take each face's "
+            "normal from its vertices "
             "in the body's own frame and turn it",
-            with_world_vertices},
+            with_world_vertices, true},
     Mistake{"float-normals", "normals are floats",
             "the normals that it is given are floats; in double take them from the vertices",
-            with_float_normals},
+            with_float_normals, true},
     Mistake{
         "float-figures", "it computes in float",
         "figures are as good as floats: something is rounded to float, or a rotation's transpose "
         "taken for its inverse; declare \"scalar\": \"float32\", or compute in double throughout",
-        in_float},
+        in_float, true},
     Mistake{"float-figures", "it computes in float, in the world",
             "figures are as good as floats: something is rounded to float; declare \"scalar\": "
             "\"float32\" and "
             "\"frame\": \"world\", or compute in double throughout",
-            in_float_in_world},
+            in_float_in_world, true},
 };
 
 }  // namespace

@@ -36,6 +36,9 @@ struct Mistake {
   std::string_view advice;     ///< what is wrong, and what to do
   /// None where the case does not show it.
   std::optional<Undone> (*undo)(const AskedCase& asked);
+  /// It only widens bounds, and so excuses what is off by little for any other reason: it is to
+  /// explain wrong answers of all kinds together.
+  bool is_allowance = false;
 };
 
 /// The simplest first. One of a name may stand there several times, for each way of making it.
