@@ -1,5 +1,7 @@
 #include "campaign/hints/hints.hpp"
 
+#include <cstdlib>
+#include <iostream>
 #include <map>
 #include <string_view>
 
@@ -26,7 +28,12 @@ std::vector<Planted>& planted() {
   return all;
 }
 
-std::vector<Hint> hints_about(const Collider& subject, bool is_round) {
+struct Hinted {
+  std::uint64_t wrong = 0;
+  std::vector<Hint> hints;
+};
+
+Hinted hints_about(const Collider& subject, bool is_round) {
   Plan plan;
   plan.subject = subject;
   plan.oracle = make_clip64();
@@ -39,7 +46,7 @@ std::vector<Hint> hints_about(const Collider& subject, bool is_round) {
   Interruption interruption;
   const JobsResult run =
       run_jobs(plan, {0, plan.cases_max()}, interruption, [](const Progress&) {});
-  return hints_of(*run.tally, plan, interruption);
+  return {run.tally->unexplained(), hints_of(*run.tally, plan, interruption)};
 }
 
 /// Those that are what an adapter does wrong.
@@ -49,13 +56,28 @@ const std::map<std::string_view, std::string_view> kMistakes{
     {"local_length_ignored", "float-figures"},
 };
 
-void check_unnamed(const Bug& bug, const Collider& collider) {
+void check_unnamed(const Bug& bug, const Collider& collider, const Hinted& hinted) {
   INFO(bug.name << " in " << collider.declaration.name);
   const auto mistake = kMistakes.find(bug.name);
-  for (const Hint& hint : hints_about(collider, bug.is_round())) {
+  for (const Hint& hint : hinted.hints) {
     INFO(hint.mistake << ": " << hint.text);
     CHECK(hint.mistake == (mistake == kMistakes.end() ? "" : mistake->second));
   }
+}
+
+/// Checks each, of which at least so many must have been wrong often enough for a hint.
+void check_unnamed(Collider (*of)(const Collider& collider), std::size_t telling_min) {
+  std::size_t telling = 0;
+  for (const auto& [bug, collider] : planted()) {
+    const Hinted hinted = hints_about(of(collider), bug.is_round());
+    if (hinted.wrong >= kHintedMin) ++telling;
+    check_unnamed(bug, of(collider), hinted);
+    if (getenv("H2LIST"))
+      std::cout << bug.name << " in " << of(collider).declaration.name << ": " << hinted.wrong
+                << " wrong, " << (hinted.hints.empty() ? "no hint" : hinted.hints[0].mistake)
+                << std::endl;
+  }
+  CHECK(telling >= telling_min);
 }
 
 }  // namespace
@@ -84,10 +106,9 @@ Collider with_bug(const Bug& bug, Collider collider) {
 using namespace manifuzz::canary;
 
 TEST_CASE("no hint takes a bug of a collider in float for a mistake of its adapter") {
-  REQUIRE(planted().size() >= 20);
-  for (const Planted& one : planted()) check_unnamed(one.bug, one.collider);
+  check_unnamed([](const Collider& collider) { return collider; }, 40);
 }
 
 TEST_CASE("no hint takes a bug of a collider in double for a mistake of its adapter") {
-  for (const Planted& one : planted()) check_unnamed(one.bug, one.collider.in_double());
+  check_unnamed([](const Collider& collider) { return collider.in_double(); }, 40);
 }
