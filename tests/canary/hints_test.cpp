@@ -1,7 +1,5 @@
 #include "campaign/hints/hints.hpp"
 
-#include <cstdlib>
-#include <iostream>
 #include <map>
 #include <string_view>
 
@@ -72,10 +70,6 @@ void check_unnamed(Collider (*of)(const Collider& collider), std::size_t telling
     const Hinted hinted = hints_about(of(collider), bug.is_round());
     if (hinted.wrong >= kHintedMin) ++telling;
     check_unnamed(bug, of(collider), hinted);
-    if (getenv("H2LIST"))
-      std::cout << bug.name << " in " << of(collider).declaration.name << ": " << hinted.wrong
-                << " wrong, " << (hinted.hints.empty() ? "no hint" : hinted.hints[0].mistake)
-                << std::endl;
   }
   CHECK(telling >= telling_min);
 }
@@ -103,6 +97,7 @@ Collider with_bug(const Bug& bug, Collider collider) {
 
 }  // namespace manifuzz::canary
 
+using namespace manifuzz;
 using namespace manifuzz::canary;
 
 TEST_CASE("no hint takes a bug of a collider in float for a mistake of its adapter") {
