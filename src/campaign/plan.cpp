@@ -110,6 +110,17 @@ void RegimeTally::add(const RegimeTally& tally) {
   frames += tally.frames;
 }
 
+namespace {
+
+/// Whether the subject has answered, and wrong.
+bool is_wrong_answer(const Bucket& bucket) {
+  const bool is_of_subject = bucket.fault == Fault::subject || bucket.fault == Fault::both;
+  const bool is_none = bucket.verdict == Verdict::crashed || bucket.verdict == Verdict::timed_out;
+  return is_of_subject && !is_none;
+}
+
+}  // namespace
+
 void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
                 const Judgement& judgement, std::size_t frames) {
   widen(of_subject, judgement.of_subject.errors);
@@ -133,6 +144,7 @@ void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
     met.regimes[regime] = 1;
     buckets.of(bucket).add(met);
   }
+  if (is_wrong_answer(bucket)) first_wrong[static_cast<std::size_t>(bucket.kind)].add(number);
   if (judgement.explanation != nullptr) ++explained[index_of(*judgement.explanation)][regime];
 }
 
@@ -144,6 +156,7 @@ void Tally::add(const Tally& tally) {
   agreeing_judged += tally.agreeing_judged;
   for (std::size_t i = 0; i < regimes.size(); ++i) regimes[i].add(tally.regimes[i]);
   buckets.add(tally.buckets);
+  for (std::size_t i = 0; i < first_wrong.size(); ++i) first_wrong[i].add(tally.first_wrong[i]);
   for (std::size_t i = 0; i < explained.size(); ++i) {
     for (std::size_t r = 0; r < kRegimesMax; ++r) explained[i][r] += tally.explained[i][r];
   }

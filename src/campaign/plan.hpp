@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/text.hpp"
+#include "campaign/least_cases.hpp"
 #include "collider/collider.hpp"
 #include "collider/sequence_collider.hpp"
 #include "corpus/corpus.hpp"
@@ -115,6 +116,8 @@ struct Tally {
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
   std::array<RegimeTally, kRegimesMax> regimes{};
   BucketTallies buckets;
+  /// Of each kind, the first cases of the subject's wrong answers; of none, of malformed ones.
+  std::array<LeastCases, kKindNames.size()> first_wrong{};
   std::uint64_t by_tolerance = 0;     ///< right, but only by the tolerance that a collider declares
   std::uint64_t agreeing_judged = 0;  ///< of those that agree, what was judged too
   /// The worst errors of wrong answers.

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json.hpp"
+#include "campaign/hints/hint.hpp"
 #include "campaign/plan.hpp"
 #include "corpus/corpus.hpp"
 #include "judging/bucket.hpp"
@@ -106,6 +107,7 @@ struct CampaignResult {
   std::vector<RegimeResult> regimes;
   std::vector<LedgerResult> ledger;
   std::vector<BucketResult> buckets;
+  std::vector<Hint> hints{};  ///< known mistakes of an adapter that make the wrong answers
 
   std::uint64_t cases() const { return sum_of(regimes, &RegimeTally::cases); }
   std::uint64_t touching() const { return sum_of(regimes, &RegimeTally::touching); }

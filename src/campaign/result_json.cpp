@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/hints/hint_json.hpp"
 #include "campaign/result.hpp"
 
 namespace manifuzz {
@@ -255,6 +256,7 @@ Json json_of(const CampaignResult& result) {
   json["regimes"] = list_of(result.regimes);
   json["ledger"] = list_of(result.ledger);
   json["buckets"] = list_of(result.buckets);
+  json["hints"] = list_of(result.hints);
   if (result.parts.size() > 1) json["parts"] = list_of(result.parts);
   return json;
 }
@@ -293,6 +295,7 @@ CampaignResult read_campaign_result(const JsonView& root) {
   const Count seed = result.parts.front().seed;
   result.buckets =
       read_list(root.at("buckets"), [&](const JsonView& row) { return read_bucket(row, seed); });
+  result.hints = read_list(root.find("hints"), read_hint);
   expect_disjoint(root, result.parts);
   return result;
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "campaign/hints/hints.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/sequences/sequence_case.hpp"
 
@@ -231,6 +232,7 @@ Campaign run_campaign(const Plan& plan, const Known& known, const SaveTo& save_t
                  });
   }
   campaign.result = result_of(campaign, origin);
+  campaign.result.hints = hints_of(*run.tally, plan, interruption);
   campaign.result.stale = stale_files(plan, known, interruption);
   return campaign;
 }

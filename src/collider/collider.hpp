@@ -64,9 +64,10 @@ inline ShapeFamily shape_family(const ConvexPolygon<float>& shape) {
 
 /// Where a collider takes a face's normal from.
 enum class NormalsFrom {
-  given,           ///< the normals that come with the case
-  vertices,        ///< the face's vertices, in the body's own frame
-  world_vertices,  ///< the face's vertices once they are rounded in the world
+  given,            ///< the normals that come with the case
+  vertices,         ///< the face's vertices, in the body's own frame
+  world_vertices,   ///< the face's vertices once they are rounded in the world
+  given_as_floats,  ///< the normals that come with the case, as floats, whatever it computes in
 };
 
 /// What a collider declares of itself. It is judged by this, and by nothing else.

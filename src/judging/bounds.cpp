@@ -52,7 +52,9 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
   const bool in_world = declaration.frame == RoundingFrame::world;
   const Constants& of = narrow ? kOfFloat : kOfDouble;
   const double of_angles = declaration.takes_angles ? kOfAngles : 0;
-  const double of_vertices = narrow && declaration.normals != NormalsFrom::given ? kOfVertices : 0;
+  const bool are_given = declaration.normals == NormalsFrom::given ||
+                         declaration.normals == NormalsFrom::given_as_floats;
+  const double of_vertices = narrow && !are_given ? kOfVertices : 0;
   const double of_normal = of.normal + of_vertices + (in_world && !narrow ? kOfWorldNormal : 0);
   const double u = roundoff(declaration.scalar);
   double reach = extent + total_radius(pair);
@@ -60,6 +62,10 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
   const double of_rotations =
       (narrow ? rotation_defect(pair.a) + rotation_defect(pair.b) : 0) + of_angles * u;
   const double of_lengths = of_rotations * reach + underflow;
+  const bool has_float_normals = !narrow && declaration.normals == NormalsFrom::given_as_floats;
+  const double of_float_normals = has_float_normals ? roundoff(ScalarType::float32) : 0;
+  const double of_turned_lengths = 2 * of_float_normals * reach;
+  const double of_turned_radii = is_round(pair) ? of_float_normals * total_radius(pair) : 0;
   const double in_world_reach = reach + std::max(pair.a.pose.position.cast<double>().norm(),
                                                  pair.b.pose.position.cast<double>().norm());
   if (in_world) reach = in_world_reach;
@@ -69,12 +75,13 @@ Bounds bounds(const PairCase& pair, const Declaration& declaration, double exten
   }
   const double of_world_vertex = (kOfWorldVertex + (narrow ? 0 : kOfScaledVertex)) * u;
   const bool are_of_world = declaration.normals == NormalsFrom::world_vertices;
-  return {.separation = (of.separation + of_vertices) * u * reach + of_lengths,
-          .incident_dot = (of.incident_dot + 2 * of_vertices) * u + of_rotations,
-          .normal = of_normal * u + of_rotations,
-          .position = of.position * u * reach + of_lengths,
-          .vertex = declaration.takes_angles && !narrow ? u : 0,
-          .world_vertex = are_of_world ? of_world_vertex * in_world_reach : 0};
+  return {
+      .separation = (of.separation + of_vertices) * u * reach + of_lengths + of_turned_lengths,
+      .incident_dot = (of.incident_dot + 2 * of_vertices) * u + of_rotations + 4 * of_float_normals,
+      .normal = of_normal * u + of_rotations + of_float_normals,
+      .position = of.position * u * reach + of_lengths + of_turned_radii,
+      .vertex = declaration.takes_angles && !narrow ? u : 0,
+      .world_vertex = are_of_world ? of_world_vertex * in_world_reach : 0};
 }
 
 }  // namespace manifuzz

@@ -20,7 +20,7 @@ using Lines = std::vector<std::string>;
 constexpr std::size_t kScreenLines = 24;
 constexpr std::size_t kCausesShown = 5;
 constexpr std::size_t kGroupsShown = 5;
-constexpr std::size_t kRemarksShown = 4;
+constexpr std::size_t kRemarksShown = 6;
 constexpr std::size_t kLineLength = 150;
 
 std::string share_in_words(std::uint64_t part, std::uint64_t whole) {

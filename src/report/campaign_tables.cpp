@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "report/campaign_text.hpp"
+#include "report/hint_lines.hpp"
 #include "report/outputs.hpp"
 #include "report/sequence/sequence_report.hpp"
 
@@ -138,7 +139,7 @@ std::string campaign_heading(const Campaign& campaign) {
 }
 
 std::string remarks_on_campaign(const Campaign& campaign) {
-  std::string text = over_budget_lines(campaign.result);
+  std::string text = hint_lines(campaign.result.hints) + over_budget_lines(campaign.result);
   if (campaign.plan.until_new && !campaign.run.sought && !has_new(campaign.findings)) {
     text += "nothing new: the corpus shows each of these already\n";
   }

@@ -2,9 +2,11 @@
 #include <string>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
 #include "external/campaigns.hpp"
+#include "support/run_program.hpp"
 #include "support/skip.hpp"
 #include "support/source_tree.hpp"
 #include "support/temporary_folder.hpp"
@@ -219,4 +221,26 @@ TEST_CASE("the minimum translation of the README is right, and judged as such") 
   const Collider translation = collider_of_command("node " + file, 10 * kSecondsMax);
   CHECK(translation.declaration.claims == Claims::separation);
   CHECK(run(plan_of(translation)).tally->unexplained() == 0);
+}
+
+TEST_CASE("fuzz says in a line which mistake of an adapter makes its wrong answers") {
+  const TemporaryFolder folder;
+  const std::string json = (folder.path() / "run.json").string();
+  const auto fuzz = [&](const std::string& behaviour) {
+    return run_manifuzz({"fuzz", "--subject-command",
+                         std::string(MANIFUZZ_TEST_PROGRAM) + " " + behaviour, "--oracle", "clip64",
+                         "--regime", "generic", "--regime", "boxes", "--seed", "1", "--cases",
+                         "1000", "--radius", "0", "--no-save", "--json", json});
+  };
+  const Outcome reversed = fuzz("reversed");
+  CHECK(reversed.status == 1);
+  const auto hints = nlohmann::json::parse(text_of(json)).at("hints");
+  REQUIRE(hints.size() == 1);
+  CHECK(hints[0]["mistake"] == "reversed-normal");
+  CHECK(hints[0]["of_wrong"] == hints[0]["right_when_undone"]);
+  CHECK(hints[0]["of_wrong"].get<int>() >= 20);
+  CHECK(reversed.out.find("\nhint: " + hints[0]["text"].get<std::string>() + "\n") !=
+        std::string::npos);
+  CHECK(fuzz("separation").out.find("hint") == std::string::npos);
+  CHECK(nlohmann::json::parse(text_of(json)).at("hints").empty());
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "campaign/in_child.hpp"
 #include "report/page/page.hpp"
 #include "report/sequence/sequence_report.hpp"
 

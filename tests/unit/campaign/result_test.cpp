@@ -42,6 +42,7 @@ CampaignResult sample() {
       {"oracle/known/depth/none/a", "known", 4, 3, 8, "boxes", {0.5}, "", "z", false}};
   result.buckets[2].error.errors[Component::position] = 0.5;
   for (BucketResult& found : result.buckets) found.regimes = {{"boxes", 1}};
+  result.hints = {{"reversed-normal", 30, 29, "the normal points from B to A"}};
   result.stale = {"b.json"};
   result.parts = {{3, most, {{"boxes", 20}}, 0.5}, {most, 7, {{"boxes", 40}, {"grid", 40}}, 1}};
   return result;
