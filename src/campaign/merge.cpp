@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "campaign/save.hpp"
-#include "corpus/shrink.hpp"
+#include "corpus/preference.hpp"
 #include "generating/regime.hpp"
 
 namespace manifuzz {
@@ -37,7 +37,7 @@ auto badness(const CorpusCase* witness) {
 }
 
 auto size_of(const CorpusCase* known) {
-  return std::tuple(known->frames.size(), complexity(known->pair), badness(known));
+  return std::tuple(preference(*known), badness(known));
 }
 
 using Members = std::vector<const CorpusCase*>;

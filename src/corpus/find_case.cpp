@@ -8,7 +8,7 @@
 
 #include "base/text.hpp"
 #include "corpus/corpus.hpp"
-#include "corpus/shrink.hpp"
+#include "corpus/preference.hpp"
 
 namespace manifuzz {
 
@@ -119,9 +119,8 @@ FoundCase find_case(const std::string& name, std::span<const fs::path> folders) 
   const CaseList alike = matching(
       corpus, [&](const CorpusCase& known) { return is_of(dashed(bucket_of(known)), wanted); });
   if (!alike.empty()) {
-    const CorpusCase& smallest = **std::ranges::min_element(alike, {}, [](const CorpusCase* known) {
-      return std::pair(known->frames.size(), complexity(known->pair));
-    });
+    const CorpusCase& smallest = **std::ranges::min_element(
+        alike, {}, [](const CorpusCase* known) { return preference(*known); });
     const std::string of =
         alike.size() > 1 ? fmt::format(", the smallest of {} with that bucket", alike.size()) : "";
     return {smallest.path, fmt::format("taken: {}{}", printable_path(smallest.path), of)};

@@ -4,9 +4,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "corpus/shrink_gate.hpp"
 #include "generating/drafts.hpp"
+#include "oracle/exact/placed.hpp"
 
 namespace manifuzz {
 namespace {
@@ -53,6 +55,10 @@ int significant_digits(float value) {
   return value == 0 ? 0 : Scientific(value).digits();
 }
 
+int decimal_exponent(float value) {
+  return Scientific(value).exponent();
+}
+
 float rounded_to_digits(float value, int digits) {
   return Scientific(value, digits).value();
 }
@@ -66,11 +72,49 @@ float nearer_to_zero(float value) {
   return rounded_to_digits(value - std::copysign(unit, value), written.digits());
 }
 
+bool is_ordinary(float number) {
+  const float magnitude = std::abs(number);
+  return magnitude == 0 || (magnitude >= 1e-3F && magnitude <= 1e3F);
+}
+
+double lead_of_best_face(const PairCase& pair) {
+  const exact::Separations separations = exact::separations(pair);
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  double best = none;
+  double second = none;
+  for (const Side side : {Side::a, Side::b}) {
+    for (int face = 0; face < pair[side].polygon.face_count(); ++face) {
+      const double separation = separations.of_face[static_cast<std::size_t>(side)][face];
+      second = std::max(second, std::min(best, separation));
+      best = std::max(best, separation);
+    }
+  }
+  if (second == none) return 1;
+  const double lead = best - second;
+  // What is less than the separations' own error is a tie.
+  return lead > 2 * separations.error ? lead / size(pair) : 0;
+}
+
+namespace {
+
+constexpr double kClearLead = 0.05;     // of the size
+constexpr double kVisibleLead = 0.001;  // a lead below it is taken for a tie by who looks at it
+
+void add_lead(const PairCase& pair, Complexity& result) {
+  const double lead = lead_of_best_face(pair);
+  result.is_near_tie = lead > 0 && lead < kVisibleLead;
+  result.unclearness = lead >= kClearLead ? 0 : lead >= kVisibleLead ? 1 : 2;
+}
+
+}  // namespace
+
 Complexity complexity(const PairCase& pair) {
   Complexity result;
+  add_lead(pair, result);
   PairCase copy = pair;
   for (const float* number : free_numbers(copy)) {
     result.digits += significant_digits(*number);
+    if (!is_ordinary(*number)) ++result.odd_numbers;
     const double magnitude = std::abs(static_cast<double>(*number));
     if (magnitude > 0) result.size += std::max(magnitude, 1 / magnitude);
     result.numbers.emplace_back(std::abs(*number), std::signbit(*number));
@@ -86,6 +130,7 @@ Complexity complexity(const PairCase& pair) {
     if (body.pose.rotation.x() < 0) result.size += 1;
     for (const float number : body.pose.rotation) {
       result.digits += significant_digits(number);
+      if (!is_ordinary(number)) ++result.odd_numbers;
       result.numbers.emplace_back(std::abs(number), std::signbit(number));
     }
   }

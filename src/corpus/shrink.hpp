@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <functional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -11,12 +12,14 @@
 
 namespace manifuzz {
 
-/// How hard a case is to read, the weightiest first: the order of shrinking.
+/// How hard a case is to read and to believe, the weightiest first: the order of shrinking.
 struct Complexity {
-  int vertices = 0;  ///< of both polygons
-  int placements =
-      0;            ///< positions, rotations and radii that are not zero, polygons' round corners
-  int digits = 0;   ///< significant decimal digits of all numbers, 0 has none
+  int vertices = 0;     ///< of both polygons
+  int placements = 0;   ///< positions, rotations, radii that are not zero, polygons' round corners
+  int odd_numbers = 0;  ///< of magnitude outside 1e-3 to 1e3, but for 0
+  bool is_near_tie = false;  ///< the best two faces are nearly, and not quite, as good
+  int digits = 0;            ///< significant decimal digits of all numbers, 0 has none
+  int unclearness = 0;       ///< how little the best face leads, in steps: 0 is a clear lead
   double size = 0;  ///< sum of max(|x|, 1/|x|): large numbers and tiny ones are hard to read
   /// |x| and its sign of every number in turn, so that of symmetric images one is the simplest.
   std::vector<std::pair<float, bool>> numbers;
@@ -26,8 +29,25 @@ struct Complexity {
 
 Complexity complexity(const PairCase& pair);
 
+/// What of it tells how simple a case is: of cases as simple as each other the one that shows the
+/// greater error is preferred, and then the rest decides.
+inline auto simplicity(const Complexity& of) {
+  return std::tuple(of.vertices, of.placements, of.odd_numbers, of.is_near_tie, of.digits,
+                    of.unclearness);
+}
+
+/// Whether a number has an ordinary size, which one can picture, or is 0.
+bool is_ordinary(float number);
+
+/// By how much the separation of the best face leads over that of the second best one, as a share
+/// of the size; 1 where there are no two faces.
+double lead_of_best_face(const PairCase& pair);
+
 /// The significant decimal digits of the shortest decimal that reads back as `value`.
 int significant_digits(float value);
+
+/// The power of ten of its first significant digit. Not of 0.
+int decimal_exponent(float value);
 
 /// `value` to at most `digits` significant decimal digits.
 float rounded_to_digits(float value, int digits);

@@ -221,6 +221,7 @@ SequenceComplexity complexity(const Sequence& sequence) {
   for (std::size_t k = 1; k < sequence.frames.size(); ++k) {
     const Complexity of_frame = complexity(sequence.at(k));
     sum.placements += of_frame.placements - shapes.placements;
+    sum.odd_numbers += of_frame.odd_numbers - shapes.odd_numbers;
     sum.digits += of_frame.digits - shapes.digits;
     sum.size += of_frame.size - shapes.size;
     sum.numbers.insert(sum.numbers.end(), of_frame.numbers.begin(), of_frame.numbers.end());

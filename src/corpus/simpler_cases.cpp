@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "corpus/clearer_cases.hpp"
 #include "corpus/plain_cases.hpp"
 #include "corpus/shrink.hpp"
 #include "generating/drafts.hpp"
@@ -13,15 +14,6 @@ namespace {
 using Cases = rc::Seq<PairCase>;
 using MaybeCase = std::optional<PairCase>;
 
-/// The cases that `make(0)`, ..., `make(count - 1)` give, made when they are asked for.
-template <class Make>
-Cases each(int count, Make make) {
-  return rc::seq::mapMaybe(rc::seq::range(0, count), [make](int i) -> rc::Maybe<PairCase> {
-    if (MaybeCase made = make(i)) return std::move(*made);
-    return rc::Nothing;
-  });
-}
-
 void remove_vertex(ConvexPolygon<float>& polygon, int vertex) {
   for (int i = vertex; i + 1 < polygon.count; ++i) polygon.vertices[i] = polygon.vertices[i + 1];
   --polygon.count;
@@ -30,7 +22,7 @@ void remove_vertex(ConvexPolygon<float>& polygon, int vertex) {
 /// Of round pairs down to capsules, segments and circles.
 Cases without_a_vertex(const PairCase& pair) {
   const int count_a = pair.a.polygon.count;
-  return each(count_a + pair.b.polygon.count, [pair, count_a](int i) -> MaybeCase {
+  return each_case(count_a + pair.b.polygon.count, [pair, count_a](int i) -> MaybeCase {
     PairCase smaller = pair;
     const Side side = i < count_a ? Side::a : Side::b;
     const int least = is_round(pair) ? 1 : kMinVertices;
@@ -44,7 +36,7 @@ Cases without_a_vertex(const PairCase& pair) {
 /// its vertices as a circle, of radius 1 where it has none.
 Cases of_a_plainer_kind(const PairCase& pair) {
   const int kinds = is_round(pair) ? 2 : 0;
-  return each(2 * kinds * kMaxVertices, [pair](int i) -> MaybeCase {
+  return each_case(2 * kinds * kMaxVertices, [pair](int i) -> MaybeCase {
     PairCase plainer = pair;
     ConvexPolygon<float>& shape = plainer[i % 2 == 0 ? Side::a : Side::b].polygon;
     const int count = 1 + i / (2 * kMaxVertices);
@@ -105,7 +97,7 @@ Cases with_plainer_poses(const PairCase& pair) {
 Cases with_a_vertex_at_zero(const PairCase& pair) {
   const int count_a = pair.a.polygon.count;
   const int count = count_a + pair.b.polygon.count;
-  return each(count, [pair, count_a](int i) -> MaybeCase {
+  return each_case(count, [pair, count_a](int i) -> MaybeCase {
     PairCase moved = pair;
     const Vector2<float> origin =
         i < count_a ? pair.a.polygon.vertices[i] : pair.b.polygon.vertices[i - count_a];
@@ -161,15 +153,15 @@ Cases symmetric_images(const PairCase& pair) {
 
 Cases plainest(const PairCase& pair) {
   const std::vector<PairCase>& plain = plain_cases(pair);
-  return each(static_cast<int>(plain.size()),
-              [&plain](int i) -> MaybeCase { return plain[static_cast<std::size_t>(i)]; });
+  return each_case(static_cast<int>(plain.size()),
+                   [&plain](int i) -> MaybeCase { return plain[static_cast<std::size_t>(i)]; });
 }
 
 constexpr int kDigitsMax = 8;
 
 /// All numbers, or one polygon's, to fewer digits: to one, to two, ...
 Cases with_fewer_digits(const PairCase& pair) {
-  return each(3 * kDigitsMax, [pair](int i) -> MaybeCase {
+  return each_case(3 * kDigitsMax, [pair](int i) -> MaybeCase {
     PairCase rounded = pair;
     const int digits = 1 + i / 3;
     const std::size_t of_a = 2 * static_cast<std::size_t>(pair.a.polygon.count) + 3;
@@ -186,7 +178,7 @@ Cases with_fewer_digits(const PairCase& pair) {
 Cases with_plainer_size(const PairCase& pair) {
   constexpr std::array kFactors{1e16F, 1e8F,  1e4F,  1e2F, 1e1F, 1e-1F,
                                 1e-2F, 1e-4F, 1e-8F, 2.0F, 0.5F, 0.25F};
-  return each(static_cast<int>(kFactors.size()), [pair, kFactors](int i) -> MaybeCase {
+  return each_case(static_cast<int>(kFactors.size()), [pair, kFactors](int i) -> MaybeCase {
     PairCase scaled = pair;
     for (float* number : free_numbers(scaled)) {
       const int digits = significant_digits(*number);
@@ -202,7 +194,7 @@ Cases with_one_number_simpler(const PairCase& pair) {
   PairCase copy = pair;
   const int numbers = static_cast<int>(free_numbers(copy).size());
   constexpr int kChanges = kDigitsMax + 4;
-  return each(numbers * kChanges, [pair](int i) -> MaybeCase {
+  return each_case(numbers * kChanges, [pair](int i) -> MaybeCase {
     PairCase changed = pair;
     float& number = *free_numbers(changed)[static_cast<std::size_t>(i / kChanges)];
     if (number == 0) return std::nullopt;
@@ -256,7 +248,8 @@ rc::Seq<PairCase> simpler_neighbours(const PairCase& pair) {
 
 rc::Seq<PairCase> simpler_cases(const PairCase& pair) {
   return simpler_of(rc::seq::concat(plainest(pair), of_a_plainer_kind(pair), without_a_vertex(pair),
-                                    with_plainer_poses(pair), with_fewer_digits(pair),
+                                    with_plainer_poses(pair), with_ordinary_numbers(pair),
+                                    with_a_clearer_lead(pair), with_fewer_digits(pair),
                                     with_a_vertex_at_zero(pair), with_plainer_size(pair),
                                     with_one_number_simpler(pair), symmetric_images(pair)),
                     pair);

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "exchange/json.hpp"
 #include "judging/by_curve.hpp"
+#include "judging/departure/departure.hpp"
 #include "judging/manifold_error.hpp"
 #include "judging/used_shapes.hpp"
 #include "oracle/exact/curve.hpp"
@@ -122,32 +123,68 @@ void write_round_contact(std::string& text, const Admissible& right,
   write_points(text, right.pair(), touching, touching.count);
 }
 
-void write_candidate(std::string& text, const PairCase& pair, const DeclaredAnswer& subject) {
-  const Admissible right = admissible(pair, subject.declaration);
-  if (is_round(pair)) return write_round_contact(text, right, subject.declaration);
-  text += fmt::format("right manifold       one of {} for {}\n", right.candidates.size(),
-                      subject.declaration.name);
-  const exact::Clip* const candidate = candidate_to_show(right, subject);
-  if (candidate == nullptr) return row(text, "", "no contact");
-  const exact::FaceOf reference = candidate->reference;
+/// Which ends of the incident edge the side planes cut off, in the order of the points.
+std::string ends_in_words(const exact::Clip& clip) {
+  if (clip.misses()) return "none is between the side planes";
+  const auto end = [&](int i) -> std::string {
+    if (clip.cuts[i] == exact::Cut::inside) return "not clipped";
+    const Side side = clip.reference.side;
+    const FeaturePair& features = clip.points[i].features;
+    return "clipped at " + place_name(side, side == Side::a ? features.a : features.b);
+  };
+  return fmt::format("first {}, second {}", end(0), end(1));
+}
+
+void write_clip(std::string& text, const PairCase& pair, const exact::Clip& clip,
+                const Manifold<double>& manifold) {
+  const exact::FaceOf reference = clip.reference;
   const Side incident = other(reference.side);
   row(text, "reference",
       fmt::format("{}, world {}", face_name(reference.side, reference.index),
                   edge(pair[reference.side], reference.index)));
   row(text, "incident",
-      fmt::format("{}, world {}", face_name(incident, candidate->incident),
-                  edge(pair[incident], candidate->incident)));
-  const Manifold<double> manifold = true_manifold(*candidate);
+      fmt::format("{}, world {}", face_name(incident, clip.incident),
+                  edge(pair[incident], clip.incident)));
+  row(text, "ends", ends_in_words(clip));
   write_normal(text, pair, manifold.normal);
-  row(text, "cos of the angle", digits(candidate->cosine));
-  if (const double gap = candidate->gap(); gap > 0) row(text, "misses the slab by", digits(gap));
+  row(text, "cos of the angle", digits(clip.cosine));
+  if (const double gap = clip.gap(); gap > 0) row(text, "misses the slab by", digits(gap));
   write_points(text, pair, manifold, manifold.count);
+}
+
+/// Each manifold that is right for the subject, a block each.
+void write_right(std::string& text, const PairCase& pair, const DeclaredAnswer& subject) {
+  const Admissible right = admissible(pair, subject.declaration);
+  if (is_round(pair)) return write_round_contact(text, right, subject.declaration);
+  const bool may_be_nothing = mismatch(Manifold<double>{}, right).kind == Kind::none;
+  const std::vector<const exact::Clip*> clips = right_clips(right);
+  const std::size_t count = clips.size() + (may_be_nothing ? 1 : 0);
+  std::size_t written = 0;
+  const auto begin_block = [&] {
+    text += fmt::format("right manifold       {} of {} for {}\n", ++written, count,
+                        subject.declaration.name);
+  };
+  if (may_be_nothing) {
+    begin_block();
+    row(text, "", "no contact");
+  }
+  for (const exact::Clip* const clip : clips) {
+    begin_block();
+    write_clip(text, pair, *clip, true_manifold(*clip, right.bounds.separation));
+  }
+}
+
+/// Where a wrong answer departs from the article's steps.
+void write_departures(std::string& text, const PairCase& pair, const DeclaredAnswer& asked) {
+  const auto departures = departures_of(pair, {asked.declaration, asked.answer});
+  if (departures) row(text, "why it is wrong", departures_in_words(*departures));
 }
 
 void write_answer(std::string& text, const PairCase& pair, const DeclaredAnswer& asked,
                   std::string_view role) {
   text += fmt::format("{}: {} {}, {}\n", role, asked.declaration.name, asked.declaration.version,
                       answer_in_words(asked));
+  write_departures(text, pair, asked);
   const Manifold<double>* const manifold = asked.manifold();
   if (manifold == nullptr || asked.count() == 0) return;
   row(text, "reference", manifold->reference == Side::a ? "A" : "B");
@@ -208,7 +245,7 @@ std::string case_text(const JudgedCase& judged) {
   write_body(text, pair.b, 'B');
   write_truth(text, pair);
   write_bounds(text, judged);
-  write_candidate(text, pair, judged.subject);
+  write_right(text, pair, judged.subject);
   write_answer(text, pair, judged.subject, "subject");
   write_answer(text, pair, judged.oracle, "oracle");
   return text;

@@ -1,7 +1,6 @@
-#include "corpus/shrink.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "corpus/preference.hpp"
 #include "generating/drafts.hpp"
 #include "generating/regime.hpp"
 #include "oracle/exact/truth.hpp"
@@ -128,6 +127,63 @@ TEST_CASE("what a plain case shows has one normal form, wherever it was found") 
   }
   for (const PairCase& form : forms) CHECK(form == forms.front());
   CHECK(complexity(forms.front()).vertices == 6);
+}
+
+TEST_CASE("numbers of ordinary size are preferred to few digits") {
+  PairCase start = messy();
+  start.b.pose.position = {1250, 0};
+  // 2000 has one digit, and what lies between 1.15 and 1.4 two.
+  const auto either = [](const PairCase& p) {
+    const float x = p.b.pose.position.x();
+    return x > 1240 || (x > 1.15F && x < 1.4F);
+  };
+  const Shrunk shrunk = shrink(start, either);
+  CHECK(shrunk.pair.b.pose.position == Vector2<float>(1.2F, 0));
+  CHECK(complexity(shrunk.pair).odd_numbers == 0);
+  CHECK(shrink(shrunk.pair, either).pair == shrunk.pair);
+}
+
+TEST_CASE("sizes of one case that are far apart are brought nearer") {
+  PairCase start = messy();
+  for (Body* body : {&start.a, &start.b}) body->pose = {};
+  for (auto& vertex : start.a.polygon.vertices) vertex *= 2e7F;
+  for (auto& vertex : start.b.polygon.vertices) vertex *= 3e-6F;
+  const auto unlike = [](const PairCase& p) {
+    return diameter(p.a.polygon) > 1000 * diameter(p.b.polygon);
+  };
+  const Shrunk shrunk = shrink(*revalidated(start), unlike);
+  PairCase copy = shrunk.pair;
+  for (const float* number : free_numbers(copy)) CHECK(is_ordinary(*number));
+}
+
+TEST_CASE("a clear lead of the best face is preferred to near ties and to ties") {
+  const auto overlaps = [](const PairCase& p) {
+    return exact::Truth(p).compare_separation(-0.1) < 0;
+  };
+  // B's corner lies as deep behind A's right face as behind its upper one, but for 2e-7.
+  PairCase near_tie;
+  near_tie.a.polygon =
+      make_polygon<float>(std::vector<Vector2<float>>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
+  near_tie.b.polygon = make_polygon<float>(std::vector<Vector2<float>>{{0, 0}, {2, 1}, {1, 2}});
+  near_tie.b.pose.position = {0.5F, 0.5000002F};
+  REQUIRE(complexity(near_tie).is_near_tie);
+  const PairCase shrunk = shrink(near_tie, overlaps).pair;
+  CHECK(lead_of_best_face(shrunk) > 0.05);
+  CHECK(shrink(shrunk, overlaps).pair == shrunk);
+}
+
+TEST_CASE(
+    "of cases of one bucket the simplest is preferred, then the one with the greatest error") {
+  CorpusCase plain;
+  plain.pair = messy();
+  plain.expect = Expectation{};
+  plain.expect->magnitude = 0.1;
+  CorpusCase worse = plain;
+  worse.expect->magnitude = 0.2;
+  CorpusCase odd = worse;
+  odd.pair.a.pose.position.x() = 2e9F;
+  CHECK(preference(worse) < preference(plain));
+  CHECK(preference(plain) < preference(odd));
 }
 
 TEST_CASE("of symmetric images one is the normal form") {

@@ -147,9 +147,34 @@ TEST_CASE("what the text computes has no negative zeros") {
   CHECK_THAT(text, Contains("normal") && !Contains("-0.0,") && !Contains("-0.0)"));
 }
 
+TEST_CASE("every right manifold is shown with what tells it apart") {
+  PairCase pair = box_on_box(0.25F);
+  pair.b.pose.position.x() = 0.75F;
+  const std::string text = case_text(judged_case(pair));
+  CHECK_THAT(text, Contains("right manifold       1 of 2 for clip\n"
+                            "  reference          A face 0, world (-1, -1) to (1, -1)\n"));
+  CHECK_THAT(text,
+             Contains("  ends               first not clipped, second clipped at A vertex 1"));
+  CHECK_THAT(text, Contains("right manifold       2 of 2 for clip\n"
+                            "  reference          B face 2, world (1.25, -0.75)"));
+}
+
+TEST_CASE("a wrong answer is shown with the step at which it departs") {
+  JudgedCase judged = judged_case(box_on_box(0.25F));
+  auto& manifold = std::get<Manifold<double>>(judged.subject.answer);
+  manifold.normal = -manifold.normal;
+  const std::string text = case_text(judged);
+  CHECK_THAT(text,
+             Contains("  why it is wrong    It departs at the reference edge: with the normal "
+                      "not turned to point from A to B the clip gives this answer.\n"));
+  manifold.normal = -manifold.normal;
+  CHECK_THAT(case_text(judged), !Contains("why it is wrong"));
+}
+
 TEST_CASE("polygons apart have no right manifold but none") {
   const std::string text = case_text(judged_case(box_on_box(-0.5F)));
-  CHECK_THAT(text, Contains("one of 0 for clip"));
+  CHECK_THAT(text,
+             Contains("right manifold       1 of 1 for clip\n                     no contact\n"));
   CHECK_THAT(text, Contains("subject: clip 0.1.0, no contact"));
 }
 

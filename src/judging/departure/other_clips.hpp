@@ -1,0 +1,12 @@
+#pragma once
+
+#include "judging/departure/steps.hpp"
+
+namespace manifuzz {
+
+/// What else the clips at the side planes of the reference edge, and the one behind it, may do.
+void try_first_clips(const RightWay& way, const TryChoices& attempt);
+void try_second_clips(const RightWay& way, const TryChoices& attempt);
+void try_third_clips(const RightWay& way, const TryChoices& attempt);
+
+}  // namespace manifuzz
