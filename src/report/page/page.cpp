@@ -12,6 +12,7 @@
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
+#include "report/glossary.hpp"
 #include "report/round_truth.hpp"
 
 namespace manifuzz {
@@ -32,6 +33,20 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array kResultKinds{"fuzz", "replay", "bench", "stress", "scene"};
 
+/// What the causes that results name mean, and the case that shows each.
+Json ledger_of(const std::vector<ResultFile>& results) {
+  Json causes = Json::object();
+  for (const ResultFile& result : results) {
+    if (!result.campaign) continue;
+    for (const LedgerResult& met : result.campaign->ledger) {
+      const auto entry = std::ranges::find(ledger(), met.id, &LedgerEntry::id);
+      if (met.hits == 0 || entry == ledger().end()) continue;
+      causes[met.id] = {{"words", entry->description}, {"witness", witness_of(*entry)}};
+    }
+  }
+  return causes;
+}
+
 Json data_of(const RunFiles& files, const std::vector<PageCase>& cases,
              const std::string& command) {
   Json data{{"format", "manifuzz/report/1"},
@@ -47,9 +62,22 @@ Json data_of(const RunFiles& files, const std::vector<PageCase>& cases,
   if (!cases.empty()) {
     data["sources"].push_back({{"path", "cases"}, {"kind", "cases"}, {"cases", cases.size()}});
   }
+  data["ledger"] = ledger_of(files.results);
+  data["words"] = Json::object();
+  for (const auto& [word, meaning] : glossary()) data["words"][std::string(word)] = meaning;
   data["cases"] = Json::array();
   for (const PageCase& page_case : cases) data["cases"].push_back(page_case_json(page_case));
   return data;
+}
+
+/// Whole numbers that a JavaScript number would round, as texts of their digits.
+void write_out_large(Json& json) {
+  constexpr std::uint64_t kExactMax = std::uint64_t{1} << 53;
+  if (json.is_structured()) {
+    for (Json& one : json) write_out_large(one);
+  } else if (json.is_number_unsigned() && json.get<std::uint64_t>() > kExactMax) {
+    json = std::to_string(json.get<std::uint64_t>());
+  }
 }
 
 /// JSON as the text of a script element, which no `<` may end.
@@ -212,6 +240,7 @@ std::string page_of(const RunFiles& files, PageColliders colliders, std::size_t 
   }
   Json page_data = data_of(files, cases, commands.again);
   page_data["sequences"] = std::move(sequences);
+  write_out_large(page_data);
   const std::string data = script_text(page_data);
   const std::array<std::pair<std::string_view, std::string_view>, 3> fillings{
       {{"@style@", kPageStyle}, {"@data@", data}, {"@script@", kPageScript}}};

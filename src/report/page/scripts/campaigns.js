@@ -33,10 +33,11 @@ function shownFiles() {
   return [...report.cases, ...report.sequences];
 }
 
-// What a corpus keeps of pairs of colliders that no run here is of, and of properties: it was wrong once.
+// What a corpus keeps and no run here counts: it was wrong once.
 function recordedWrongs() {
-  const ran = new Set([...report.fuzz, ...report.replay].map(({ result }) => pairOf(result)));
-  const wrong = shownFiles().filter((one) => UNEXPLAINED.has(one.verdict) && !ran.has(pairOf(one)));
+  const met = new Set(report.fuzz.flatMap(({ result }) => (result.buckets ?? []).map(({ bucket }) => `${bucket} ${pairOf(result)}`)));
+  const replayed = new Set(report.replay.map(({ result }) => pairOf(result)));
+  const wrong = shownFiles().filter((one) => UNEXPLAINED.has(one.verdict) && !met.has(`${one.bucket} ${pairOf(one)}`) && !replayed.has(pairOf(one)));
   return [countedIf(different(wrong.map((one) => one.bucket || one.file)), "bucket"),
     countedIf(different(report.cases.map(({ property }) => property).filter(Boolean)), "property", "properties")]
     .filter(Boolean).map((count) => `${count} recorded as wrong`);

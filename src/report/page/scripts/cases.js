@@ -133,7 +133,7 @@ function filterBar() {
 function witness(one) {
   const title = one.role === "worst" ? "Worst" : one.bucket ? "Smallest" : "Case";
   const link = caseLink(one, thumbnail(one), element("span", { class: "witness-line" }, element("b", {}, title),
-    element("span", {}, `${one.vertices} vertices`), Number.isFinite(one.magnitude) && element("span", {}, `magnitude ${short(one.magnitude)}`)));
+    element("span", {}, `${one.vertices} vertices`), Number.isFinite(one.magnitude) && element("span", {}, `error ${sizes(one.magnitude)}`)));
   return setAttributes(link, { class: "witness", "aria-label": `${title}: ${one.sentence || one.note || one.file}` });
 }
 
@@ -145,7 +145,7 @@ function witnessesOf(cases) {
 
 function fileList(cases) {
   return element("ul", { class: "files" }, cases.map((one) => element("li", {}, caseLink(one, one.file),
-    element("span", {}, [`${one.vertices} vertices`, Number.isFinite(one.magnitude) && `magnitude ${short(one.magnitude)}`,
+    element("span", {}, [`${one.vertices} vertices`, Number.isFinite(one.magnitude) && `error ${sizes(one.magnitude)}`,
       one.property && `property ${one.property}`].filter(Boolean).join(", ")))));
 }
 
@@ -160,7 +160,7 @@ function card({ cases }) {
     element("h3", {}, first.bucket ? bucketWords(first.bucket) : folderOf(first.file) || baseName(first.file)),
     first.sentence && element("p", { class: "sentence" }, first.sentence),
     element("div", { class: "witnesses" }, drawn.map(witness)),
-    facts([["met", whole(most("count"))], ["magnitude", short(most("magnitude"))], ["severity", short(most("severity"))],
+    facts([["met", whole(most("count"))], ["error", most("magnitude") !== null && sizes(most("magnitude"))], ["severity", short(most("severity"))],
       ["files", whole(cases.length)]]),
     rest.length > 0 && disclosure(counted(rest.length, "further file"), () => fileList(rest)));
 }
@@ -201,6 +201,7 @@ function walkList(step) {
 }
 
 function casesParts() {
-  return [verdictMatrix(), filterBar(), element("p", { id: "shown-count", class: "quiet", role: "status" }),
+  const marks = MARKS.map(([mark, name]) => element("span", {}, mark(), name));
+  return [verdictMatrix(), filterBar(), element("div", { class: "marks", "aria-label": "What the pictures show" }, marks), element("p", { id: "shown-count", class: "quiet", role: "status" }),
     element("div", { id: "cards", class: "cards" }), element("div", { id: "more", class: "quiet" }, "more below")];
 }

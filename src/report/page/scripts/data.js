@@ -91,7 +91,9 @@ function place(point) {
   return `(${full(point?.[0])}, ${full(point?.[1])})`;
 }
 
+// A number beyond 2^53 comes as its digits.
 function whole(value) {
+  if (typeof value === "string") return value;
   return Number.isFinite(value) ? value.toLocaleString("en-US") : "";
 }
 

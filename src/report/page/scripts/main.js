@@ -7,6 +7,7 @@ const CASE_KEYS = [["j  k", "next and previous case; also the arrows"], ["+  \u2
 const MARKS = [[() => roleMark("truth"), "the truth: a point that is right"],
   [() => roleMark("subject"), "a point of the subject, the collider under test"],
   [() => roleMark("oracle"), "a point of the oracle, the collider it is held against"],
+  [() => lineMark("depth-bar oracle"), "depth at a point of the oracle; the subject's is red, the truth's grey"],
   [() => lineMark("reference"), "reference face"], [() => lineMark("incident"), "incident edge"], [() => lineMark("plane"), "side plane"]];
 
 function keyList(keys) {
@@ -16,9 +17,10 @@ function keyList(keys) {
 function openHelp() {
   const dialog = byId("help");
   dialog.replaceChildren(
-    element("header", {}, element("h2", { id: "help-title" }, "Keys and marks"), button("Close", () => dialog.close())),
+    element("header", {}, element("h2", { id: "help-title" }, "Keys, marks and words"), button("Close", () => dialog.close())),
     element("h3", {}, "On the page"), keyList(PAGE_KEYS), element("h3", {}, "In a case"), keyList(CASE_KEYS),
-    element("h3", {}, "In a picture"), facts(MARKS.map(([mark, name]) => [mark(), name]), "keys"));
+    element("h3", {}, "In a picture"), facts(MARKS.map(([mark, name]) => [mark(), name]), "keys"),
+    element("h3", { id: "words" }, "Words"), facts(Object.entries(report.words ?? {}), "keys"));
   if (!dialog.open) dialog.showModal();
 }
 
@@ -73,7 +75,7 @@ function measured(results, partsOf) {
 }
 
 function start() {
-  byId("main").replaceChildren(...[summarySection(),
+  byId("main").replaceChildren(...[summarySection(), ...report.fuzz.map(overviewOf),
     section("campaigns", "Campaigns", runs(report.fuzz, fuzzParts)),
     section("replay", "Replay", runs(report.replay, replayParts)),
     section("cases", "Cases", report.cases.length > 0 ? casesParts() : []),

@@ -1,0 +1,91 @@
+// The first screen of a campaign: who is wrong in how many of the cases, how badly and by what causes, each with a small picture.
+
+const CAUSES_SHOWN = 5;
+const LOST = ["crashed", "timed_out", "malformed"];
+
+function partsOfBucket({ bucket }) {
+  const [fault, verdict, kind, tieClass] = bucket.split("/");
+  return { fault, verdict, kind, tieClass };
+}
+
+function shareInWords(count, cases) {
+  if (!(cases > 0)) return "";
+  const share = 100 * count / cases;
+  return share < 0.01 ? "less than 0.01%" : `${Number(share.toPrecision(2))}%`;
+}
+
+function sizes(magnitude) {
+  return Number.isFinite(magnitude) ? `${short(magnitude)} of the size` : "an error without a limit";
+}
+
+// The buckets in which the subject or the oracle is at fault.
+function wrongBuckets(result, fault) {
+  return (result.buckets ?? []).filter((found) => [fault, "both"].includes(partsOfBucket(found).fault));
+}
+
+function wrongSentence(name, buckets, cases) {
+  const count = buckets.reduce((sum, found) => sum + (found.count ?? 0), 0);
+  if (count === 0) return `${name}: no wrong answer`;
+  const explained = buckets.filter(({ verdict }) => verdict === "known").reduce((sum, found) => sum + (found.count ?? 0), 0);
+  const accepted = buckets.filter((found) => found.accepted).reduce((sum, found) => sum + (found.count ?? 0), 0);
+  const worst = greatest(buckets.map(({ magnitude }) => magnitude)) ?? Infinity;
+  return [`${name}: wrong in ${whole(count)} (${shareInWords(count, cases)}), by ${sizes(worst)} at worst`,
+    explained > 0 && `${whole(explained)} explained by the ledger`, accepted > 0 && `${whole(accepted)} accepted`].filter(Boolean).join("; ");
+}
+
+function decidesStatus(found) {
+  if (found.accepted || found.in_baseline || !UNEXPLAINED.has(found.verdict)) return false;
+  return LOST.includes(found.verdict) || partsOfBucket(found).fault !== "oracle" || found.new;
+}
+
+// Buckets of one kind and of whoever is at fault, the most wrong first; of each the clearest bucket first: no near tie, the most wrong.
+function findingGroups(result) {
+  const at = { subject: result.subject, oracle: result.oracle, both: `${result.subject} and ${result.oracle}` };
+  const clarity = (found) => [partsOfBucket(found).tieClass !== "none" ? 1 : 0, -(found.magnitude ?? Infinity)];
+  const groups = Map.groupBy((result.buckets ?? []).filter(decidesStatus), (found) => {
+    const { fault, verdict, kind } = partsOfBucket(found);
+    return `${at[fault] ?? result.subject}: ${words(kind === "none" ? verdict : kind)}`;
+  });
+  return [...groups].map(([name, buckets]) => ({
+    name, count: buckets.reduce((sum, found) => sum + (found.count ?? 0), 0), magnitude: Math.max(...buckets.map((found) => found.magnitude ?? Infinity)),
+    isNew: buckets.some((found) => found.new), buckets: buckets.toSorted((p, q) => clarity(p)[0] - clarity(q)[0] || clarity(p)[1] - clarity(q)[1]),
+  })).sort((p, q) => q.magnitude - p.magnitude);
+}
+
+function findingItem(group) {
+  const [clearest] = group.buckets;
+  const one = report.caseOf.get(clearest.file);
+  return element("li", { class: "cause" }, one && caseLink(one, thumbnail(one)),
+    element("div", {}, element("p", { class: "cause-head bad" }, `${group.isNew ? "new " : ""}${group.name}`),
+      element("p", {}, [`${counted(group.count, "time")}${group.buckets.length > 1 ? ` in ${counted(group.buckets.length, "bucket")}` : ""}`,
+        `by ${sizes(group.magnitude)} at worst`].join(", ")),
+      clearest.command && copyButton("Copy the command", clearest.command)));
+}
+
+function causeItem({ id, hits }) {
+  const known = report.ledger?.[id];
+  const one = report.cases.find(({ file }) => known && file.endsWith(known.witness));
+  return element("li", { class: "cause" }, one && caseLink(one, thumbnail(one)),
+    element("div", {}, element("p", { class: "cause-head" }, counted(hits, "time")), element("p", {}, known?.words ?? id)));
+}
+
+function causesOf(result) {
+  const met = (result.ledger ?? []).filter(({ hits }) => hits > 0).sort((p, q) => q.hits - p.hits);
+  const rest = met.slice(CAUSES_SHOWN);
+  return [met.length > 0 && element("ul", { class: "causes" }, met.slice(0, CAUSES_SHOWN).map(causeItem)),
+    rest.length > 0 && element("p", { class: "quiet" }, `${counted(rest.length, "other cause")}: ${whole(rest.reduce((sum, { hits }) => sum + hits, 0))} times`)];
+}
+
+function overviewOf({ result }) {
+  const groups = findingGroups(result);
+  const agreed = ["agree", "tie"].map((verdict) => result.verdicts?.[verdict] ?? 0);
+  return element("article", { class: "overview" },
+    element("h2", {}, pairOf(result)),
+    element("p", {}, `${counted(result.cases ?? 0, "case")}: both right and the same ${shareInWords(agreed[0], result.cases)}, both right and not the same ${shareInWords(agreed[1], result.cases)}`),
+    element("h3", {}, wrongSentence(result.subject, wrongBuckets(result, "subject"), result.cases)),
+    groups.length > 0 ? element("ul", { class: "causes" }, groups.slice(0, CAUSES_SHOWN).map(findingItem))
+      : element("p", { class: "quiet" }, "Nothing that is new or unexplained."),
+    groups.length > CAUSES_SHOWN && element("p", { class: "quiet" }, `${counted(groups.length - CAUSES_SHOWN, "other kind")}: see the buckets below`),
+    (result.hints ?? []).map(({ text }) => element("p", { class: "hint" }, `Hint: ${text}`)),
+    result.oracle && element("h3", {}, wrongSentence(result.oracle, wrongBuckets(result, "oracle"), result.cases)), ...causesOf(result));
+}
