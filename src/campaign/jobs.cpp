@@ -75,6 +75,9 @@ struct RunState {
   }
 };
 
+/// Of the time that a signal leaves, jobs may take so much to end: the rest is for what they found.
+constexpr double kShareOfJobs = 0.4;
+
 /// One that is not worth all the cases: it answers a case otherwise alone than among others,
 /// so often.
 constexpr int kUnsteadyMax = 20;
@@ -229,10 +232,13 @@ void lose_case(const Plan& plan, RunState& run, JobState& job, Ending ending,
                       : step == Step::asking_oracle ? Fault::oracle
                                                     : Fault::none;
   const Standing where = step == Step::generating ? Standing{} : standing_of(plan, number);
-  const Judgement judgement =
-      plan.sequences || step == Step::generating
-          ? Judgement{.bucket = bucket_of_lost(ending, fault)}
-          : judge_lost(plan.pair(number), plan.subject, plan.oracle, {ending, fault}, interruption);
+  Judgement judgement{.bucket = bucket_of_lost(ending, fault)};
+  if (!plan.sequences && step != Step::generating) {
+    unless_interrupted([&] {
+      judgement =
+          judge_lost(plan.pair(number), plan.subject, plan.oracle, {ending, fault}, interruption);
+    });
+  }
   const bool has_frames = plan.sequences && step != Step::generating;
   job.tally.add(plan.regime_of(number), number, where, judgement,
                 has_frames ? plan.sequence(number).frames.size() : 0);
@@ -271,7 +277,9 @@ JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& in
   run->cases.end = cases.end;
   run->seconds_max = plan.seconds.value_or(run->seconds_max);
   const Shared<JobState> jobs(plan.jobs);
-  Interruption until_time_is_up({.begins = interruption.state(), .hurried_at = plan.latest});
+  Interruption until_time_is_up({.begins = interruption.state(),
+                                 .hurried_at = plan.latest,
+                                 .share = kShareOfJobs});
   const Pool pool{.jobs = plan.jobs,
                   .body = [&](int job) { run_job(plan, *run, jobs[job]); },
                   .progress = [&](int job) { return jobs[job].next + jobs[job].waits; },

@@ -9,12 +9,17 @@
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "process/child.hpp"
+#include "process/signals.hpp"
+#include "process/standard_streams.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {
 namespace {
 
 constexpr int kBadUsage = 2;
+
+/// What a command may still ask anybody, once a signal came; it ends within 2 s.
+constexpr double kSecondsAfterSignal = 1.2;
 
 int complain(std::string_view what) {
   write_complaint(what);
@@ -67,23 +72,27 @@ int run(int argc, char** argv) {
   return runs.at(app.get_subcommands().front())();
 }
 
+/// Whatever the command throws becomes a complaint and a status.
+int run_to_the_end(int argc, char** argv) {
+  try {
+    return guarding_exit(
+        [&] { return run(argc, argv); },
+        [] { return complain("a library called exit in this process; leave out --in-process"); });
+  } catch (const OutputClosed&) {
+    return 0;
+  } catch (const std::exception& error) {
+    return complain(error.what());
+  }
+}
+
 }  // namespace
 }  // namespace manifuzz
 
 int main(int argc, char** argv) {
+  manifuzz::fill_in_standard_streams();
   const manifuzz::Descendants descendants;
   manifuzz::stop_children_on_signals();
+  manifuzz::leave_after_signal(manifuzz::kSecondsAfterSignal);
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is noticed where output is written
-  try {
-    return manifuzz::guarding_exit(
-        [&] { return manifuzz::run(argc, argv); },
-        [] {
-          return manifuzz::complain(
-              "a library called exit in this process; leave out --in-process");
-        });
-  } catch (const manifuzz::OutputClosed&) {
-    return 0;
-  } catch (const std::exception& error) {
-    return manifuzz::complain(error.what());
-  }
+  return manifuzz::status_after_signals(manifuzz::run_to_the_end(argc, argv));
 }

@@ -131,7 +131,7 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
     write_data(options.report, page_of_campaign(campaign, summary, options));
     if (options.report != "-") write_remark("page " + options.report);
   });
-  outputs.add_error(campaign.saving.first_error);
+  outputs.add_error(unwritten_in_words(campaign.saving));
   if (is_wanted(options.ci)) {
     Interruption interruption(kUntilSignal);
     write_ci(options.ci, {fuzz_suite(campaign, interruption)}, outputs);

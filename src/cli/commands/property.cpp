@@ -68,7 +68,7 @@ int hold_properties(PropertyArguments& options) {
   };
   const std::vector<CheckedProperty> checked =
       check_properties(chosen, subject, plan, known, {}, save_to, tell);
-  if (all.is_stopped()) outputs.add_error("property: interrupted before it was done");
+  if (all.is_stopped()) outputs.add_interruption("property: interrupted before it was done");
   if (is_wanted(options.ci)) {
     const CalledAgain again{this_program(), options_again(options, plan.seed)};
     write_ci(options.ci, {property_suite(checked, subject, again, all)}, outputs);

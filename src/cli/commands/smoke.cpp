@@ -60,11 +60,7 @@ SmokePlan plan_of(const SmokeArguments& options) {
 }
 
 std::string campaign_text(const Campaign& campaign) {
-  std::string text = is_quiet() ? objections(campaign) : '\n' + summary_table(campaign);
-  if (campaign.saving.unsaved > 0) {
-    text += fmt::format("\n{} findings are not saved, for time was up\n", campaign.saving.unsaved);
-  }
-  return text;
+  return is_quiet() ? objections(campaign) : '\n' + summary_table(campaign);
 }
 
 SmokeListener printer(const SmokeArguments& options, const ProgressLine& line, Outputs& outputs) {
@@ -80,7 +76,7 @@ SmokeListener printer(const SmokeArguments& options, const ProgressLine& line, O
           [print, &line, &outputs](const Campaign& campaign) {
             line.show("");
             print(campaign_text(campaign));
-            outputs.add_error(campaign.saving.first_error);
+            outputs.add_error(unwritten_in_words(campaign.saving));
           },
           [&line](const Plan& plan, const Progress& progress) {
             line.show(progress_line(plan, progress));
@@ -98,7 +94,7 @@ int smoke(SmokeArguments& options) {
   const ProgressLine line;
   Outputs outputs;
   const SmokeRun run = run_smoke(plan, printer(options, line, outputs), all);
-  if (all.is_stopped()) outputs.add_error("smoke: interrupted before it was done");
+  if (all.is_stopped()) outputs.add_interruption("smoke: interrupted before it was done");
   if (is_wanted(options.ci)) {
     const std::string subject_again =
         fmt::format("{} --seed {}{}", options_again(options.colliders.subject, {}), plan.seed,
