@@ -35,7 +35,8 @@ class Library {
   explicit Library(const std::string& path);
 
   const manifuzz_declaration& declaration() const { return declaration_; }
-  /// Calls `manifuzz_collide`; the manifold comes zeroed. What else it does to this process is undone.
+  /// Calls `manifuzz_collide`; the manifold comes zeroed. What else it does to this process is
+  /// undone.
   LibraryCall collide(const PairCase& pair, manifuzz_manifold& manifold) const;
   /// The function itself.
   decltype(&manifuzz_collide) function() const { return collide_; }

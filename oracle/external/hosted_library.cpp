@@ -110,8 +110,8 @@ class HostedLibrary {
     const int answered = std::clamp(shared.answered.load(), 0, shared.asked.load());
     auto done = std::min(static_cast<std::size_t>(answered), pairs.size());
     for (std::size_t i = 0; i < done; ++i) {
-      answers[i] = answer_of(shared.calls[i], shared.manifolds[i], declaration_, shared.declared,
-                             pairs[i]);
+      answers[i] =
+          answer_of(shared.calls[i], shared.manifolds[i], declaration_, shared.declared, pairs[i]);
     }
     if (lost && done < pairs.size()) answers[done++] = *lost;
     return done;

@@ -100,8 +100,8 @@ Library::Library(const std::string& path) {
   void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (const SideEffect effect = loading.end(); effect != SideEffect::none) {
     // As code that is linked with -ffast-math does.
-    write_error(fmt::format("{} {} while it was loaded; that is undone\n",
-                            printable(path, 200), in_words(effect)));
+    write_error(fmt::format("{} {} while it was loaded; that is undone\n", printable(path, 200),
+                            in_words(effect)));
   }
   if (library == nullptr) {
     throw UserError(fmt::format("{}: cannot be loaded: {}", path, printable(dlerror(), 300)));

@@ -22,8 +22,8 @@ std::size_t forks = 0;
 std::size_t times_forked = 0;
 
 void watch_forks() {
-  static const int is_watching =
-      pthread_atfork(nullptr, [] { ++forks; }, [] { ++forks, ++times_forked; });
+  static const int is_watching = pthread_atfork(
+      nullptr, [] { ++forks; }, [] { ++forks, ++times_forked; });
   static_cast<void>(is_watching);
 }
 

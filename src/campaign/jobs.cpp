@@ -4,12 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "base/random.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/run.hpp"
 #include "campaign/sequences/sequence_case.hpp"
-#include "judging/by_curve.hpp"
-#include "judging/manifold_error.hpp"
 #include "oracle/external/external_collider.hpp"
 #include "process/pool.hpp"
 
@@ -252,23 +249,7 @@ std::unique_ptr<Tally> added(const Shared<JobState>& jobs) {
   return total;
 }
 
-/// One agreeing case in `judge_every`, by what the case is and not by its place in the campaign:
-/// alone it is sampled too.
-bool is_sampled(const Plan& plan, CaseNumber number) {
-  const std::uint64_t stream = plan.regimes[plan.regime_of(number)]->stream;
-  return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
-}
-
 }  // namespace
-
-Judgement judgement_on(const Plan& plan, CaseNumber number, const exact::Truth& truth,
-                       const ColliderAnswer& subject, const ColliderAnswer& oracle) {
-  if (!is_sampled(plan, number) && plainly_agree(truth, subject, oracle)) {
-    // That neither reports a contact is held exactly in comparing them.
-    return {.is_judged = !touches(subject.answer)};
-  }
-  return judge(truth.pair(), subject, oracle);
-}
 
 JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& interruption,
                     const OnProgress& on_progress) {
@@ -277,9 +258,8 @@ JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& in
   run->cases.end = cases.end;
   run->seconds_max = plan.seconds.value_or(run->seconds_max);
   const Shared<JobState> jobs(plan.jobs);
-  Interruption until_time_is_up({.begins = interruption.state(),
-                                 .hurried_at = plan.latest,
-                                 .share = kShareOfJobs});
+  Interruption until_time_is_up(
+      {.begins = interruption.state(), .hurried_at = plan.latest, .share = kShareOfJobs});
   const Pool pool{.jobs = plan.jobs,
                   .body = [&](int job) { run_job(plan, *run, jobs[job]); },
                   .progress = [&](int job) { return jobs[job].next + jobs[job].waits; },

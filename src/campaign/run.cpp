@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "base/random.hpp"
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/sequences/sequence_case.hpp"
+#include "judging/by_curve.hpp"
+#include "judging/compare.hpp"
 
 namespace manifuzz {
 namespace {
@@ -214,7 +217,23 @@ std::vector<std::string> stale_files(const Plan& plan, const Known& known,
   return stale;
 }
 
+/// One agreeing case in `judge_every`, by what the case is and not by its place in the campaign:
+/// alone it is sampled too.
+bool is_sampled(const Plan& plan, CaseNumber number) {
+  const std::uint64_t stream = plan.regimes[plan.regime_of(number)]->stream;
+  return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
+}
+
 }  // namespace
+
+Judgement judgement_on(const Plan& plan, CaseNumber number, const exact::Truth& truth,
+                       const ColliderAnswer& subject, const ColliderAnswer& oracle) {
+  if (!is_sampled(plan, number) && plainly_agree(truth, subject, oracle)) {
+    // That neither reports a contact is held exactly in comparing them.
+    return {.is_judged = !touches(subject.answer)};
+  }
+  return judge(truth.pair(), subject, oracle);
+}
 
 Campaign run_campaign(const Plan& plan, const Known& known, const SaveTo& save_to,
                       const Origin& origin, const OnProgress& on_progress) {

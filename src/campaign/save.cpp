@@ -8,8 +8,8 @@
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
-#include "campaign/result.hpp"
 #include "campaign/recorded_case.hpp"
+#include "campaign/result.hpp"
 #include "campaign/sequences/save_sequence.hpp"
 
 namespace manifuzz {
@@ -40,9 +40,9 @@ constexpr std::string_view kNotAsked = " Nobody was asked again: there was no ti
 
 /// How a finding was saved.
 struct SavedFinding {
-  bool is_small = false;      ///< as small as can be
-  bool is_as_seen = false;    ///< nobody was asked again, or not to the end
-  bool is_answered = true;    ///< asked again, both gave answers
+  bool is_small = false;    ///< as small as can be
+  bool is_as_seen = false;  ///< nobody was asked again, or not to the end
+  bool is_answered = true;  ///< asked again, both gave answers
 };
 
 /// What the campaign saw of the finding's worst case.
@@ -56,24 +56,22 @@ Judgement judgement_seen(const Finding& finding) {
 /// Writes the finding as the campaign saw it.
 SavedFinding save_unasked(Finding& finding, const Found& found, const Plan& plan,
                           const std::filesystem::path& corpus) {
-  CorpusCase saved =
-      plan.sequences
-          ? unasked_sequence(finding, plan)
-          : unasked_case(plan.pair(finding.tally.worst), judgement_seen(finding), plan.subject,
-                         plan.oracle);
+  CorpusCase saved = plan.sequences
+                         ? unasked_sequence(finding, plan)
+                         : unasked_case(plan.pair(finding.tally.worst), judgement_seen(finding),
+                                        plan.subject, plan.oracle);
   saved.found = found;
   saved.found->is_unshrunk = true;
   saved.note += kNotAsked;
-  const auto folder = plan.sequences
-                          ? corpus_folder(saved)
-                          : corpus_folder(finding.bucket, plan.oracle.declaration.name);
+  const auto folder = plan.sequences ? corpus_folder(saved)
+                                     : corpus_folder(finding.bucket, plan.oracle.declaration.name);
   finding.file = write_corpus_case(corpus / folder, saved).string();
   return {.is_as_seen = true, .is_answered = false};
 }
 
 /// Shrinks the finding's worst witness, until there is no more time, and writes it to the corpus,
-/// and beside it the worst as it was seen; sets `file`. Throws UserError where it cannot be written,
-/// and Interrupted where there was no answer at all.
+/// and beside it the worst as it was seen; sets `file`. Throws UserError where it cannot be
+/// written, and Interrupted where there was no answer at all.
 SavedFinding save_pair(Finding& finding, const Found& found, const Plan& plan,
                        const std::filesystem::path& corpus, const Deadlines& deadlines,
                        Interruption& interruption) {
@@ -84,8 +82,8 @@ SavedFinding save_pair(Finding& finding, const Found& found, const Plan& plan,
       const Deadline severity_until = has_passed(deadlines.of_all)
                                           ? deadlines.of_all
                                           : std::max(*deadlines.of_shrinking, after(1));
-      saved = recorded_case(pair, judgement, plan.subject, plan.oracle, interruption,
-                            severity_until);
+      saved =
+          recorded_case(pair, judgement, plan.subject, plan.oracle, interruption, severity_until);
     } catch (const Interrupted&) {
       how.is_as_seen = true;
       saved = unasked_case(pair, judgement, plan.subject, plan.oracle);
@@ -137,8 +135,8 @@ SavedFinding save_finding(Finding& finding, const Tally& tally, const Plan& plan
     if (!plan.sequences) {
       return save_pair(finding, found, plan, corpus, deadlines, interruption);
     }
-    return {.is_small = save_sequence(finding, found, plan, corpus, deadlines.of_shrinking,
-                                      interruption)};
+    return {.is_small =
+                save_sequence(finding, found, plan, corpus, deadlines.of_shrinking, interruption)};
   } catch (const Interrupted&) {
     return save_unasked(finding, found, plan, corpus);
   }
@@ -225,10 +223,10 @@ Saving save_new(std::vector<Finding>& found, const Tally& tally, const Plan& pla
 
 std::string unwritten_in_words(const Saving& saving) {
   if (saving.unwritten == 0) return "";
-  return fmt::format("{} could not be saved: {}",
-                     saving.unwritten == 1 ? "1 finding"
-                                           : fmt::format("{} findings", saving.unwritten),
-                     saving.first_error);
+  return fmt::format(
+      "{} could not be saved: {}",
+      saving.unwritten == 1 ? "1 finding" : fmt::format("{} findings", saving.unwritten),
+      saving.first_error);
 }
 
 }  // namespace manifuzz

@@ -35,9 +35,9 @@ inline Deadline share_of(const Deadline& deadline, std::size_t count) {
   return now + (*deadline - now) / static_cast<int>(count);
 }
 
-/// Holds SIGINT, SIGTERM and SIGHUP back for as long as it lives, so that work can end in good order.
-/// One that lives around another counts its signals too. All are stopped once the time is over that
-/// the first signal leaves.
+/// Holds SIGINT, SIGTERM and SIGHUP back for as long as it lives, so that work can end in good
+/// order. One that lives around another counts its signals too. All are stopped once the time is
+/// over that the first signal leaves.
 class Interruption {
  public:
   enum class State {

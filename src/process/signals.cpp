@@ -59,6 +59,14 @@ bool is_out_of_time(double share) {
   return taken > 0 && seconds_since(first_taken_at) >= share * seconds_to_leave;
 }
 
+EndingSignalsLetThrough::EndingSignalsLetThrough() {
+  sigprocmask(SIG_UNBLOCK, &ending_signals(), &mask_before_);
+}
+
+EndingSignalsLetThrough::~EndingSignalsLetThrough() {
+  sigprocmask(SIG_SETMASK, &mask_before_, nullptr);
+}
+
 int status_of_signal(int signal) {
   return 128 + (signal == SIGINT ? SIGINT : SIGTERM);
 }

@@ -92,10 +92,10 @@ std::string state_in_words(const Campaign& campaign) {
   }
   if (campaign.saving.as_seen > 0) {
     text += fmt::format(
-        "\n{} of the new findings are saved as they were seen: asked again, {} or {} gave no answer "
+        "\n{} of the new findings are saved as they were seen: asked again, {} or {} gave no "
+        "answer "
         "in time\n",
-        campaign.saving.as_seen, campaign.result.settings.subject,
-        campaign.result.settings.oracle);
+        campaign.saving.as_seen, campaign.result.settings.subject, campaign.result.settings.oracle);
   }
   if (!campaign.result.interrupted) return text;
   const std::size_t unsaved = campaign.saving.unsaved;

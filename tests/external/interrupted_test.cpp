@@ -27,7 +27,8 @@ std::string ending(const TemporaryFolder& folder, const std::string& signal,
                               "while read -r line; do\n"
                               "  n=$((n + 1))\n"
                               "  if [ $n -eq 100 ]; then\n"
-                              "    mkdir '" + once + "' 2>/dev/null && kill -" + signal +
+                              "    mkdir '" +
+                                  once + "' 2>/dev/null && kill -" + signal +
                                   " $MANIFUZZ_PROCESS\n    " + then +
                                   "\n  fi\n"
                                   "  echo '{\"points\": []}'\n"
@@ -51,11 +52,11 @@ TEST_CASE("a campaign ends with its findings whatever signal comes and whatever 
       const TemporaryFolder folder;
       const std::string corpus = (folder.path() / "corpus").string();
       const std::string json = (folder.path() / "run.json").string();
-      const Outcome outcome = run_interruptible(
-          with({"fuzz", "--subject-command", ending(folder, signal, then), "--oracle", "clip64",
-                "--regime", "boxes", "--cases", "100000", "--seed", "1", "--corpus", corpus,
-                "--json", json},
-               kPatient));
+      const Outcome outcome =
+          run_interruptible(with({"fuzz", "--subject-command", ending(folder, signal, then),
+                                  "--oracle", "clip64", "--regime", "boxes", "--cases", "100000",
+                                  "--seed", "1", "--corpus", corpus, "--json", json},
+                                 kPatient));
       CAPTURE(outcome.err, outcome.out);
       CHECK(outcome.status == 1);  // it found something
       CHECK(outcome.out.find("interrupted") != std::string::npos);
@@ -91,8 +92,8 @@ TEST_CASE("an interrupted command that found nothing ends with the signal's stat
           "sh " + own.write("hangs.sh",
                             "echo '{\"declaration\": {\"name\": \"hangs\"}}'\n"
                             "read -r line; echo '{\"points\": []}'\n"
-                            "read -r line; kill -" + std::string(signal) +
-                                " $MANIFUZZ_PROCESS; sleep 3600\n");
+                            "read -r line; kill -" +
+                                std::string(signal) + " $MANIFUZZ_PROCESS; sleep 3600\n");
       Words all = with(command, {"--subject-command", subject});
       if (command[0] != "smoke") all = with(all, kPatient);
       if (command[0] == "fuzz" || command[0] == "property" || command[0] == "smoke") {
@@ -111,8 +112,8 @@ TEST_CASE("a second signal ends a campaign without its findings") {
   const std::string corpus = (folder.path() / "corpus").string();
   const Outcome outcome = run_interruptible(
       with({"fuzz", "--subject-command",
-            ending(folder, "INT $MANIFUZZ_PROCESS; kill -TERM", "sleep 3600"), "--oracle",
-            "clip64", "--regime", "boxes", "--cases", "100000", "--seed", "1", "--corpus", corpus},
+            ending(folder, "INT $MANIFUZZ_PROCESS; kill -TERM", "sleep 3600"), "--oracle", "clip64",
+            "--regime", "boxes", "--cases", "100000", "--seed", "1", "--corpus", corpus},
            kPatient));
   CAPTURE(outcome.err);
   CHECK(outcome.status == 1);
@@ -140,8 +141,9 @@ TEST_CASE("standard streams that are closed are no collider's fault") {
     CAPTURE(closed);
     const TemporaryFolder folder;
     const std::string json = (folder.path() / "run.json").string();
-    const std::string command = "\"$0\" fuzz --subject \"$1\" --oracle clip64 --cases 2000 --seed "
-                                "1 --no-save --corpus \"$2\" --json \"$3\" ";
+    const std::string command =
+        "\"$0\" fuzz --subject \"$1\" --oracle clip64 --cases 2000 --seed "
+        "1 --no-save --corpus \"$2\" --json \"$3\" ";
     run_program({"sh", "-c", command + closed, manifuzz_path(), MANIFUZZ_TEST_LIBRARY,
                  folder.path().string(), json});
     const auto run = nlohmann::json::parse(text_of(json));

@@ -42,8 +42,9 @@ CorpusCase unasked_sequence(const Finding& finding, const Plan& plan) {
   seen.magnitude = finding.tally.error.magnitude;
   const SequenceCollider& subject = plan.sequences->subject;
   CorpusCase recorded = recorded_sequence(plan.sequence(finding.tally.worst), seen, subject);
-  recorded.note = fmt::format("{}: {} ({}).", subject.declaration.name,
-                              to_string(seen.bucket.verdict), name_of(seen.bucket.kind, kKindNames));
+  recorded.note =
+      fmt::format("{}: {} ({}).", subject.declaration.name, to_string(seen.bucket.verdict),
+                  name_of(seen.bucket.kind, kKindNames));
   return recorded;
 }
 
