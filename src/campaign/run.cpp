@@ -243,11 +243,13 @@ Campaign run_campaign(const Plan& plan, const Known& known, const SaveTo& save_t
   campaign.findings = findings(*run.tally, plan, known);
   if (!save_to.folder.empty()) {
     using State = Interruption::State;
-    campaign.saving =
-        save_new(campaign.findings, *run.tally, plan, save_to,
-                 run.interrupted ? State::hurried : State::running, [&](const std::string& text) {
-                   on_progress({*run.tally, run.seconds, text});
-                 });
+    const State begins = interruption.is_called_off() ? State::stopped
+                         : run.interrupted            ? State::hurried
+                                                      : State::running;
+    campaign.saving = save_new(campaign.findings, *run.tally, plan, save_to, begins,
+                               [&](const std::string& text) {
+                                 on_progress({*run.tally, run.seconds, text});
+                               });
   }
   campaign.result = result_of(campaign, origin);
   campaign.result.stale = stale_files(plan, known, interruption);

@@ -48,7 +48,7 @@ Interruption::State Interruption::state() {
 }
 
 bool Interruption::is_called_off() {
-  return signals() > (limits_.begins == State::running ? 1 : 0);
+  return limits_.begins == State::stopped || signals() > (limits_.begins == State::running ? 1 : 0);
 }
 
 void Interruption::wait(double seconds) {

@@ -1,12 +1,15 @@
+#include <algorithm>
 #include <cfenv>
+#include <string>
 #include <sys/wait.h>
 
 #include <catch2/catch.hpp>
 
-#include "campaign/recorded_case.hpp"
 #include "external/campaigns.hpp"
 #include "generating/regime.hpp"
 #include "own_colliders/own_colliders.hpp"
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
 
 // Programs and libraries that do more than answer: none of it hangs a campaign or changes what
 // others answer, and all of it is told.
@@ -60,7 +63,7 @@ TEST_CASE("a program that closes its output and lives on is not waited for") {
               Verdict::crashed);
 }
 
-TEST_CASE("a library is told what it does to the floating point environment, which is restored") {
+TEST_CASE("what a library does to the floating point environment is told and undone") {
   check_loses_wherever_it_runs("rounds-down", "changed the rounding mode");
 #if defined(__x86_64__)
   check_loses_wherever_it_runs("flushes",
@@ -81,4 +84,31 @@ TEST_CASE("a library that a process was forked in answers as before") {
   const Answer before = forking.collide(pair);
   why_lost(forking);
   CHECK(is_same(forking.collide(pair), before));
+}
+
+TEST_CASE("the time for shrinking holds for a program that has to be started again and again") {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("starts", "");
+  const std::string corpus = (folder.path() / "corpus").string();
+  const Outcome outcome = run_manifuzz(
+      {"fuzz", "--subject-command",
+       "echo start >> '" + log + "'; sleep 0.05; exec " MANIFUZZ_TEST_PROGRAM " twice", "--oracle",
+       "clip64", "--cases", "3000", "--seed", "1", "--shrink-seconds", "0.5", "--corpus", corpus});
+  CAPTURE(outcome.out);
+  CHECK(outcome.status == 1);
+  const std::string starts = text_of(log);
+  CHECK(std::ranges::count(starts, '\n') < 300);  // a map of its neighbours alone takes 1000
+}
+
+TEST_CASE("a finding about which nobody answers in time is saved as it was seen, which is said") {
+  const TemporaryFolder folder;
+  const std::string corpus = (folder.path() / "corpus").string();
+  const Outcome outcome = run_manifuzz(
+      {"fuzz", "--subject-command", "read -r line; echo '{\"points\": []}'; sleep 3600",
+       "--time-limit", "3", "--oracle", "clip64", "--cases", "1", "--seed", "1", "--shrink-seconds",
+       "0", "--corpus", corpus, "--json", (folder.path() / "run.json").string()});
+  CAPTURE(outcome.err);
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.find("1 of the new findings are saved as they were seen") != std::string::npos);
+  CHECK(std::filesystem::exists(corpus + "/regressions"));
 }

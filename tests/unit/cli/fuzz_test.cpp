@@ -198,6 +198,7 @@ TEST_CASE("a finding that cannot be saved loses neither the table nor the other 
       fuzz(folder, {"--seed", "1", "--cases", "20000", "--regime", "tie_bias", "--json", json}));
   CHECK(outcome.status == 2);
   CHECK(is_one_clear_line(outcome.err));
+  CHECK(outcome.err.find(" could not be saved: ") != std::string::npos);
   CHECK(outcome.out.find("tie_bias") != std::string::npos);
   CHECK(std::filesystem::exists(json));
 }
