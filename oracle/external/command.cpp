@@ -28,6 +28,9 @@ class CommandCollider {
     const BatchResult result = program_.ask({&pair, 1}, {&answer, 1}, [] { return true; });
     const std::string declaration = program_.declaration();
     const std::string death = result.end == BatchEnd::answered ? "" : program_.stop();
+    if (result.end == BatchEnd::stopped) {
+      throw UserError(fmt::format("'{}': interrupted before it had declared itself", command_));
+    }
     const bool cannot_run = death.ends_with("status 127") || death.ends_with("status 126");
     if (result.end == BatchEnd::exited && cannot_run) {
       throw UserError(fmt::format("'{}' cannot be run: it {}", command_, death));
@@ -69,7 +72,6 @@ class CommandCollider {
       return {Lost::How::crashed, death.empty() ? "closed its output" : death};
     }
     const bool is_late = result.end == BatchEnd::timed_out;
-    if (is_late && !death.empty()) return {Lost::How::crashed, death};  // one of its own lives on
     return {is_late ? Lost::How::timed_out : Lost::How::malformed, result.why};
   }
 

@@ -13,6 +13,7 @@
 #include "exchange/json.hpp"
 #include "oracle/external/error_output.hpp"
 #include "oracle/external/manifuzz_collider.h"
+#include "oracle/external/side_effects.hpp"
 #include "process/child.hpp"
 #include "process/interruption.hpp"
 
@@ -21,6 +22,12 @@ namespace manifuzz {
 /// A body as manifuzz_collider.h has it.
 manifuzz_body c_body(const Body& body);
 
+/// What came of a call of `manifuzz_collide`.
+struct LibraryCall {
+  int status = 0;  ///< what it returned
+  SideEffect effect = SideEffect::none;
+};
+
 /// A shared library after manifuzz_collider.h, loaded into this process for good.
 class Library {
  public:
@@ -28,8 +35,9 @@ class Library {
   explicit Library(const std::string& path);
 
   const manifuzz_declaration& declaration() const { return declaration_; }
-  /// What `manifuzz_collide` returns; the manifold comes zeroed.
-  int collide(const PairCase& pair, manifuzz_manifold& manifold) const;
+  /// Calls `manifuzz_collide`; the manifold comes zeroed. What else it does to this process is
+  /// undone.
+  LibraryCall collide(const PairCase& pair, manifuzz_manifold& manifold) const;
   /// The function itself.
   decltype(&manifuzz_collide) function() const { return collide_; }
 
@@ -43,9 +51,10 @@ Declaration declaration_of(const manifuzz_declaration& declared);
 
 /// What `manifuzz_collide` returned for a case (0, or 1 where it declines) and the manifold that it
 /// filled in, as an answer: in A's frame, its normal from A to B; `Lost` where it is none, or
-/// contradicts the declaration.
-Answer answer_of(int status, const manifuzz_manifold& manifold, const Declaration& declaration,
-                 const manifuzz_declaration& declared, const PairCase& pair);
+/// contradicts the declaration, and where the call did anything besides.
+Answer answer_of(const LibraryCall& call, const manifuzz_manifold& manifold,
+                 const Declaration& declaration, const manifuzz_declaration& declared,
+                 const PairCase& pair);
 
 /// A shared library after manifuzz_collider.h as a collider in this process: the fastest, but where
 /// it crashes, so does this process. Throws UserError where the library cannot be loaded.
@@ -114,7 +123,7 @@ NamedSubjects read_subjects(const SubjectsFrom& from);
 enum class BatchEnd {
   answered,     ///< every case has its answer
   stopped,      ///< we did not want to go on
-  exited,       ///< its output ended
+  exited,       ///< it ended, or its output did
   timed_out,    ///< no answer in time
   not_json,     ///< a line that is not JSON: what follows may answer another case
   extra_lines,  ///< more lines than cases

@@ -13,6 +13,7 @@
 #include "process/child.hpp"
 #include "process/patience.hpp"
 #include "process/pool.hpp"
+#include "process/signals.hpp"
 
 namespace manifuzz {
 namespace {
@@ -32,7 +33,7 @@ struct SharedState {
   std::atomic<int> answered{0};
   std::array<PairCase, kBatch> cases;
   std::array<manifuzz_manifold, kBatch> manifolds{};
-  std::array<int, kBatch> statuses{};
+  std::array<LibraryCall, kBatch> calls{};
 };
 
 /// What a library prints is no output of ours; in process it is seen.
@@ -60,7 +61,7 @@ void serve(const std::string& path, SharedState& shared, int in, int out) {
   while (write(out, &byte, 1) == 1 && library && read(in, &byte, 1) == 1) {
     const int asked = shared.asked;
     for (int i = 0; i < asked; ++i) {
-      shared.statuses[i] = library->collide(shared.cases[i], shared.manifolds[i]);
+      shared.calls[i] = library->collide(shared.cases[i], shared.manifolds[i]);
       shared.answered.store(i + 1, std::memory_order_release);
     }
   }
@@ -109,8 +110,8 @@ class HostedLibrary {
     const int answered = std::clamp(shared.answered.load(), 0, shared.asked.load());
     auto done = std::min(static_cast<std::size_t>(answered), pairs.size());
     for (std::size_t i = 0; i < done; ++i) {
-      answers[i] = answer_of(shared.statuses[i], shared.manifolds[i], declaration_, shared.declared,
-                             pairs[i]);
+      answers[i] =
+          answer_of(shared.calls[i], shared.manifolds[i], declaration_, shared.declared, pairs[i]);
     }
     if (lost && done < pairs.size()) answers[done++] = *lost;
     return done;
@@ -121,8 +122,11 @@ class HostedLibrary {
   std::string start() {
     shared_ = std::make_unique<Shared<SharedState>>();
     child_.start([&](int in, int out) { serve(path_, **shared_, in, out); });
-    if (!wait_readable(child_.from(), kLoadSecondsMax)) {
-      child_.stop();
+    const Deadline deadline = after(kLoadSecondsMax);
+    while (!wait_readable(child_.from(), kPollSeconds)) {
+      if (!has_passed(deadline) && !child_.has_ended() && !is_out_of_time()) continue;
+      const std::string death = child_.stop();
+      if (!death.empty()) return death;
       return fmt::format("took more than {} s", kLoadSecondsMax);
     }
     return took_byte() ? "" : child_.stop();
@@ -145,10 +149,12 @@ class HostedLibrary {
         seen = answered;
         patience.begin(child_.process());
       }
-      const bool stopped = !go_on();
-      if (!stopped && !patience.is_over(seconds_max_)) continue;
-      child_.stop();
+      const bool stopped = !go_on() || is_out_of_time();
+      const bool has_died = child_.has_ended();  // what it forked may keep its pipe open
+      if (!stopped && !has_died && !patience.is_over(seconds_max_)) continue;
+      const std::string death = child_.stop();
       if (stopped) return std::nullopt;
+      if (has_died) return Lost{Lost::How::crashed, death};
       return Lost{Lost::How::timed_out, fmt::format("no answer in {} s", seconds_max_)};
     }
     if (took_byte()) return std::nullopt;

@@ -80,6 +80,10 @@ class KeepingProgram {
     const BatchResult result = program_.ask(line, [] { return true; });
     asked.end = result.end;
     if (result.end == BatchEnd::answered) return asked;
+    if (result.end == BatchEnd::stopped) {
+      asked.answer = Lost{Lost::How::timed_out, "interrupted"};
+      return asked;
+    }
     const std::string death = program_.stop();
     const std::string why = death.empty() ? result.why : death;
     if (result.end == BatchEnd::exited) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "exchange/json.hpp"
 #include "oracle/external/external_collider.hpp"
@@ -102,7 +103,13 @@ std::string text_of(const char* text) {
 Library::Library(const std::string& path) {
   // dlopen searches elsewhere for a name without a slash.
   const std::string file = path.find('/') == std::string::npos ? "./" + path : path;
+  const CallWatch loading;
   void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (const SideEffect effect = loading.end(); effect != SideEffect::none) {
+    // As code that is linked with -ffast-math does.
+    write_error(fmt::format("{} {} while it was loaded; that is undone\n", printable(path, 200),
+                            in_words(effect)));
+  }
   if (library == nullptr) {
     throw UserError(fmt::format("{}: cannot be loaded: {}", path, printable(dlerror(), 300)));
   }
@@ -119,11 +126,13 @@ Library::Library(const std::string& path) {
   }
 }
 
-int Library::collide(const PairCase& pair, manifuzz_manifold& manifold) const {
+LibraryCall Library::collide(const PairCase& pair, manifuzz_manifold& manifold) const {
   const manifuzz_body a = c_body(pair.a);
   const manifuzz_body b = c_body(pair.b);
   manifold = {};
-  return collide_(&a, &b, &manifold);
+  const CallWatch watch;
+  const int status = collide_(&a, &b, &manifold);
+  return {status, watch.end()};
 }
 
 namespace {
@@ -231,10 +240,14 @@ Answer manifold_of(const manifuzz_manifold& manifold, const Conventions& convent
 
 }  // namespace
 
-Answer answer_of(int status, const manifuzz_manifold& manifold, const Declaration& declaration,
-                 const manifuzz_declaration& declared, const PairCase& pair) {
-  if (status == 1) return Unsupported{"it declined this case"};
-  if (status != 0) return malformed(fmt::format("returned {}; 0 or 1 is expected", status));
+Answer answer_of(const LibraryCall& call, const manifuzz_manifold& manifold,
+                 const Declaration& declaration, const manifuzz_declaration& declared,
+                 const PairCase& pair) {
+  if (call.effect != SideEffect::none) return malformed(std::string(in_words(call.effect)));
+  if (call.status == 1) return Unsupported{"it declined this case"};
+  if (call.status != 0) {
+    return malformed(fmt::format("returned {}; 0 or 1 is expected", call.status));
+  }
   if (!has_shapes_to_read(manifold)) {
     return malformed(fmt::format("shapes of {} and {} vertices; 1 to {} are expected",
                                  manifold.shapes[0].count, manifold.shapes[1].count, kMaxVertices));
@@ -257,8 +270,8 @@ Collider collider_in_process(const std::string& path) {
   collider.collide = [library, declaration = collider.declaration](const PairCase& pair) -> Answer {
     if (auto declined = beyond_limits(declaration, pair)) return *declined;
     manifuzz_manifold manifold;
-    const int status = library->collide(pair, manifold);
-    return answer_of(status, manifold, declaration, library->declaration(), pair);
+    const LibraryCall call = library->collide(pair, manifold);
+    return answer_of(call, manifold, declaration, library->declaration(), pair);
   };
   return collider;
 }

@@ -18,10 +18,13 @@ std::function<void()> pass_of(Collide collide, std::span<const PairCase> pairs) 
   for (const PairCase& pair : pairs) bodies.push_back({c_body(pair.a), c_body(pair.b)});
   const auto out = std::make_shared<std::vector<manifuzz_manifold>>(pairs.size());
   return [collide, bodies, out] {
+    const CallWatch watch;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       (*out)[i] = {};
       collide(&bodies[i].a, &bodies[i].b, &(*out)[i]);
+      if (watch.is_in_forked()) break;  // it ends below
     }
+    watch.end();
   };
 }
 

@@ -11,11 +11,15 @@
 #include "exchange/json.hpp"
 #include "oracle/external/external_collider.hpp"
 #include "process/patience.hpp"
+#include "process/signals.hpp"
 
 namespace manifuzz {
 namespace {
 
 constexpr int kPollMilliseconds = 50;
+
+/// One that it started, which may answer in its place, has no longer.
+constexpr double kSecondsAfterDeath = 0.5;
 
 /// A command of words alone: it can take the shell's place, so that it dies with us as the shell
 /// would. One that sets variables first, or is several, is left to the shell.
@@ -92,11 +96,12 @@ BatchResult ProgramProcess::exchange(const Lines& lines, const std::function<boo
     }
     if (result.answered > before) error_output_.begin_case();
     if (result.answered == lines.count || result.end != BatchEnd::answered) break;
-    const double most = is_ready() ? case_seconds : start_seconds;
+    const bool has_died = child_.has_ended();  // what it started may keep its pipe open
+    const double most = has_died ? kSecondsAfterDeath : is_ready() ? case_seconds : start_seconds;
     const bool is_late = patience.is_over(most);
-    if (!open || (is_late && !reads)) {
+    if (!open || (is_late && (!reads || has_died))) {
       result.end = BatchEnd::exited;
-    } else if (!go_on()) {
+    } else if (!go_on() || is_out_of_time()) {
       result.end = BatchEnd::stopped;
     } else if (is_late) {
       result.end = BatchEnd::timed_out;

@@ -30,6 +30,14 @@ Answer ask_isolated(const Collider& collider, const PairCase& pair, Interruption
 
 }  // namespace
 
+void unless_interrupted(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Interrupted&) {
+    // What is done until then is kept.
+  }
+}
+
 Lost lost_by(Ending ending) {
   if (ending == Ending::crashed) return {Lost::How::crashed, "crashed"};
   return {Lost::How::timed_out, "timed out"};
@@ -97,14 +105,6 @@ struct AskedOften {
   Collider oracle;
 };
 
-void unless_interrupted(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Interrupted&) {
-    // What is done until then is kept.
-  }
-}
-
 /// What a shrinking child has found so far, where its parent can see it even if it dies.
 struct ShrinkSlot {
   std::atomic<int> evaluations{0};
@@ -120,7 +120,7 @@ Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Colli
   const AskedOften asked(subject, oracle);
   const Judgement root = judge_in_child(pair, asked.subject, asked.oracle, interruption);
   Interruption::Limits limits = interruption.until_signal();
-  if (deadline) limits.stopped_at = std::min(limits.stopped_at.value_or(*deadline), *deadline);
+  limits.stopped_at = earlier(limits.stopped_at, deadline);
   Interruption shrinking(limits);
   const Shared<ShrinkSlot> slot;
   slot->best[0] = pair;
@@ -151,6 +151,9 @@ namespace {
 /// A crash costs a new process, as long as so many cells: so many times fewer are taken.
 constexpr int kCellsACrash = 32;
 
+/// A map of what hardly ever answers shows no more after so long.
+constexpr double kLostSecondsMax = 2;
+
 /// Steps of this share of a circle fill it more evenly than any other.
 constexpr double kGoldenSection = 0.6180339887498949;
 
@@ -158,11 +161,15 @@ constexpr double kGoldenSection = 0.6180339887498949;
 struct ChildState {
   std::atomic<int> turn{0};  ///< counts the cells
   int losses_left = 0;       ///< so many crashes there is still time for
+  double seconds_lost = 0;   ///< over answers that did not come, or were none
   std::atomic<Fault> at_work{Fault::none};
 
-  void lose(Verdict verdict) {
-    if (verdict == Verdict::crashed) --losses_left;
-    if (verdict == Verdict::timed_out) losses_left = 0;
+  bool goes_on() const { return losses_left > 0 && seconds_lost < kLostSecondsMax; }
+  void lose(const Bucket& bucket, double seconds) {
+    if (!is_of_lost(bucket)) return;
+    if (bucket.verdict == Verdict::crashed) --losses_left;
+    if (bucket.verdict == Verdict::timed_out) losses_left = 0;
+    seconds_lost += seconds;
   }
 };
 
@@ -212,7 +219,7 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
     return static_cast<int>((count / 2 + std::int64_t{place->turn} * stride) % count);
   };
   const auto ask_the_rest = [&](int) {
-    for (; place->turn < turns && place->losses_left > 0; ++place->turn) {
+    for (; place->turn < turns && place->goes_on(); ++place->turn) {
       const int at = cell_in_turn();
       Cell& cell = cells[at];
       const auto moved = neighbour(pair, grid, at);
@@ -220,17 +227,18 @@ Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
         cell.state = Cell::State::invalid;
         continue;
       }
+      const Clock::time_point began = Clock::now();
       judge_cell(*moved, asked, interruption, *place, cell);
-      place->lose(cell.bucket.verdict);
+      place->lose(cell.bucket, seconds_since(began));
     }
   };
   const auto lose_cell = [&](int, Ending ending) {
     Cell& cell = cells[cell_in_turn()];
     cell.bucket = bucket_of_lost(ending, place->at_work);
     cell.state = Cell::State::judged;
-    place->lose(cell.bucket.verdict);
+    place->lose(cell.bucket, 0);
     ++place->turn;
-    return place->losses_left > 0;
+    return place->goes_on();
   };
   if (asked.is_here) {
     unless_interrupted([&] { ask_the_rest(0); });

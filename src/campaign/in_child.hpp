@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 
 #include "collider/collider.hpp"
@@ -22,6 +23,9 @@ inline double case_seconds_max(const Collider& subject, const Collider& oracle) 
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted before there was an answer") {}
 };
+
+/// Does as much of the work as there is time for.
+void unless_interrupted(const std::function<void()>& work);
 
 /// What a child's end, crashed or timed out, makes of the answer that it was to give.
 Lost lost_by(Ending ending);
@@ -60,7 +64,8 @@ Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Colli
 /// Asks both colliders for the cells of the grid, so too: a cell on which one of them dies is
 /// judged as crashed. Begins with the case itself and goes on evenly spread, so that the cells
 /// asked are a fair sample where it ends early: after `cells_max` cells, after as many crashes as
-/// take no longer than that, after the first hang, or when interrupted.
+/// take no longer than that, after the first hang, once answers that were lost took some seconds,
+/// or when interrupted.
 Neighbourhood ask_neighbourhood(const PairCase& pair, const Collider& subject,
                                 const Collider& oracle, const Grid& grid, int cells_max,
                                 Interruption& interruption);

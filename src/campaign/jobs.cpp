@@ -4,12 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "base/random.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/run.hpp"
 #include "campaign/sequences/sequence_case.hpp"
-#include "judging/by_curve.hpp"
-#include "judging/manifold_error.hpp"
 #include "oracle/external/external_collider.hpp"
 #include "process/pool.hpp"
 
@@ -74,6 +71,9 @@ struct RunState {
     cases.is_closed = true;
   }
 };
+
+/// Of the time that a signal leaves, jobs may take so much to end: the rest is for what they found.
+constexpr double kShareOfJobs = 0.4;
 
 /// One that is not worth all the cases: it answers a case otherwise alone than among others,
 /// so often.
@@ -229,10 +229,13 @@ void lose_case(const Plan& plan, RunState& run, JobState& job, Ending ending,
                       : step == Step::asking_oracle ? Fault::oracle
                                                     : Fault::none;
   const Standing where = step == Step::generating ? Standing{} : standing_of(plan, number);
-  const Judgement judgement =
-      plan.sequences || step == Step::generating
-          ? Judgement{.bucket = bucket_of_lost(ending, fault)}
-          : judge_lost(plan.pair(number), plan.subject, plan.oracle, {ending, fault}, interruption);
+  Judgement judgement{.bucket = bucket_of_lost(ending, fault)};
+  if (!plan.sequences && step != Step::generating) {
+    unless_interrupted([&] {
+      judgement =
+          judge_lost(plan.pair(number), plan.subject, plan.oracle, {ending, fault}, interruption);
+    });
+  }
   const bool has_frames = plan.sequences && step != Step::generating;
   job.tally.add(plan.regime_of(number), number, where, judgement,
                 has_frames ? plan.sequence(number).frames.size() : 0);
@@ -246,23 +249,7 @@ std::unique_ptr<Tally> added(const Shared<JobState>& jobs) {
   return total;
 }
 
-/// One agreeing case in `judge_every`, by what the case is and not by its place in the campaign:
-/// alone it is sampled too.
-bool is_sampled(const Plan& plan, CaseNumber number) {
-  const std::uint64_t stream = plan.regimes[plan.regime_of(number)]->stream;
-  return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
-}
-
 }  // namespace
-
-Judgement judgement_on(const Plan& plan, CaseNumber number, const exact::Truth& truth,
-                       const ColliderAnswer& subject, const ColliderAnswer& oracle) {
-  if (!is_sampled(plan, number) && plainly_agree(truth, subject, oracle)) {
-    // That neither reports a contact is held exactly in comparing them.
-    return {.is_judged = !touches(subject.answer)};
-  }
-  return judge(truth.pair(), subject, oracle);
-}
 
 JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& interruption,
                     const OnProgress& on_progress) {
@@ -271,7 +258,8 @@ JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& in
   run->cases.end = cases.end;
   run->seconds_max = plan.seconds.value_or(run->seconds_max);
   const Shared<JobState> jobs(plan.jobs);
-  Interruption until_time_is_up({.begins = interruption.state(), .hurried_at = plan.latest});
+  Interruption until_time_is_up(
+      {.begins = interruption.state(), .hurried_at = plan.latest, .share = kShareOfJobs});
   const Pool pool{.jobs = plan.jobs,
                   .body = [&](int job) { run_job(plan, *run, jobs[job]); },
                   .progress = [&](int job) { return jobs[job].next + jobs[job].waits; },

@@ -4,10 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "base/random.hpp"
 #include "base/text.hpp"
 #include "campaign/hints/hints.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/sequences/sequence_case.hpp"
+#include "judging/by_curve.hpp"
+#include "judging/compare.hpp"
 
 namespace manifuzz {
 namespace {
@@ -215,7 +218,23 @@ std::vector<std::string> stale_files(const Plan& plan, const Known& known,
   return stale;
 }
 
+/// One agreeing case in `judge_every`, by what the case is and not by its place in the campaign:
+/// alone it is sampled too.
+bool is_sampled(const Plan& plan, CaseNumber number) {
+  const std::uint64_t stream = plan.regimes[plan.regime_of(number)]->stream;
+  return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
+}
+
 }  // namespace
+
+Judgement judgement_on(const Plan& plan, CaseNumber number, const exact::Truth& truth,
+                       const ColliderAnswer& subject, const ColliderAnswer& oracle) {
+  if (!is_sampled(plan, number) && plainly_agree(truth, subject, oracle)) {
+    // That neither reports a contact is held exactly in comparing them.
+    return {.is_judged = !touches(subject.answer)};
+  }
+  return judge(truth.pair(), subject, oracle);
+}
 
 Campaign run_campaign(const Plan& plan, const Known& known, const SaveTo& save_to,
                       const Origin& origin, const OnProgress& on_progress) {
@@ -225,11 +244,13 @@ Campaign run_campaign(const Plan& plan, const Known& known, const SaveTo& save_t
   campaign.findings = findings(*run.tally, plan, known);
   if (!save_to.folder.empty()) {
     using State = Interruption::State;
-    campaign.saving =
-        save_new(campaign.findings, *run.tally, plan, save_to,
-                 run.interrupted ? State::hurried : State::running, [&](const std::string& text) {
-                   on_progress({*run.tally, run.seconds, text});
-                 });
+    const State begins = interruption.is_called_off() ? State::stopped
+                         : run.interrupted            ? State::hurried
+                                                      : State::running;
+    campaign.saving = save_new(campaign.findings, *run.tally, plan, save_to, begins,
+                               [&](const std::string& text) {
+                                 on_progress({*run.tally, run.seconds, text});
+                               });
   }
   campaign.result = result_of(campaign, origin);
   campaign.result.hints = hints_of(*run.tally, plan, interruption);

@@ -2,79 +2,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
+#include "campaign/recorded_case.hpp"
 #include "campaign/result.hpp"
 #include "campaign/sequences/save_sequence.hpp"
-#include "exchange/json.hpp"
-#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 namespace {
-
-std::string note_of(const PairCase& pair, const Judgement& judgement, const Collider& subject,
-                    const Collider& oracle) {
-  if (judgement.explanation != nullptr) {
-    return fmt::format("{}: {}.", judgement.explanation->id, judgement.explanation->description);
-  }
-  const Bucket& bucket = judgement.bucket;
-  return fmt::format("{} against {}: {} ({}), the {} being {:.3g}.", subject.declaration.name,
-                     oracle.declaration.name, to_string(bucket.verdict),
-                     name_of(bucket.kind, kKindNames),
-                     is_round(pair) ? "separation" : "greatest separation",
-                     exact::separation_of(exact::Truth(pair)));
-}
-
-/// What a corpus file keeps of an answer, for people: signs of zeros say nothing there.
-Answer without_negative_zeros(Answer answer) {
-  auto* manifold = std::get_if<Manifold<double>>(&answer);
-  if (auto* const partial = std::get_if<PartialManifold>(&answer)) manifold = &partial->manifold;
-  if (manifold == nullptr) return answer;
-  manifold->normal = manifuzz::without_negative_zeros(manifold->normal);
-  for (ContactPoint<double>& point : manifold->points) {
-    point.position = manifuzz::without_negative_zeros(point.position);
-    point.depth += 0;
-  }
-  return answer;
-}
-
-/// The map of the neighbours, unless it is stopped before all of them are asked.
-std::optional<Neighbourhood> whole_map(const PairCase& pair, const Collider& subject,
-                                       const Collider& oracle, const Interruption::Limits& limits) {
-  // A fair sample of the map's cells: the share is right to about 0.01, in about 15 ms.
-  constexpr int cells_max = 1000;
-  Interruption interruption(limits);
-  const Grid grid = grid_around(exact::Truth(pair));
-  Neighbourhood map = ask_neighbourhood(pair, subject, oracle, grid, cells_max, interruption);
-  return interruption.is_stopped() ? std::nullopt : std::optional(std::move(map));
-}
-
-/// The share of the neighbours that fail alike, to three digits; none where nobody is at fault and
-/// nothing differs, or where there is no time: once there is hurry, there is a second for it.
-std::optional<double> recorded_severity(const PairCase& pair, const Bucket& finding,
-                                        const Collider& subject, const Collider& oracle,
-                                        Interruption& interruption) {
-  if (finding.verdict == Verdict::agree) return std::nullopt;
-  std::optional<Neighbourhood> map;
-  Interruption::Limits limits = interruption.until_signal();
-  if (interruption.state() == Interruption::State::running) {
-    map = whole_map(pair, subject, oracle, limits);
-  }
-  if (!map && !interruption.is_stopped()) {
-    const auto in_a_second = Clock::now() + std::chrono::seconds(1);
-    limits.stopped_at = std::min(limits.stopped_at.value_or(in_a_second), in_a_second);
-    map = whole_map(pair, subject, oracle, limits);
-  }
-  if (!map) return std::nullopt;
-  const Severity found = severity(*map, finding);
-  if (found.valid == 0) return std::nullopt;
-  return std::round(found.share() * 1000) / 1000;
-}
 
 /// Until when one finding is shrunk, and until when all of them are.
 struct Deadlines {
@@ -88,47 +27,119 @@ Deadlines deadlines_of(const Clock::time_point& end, std::size_t left) {
   return {std::min(end, std::max(*share_of(end, left), after(1))), end};
 }
 
+/// Until when anybody is asked about a finding: once it is shrunk, its answers are recorded.
+Deadline end_of_asking(const Deadlines& deadlines) {
+  constexpr std::chrono::seconds to_answer{2};
+  return std::max(*deadlines.of_shrinking, Clock::now()) + to_answer;
+}
+
+/// So many findings in a row, and nobody is asked any more once there is no time for shrinking.
+constexpr int kInVainMax = 3;
+
+constexpr std::string_view kNotAsked = " Nobody was asked again: there was no time.";
+
+/// How a finding was saved.
+struct SavedFinding {
+  bool is_small = false;    ///< as small as can be
+  bool is_as_seen = false;  ///< nobody was asked again, or not to the end
+  bool is_answered = true;  ///< asked again, both gave answers
+};
+
+/// What the campaign saw of the finding's worst case.
+Judgement judgement_seen(const Finding& finding) {
+  const WorstError& error = finding.tally.error;
+  Judgement seen{.bucket = finding.bucket, .magnitude = error.magnitude};
+  seen.of_subject.errors = seen.of_oracle.errors = error.errors;
+  return seen;
+}
+
+/// Writes the finding as the campaign saw it.
+SavedFinding save_unasked(Finding& finding, const Found& found, const Plan& plan,
+                          const std::filesystem::path& corpus) {
+  CorpusCase saved = plan.sequences
+                         ? unasked_sequence(finding, plan)
+                         : unasked_case(plan.pair(finding.tally.worst), judgement_seen(finding),
+                                        plan.subject, plan.oracle);
+  saved.found = found;
+  saved.found->is_unshrunk = true;
+  saved.note += kNotAsked;
+  const auto folder = plan.sequences ? corpus_folder(saved)
+                                     : corpus_folder(finding.bucket, plan.oracle.declaration.name);
+  finding.file = write_corpus_case(corpus / folder, saved).string();
+  return {.is_as_seen = true, .is_answered = false};
+}
+
 /// Shrinks the finding's worst witness, until there is no more time, and writes it to the corpus,
-/// and beside it the worst as it was seen; sets `file`. Whether it is as small as can be. Throws
-/// UserError where it cannot be written, and Interrupted.
-bool save_finding(Finding& finding, const Tally& tally, const Plan& plan,
-                  const std::filesystem::path& corpus, const Deadlines& deadlines,
-                  Interruption& interruption) {
-  const Found found = found_at(finding, tally, plan);
-  if (plan.sequences) {
-    return save_sequence(finding, found, plan, corpus, deadlines.of_shrinking, interruption);
-  }
-  const auto judged = [&](const PairCase& pair) {
-    return judge_in_child(pair, plan.subject, plan.oracle, interruption);
-  };
+/// and beside it the worst as it was seen; sets `file`. Throws UserError where it cannot be
+/// written, and Interrupted where there was no answer at all.
+SavedFinding save_pair(Finding& finding, const Found& found, const Plan& plan,
+                       const std::filesystem::path& corpus, const Deadlines& deadlines,
+                       Interruption& interruption) {
+  SavedFinding how;
   const auto recorded = [&](const PairCase& pair, const Judgement& judgement) {
-    CorpusCase saved =
-        recorded_case(pair, judgement, plan.subject, plan.oracle, interruption, deadlines.of_all);
+    CorpusCase saved;
+    try {
+      const Deadline severity_until = has_passed(deadlines.of_all)
+                                          ? deadlines.of_all
+                                          : std::max(*deadlines.of_shrinking, after(1));
+      saved =
+          recorded_case(pair, judgement, plan.subject, plan.oracle, interruption, severity_until);
+    } catch (const Interrupted&) {
+      how.is_as_seen = true;
+      saved = unasked_case(pair, judgement, plan.subject, plan.oracle);
+      saved.note += kNotAsked;
+    }
     saved.found = found;
     return saved;
   };
   const PairCase worst = plan.pair(finding.tally.worst);
-  const Judgement of_worst = judged(worst);
+  const Judgement of_worst = judge_in_child(worst, plan.subject, plan.oracle, interruption);
+  how.is_answered = !is_of_lost(of_worst.bucket);
   const auto folder = corpus / corpus_folder(finding.bucket, plan.oracle.declaration.name);
   if (of_worst.bucket != finding.bucket) {
     CorpusCase unrepeated = recorded(worst, {finding.bucket, finding.tally.error.magnitude});
     unrepeated.note += fmt::format(" Asked again, alone, it is {}.", to_string(of_worst.bucket));
     finding.file = write_corpus_case(folder, unrepeated).string();
-    return true;
+    how.is_small = true;
+    return how;
   }
   // One that a collider cannot take shows nothing that a smaller one shows better.
   Shrunk smallest{.pair = worst, .complete = finding.bucket.verdict == Verdict::unsupported};
   if (!smallest.complete && interruption.state() == Interruption::State::running &&
       !has_passed(deadlines.of_all)) {
-    smallest =
-        shrink_finding(worst, plan.subject, plan.oracle, interruption, deadlines.of_shrinking);
+    unless_interrupted([&] {
+      smallest =
+          shrink_finding(worst, plan.subject, plan.oracle, interruption, deadlines.of_shrinking);
+    });
   }
-  CorpusCase saved = recorded(smallest.pair, judged(smallest.pair));
+  Judgement of_smallest = of_worst;
+  unless_interrupted([&] {
+    of_smallest = judge_in_child(smallest.pair, plan.subject, plan.oracle, interruption);
+  });
+  CorpusCase saved = recorded(smallest.pair, of_smallest);
   saved.found->is_unshrunk = !smallest.complete;
   const auto file = write_corpus_case(folder, saved);
   finding.file = file.string();
   if (worst != smallest.pair) write_worst_case(file, recorded(worst, of_worst));
-  return smallest.complete;
+  how.is_small = smallest.complete;
+  return how;
+}
+
+/// The same of a pair or a sequence, as the campaign saw it where there is no answer.
+SavedFinding save_finding(Finding& finding, const Tally& tally, const Plan& plan,
+                          const std::filesystem::path& corpus, const Deadlines& deadlines,
+                          Interruption& interruption) {
+  const Found found = found_at(finding, tally, plan);
+  if (interruption.is_stopped()) return save_unasked(finding, found, plan, corpus);
+  try {
+    if (!plan.sequences) {
+      return save_pair(finding, found, plan, corpus, deadlines, interruption);
+    }
+    return {.is_small =
+                save_sequence(finding, found, plan, corpus, deadlines.of_shrinking, interruption)};
+  } catch (const Interrupted&) {
+    return save_unasked(finding, found, plan, corpus);
+  }
 }
 
 }  // namespace
@@ -170,74 +181,52 @@ std::filesystem::path corpus_folder(const CorpusCase& known) {
   return bucket ? corpus_folder(*bucket, known.expect->oracle) : "seeds";
 }
 
-CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const Collider& subject,
-                         const Collider& oracle, Interruption& interruption,
-                         const Deadline& severity_until) {
-  CorpusCase recorded;
-  recorded.pair = pair;
-  Expectation& expect = recorded.expect.emplace(Expectation{
-      .subject = subject.declaration.name,
-      .oracle = oracle.declaration.name,
-      .verdict = std::string(to_string(judgement.bucket.verdict)),
-      .bucket = to_string(judgement.bucket),
-      .manifolds = {},
-      .severity = has_passed(severity_until)
-                      ? std::nullopt
-                      : recorded_severity(pair, judgement.bucket, subject, oracle, interruption)});
-  if (judgement.bucket.verdict != Verdict::agree) {
-    expect.magnitude = judgement.magnitude;
-    if (judgement.bucket.fault != Fault::none) expect.errors = error_of(judgement).errors;
-  }
-  for (const Manifold<double>& right : right_manifolds(admissible(pair, subject.declaration))) {
-    expect.manifolds.push_back({std::string(kJudgeName), without_negative_zeros(right)});
-  }
-  std::string ends;
-  for (const Collider* collider : {&subject, &oracle}) {
-    const Answer answer = ask_in_child(*collider, pair, interruption);
-    if (const auto why = why_lost(pair, {collider->declaration, answer})) {
-      ends += fmt::format(" {}: {}.", collider->declaration.name, *why);
-    }
-    if (!std::holds_alternative<Lost>(answer)) {
-      expect.manifolds.push_back({collider->declaration.name, without_negative_zeros(answer)});
-    }
-  }
-  recorded.note = note_of(pair, judgement, subject, oracle) + ends;
-  return recorded;
-}
-
 Saving save_new(std::vector<Finding>& found, const Tally& tally, const Plan& plan,
                 const SaveTo& save_to, Interruption::State begins,
                 const std::function<void(const std::string&)>& on_finding) {
-  Interruption signals;
-  Interruption interruption({.begins = begins, .stopped_at = save_to.deadline});
+  Interruption all({.begins = begins, .stopped_at = save_to.deadline});
   Saving saving;
   std::vector<Finding*> left;
   for (Finding& finding : found) {
     if (finding.is_new) left.push_back(&finding);
   }
   const Clock::time_point end = after(save_to.shrink_seconds);
+  int in_vain = 0;  // findings in a row
   for (std::size_t i = 0; i < left.size(); ++i) {
     Finding& finding = *left[i];
-    if (interruption.is_stopped()) {
+    if (all.is_called_off()) {
       ++saving.unsaved;
       continue;
     }
-    const bool is_shrunk = interruption.state() == Interruption::State::running;
+    const bool is_shrunk = all.state() == Interruption::State::running;
     on_finding(fmt::format("{} {} ({} of {})", is_shrunk ? "shrinking" : "saving",
                            to_string(finding.bucket), i + 1, left.size()));
+    const Deadlines deadlines = deadlines_of(end, left.size() - i);
+    const bool is_given_up = in_vain >= kInVainMax && has_passed(end);
+    Interruption::Limits limits{.begins = is_given_up ? Interruption::State::stopped : all.state()};
+    limits.stopped_at = earlier(save_to.deadline, end_of_asking(deadlines));
+    Interruption asking(limits);
     try {
-      const Deadlines deadlines = deadlines_of(end, left.size() - i);
-      const bool is_small =
-          save_finding(finding, tally, plan, save_to.folder, deadlines, interruption);
-      if (!is_small) ++saving.unshrunk;
-    } catch (const Interrupted&) {
-      ++saving.unsaved;
+      const SavedFinding how =
+          save_finding(finding, tally, plan, save_to.folder, deadlines, asking);
+      in_vain = how.is_answered && !how.is_as_seen ? 0 : in_vain + 1;
+      if (!how.is_small) ++saving.unshrunk;
+      if (how.is_as_seen) ++saving.as_seen;
     } catch (const UserError& error) {
+      ++saving.unwritten;
       if (saving.first_error.empty()) saving.first_error = error.what();
     }
   }
-  saving.interrupted = signals.state() != Interruption::State::running;
+  saving.interrupted = all.is_signalled();
   return saving;
+}
+
+std::string unwritten_in_words(const Saving& saving) {
+  if (saving.unwritten == 0) return "";
+  return fmt::format(
+      "{} could not be saved: {}",
+      saving.unwritten == 1 ? "1 finding" : fmt::format("{} findings", saving.unwritten),
+      saving.first_error);
 }
 
 }  // namespace manifuzz

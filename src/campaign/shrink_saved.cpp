@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/known.hpp"
+#include "campaign/recorded_case.hpp"
 #include "campaign/save.hpp"
 
 namespace manifuzz {
@@ -25,8 +26,11 @@ CorpusCase shrunk_case(const CorpusCase& given, const Collider& subject, const C
                                 given.path, subject.declaration.name, oracle.declaration.name));
   }
   const Shrunk smallest = shrink_finding(given.pair, subject, oracle, interruption);
-  const Judgement judgement = judge_in_child(smallest.pair, subject, oracle, interruption);
-  CorpusCase result = recorded_case(smallest.pair, judgement, subject, oracle, interruption);
+  CorpusCase result = unasked_case(smallest.pair, root, subject, oracle);
+  unless_interrupted([&] {
+    const Judgement judgement = judge_in_child(smallest.pair, subject, oracle, interruption);
+    result = recorded_case(smallest.pair, judgement, subject, oracle, interruption);
+  });
   result.found = given.found;
   if (result.found) result.found->is_unshrunk = !smallest.complete;
   // What is another mistake by now is not what was accepted.
@@ -96,10 +100,12 @@ CorpusCase shrunk_by_names(const CorpusCase& known, NamedColliders& colliders,
 
 ShrunkInPlace shrink_in_place(std::span<const CorpusCase> cases,
                               const std::function<CorpusCase(const CorpusCase&)>& smallest_of,
+                              const std::function<bool()>& is_stopped,
                               const std::function<void(const std::string& file)>& on_shrunk) {
   ShrunkInPlace shrunk;
   for (const CorpusCase& known : cases) {
     if (!is_left_unshrunk(known)) continue;
+    if (is_stopped()) break;
     try {
       shrunk.files.push_back(replace(known, smallest_of(known)));
       on_shrunk(shrunk.files.back());

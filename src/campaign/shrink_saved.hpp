@@ -28,10 +28,11 @@ CorpusCase shrunk_by_names(const CorpusCase& known, NamedColliders& colliders,
                            Interruption& interruption);
 
 /// Shrinks those of these cases by `smallest_of`, each in its file's place: the worst seen stays
-/// beside the smallest. `on_shrunk` is told of each file. Throws Interrupted, and what was shrunk
-/// until then stays.
+/// beside the smallest. `on_shrunk` is told of each file. Once `is_stopped`, the others are left as
+/// they are; throws Interrupted where the one at work is.
 ShrunkInPlace shrink_in_place(std::span<const CorpusCase> cases,
                               const std::function<CorpusCase(const CorpusCase&)>& smallest_of,
+                              const std::function<bool()>& is_stopped,
                               const std::function<void(const std::string& file)>& on_shrunk);
 
 }  // namespace manifuzz

@@ -9,12 +9,18 @@
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "process/child.hpp"
+#include "process/signals.hpp"
+#include "process/standard_streams.hpp"
+#include "report/glossary.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {
 namespace {
 
 constexpr int kBadUsage = 2;
+
+/// What a command may still ask anybody, once a signal came; it ends within 2 s.
+constexpr double kSecondsAfterSignal = 1.2;
 
 int complain(std::string_view what) {
   write_complaint(what);
@@ -45,6 +51,7 @@ int answer_bare_call(const char* program) {
 
 int run(int argc, char** argv) {
   CLI::App app{"Contact points by clipping, and the harness that proves them.", "manifuzz"};
+  app.footer("--help words says what the words mean that commands use.");
   app.set_version_flag("--version", "manifuzz " MANIFUZZ_VERSION);
   app.require_subcommand(1);
   add_common_options(app);
@@ -57,6 +64,10 @@ int run(int argc, char** argv) {
     add_common_options(*sub);
   }
   if (argc < 2) return answer_bare_call(argc > 0 ? argv[0] : "manifuzz");
+  if (argc == 3 && argv[1] == std::string_view("--help") && argv[2] == std::string_view("words")) {
+    write_output(glossary_text());
+    return 0;
+  }
   try {
     app.parse(argc, argv);
     obey_common_options(app);
@@ -67,23 +78,27 @@ int run(int argc, char** argv) {
   return runs.at(app.get_subcommands().front())();
 }
 
+/// Whatever the command throws becomes a complaint and a status.
+int run_to_the_end(int argc, char** argv) {
+  try {
+    return guarding_exit(
+        [&] { return run(argc, argv); },
+        [] { return complain("a library called exit in this process; leave out --in-process"); });
+  } catch (const OutputClosed&) {
+    return 0;
+  } catch (const std::exception& error) {
+    return complain(error.what());
+  }
+}
+
 }  // namespace
 }  // namespace manifuzz
 
 int main(int argc, char** argv) {
+  manifuzz::fill_in_standard_streams();
   const manifuzz::Descendants descendants;
   manifuzz::stop_children_on_signals();
+  manifuzz::leave_after_signal(manifuzz::kSecondsAfterSignal);
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is noticed where output is written
-  try {
-    return manifuzz::guarding_exit(
-        [&] { return manifuzz::run(argc, argv); },
-        [] {
-          return manifuzz::complain(
-              "a library called exit in this process; leave out --in-process");
-        });
-  } catch (const manifuzz::OutputClosed&) {
-    return 0;
-  } catch (const std::exception& error) {
-    return manifuzz::complain(error.what());
-  }
+  return manifuzz::status_after_signals(manifuzz::run_to_the_end(argc, argv));
 }

@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "generating/regime.hpp"
 #include "judging/by_curve.hpp"
+#include "process/signals.hpp"
 
 namespace manifuzz {
 namespace {
@@ -71,6 +72,7 @@ std::vector<Answer> ask_all(const Collider& collider, const std::vector<PairCase
                             Interruption& interruption) {
   std::vector<Answer> answers(pairs.size());
   if (!collider.is_isolated()) {
+    const EndingSignalsLetThrough signals;  // it may never return
     std::ranges::transform(pairs, answers.begin(), collider.collide);
     return answers;
   }

@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <poll.h>
+#include <string_view>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -17,6 +18,9 @@
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "process/interruption.hpp"
+#include "process/signals.hpp"
 
 namespace manifuzz {
 namespace {
@@ -46,8 +50,11 @@ int unblocked(int descriptor) {
 
 /// What a process may not inherit from one that holds signals back, ignores or handles them.
 void reset_signals() {
-  for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGINT, SIGPIPE, SIGSEGV, SIGTERM}) {
+  for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGPIPE, SIGSEGV}) {
     std::signal(signal, SIG_DFL);
+  }
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (sigismember(&ending_signals(), signal) == 1) std::signal(signal, SIG_DFL);
   }
   sigset_t none;
   sigemptyset(&none);
@@ -68,8 +75,28 @@ extern "C" void die_with_children(int signal) {
   for (const auto& group : running_groups) {
     if (group > 0) kill(-group, SIGKILL);
   }
-  std::signal(signal, SIG_DFL);
-  raise(signal);
+  constexpr std::string_view words = "manifuzz: interrupted before it was done\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, words.data(), words.size());
+  _exit(status_of_signal(signal));
+}
+
+bool is_writing_core(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("CoreDumping:")) return line.ends_with('1');
+  }
+  return false;
+}
+
+/// Ends a group's leader, in whichever group it is by now. One that the system does not let end is
+/// left behind: nobody waits for it.
+void end_leader(pid_t leader) {
+  constexpr double seconds_max = 1;
+  kill(leader, SIGKILL);
+  const Clock::time_point began = Clock::now();
+  while (waitpid(leader, nullptr, WNOHANG) == 0 && seconds_since(began) < seconds_max) {
+    usleep(200);
+  }
 }
 
 constexpr int kLeftHalfway = 3;
@@ -142,12 +169,14 @@ void stop_children() {
     const pid_t leader = group.exchange(0);
     if (leader <= 0) continue;
     kill(-leader, SIGKILL);
-    wait_for(leader);
+    end_leader(leader);
   }
 }
 
 void stop_children_on_signals() {
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, die_with_children);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (sigismember(&ending_signals(), signal) == 1) std::signal(signal, die_with_children);
+  }
 }
 
 bool Child::running() const {
@@ -180,24 +209,34 @@ std::string Child::stop() {
     const std::optional<int> status = status_if_ended();
     if (status) words = obituary(*status);
     kill(-process_, SIGKILL);
-    if (!status) wait_for(process_);
+    if (!status) end_leader(process_);
     replace_group(process_, 0);
   }
   abandon();
   return words;
 }
 
+bool Child::has_ended() const {
+  siginfo_t ended{};
+  return waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         ended.si_pid == process_;
+}
+
 std::optional<int> Child::status_if_ended() const {
-  constexpr int patience_ms = 1000;  // one whose pipe is closed may still be writing its core
-  for (int i = 0; i < patience_ms; ++i) {
+  constexpr double seconds_to_end = 0.1;  // one whose pipe is closed may be about to
+  constexpr double seconds_to_write_core = 2;
+  const Clock::time_point began = Clock::now();
+  for (;;) {
     int status = 0;
     if (waitpid(process_, &status, WNOHANG) == process_) return status;
     pollfd watched{from_, 0, 0};
     poll(&watched, 1, 0);
     if ((watched.revents & POLLHUP) == 0) return std::nullopt;
+    const double seconds = seconds_since(began);
+    if (seconds > seconds_to_write_core) return std::nullopt;
+    if (seconds > seconds_to_end && !is_writing_core(process_)) return std::nullopt;
     usleep(1000);
   }
-  return std::nullopt;
 }
 
 void Child::abandon() {

@@ -36,6 +36,8 @@ class Child {
   Child& operator=(Child&&) = delete;  // neither moved nor copied
 
   bool running() const;
+  /// Whether it has ended by itself; what it started may live on.
+  bool has_ended() const;
   /// Stops what runs; then `body` runs in the child, `in` and `out` being its ends of the pipes.
   /// Throws std::system_error where no process is to be had.
   void start(const std::function<void(int in, int out)>& body);
@@ -62,7 +64,8 @@ class Child {
 /// Stops every child of this process: destructors do not run in one that exits at once.
 void stop_children();
 
-/// From here on SIGINT and SIGTERM stop the children before they end this process.
+/// From here on SIGINT, SIGTERM and SIGHUP stop the children before they end this process, with the
+/// status that says so.
 void stop_children_on_signals();
 
 /// Waits until something is to be read, at most so long; whether it is.

@@ -2,25 +2,16 @@
 
 #include <algorithm>
 
+#include "process/signals.hpp"
+
 namespace manifuzz {
 namespace {
 
-/// How many signals this process has taken, whichever Interruption took them.
-int signals_taken = 0;
-
-sigset_t set_of(std::initializer_list<int> signals) {
-  sigset_t set;
-  sigemptyset(&set);
-  for (const int signal : signals) sigaddset(&set, signal);
-  return set;
-}
-
-const sigset_t kStopping = set_of({SIGINT, SIGTERM});
-const sigset_t kHeld = set_of({SIGINT, SIGTERM, SIGCHLD});
-
-void take_pending() {
-  const timespec at_once{0, 0};
-  while (sigtimedwait(&kStopping, nullptr, &at_once) > 0) ++signals_taken;
+/// Those by which this program is to end, and that a child has ended.
+sigset_t held_signals() {
+  sigset_t held = ending_signals();
+  sigaddset(&held, SIGCHLD);
+  return held;
 }
 
 double seconds_until(const Deadline& deadline, double most) {
@@ -31,22 +22,33 @@ double seconds_until(const Deadline& deadline, double most) {
 }  // namespace
 
 Interruption::Interruption(const Limits& limits) : limits_(limits) {
-  sigprocmask(SIG_BLOCK, &kHeld, &mask_before_);
-  take_pending();  // those belong to whoever held them back
-  signals_before_ = signals_taken;
+  const sigset_t held = held_signals();
+  sigprocmask(SIG_BLOCK, &held, &mask_before_);
+  take_ending_signals();  // those belong to whoever held them back
+  signals_before_ = ending_signals_taken();
 }
 
 Interruption::~Interruption() {
-  take_pending();  // lest they strike when the mask is lifted
+  take_ending_signals();  // lest they strike when the mask is lifted
   sigprocmask(SIG_SETMASK, &mask_before_, nullptr);
 }
 
+int Interruption::signals() const {
+  take_ending_signals();
+  return ending_signals_taken() - signals_before_;
+}
+
 Interruption::State Interruption::state() {
-  take_pending();
-  const int signals = signals_taken - signals_before_;
-  if (has_passed(limits_.stopped_at) || signals > 1) return State::stopped;
-  if (signals == 0) return has_passed(limits_.hurried_at) ? State::hurried : limits_.begins;
+  const int count = signals();
+  if (has_passed(limits_.stopped_at) || count > 1 || is_out_of_time(limits_.share)) {
+    return State::stopped;
+  }
+  if (count == 0) return has_passed(limits_.hurried_at) ? State::hurried : limits_.begins;
   return limits_.begins == State::hurried ? State::stopped : limits_.first_signal;
+}
+
+bool Interruption::is_called_off() {
+  return limits_.begins == State::stopped || signals() > (limits_.begins == State::running ? 1 : 0);
 }
 
 void Interruption::wait(double seconds) {
@@ -55,8 +57,9 @@ void Interruption::wait(double seconds) {
   const auto time = ceil<nanoseconds>(duration<double>(std::max(0.0, seconds)));
   const auto whole = floor<std::chrono::seconds>(time);
   const timespec timeout{whole.count(), (time - whole).count()};
-  const int signal = sigtimedwait(&kHeld, nullptr, &timeout);
-  if (signal == SIGINT || signal == SIGTERM) ++signals_taken;
+  const sigset_t held = held_signals();
+  const int signal = sigtimedwait(&held, nullptr, &timeout);
+  if (signal > 0 && signal != SIGCHLD) count_ending_signal(signal);
 }
 
 }  // namespace manifuzz

@@ -24,6 +24,10 @@ inline Clock::time_point after(double seconds) {
   const std::chrono::duration<double> time(std::min(seconds, thirty_years));
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
 }
+/// The one that comes first.
+inline Deadline earlier(const Deadline& a, const Deadline& b) {
+  return a && b ? std::min(*a, *b) : a ? a : b;
+}
 /// When the first of so many, who share what time is left, must be done.
 inline Deadline share_of(const Deadline& deadline, std::size_t count) {
   if (!deadline) return deadline;
@@ -31,8 +35,9 @@ inline Deadline share_of(const Deadline& deadline, std::size_t count) {
   return now + (*deadline - now) / static_cast<int>(count);
 }
 
-/// Holds SIGINT and SIGTERM back for as long as it lives, so that work can end in good order. One
-/// that lives around another counts its signals too.
+/// Holds SIGINT, SIGTERM and SIGHUP back for as long as it lives, so that work can end in good
+/// order. One that lives around another counts its signals too. All are stopped once the time is
+/// over that the first signal leaves.
 class Interruption {
  public:
   enum class State {
@@ -45,6 +50,7 @@ class Interruption {
     State first_signal = State::hurried;  ///< what that leads to; another one stops
     Deadline hurried_at{};
     Deadline stopped_at{};
+    double share = 1;  ///< of the time that the first signal leaves: then this is stopped
   };
 
   Interruption() : Interruption(Limits{}) {}
@@ -54,6 +60,10 @@ class Interruption {
 
   State state();
   bool is_stopped() { return state() == State::stopped; }
+  /// Whether somebody asked again: then nothing is to be finished, whatever time there is.
+  bool is_called_off();
+  /// Whether anybody has asked, since this one lives or before.
+  bool is_signalled() { return limits_.begins != State::running || signals() > 0; }
   /// Waits until a signal, a child's end or a deadline, at most so long.
   void wait(double seconds);
 
@@ -63,6 +73,8 @@ class Interruption {
   }
 
  private:
+  int signals() const;
+
   Limits limits_;
   sigset_t mask_before_;
   int signals_before_;  ///< taken by others before this one lived

@@ -87,6 +87,12 @@ std::string state_in_words(const Campaign& campaign) {
                     is_subject ? campaign.result.settings.subject : campaign.result.settings.oracle,
                     printable(campaign.run.why_given_up, 200));
   }
+  if (campaign.saving.as_seen > 0) {
+    text += fmt::format(
+        "{} of the new findings are saved as they were seen: asked again, {} or {} gave no answer "
+        "in time\n",
+        campaign.saving.as_seen, campaign.result.settings.subject, campaign.result.settings.oracle);
+  }
   if (!campaign.result.interrupted) return text;
   const std::size_t unsaved = campaign.saving.unsaved;
   text += "interrupted: what was found until then is counted";

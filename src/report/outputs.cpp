@@ -130,7 +130,13 @@ void Outputs::write(bool is_asked, const std::function<void()>& write_it) {
 }
 
 void Outputs::add_error(const std::string& what) {
-  if (what.empty() || std::ranges::find(errors_, what) != errors_.end()) return;
+  if (what.empty()) return;
+  are_written_ = false;
+  add_interruption(what);
+}
+
+void Outputs::add_interruption(const std::string& what) {
+  if (std::ranges::find(errors_, what) != errors_.end()) return;
   write_complaint(what);
   errors_.push_back(what);
 }

@@ -73,11 +73,15 @@ class Outputs {
   /// What went wrong beside the writing, if anything did.
   void add_error(const std::string& what);
 
-  bool are_written() const { return errors_.empty(); }
+  /// The same of a run that was interrupted, which the outputs that are written say.
+  void add_interruption(const std::string& what);
+
+  bool are_written() const { return are_written_; }
   const std::vector<std::string>& errors() const { return errors_; }
 
  private:
   std::vector<std::string> errors_;
+  bool are_written_ = true;
 };
 
 /// Whether the collider of that name is there on any machine.

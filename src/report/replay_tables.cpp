@@ -77,6 +77,7 @@ void append_replay_json(nlohmann::ordered_json& json, const ReplayRun& run, std:
   json["accepted"] = run.accepted();
   json["stale"] = run.stale();
   json["left_out"] = run.left_out;
+  json["interrupted"] = run.left_out > 0;
   json["unread"] = unread;
   json["seconds"] = run.seconds;
   json["failures"] = nlohmann::ordered_json::array();

@@ -1,6 +1,12 @@
 #include <algorithm>
+#include <cfenv>
 #include <cstdlib>
 #include <limits>
+#include <unistd.h>
+
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
 
 #include "external/behaviour.hpp"
 #include "oracle/external/manifuzz_collider.h"
@@ -40,6 +46,16 @@ Vector2<double> midpoint(const Manifold<double>& manifold, const PairCase& pair,
   const Vector2<double> inwards = incident_b ? manifold.normal : -manifold.normal;
   const double unit = pair.a.pose.rotation.cast<double>().norm();
   return manifold.points[i].position + inwards * (manifold.points[i].depth / 2 - radius) / unit;
+}
+
+/// What it does to the process that it runs in, beside its answer.
+void leave_traces() {
+  if (behaviour() == "rounds-down") std::fesetround(FE_DOWNWARD);
+  if (behaviour() == "forks") fork();
+#if defined(__x86_64__)
+  if (behaviour() == "flushes") _mm_setcsr(_mm_getcsr() | 0x8040);
+  if (behaviour() == "traps") _mm_setcsr(_mm_getcsr() & ~0x0080U);
+#endif
 }
 
 /// As its behaviour has it: what a separation is named after claims no more.
@@ -97,6 +113,7 @@ int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_ma
   if (behaviour() == "nan" && found.count > 0) {
     manifold->points[0].depth = std::numeric_limits<double>::quiet_NaN();
   }
+  if (test::is_unlucky(a->vertices[0].x, b->position.y)) leave_traces();
   if (behaviour() == "shallow" && found.count > 0) manifold->points[0].depth /= 2;
   return 0;
 }

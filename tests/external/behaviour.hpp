@@ -25,6 +25,21 @@ inline void misbehave(std::string_view behaviour, float x, float y) {
   if (behaviour == "exits") _exit(3);
   if (behaviour == "calls-exit") std::exit(0);
   if (behaviour == "sleeps") pause();
+  if (behaviour == "stops") std::raise(SIGSTOP);
+  if (behaviour == "leaves-its-group") {
+    setpgid(0, getpgid(getppid()));
+    pause();
+  }
+  if (behaviour == "leaves-a-child" && fork() > 0) _exit(3);
+  if (behaviour == "leaves-a-child") {
+    setsid();
+    pause();
+  }
+  if (behaviour == "closes-and-lives-on") {
+    std::signal(SIGTERM, SIG_IGN);
+    close(STDOUT_FILENO);
+    pause();
+  }
 }
 
 }  // namespace manifuzz::test

@@ -1,5 +1,7 @@
 #include "external/campaigns.hpp"
 
+#include <catch2/catch.hpp>
+
 #include "external/behaviour.hpp"
 #include "generating/regime.hpp"
 #include "own_colliders/own_colliders.hpp"
@@ -38,6 +40,20 @@ std::uint64_t unlucky(const Plan& plan) {
     if (is_unlucky(x, pair.b.pose.position.y())) ++count;
   }
   return count;
+}
+
+void check_loses(const Collider& subject, Verdict verdict) {
+  const Plan plan = plan_of(subject);
+  const std::uint64_t expected = unlucky(plan);
+  REQUIRE(expected > 0);
+  const JobsResult result = run(plan);
+  CHECK(result.tally->cases() == kCases);
+  CHECK(result.tally->count(verdict) == expected);
+  CHECK(result.tally->unexplained() == expected);
+  const BucketTally* const lost =
+      result.tally->buckets.find(bucket_of_lost(verdict, Fault::subject));
+  REQUIRE(lost != nullptr);
+  CHECK(lost->count == expected);
 }
 
 std::uint64_t count_of(const JobsResult& result, Kind kind) {

@@ -32,6 +32,9 @@ JobsResult run(const Plan& plan);
 /// How many of the plan's cases a collider that is told so fails at.
 std::uint64_t unlucky(const Plan& plan);
 
+/// That the campaign of such a subject loses those cases, and no other.
+void check_loses(const Collider& subject, Verdict verdict);
+
 /// How many findings have that kind.
 std::uint64_t count_of(const JobsResult& result, Kind kind);
 

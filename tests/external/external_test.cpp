@@ -23,20 +23,6 @@ using namespace manifuzz::test;
 
 namespace {
 
-void check_loses(const Collider& subject, Verdict verdict) {
-  const Plan plan = plan_of(subject);
-  const std::uint64_t expected = unlucky(plan);
-  REQUIRE(expected > 0);
-  const JobsResult result = run(plan);
-  CHECK(result.tally->cases() == kCases);
-  CHECK(result.tally->count(verdict) == expected);
-  CHECK(result.tally->unexplained() == expected);
-  const BucketTally* const lost =
-      result.tally->buckets.find(bucket_of_lost(verdict, Fault::subject));
-  REQUIRE(lost != nullptr);
-  CHECK(lost->count == expected);
-}
-
 /// The campaign stops, having seen enough.
 void check_ends_campaign(const Collider& subject, Verdict verdict) {
   const JobsResult result = run(plan_of(subject));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "campaign/in_child.hpp"
 #include "campaign/save.hpp"
 
 namespace manifuzz {
@@ -32,6 +33,18 @@ CorpusCase recorded_sequence(const Sequence& sequence, const SequenceJudgement& 
   expect.bucket = to_string(judgement.bucket);
   if (judgement.bucket.verdict != Verdict::agree) expect.magnitude = judgement.magnitude;
   recorded.note = sequence_note(judgement, subject.declaration, sequence.frames.size());
+  return recorded;
+}
+
+CorpusCase unasked_sequence(const Finding& finding, const Plan& plan) {
+  SequenceJudgement seen;
+  seen.bucket = finding.bucket;
+  seen.magnitude = finding.tally.error.magnitude;
+  const SequenceCollider& subject = plan.sequences->subject;
+  CorpusCase recorded = recorded_sequence(plan.sequence(finding.tally.worst), seen, subject);
+  recorded.note =
+      fmt::format("{}: {} ({}).", subject.declaration.name, to_string(seen.bucket.verdict),
+                  name_of(seen.bucket.kind, kKindNames));
   return recorded;
 }
 
@@ -82,8 +95,10 @@ CorpusCase shrunk_sequence(const CorpusCase& given, const SequenceCollider& subj
         root.bucket.verdict == Verdict::agree ? "right" : to_string(root.bucket.verdict)));
   }
   const ShrunkSequence smallest = shrink_finding(sequence, subject, interruption);
-  CorpusCase result = recorded_sequence(
-      smallest.sequence, judge_in_child(smallest.sequence, subject, interruption), subject);
+  SequenceJudgement of_smallest = root;
+  unless_interrupted(
+      [&] { of_smallest = judge_in_child(smallest.sequence, subject, interruption); });
+  CorpusCase result = recorded_sequence(smallest.sequence, of_smallest, subject);
   result.found = given.found;
   if (result.found) result.found->is_unshrunk = !smallest.complete;
   // What is another mistake by now is not what was accepted.

@@ -12,6 +12,9 @@ namespace manifuzz {
 CorpusCase recorded_sequence(const Sequence& sequence, const SequenceJudgement& judgement,
                              const SequenceCollider& subject);
 
+/// The finding's worst witness as the campaign saw it, without asking anybody.
+CorpusCase unasked_sequence(const Finding& finding, const Plan& plan);
+
 /// Shrinks the finding's worst witness and writes it to the corpus, and beside it the worst as it
 /// was seen; sets the finding's file. Whether it is as small as can be. Throws UserError where it
 /// cannot be written, and Interrupted.

@@ -129,7 +129,11 @@ Standing standing(const Sequence& sequence) {
 
 std::vector<KeptAnswer> ask_in_child(const SequenceCollider& subject, const Sequence& sequence,
                                      Interruption& interruption) {
-  if (subject.is_isolated || !takes(subject, sequence)) return ask_sequence(subject, sequence);
+  if (subject.is_isolated || !takes(subject, sequence)) {
+    std::vector<KeptAnswer> answers = ask_sequence(subject, sequence);
+    if (interruption.is_stopped()) throw Interrupted();  // it may have been cut short
+    return answers;
+  }
   const Shared<AnswerSlot> slots(sequence.frames.size());
   const Shared<std::atomic<std::size_t>> done;
   const auto body = [&] {
@@ -170,7 +174,7 @@ ShrunkSequence shrink_finding(const Sequence& sequence, const SequenceCollider& 
   const bool is_here = is_lost || subject.is_isolated;
   const bool is_touching = touches_where_decided(sequence, root);
   Interruption::Limits limits = interruption.until_signal();
-  if (deadline) limits.stopped_at = std::min(limits.stopped_at.value_or(*deadline), *deadline);
+  limits.stopped_at = earlier(limits.stopped_at, deadline);
   Interruption shrinking(limits);
   const Shared<ShrinkSlot> slot;
   slot->best[0].set(sequence);

@@ -141,7 +141,7 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
     const bool is_on_screen = !options.is_verbose && !options.ci.stdout_is_data;
     if (options.report != "-" && !is_on_screen) write_remark("page " + options.report);
   });
-  outputs.add_error(campaign.saving.first_error);
+  outputs.add_error(unwritten_in_words(campaign.saving));
   if (is_wanted(options.ci)) {
     Interruption interruption(kUntilSignal);
     write_ci(options.ci, {fuzz_suite(campaign, interruption)}, outputs);

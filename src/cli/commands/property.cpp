@@ -69,7 +69,7 @@ int hold_properties(PropertyArguments& options) {
   };
   const std::vector<CheckedProperty> checked =
       check_properties(chosen, subject, plan, known, {}, options.folders.save_to(), tell);
-  if (all.is_stopped()) outputs.add_error("property: interrupted before it was done");
+  if (all.is_stopped()) outputs.add_interruption("property: interrupted before it was done");
   line.show("");
   const CalledAgain again{this_program(), options_again(options, plan.seed),
                           options_to_show({options.subject, {}, options.external})};

@@ -60,7 +60,7 @@ int replay(ReplayArguments& options) {
   run.add(replay_sequences(corpus.sequences, keepers, known_of(corpus.sequences, options.today),
                            interruption));
   Outputs outputs;
-  if (run.left_out > 0) outputs.add_error("replay: interrupted before it was done");
+  if (run.left_out > 0) outputs.add_interruption("replay: interrupted before it was done");
   outputs.write(!options.ci.stdout_is_data, [&] { write_to_reader(replay_text(run)); });
   outputs.write(!options.json.empty(), [&] {
     auto json = provenance(0, run.declarations());

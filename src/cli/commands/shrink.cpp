@@ -37,24 +37,31 @@ int shrink_folder(const ShrinkArguments& options) {
       find_installed_or_named({options.subjects, {folder}}),
       keeps_points(asked) ? std::nullopt : given_collider(asked, options.colliders.external),
       given_collider(options.colliders.oracle, options.colliders.external));
-  Interruption interruption(kUntilSignal);
+  Interruption interruption;
+  const auto is_stopped = [&] { return interruption.state() != Interruption::State::running; };
   const auto tell = [](const std::string& file) { write_output(file + '\n'); };
   const ShrunkInPlace of_pairs = shrink_in_place(
       corpus.cases,
       [&](const CorpusCase& known) { return shrunk_by_names(known, colliders, interruption); },
-      tell);
+      is_stopped, tell);
   const ShrunkInPlace of_sequences = shrink_in_place(
       corpus.sequences,
       [&](const CorpusCase& known) {
         return shrunk_sequence(known, keeper_for(known, asked, options.colliders.external),
                                interruption);
       },
-      tell);
+      is_stopped, tell);
   write_complaints(of_pairs.errors);
   write_complaints(of_sequences.errors);
+  if (is_stopped()) write_complaint("shrink: interrupted; the others are left as they are");
   write_remark(fmt::format("{}: {} of {} cases shrunk", printable(folder.string(), 200),
                            of_pairs.files.size() + of_sequences.files.size(), corpus.all().size()));
   return of_pairs.errors.empty() && of_sequences.errors.empty() ? 0 : 2;
+}
+
+void tell_if_cut_short(Interruption& interruption) {
+  if (interruption.state() == Interruption::State::running) return;
+  write_complaint("shrink: interrupted; the case is as small as it was until then");
 }
 
 int shrink_file(const ShrinkArguments& options) {
@@ -65,11 +72,12 @@ int shrink_file(const ShrinkArguments& options) {
   const CorpusCase given = read_case_file(
       file, keeps_points(options.colliders.subject) ? CaseKind::sequence : CaseKind::either);
   if (given.is_sequence()) {
-    Interruption interruption(kUntilSignal);
+    Interruption interruption;
     write_data(options.output,
                format_case(shrunk_sequence(
                    given, keeper_for(given, options.colliders.subject, options.colliders.external),
                    interruption)));
+    tell_if_cut_short(interruption);
     return 0;
   }
   SubjectAndOracle asked = options.colliders;
@@ -77,9 +85,10 @@ int shrink_file(const ShrinkArguments& options) {
   if (!asked.oracle.is_given()) asked.oracle.name = "box2d";
   const Collider subject = find_collider(asked.subject, asked.external);
   const Collider oracle = find_collider(asked.oracle, asked.external);
-  Interruption interruption(kUntilSignal);
+  Interruption interruption;
   const std::string text = format_case(shrunk_case(given, subject, oracle, interruption));
   options.output == "-" ? write_output(text) : write_file(options.output, text);
+  tell_if_cut_short(interruption);
   return 0;
 }
 

@@ -61,11 +61,7 @@ SmokePlan plan_of(const SmokeArguments& options) {
 
 std::string campaign_text(const Campaign& campaign, const SmokeArguments& options) {
   const ShowAgain show{this_program(), options_to_show(options.colliders)};
-  std::string text = is_quiet() ? objections(campaign) : '\n' + campaign_screen(campaign, show);
-  if (campaign.saving.unsaved > 0) {
-    text += fmt::format("\n{} findings are not saved, for time was up\n", campaign.saving.unsaved);
-  }
-  return text;
+  return is_quiet() ? objections(campaign) : '\n' + campaign_screen(campaign, show);
 }
 
 SmokeListener printer(const SmokeArguments& options, const ProgressLine& line, Outputs& outputs) {
@@ -81,7 +77,7 @@ SmokeListener printer(const SmokeArguments& options, const ProgressLine& line, O
           [print, &line, &outputs, &options](const Campaign& campaign) {
             line.show("");
             print(campaign_text(campaign, options));
-            outputs.add_error(campaign.saving.first_error);
+            outputs.add_error(unwritten_in_words(campaign.saving));
           },
           [&line](const Plan& plan, const Progress& progress) {
             line.show(progress_line(plan, progress));
@@ -96,7 +92,7 @@ int smoke(SmokeArguments& options) {
   const ProgressLine line;
   Outputs outputs;
   const SmokeRun run = run_smoke(plan, printer(options, line, outputs), all);
-  if (all.is_stopped()) outputs.add_error("smoke: interrupted before it was done");
+  if (all.is_stopped()) outputs.add_interruption("smoke: interrupted before it was done");
   if (is_wanted(options.ci)) {
     const std::string subject_again =
         fmt::format("{} --seed {}{}", options_again(options.colliders.subject, {}), plan.seed,

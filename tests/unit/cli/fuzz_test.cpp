@@ -173,7 +173,7 @@ TEST_CASE("an interrupted campaign keeps what it found") {
                                       "--regime", "tie_bias", "--regime", "sliver", "--seconds",
                                       "3600", "--seed", "1", "--ties", "--json", json}));
   INFO(outcome.err);
-  CHECK(outcome.status == 0);  // what it found is known, or a tie
+  CHECK(outcome.status == 130);  // what it found is known, or a tie
   CHECK(outcome.out.find("interrupted") != std::string::npos);
   const Json run = Json::parse(text_of(json));
   CHECK(run["cases"] >= 3000);  // but for the blocks that were begun
@@ -198,6 +198,7 @@ TEST_CASE("a finding that cannot be saved loses neither the table nor the other 
       fuzz(folder, {"--seed", "1", "--cases", "20000", "--regime", "tie_bias", "--json", json}));
   CHECK(outcome.status == 2);
   CHECK(is_one_clear_line(outcome.err));
+  CHECK(outcome.err.find(" could not be saved: ") != std::string::npos);
   CHECK(outcome.out.find("clip against box2d") != std::string::npos);
   CHECK(std::filesystem::exists(json));
 }

@@ -71,3 +71,20 @@ TEST_CASE("what the next signal is to stop keeps its deadline") {
   Interruption next(interruption.until_signal());
   CHECK(next.is_stopped());
 }
+
+TEST_CASE("a lost terminal is a signal as the others") {
+  Interruption interruption;
+  raise(SIGHUP);
+  CHECK(interruption.state() == State::hurried);
+  CHECK_FALSE(interruption.is_called_off());
+  raise(SIGHUP);
+  CHECK(interruption.is_called_off());
+}
+
+TEST_CASE("work that follows another's second signal is called off") {
+  CHECK(Interruption({.begins = State::stopped}).is_called_off());
+  Interruption hurried({.begins = State::hurried});
+  CHECK_FALSE(hurried.is_called_off());
+  raise(SIGTERM);
+  CHECK(hurried.is_called_off());
+}
