@@ -131,11 +131,6 @@ void append_members(std::string& out, const ConvexPolygon<float>& polygon, const
     append_float_vector(out, polygon.vertices[i], style.append_float);
   }
   out += ']';
-  if (style.append_normals != nullptr) {
-    append_key(out, style.break_in_body, "normals");
-    style.append_normals(out += '[', polygon);
-    out += ']';
-  }
   append_key(out, style.break_in_body, "radius");
   style.append_float(out, polygon.radius);
   if (!polygon.is_round()) return;
@@ -149,6 +144,11 @@ void append_body(std::string& out, const Body& body, const CaseStyle& style) {
   append_float_vector(out, body.pose.position, style.append_float);
   append_key(out, style.break_in_body, "rotation");
   append_float_vector(out, body.pose.rotation, style.append_float);
+  if (style.append_normals != nullptr) {
+    append_key(out, style.break_in_body, "normals");
+    style.append_normals(out += '[', body.polygon);
+    out += ']';
+  }
   out.append(style.break_in_case) += '}';
 }
 

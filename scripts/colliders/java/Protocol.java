@@ -107,9 +107,9 @@ final class Protocol {
     }
   }
 
-  // A body as manifuzz writes it: these keys, in this order.
+  // A body as manifuzz writes it: these keys, in this order, and its normals, which engines compute.
   private static final Pattern BODY = Pattern.compile("\"vertices\": \\[(.*?)\\], \"radius\": (.*?), "
-      + "(?:\"rounding\": \"(.*?)\", )?\"position\": (.*?), \"rotation\": (.*?)}");
+      + "(?:\"rounding\": \"(.*?)\", )?\"position\": (.*?), \"rotation\": (\\[.*?\\]), \"normals\"");
 
   private static Body read(Matcher matcher) {
     if (!matcher.find()) throw new IllegalArgumentException("a body is missing");
@@ -123,7 +123,7 @@ final class Protocol {
         floats(matcher.group(5)));
   }
 
-  // Every number of a case is a float; its line has the shortest decimal of it.
+  // Every number of a case is a float; its line has all digits of it.
   private static float[] floats(String text) {
     String[] numbers = text.replaceAll("[\\[\\] ]", "").split(",");
     float[] all = new float[numbers.length];

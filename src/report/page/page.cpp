@@ -99,7 +99,14 @@ std::string filled(std::string_view rest,
   return out.append(rest);
 }
 
-/// What the file records of that collider's answer, else what it answers now.
+/// Whether the file records a mistake that may be mended by now.
+bool was_unexplained(const CorpusCase& given) {
+  const auto bucket = find_bucket(given.expect.value_or(Expectation{}).bucket);
+  return bucket && is_unexplained(bucket->verdict);
+}
+
+/// What the file records of that collider's answer, else what it answers now; of a mistake that may
+/// be mended the other way round.
 DeclaredAnswer answer_of(const CorpusCase& given, const std::string& name, const Collider* collider,
                          Interruption& interruption) {
   DeclaredAnswer asked;
@@ -110,7 +117,8 @@ DeclaredAnswer answer_of(const CorpusCase& given, const std::string& name, const
   }
   const auto recorded = given.expect.value_or(Expectation{}).manifolds;
   const auto own = std::ranges::find(recorded, name, &NamedAnswer::collider);
-  if (own != recorded.end()) {
+  const bool asks_anew = collider != nullptr && was_unexplained(given);
+  if (own != recorded.end() && !asks_anew) {
     asked.answer = own->answer;
   } else if (collider != nullptr) {
     asked.answer = ask_in_child(*collider, given.pair, interruption);

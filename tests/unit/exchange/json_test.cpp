@@ -224,7 +224,7 @@ TEST_CASE("A line to a program has normals in the scalar that it declares, and a
   circle.b.polygon = make_polygon<float>(centre, 0.5F);
   std::string line;
   append_program_line(line, circle, ScalarType::float64);
-  CHECK_THAT(line, Catch::Contains("\"normals\": [], \"radius\": 0.5"));
+  CHECK_THAT(line, Catch::Contains("\"normals\": []}"));
   CHECK(read_pair(line) == circle);
 }
 

@@ -184,7 +184,7 @@ function growList(most = CARDS_AT_ONCE) {
 function refreshList() {
   const groups = shownGroups();
   Object.assign(list, { groups, shown: 0, order: groups.flatMap(({ cases }) => cases) });
-  nearWindow.disconnect();
+  for (const holder of byId("cards").querySelectorAll(".thumbnail-holder")) nearWindow.unobserve(holder);
   byId("cards").replaceChildren();
   growList();
   refreshFilters();
