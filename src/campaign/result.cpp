@@ -50,7 +50,8 @@ bool is_all_unsupported(const CampaignResult& result) {
 }
 
 bool is_vacuous(const CampaignResult& result) {
-  if (result.cases() == 0 || is_all_unsupported(result)) return true;
+  if (result.cases() == 0) return !result.interrupted;  // it says that already
+  if (is_all_unsupported(result)) return true;
   std::uint64_t cases = 0;
   std::uint64_t touching = 0;
   for (const RegimeResult& regime : result.regimes) {

@@ -82,13 +82,17 @@ TEST_CASE("an interrupted command that found nothing ends with the signal's stat
           Words{"shrink", known}}) {
       CAPTURE(signal, command[0]);
       const TemporaryFolder own;
-      // The first case that it is asked is one that touches nothing, and then there is no answer.
+      // It answers the case by which it declares itself, and no other in any process.
+      const std::string begun = (own.path() / "begun").string();
       const std::string subject =
-          "sh " + own.write("hangs.sh",
-                            "echo '{\"declaration\": {\"name\": \"hangs\"}}'\n"
-                            "read -r line; echo '{\"points\": []}'\n"
-                            "read -r line; kill -" +
-                                std::string(signal) + " $MANIFUZZ_PROCESS; sleep 3600\n");
+          "sh " + own.write("hangs.sh", "if mkdir '" + begun +
+                                            "' 2>/dev/null; then\n"
+                                            "  echo '{\"declaration\": {\"name\": \"hangs\"}}'\n"
+                                            "  read -r line; echo '{\"points\": []}'\n"
+                                            "fi\n"
+                                            "read -r line; mkdir '" +
+                                            begun + "/once' 2>/dev/null && kill -" + signal +
+                                            " $MANIFUZZ_PROCESS\nsleep 3600\n");
       Words all = with(command, {"--subject-command", subject});
       if (command[0] != "smoke") all = with(all, kPatient);
       if (command[0] == "fuzz" || command[0] == "property" || command[0] == "smoke") {
