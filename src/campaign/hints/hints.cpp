@@ -140,6 +140,9 @@ Explained best_explanation(const Sample& sample, const Plan& plan) {
     if (!is_enough(explained, sample) || harms(mistake, sample, plan)) continue;
     most = std::max(most, explained.answers.right);
     all.push_back(std::move(explained));
+    // No later one can explain much more.
+    const double of_all = kHintedShare * static_cast<double>(sample.wrong_count());
+    if (static_cast<double>(most) >= of_all) break;
   }
   const auto first = std::ranges::find_if(all, [most](const Explained& explained) {
     return static_cast<double>(explained.answers.right) >= kHintedShare * static_cast<double>(most);

@@ -85,13 +85,14 @@ MaybeUndone as_seen_in_world(const See& see, const AskedCase& asked) {
   return about({in_true_frame(pair.a, see(pair.a)), in_true_frame(pair.b, see(pair.b))}, asked);
 }
 
-/// Of double, the frame is A's as it was seen, so that a length there is one in the world; of
-/// float, whose bounds allow for it, it is as long as A's rotation.
+/// Where A's rotation was seen as of another length, a double one's frame is A's as it was seen, so
+/// that a length there is one in the world; the bounds of float allow for the difference.
 MaybeUndone as_seen_in_frame_of_a(const See& see, const AskedCase& asked) {
   PairCase pair = asked.pair();
   const SeenBody a = see(pair.a);
   const SeenBody b = see(pair.b);
-  if (asked.declaration.scalar == ScalarType::float64) {
+  const bool is_rescaled = a.pose.rotation.norm() != seen(pair.a).pose.rotation.norm();
+  if (is_rescaled && asked.declaration.scalar == ScalarType::float64) {
     pair.a.pose.rotation = {1, 0};
     pair.b.pose = pair.a.pose;
   }

@@ -40,6 +40,7 @@ void check_hinted(const std::vector<MistakenAdapter>& adapters) {
         REQUIRE(!hints.empty());
         UNSCOPED_INFO(hints[0].text);
         CHECK(hints[0].mistake == adapter.mistake);
+        CHECK(hints[0].right_when_undone >= 50);
         CHECK(hints.size() == 1);
       }
     }
