@@ -61,9 +61,8 @@ Json json_of(const BucketResult& found) {
   return json;
 }
 
-Json json_of(const CasesRun& part) {
-  return {
-      {"seed", part.seed}, {"first", part.first}, {"cases", part.cases}, {"seconds", part.seconds}};
+Json json_of(const CasesRun& of) {
+  return {{"seed", of.seed}, {"first", of.first}, {"cases", of.cases}, {"seconds", of.seconds}};
 }
 
 template <class T>
@@ -97,9 +96,7 @@ bool flag_in(const JsonView& object, std::string_view key) {
 
 std::map<std::string, Count> read_counts(const JsonView& object) {
   std::map<std::string, Count> counts;
-  for (const std::string_view name : object.keys()) {
-    counts.emplace(name, count_in(object, name));
-  }
+  for (const std::string_view name : object.keys()) counts.emplace(name, count_in(object, name));
   return counts;
 }
 

@@ -59,11 +59,13 @@ std::string property_text(const CheckedProperty& checked) {
 
 std::string property_screen(Checked checked, const std::string& subject, const CalledAgain& again) {
   const auto has_failed = [](const CheckedProperty& one) { return !one.holds(); };
-  const auto failures = std::ranges::count_if(checked, has_failed);
-  const auto tested = std::ranges::count_if(
-      checked, [](const CheckedProperty& one) { return !one.is_vacuous() && !one.is_left_out(); });
-  std::string text =
-      fmt::format("{}: {} of {} properties hold\n", subject, tested - failures, tested);
+  const auto is_tested = [](const CheckedProperty& one) {
+    return !one.is_vacuous() && !one.is_left_out();
+  };
+  const auto tested = std::ranges::count_if(checked, is_tested);
+  const auto passed = std::ranges::count_if(
+      checked, [&](const CheckedProperty& one) { return is_tested(one) && one.result.passed; });
+  std::string text = fmt::format("{}: {} of {} properties hold\n", subject, passed, tested);
   std::size_t shown = 0;
   for (const CheckedProperty& one : checked | std::views::filter(has_failed)) {
     if (++shown <= kFailuresShown) text += failure_in_words(one, again);

@@ -136,8 +136,7 @@ void add_accept_arguments(CLI::App& app, AcceptArguments& options) {
 const Command kAccept{
     "accept", "Findings that may stay: from now on only what is worse or more frequent fails.",
     "manifuzz accept corpus/regressions/subject-*.json --because 'since 2.3' --up-to 0.5\n"
-    "manifuzz accept found/regressions/subject-subject_wrong-normal-none-a-gross-1.json --kind "
-    "--because 'normals of near ties, since 2.3'\n"
+    "manifuzz accept corpus/regressions/subject-*.json --kind --because 'since 2.3' --up-to 0.5\n"
     "manifuzz accept --list",
     define<AcceptArguments, add_accept_arguments, accept>};
 

@@ -210,7 +210,7 @@ TEST_CASE("a property that fails may be accepted, and is stale once it holds") {
   CHECK(accept(folder, files, {"--up-to", "1"}).status == 0);
   const Outcome accepted = property("2");
   CHECK(accepted.status == 0);
-  CHECK_THAT(accepted.out, Contains("accepted never-empty"));
+  CHECK_THAT(accepted.out, Contains("accepted: never-empty"));
   CHECK(files_of(folder) == files);  // it is saved no more
   CHECK(json_of(replay(folder, subject))["accepted"] == 1);
   CHECK(json_of(replay(folder, mended(folder)))["stale"] == Json(files));
