@@ -63,6 +63,10 @@ inline std::string in_words(const TestFailure& failure) {
   return "expected " + failure.expected + ", got " + failure.got;
 }
 
+/// Text for logs, XML and terminals: bytes that are not UTF-8, as file names may have, become
+/// U+FFFD, control characters but those of `kept` blanks.
+std::string fit_for_logs(std::string_view text, std::string_view kept = {});
+
 /// A JUnit XML document, valid by the schema of Jenkins: a test case for each test, its class being
 /// the suite; the command and the picture are the failure's text.
 std::string junit_xml(std::span<const TestSuite> suites);

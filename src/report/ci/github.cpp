@@ -26,7 +26,8 @@ std::string percent_encoded(std::string_view text, const std::function<bool(char
 /// As the runner reads it back: in data % and line ends, in properties : and , too.
 std::string escape_command(std::string_view text, bool is_property) {
   const std::string_view special = is_property ? "%\r\n:," : "%\r\n";
-  return percent_encoded(text, [&](char c) { return special.find(c) == special.npos; });
+  return percent_encoded(fit_for_logs(text, "\r\n"),
+                         [&](char c) { return special.find(c) == special.npos; });
 }
 
 using Failures = std::vector<std::pair<const TestSuite*, const TestResult*>>;

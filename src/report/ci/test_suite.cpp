@@ -8,22 +8,25 @@
 #include "report/ci/ci_output.hpp"
 
 namespace manifuzz {
-namespace {
 
-/// Text of which XML can be made: bytes that are not UTF-8, as file names may have, become U+FFFD,
-/// control characters but `kept` blanks.
-std::string fit_for_xml(std::string_view text, char kept = ' ') {
+std::string fit_for_logs(std::string_view text, std::string_view kept) {
   constexpr auto replace = nlohmann::json::error_handler_t::replace;
   std::string fit = nlohmann::json::parse(nlohmann::json(text).dump(-1, ' ', false, replace));
-  const auto is_unfit = [kept](char c) {
-    return static_cast<unsigned char>(c) < 0x20 && c != kept;
-  };
-  std::ranges::replace_if(fit, is_unfit, ' ');
+  bool is_second_of_control = false;
+  for (char& c : fit) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_control = byte < 0x20 || byte == 0x7f || (is_second_of_control && byte < 0xa0);
+    is_second_of_control = byte == 0xc2;  // U+0080 to U+009F follow
+    if (is_control && byte < 0x80 && kept.find(c) == kept.npos) c = ' ';
+    if (is_control && byte >= 0x80) c = static_cast<char>(0xa0);  // a blank that does not break
+  }
   return fit;
 }
 
+namespace {
+
 void set(pugi::xml_node& node, const char* attribute, std::string_view text) {
-  node.append_attribute(attribute) = fit_for_xml(text).c_str();
+  node.append_attribute(attribute) = fit_for_logs(text).c_str();
 }
 
 /// The counts of a suite, or of all of them; an error stands for a test that could not be.
@@ -64,7 +67,7 @@ void add_failure(pugi::xml_node test, const TestFailure& failure) {
   std::string body = lines(failure.command);
   if (!body.empty() && !failure.picture.empty()) body += '\n';
   body += lines(failure.picture);
-  if (!body.empty()) node.text() = fit_for_xml('\n' + body, '\n').c_str();
+  if (!body.empty()) node.text() = fit_for_logs('\n' + body, "\n").c_str();
 }
 
 void add_suite(pugi::xml_node& all, const TestSuite& suite) {

@@ -52,6 +52,11 @@ TEST_CASE("an annotation escapes what the runner would read as its own") {
   CHECK(error_annotation("a: b, 5%", "x,y.json", "100% of: a,\r\nb") ==
         "::error title=a%3A b%2C 5%25,file=x%2Cy.json::100%25 of: a,%0D%0Ab\n");
   CHECK(error_annotation("t", "", "m") == "::error title=t::m\n");
+  CHECK(error_annotation("\x1b[31mt", "",
+                         "a\xff\x7f\xc2\x9b"
+                         "b") ==
+        "::error title= [31mt::a\xef\xbf\xbd \xc2\xa0"
+        "b\n");
   CHECK(error_annotation("t", "cases.jsonl:12", "m") ==
         "::error title=t,file=cases.jsonl,line=12::m\n");
 }
