@@ -100,6 +100,12 @@ std::map<std::string, Count> read_counts(const JsonView& object) {
   return counts;
 }
 
+std::vector<std::string> read_texts(const JsonView& list) {
+  std::vector<std::string> texts;
+  for (const JsonView& text : list.elements()) texts.emplace_back(text.string());
+  return texts;
+}
+
 RegimeResult read_regime(const JsonView& row) {
   const std::string name(row.at("name").string());
   return {{count_in(row, "cases"), count_in(row, "touching"), count_in(row, "near"),
@@ -108,14 +114,8 @@ RegimeResult read_regime(const JsonView& row) {
 }
 
 LedgerResult read_entry(const JsonView& row) {
-  LedgerResult entry{std::string(row.at("id").string()),
-                     count_in(row, "hits"),
-                     read_counts(row.at("regimes")),
-                     {}};
-  for (const JsonView& regime : row.at("over_budget").elements()) {
-    entry.over_budget.emplace_back(regime.string());
-  }
-  return entry;
+  return {std::string(row.at("id").string()), count_in(row, "hits"), read_counts(row.at("regimes")),
+          read_texts(row.at("over_budget"))};
 }
 
 BucketResult read_bucket(const JsonView& row, Count seed) {
@@ -194,11 +194,8 @@ Settings read_settings(const JsonView& root) {
     settings.versions.emplace_back(name, versions.at(name).string());
   }
   if (const auto tie_bias = root.find("tie_bias")) settings.tie_bias = read_tie_bias(*tie_bias);
-  if (const auto allowances = root.find("allowances")) {
-    for (const JsonView& allowance : allowances->elements()) {
-      settings.allowances.emplace_back(allowance.string());
-    }
-  }
+  if (const auto allowances = root.find("allowances"))
+    settings.allowances = read_texts(*allowances);
   const auto radius = root.find("radius");
   if (radius && !radius->is_null()) settings.radius = radius->magnitude();
   return settings;
@@ -277,9 +274,7 @@ CampaignResult read_campaign_result(const JsonView& root) {
     result.of_subject = read_errors(worst->at("subject"));
     result.of_oracle = read_errors(worst->at("oracle"));
   }
-  if (const auto stale = root.find("stale")) {
-    for (const JsonView& file : stale->elements()) result.stale.emplace_back(file.string());
-  }
+  if (const auto stale = root.find("stale")) result.stale = read_texts(*stale);
   result.unshrunk = count_or(root, "unshrunk", 0);
   result.interrupted = flag_in(root, "interrupted");
   result.stopped_early = flag_in(root, "stopped_early");
