@@ -33,6 +33,7 @@ inline void misbehave(std::string_view behaviour, float x, float y) {
   if (behaviour == "leaves-a-child" && fork() > 0) _exit(3);
   if (behaviour == "leaves-a-child") {
     setsid();
+    alarm(600);  // nobody else ends it
     pause();
   }
   if (behaviour == "closes-and-lives-on") {
