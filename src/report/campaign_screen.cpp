@@ -52,8 +52,11 @@ WrongAnswers wrong_answers(const CampaignResult& result, Fault of) {
 std::string wrong_in_words(std::string_view collider, const WrongAnswers& wrong,
                            std::uint64_t cases) {
   if (wrong.count == 0) return fmt::format("{}: no wrong answer", collider);
-  std::string line = fmt::format("{}: wrong in {} ({}), by {:.2g} of the size at worst", collider,
-                                 wrong.count, share_in_words(wrong.count, cases), wrong.magnitude);
+  std::string line = fmt::format("{}: wrong in {} ({})", collider, wrong.count,
+                                 share_in_words(wrong.count, cases));
+  if (wrong.magnitude > 0) {  // else all of them are lost
+    line += fmt::format(", by {:.2g} of the size at worst", wrong.magnitude);
+  }
   if (wrong.explained > 0) line += fmt::format("; {} explained by the ledger", wrong.explained);
   if (wrong.accepted > 0) line += fmt::format("; {} accepted", wrong.accepted);
   return line;
@@ -105,7 +108,9 @@ Lines group_in_words(const FindingGroup& group, const ShowAgain& show) {
                                  bad(fmt::format("{}: {}", group.at_fault, group.what)));
   line += group.count == 1 ? ", once" : fmt::format(", {} times", group.count);
   if (group.buckets.size() > 1) line += fmt::format(" in {} buckets", group.buckets.size());
-  line += fmt::format(", by {:.2g} of the size at worst", group.magnitude);
+  if (group.magnitude > 0) {
+    line += fmt::format(", by {:.2g} of the size at worst", group.magnitude);
+  }
   const auto objection = std::ranges::find_if(
       group.buckets, [](const BucketResult* found) { return !found->objection.empty(); });
   if (objection != group.buckets.end()) line += "; " + (*objection)->objection;

@@ -213,8 +213,7 @@ bool unclipped_within_nape_epsilon(const Deviation& d) {
 }
 
 bool edge_extended_by_nape(const Deviation& d) {
-  if (!is_of_clip(d.kind)) return false;
-  if (any_clip_of_nape(d, [&](const exact::Clip& clip, const ClipOfNape&) {
+  if (is_of_clip(d.kind) && any_clip_of_nape(d, [&](const exact::Clip& clip, const ClipOfNape&) {
         return compare_gap(clip, -d.right.bounds.separation) > 0;
       })) {
     return true;

@@ -15,7 +15,7 @@ function shareInWords(count, cases) {
 }
 
 function sizes(magnitude) {
-  return Number.isFinite(magnitude) ? `${short(magnitude)} of the size` : "an error without a limit";
+  return Number.isFinite(magnitude) ? `${short(magnitude)} of the size` : "more than any number";
 }
 
 // The buckets in which the subject or the oracle is at fault.
@@ -58,7 +58,7 @@ function findingItem(group) {
   return element("li", { class: "cause" }, one && caseLink(one, thumbnail(one)),
     element("div", {}, element("p", { class: "cause-head bad" }, `${group.isNew ? "new " : ""}${group.name}`),
       element("p", {}, [`${counted(group.count, "time")}${group.buckets.length > 1 ? ` in ${counted(group.buckets.length, "bucket")}` : ""}`,
-        `by ${sizes(group.magnitude)} at worst`].join(", ")),
+        group.magnitude > 0 && `by ${sizes(group.magnitude)} at worst`].filter(Boolean).join(", ")),
       clearest.command && copyButton("Copy the command", clearest.command)));
 }
 
