@@ -148,6 +148,13 @@ Lines split_lines(std::string_view text) {
   return lines;
 }
 
+/// Accepted findings that come no more.
+Lines stale_lines(std::span<const std::string> files) {
+  if (files.size() <= 1) return split_lines(stale_in_words(files));
+  return {
+      fmt::format("{} accepted findings come no more: --verbose names their files", files.size())};
+}
+
 /// What was run, and how it came out by verdict and by collider.
 Lines overview(const Campaign& campaign) {
   const CampaignResult& result = campaign.result;
@@ -170,6 +177,7 @@ std::string campaign_screen(const Campaign& campaign, const ShowAgain& show,
                             const std::optional<CampaignResult>& baseline) {
   Lines lines = overview(campaign);
   Lines rest = split_lines(remarks_on_campaign(campaign));
+  std::ranges::move(stale_lines(campaign.result.stale), std::back_inserter(rest));
   if (rest.size() > kRemarksShown) {
     rest.resize(kRemarksShown);
     rest.emplace_back("and more: --verbose has all");

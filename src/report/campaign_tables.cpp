@@ -121,16 +121,12 @@ std::string case_heading(const Campaign& campaign) {
                      per_second(result.cases(), result.seconds()), result.jobs, campaign.plan.seed);
 }
 
-/// What is left to do about the files of a run.
-std::string remarks_on_files(const CampaignResult& result) {
-  std::string text;
-  if (result.unshrunk > 0) {
-    text += fmt::format(
-        "{} of the new findings are not as small as can be, for there was no "
-        "more time: manifuzz shrink DIR goes on\n",
-        result.unshrunk);
-  }
-  return text + stale_in_words(result.stale);
+std::string unshrunk_in_words(const CampaignResult& result) {
+  if (result.unshrunk == 0) return "";
+  return fmt::format(
+      "{} of the new findings are not as small as can be, for there was no more time: manifuzz "
+      "shrink DIR goes on\n",
+      result.unshrunk);
 }
 
 }  // namespace
@@ -145,11 +141,12 @@ std::string campaign_heading(const Campaign& campaign) {
 }
 
 std::string remarks_on_campaign(const Campaign& campaign) {
-  std::string text = hint_lines(campaign.result.hints) + over_budget_lines(campaign.result);
+  std::string text = state_in_words(campaign) + hint_lines(campaign.result.hints) +
+                     over_budget_lines(campaign.result);
   if (campaign.plan.until_new && !campaign.run.sought && !has_new(campaign.findings)) {
     text += "nothing new: the corpus shows each of these already\n";
   }
-  return text + remarks_on_files(campaign.result) + state_in_words(campaign);
+  return text + unshrunk_in_words(campaign.result);
 }
 
 std::string summary_table(const Campaign& campaign, const std::optional<CampaignResult>& baseline) {
@@ -161,7 +158,7 @@ std::string summary_table(const Campaign& campaign, const std::optional<Campaign
   if (!result.ledger.empty()) text += '\n' + ledger_rows(result);
   if (!result.buckets.empty()) text += '\n';
   text += rows_of(result.buckets, bucket_rows);
-  const std::string remarks = remarks_on_campaign(campaign);
+  const std::string remarks = remarks_on_campaign(campaign) + stale_in_words(result.stale);
   if (!remarks.empty()) text += '\n' + remarks;
   if (baseline) text += '\n' + comparison_text(*baseline, campaign.result);
   return text;

@@ -33,8 +33,8 @@ std::string objections(const Campaign& campaign);
 /// Who was run on how many cases, at what rate; a line and its end.
 std::string campaign_heading(const Campaign& campaign);
 
-/// What became of the run as a whole where it is not what was asked for, and what is left to do; a
-/// line each.
+/// What became of the run as a whole where it is not what was asked for, hints, and what is left to
+/// do; a line each, the most important first.
 std::string remarks_on_campaign(const Campaign& campaign);
 
 /// One line of a running campaign: cases, rate, verdicts that count, time left.
