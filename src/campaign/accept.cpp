@@ -7,6 +7,7 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "campaign/known.hpp"
 #include "campaign/save.hpp"
 #include "judging/bucket.hpp"
 
@@ -33,11 +34,9 @@ bool is_of_same_kind(const CorpusCase& known, const CorpusCase& wanted) {
   if (!known.property.empty()) return one.subject == other.subject;
   const auto bucket = find_bucket(one.bucket);
   const auto other_bucket = find_bucket(other.bucket);
-  if (!bucket || !other_bucket || bucket->fault != other_bucket->fault) return false;
-  const bool is_same_collider =
-      bucket->fault == Fault::oracle ? one.oracle == other.oracle : one.subject == other.subject;
-  return is_same_collider && is_unexplained(bucket->verdict) &&
-         bucket->kind == other_bucket->kind && bucket->verdict == other_bucket->verdict;
+  return bucket && other_bucket && is_unexplained(bucket->verdict) &&
+         kind_key(*bucket, one.subject, one.oracle) ==
+             kind_key(*other_bucket, other.subject, other.oracle);
 }
 
 Acceptance acceptance_of(const CorpusCase& known, Acceptance asked) {

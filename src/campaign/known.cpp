@@ -138,8 +138,12 @@ std::string finding_key(const Expectation& expect) {
 }
 
 std::string kind_key(const Bucket& bucket, std::string_view subject, std::string_view oracle) {
-  return key_of(fmt::format("{}/{}/{}", name_of(bucket.fault, kFaultNames),
-                            to_string(bucket.verdict), name_of(bucket.kind, kKindNames)),
+  const bool is_of_oracle = bucket.fault == Fault::oracle;
+  // Where both are wrong it is the subject's mistake.
+  const Verdict verdict =
+      bucket.verdict == Verdict::both_wrong ? Verdict::subject_wrong : bucket.verdict;
+  return key_of(fmt::format("{}/{}/{}", is_of_oracle ? "oracle" : "subject", to_string(verdict),
+                            name_of(bucket.kind, kKindNames)),
                 subject, oracle);
 }
 

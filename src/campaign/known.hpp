@@ -18,7 +18,8 @@ struct CampaignResult;
 std::string finding_key(const Expectation& expect);
 std::string finding_key(std::string_view property, std::string_view subject);
 
-/// What findings of one kind of the same colliders have in common.
+/// What findings of one kind of the same collider have in common; where both are wrong, of the
+/// subject.
 std::string kind_key(const Bucket& bucket, std::string_view subject, std::string_view oracle);
 
 /// An acceptance, and the file that it stands in.

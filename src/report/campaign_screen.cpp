@@ -25,6 +25,9 @@ constexpr std::size_t kLineLength = 150;
 
 std::string share_in_words(std::uint64_t part, std::uint64_t whole) {
   const double percent = 100 * static_cast<double>(part) / static_cast<double>(whole);
+  if (part == whole) return "100%";
+  if (percent >= 99.9) return "more than 99.9%";
+  if (percent >= 10) return fmt::format("{:.1f}%", percent);
   return percent < 0.01 ? "less than 0.01%" : fmt::format("{:.2g}%", percent);
 }
 
@@ -38,13 +41,14 @@ struct WrongAnswers {
 
 WrongAnswers wrong_answers(const CampaignResult& result, Fault of) {
   WrongAnswers wrong;
+  const Errors& worst = of == Fault::oracle ? result.of_oracle : result.of_subject;
+  wrong.magnitude = std::ranges::max(worst.all());
   for (const BucketResult& found : result.buckets) {
     const auto bucket = find_bucket(found.bucket);
     if (!bucket || (bucket->fault != of && bucket->fault != Fault::both)) continue;
     wrong.count += found.count;
     if (bucket->verdict == Verdict::known) wrong.explained += found.count;
     if (found.is_accepted) wrong.accepted += found.count;
-    wrong.magnitude = std::max(wrong.magnitude, found.error.magnitude);
   }
   return wrong;
 }
@@ -102,12 +106,17 @@ std::string verdicts_in_words(const CampaignResult& result) {
 }
 
 /// A group in two lines: what is wrong, and the command that shows its clearest case.
-Lines group_in_words(const FindingGroup& group, const ShowAgain& show) {
+Lines group_in_words(const FindingGroup& group, const std::string& collider,
+                     const ShowAgain& show) {
   const BucketResult& clearest = *group.buckets.front();
-  std::string line = fmt::format("{}{}", group.is_new ? fresh("new ") : "known to the corpus, ",
-                                 bad(fmt::format("{}: {}", group.at_fault, group.what)));
+  std::string line =
+      fmt::format("{}{}", group.new_buckets > 0 ? fresh("new ") : "known to the corpus, ",
+                  bad(fmt::format("{}: {}", collider, group.what)));
   line += group.count == 1 ? ", once" : fmt::format(", {} times", group.count);
   if (group.buckets.size() > 1) line += fmt::format(" in {} buckets", group.buckets.size());
+  if (group.new_buckets > 0 && group.new_buckets < group.buckets.size()) {
+    line += fmt::format(" ({} new)", group.new_buckets);
+  }
   if (group.magnitude > 0) {
     line += fmt::format(", by {:.2g} of the size at worst", group.magnitude);
   }
@@ -127,7 +136,8 @@ Lines groups_in_words(const CampaignResult& result, const ShowAgain& show, std::
   std::size_t shown = 0;
   for (const FindingGroup& group : groups | std::views::take(kGroupsShown)) {
     if (lines.size() + 3 > room) break;
-    std::ranges::move(group_in_words(group, show), std::back_inserter(lines));
+    const std::string collider = collider_at_fault(group.fault, result.settings);
+    std::ranges::move(group_in_words(group, collider, show), std::back_inserter(lines));
     ++shown;
   }
   if (shown < groups.size()) {
@@ -162,11 +172,11 @@ Lines overview(const Campaign& campaign) {
   Lines lines = split_lines(campaign_heading(campaign));
   lines.push_back(verdicts_in_words(result));
   lines.emplace_back();
-  lines.push_back(
-      wrong_in_words(settings.subject, wrong_answers(result, Fault::subject), result.cases()));
+  lines.push_back(wrong_in_words(collider_at_fault(Fault::subject, settings),
+                                 wrong_answers(result, Fault::subject), result.cases()));
   if (result.is_of_sequences()) return lines;
-  lines.push_back(
-      wrong_in_words(settings.oracle, wrong_answers(result, Fault::oracle), result.cases()));
+  lines.push_back(wrong_in_words(collider_at_fault(Fault::oracle, settings),
+                                 wrong_answers(result, Fault::oracle), result.cases()));
   std::ranges::move(causes_in_words(result), std::back_inserter(lines));
   return lines;
 }
@@ -183,7 +193,6 @@ std::string campaign_screen(const Campaign& campaign, const ShowAgain& show,
     rest.emplace_back("and more: --verbose has all");
   }
   if (baseline) rest.push_back(comparison_line(*baseline, campaign.result));
-  if (!show.page.empty()) rest.push_back("page: " + show.page);
   const std::size_t taken = lines.size() + rest.size() + 2;
   Lines groups =
       groups_in_words(campaign.result, show, kScreenLines > taken ? kScreenLines - taken : 0);

@@ -14,7 +14,6 @@ namespace manifuzz {
 struct ShowAgain {
   std::string program;    ///< as it was called
   std::string options{};  ///< of colliders that a case cannot name, with the space before them
-  std::string page{};     ///< the page that was written; empty: none
 };
 
 /// What a campaign found, in at most 24 lines: how many cases, who is wrong in how many and by

@@ -9,11 +9,6 @@
 namespace manifuzz {
 namespace {
 
-std::string collider_at_fault(Fault fault, const Settings& settings) {
-  if (fault == Fault::both) return fmt::format("{} and {}", settings.subject, settings.oracle);
-  return fault == Fault::oracle ? settings.oracle : settings.subject;
-}
-
 std::string what_is_wrong(const Bucket& bucket) {
   const std::string_view name =
       bucket.kind == Kind::none ? to_string(bucket.verdict) : name_of(bucket.kind, kKindNames);
@@ -22,42 +17,53 @@ std::string what_is_wrong(const Bucket& bucket) {
   return words;
 }
 
-/// Less is clearer: nothing else lies within bound, then the greatest error, then the most
-/// frequent.
-auto place_by_clarity(const BucketResult& found) {
-  const auto bucket = find_bucket(found.bucket);
+/// Less comes first.
+auto place_in_group(const BucketResult* found) {
+  const auto bucket = find_bucket(found->bucket);
   const bool is_near_tie = !bucket || bucket->tie_class != TieClass::none;
-  return std::tuple(is_near_tie, -found.error.magnitude, ~found.count);
+  const bool is_plain = bucket && bucket->error_class == ErrorClass::gross;
+  return std::tuple(!found->is_new, is_near_tie, !is_plain, ~found->count);
 }
 
-auto place_of_group(const FindingGroup& group, const Settings& settings) {
-  return std::tuple(group.at_fault == settings.oracle, -group.magnitude, ~group.count);
+auto place_of_group(const FindingGroup& group) {
+  return std::tuple(group.fault == Fault::oracle, !group.is_lost, -group.magnitude, ~group.count);
+}
+
+FindingGroup& group_of(std::vector<FindingGroup>& groups, const Bucket& bucket) {
+  const Fault fault = bucket.fault == Fault::oracle ? Fault::oracle : Fault::subject;
+  const std::string what = what_is_wrong(bucket);
+  const auto same = std::ranges::find_if(groups, [&](const FindingGroup& group) {
+    return group.fault == fault && group.what == what;
+  });
+  if (same != groups.end()) return *same;
+  return groups.emplace_back(
+      FindingGroup{.fault = fault, .what = what, .is_lost = is_of_lost(bucket)});
 }
 
 }  // namespace
+
+std::string collider_at_fault(Fault fault, const Settings& settings) {
+  const bool is_oracle = fault == Fault::oracle;
+  const std::string& name = is_oracle ? settings.oracle : settings.subject;
+  if (settings.subject != settings.oracle) return name;
+  return fmt::format("{} ({})", name, is_oracle ? "oracle" : "subject");
+}
 
 std::vector<FindingGroup> finding_groups(const CampaignResult& result) {
   std::vector<FindingGroup> groups;
   for (const BucketResult& found : result.buckets) {
     if (!decides_status(found)) continue;
     const Bucket bucket = find_bucket(found.bucket).value_or(Bucket{.fault = Fault::subject});
-    FindingGroup one{collider_at_fault(bucket.fault, result.settings), what_is_wrong(bucket)};
-    const auto same = std::ranges::find_if(groups, [&](const FindingGroup& group) {
-      return group.at_fault == one.at_fault && group.what == one.what;
-    });
-    FindingGroup& group = same == groups.end() ? groups.emplace_back(std::move(one)) : *same;
+    FindingGroup& group = group_of(groups, bucket);
     group.count += found.count;
     group.magnitude = std::max(group.magnitude, found.error.magnitude);
-    group.is_new = group.is_new || found.is_new;
+    group.new_buckets += found.is_new ? 1 : 0;
     group.buckets.push_back(&found);
   }
   for (FindingGroup& group : groups) {
-    std::ranges::stable_sort(group.buckets, {},
-                             [](const BucketResult* found) { return place_by_clarity(*found); });
+    std::ranges::stable_sort(group.buckets, {}, place_in_group);
   }
-  std::ranges::stable_sort(groups, {}, [&](const FindingGroup& group) {
-    return place_of_group(group, result.settings);
-  });
+  std::ranges::stable_sort(groups, {}, place_of_group);
   return groups;
 }
 

@@ -118,8 +118,7 @@ std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_j
 }
 
 ShowAgain show_again(const FuzzArguments& options) {
-  return {this_program(), options_to_show(options.colliders),
-          options.report == "-" ? "" : options.report};
+  return {this_program(), options_to_show(options.colliders)};
 }
 
 /// Everything that was asked for; one output that fails loses no other.
@@ -138,8 +137,7 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
   outputs.write(!options.json.empty(), [&] { write_data(options.json, json_text(summary)); });
   outputs.write(!options.report.empty(), [&] {
     write_data(options.report, page_of_campaign(campaign, summary, options));
-    const bool is_on_screen = !options.is_verbose && !options.ci.stdout_is_data;
-    if (options.report != "-" && !is_on_screen) write_remark("page " + options.report);
+    if (options.report != "-") write_remark("page " + options.report);
   });
   outputs.add_error(unwritten_in_words(campaign.saving));
   if (is_wanted(options.ci)) {

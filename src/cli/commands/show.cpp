@@ -46,10 +46,10 @@ Collider chosen(const std::string& file, ColliderChoice& asked, const ExternalOp
     return find_named(asked = *named, recorded, external);
   }
   if (find_entry(asked.name) != nullptr) return find_collider(asked, external);
-  throw UserError(
-      fmt::format("{}: was found with '{}' from outside; say where that is: --{} ./LIBRARY.so, "
-                  "--{}-command PROGRAM, or a file subjects.json beside the corpus",
-                  file, printable(asked.name), asked.role, asked.role));
+  throw UserError(fmt::format(
+      "{}: was found with '{}' from outside; say where that is: --{} ./LIBRARY.so, "
+      "--{}-command PROGRAM, --subjects FILE, or a file subjects.json beside the --corpus",
+      file, printable(asked.name), asked.role, asked.role));
 }
 
 /// Of the kind that the subject takes, if one was named.

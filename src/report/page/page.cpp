@@ -105,8 +105,12 @@ bool was_unexplained(const CorpusCase& given) {
   return bucket && is_unexplained(bucket->verdict);
 }
 
-/// What the file records of that collider's answer, else what it answers now; of a mistake that may
-/// be mended the other way round.
+CorpusCase without_answers(CorpusCase given) {
+  given.expect->manifolds.clear();
+  return given;
+}
+
+/// What the file records of that collider's answer, else what it answers now.
 DeclaredAnswer answer_of(const CorpusCase& given, const std::string& name, const Collider* collider,
                          Interruption& interruption) {
   DeclaredAnswer asked;
@@ -117,8 +121,7 @@ DeclaredAnswer answer_of(const CorpusCase& given, const std::string& name, const
   }
   const auto recorded = given.expect.value_or(Expectation{}).manifolds;
   const auto own = std::ranges::find(recorded, name, &NamedAnswer::collider);
-  const bool asks_anew = collider != nullptr && was_unexplained(given);
-  if (own != recorded.end() && !asks_anew) {
+  if (own != recorded.end()) {
     asked.answer = own->answer;
   } else if (collider != nullptr) {
     asked.answer = ask_in_child(*collider, given.pair, interruption);
@@ -147,7 +150,7 @@ std::vector<Manifold<double>> right_of(const PageCase& page_case) {
   return right;
 }
 
-PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
+PageCase page_case_of(const CorpusCase& given, const BucketRuns& runs, NamedColliders& colliders,
                       Interruption& interruption) {
   const Expectation expect = given.expect.value_or(Expectation{});
   const std::string& subject_name = expect.subject.empty() ? colliders.subject() : expect.subject;
@@ -158,8 +161,11 @@ PageCase page_case_of(const CorpusCase& given, NamedColliders& colliders,
   page_case.is_judged = subject != nullptr && oracle != nullptr;
   JudgedCase& judged = page_case.judged;
   judged.given = given;
-  judged.subject = answer_of(given, subject_name, subject, interruption);
-  judged.oracle = answer_of(given, oracle_name, oracle, interruption);
+  // What no run here met may be mended: it is asked again.
+  const bool may_be_mended = page_case.is_judged && !runs.count && was_unexplained(given);
+  const CorpusCase asked = may_be_mended ? without_answers(given) : given;
+  judged.subject = answer_of(asked, subject_name, subject, interruption);
+  judged.oracle = answer_of(asked, oracle_name, oracle, interruption);
   if (page_case.is_judged) {
     judged.judgement = judge(given.pair, {judged.subject.declaration, judged.subject.answer},
                              {judged.oracle.declaration, judged.oracle.answer});
@@ -202,11 +208,11 @@ std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& collider
   std::vector<PageCase> cases;
   for (const CorpusCase& given : files.corpus.cases) {
     if (interruption.is_stopped()) throw Interrupted();
-    PageCase page_case = page_case_of(given, colliders, interruption);
+    BucketRuns runs = runs_of(given, files.results);
+    PageCase page_case = page_case_of(given, runs, colliders, interruption);
     const std::string shrunk = shrunk_beside(given.path);
     if (is_worst(given.path) && paths.contains(shrunk)) page_case.smallest = shrunk;
     page_case.commands.push_back(fmt::format("{} show {}", program, quoted_for_shell(given.path)));
-    BucketRuns runs = runs_of(given, files.results);
     page_case.count = runs.count;
     std::ranges::move(runs.commands, std::back_inserter(page_case.commands));
     cases.push_back(std::move(page_case));

@@ -1,6 +1,8 @@
 // The first screen of a campaign: who is wrong in how many of the cases, how badly and by what causes, each with a small picture.
 
 const CAUSES_SHOWN = 5;
+const VERDICT_WORDS = [["agree", "both right and the same"], ["tie", "both right and not the same"],
+  ["ill_posed", "too near for float to tell"], ["unsupported", "not taken by one of both"]];
 const LOST = ["crashed", "timed_out", "malformed"];
 
 function partsOfBucket({ bucket }) {
@@ -11,6 +13,9 @@ function partsOfBucket({ bucket }) {
 function shareInWords(count, cases) {
   if (!(cases > 0)) return "";
   const share = 100 * count / cases;
+  if (count === 0 || count === cases) return count === 0 ? "0%" : "100%";
+  if (share >= 99.9) return "more than 99.9%";
+  if (share >= 10) return `${share.toFixed(1)}%`;
   return share < 0.01 ? "less than 0.01%" : `${Number(share.toPrecision(2))}%`;
 }
 
@@ -23,14 +28,19 @@ function wrongBuckets(result, fault) {
   return (result.buckets ?? []).filter((found) => [fault, "both"].includes(partsOfBucket(found).fault));
 }
 
-function wrongSentence(name, buckets, cases) {
+function wrongSentence(name, buckets, cases, errors) {
   const count = buckets.reduce((sum, found) => sum + (found.count ?? 0), 0);
   if (count === 0) return `${name}: no wrong answer`;
   const explained = buckets.filter(({ verdict }) => verdict === "known").reduce((sum, found) => sum + (found.count ?? 0), 0);
   const accepted = buckets.filter((found) => found.accepted).reduce((sum, found) => sum + (found.count ?? 0), 0);
-  const worst = greatest(buckets.map(({ magnitude }) => magnitude)) ?? Infinity;
-  return [`${name}: wrong in ${whole(count)} (${shareInWords(count, cases)}), by ${sizes(worst)} at worst`,
+  const worst = Math.max(...Object.values(errors ?? {}).map((error) => error ?? Infinity), 0);
+  return [`${name}: wrong in ${whole(count)} (${shareInWords(count, cases)})${worst > 0 ? `, by ${sizes(worst)} at worst` : ""}`,
     explained > 0 && `${whole(explained)} explained by the ledger`, accepted > 0 && `${whole(accepted)} accepted`].filter(Boolean).join("; ");
+}
+
+// The subject's name, or the oracle's, told apart where both have one name.
+function nameOf(result, fault) {
+  return result.subject === result.oracle ? `${result[fault]} (${fault})` : result[fault];
 }
 
 function decidesStatus(found) {
@@ -38,18 +48,24 @@ function decidesStatus(found) {
   return LOST.includes(found.verdict) || partsOfBucket(found).fault !== "oracle" || found.new;
 }
 
-// Buckets of one kind and of whoever is at fault, the most wrong first; of each the clearest bucket first: no near tie, the most wrong.
+// Buckets of one kind and of whoever is at fault, the subject where both are: its own first, lost answers before wrong ones, then the
+// most wrong. Of each, new buckets first; of these the clearest: no near tie, plainly wrong, the most frequent.
 function findingGroups(result) {
-  const at = { subject: result.subject, oracle: result.oracle, both: `${result.subject} and ${result.oracle}` };
-  const clarity = (found) => [partsOfBucket(found).tieClass !== "none" ? 1 : 0, -(found.magnitude ?? Infinity)];
+  const order = (found) => [found.new ? 0 : 1, partsOfBucket(found).tieClass === "none" ? 0 : 1, found.bucket.endsWith("/gross") ? 0 : 1, -found.count];
   const groups = Map.groupBy((result.buckets ?? []).filter(decidesStatus), (found) => {
     const { fault, verdict, kind } = partsOfBucket(found);
-    return `${at[fault] ?? result.subject}: ${words(kind === "none" ? verdict : kind)}`;
+    return `${nameOf(result, fault === "oracle" ? "oracle" : "subject")}: ${words(kind === "none" ? verdict : kind)}`;
   });
   return [...groups].map(([name, buckets]) => ({
     name, count: buckets.reduce((sum, found) => sum + (found.count ?? 0), 0), magnitude: Math.max(...buckets.map((found) => found.magnitude ?? Infinity)),
-    isNew: buckets.some((found) => found.new), buckets: buckets.toSorted((p, q) => clarity(p)[0] - clarity(q)[0] || clarity(p)[1] - clarity(q)[1]),
-  })).sort((p, q) => q.magnitude - p.magnitude);
+    isNew: buckets.some((found) => found.new), buckets: sortedBy(buckets, order),
+    place: [partsOfBucket(buckets[0]).fault === "oracle" ? 1 : 0, LOST.includes(buckets[0].verdict) ? 0 : 1],
+  })).sort((p, q) => p.place[0] - q.place[0] || p.place[1] - q.place[1] || q.magnitude - p.magnitude);
+}
+
+// By the first of these numbers in which two differ.
+function sortedBy(all, numbersOf) {
+  return all.toSorted((p, q) => numbersOf(p).map((number, i) => number - numbersOf(q)[i]).find((difference) => difference !== 0) ?? 0);
 }
 
 function findingItem(group) {
@@ -78,14 +94,13 @@ function causesOf(result) {
 
 function overviewOf({ result }) {
   const groups = findingGroups(result);
-  const agreed = ["agree", "tie"].map((verdict) => result.verdicts?.[verdict] ?? 0);
   return element("article", { class: "overview" },
     element("h2", {}, pairOf(result)),
-    element("p", {}, `${counted(result.cases ?? 0, "case")}: both right and the same ${shareInWords(agreed[0], result.cases)}, both right and not the same ${shareInWords(agreed[1], result.cases)}`),
-    element("h3", {}, wrongSentence(result.subject, wrongBuckets(result, "subject"), result.cases)),
+    element("p", {}, `${counted(result.cases ?? 0, "case")}: ${VERDICT_WORDS.filter(([verdict]) => result.verdicts?.[verdict] > 0).map(([verdict, text]) => `${text} ${shareInWords(result.verdicts[verdict], result.cases)}`).join(", ")}`),
+    element("h3", {}, wrongSentence(nameOf(result, "subject"), wrongBuckets(result, "subject"), result.cases, result.worst_error?.subject)),
     groups.length > 0 ? element("ul", { class: "causes" }, groups.slice(0, CAUSES_SHOWN).map(findingItem))
       : element("p", { class: "quiet" }, "Nothing that is new or unexplained."),
     groups.length > CAUSES_SHOWN && element("p", { class: "quiet" }, `${counted(groups.length - CAUSES_SHOWN, "other kind")}: see the buckets below`),
     (result.hints ?? []).map(({ text }) => element("p", { class: "hint" }, `Hint: ${text}`)),
-    result.oracle && element("h3", {}, wrongSentence(result.oracle, wrongBuckets(result, "oracle"), result.cases)), ...causesOf(result));
+    result.oracle && element("h3", {}, wrongSentence(nameOf(result, "oracle"), wrongBuckets(result, "oracle"), result.cases, result.worst_error?.oracle)), ...causesOf(result));
 }
