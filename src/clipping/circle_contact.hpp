@@ -88,6 +88,20 @@ std::optional<int> nearest_end(const ConvexPolygon<Scalar>& core, int face_index
   return end;
 }
 
+/// The face of greatest separation from a point or, where the point is past an end of it, the face
+/// beside that lies before the point: rounding alone tells which of both is farther from it.
+template <class Scalar>
+FaceSeparation<Scalar> face_before(const ConvexPolygon<Scalar>& core,
+                                   const FaceSeparation<Scalar>& greatest,
+                                   const Vector2<Scalar>& point) {
+  if (is_before_face(core, greatest.face, point)) return greatest;
+  for (const int beside : {core.previous(greatest.face), core.next(greatest.face)}) {
+    if (!is_before_face(core, beside, point)) continue;
+    return {beside, core.normals[beside].dot(point - core.vertices[beside])};
+  }
+  return greatest;
+}
+
 /// The manifold of a circle and of a core with faces, which is polygon `side`: the centre is
 /// nearest to the face of greatest separation, inside the core or out, or to an end of it.
 template <class Scalar>
@@ -116,9 +130,10 @@ Manifold<Scalar> contact_of_circle(const ConvexPolygon<Scalar>& a, const ConvexP
       return contact(core.vertices[*end], vertex(*end), apart, *outward);
     }
   }
-  const Vector2<Scalar>& normal = core.normals[found.face];
-  const Vector2<Scalar> apart = found.separation * normal;
-  return contact(centre - apart, face(found.face), apart, normal);
+  const FaceSeparation<Scalar> before = face_before(core, found, centre);
+  const Vector2<Scalar>& normal = core.normals[before.face];
+  const Vector2<Scalar> apart = before.separation * normal;
+  return contact(centre - apart, face(before.face), apart, normal);
 }
 
 }  // namespace manifuzz::clipping

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "clipping/collide.hpp"
+#include "own_colliders/own_colliders.hpp"
 
 using namespace manifuzz;
 using Catch::Matchers::WithinAbs;
@@ -58,6 +59,25 @@ TEST_CASE("a circle meets a polygon at a face, at a corner, and from inside") {
   REQUIRE(inside.count == 1);
   CHECK(inside.normal == Vector2<double>(1, 0));
   CHECK(is_at(inside.points[0], 0.25, 0.25, 0.75));
+}
+
+TEST_CASE("a circle past the end of a face and before the next one has the next one's normal") {
+  // Rounded, face 6 is the farther one from the centre; it lies before face 7, by the corner.
+  const std::vector<Vector2<float>> core{
+      {0.5423506F, 0.5285393F},     {-0.3780128F, -0.11523522F},  {-0.35057297F, -0.37195945F},
+      {-0.22614224F, -0.28214663F}, {-0.12390314F, -0.18066764F}, {0.031537622F, -0.016319584F},
+      {0.18542019F, 0.14745925F},   {0.31932276F, 0.29032996F}};
+  const std::vector<Vector2<float>> centre{{0, 0}};
+  const Body circle{make_polygon<float>(centre, 1.3313574F, Rounding::round),
+                    {{0, 0}, {-0.08732953F, -0.99617946F}}};
+  const Body polygon{make_polygon<float>(core, 0.01F),
+                     {{0.18671046F, 1.3648125F}, {0.2945051F, -0.9556499F}}};
+  const auto m = std::get<Manifold<double>>(make_clip().collide({circle, polygon}));
+  REQUIRE(m.count == 1);
+  CHECK(m.points[0].features.b == Feature{Feature::Kind::face, 7});
+  CHECK_THAT(m.normal.x(), WithinAbs(-0.9337245601, 4e-7));
+  CHECK_THAT(m.normal.y(), WithinAbs(0.3579922688, 4e-7));
+  CHECK_THAT(m.points[0].depth, WithinAbs(0.0673968959, 3e-6));
 }
 
 TEST_CASE("parallel capsules touch along the overlap of their edges") {
