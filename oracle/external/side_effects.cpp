@@ -27,7 +27,7 @@ void watch_forks() {
   static_cast<void>(is_watching);
 }
 
-/// Those that have ended by now, lest they fill the table of processes.
+/// Takes the ended children out of the table of processes, which they would fill.
 void bury_forked() {
   for (;;) {
     siginfo_t ended{};

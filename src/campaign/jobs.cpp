@@ -72,7 +72,7 @@ struct RunState {
   }
 };
 
-/// Of the time that a signal leaves, jobs may take so much to end: the rest is for what they found.
+/// The share of the time that a signal leaves in which jobs end; the rest is for what they found.
 constexpr double kShareOfJobs = 0.4;
 
 /// One that is not worth all the cases: it answers a case otherwise alone than among others,

@@ -116,7 +116,7 @@ struct Tally {
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
   std::array<RegimeTally, kRegimesMax> regimes{};
   BucketTallies buckets;
-  /// Of each kind, the first cases of the subject's wrong answers; of none, of malformed ones.
+  /// The first cases of the subject's wrong answers of each kind; malformed ones have kind none.
   std::array<LeastCases, kKindNames.size()> first_wrong{};
   std::uint64_t by_tolerance = 0;     ///< right, but only by the tolerance that a collider declares
   std::uint64_t agreeing_judged = 0;  ///< of those that agree, what was judged too

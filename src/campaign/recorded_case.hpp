@@ -13,7 +13,7 @@ CorpusCase recorded_case(const PairCase& pair, const Judgement& judgement, const
                          const Collider& oracle, Interruption& interruption,
                          const Deadline& severity_until = {});
 
-/// The same without asking anybody: neither answers nor severity.
+/// The corpus case of a pair without asking anybody: it has neither answers nor severity.
 CorpusCase unasked_case(const PairCase& pair, const Judgement& judgement, const Collider& subject,
                         const Collider& oracle);
 

@@ -125,7 +125,7 @@ SavedFinding save_pair(Finding& finding, const Found& found, const Plan& plan,
   return how;
 }
 
-/// The same of a pair or a sequence, as the campaign saw it where there is no answer.
+/// Saves the finding of a pair or a sequence, as the campaign saw it where there is no answer.
 SavedFinding save_finding(Finding& finding, const Tally& tally, const Plan& plan,
                           const std::filesystem::path& corpus, const Deadlines& deadlines,
                           Interruption& interruption) {

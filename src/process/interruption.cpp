@@ -7,7 +7,7 @@
 namespace manifuzz {
 namespace {
 
-/// Those by which this program is to end, and that a child has ended.
+/// The signals by which this program is to end, and the one that says that a child has ended.
 sigset_t held_signals() {
   sigset_t held = ending_signals();
   sigaddset(&held, SIGCHLD);

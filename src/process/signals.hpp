@@ -35,7 +35,7 @@ class EndingSignalsLetThrough {
 /// The exit status of a run that would end with that one, as what interrupted it has it: 130 after
 /// SIGINT, 143 after the others; 1, that something was found, stays.
 int status_after_signals(int status);
-/// The same of the signal alone.
+/// The status that a signal alone gives.
 int status_of_signal(int signal);
 
 }  // namespace manifuzz

@@ -5,18 +5,12 @@
 #include "campaign/result.hpp"
 #include "report/campaign_text.hpp"
 #include "report/hint_lines.hpp"
+#include "report/lines.hpp"
 #include "report/outputs.hpp"
 #include "report/sequence/sequence_report.hpp"
 
 namespace manifuzz {
 namespace {
-
-/// What `line_of` says of each, one after the other.
-std::string rows_of(const auto& list, const auto& line_of) {
-  std::string lines;
-  for (const auto& one : list) lines += line_of(one);
-  return lines;
-}
 
 std::string percent(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0) return "-";
@@ -27,7 +21,7 @@ std::string regime_rows(const CampaignResult& result) {
   static constexpr std::string_view row = "{:<18}{:>14}{:>10}{:>8}{:>13}\n";
   const std::string heading =
       fmt::format(row, "regime", "cases", "touching", "near", "unexplained");
-  return heading + rows_of(result.regimes, [](const RegimeResult& regime) {
+  return heading + lines_of(result.regimes, [](const RegimeResult& regime) {
            return fmt::format(row, regime.name, regime.cases,
                               percent(regime.touching, regime.cases),
                               percent(regime.near, regime.cases), regime.unexplained);
@@ -54,14 +48,14 @@ std::string verdict_rows(const CampaignResult& result) {
 }
 
 std::string ledger_rows(const CampaignResult& result) {
-  return rows_of(result.ledger, [](const LedgerResult& entry) {
+  return lines_of(result.ledger, [](const LedgerResult& entry) {
     return fmt::format("{:<36}{:>14}{}\n", entry.id, entry.hits,
                        entry.hits == 0 ? "  never fired" : "");
   });
 }
 
 std::string over_budget_lines(const CampaignResult& result) {
-  return rows_of(result.ledger, [](const LedgerResult& entry) {
+  return lines_of(result.ledger, [](const LedgerResult& entry) {
     if (entry.over_budget.empty()) return std::string();
     return fmt::format(
         "{}: {}\n", entry.id,
@@ -157,7 +151,7 @@ std::string summary_table(const Campaign& campaign, const std::optional<Campaign
   text += '\n' + verdict_rows(result);
   if (!result.ledger.empty()) text += '\n' + ledger_rows(result);
   if (!result.buckets.empty()) text += '\n';
-  text += rows_of(result.buckets, bucket_rows);
+  text += lines_of(result.buckets, bucket_rows);
   const std::string remarks = remarks_on_campaign(campaign) + stale_in_words(result.stale);
   if (!remarks.empty()) text += '\n' + remarks;
   if (baseline) text += '\n' + comparison_text(*baseline, campaign.result);

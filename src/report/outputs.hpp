@@ -73,7 +73,7 @@ class Outputs {
   /// What went wrong beside the writing, if anything did.
   void add_error(const std::string& what);
 
-  /// The same of a run that was interrupted, which the outputs that are written say.
+  /// What is said of a run that was interrupted; its outputs are written and say so too.
   void add_interruption(const std::string& what);
 
   bool are_written() const { return are_written_; }

@@ -7,19 +7,10 @@
 #include "generating/sweep.hpp"
 #include "measure/scene/scene_run.hpp"
 #include "report/campaign_text.hpp"
+#include "report/lines.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {
-namespace {
-
-/// What `line_of` says of each, one after the other.
-std::string lines_of(const auto& list, const auto& line_of) {
-  std::string lines;
-  for (const auto& one : list) lines += line_of(one);
-  return lines;
-}
-
-}  // namespace
 
 std::string progress_line(const Plan& plan, const Progress& progress) {
   if (!progress.saving.empty()) return progress.saving;

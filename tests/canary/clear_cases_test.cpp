@@ -18,7 +18,7 @@
 namespace manifuzz::canary {
 namespace {
 
-/// Of a number of shrunk cases.
+/// How clear a number of shrunk cases are.
 struct Clarity {
   int cases = 0;
   int with_odd_numbers = 0;  ///< outside 1e-3 to 1e3

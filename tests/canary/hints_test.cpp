@@ -47,7 +47,7 @@ Hinted hints_about(const Collider& subject, bool is_round) {
   return {run.tally->unexplained(), hints_of(*run.tally, plan, interruption)};
 }
 
-/// Those that are what an adapter does wrong.
+/// The planted bugs that are what an adapter does wrong.
 const std::map<std::string_view, std::string_view> kMistakes{
     {"world_frame", "undeclared-world"},
     {"rotation_length_ignored", "unit-rotation"},

@@ -19,7 +19,7 @@ using namespace manifuzz::test;
 
 namespace {
 
-/// Of the cases that the campaign lost, why the first was.
+/// Why the first of the cases that the campaign lost was lost.
 std::string why_lost(const Collider& subject) {
   const Plan plan = plan_of(subject);
   for (CaseNumber number = 0; number < plan.cases_max(); ++number) {

@@ -45,7 +45,7 @@ MaybeUndone mapped(const AskedCase& asked, const Mapped& by) {
   return undone;
 }
 
-/// The same of figures in the world; what goes there and back is rounded there.
+/// Maps figures in the world; what goes there and back is rounded there.
 MaybeUndone mapped_in_world(const AskedCase& asked, const std::function<Vector(Vector)>& direction,
                             const std::function<Vector(Vector)>& place) {
   const PairCase& pair = asked.pair();

@@ -23,7 +23,7 @@ MaybeUndone with_radii_taken_from_depths(const AskedCase& asked);
 /// y points down in positions and normals.
 MaybeUndone with_y_negated(const AskedCase& asked);
 
-/// Which figures of an answer are in a body's frame that should be in the world.
+/// The figures of an answer that are in a body's frame and should be in the world.
 enum class InFrame { all, positions, normal };
 MaybeUndone from_frame_of(Side side, InFrame what, const AskedCase& asked);
 /// Positions in the world are given as if they were in A's frame.

@@ -75,7 +75,7 @@ bool becomes_wrong_without(const Mistake& mistake, const AskedAgain& right, cons
   return is_shown && fate_without(mistake, right, plan) == Fate::wrong;
 }
 
-/// Of a kind, or of several, how many are right without the mistake, of so many that can be judged.
+/// How many answers of one kind or several are right without the mistake, of those that are judged.
 struct RightOf {
   std::size_t right = 0;
   std::size_t of = 0;

@@ -10,7 +10,7 @@ namespace manifuzz {
 
 /// A hint needs so many wrong answers that are right with one mistake undone.
 inline constexpr std::size_t kHintedMin = 20;
-/// Of the wrong answers of a kind so large a share must be right then: ties, and what lies nearly
+/// The share of the wrong answers of a kind that must be right then: ties, and what lies nearly
 /// on a bound, may be read another way than the mistake was made.
 inline constexpr double kHintedShare = 0.9;
 

@@ -48,7 +48,7 @@ UsedVertices in_true_frame(const Body& body, const SeenBody& as_seen) {
   return used;
 }
 
-/// The same of B, which are in A's frame where they were seen.
+/// B's vertices in its own frame as it is; they were seen in A's frame as it was taken.
 UsedVertices in_true_frame_of_b(const PairCase& pair, const SeenBody& a, const SeenBody& b) {
   const Pose<double> true_a = seen(pair.a).pose;
   const Pose<double> true_b = seen(pair.b).pose;
@@ -105,7 +105,7 @@ MaybeUndone as_seen(const See& see, SeenFrom from, const AskedCase& asked) {
   return from == SeenFrom::world ? as_seen_in_world(see, asked) : as_seen_in_frame_of_a(see, asked);
 }
 
-/// Of what has angles, which have digits of their own.
+/// Judges by angles, whose digits may be rounded by so much.
 MaybeUndone by_angles(MaybeUndone undone, double within) {
   if (!undone) return undone;
   undone->declaration.takes_angles = true;

@@ -9,11 +9,9 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "cli/collider_choice.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "report/outputs.hpp"
-#include "report/words.hpp"
 
 namespace manifuzz {
 namespace {
@@ -53,7 +51,7 @@ void warn_of_elsewhere(const std::string& file, const CorpusFolders& folders) {
                            printable(file, 200), printable(folders.corpus(), 200)));
 }
 
-/// Those that are named and, if asked for, all of the corpus whose finding is of their kind.
+/// The files that are named and, if asked for, all of the corpus whose finding is of their kind.
 std::vector<std::string> files_to_accept(const AcceptArguments& options) {
   std::vector<std::string> files;
   const auto add = [&](const std::string& file) {

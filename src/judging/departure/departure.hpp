@@ -31,7 +31,7 @@ std::vector<const exact::Clip*> right_clips(const Admissible& right);
 /// replaced at a time. None where the answer is right, or is of no collider or shapes that clip.
 std::optional<Departures> departures_of(const PairCase& pair, const ColliderAnswer& given);
 
-/// The same in sentences, for people.
+/// Where the answer departs, in sentences.
 std::string departures_in_words(const Departures& departures);
 
 }  // namespace manifuzz

@@ -34,7 +34,7 @@ void try_reference(const RightWay& way, FaceOf face, const TryChoices& attempt) 
   }
 }
 
-/// Of each polygon another face than the one of the greatest separation; or no contact, where only
+/// Takes another face than the one of the greatest separation; or no contact, where only
 /// the radius makes one.
 void try_separations(const RightWay& way, const TryChoices& attempt) {
   if (!way.is_apart && way.truth.separation() > 0) {
