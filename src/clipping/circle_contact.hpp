@@ -75,31 +75,38 @@ FaceSeparation<Scalar> greatest_separation_from(const ConvexPolygon<Scalar>& cor
   return greatest;
 }
 
+/// Whether a point that is past an end of a face is past the second one.
+template <class Scalar>
+bool is_past_second_end(const ConvexPolygon<Scalar>& core, int face_index,
+                        const Vector2<Scalar>& point) {
+  return along_face(core, face_index).dot(point - core.vertices[face_index]) > 0;
+}
+
 /// The vertex where a point past an end of a face is nearest to a core; nothing where it is not
 /// past an end, or by so little that rounding hides it.
 template <class Scalar>
 std::optional<int> nearest_end(const ConvexPolygon<Scalar>& core, int face_index,
                                const Vector2<Scalar>& point) {
   if (is_before_face(core, face_index, point)) return std::nullopt;
-  const Vector2<Scalar> from_first = point - core.vertices[face_index];
-  const bool is_second = along_face(core, face_index).dot(from_first) > 0;
+  const bool is_second = is_past_second_end(core, face_index, point);
   const int end = is_second ? core.next(face_index) : face_index;
   if (!is_normal_at<Scalar>(core, end, point - core.vertices[end])) return std::nullopt;
   return end;
 }
 
-/// The face of greatest separation from a point or, where the point is past an end of it, the face
-/// beside that lies before the point: rounding alone tells which of both is farther from it.
+/// The face of greatest separation from a point outside or, where the point is past an end of it
+/// and before the face beside, that one: only rounding called the other farther. A face that the
+/// point lies behind has its end there too where a corner is sharp, and is none.
 template <class Scalar>
 FaceSeparation<Scalar> face_before(const ConvexPolygon<Scalar>& core,
                                    const FaceSeparation<Scalar>& greatest,
                                    const Vector2<Scalar>& point) {
-  if (is_before_face(core, greatest.face, point)) return greatest;
-  for (const int beside : {core.previous(greatest.face), core.next(greatest.face)}) {
-    if (!is_before_face(core, beside, point)) continue;
-    return {beside, core.normals[beside].dot(point - core.vertices[beside])};
-  }
-  return greatest;
+  if (greatest.separation <= 0 || is_before_face(core, greatest.face, point)) return greatest;
+  const bool is_second = is_past_second_end(core, greatest.face, point);
+  const int beside = is_second ? core.next(greatest.face) : core.previous(greatest.face);
+  const Scalar separation = core.normals[beside].dot(point - core.vertices[beside]);
+  if (separation <= 0 || !is_before_face(core, beside, point)) return greatest;
+  return {beside, separation};
 }
 
 /// The manifold of a circle and of a core with faces, which is polygon `side`: the centre is
