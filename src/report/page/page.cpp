@@ -13,6 +13,7 @@
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "report/glossary.hpp"
+#include "report/overview.hpp"
 #include "report/round_truth.hpp"
 
 namespace manifuzz {
@@ -33,18 +34,26 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array kResultKinds{"fuzz", "replay", "bench", "stress", "scene"};
 
-/// What the causes that results name mean, and the case that shows each.
-Json ledger_of(const std::vector<ResultFile>& results) {
-  Json causes = Json::object();
-  for (const ResultFile& result : results) {
-    if (!result.campaign) continue;
-    for (const LedgerResult& met : result.campaign->ledger) {
-      const auto entry = std::ranges::find(ledger(), met.id, &LedgerEntry::id);
-      if (met.hits == 0 || entry == ledger().end()) continue;
-      causes[met.id] = {{"words", entry->description}, {"witness", witness_of(*entry)}};
-    }
+/// What the campaign's own screen says, with the case that shows each cause.
+Json overview_json(const CampaignResult& result) {
+  const CampaignOverview overview = overview_of(result);
+  Json json{{"verdicts", overview.verdicts},
+            {"subject", overview.subject},
+            {"oracle", overview.oracle},
+            {"causes", Json::array()},
+            {"findings", Json::array()}};
+  for (const CauseMet& cause : overview.causes) {
+    json["causes"].push_back(
+        {{"hits", cause.hits}, {"words", cause.words}, {"witness", cause.witness}});
   }
-  return causes;
+  for (const FindingInWords& finding : overview.findings) {
+    json["findings"].push_back({{"new", finding.is_new},
+                                {"what", finding.what},
+                                {"how", finding.how},
+                                {"file", finding.file},
+                                {"command", finding.command}});
+  }
+  return json;
 }
 
 Json data_of(const RunFiles& files, const std::vector<PageCase>& cases,
@@ -57,12 +66,13 @@ Json data_of(const RunFiles& files, const std::vector<PageCase>& cases,
   for (const char* const kind : kResultKinds) data[kind] = Json::array();
   for (const ResultFile& result : files.results) {
     data["sources"].push_back({{"path", result.path}, {"kind", result.kind}, {"cases", nullptr}});
-    data[std::string(result.kind)].push_back({{"path", result.path}, {"result", result.json}});
+    Json run{{"path", result.path}, {"result", result.json}};
+    if (result.campaign) run["overview"] = overview_json(*result.campaign);
+    data[std::string(result.kind)].push_back(std::move(run));
   }
   if (!cases.empty()) {
     data["sources"].push_back({{"path", "cases"}, {"kind", "cases"}, {"cases", cases.size()}});
   }
-  data["ledger"] = ledger_of(files.results);
   data["words"] = Json::object();
   for (const auto& [word, meaning] : glossary()) data["words"][std::string(word)] = meaning;
   data["cases"] = Json::array();
