@@ -15,10 +15,6 @@ namespace {
 using exact::Clip;
 using exact::FaceOf;
 
-double fine(const exact::DoubleDouble& value) {
-  return exact::leading(value);
-}
-
 /// A manifold against the clips that it may be.
 class AgainstClips {
  public:
@@ -53,12 +49,13 @@ class AgainstClips {
     const TieBias& bias = right_.tie_bias;
     const Side side = face.side;
     const exact::DoubleDouble of_side = truth_.fine_separation(truth_.greatest(side));
-    const double behind_best = fine(of_side - truth_.fine_separation(face));
+    const double behind_best = exact::leading(of_side - truth_.fine_separation(face));
     const exact::DoubleDouble favoured = truth_.fine_separation(truth_.greatest(bias.towards));
     const exact::DoubleDouble other_best =
         truth_.fine_separation(truth_.greatest(other(bias.towards)));
-    const double lead = fine(other_best - exact::DoubleDouble(1 - bias.relative) * favoured -
-                             exact::DoubleDouble(bias.absolute));
+    const double lead =
+        exact::leading(other_best - exact::DoubleDouble(1 - bias.relative) * favoured -
+                       exact::DoubleDouble(bias.absolute));
     const double behind_other = std::max(side == bias.towards ? lead : -lead, 0.0);
     return (behind_best + behind_other) / size_;
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "oracle/exact/curve.hpp"
 #include "report/picture/drawing.hpp"
@@ -22,6 +23,7 @@ struct Interest {
   double pixels_min = 0;    // to be seen
   double share_wanted = 0;  // of a closer view's smaller side
   bool is_depth = false;
+  bool is_overlap = false;
 };
 
 PlacedFace placed_face(const exact::RoughPair& polygons, Side side, int face) {
@@ -123,9 +125,34 @@ Interest thickness(const exact::RoughPolygon& polygon) {
   return thinnest;
 }
 
+/// The width of what both shapes cover, where it is thinnest; about its middle.
+std::optional<Interest> overlap_of(const Scene& scene) {
+  const Box whole = scene.whole(0);
+  const double tolerance = 1e-3 * std::max(whole.width, whole.height);
+  const Region overlap =
+      intersection(scene.shape(Side::a, whole, tolerance), scene.shape(Side::b, whole, tolerance));
+  if (overlap.size() < 3) return std::nullopt;
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < overlap.size(); ++i) {
+    const Point& corner = overlap[i];
+    const Point along = unit_or_zero(overlap[(i + 1) % overlap.size()] - corner);
+    double width = 0;
+    for (const Point& p : overlap) width = std::max(width, cross<double>(along, p - corner));
+    if (width > 0) thinnest = std::min(thinnest, width);
+  }
+  if (!std::isfinite(thinnest)) return std::nullopt;
+  return Interest{middle_of(overlap), thinnest, 4, 0.25, false, true};
+}
+
 /// The largest first.
 std::vector<Interest> interests(const Scene& scene) {
   std::vector<Interest> all;
+  const std::optional<Interest> overlap = overlap_of(scene);
+  if (overlap) all.push_back(*overlap);
+  // A shape as thin as the overlap, or nearly, is seen where the overlap is.
+  const auto add_thickness = [&](const Interest& thinnest) {
+    if (!overlap || thinnest.length > 2 * overlap->length) all.push_back(thinnest);
+  };
   const auto add = [&](const Segment& segment, double length, double pixels, double share) {
     all.push_back({(segment.first + segment.second) / 2, length, pixels, share});
   };
@@ -136,7 +163,7 @@ std::vector<Interest> interests(const Scene& scene) {
     const Box box = box_of(scene, side);
     all.push_back({box.center(), length({box.width, box.height}), 30, 0.6});
     const bool is_thick = scene.polygons[side].count >= kMinVertices;
-    if (scene.radius(side) <= 0 && is_thick) all.push_back(thickness(scene.polygons[side]));
+    if (scene.radius(side) <= 0 && is_thick) add_thickness(thickness(scene.polygons[side]));
   }
   add_face(scene.reference.segment);
   if (scene.incident) add_face(scene.incident->segment);
@@ -257,6 +284,7 @@ std::vector<View> choose_views(const Scene& scene, double x, double y, double wi
       auto next = hidden.begin();
       if (views.size() == 2) {
         next = std::ranges::find(hidden, true, &Interest::is_depth);
+        if (next == hidden.end()) next = std::ranges::find(hidden, true, &Interest::is_overlap);
         if (next == hidden.end()) --next;
       }
       const Box frame{x + left + kFrameGap, top, width - left - kFrameGap, half};
