@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "cli/colliders.hpp"
 #include "cli/options.hpp"
@@ -79,9 +80,10 @@ std::optional<ColliderChoice> named_choice(const ColliderChoice& by_name,
   const auto named = subjects.find(by_name.name);
   if (named == subjects.end()) return std::nullopt;
   const NamedSubject& subject = named->second;
-  write_remark(fmt::format("{} is {}, as {} says", printable(by_name.name),
-                           printable(subject.command + subject.library, 200),
-                           printable(subject.file, 200)));
+  // Quiet or not: a file says what is started.
+  write_error(fmt::format("{} is {}, as {} says\n", printable(by_name.name),
+                          printable(subject.command + subject.library, 200),
+                          printable(subject.file, 200)));
   return ColliderChoice{by_name.role, subject.library, subject.command, false};
 }
 

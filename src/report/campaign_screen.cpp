@@ -20,13 +20,19 @@ constexpr std::size_t kScreenLines = 24;
 constexpr std::size_t kCausesShown = 5;
 constexpr std::size_t kFindingsShown = 5;
 constexpr std::size_t kRemarksShown = 6;
-constexpr std::size_t kLineLength = 150;
+constexpr std::size_t kCauseLength = 138;
+
+/// As much of a sentence as a line holds, whole words.
+std::string shortened(const std::string& words) {
+  if (words.size() <= kCauseLength) return words;
+  return words.substr(0, words.find_last_of(" ,;", kCauseLength)) + " ...";
+}
 
 /// The most frequent causes of the oracle's wrong answers.
 Lines causes_in_words(std::span<const CauseMet> causes) {
   Lines lines;
   for (const CauseMet& cause : causes | std::views::take(kCausesShown)) {
-    lines.push_back(printable(fmt::format("{:>10}  {}", cause.hits, cause.words), kLineLength));
+    lines.push_back(fmt::format("{:>10}  {}", cause.hits, shortened(cause.words)));
   }
   if (causes.size() > kCausesShown) {
     std::uint64_t hits = 0;

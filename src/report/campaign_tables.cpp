@@ -8,6 +8,7 @@
 #include "report/lines.hpp"
 #include "report/outputs.hpp"
 #include "report/sequence/sequence_report.hpp"
+#include "report/words.hpp"
 
 namespace manifuzz {
 namespace {
@@ -109,10 +110,11 @@ std::string bucket_rows(const BucketResult& found) {
 
 std::string case_heading(const Campaign& campaign) {
   const CampaignResult& result = campaign.result;
-  return fmt::format("{} against {} {}: {} cases in {:.1f} s ({:.0f} a second, {} jobs), seed {}\n",
+  return fmt::format("{} against {} {}: {} cases in {:.1f} s ({:.0f} a second, {}), seed {}\n",
                      result.settings.subject, result.settings.oracle,
                      campaign.plan.oracle.declaration.version, result.cases(), result.seconds(),
-                     per_second(result.cases(), result.seconds()), result.jobs, campaign.plan.seed);
+                     per_second(result.cases(), result.seconds()), counted(result.jobs, "job"),
+                     campaign.plan.seed);
 }
 
 std::string unshrunk_in_words(const CampaignResult& result) {

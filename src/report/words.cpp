@@ -133,7 +133,7 @@ std::string brief(double value) {
   return fmt::format("{:.4g}", value == 0 ? 0 : value);
 }
 
-std::string counted(int count, std::string_view noun) {
+std::string counted(std::uint64_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 

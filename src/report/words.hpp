@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -14,7 +15,7 @@ namespace manifuzz {
 std::string brief(double value);
 
 /// "2 points", "1 point".
-std::string counted(int count, std::string_view noun);
+std::string counted(std::uint64_t count, std::string_view noun);
 
 /// "A face 2", the face by its number and its owner's name.
 std::string face_name(Side side, int face);

@@ -13,6 +13,7 @@
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "report/glossary.hpp"
+#include "report/outputs.hpp"
 #include "report/overview.hpp"
 #include "report/round_truth.hpp"
 
@@ -185,7 +186,7 @@ PageCase page_case_of(const CorpusCase& given, const BucketRuns& runs, NamedColl
 }
 
 void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size_t maps_max,
-              Interruption& interruption) {
+              Interruption& interruption, const ProgressLine& line) {
   std::set<std::tuple<std::string, std::string, std::string>> seen;
   std::vector<PageCase*> wanted;
   for (PageCase& page_case : cases) {
@@ -204,7 +205,9 @@ void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size
     return is_unexplained(verdict) ? 0 : verdict == Verdict::known ? 1 : 2;
   });
   wanted.resize(std::min(wanted.size(), maps_max));
-  for (PageCase* page_case : wanted) {
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    line.show(fmt::format("the page: map {} of {}", i + 1, wanted.size()));
+    PageCase* const page_case = wanted[i];
     const JudgedCase& judged = page_case->judged;
     page_case->map = case_map(judged, *colliders.find(judged.subject.declaration.name),
                               *colliders.find(judged.oracle.declaration.name), 1, interruption);
@@ -212,12 +215,14 @@ void add_maps(std::vector<PageCase>& cases, NamedColliders& colliders, std::size
 }
 
 std::vector<PageCase> page_cases(const RunFiles& files, NamedColliders& colliders,
-                                 const std::string& program, Interruption& interruption) {
+                                 const std::string& program, Interruption& interruption,
+                                 const ProgressLine& line) {
   std::set<std::string> paths;
   for (const CorpusCase& given : files.corpus.cases) paths.insert(given.path);
   std::vector<PageCase> cases;
   for (const CorpusCase& given : files.corpus.cases) {
     if (interruption.is_stopped()) throw Interrupted();
+    line.show(fmt::format("the page: case {} of {}", cases.size() + 1, files.corpus.cases.size()));
     BucketRuns runs = runs_of(given, files.results);
     PageCase page_case = page_case_of(given, runs, colliders, interruption);
     const std::string shrunk = shrunk_beside(given.path);
@@ -256,8 +261,9 @@ std::string page_of(const RunFiles& files, PageColliders colliders, std::size_t 
   std::vector<PageCase> cases;
   Json sequences;
   try {
-    cases = page_cases(files, colliders.of_pairs, commands.program, interruption);
-    add_maps(cases, colliders.of_pairs, maps_max, interruption);
+    const ProgressLine line;
+    cases = page_cases(files, colliders.of_pairs, commands.program, interruption, line);
+    add_maps(cases, colliders.of_pairs, maps_max, interruption, line);
     sequences = page_sequences_json(files, colliders.of_sequences, commands.program, interruption);
   } catch (const Interrupted&) {
     throw UserError("the page: interrupted before it was done");

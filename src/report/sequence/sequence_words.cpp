@@ -143,10 +143,11 @@ std::string list_motions() {
 std::string sequence_heading(const CampaignResult& result, std::uint64_t seed) {
   const double seconds = result.seconds();
   return fmt::format(
-      "{}: {} sequence{}, {} frames in {:.1f} s ({:.0f} frames a second, {} jobs), "
+      "{}: {}, {} frames in {:.1f} s ({:.0f} frames a second, {}), "
       "seed {}\n",
-      result.settings.subject, result.cases(), result.cases() == 1 ? "" : "s", result.frames(),
-      seconds, seconds > 0 ? static_cast<double>(result.frames()) / seconds : 0, result.jobs, seed);
+      result.settings.subject, counted(result.cases(), "sequence"), result.frames(), seconds,
+      seconds > 0 ? static_cast<double>(result.frames()) / seconds : 0, counted(result.jobs, "job"),
+      seed);
 }
 
 std::string motion_rows(const CampaignResult& result) {

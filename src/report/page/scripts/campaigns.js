@@ -111,15 +111,16 @@ function regimesTable({ regimes = [], unexplained }) {
 }
 
 function ledgerTable({ ledger = [] }) {
-  if (ledger.length === 0) return null;
-  const most = Math.max(...ledger.map(({ hits }) => hits ?? 0));
+  const met = ledger.filter((entry) => entry.hits > 0 || entry.over_budget?.length > 0);
+  if (met.length === 0) return null;
+  const most = Math.max(...met.map(({ hits }) => hits ?? 0));
   const where = ({ regimes }) => Object.entries(regimes ?? {}).sort(([, p], [, q]) => q - p)
     .map(([name, hits]) => `${words(name)} ${whole(hits)}`).join(", ");
   const over = ({ over_budget }) => (over_budget ?? []).map((one) => (typeof one === "string" ? one : JSON.stringify(one))).join(", ");
   const columns = [["known as", ({ id }) => element("code", {}, id)],
     ["hits", ({ hits }) => withMeter((hits ?? 0) / most, whole(hits ?? 0)), "number"], ["in regimes", where, "text"]];
-  if (ledger.some(over)) columns.push(["over budget", over, "text bad"]);
-  return element("div", { class: "block" }, element("h3", {}, "Known deviations met"), table("Known deviations met", columns, ledger));
+  if (met.some(over)) columns.push(["over budget", over, "text bad"]);
+  return element("div", { class: "block" }, element("h3", {}, "Known deviations met"), table("Known deviations met", columns, met));
 }
 
 function bucketsTable({ buckets = [] }) {
