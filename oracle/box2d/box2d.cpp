@@ -43,9 +43,8 @@ void* as_data(std::uintptr_t body) {
   return reinterpret_cast<void*>(body);  // NOLINT(performance-no-int-to-ptr)
 }
 
-}  // namespace
-
-struct Box2dPairs::State {
+/// What the broad phase tells of, and what is told it.
+struct PairsState {
   std::vector<Placed> bodies;
   std::vector<std::uint32_t> moved;  ///< bodies, since the last step
   std::vector<Pair> pairs;
@@ -82,43 +81,44 @@ struct Box2dPairs::State {
   }
 };
 
-Box2dPairs::Box2dPairs(std::span<const Body> bodies) : state_(std::make_unique<State>()) {
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    Placed& placed = state_->bodies.emplace_back();
-    placed.shape = box2d::to_box2d(bodies[i].polygon);
-    placed.transform = box2d::to_box2d(bodies[i].pose);
-    placed.box = box_of(placed);
-    placed.proxy = state_->broad_phase.CreateProxy(placed.box, as_data(i));
-    placed.moved = true;
-    state_->moved.push_back(static_cast<std::uint32_t>(i));
-  }
-}
-
-Box2dPairs::~Box2dPairs() = default;
-
-void Box2dPairs::step(std::span<const BodyMove> moves, bool skip_unmoved) {
-  State& state = *state_;
-  for (const BodyMove& move : moves) state.move(move);
-  state.broad_phase.UpdatePairs(&state);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < state.pairs.size(); ++i) {
-    Pair& pair = state.pairs[i];
-    Placed& a = state.bodies[pair.a];
-    Placed& b = state.bodies[pair.b];
-    const bool is_active = a.moved || b.moved;
-    if ((is_active || !skip_unmoved) && state.is_apart(pair)) continue;
-    if (is_active || !skip_unmoved) {
-      b2CollidePolygons(&pair.manifold, &a.shape, a.transform, &b.shape, b.transform);
+class Box2dPairs final : public ScenePairs {
+ public:
+  explicit Box2dPairs(std::span<const Body> bodies) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      Placed& placed = state_.bodies.emplace_back();
+      placed.shape = box2d::to_box2d(bodies[i].polygon);
+      placed.transform = box2d::to_box2d(bodies[i].pose);
+      placed.box = box_of(placed);
+      placed.proxy = state_.broad_phase.CreateProxy(placed.box, as_data(i));
+      placed.moved = true;
+      state_.moved.push_back(static_cast<std::uint32_t>(i));
     }
-    if (kept != i) state.pairs[kept] = pair;
-    ++kept;
   }
-  state.pairs.resize(kept);
-  for (const std::uint32_t body : state.moved) state.bodies[body].moved = false;
-  state.moved.clear();
-}
 
-namespace {
+  void step(std::span<const BodyMove> moves, bool skip_unmoved) override {
+    for (const BodyMove& move : moves) state_.move(move);
+    state_.broad_phase.UpdatePairs(&state_);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < state_.pairs.size(); ++i) {
+      Pair& pair = state_.pairs[i];
+      Placed& a = state_.bodies[pair.a];
+      Placed& b = state_.bodies[pair.b];
+      const bool is_active = a.moved || b.moved;
+      if ((is_active || !skip_unmoved) && state_.is_apart(pair)) continue;
+      if (is_active || !skip_unmoved) {
+        b2CollidePolygons(&pair.manifold, &a.shape, a.transform, &b.shape, b.transform);
+      }
+      if (kept != i) state_.pairs[kept] = pair;
+      ++kept;
+    }
+    state_.pairs.resize(kept);
+    for (const std::uint32_t body : state_.moved) state_.bodies[body].moved = false;
+    state_.moved.clear();
+  }
+
+ private:
+  PairsState state_;
+};
 
 b2Body* add(b2World& world, const WorldBody& from) {
   b2BodyDef definition;
@@ -136,6 +136,10 @@ b2Body* add(b2World& world, const WorldBody& from) {
 }
 
 }  // namespace
+
+std::unique_ptr<ScenePairs> box2d_pairs(std::span<const Body> bodies) {
+  return std::make_unique<Box2dPairs>(bodies);
+}
 
 std::vector<std::vector<Pose<float>>> box2d_trajectory(std::span<const WorldBody> bodies,
                                                        int steps) {

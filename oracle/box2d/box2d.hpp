@@ -9,7 +9,7 @@
 #include <box2d/b2_math.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "collider/collider.hpp"
+#include "engines/engine.hpp"
 #include "geometry/convex_polygon.hpp"
 #include "geometry/pair_case.hpp"
 
@@ -45,34 +45,10 @@ inline b2PolygonShape to_box2d(const ConvexPolygon<float>& polygon) {
 
 namespace manifuzz {
 
-/// A body's new place.
-struct BodyMove {
-  std::uint32_t body = 0;  ///< its index
-  Pose<float> pose;
-};
-
 /// The manifolds of a scene as Box2D's contact manager gets them (b2_contact_manager.cpp), without
 /// its solver: `b2BroadPhase` with its fattened boxes, and `b2CollidePolygons` on every pair that
 /// it reports.
-class Box2dPairs {
- public:
-  explicit Box2dPairs(std::span<const Body> bodies);
-  ~Box2dPairs();
-  Box2dPairs& operator=(Box2dPairs&&) = delete;  // neither moved nor copied
-
-  /// Collides all pairs, or those alone of which a body moved, as sleep allows.
-  void step(std::span<const BodyMove> moves, bool skip_unmoved);
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
-
-/// A body of a world to be simulated.
-struct WorldBody {
-  Body body;
-  bool is_fixed = false;
-};
+std::unique_ptr<ScenePairs> box2d_pairs(std::span<const Body> bodies);
 
 /// The poses of all bodies after each step of `b2World::Step` (b2_world.cpp): 1/60 s, 8 and 3
 /// iterations, gravity 10 downwards, density 1, friction 0.5, sleep allowed. Lengths are metres;

@@ -5,8 +5,8 @@
 #include <deque>
 #include <memory>
 
+#include "external/external_collider.hpp"
 #include "oracle/bullet/algorithm.hpp"
-#include "oracle/external/external_collider.hpp"
 
 namespace manifuzz {
 namespace {
@@ -167,7 +167,7 @@ Keeping keeping() {
 
 }  // namespace
 
-std::optional<SequenceCollider> make_bullet_cached() {
+SequenceCollider make_bullet_cached() {
   SequenceCollider collider;
   collider.declaration = declaration();
   collider.keeping = keeping();

@@ -5,9 +5,9 @@
 #include <deque>
 #include <memory>
 
+#include "external/external_collider.hpp"
 #include "oracle/bullet/pair_detector.hpp"
 #include "oracle/bullet/perturbed.hpp"
-#include "oracle/external/external_collider.hpp"
 
 namespace manifuzz {
 namespace {

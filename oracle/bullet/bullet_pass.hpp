@@ -7,8 +7,7 @@
 
 namespace manifuzz {
 
-// One query of Bullet's through all pairs once, the prisms made before; empty where Bullet is not
-// installed.
+// One query of Bullet's through all pairs once, the prisms made before.
 
 /// btGjkPairDetector with btGjkEpaPenetrationDepthSolver.
 std::function<void()> bullet_epa_pass(std::span<const PairCase> pairs);

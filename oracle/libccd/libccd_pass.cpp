@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "oracle/external/external_collider.hpp"
+#include "external/external_collider.hpp"
 #include "oracle/libccd/prism.hpp"
 
 namespace manifuzz {

@@ -1,5 +1,5 @@
 // What every adapter in JavaScript does: `serve(declaration, collide)` reads case lines from stdin,
-// writes the declaration and then an answer a line to stdout. oracle/external/README.md has all
+// writes the declaration and then an answer a line to stdout. src/external/README.md has all
 // that may be declared and answered; this is what most need.
 //
 // `collide(a, b)` is called for each case. A body has
@@ -39,7 +39,7 @@
 // `serveSequences(declaration, begin)` does the same for a program that keeps points from frame to
 // frame: `begin()` is called at the first frame of each sequence, and the function that it returns
 // is called with (a, b) for that frame and each after it. What that returns are kept points; see
-// "Programs that keep points" of oracle/external/README.md.
+// "Programs that keep points" of src/external/README.md.
 import { readFileSync, realpathSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 

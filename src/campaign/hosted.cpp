@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "campaign/in_child.hpp"
-#include "oracle/external/external_collider.hpp"
+#include "external/external_collider.hpp"
 #include "process/child.hpp"
 #include "process/pool.hpp"
 

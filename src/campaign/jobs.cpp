@@ -7,7 +7,7 @@
 #include "campaign/in_child.hpp"
 #include "campaign/run.hpp"
 #include "campaign/sequences/sequence_case.hpp"
-#include "oracle/external/external_collider.hpp"
+#include "external/external_collider.hpp"
 #include "process/pool.hpp"
 
 namespace manifuzz {

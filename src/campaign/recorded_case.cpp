@@ -8,8 +8,8 @@
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
+#include "exact/curve.hpp"
 #include "exchange/json.hpp"
-#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 namespace {

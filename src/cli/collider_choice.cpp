@@ -7,8 +7,8 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "cli/colliders.hpp"
 #include "cli/options.hpp"
+#include "engines/colliders.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {

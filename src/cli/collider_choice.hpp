@@ -9,7 +9,7 @@
 
 #include "campaign/named_colliders.hpp"
 #include "collider/collider.hpp"
-#include "oracle/external/external_collider.hpp"
+#include "external/external_collider.hpp"
 
 namespace manifuzz {
 

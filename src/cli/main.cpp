@@ -6,8 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/colliders.hpp"
 #include "cli/options.hpp"
+#include "engines/colliders.hpp"
 #include "process/child.hpp"
 #include "process/signals.hpp"
 #include "process/standard_streams.hpp"
@@ -44,7 +44,7 @@ int answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
 int answer_bare_call(const char* program) {
   write_to_reader(next_steps(program, "corpus", [](const std::string& name) {
     const ColliderEntry* const entry = find_entry(name);
-    return entry != nullptr && (entry->is_ours || name == "box2d");
+    return entry != nullptr && (entry->is_ours || name == usual_oracle_name());
   }));
   return complain("a command is missing; above are some to begin with");
 }

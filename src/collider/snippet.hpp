@@ -5,7 +5,7 @@
 
 namespace manifuzz {
 
-/// What a snippet's template may ask for of either body; oracle/external/README.md says what each
+/// What a snippet's template may ask for of either body; src/external/README.md says what each
 /// is.
 inline constexpr std::array<std::string_view, 14> kSnippetKeys{
     "vertices",    "normals",  "position",      "rotation",      "radius",

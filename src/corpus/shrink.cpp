@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "corpus/shrink_gate.hpp"
+#include "exact/placed.hpp"
 #include "generating/drafts.hpp"
-#include "oracle/exact/placed.hpp"
 
 namespace manifuzz {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "exact/curve.hpp"
 #include "judging/turned_faces.hpp"
-#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 namespace {

@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include "exact/truth.hpp"
 #include "judging/bounds.hpp"
 #include "judging/bucket.hpp"
-#include "oracle/exact/truth.hpp"
 
 namespace manifuzz {
 

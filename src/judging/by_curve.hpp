@@ -2,10 +2,10 @@
 
 #include <optional>
 
+#include "exact/curve.hpp"
 #include "judging/admissible.hpp"
 #include "judging/compare.hpp"
 #include "judging/errors/answer_error.hpp"
-#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "exact/witness.hpp"
 #include "judging/by_curve.hpp"
 #include "judging/round_contact.hpp"
-#include "oracle/exact/witness.hpp"
 
 namespace manifuzz {
 

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "collider/collider.hpp"
+#include "exact/truth.hpp"
 #include "judging/bucket.hpp"
 #include "judging/compare.hpp"
 #include "judging/errors/answer_error.hpp"
+#include "judging/ledger.hpp"
 #include "judging/manifold_error.hpp"
-#include "oracle/exact/truth.hpp"
 
 namespace manifuzz {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "exact/clip.hpp"
 #include "judging/compare.hpp"
-#include "oracle/exact/clip.hpp"
 
 namespace manifuzz {
 namespace {

@@ -4,9 +4,9 @@
 #include <map>
 #include <optional>
 
+#include "exact/arithmetic.hpp"
+#include "exact/root_sum.hpp"
 #include "judging/admissible.hpp"
-#include "oracle/exact/arithmetic.hpp"
-#include "oracle/exact/root_sum.hpp"
 
 namespace manifuzz {
 

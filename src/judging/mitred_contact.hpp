@@ -1,6 +1,6 @@
 #pragma once
 
-#include "oracle/exact/curve.hpp"
+#include "exact/curve.hpp"
 
 namespace manifuzz {
 

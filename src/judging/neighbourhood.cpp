@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "exact/curve.hpp"
 #include "generating/drafts.hpp"
 #include "judging/judge.hpp"
-#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 namespace {

@@ -8,6 +8,7 @@
 #include "generating/drafts.hpp"
 #include "judging/by_curve.hpp"
 #include "judging/compare.hpp"
+#include "judging/ledger.hpp"
 #include "judging/round_answer.hpp"
 
 namespace manifuzz {

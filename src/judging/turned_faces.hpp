@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "exact/truth.hpp"
 #include "judging/admissible.hpp"
-#include "oracle/exact/truth.hpp"
 
 namespace manifuzz {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "oracle/exact/hausdorff.hpp"
+#include "exact/hausdorff.hpp"
 
 namespace manifuzz {
 

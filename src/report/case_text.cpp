@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
+#include "exact/curve.hpp"
 #include "exchange/json.hpp"
 #include "judging/by_curve.hpp"
 #include "judging/departure/departure.hpp"
 #include "judging/manifold_error.hpp"
 #include "judging/used_shapes.hpp"
-#include "oracle/exact/curve.hpp"
 #include "report/outputs.hpp"
 #include "report/round_truth.hpp"
 #include "report/words.hpp"

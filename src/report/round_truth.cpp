@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "oracle/exact/curve.hpp"
+#include "exact/curve.hpp"
 
 namespace manifuzz {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "oracle/exact/witness.hpp"
+#include "exact/witness.hpp"
 #include "sequence/frame_judge.hpp"
 #include "sequence/kept_point.hpp"
 

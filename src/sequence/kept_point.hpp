@@ -1,8 +1,8 @@
 #pragma once
 
 #include "collider/sequence_collider.hpp"
-#include "oracle/exact/arithmetic.hpp"
-#include "oracle/exact/placed.hpp"
+#include "exact/arithmetic.hpp"
+#include "exact/placed.hpp"
 
 namespace manifuzz {
 

@@ -8,6 +8,7 @@
 #include "geometry/sequence.hpp"
 #include "judging/bucket.hpp"
 #include "judging/compare.hpp"
+#include "judging/ledger.hpp"
 
 namespace manifuzz {
 

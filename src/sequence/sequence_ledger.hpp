@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "sequence/frame_judge.hpp"
 
@@ -13,8 +14,9 @@ struct SequenceEntry {
   bool (*explains)(const FrameView& view, const FrameJudgement& judgement) = nullptr;
 };
 
-/// Every known deviation over frames. An entry is added here, and nowhere else.
-std::span<const SequenceEntry> sequence_ledger();
+/// The ledger over frames of each engine that a program is built with, in the order of the engines;
+/// defined where `built_ledgers` is.
+std::vector<std::span<const SequenceEntry>> built_sequence_ledgers();
 
 /// The first entry that explains what this collider did in a frame, or nullptr.
 const LedgerEntry* find_sequence_explanation(const FrameView& view,

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/colliders.hpp"
+#include "engines/colliders.hpp"
 #include "generating/sweep.hpp"
 #include "support/run_program.hpp"
 #include "support/source_tree.hpp"

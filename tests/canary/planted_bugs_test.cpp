@@ -7,7 +7,7 @@
 
 #include "campaign/run.hpp"
 #include "campaign/save.hpp"
-#include "cli/colliders.hpp"
+#include "engines/colliders.hpp"
 
 // Bugs planted into a right collider. A campaign must find each, and blame the right one.
 

@@ -9,7 +9,7 @@
 #endif
 
 #include "external/behaviour.hpp"
-#include "oracle/external/manifuzz_collider.h"
+#include "external/manifuzz_collider.h"
 #include "own_colliders/own_colliders.hpp"
 
 // clip64 behind the C header, as a midpoint collider with normals from B to A where it is told so.

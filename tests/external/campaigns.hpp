@@ -4,7 +4,7 @@
 #include <string>
 
 #include "campaign/run.hpp"
-#include "oracle/external/external_collider.hpp"
+#include "external/external_collider.hpp"
 
 // Short campaigns against the library and the program that behave as they are told.
 

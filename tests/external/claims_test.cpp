@@ -212,7 +212,7 @@ TEST_CASE("what a library may claim is checked") {
 
 TEST_CASE("the minimum translation of the README is right, and judged as such") {
   if (std::system("command -v node > /dev/null") != 0) return skip("there is no node");
-  const std::string readme = text_of(source_dir() / "oracle/external/README.md");
+  const std::string readme = text_of(source_dir() / "src/external/README.md");
   const std::size_t begin = readme.find("```js\n") + 6;
   REQUIRE(begin > 6);
   const TemporaryFolder folder;

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
-#include "oracle/external/external_collider.hpp"
+#include "external/external_collider.hpp"
 #include "sequence/motions.hpp"
 #include "sequence/sequence_judge.hpp"
 #include "support/run_program.hpp"

@@ -7,6 +7,7 @@
 #include "external/printed_figures.hpp"
 #include "external/snippet_programs.hpp"
 #include "judging/compare.hpp"
+#include "judging/ledger.hpp"
 #include "support/installed_collider.hpp"
 #include "support/source_tree.hpp"
 

@@ -6,6 +6,7 @@
 #include "base/file.hpp"
 #include "campaign/plan.hpp"
 #include "judging/compare.hpp"
+#include "judging/ledger.hpp"
 #include "report/words.hpp"
 #include "support/installed_collider.hpp"
 #include "support/source_tree.hpp"

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "cli/colliders.hpp"
+#include "engines/colliders.hpp"
 #include "external/snippet_programs.hpp"
 #include "support/installed_collider.hpp"
 #include "support/skip.hpp"

@@ -5,7 +5,7 @@
 
 #include "base/text.hpp"
 #include "campaign/replay.hpp"
-#include "cli/colliders.hpp"
+#include "engines/colliders.hpp"
 #include "support/named_tests.hpp"
 
 // Each property of round shapes can fail: a collider with a bug that acts on round pairs alone is

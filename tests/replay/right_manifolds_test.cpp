@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "cli/colliders.hpp"
 #include "corpus/corpus.hpp"
+#include "engines/colliders.hpp"
 #include "judging/admissible.hpp"
 #include "support/source_tree.hpp"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "base/text.hpp"
-#include "cli/colliders.hpp"
+#include "engines/colliders.hpp"
 #include "support/skip.hpp"
 
 namespace manifuzz::test {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "oracle/exact/witness.hpp"
+#include "exact/witness.hpp"
 #include "support/twin_facts.hpp"
 
 // The penetration curve written a second time, by its definitions alone: over every pair of

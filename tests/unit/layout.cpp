@@ -36,21 +36,28 @@ const std::vector<Folder> kFolders = {
     {"collider", "collider", {"own code"}},
     {"own_colliders", "own code", {}},
     {"exchange", "exchange", {"own code"}},
-    {"oracle/exact", "exact", {"own code", "tools"}},
-    {"oracle/box2d", "engine", {"own code"}},
-    {"oracle/chipmunk", "engine", {"own code"}},
-    {"oracle/external", "external", {"own code", "engine"}},
-    {"oracle/bullet", "engine", {"own code"}},
-    {"oracle/libccd", "engine", {"own code"}},
-    {"generating", "generating", {"own code", "engine", "external"}},
-    {"judging", "judging", {"own code", "engine", "external"}},
-    {"sequence", "sequence", {"own code", "engine", "external"}},
-    {"corpus", "corpus", {"own code", "engine", "external"}},
-    {"campaign", "campaign", {"own code", "engine"}},
+    {"exact", "exact", {"own code", "tools"}},
+    {"external", "external", {"own code"}},
+    {"generating", "generating", {"own code", "external"}},
+    {"judging", "judging", {"own code", "external"}},
+    {"sequence", "sequence", {"own code", "external"}},
+    {"corpus", "corpus", {"own code", "external"}},
+    {"engines", "engines", {}},
+    {"campaign", "campaign", {"own code"}},
     {"measure", "measure", {}},
-    {"report", "report", {"own code", "engine"}},
+    {"report", "report", {"own code"}},
     {"cli", "cli", {}},
 };
+
+/// An engine is a folder of oracle/. It includes src, but for our own code and what commands are
+/// made of, and the engine that it descends from.
+const Folder kEngine{"an engine", "engine", {"own code", "cli", "report", "measure", "campaign"}};
+
+/// By the engine that descends from it.
+const std::map<std::string_view, std::string_view> kAncestors = {
+    {"jbox2d", "box2d"},        {"planck", "box2d"},    {"box2d-core", "box2d"},
+    {"phaser-box2d", "box2d3"}, {"pymunk", "chipmunk"}, {"cp", "chipmunk"},
+    {"rapier", "parry"},        {"bullet", "libccd"}};
 
 /// Beside these, names that begin with a dot.
 const std::set<std::string> kTopLevel = {"CMakeLists.txt", "CMakePresets.json",
@@ -89,9 +96,27 @@ const Folder* find_folder(std::string_view name) {
   return found == kFolders.end() ? nullptr : &*found;
 }
 
-bool may_include(const Folder& from, const Folder& to) {
-  const bool is_hidden = std::ranges::find(from.hidden, to.group) != from.hidden.end();
-  return &to == &from || (&to < &from && !is_hidden);
+bool is_engine(std::string_view folder) {
+  return folder.starts_with("oracle/");
+}
+
+bool is_hidden(const Folder& from, const Folder& to) {
+  return std::ranges::find(from.hidden, to.group) != from.hidden.end();
+}
+
+/// Why a file of `from` must not include one of `to`, folders of the layout; none where it may.
+std::optional<std::string> objection_between(const std::string& from, const std::string& to) {
+  const std::string no = fmt::format("{} may not include {}", from, to);
+  if (from == to) return std::nullopt;
+  if (is_engine(to)) {
+    const bool descends = ancestor_of(after_first_part(from)) == after_first_part(to);
+    return is_engine(from) && descends ? std::nullopt : std::optional(no);
+  }
+  const Folder* const target = find_folder(to);
+  if (target == nullptr) return std::nullopt;  // none of ours
+  const Folder* const own = is_engine(from) ? &kEngine : find_folder(from);
+  const bool is_below = is_engine(from) || target < own;
+  return is_below && !is_hidden(*own, *target) ? std::nullopt : std::optional(no);
 }
 
 bool is_cpp(std::string_view path) {
@@ -121,14 +146,12 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 /// Why a file of `folder` must not include `target`; none where it may.
-std::optional<std::string> objection(const Folder& folder, std::string_view target) {
+std::optional<std::string> objection(const std::string& folder, std::string_view target) {
   if (target.find("../") != target.npos) return "includes are written from src/ or the top";
   const std::string top = first_part(target);
   if (top == "tests" || top == "support") return "tests are included by tests only";
   if (top == "src") return "includes are written from src/, without it";
-  const Folder* const to = find_folder(folder_of(target));
-  if (to == nullptr || may_include(folder, *to)) return std::nullopt;
-  return fmt::format("{} may not include {}", folder.name, to->name);
+  return objection_between(folder, folder_of(target));
 }
 
 /// Whether it is a source of a program, not data or a table.
@@ -153,26 +176,40 @@ std::map<std::string, std::set<std::string>> arrows(const std::vector<SourceFile
     const std::string from = folder_of(*path);
     for (const std::string& line : lines_of(file.text)) {
       const std::string to = folder_of(included(line));
-      if (to != from && find_folder(to) != nullptr) drawn[from].insert(to);
+      if (to != from && (is_engine(to) || find_folder(to) != nullptr)) drawn[from].insert(to);
     }
   }
   return drawn;
 }
 
+/// The folders of src in their order, then the engines.
+std::vector<std::string> drawn_folders(const std::map<std::string, std::set<std::string>>& drawn) {
+  std::vector<std::string> folders;
+  for (const Folder& folder : kFolders) folders.emplace_back(folder.name);
+  for (const auto& [from, to] : drawn) {
+    if (is_engine(from)) folders.push_back(from);
+  }
+  return folders;
+}
+
 }  // namespace
+
+std::string_view ancestor_of(std::string_view engine) {
+  const auto found = kAncestors.find(engine);
+  return found == kAncestors.end() ? std::string_view() : found->second;
+}
 
 std::string drawing_of_arrows(const std::vector<SourceFile>& files) {
   const auto drawn = arrows(files);
+  const std::vector<std::string> folders = drawn_folders(drawn);
   std::string text;
-  for (const Folder& folder : kFolders) {
-    std::vector<std::string_view> below;
-    const auto of = drawn.find(std::string(folder.name));
-    for (const Folder& other : kFolders) {
-      if (of != drawn.end() && of->second.contains(std::string(other.name))) {
-        below.push_back(other.name);
-      }
+  for (const std::string& folder : folders) {
+    std::vector<std::string> below;
+    const auto of = drawn.find(folder);
+    for (const std::string& other : folders) {
+      if (of != drawn.end() && of->second.contains(other)) below.push_back(other);
     }
-    text += fmt::format("{:<16} -> {}\n", folder.name, fmt::join(below, ", "));
+    text += fmt::format("{:<20} -> {}\n", folder, fmt::join(below, ", "));
   }
   return text;
 }
@@ -182,13 +219,13 @@ Violations forbidden_includes(const std::vector<SourceFile>& files) {
   for (const SourceFile& file : files) {
     const auto path = included_as(file.path);
     if (!path || !is_cpp(file.path)) continue;
-    const Folder* const folder = find_folder(folder_of(*path));
-    if (folder == nullptr) {
+    const std::string folder = folder_of(*path);
+    if (!is_engine(folder) && find_folder(folder) == nullptr) {
       found.push_back(fmt::format("{}: the layout has no such folder", file.path));
       continue;
     }
     for (const std::string& line : lines_of(file.text)) {
-      const auto why = objection(*folder, included(line));
+      const auto why = objection(folder, included(line));
       if (why) found.push_back(fmt::format("{}: {}: {}", file.path, line, *why));
     }
   }

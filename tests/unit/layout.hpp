@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace manifuzz::test {
@@ -13,6 +14,9 @@ struct SourceFile {
 
 /// What breaks a rule of the layout, a line each: the file, and what would be right.
 using Violations = std::vector<std::string>;
+
+/// The engine that an engine descends from, and may include; empty for none.
+std::string_view ancestor_of(std::string_view engine);
 
 /// Which folders the includes of each folder point to, a line each, in the layout's order.
 std::string drawing_of_arrows(const std::vector<SourceFile>& files);

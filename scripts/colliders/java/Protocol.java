@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 
 /**
  * What every adapter in Java does: {@code serve} reads case lines from stdin, writes the declaration
- * and then an answer a line to stdout. oracle/external/README.md has all that may be declared.
+ * and then an answer a line to stdout. src/external/README.md has all that may be declared.
  */
 final class Protocol {
   /** Called for each case; what it throws ends the program, and the case is counted as crashed. */

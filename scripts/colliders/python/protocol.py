@@ -1,7 +1,7 @@
 """What every adapter in Python does: `serve(declaration, collide)` reads case lines from stdin and
 writes the declaration and then an answer a line to stdout.
 
-oracle/external/README.md has all that may be declared and answered. `collide(a, b)` returns the
+src/external/README.md has all that may be declared and answered. `collide(a, b)` returns the
 answer as a dict; where it raises, the case is counted as crashed."""
 import json
 import math

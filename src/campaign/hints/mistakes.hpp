@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "collider/collider.hpp"
-#include "oracle/exact/truth.hpp"
+#include "exact/truth.hpp"
 
 namespace manifuzz {
 

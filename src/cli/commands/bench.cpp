@@ -9,17 +9,12 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "cli/colliders.hpp"
-#include "cli/engines.hpp"
 #include "cli/options.hpp"
-#include "cli/sequence_colliders.hpp"
 #include "corpus/corpus.hpp"
-#include "oracle/box2d/box2d.hpp"
-#include "oracle/box2d/round_shapes.hpp"
-#include "oracle/bullet/bullet_pass.hpp"
-#include "oracle/chipmunk/chipmunk_pass.hpp"
-#include "oracle/external/external_collider.hpp"
-#include "oracle/libccd/libccd_pass.hpp"
+#include "engines/asked_engines.hpp"
+#include "engines/colliders.hpp"
+#include "engines/sequence_colliders.hpp"
+#include "external/external_collider.hpp"
 #include "report/measurements.hpp"
 #include "report/outputs.hpp"
 
@@ -37,20 +32,20 @@ struct BenchArguments {
   std::vector<std::string> pictures;
 };
 
-BenchSubject engine(const std::string& name,
-                    std::function<void()> (*prepare)(std::span<const PairCase>)) {
-  return {.name = name, .prepare = prepare, .collider = [name] { return find_collider(name); }};
+BenchSubject subject_of(const TimedPass& pass) {
+  return {.name = std::string(pass.name), .prepare = pass.prepare, .collider = [&pass] {
+            return find_collider(pass.collider);
+          }};
 }
 
-/// Those that this build has.
-std::vector<BenchSubject> linked_engines() {
-  std::vector<BenchSubject> all = {engine("chipmunk", chipmunk_pass),
-                                   engine("bullet-epa", bullet_epa_pass),
-                                   engine("bullet-minkowski", bullet_minkowski_pass),
-                                   engine("bullet-perturbed", bullet_perturbed_pass),
-                                   engine("libccd-gjk", libccd_gjk_pass),
-                                   engine("libccd-mpr", libccd_mpr_pass)};
-  std::erase_if(all, [](const BenchSubject& one) { return !find_installed(one.name); });
+/// The passes of engines that this build has.
+std::vector<const TimedPass*> engine_passes() {
+  std::vector<const TimedPass*> all;
+  for (const Engine& engine : built_engines()) {
+    for (const TimedPass& pass : engine.passes) {
+      if (find_installed(std::string(pass.collider))) all.push_back(&pass);
+    }
+  }
   return all;
 }
 
@@ -66,9 +61,9 @@ BenchSubject library(const std::string& name, const std::string& path) {
 std::vector<BenchSubject> take_libraries(std::vector<std::string>& names) {
   std::vector<BenchSubject> all;
   std::erase_if(names, [&all](const std::string& name) {
-    const auto engine = std::ranges::find(engines(), name, &Engine::name);
-    if (engine != engines().end()) {
-      all.push_back(library(name, library_of(*engine)));
+    const auto path = library_of_installed(name);
+    if (path) {
+      all.push_back(library(name, *path));
     } else if (name.ends_with(".so")) {
       all.push_back(library(Library(name).declaration().name, name));
     } else {
@@ -82,14 +77,12 @@ std::vector<BenchSubject> take_libraries(std::vector<std::string>& names) {
   return all;
 }
 
-/// Box2D, to whose time the others' are ratios, and those that are named.
+/// The engine to whose time the others' are ratios, and those that are named.
 std::vector<BenchSubject> chosen_subjects(std::vector<std::string> names) {
   const bool is_all = names.empty();
   std::vector<BenchSubject> libraries = take_libraries(names);
-  std::vector<BenchSubject> all = linked_engines();
-  all.insert(all.begin(),
-             {{.name = "box2d", .prepare = box2d_pass, .collider = make_box2d},
-              {.name = "box2d+world", .prepare = box2d::world_pass, .collider = make_box2d}});
+  std::vector<BenchSubject> all;
+  for (const TimedPass* const pass : engine_passes()) all.push_back(subject_of(*pass));
   std::ranges::move(own_subjects(), std::back_inserter(all));
   std::set<std::string> wanted{std::string(kRatioBase)};
   if (is_all || !names.empty()) {
@@ -102,26 +95,17 @@ std::vector<BenchSubject> chosen_subjects(std::vector<std::string> names) {
   return all;
 }
 
-/// The ways of engines, as far as this build has them.
+/// The methods of engines, as far as this build has them.
 std::vector<MethodSubject> methods_of_engines() {
-  std::vector<MethodSubject> all{
-      {"clipping", {.name = "box2d", .prepare = box2d_pass, .collider = make_box2d}},
-      {"closest points", engine("bullet-epa", bullet_epa_pass)},
-      {"closest points", engine("libccd-gjk", libccd_gjk_pass)},
-      {"closest points", engine("libccd-mpr", libccd_mpr_pass)},
-      {"GJK, then clipping", engine("chipmunk", chipmunk_pass)},
-      {"points kept",
-       {.name = "bullet-cached"},
-       [] { return find_sequence_collider("bullet-cached"); }},
-      {"perturbed", engine("bullet-perturbed", bullet_perturbed_pass)}};
-  std::erase_if(all, [](const MethodSubject& one) {
-    try {
-      if (one.keeper) one.keeper();
-      return !one.keeper && !find_installed(one.bench.name);
-    } catch (const UserError&) {
-      return true;
+  std::vector<MethodSubject> all;
+  for (const TimedPass* const pass : engine_passes()) {
+    if (!pass->method.empty()) all.push_back({std::string(pass->method), subject_of(*pass)});
+  }
+  for (const Engine& engine : built_engines()) {
+    for (const SequenceColliderEntry& keeper : engine.keepers) {
+      all.push_back({"points kept", {.name = std::string(keeper.name)}, keeper.make});
     }
-  });
+  }
   return all;
 }
 

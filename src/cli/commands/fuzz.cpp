@@ -14,6 +14,7 @@
 #include "cli/options.hpp"
 #include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
+#include "engines/colliders.hpp"
 #include "measure/provenance.hpp"
 #include "report/campaign_text.hpp"
 #include "report/ci/ci_output.hpp"

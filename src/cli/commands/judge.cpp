@@ -8,10 +8,10 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
-#include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
+#include "engines/colliders.hpp"
 #include "exchange/json.hpp"
 #include "judging/manifold_error.hpp"
 #include "report/words.hpp"

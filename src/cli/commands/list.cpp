@@ -6,9 +6,9 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "cli/colliders.hpp"
 #include "cli/options.hpp"
-#include "cli/sequence_colliders.hpp"
+#include "engines/colliders.hpp"
+#include "engines/sequence_colliders.hpp"
 #include "report/outputs.hpp"
 #include "report/sequence/sequence_report.hpp"
 

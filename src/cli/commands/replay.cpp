@@ -9,10 +9,10 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
-#include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
+#include "engines/colliders.hpp"
 #include "measure/provenance.hpp"
 #include "report/ci/ci_output.hpp"
 #include "report/outputs.hpp"

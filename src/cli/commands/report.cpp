@@ -12,6 +12,7 @@
 #include "cli/options.hpp"
 #include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
+#include "engines/colliders.hpp"
 #include "report/outputs.hpp"
 #include "report/page/page.hpp"
 

@@ -10,9 +10,9 @@
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "cli/collider_choice.hpp"
-#include "cli/colliders.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
+#include "engines/colliders.hpp"
 #include "report/measurements.hpp"
 #include "report/outputs.hpp"
 

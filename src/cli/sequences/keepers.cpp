@@ -8,7 +8,7 @@
 #include "base/text.hpp"
 #include "campaign/sequences/sequence_case.hpp"
 #include "cli/options.hpp"
-#include "cli/sequence_colliders.hpp"
+#include "engines/sequence_colliders.hpp"
 #include "exchange/kept_json.hpp"
 #include "report/outputs.hpp"
 #include "report/picture/drawing.hpp"

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "exact/truth.hpp"
 #include "judging/bounds.hpp"
 #include "judging/departure/replay.hpp"
-#include "oracle/exact/truth.hpp"
 
 namespace manifuzz {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <span>
 
+#include "exact/curve.hpp"
 #include "judging/errors/place_error.hpp"
 #include "judging/manifold_error.hpp"
-#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 namespace {

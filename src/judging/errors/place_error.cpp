@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "oracle/exact/placed.hpp"
+#include "exact/placed.hpp"
 
 namespace manifuzz {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include "exact/witness.hpp"
 #include "geometry/manifold.hpp"
-#include "oracle/exact/witness.hpp"
 
 namespace manifuzz {
 

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "exact/curve.hpp"
 #include "kernel/target.hpp"
-#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <memory>
 
+#include "exact/curve.hpp"
 #include "measure/methods/methods.hpp"
 #include "measure/methods/touching_points.hpp"
-#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 

@@ -72,7 +72,7 @@ struct StepTimes {
 };
 
 StepTimes times_of(std::span<const BodyMove> moves, std::size_t step, ScenePlayer& ours,
-                   Box2dPairs& all, Box2dPairs& moved, AfreshPlayer& afresh) {
+                   ScenePairs& all, ScenePairs& moved, AfreshPlayer& afresh) {
   ours.prepare(moves);
   StepTimes ns;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -111,14 +111,14 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
   // Apart from what is timed: it would empty the caches.
   if (settings.recycled_motion == 0) run.afresh = check_afresh(trajectory, settings);
   ScenePlayer ours(trajectory, settings);
-  Box2dPairs all(trajectory.bodies());
-  Box2dPairs moved(trajectory.bodies());
-  all.step({}, false);
-  moved.step({}, true);
+  const auto all = scene_baseline().pairs(trajectory.bodies());
+  const auto moved = scene_baseline().pairs(trajectory.bodies());
+  all->step({}, false);
+  moved->step({}, true);
   AfreshPlayer afresh(trajectory, settings);
   std::vector<StepTimes> times;
   for (std::size_t step = 0; step < run.steps; ++step) {
-    times.push_back(times_of(trajectory.steps[step], step, ours, all, moved, afresh));
+    times.push_back(times_of(trajectory.steps[step], step, ours, *all, *moved, afresh));
     add_to(run.counts, ours.result().counts);
   }
   const auto median_of = [&](auto&& value) {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "afresh/afresh.hpp"
+#include "engines/engine.hpp"
 #include "kernel/packed.hpp"
 #include "measure/referee.hpp"
-#include "oracle/box2d/box2d.hpp"
 #include "scene/scene.hpp"
 
 namespace manifuzz {

@@ -4,7 +4,6 @@
 #include "generating/drafts.hpp"
 #include "geometry/manifold.hpp"
 #include "measure/scene/scene_run.hpp"
-#include "oracle/box2d/box2d.hpp"
 
 namespace manifuzz {
 namespace {
@@ -162,7 +161,7 @@ struct Stage {
 
 /// The stage's recording after `warm_up` steps, side by side until there are enough bodies.
 Trajectory recorded(const Stage& stage, std::size_t bodies, int warm_up, int steps) {
-  const auto poses = box2d_trajectory(stage.bodies, warm_up + steps);
+  const auto poses = scene_baseline().trajectory(stage.bodies, warm_up + steps);
   Trajectory trajectory{stage.shapes, {}, {}};
   const std::size_t in_stage = stage.bodies.size();
   const auto pose_at = [&](std::size_t i, int step) {

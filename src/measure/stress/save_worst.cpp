@@ -5,8 +5,8 @@
 
 #include "campaign/in_child.hpp"
 #include "campaign/save.hpp"
+#include "engines/colliders.hpp"
 #include "measure/stress/stress.hpp"
-#include "oracle/box2d/box2d.hpp"
 #include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
@@ -86,7 +86,7 @@ std::optional<std::filesystem::path> save_witness(const StressPlan& plan, const 
                                                   Interruption& interruption) {
   const bool is_kept_anyhow = of.name == kKeptAnyhow;
   const Collider subject = of.is_ours ? of.collider : make_clip();
-  Collider oracle = of.is_ours ? make_box2d() : of.collider;
+  Collider oracle = of.is_ours ? usual_oracle() : of.collider;
   PairCase pair = case_of(plan, witness.unit, witness.index);
   Judgement judgement = judge_in_child(pair, subject, oracle, interruption);
   if (is_kept_anyhow && judgement.bucket.verdict == Verdict::ill_posed) {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <span>
 
+#include "exact/placed.hpp"
 #include "exchange/json.hpp"
-#include "oracle/exact/placed.hpp"
 #include "report/page/page.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/words.hpp"

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "exact/curve.hpp"
 #include "judging/by_curve.hpp"
-#include "oracle/exact/curve.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/picture/pictures.hpp"
 #include "report/words.hpp"

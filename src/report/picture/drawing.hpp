@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "campaign/plan.hpp"
+#include "exact/placed.hpp"
 #include "generating/drafts.hpp"
-#include "oracle/exact/placed.hpp"
 #include "report/picture/region.hpp"
 
 struct _cairo;          // NOLINT(bugprone-reserved-identifier)

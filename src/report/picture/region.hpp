@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "exact/placed.hpp"
 #include "geometry/convex_polygon.hpp"
-#include "oracle/exact/placed.hpp"
 
 namespace manifuzz {
 

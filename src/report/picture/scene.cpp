@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 
-#include "oracle/exact/curve.hpp"
+#include "exact/curve.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/round_truth.hpp"
 #include "report/words.hpp"

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "exact/curve.hpp"
 #include "judging/bounds.hpp"
-#include "oracle/exact/curve.hpp"
 #include "report/sequence/sequence_report.hpp"
 #include "report/words.hpp"
 #include "sequence/frame_judge.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "campaign/sequences/sequence_case.hpp"
-#include "oracle/exact/placed.hpp"
+#include "exact/placed.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/sequence/sequence_report.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "oracle/exact/curve.hpp"
+#include "exact/curve.hpp"
 #include "report/upstream/parts.hpp"
 #include "report/words.hpp"
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "exact/curve.hpp"
 #include "judging/by_curve.hpp"
-#include "oracle/exact/curve.hpp"
 #include "report/round_truth.hpp"
 #include "report/upstream/parts.hpp"
 #include "report/words.hpp"

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "exact/placed.hpp"
 #include "judging/bounds.hpp"
 #include "judging/by_curve.hpp"
-#include "oracle/exact/placed.hpp"
 #include "report/upstream/parts.hpp"
 
 namespace manifuzz {

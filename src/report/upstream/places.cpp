@@ -3,7 +3,7 @@
 #include <numbers>
 #include <span>
 
-#include "oracle/exact/placed.hpp"
+#include "exact/placed.hpp"
 #include "report/round_truth.hpp"
 #include "report/upstream/parts.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "exact/curve.hpp"
 #include "judging/bounds.hpp"
-#include "oracle/exact/curve.hpp"
 #include "report/round_truth.hpp"
 #include "report/upstream/effect.hpp"
 #include "report/upstream/parts.hpp"

@@ -8,7 +8,7 @@
 #include "base/text.hpp"
 #include "campaign/accept.hpp"
 #include "campaign/result.hpp"
-#include "cli/colliders.hpp"
+#include "engines/colliders.hpp"
 #include "generating/regime.hpp"
 
 using namespace manifuzz;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "campaign/smoke.hpp"
-#include "cli/colliders.hpp"
+#include "engines/colliders.hpp"
 
 using namespace manifuzz;
 

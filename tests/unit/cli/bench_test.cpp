@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "oracle/exact/truth.hpp"
+#include "exact/truth.hpp"
 #include "report/measurements.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"

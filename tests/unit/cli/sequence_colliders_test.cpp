@@ -1,4 +1,4 @@
-#include "cli/sequence_colliders.hpp"
+#include "engines/sequence_colliders.hpp"
 
 #include <catch2/catch.hpp>
 

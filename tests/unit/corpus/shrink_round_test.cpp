@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
 #include "corpus/shrink.hpp"
+#include "exact/curve.hpp"
 #include "generating/drafts.hpp"
 #include "generating/regime.hpp"
-#include "oracle/exact/curve.hpp"
 
 using namespace manifuzz;
 

@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
 #include "corpus/preference.hpp"
+#include "exact/truth.hpp"
 #include "generating/drafts.hpp"
 #include "generating/regime.hpp"
-#include "oracle/exact/truth.hpp"
 
 using namespace manifuzz;
 

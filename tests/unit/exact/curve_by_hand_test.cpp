@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "oracle/exact/curve.hpp"
+#include "exact/curve.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,4 +1,4 @@
-#include "oracle/exact/curve.hpp"
+#include "exact/curve.hpp"
 
 #include <algorithm>
 #include <array>

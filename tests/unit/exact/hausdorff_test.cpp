@@ -1,12 +1,12 @@
-#include "oracle/exact/hausdorff.hpp"
+#include "exact/hausdorff.hpp"
 
 #include <cmath>
 #include <limits>
 
 #include <catch2/catch.hpp>
 
+#include "exact/curve.hpp"
 #include "generating/regime.hpp"
-#include "oracle/exact/curve.hpp"
 #include "support/used_shapes_of.hpp"
 
 namespace manifuzz {

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "oracle/exact/root_sum.hpp"
+#include "exact/root_sum.hpp"
 #include "support/real.hpp"
 
 // The number types of the judge, held against rationals.

@@ -4,9 +4,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "exact/truth.hpp"
 #include "generating/regime.hpp"
 #include "kernel/target.hpp"
-#include "oracle/exact/truth.hpp"
 
 namespace manifuzz::exact {
 namespace {

@@ -1,4 +1,4 @@
-#include "oracle/exact/witness.hpp"
+#include "exact/witness.hpp"
 
 #include <array>
 #include <cmath>

@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "exact/curve.hpp"
 #include "generating/drafts.hpp"
 #include "generating/sweep.hpp"
-#include "oracle/exact/curve.hpp"
 
 namespace manifuzz {
 

@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include "base/text.hpp"
+#include "exact/truth.hpp"
 #include "generating/sweep.hpp"
-#include "oracle/exact/truth.hpp"
 #include "unit/generating/check_sweeps.hpp"
 
 namespace manifuzz {

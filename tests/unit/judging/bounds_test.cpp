@@ -4,11 +4,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "exact/clip.hpp"
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
 #include "judging/manifold_error.hpp"
 #include "oracle/box2d/box2d.hpp"
-#include "oracle/exact/clip.hpp"
 #include "own_colliders/own_colliders.hpp"
 
 // How far right colliders use their bounds: never past them, and not a thousand times short.

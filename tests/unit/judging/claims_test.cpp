@@ -6,10 +6,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "exact/witness.hpp"
 #include "exchange/json.hpp"
 #include "generating/regime.hpp"
 #include "judging/by_curve.hpp"
-#include "oracle/exact/witness.hpp"
 #include "support/claiming.hpp"
 #include "support/named_tests.hpp"
 #include "support/twin.hpp"

@@ -1,10 +1,10 @@
-#include "judging/ledger/gjk_deviations.hpp"
-
 #include <cmath>
 
 #include <catch2/catch.hpp>
 
 #include "judging/by_curve.hpp"
+#include "oracle/bullet/ledger/deviations.hpp"
+#include "oracle/libccd/ledger/deviations.hpp"
 
 // The ledger's predicates on Bullet and libccd: what the named fault makes of a pair by hand is
 // explained, and what is wrong otherwise is not.

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "exact/witness.hpp"
 #include "mistakes.hpp"
-#include "oracle/exact/witness.hpp"
 
 namespace manifuzz::mistakes {
 namespace {

@@ -1,6 +1,6 @@
-#include "judging/ledger/parry/rapier_angles.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "oracle/rapier/angles.hpp"
 
 using namespace manifuzz;
 

@@ -2,12 +2,13 @@
 
 #include <catch2/catch.hpp>
 
-#include "judging/ledger/bullet/bullet_epa.hpp"
-#include "judging/ledger/bullet/bullet_perturbed.hpp"
-#include "judging/ledger/bullet/perturbed_deviations.hpp"
-#include "judging/ledger/bullet/query_deviations.hpp"
-#include "judging/ledger/bullet/repeated_query.hpp"
-#include "judging/ledger/gjk_deviations.hpp"
+#include "judging/faults/shared_faults.hpp"
+#include "oracle/bullet/ledger/deviations.hpp"
+#include "oracle/bullet/ledger/epa.hpp"
+#include "oracle/bullet/ledger/perturbed.hpp"
+#include "oracle/bullet/ledger/perturbed_deviations.hpp"
+#include "oracle/bullet/ledger/query_deviations.hpp"
+#include "oracle/bullet/ledger/repeated_query.hpp"
 #include "unit/judging/repeated_pairs.hpp"
 
 // Bullet's queries as the ledger repeats them, of pairs by hand. That they answer as the engine

@@ -3,14 +3,15 @@
 #include <catch2/catch.hpp>
 
 #include "judging/by_curve.hpp"
+#include "judging/faults/shared_faults.hpp"
 #include "judging/judge.hpp"
-#include "judging/ledger/bullet/bullet_epa.hpp"
-#include "judging/ledger/bullet/query_deviations.hpp"
-#include "judging/ledger/gjk_deviations.hpp"
-#include "judging/ledger/libccd/ccd_deviations.hpp"
-#include "judging/ledger/libccd/ccd_polytope.hpp"
-#include "judging/ledger/libccd/ccd_portal.hpp"
-#include "judging/ledger/libccd/libccd_ray.hpp"
+#include "oracle/bullet/ledger/epa.hpp"
+#include "oracle/bullet/ledger/query_deviations.hpp"
+#include "oracle/libccd/ledger/deviations.hpp"
+#include "oracle/libccd/ledger/polytope.hpp"
+#include "oracle/libccd/ledger/polytope_deviations.hpp"
+#include "oracle/libccd/ledger/portal.hpp"
+#include "oracle/libccd/ledger/ray.hpp"
 #include "own_colliders/own_colliders.hpp"
 #include "unit/judging/repeated_pairs.hpp"
 

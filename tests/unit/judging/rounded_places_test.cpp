@@ -2,9 +2,16 @@
 
 #include <catch2/catch.hpp>
 
-#include "judging/ledger/parry/parry_engines.hpp"
-#include "judging/ledger/round_deviations.hpp"
-#include "judging/ledger/separating_axes/axes_deviations.hpp"
+#include "judging/faults/shared_faults.hpp"
+#include "oracle/box2d3/deviations.hpp"
+#include "oracle/chipmunk/deviations.hpp"
+#include "oracle/cute_c2/deviations.hpp"
+#include "oracle/dyn4j/deviations.hpp"
+#include "oracle/godot3/deviations.hpp"
+#include "oracle/jbox2d/deviations.hpp"
+#include "oracle/parry/ledger/engines.hpp"
+#include "oracle/phaser-box2d/deviations.hpp"
+#include "oracle/sat/deviations.hpp"
 #include "unit/judging/repeated_pairs.hpp"
 
 // Ways of an engine's fault that the witness of its entry does not show: nearest places that are

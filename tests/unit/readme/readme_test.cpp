@@ -1,4 +1,4 @@
-// The collider of oracle/external/README.md, compiled as it stands there and run; tests/install/
+// The collider of src/external/README.md, compiled as it stands there and run; tests/install/
 // does so with the library's code.
 
 #include <catch2/catch.hpp>

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "campaign/plan.hpp"
-#include "cli/colliders.hpp"
+#include "engines/colliders.hpp"
 #include "generating/regime.hpp"
 
 namespace manifuzz::test {

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "oracle/exact/curve.hpp"
+#include "exact/curve.hpp"
 #include "unit/generating/case_hash.hpp"
 
 namespace manifuzz {

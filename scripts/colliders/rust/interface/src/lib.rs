@@ -1,4 +1,4 @@
-//! oracle/external/manifuzz_collider.h in Rust, which says what every member means, and `export!`,
+//! src/external/manifuzz_collider.h in Rust, which says what every member means, and `export!`,
 //! which makes a shared library of a declaration and a function. A panic ends the process, which
 //! counts as a crash.
 

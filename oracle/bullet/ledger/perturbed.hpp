@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "judging/faults/replayed.hpp"
+#include "oracle/bullet/ledger/epa.hpp"
+
+namespace manifuzz::ledger_of {
+
+/// btManifoldPoint, and which query found it: 0 is the first, whose shapes are not turned.
+struct BulletPoint {
+  Space local_a{0, 0, 0};
+  Space local_b{0, 0, 0};
+  Space on_a{0, 0, 0};
+  Space on_b{0, 0, 0};
+  Space normal{0, 0, 0};
+  float distance = 0;
+  int query = 0;
+};
+
+/// What of btConvexConvexAlgorithm::processCollision is left out.
+struct PerturbedParts {
+  bool has_turned = true;    ///< the queries of turned shapes
+  bool is_refreshed = true;  ///< refreshContactPoints at the end
+  bool does_replace = true;  ///< a point takes the place of one nearby: getCacheEntry
+};
+
+/// The answer of btConvexConvexAlgorithm with btGjkEpaPenetrationDepthSolver, three turns and four
+/// points enough; and how its first query came.
+struct PerturbedAnswer {
+  BulletAnswer first;
+  EpaTrace epa;
+  std::vector<BulletPoint> points;
+};
+
+PerturbedAnswer ask_perturbed(const BulletPair& pair, const PerturbedParts& parts);
+
+/// Of the points that touch the deepest, and which query found it; null where none touches.
+const BulletPoint* deepest_of(const std::vector<BulletPoint>& points);
+/// What oracle/bullet makes of them in the plane: the deepest, and the one farthest from it.
+replayed::Contact seen_in_plane(const std::vector<BulletPoint>& points);
+
+}  // namespace manifuzz::ledger_of

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "judging/ledger.hpp"
+
+namespace manifuzz {
+
+// What the ledger's entries on Chipmunk, and on the engines that descend from it, look for: in the
+// judge's terms of polygons; of round shapes each recomputes what the named fault makes of
+// the case, in double, and holds the answer against that within the collider's bounds.
+
+/// The normal is arbitrary, or the contact missed, and a corner of A lies on a corner of B.
+bool corner_on_corner(const Deviation& deviation);
+/// Contact for polygons that are apart, and the origin lies on the line through two of their
+/// difference's corners, beyond them.
+bool collinear_and_apart(const Deviation& deviation);
+/// The neighbour of the right face is clipped: their directions are nearer than a dot product can
+/// tell.
+bool neighbours_nearly_parallel(const Deviation& deviation);
+/// cpShapesCollide put the shapes into its own order: distances have the wrong sign, so that
+/// depths are lost; all else is right.
+bool sign_of_swapped_distance(const Deviation& deviation);
+/// A circle against a polygon, whose radius is taken from the depth instead of being added.
+bool sign_of_polygon_radius(const Deviation& deviation);
+/// A corner of one core lies on one of the other's: the normal is across a chord of their
+/// difference that ends there.
+bool normal_across_corner_on_corner(const Deviation& deviation);
+/// A corner of one core lies on one of the other's: the normal is the direction between both as
+/// doubles have it, which is that of their roundings, or perpendicular to the chord between two
+/// such differences, which is as short.
+bool direction_between_corners(const Deviation& deviation);
+/// A circle whose centre lies on a segment: the normal is the segment's, as much longer than unit
+/// as its rotation is.
+bool segment_normal_not_unit(const Deviation& deviation);
+/// The normal is across a chord of the cores' difference on whose line, but beyond it, the origin
+/// lies.
+bool normal_across_collinear(const Deviation& deviation);
+/// The depth of an end was found by a division by its edge's run along the tangent, which is short:
+/// it is off by that much more, or the wrong end was taken of an edge along the normal.
+bool depth_by_crossing(const Deviation& deviation);
+/// What Chipmunk and its ports declare.
+const Declaration& as_chipmunk();
+
+}  // namespace manifuzz

@@ -1,0 +1,124 @@
+#include "oracle/chipmunk/replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "oracle/chipmunk/search.hpp"
+
+// What cpCollision.c of Chipmunk 7, and collision.go of cp, make of closest points.
+
+namespace manifuzz::munk {
+namespace {
+
+struct Edge {
+  Vector from;
+  Vector to;
+};
+
+Edge support_edge(const Shape& shape, const Vector& n) {
+  const auto& at = shape.corners;
+  if (at.size() == 2) {
+    return dot(shape.normals[0], n) > 0 ? Edge{at[0], at[1]} : Edge{at[1], at[0]};
+  }
+  const std::size_t i = support_of(shape, n);
+  const std::size_t next = shape.after(i);
+  if (dot(n, shape.normals[i]) > dot(n, shape.normals[next])) return {at[shape.before(i)], at[i]};
+  return {at[i], at[next]};
+}
+
+void push(Found& found, const Vector& on_a, const Vector& on_b) {
+  found.points[static_cast<std::size_t>(found.count++)] = {on_a, on_b, 0};
+}
+
+/// ContactPoints.
+void clip(const Port& port, const Shape& a, const Shape& b, const Closest& closest, Found& found) {
+  const Vector& n = closest.n;
+  const Edge of_a = support_edge(a, n);
+  const Edge of_b = support_edge(b, -n);
+  const double a_from = cross(of_a.from, n);
+  const double a_to = cross(of_a.to, n);
+  const double b_from = cross(of_b.from, n);
+  const double b_to = cross(of_b.to, n);
+  const double per_a = 1 / (a_to - a_from + port.to_length);
+  const double per_b = 1 / (b_to - b_from + port.to_length);
+  found.normal = n;
+  const auto add = [&](double at_a, double at_b) {
+    const Vector on_a =
+        n * a.radius + mixed(of_a.from, of_a.to, clamped01((at_a - a_from) * per_a));
+    const Vector on_b =
+        n * -b.radius + mixed(of_b.from, of_b.to, clamped01((at_b - b_from) * per_b));
+    if (dot(on_b - on_a, n) <= 0) push(found, on_a, on_b);
+  };
+  add(b_to, a_from);
+  add(b_from, a_to);
+}
+
+/// CircleToCircle and CircleToSegment: `other` is the place of the other core.
+void touch_of_circle(const Shape& circle, const Shape& other, const Vector& place,
+                     const Vector& where_one, Found& found) {
+  const Vector delta = place - circle.corners[0];
+  const double squared = dot(delta, delta);
+  const double reach = circle.radius + other.radius;
+  if (!(squared < reach * reach)) return;
+  const double distance = std::sqrt(squared);
+  found.normal = distance != 0 ? Vector(delta * (1 / distance)) : where_one;
+  push(found, circle.corners[0] + found.normal * circle.radius,
+       place + found.normal * -other.radius);
+}
+
+/// Of shapes in Chipmunk's order.
+Found found_in_order(const Port& port, const Shape& a, const Shape& b) {
+  Found found;
+  if (b.corners.size() == 1) {
+    touch_of_circle(a, b, b.corners[0], Vector(1, 0), found);
+  } else if (a.corners.size() == 1 && b.corners.size() == 2) {
+    const Vector along = b.corners[1] - b.corners[0];
+    const double share = clamped01(dot(along, a.corners[0] - b.corners[0]) / dot(along, along));
+    touch_of_circle(a, b, b.corners[0] + along * share, b.normals[0], found);
+  } else {
+    const Closest closest = Search(port, a, b).run();
+    const bool is_of_polygon = a.corners.size() > 1 && b.corners.size() > 2;
+    if (is_of_polygon && !(closest.d - a.radius - b.radius <= 0)) return found;
+    if (!(closest.d <= a.radius + b.radius)) return found;
+    if (a.corners.size() > 1) {
+      clip(port, a, b, closest, found);
+    } else {
+      found.normal = closest.n;
+      push(found, closest.a + closest.n * a.radius,
+           closest.b + closest.n * (port.of_polygon * b.radius));
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+Found found_by(const Port& port, const PairCase& pair) {
+  const Shape a = placed(port, pair.a);
+  const Shape b = placed(port, pair.b);
+  const auto order = [](const Shape& shape) {
+    return std::min<std::size_t>(shape.corners.size(), 3);
+  };
+  const bool is_swapped = order(a) > order(b);
+  Found found = is_swapped ? found_in_order(port, b, a) : found_in_order(port, a, b);
+  if (is_swapped) found.normal = -found.normal;
+  for (Touch& touch : found.points) {
+    // The distance is that of the points as they were found, along the normal as it is given.
+    touch.distance = dot(touch.on_b - touch.on_a, found.normal);
+    if (is_swapped) std::swap(touch.on_a, touch.on_b);
+  }
+  return found;
+}
+
+replayed::Contact contact_of(const Found& found, Side reference) {
+  replayed::Contact contact{found.normal, {}};
+  for (int i = 0; i < found.count; ++i) {
+    const Touch& touch = found.points[static_cast<std::size_t>(i)];
+    contact.points.push_back(
+        {reference == Side::b ? touch.on_a : touch.on_b, std::max(-touch.distance, 0.0)});
+  }
+  return contact;
+}
+
+}  // namespace manifuzz::munk

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+
+#include "judging/faults/replayed.hpp"
+
+namespace manifuzz::munk {
+
+/// What a port of Chipmunk's has of its own.
+struct Port {
+  double to_length = 0;     ///< by which lengths and runs are longer before something is divided
+  double of_polygon = -1;   ///< by which CircleToPoly multiplies the polygon's radius
+  bool is_guarded = false;  ///< ClosestT gives 0 where both points are one
+};
+
+/// Chipmunk 7.0.3, which adds the least positive double: it matters beside zero alone.
+inline constexpr Port kChipmunk{.to_length = 0x1p-1022, .of_polygon = 1};
+/// cp 2.4.0, in whose doubles 1e-15 is added where Chipmunk adds the least positive one.
+inline constexpr Port kCp{.to_length = 1e-15, .of_polygon = 1};
+/// Munk2D of pymunk 7.3.0.
+inline constexpr Port kMunk{.to_length = 0x1p-1022, .is_guarded = true};
+
+/// A pair of points, on A's surface and on B's, in the world.
+struct Touch {
+  Vector2<double> on_a{0, 0};
+  Vector2<double> on_b{0, 0};
+  double distance = 0;
+};
+
+/// What ShapesCollide gives.
+struct Found {
+  int count = 0;                 ///< of points
+  Vector2<double> normal{0, 0};  ///< in the world, from A to B
+  std::array<Touch, 2> points;
+};
+
+/// All that a port does with a pair, in its order and in doubles.
+Found found_by(const Port& port, const PairCase& pair);
+
+/// What its adapter answers: of polygons the points on the edge that is not the reference's.
+replayed::Contact contact_of(const Found& found, Side reference);
+
+}  // namespace manifuzz::munk

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "judging/ledger.hpp"
+
+namespace manifuzz {
+
+// What the ledger's entries on libccd look for: each recomputes what the named fault makes of
+// the case, in double, and holds the answer against that within the collider's bounds. A
+// translation is a normal times its depth: what moves B away.
+
+/// Of ccdGJKPenetration: epa_tolerance, a length, is compared with squares of lengths. The depth is
+/// too small, by up to the tolerance over the depth, or the last corner is nearer than the root of
+/// the tolerance to the chord that the answer is on.
+bool tolerance_of_squares(const Deviation& deviation);
+
+}  // namespace manifuzz

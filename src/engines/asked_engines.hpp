@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "collider/collider.hpp"
+
+namespace manifuzz {
+
+/// A collider as its engine's engine.json says how it is asked. In texts @ is the engine's folder.
+struct EngineCollider {
+  std::string name;         ///< as it declares itself
+  std::string description;  ///< one line for `list colliders`
+  std::string command;      ///< of a program, or empty
+  std::string library;      ///< a shared library, or empty
+  bool is_built = false;    ///< the build makes its shared library
+  bool is_linked = false;   ///< it is in this program, where its engine is
+  bool keeps_points = false;
+  double seconds_max = 1;  ///< over a case
+};
+
+/// An engine's engine.json.
+struct AskedEngine {
+  std::string name;     ///< its folder's
+  std::string version;  ///< that its ledger is of
+  std::string needs;    ///< a file without which it cannot be asked; empty: its library
+  std::string tools;    ///< with what scripts/setup --engines can get that
+  std::string package;  ///< Debian's, that it is built with
+  std::vector<EngineCollider> colliders;
+};
+
+/// Every engine in oracle/, whether built or not, in the order of oracle/engines.txt.
+std::span<const AskedEngine> asked_engines();
+
+/// Throws UserError that says what would make it so, where it cannot be asked here.
+Collider collider_of(const AskedEngine& engine, const EngineCollider& asked);
+
+/// The collider's shared library. Throws UserError where it is not there, and where it is asked as
+/// a program.
+std::string library_of(const AskedEngine& engine, const EngineCollider& asked);
+
+/// The shared library of an engine's collider of that name that no build makes; nothing where there
+/// is none such. Throws UserError where it is not there, and where it is asked as a program.
+std::optional<std::string> library_of_installed(std::string_view collider);
+
+/// Why the build left it out: one line for people.
+std::string left_out(std::string_view name, const AskedEngine& engine);
+
+/// Whether an engine has that collider of which this program knows no ledger: what it is known for
+/// looks new.
+bool is_without_ledger(std::string_view collider);
+
+}  // namespace manifuzz

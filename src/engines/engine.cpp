@@ -1,0 +1,27 @@
+#include "engines/engine.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace manifuzz {
+
+std::vector<std::span<const LedgerEntry>> built_ledgers() {
+  std::vector<std::span<const LedgerEntry>> ledgers;
+  for (const Engine& engine : built_engines()) ledgers.push_back(engine.ledger);
+  return ledgers;
+}
+
+std::vector<std::span<const SequenceEntry>> built_sequence_ledgers() {
+  std::vector<std::span<const SequenceEntry>> ledgers;
+  for (const Engine& engine : built_engines()) ledgers.push_back(engine.sequence_ledger);
+  return ledgers;
+}
+
+const SceneBaseline& scene_baseline() {
+  const auto has_scenes = [](const Engine& engine) { return engine.scenes.pairs != nullptr; };
+  const auto found = std::ranges::find_if(built_engines(), has_scenes);
+  assert(found != built_engines().end());
+  return found->scenes;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace manifuzz {
+
+// What the build knows of the engines' folders; the build writes the source.
+
+/// An engine's engine.json.
+struct EngineText {
+  std::string_view name;  ///< its folder's
+  std::string_view json;
+};
+
+/// In the order of oracle/engines.txt, whether built or not.
+std::span<const EngineText> engine_texts();
+
+/// The folder of the engines' folders, and that of the shared libraries which the build makes.
+extern const std::string_view kEnginesFolder;
+extern const std::string_view kBuiltLibraries;
+
+}  // namespace manifuzz

@@ -1,0 +1,68 @@
+#include "engines/sequence_colliders.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "engines/asked_engines.hpp"
+#include "engines/colliders.hpp"
+#include "own_colliders/own_colliders.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// A way to keep the points of another collider, by what stands before that one's name.
+struct Way {
+  std::string_view prefix;
+  SequenceCollider (*over)(const Collider& one_point);
+};
+
+/// The keeper of that name of an engine that is built; throws UserError where it is left out.
+SequenceCollider linked_keeper(const AskedEngine& engine, const EngineCollider& asked) {
+  for (const Engine& built : built_engines()) {
+    const auto* const entry = find_by_name(built.keepers, asked.name);
+    if (entry != nullptr) return entry->make();
+  }
+  throw UserError(left_out(asked.name, engine));
+}
+
+constexpr Way kWays[] = {{"cached+", cached_over}, {"cached-bullet+", cached_bullet_over}};
+
+}  // namespace
+
+const std::vector<SequenceColliderEntry>& sequence_colliders() {
+  static const std::vector<SequenceColliderEntry> all = [] {
+    std::vector<SequenceColliderEntry> entries = {
+        {"cached", make_cached, true},
+        {"cached64", make_cached64, true},
+        {"cached-bullet", make_cached_bullet, true},
+    };
+    for (const AskedEngine& engine : asked_engines()) {
+      for (const EngineCollider& asked : engine.colliders) {
+        if (!asked.keeps_points) continue;
+        entries.push_back({asked.name, [&] { return linked_keeper(engine, asked); }});
+      }
+    }
+    return entries;
+  }();
+  return all;
+}
+
+const SequenceColliderEntry* find_sequence_entry(std::string_view name) {
+  const auto entry = std::ranges::find(sequence_colliders(), name, &SequenceColliderEntry::name);
+  return entry == sequence_colliders().end() ? nullptr : &*entry;
+}
+
+SequenceCollider find_sequence_collider(std::string_view name) {
+  if (const SequenceColliderEntry* const entry = find_sequence_entry(name)) return entry->make();
+  for (const Way& way : kWays) {
+    if (const auto one_point = find_made_over(way.prefix, name)) return way.over(*one_point);
+  }
+  std::vector<std::string_view> names = names_of(sequence_colliders());
+  names.emplace_back("cached+NAME");
+  names.emplace_back("cached-bullet+NAME");
+  throw UserError(no_such("collider that keeps points", name, names));
+}
+
+}  // namespace manifuzz

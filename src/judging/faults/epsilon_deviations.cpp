@@ -1,0 +1,67 @@
+#include "judging/faults/epsilon_deviations.hpp"
+
+#include <cmath>
+
+#include "exact/placed.hpp"
+
+namespace manifuzz::ledger_of {
+namespace {
+
+/// The answer's normal in the world, unit.
+Vector2<double> world_normal(const Deviation& d) {
+  return rotate<double>(d.right.pair().a.pose.rotation.cast<double>(), d.got.normal).normalized();
+}
+
+bool has_circle(const PairCase& pair) {
+  return pair.a.polygon.count == 1 || pair.b.polygon.count == 1;
+}
+
+/// Whether the depth is that of cores that far apart.
+bool is_depth_of(const Deviation& d, double distance) {
+  return std::abs(d.got.points[0].depth - (total_radius(d.right.pair()) - distance)) <=
+         4 * d.right.bounds.separation;
+}
+
+}  // namespace
+
+bool is_axis_within(const Deviation& d, double epsilon) {
+  const PairCase& pair = d.right.pair();
+  if (d.got.count != 1 || !has_circle(pair)) return false;
+  const double bound = epsilon + 2 * d.right.bounds.separation;
+  const exact::RoughPair placed = exact::place_roughly(pair);
+  // The world's x axis, from the first shape: an edge, a polygon, or A.
+  const bool is_turned = pair.a.polygon.count == 1 && pair.b.polygon.count > 1;
+  const Vector2<double> axis(is_turned ? -1 : 1, 0);
+  if ((world_normal(d) - axis).norm() > 2 * d.right.bounds.normal) return false;
+  for (int i = 0; i < placed.a.count; ++i) {
+    for (int j = 0; j < placed.b.count; ++j) {
+      const Vector2<double> apart = placed.b.vertices[j] - placed.a.vertices[i];
+      if (apart.norm() <= bound && is_depth_of(d, apart.dot(axis))) return true;
+    }
+  }
+  return false;
+}
+
+bool is_face_within(const Deviation& d, double epsilon) {
+  const PairCase& pair = d.right.pair();
+  if (d.got.count != 1 || !has_circle(pair)) return false;
+  const Side side = pair.a.polygon.count == 1 ? Side::b : Side::a;
+  if (pair[side].polygon.count < kMinVertices) return false;
+  const exact::Truth& truth = *d.right.truth;
+  const double bound = 2 * d.right.bounds.separation;
+  if (std::abs(truth.separation(side)) > epsilon + bound) return false;
+  const exact::RoughPair placed = exact::place_roughly(pair);
+  for (int i = 0; i < placed[side].count; ++i) {
+    const exact::FaceOf face{side, i};
+    if (truth.separation(face) < truth.separation(side) - bound) continue;
+    const Vector2<double>& out = placed[side].normals[i];
+    const Vector2<double> normal = side == Side::a ? out : Vector2<double>(-out);
+    if ((world_normal(d) - normal).norm() <= 2 * d.right.bounds.normal &&
+        is_depth_of(d, truth.separation(face))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace manifuzz::ledger_of

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <bit>
+#include <vector>
+
+#include "judging/ledger.hpp"
+
+namespace manifuzz::replayed {
+
+// An engine's operations repeated on a case: whether they give the answer that it gave, and
+// whether they would give a right one with a fault of theirs mended.
+
+/// What an engine answers, in the world: the normal from A to B, points with their depths.
+struct Contact {
+  struct Point {
+    Vector2<double> at{0, 0};
+    double depth = 0;
+  };
+  Vector2<double> normal{0, 0};
+  std::vector<Point> points;
+};
+
+/// The same in A's frame.
+Manifold<double> in_frame_of_a(const PairCase& pair, const Contact& contact);
+
+/// Whether it is what the engine answered, within the bounds of a right collider's figures.
+bool is_same_answer(const Deviation& deviation, const Contact& contact);
+
+/// Whether it would be right of a collider with this declaration.
+bool is_right_answer(const Deviation& deviation, const Declaration& declaration,
+                     const Contact& contact);
+
+/// The same of what an engine says of the pair alone: a normal from A to B in the world, a depth.
+bool is_same_separation(const Deviation& deviation, const Vector2<double>& normal, double depth);
+bool is_right_separation(const Deviation& deviation, const Declaration& declaration,
+                         const Vector2<double>& normal, double depth);
+
+/// The normals, from A to B in the world, of the least depth within a right separation's bound.
+std::vector<Vector2<double>> least_normals(const Deviation& deviation);
+/// The one of them that is nearest to another normal.
+Vector2<double> least_normal_near(const Deviation& deviation, const Vector2<double>& normal);
+
+/// Whether a fault, a bit of 1 to `all`, is in one of the smallest sets of them that have to be
+/// mended for a right answer. `is_right` tells that of the answer with a set of faults mended.
+template <class IsRight>
+bool is_needed(unsigned fault, unsigned all, const IsRight& is_right) {
+  for (int count = 1, found = 0; found == 0 && count <= std::popcount(all); ++count) {
+    for (unsigned mended = 1; mended <= all; ++mended) {
+      if (std::popcount(mended) != count || !is_right(mended)) continue;
+      if ((mended & fault) != 0) return true;
+      ++found;
+    }
+  }
+  return false;
+}
+
+}  // namespace manifuzz::replayed

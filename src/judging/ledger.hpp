@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "judging/admissible.hpp"
+
+namespace manifuzz {
+
+/// What an entry of the ledger may look at: the oracle's wrong answer, and what would be right.
+struct Deviation {
+  const Admissible& right;
+  const Manifold<double>& got;
+  Kind kind = Kind::none;  ///< the first condition of a right answer that it does not meet
+  /// The case, which is not `right`'s where the oracle used other shapes; nullptr where unknown.
+  const PairCase* asked = nullptr;
+};
+
+/// An oracle's answer that is nonsense, or that never came.
+struct LostAnswer {
+  const PairCase& pair;
+  const Answer& answer;
+  Lost::How how = Lost::How::malformed;
+};
+
+/// How often an entry may fire, at most, in a regime with its own radii.
+struct Budget {
+  std::string_view regime;
+  double per_million = 0;
+};
+
+/// A known deviation of an oracle: named, cited, and alive as long as its witness still shows it.
+struct LedgerEntry {
+  std::string_view id;
+  std::string_view collider;          ///< whose deviation it is
+  std::string_view description;       ///< one line for `list ledger`
+  std::string_view source;            ///< file and function, or issue, where it comes from
+  std::span<const Budget> budgets{};  ///< of the regimes in which it fires
+  /// Unset where it explains only what is lost.
+  bool (*explains)(const Deviation& deviation) = nullptr;
+  /// Unset where it explains nothing that is lost.
+  bool (*explains_lost)(const LostAnswer& lost) = nullptr;
+  /// Its source or its documentation says that it is meant.
+  bool is_no_bug = false;
+};
+
+/// The ledger of each engine that a program is built with, in the order of the engines. Whatever is
+/// linked with the judge defines it: a program by the list of its engines, src/engines/engine.hpp.
+std::vector<std::span<const LedgerEntry>> built_ledgers();
+
+/// Every known deviation, engine by engine.
+std::span<const LedgerEntry> ledger();
+
+/// Several arrays of entries as one, the first that explains before others.
+template <class... Entries>
+constexpr auto joined(const Entries&... entries) {
+  std::array<LedgerEntry, (std::tuple_size_v<Entries> + ...)> all{};
+  std::size_t next = 0;
+  const auto append = [&](const auto& some) {
+    for (const LedgerEntry& entry : some) all[next++] = entry;
+  };
+  (append(entries), ...);
+  return all;
+}
+
+inline constexpr std::size_t kLedgerMax = 384;
+
+/// The entry's place in the ledger.
+std::size_t index_of(const LedgerEntry& entry);
+
+/// The path in the corpus of a case that shows it.
+std::string witness_of(const LedgerEntry& entry);
+
+/// The entry's budget in a regime, in hits a million cases: 0 where it names none.
+double budget_per_million(const LedgerEntry& entry, std::string_view regime);
+
+/// The first entry that explains what this collider did, or nullptr.
+const LedgerEntry* find_explanation(std::string_view collider, const Deviation& deviation);
+/// The same of an answer that is nonsense, or that never came.
+const LedgerEntry* find_explanation(std::string_view collider, const LostAnswer& lost);
+
+}  // namespace manifuzz
