@@ -38,16 +38,18 @@ Collider adapter(const std::string& command, const fs::path& file) {
 
 /// A program in JavaScript beside the protocol and the engines that it imports.
 Collider beside_protocol(const TemporaryFolder& folder, const std::string& program) {
-  fs::copy_file(adapters() / "protocol.mjs", folder.path() / "protocol.mjs");
-  if (fs::exists(adapters() / "node_modules")) {
-    fs::create_directory_symlink(adapters() / "node_modules", folder.path() / "node_modules");
+  fs::create_directories(folder.path() / "node_modules");
+  fs::create_directory_symlink(adapters() / "js", folder.path() / "node_modules/manifuzz-adapter");
+  const fs::path planck = in_engine("planck", "node_modules/planck");
+  if (fs::exists(planck)) {
+    fs::create_directory_symlink(planck, folder.path() / "node_modules/planck");
   }
   return adapter("node", folder.write("mine.mjs", program));
 }
 
 /// A minimum translation, written with what protocol.mjs says of a body; `answer` is made of it.
 std::string translation(const std::string& claims, const std::string& answer) {
-  return R"(import { serve, toWorld } from "./protocol.mjs";
+  return R"(import { serve, toWorld } from "manifuzz-adapter";
 const placed = ({vertices, count, pose}) => vertices.slice(0, count).map((v) => toWorld(pose, v));
 const faces = (p, q, sign) => p.normals.map((normal, i) => {
   const n = toWorld({p: {x: 0, y: 0}, q: p.pose.q}, normal), [x, y] = toWorld(p.pose, p.vertices[i]);
@@ -67,7 +69,7 @@ serve({name: "mine", scalar: "float64", claims: ")" +
 
 TEST_CASE("the clipping in Python is right in every regime") {
   if (!is_there("python3")) return skip("there is no python3");
-  const Collider python = adapter("python3", adapters() / "clip.py");
+  const Collider python = adapter("python3", adapters() / "python/clip.py");
   CHECK(python.declaration.name == "clip-python");
   Plan plan = plan_of(python);
   plan.regimes.clear();
@@ -117,7 +119,8 @@ TEST_CASE("a body is to an adapter in JavaScript what protocol.mjs says") {
 }
 
 TEST_CASE("the adapter of the README works, and misses contacts as it is said to") {
-  if (!fs::exists(adapters() / "node_modules/planck")) return skip("planck is not installed");
+  if (!fs::exists(in_engine("planck", "node_modules/planck")))
+    return skip("planck is not installed");
   const std::string readme = text_of(source_dir() / "README.md");
   const std::size_t begin = readme.find("```js\n") + 6;
   REQUIRE(begin > 6);

@@ -9,6 +9,7 @@
 #include "external/external_collider.hpp"
 #include "sequence/motions.hpp"
 #include "sequence/sequence_judge.hpp"
+#include "support/installed_collider.hpp"
 #include "support/run_program.hpp"
 #include "support/skip.hpp"
 #include "support/source_tree.hpp"
@@ -94,11 +95,11 @@ TEST_CASE("a program that claims a manifold may give both ends of a contact") {
 
 namespace {
 
-/// What an adapter of scripts/colliders is right about, or wrong in a way that is known; none where
-/// what it needs is not installed.
+/// What an engine's keeper is right about, or wrong in a way that is known; none where the engine
+/// is not installed, or its ledger not built.
 std::optional<std::map<Verdict, int>> verdicts_on(const std::string& program,
-                                                  const fs::path& needed, std::uint64_t of_each) {
-  if (!fs::exists(source_dir() / "scripts/colliders" / needed)) return std::nullopt;
+                                                  std::string_view engine, std::uint64_t of_each) {
+  if (!collider_with_ledger(engine)) return std::nullopt;
   const SequenceCollider keeper = keeper_of_command(program, 10, 60);
   std::map<Verdict, int> verdicts;
   for (const Motion& motion : motions()) {
@@ -114,24 +115,24 @@ std::optional<std::map<Verdict, int>> verdicts_on(const std::string& program,
   return verdicts;
 }
 
-std::string adapter(const std::string& file) {
-  return quoted_for_shell((source_dir() / "scripts/colliders" / file).string());
+std::string quoted_in_engine(std::string_view engine, std::string_view file) {
+  return quoted_for_shell(in_engine(engine, file).string());
 }
 
 }  // namespace
 
 TEST_CASE("planck's clips are kept without a fault but for what planck itself gets wrong") {
   const auto verdicts =
-      verdicts_on("node " + adapter("planck-kept.mjs"), "node_modules/planck", 100);
-  if (!verdicts) return skip("planck is not installed");
+      verdicts_on("node " + quoted_in_engine("planck", "kept.mjs"), "planck", 100);
+  if (!verdicts) return;
   CHECK(verdicts->at(Verdict::agree) > 780);
 }
 
 TEST_CASE("the contacts of a Munk2D space are right but for what Munk2D itself gets wrong") {
-  const std::string python = "python/installed/bin/python";
-  const auto verdicts =
-      verdicts_on(adapter(python) + " " + adapter("python/munk_kept.py"), python, 50);
-  if (!verdicts) return skip("pymunk is not installed");
+  const auto verdicts = verdicts_on(quoted_in_engine("pymunk", "installed/bin/python") + " " +
+                                        quoted_in_engine("pymunk", "kept.py"),
+                                    "pymunk", 50);
+  if (!verdicts) return;
   CHECK(verdicts->at(Verdict::agree) > 380);
 }
 

@@ -71,7 +71,7 @@ void check_prints(const KeptReport& report, const Outcome& ran, bool is_float) {
 using Run = std::function<std::vector<Outcome>(const std::vector<std::string>&)>;
 
 void check_reports(std::string_view engine, const Run& run) {
-  const auto collider = installed_collider(engine);
+  const auto collider = collider_with_ledger(engine);
   if (!collider) return;
   const std::vector<KeptReport> reports = reports_on(engine);
   REQUIRE(!reports.empty());
@@ -83,8 +83,8 @@ void check_reports(std::string_view engine, const Run& run) {
   for (std::size_t i = 0; i < reports.size(); ++i) check_prints(reports[i], ran[i], is_float);
 }
 
-std::string adapters(std::string_view language) {
-  return (source_dir() / "scripts/colliders" / language).string();
+std::string quoted_in_engine(std::string_view engine, std::string_view file) {
+  return "'" + in_engine(engine, file).string() + "'";
 }
 
 Run cpp(const std::string& with) {
@@ -104,8 +104,8 @@ Run c(const std::string& with) {
   return each("snippet.c", "cc '{file}' -o '{folder}/snippet' " + with + " && '{folder}/snippet'");
 }
 
-Run script() {
-  return each("snippet.mjs", "node '{file}'", {adapters("node_modules")});
+Run script(std::string_view engine) {
+  return each("snippet.mjs", "node '{file}'", {in_engine(engine, "node_modules").string()});
 }
 
 const std::string kCrates = "\"$HOME\"/.cargo/registry/src/*/";
@@ -125,7 +125,7 @@ TEST_CASE("kept reports on Bullet print what was got") {
 }
 
 TEST_CASE("kept reports on libccd, Box2D 3 and cute_c2 print what was got") {
-  const std::string built = "'" + adapters("rust/target/release/build") + "'";
+  const std::string built = quoted_in_engine("box2d3", "adapter/target/release/build");
   check_reports("libccd-gjk", c("$(pkg-config --cflags --libs ccd) -lm"));
   check_reports("libccd-mpr", c("$(pkg-config --cflags --libs ccd) -lm"));
   check_reports("box2d3", c("-I " + kCrates + "boxdd-sys-0.6.0/third-party/box2d/include " + built +
@@ -135,7 +135,7 @@ TEST_CASE("kept reports on libccd, Box2D 3 and cute_c2 print what was got") {
 }
 
 TEST_CASE("kept reports on parry print what was got") {
-  const std::string built = "'" + adapters("rust/target/release/deps") + "'";
+  const std::string built = quoted_in_engine("parry2d", "adapter/target/release/deps");
   for (const auto& [engine, crate] : {std::pair<std::string, std::string>{"parry2d", "parry2d"},
                                       {"parry2d-simplified", "parry2d"},
                                       {"parry2d-f64", "parry2d_f64"}}) {
@@ -151,14 +151,15 @@ TEST_CASE("kept reports on parry print what was got") {
 TEST_CASE("kept reports on engines in JavaScript print what was got") {
   for (const char* const engine : {"planck", "phaser-box2d", "box2d-core", "matter-js", "nape-js",
                                    "p2-es", "sat", "rapier2d", "rapier2d-contact"}) {
-    check_reports(engine, script());
+    check_reports(engine, script(engine));
   }
 }
 
 TEST_CASE("kept reports on dyn4j and jbox2d print what was got") {
-  const std::string installed = "'" + adapters("java/installed") + "/*':'{folder}'";
   for (const char* const engine : {"dyn4j-sat", "dyn4j-gjk", "jbox2d"}) {
-    check_reports(engine, [&installed](const auto& programs) {
+    check_reports(engine, [engine](const auto& programs) {
+      const std::string installed =
+          "'" + in_engine(engine, "installed").string() + "/*':'{folder}'";
       return run_at_once(programs, kJava, "javac -d '{folder}' -cp " + installed + " '{file}'",
                          "java -cp " + installed + " Snippets {}");
     });
@@ -166,10 +167,11 @@ TEST_CASE("kept reports on dyn4j and jbox2d print what was got") {
 }
 
 TEST_CASE("kept reports on pymunk, cp and Godot print what was got") {
-  check_reports("pymunk",
-                each("snippet.py", "'" + adapters("python/installed/bin/python") + "' '{file}'"));
-  check_reports("cp", each("snippet.go", "cd '{folder}' && go run '{file}'",
-                           {adapters("go/go.mod"), adapters("go/go.sum")}));
+  check_reports("pymunk", each("snippet.py",
+                               quoted_in_engine("pymunk", "installed/bin/python") + " '{file}'"));
+  check_reports("cp",
+                each("snippet.go", "cd '{folder}' && go run '{file}'",
+                     {in_engine("cp", "go.mod").string(), in_engine("cp", "go.sum").string()}));
   check_reports("godot3",
                 each("snippet.gd", "cd '{folder}' && godot3-server --no-window -s '{file}'"));
 }

@@ -1,12 +1,8 @@
-#include <filesystem>
-
 #include <catch2/catch.hpp>
 
 #include "engines/colliders.hpp"
 #include "external/snippet_programs.hpp"
 #include "support/installed_collider.hpp"
-#include "support/skip.hpp"
-#include "support/source_tree.hpp"
 
 // The programs that reports on other engines hold: of shapes of every kind they run, and find as
 // many points, as deep, as the collider did.
@@ -16,18 +12,16 @@ using namespace manifuzz::test;
 
 namespace {
 
-std::string adapters_in(std::string_view language) {
-  return (source_dir() / "scripts/colliders" / language).string();
+void check_script(std::string_view engine, const Prints& prints = {}) {
+  const auto collider = installed_collider(engine);
+  if (!collider) return;
+  check_programs(*collider, "snippet.mjs", "node '{file}'", prints,
+                 {in_engine(engine, "node_modules").string()});
 }
 
-void check_script(std::string_view engine, std::string_view package, const Prints& prints = {}) {
-  const std::string modules = adapters_in("node_modules");
-  if (!std::filesystem::exists(std::filesystem::path(modules) / package)) {
-    return skip(std::string(engine) + " is not installed");
-  }
-  const auto collider = installed_collider(engine);
-  REQUIRE(collider);
-  check_programs(*collider, "snippet.mjs", "node '{file}'", prints, {modules});
+/// The place in an engine's folder, quoted for a shell but for what it may hold of patterns.
+std::string quoted_in_engine(std::string_view engine, std::string_view file) {
+  return "'" + in_engine(engine, file).string() + "'";
 }
 
 const std::string kCompileCpp = MANIFUZZ_COMPILE_CPP " '{file}' -o '{folder}/snippets' ";
@@ -55,7 +49,7 @@ TEST_CASE("the programs of Bullet compile and run on shapes of every kind") {
 
 TEST_CASE("the programs of libccd, Box2D 3 and cute_c2 compile and run on shapes of every kind") {
   const std::string crates = "\"$HOME\"/.cargo/registry/src/*/";
-  const std::string built = "'" + adapters_in("rust/target/release/build") + "'";
+  const std::string built = quoted_in_engine("box2d3", "adapter/target/release/build");
   const std::string ccd = "$(pkg-config --cflags --libs ccd) -lm";
   struct Engine {
     std::string name;
@@ -78,7 +72,7 @@ TEST_CASE("the programs of libccd, Box2D 3 and cute_c2 compile and run on shapes
 }
 
 TEST_CASE("the programs of parry compile and run on shapes of every kind") {
-  const std::string built = "'" + adapters_in("rust/target/release/deps") + "'";
+  const std::string built = quoted_in_engine("parry2d", "adapter/target/release/deps");
   for (const auto& [engine, crate] : {std::pair<std::string, std::string>{"parry2d", "parry2d"},
                                       {"parry2d-simplified", "parry2d"},
                                       {"parry2d-f64", "parry2d_f64"}}) {
@@ -93,36 +87,36 @@ TEST_CASE("the programs of parry compile and run on shapes of every kind") {
 }
 
 TEST_CASE("the program of planck runs on shapes of every kind") {
-  check_script("planck", "planck");
+  check_script("planck");
 }
 
 TEST_CASE("the program of phaser-box2d runs on shapes of every kind") {
-  check_script("phaser-box2d", "phaser-box2d");
+  check_script("phaser-box2d");
 }
 
 TEST_CASE(
     "the programs of Box2D in TypeScript, matter-js and nape-js run on shapes of every kind") {
-  check_script("box2d-core", "@box2d/core");
-  check_script("matter-js", "matter-js", {.least_touching = 1});
-  check_script("nape-js", "@newkrok/nape-js", {.least_touching = 4});
+  check_script("box2d-core");
+  check_script("matter-js", {.least_touching = 1});
+  check_script("nape-js", {.least_touching = 4});
 }
 
 TEST_CASE("the programs of p2-es and SAT.js run on shapes of every kind") {
   // p2 gives places alone.
-  check_script("p2-es", "p2-es", {.least_touching = 8, .has_depths = false});
-  check_script("sat", "sat", {.least_touching = 4});
+  check_script("p2-es", {.least_touching = 8, .has_depths = false});
+  check_script("sat", {.least_touching = 4});
 }
 
 TEST_CASE("the programs of Rapier run on shapes of every kind") {
-  check_script("rapier2d", "@dimforge/rapier2d-compat");
-  check_script("rapier2d-contact", "@dimforge/rapier2d-compat");
+  check_script("rapier2d");
+  check_script("rapier2d-contact");
 }
 
 TEST_CASE("the programs of dyn4j and jbox2d run on shapes of every kind") {
-  const std::string installed = "'" + adapters_in("java/installed") + "/*':'{folder}'";
   for (const char* const engine : {"dyn4j-sat", "dyn4j-gjk", "jbox2d"}) {
     const auto collider = installed_collider(engine);
     if (!collider) continue;
+    const std::string installed = "'" + in_engine(engine, "installed").string() + "/*':'{folder}'";
     // jbox2d's world manifold has no separations.
     check_at_once(*collider, kJava, "javac -d '{folder}' -cp " + installed + " '{file}'",
                   "java -cp " + installed + " Snippets {}",
@@ -134,14 +128,14 @@ TEST_CASE("the program of pymunk runs on shapes of every kind") {
   const auto collider = installed_collider("pymunk");
   if (!collider) return;
   check_programs(*collider, "snippet.py",
-                 "'" + adapters_in("python/installed/bin/python") + "' '{file}'");
+                 quoted_in_engine("pymunk", "installed/bin/python") + " '{file}'");
 }
 
 TEST_CASE("the program of cp runs on shapes of every kind") {
   const auto collider = installed_collider("cp");
   if (!collider) return;
   check_programs(*collider, "snippet.go", "cd '{folder}' && go run '{file}'", {},
-                 {adapters_in("go/go.mod"), adapters_in("go/go.sum")});
+                 {in_engine("cp", "go.mod").string(), in_engine("cp", "go.sum").string()});
 }
 
 TEST_CASE("the program of Godot runs on shapes of every kind") {

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "base/text.hpp"
+#include "engines/asked_engines.hpp"
 #include "engines/colliders.hpp"
 #include "support/skip.hpp"
+#include "support/source_tree.hpp"
 
 namespace manifuzz::test {
 
@@ -19,6 +23,22 @@ inline std::optional<Collider> installed_collider(std::string_view name) {
     skip(error.what());
     return std::nullopt;
   }
+}
+
+/// The collider of that name where its ledger is built too; otherwise the test is skipped.
+inline std::optional<Collider> collider_with_ledger(std::string_view name) {
+  if (!is_without_ledger(name)) return installed_collider(name);
+  skip("ledgers of engines that are not built; MANIFUZZ_ENGINES=all scripts/test builds them");
+  return std::nullopt;
+}
+
+/// A file in the folder of the engine that has that collider.
+inline std::filesystem::path in_engine(std::string_view collider, std::string_view file) {
+  for (const AskedEngine& engine : asked_engines()) {
+    if (find_by_name(engine.colliders, collider) == nullptr) continue;
+    return source_dir() / "oracle" / engine.name / file;
+  }
+  return source_dir() / "oracle" / collider / file;
 }
 
 }  // namespace manifuzz::test

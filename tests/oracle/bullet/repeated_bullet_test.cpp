@@ -1,0 +1,263 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "judging/faults/shared_faults.hpp"
+#include "oracle/bullet/ledger/deviations.hpp"
+#include "oracle/bullet/ledger/epa.hpp"
+#include "oracle/bullet/ledger/perturbed.hpp"
+#include "oracle/bullet/ledger/perturbed_deviations.hpp"
+#include "oracle/bullet/ledger/query_deviations.hpp"
+#include "oracle/bullet/ledger/repeated_query.hpp"
+#include "oracle/repeated_pairs.hpp"
+
+// Bullet's queries as the ledger repeats them, of pairs by hand. That they answer as the engine
+// does, the witnesses show.
+
+using namespace manifuzz;
+using namespace manifuzz::ledger_of;
+using namespace manifuzz::test;
+
+TEST_CASE("the repeated EPA finds the depth of two squares, from B to A") {
+  EpaTrace trace;
+  const BulletAnswer answer =
+      ask_detector(prisms_of(squares_side_by_side()), solve_by_epa, &trace, 1e18F);
+  CHECK(answer.normal_of == NormalOf::solver);
+  CHECK(trace.end == BulletEpaEnd::accuracy_reached);
+  CHECK(answer.normal.x() == Approx(-1));
+  CHECK(answer.distance == Approx(-0.3));
+  CHECK(answer.on_b.x() == Approx(0.7));
+}
+
+TEST_CASE("the repeated directions find the one along which two squares overlap least") {
+  MinkowskiTrace trace;
+  const BulletAnswer answer =
+      ask_detector(prisms_of(squares_side_by_side()), solve_by_directions, &trace, 1e18F);
+  CHECK(answer.normal_of == NormalOf::solver);
+  CHECK(trace.overlap == Approx(0.748829));
+  CHECK(answer.normal.x() == Approx(-0.951058));
+}
+
+TEST_CASE("the repeated query finds squares apart") {
+  const PairCase pair{square_of_two(0, 0), square_of_two(3, 0.5F)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
+  CHECK(answer.normal_of == NormalOf::query);
+  CHECK_FALSE(answer.is_solver_asked);
+  CHECK(answer.distance == Approx(1));
+}
+
+TEST_CASE("EPA ends at an invalid hull of concentric circles, and its answer alone is explained") {
+  const PairCase pair{circle_of_half(0, 0), circle_of_half(0, 0)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
+  REQUIRE(trace.end == BulletEpaEnd::invalid_hull);
+  const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
+  const double depth = -answer.distance * normal.norm();
+  const auto is_it = [&](const Vector2<double>& along, double deep) {
+    return is_explained(epa_at_invalid_hull, pair, along, deep);
+  };
+  CHECK(is_it(normal, depth));
+  CHECK_FALSE(is_it(-normal, depth));
+  CHECK_FALSE(is_it(normal, depth - 1e-4));
+  CHECK_FALSE(is_explained(epa_falls_back, pair, normal, depth));
+}
+
+TEST_CASE("the axis of circles whose centres are within 0.001 is kept") {
+  const PairCase pair{circle_of_half(0, 0), circle_of_half(0, 5e-4F)};
+  const auto is_it = [&](const Vector2<double>& normal, double depth) {
+    return is_explained(axis_of_touching_cores<BulletAsked::directions>, pair, normal, depth);
+  };
+  CHECK(is_it({0, 1}, 1 - 5e-4));
+  CHECK_FALSE(is_it({0, 1}, 1 - 6e-4));
+  CHECK_FALSE(is_it({1, 0}, 1 - 5e-4));
+  CHECK_FALSE(
+      is_explained(stopped_at_near_corner<BulletAsked::directions>, pair, {0, 1}, 1 - 5e-4));
+}
+
+TEST_CASE("the repeated query of triangles 32768 wide ends at a corner nearer than its point") {
+  const Body wide = triangle_of({Vector2<float>{0, 0}, {0, 32768}, {-32768, 0}});
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of({wide, wide}), solve_by_epa, &trace, 1e18F);
+  CHECK(answer.loop.end == QueryEnd::equal_vertex);
+  CHECK(answer.loop.is_closest_rounded);
+  CHECK(answer.distance > 0);
+  const BulletAnswer small =
+      ask_detector(prisms_of(squares_side_by_side()), solve_by_epa, &trace, 1e18F);
+  CHECK_FALSE(small.loop.is_closest_rounded);
+}
+
+TEST_CASE("the repeated turns find points of two squares beside the first, along turned normals") {
+  const BulletPair pair = prisms_of(squares_side_by_side());
+  const PerturbedAnswer alone = ask_perturbed(pair, {.has_turned = false});
+  REQUIRE(alone.points.size() == 1);
+  CHECK(alone.points[0].query == 0);
+  CHECK(alone.points[0].distance == Approx(-0.3));
+  const PerturbedAnswer all = ask_perturbed(pair, {});
+  REQUIRE(all.points.size() > 1);
+  // The smaller disc is above 2, so that they are turned by less than 0.01.
+  for (const BulletPoint& point : all.points) {
+    CHECK(point.normal.x() == Approx(-1).margin(1e-4));
+    CHECK(std::abs(point.normal.y()) < 0.01F);
+    CHECK(point.distance == Approx(-0.3).margin(0.03));
+  }
+}
+
+TEST_CASE("EPA's second GJK gives no direction of a circle about the end of a long segment") {
+  const PairCase pair{body_at(std::array{Vector2<float>{0, 0}}, 0, 0, 200),
+                      body_at(std::array{Vector2<float>{0, 0}, Vector2<float>{0, 10000}}, 0, 0)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
+  CHECK(answer.is_solver_asked);
+  CHECK(answer.normal_of == NormalOf::nobody);
+  const auto is_it = [](const PairCase& of) {
+    return explains(epa_without_axis, of, {}, Kind::missed_contact);
+  };
+  CHECK(is_it(pair));
+  CHECK_FALSE(is_explained(epa_without_axis, pair, {1, 0}, 200));
+  CHECK_FALSE(is_it(squares_side_by_side()));
+  CHECK_FALSE(is_it({square_of_two(0, 0), square_of_two(3, 0.5F)}));
+}
+
+TEST_CASE("a normal between rounded places is explained where that of EPA's face is right") {
+  // They overlap by 0.001 at 100, where floats are 7.6e-6 apart.
+  const PairCase far{square_of_two(100, 100), square_of_two(101.999F, 100.5F)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(far), solve_by_epa, &trace, 1e18F);
+  REQUIRE(trace.end == BulletEpaEnd::accuracy_reached);
+  const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
+  const auto is_it = [](const PairCase& pair, const Vector2<double>& along, double depth) {
+    return is_explained(epa_normal_between_places, pair, along, depth, Kind::witness);
+  };
+  CHECK(is_it(far, normal, -answer.distance));
+  CHECK_FALSE(is_it(far, {1, 0.01}, -answer.distance));
+  CHECK_FALSE(is_it(far, normal, 0.01 - answer.distance));
+  // Of concentric circles EPA's own face is wrong.
+  const PairCase circles{circle_of_half(0, 0), circle_of_half(0, 0)};
+  const BulletAnswer of_circles = ask_detector(prisms_of(circles), solve_by_epa, &trace, 1e18F);
+  CHECK_FALSE(
+      is_it(circles, {-of_circles.normal.x(), -of_circles.normal.y()},
+            -of_circles.distance * std::hypot(of_circles.normal.x(), of_circles.normal.y())));
+}
+
+TEST_CASE("a corner before the first is that of flat hulls whose squares overflow") {
+  const PairCase huge{triangle_of({Vector2<float>{0, 0}, {4e14F, 0}, {0, 2e13F}}),
+                      triangle_of({Vector2<float>{0, 4e-34F}, {2e13F, 2e19F}, {-1e-17F, 0}})};
+  CHECK(is_intersection_of_memory(flat_hulls_of(huge)));
+  CHECK_FALSE(is_intersection_of_memory(prisms_of(huge)));
+  CHECK_FALSE(is_intersection_of_memory(flat_hulls_of(squares_side_by_side())));
+  MinkowskiTrace trace;
+  const BulletPair hulls = flat_hulls_of(huge);
+  const BulletAnswer answer =
+      ask_detector_told(true, hulls, solve_by_directions, &trace, farthest_square_of(hulls));
+  REQUIRE(answer.normal_of == NormalOf::solver);
+  const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
+  const auto is_it = [&](const Vector2<double>& along, double depth) {
+    return is_explained(corner_before_first, huge, along, depth, Kind::witness);
+  };
+  CHECK(is_it(normal, -answer.distance));
+  CHECK_FALSE(is_it({normal.x() + 0.01, normal.y()}, -answer.distance));
+  CHECK_FALSE(is_it(normal, 1e15));
+  CHECK_FALSE(is_explained(corner_before_first, squares_side_by_side(), {1, 0}, 0.3));
+}
+
+TEST_CASE("a query that ends as no corner is nearer is off by the root of its relative error") {
+  // 150 apart, squares do not show which end of a segment of 0.03 is nearer.
+  const PairCase pair{
+      body_at(std::array{Vector2<float>{-0.045F, 0.081F}, Vector2<float>{-0.07F, 0.071F}}, 0, 0,
+              100),
+      body_at(std::array{Vector2<float>{-56, 140}}, 0, 0, 60)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
+  REQUIRE(answer.loop.end == QueryEnd::no_closer);
+  const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
+  const auto is_it = [&](const Vector2<double>& along, Kind kind) {
+    return is_explained(stopped_by_relative_error<BulletAsked::epa>, pair, along, -answer.distance,
+                        kind);
+  };
+  CHECK(is_it(normal, Kind::normal));
+  CHECK_FALSE(is_it(normal, Kind::not_minimal));
+  CHECK_FALSE(is_it({normal.x() + 1e-5, normal.y()}, Kind::normal));
+}
+
+TEST_CASE("a query that ends at the corner that rounded products chose is off by as much") {
+  // The segment's other end is nearer by less than a float tells of the squared distance.
+  const std::array<Vector2<float>, 2> ends{Vector2<float>{0.1516F, 0.2791F},
+                                           Vector2<float>{0.15159647F, 0.27909133F}};
+  const PairCase pair{body_at(ends, 0, 0, 0.0478695F),
+                      body_at(std::array{Vector2<float>{0.09638F, 0.3016F}}, 0, 0, 0.0478695F)};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
+  REQUIRE(answer.loop.end == QueryEnd::equal_vertex);
+  CHECK(is_nearest_corner_rounded(pair, BulletAsked::epa, answer.loop));
+  const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
+  const auto is_it = [&](const Vector2<double>& along, double depth, Kind kind) {
+    return is_explained(stopped_by_relative_error<BulletAsked::epa>, pair, along, depth, kind);
+  };
+  CHECK(is_it(normal, -answer.distance, Kind::normal));
+  CHECK_FALSE(is_it(normal, -answer.distance, Kind::not_minimal));
+  CHECK_FALSE(is_it(normal, -answer.distance - 1e-4, Kind::normal));
+  CHECK_FALSE(is_it({normal.x() + 1e-5, normal.y()}, -answer.distance, Kind::normal));
+  // The end that is held is the nearest of a segment that does not lie across the axis.
+  PairCase turned = pair;
+  turned.a.polygon.vertices[1] = {0.1517F, 0.279F};
+  const BulletAnswer of_turned = ask_detector(prisms_of(turned), solve_by_epa, &trace, 1e18F);
+  CHECK_FALSE(is_nearest_corner_rounded(turned, BulletAsked::epa, of_turned.loop));
+}
+
+TEST_CASE("EPA ends within its accuracy of small round corners, whichever way its face is turned") {
+  PairCase pair{body_at(std::array{Vector2<float>{0.0030202842F, -0.0073099104F},
+                                   Vector2<float>{-0.0176677F, -0.013545966F}},
+                        0.08747759F, -0.113125F, 0.000478381F),
+                triangle_of({Vector2<float>{0.0041636336F, -0.004145921F},
+                             {0.006042488F, 0.008866736F},
+                             {0, -0.009375F}})};
+  pair.a.pose.rotation = {0.95744765F, -0.28860697F};
+  pair.b.polygon.radius = 0.000478381F;
+  pair.b.polygon.rounding = Rounding::round;
+  pair.b.pose = {{0.09176803F, -0.11602688F}, {0.14290474F, -0.98973644F}};
+  EpaTrace trace;
+  const BulletAnswer answer = ask_detector(prisms_of(pair), solve_by_epa, &trace, 1e18F);
+  REQUIRE(trace.end == BulletEpaEnd::accuracy_reached);
+  const Vector2<double> in_world(-answer.normal.x(), -answer.normal.y());
+  const Vector2<double> turn = pair.a.pose.rotation.cast<double>();
+  const Vector2<double> normal = rotate<double>({turn.x(), -turn.y()}, in_world);
+  const double depth = -answer.distance * in_world.norm();
+  const auto is_it = [&](const Vector2<double>& along, double deep, Kind kind) {
+    return is_explained(epa_at_chord, pair, along, deep, kind);
+  };
+  CHECK(is_it(normal, depth, Kind::normal));
+  CHECK_FALSE(is_it(normal, depth, Kind::inconsistent));
+  CHECK_FALSE(is_it(-normal, depth, Kind::normal));
+  CHECK_FALSE(is_it(rotate<double>({0.9999, 0.01}, normal), depth, Kind::normal));
+  CHECK_FALSE(is_it(normal, depth + 1e-5, Kind::normal));
+}
+
+TEST_CASE("shapes are turned out of the plane where the first normal is upright") {
+  const PairCase pair{body_at(std::array{Vector2<float>{0, -1}, Vector2<float>{0, 2}}, 0, 0, 1.3F),
+                      body_at(std::array{Vector2<float>{0, 0}}, 0, 0, 1.96F)};
+  const PerturbedAnswer answer = ask_perturbed(prisms_of(pair), {});
+  CHECK(std::abs(answer.first.normal.z()) > 0.9F);
+  CHECK(deepest_of(answer.points)->query > 0);
+  const auto is_it = [](const PairCase& of, const Manifold<double>& got) {
+    return explains(turned_out_of_plane, of, got, Kind::inconsistent);
+  };
+  Manifold<double> got = replayed::in_frame_of_a(pair, seen_in_plane(answer.points));
+  CHECK(is_it(pair, got));
+  got.points[0].depth += 0.01;
+  CHECK_FALSE(is_it(pair, got));
+  const PairCase side = squares_side_by_side();
+  const PerturbedAnswer of_side = ask_perturbed(prisms_of(side), {});
+  CHECK_FALSE(is_it(side, replayed::in_frame_of_a(side, seen_in_plane(of_side.points))));
+}
+
+TEST_CASE("an answer that the repeated turns do not give is none of theirs") {
+  const auto is_one = [](bool (*predicate)(const Deviation&)) {
+    return is_explained(predicate, squares_side_by_side(), {1, 0}, 0.29);
+  };
+  CHECK_FALSE(is_one(point_replaced_by_turned));
+  CHECK_FALSE(is_one(changed_by_refresh));
+  CHECK_FALSE(is_one(normal_of_turned_query));
+  CHECK_FALSE(is_one(point_of_turned_query));
+  CHECK_FALSE(is_one(of_first_query<below_gjk_distance>));
+}
