@@ -33,7 +33,6 @@ struct BenchArguments {
   bool quick = false;
   bool methods = false;
   std::string json;
-  std::string csv;
   std::vector<std::string> pictures;
 };
 
@@ -149,12 +148,11 @@ int write_results(const BenchArguments& options, const nlohmann::ordered_json& j
   std::string text;
   if (options.json == "-") {
     text = json_text(json);
-  } else if (!leaves_out_tables({options.json, options.csv})) {
+  } else if (!leaves_out_tables(options.json)) {
     text = machine_line(json) + table;
   }
   Outputs outputs;
   outputs.write(true, [&] { write_to_reader(text); });
-  outputs.write(!options.csv.empty(), [&] { write_file(options.csv, bench_csv(json)); });
   outputs.write(!options.json.empty() && options.json != "-",
                 [&] { write_file(options.json, json_text(json)); });
   for (const std::string& picture : options.pictures) {
@@ -178,7 +176,7 @@ int bench_methods(const BenchArguments& options) {
 }
 
 int bench(const BenchArguments& options) {
-  CommandFiles files{{{"--json", options.json}, {"--csv", options.csv, OutputPath::Kind::file}}};
+  CommandFiles files{{{"--json", options.json}}};
   for (const std::string& picture : options.pictures) {
     files.outputs.push_back({"--picture", picture, OutputPath::Kind::file, kPictureEndings});
   }
@@ -214,13 +212,10 @@ void add_bench_arguments(CLI::App& app, BenchArguments& options) {
   app.add_flag("--quick", options.quick, "the usual workload alone, in less than 30 s")
       ->excludes(regime);
   add_json(app, options.json, "the rows as JSON");
-  CLI::Option* const csv =
-      app.add_option("--csv", options.csv, "the rows with commas")->type_name("FILE");
   app.add_flag("--methods", options.methods,
                "the article's other ways to contact points beside clipping, over pairs and frames")
       ->excludes(collider)
-      ->excludes(regime)
-      ->excludes(csv);
+      ->excludes(regime);
   app.add_option(
          "--picture", options.pictures,
          "run time against error, or what the ways trade; FILE.svg or FILE.png, again for another")

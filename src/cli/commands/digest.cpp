@@ -44,9 +44,9 @@ int digest_command(const DigestArguments& options) {
   const std::string json = json_text(digest_json(plan, result));
   Outputs outputs;
   outputs.write(true, [&] {
-    write_to_reader(options.json == "-"                 ? json
-                    : leaves_out_tables({options.json}) ? ""
-                                                        : digest_table(plan, result));
+    write_to_reader(options.json == "-"               ? json
+                    : leaves_out_tables(options.json) ? ""
+                                                      : digest_table(plan, result));
   });
   outputs.write(!options.json.empty() && options.json != "-",
                 [&] { write_file(options.json, json); });

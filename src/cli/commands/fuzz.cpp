@@ -128,7 +128,7 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
   if (baseline) summary["baseline"] = comparison_json(compared(*baseline, campaign.result));
   Outputs outputs;
   outputs.write(!options.ci.stdout_is_data, [&] {
-    const bool is_terse = leaves_out_tables({options.json});
+    const bool is_terse = leaves_out_tables(options.json);
     write_to_reader(is_terse ? objections(campaign)
                     : options.is_verbose
                         ? summary_table(campaign, baseline)

@@ -86,7 +86,7 @@ int scene_command(const SceneArguments& options) {
   }();
   const std::string json = json_text(scene_json(result));
   const std::string mismatches = mismatches_in_words(result.runs);
-  const std::string text = leaves_out_tables({options.json}) ? mismatches : scene_table(result);
+  const std::string text = leaves_out_tables(options.json) ? mismatches : scene_table(result);
   Outputs outputs;
   outputs.write(true, [&] { write_to_reader(options.json == "-" ? json : text); });
   outputs.write(!options.json.empty() && options.json != "-",

@@ -34,7 +34,6 @@ struct StressArguments {
   bool quick = false;
   bool flush_to_zero = false;
   std::string json;
-  std::string csv;
   std::string pictures;
   std::string save;
   std::string baseline;
@@ -109,7 +108,6 @@ void write_files(const StressPlan& plan, const StressResult& result, const Stres
                  Interruption& interruption, Outputs& outputs) {
   outputs.write(!options.json.empty() && options.json != "-",
                 [&] { write_file(options.json, json.dump(1, '\t') + '\n'); });
-  outputs.write(!options.csv.empty(), [&] { write_file(options.csv, stress_csv(json)); });
   outputs.write(!options.store.empty(), [&] {
     if (result.interrupted) throw UserError("--store: interrupted, nothing is stored");
     write_file(options.store, breaking_points_json(plan, result, stored).dump(1, '\t') + '\n');
@@ -130,7 +128,6 @@ int stress(const StressArguments& options) {
   using enum OutputPath::Kind;
   CommandFiles files{
       {{"--json", options.json},
-       {"--csv", options.csv, file},
        {.option = "--store", .path = options.store, .kind = file, .replaces = options.baseline},
        {"--pictures", options.pictures, folder},
        {"--save", options.save, corpus}}};
@@ -156,7 +153,7 @@ int stress(const StressArguments& options) {
   const nlohmann::ordered_json json = stress_json(plan, result, comparison);
   std::string text = complaints(comparison);
   if (options.json == "-") write_error(text);
-  if (!leaves_out_tables({options.json, options.csv})) text = stress_table(plan, result) + text;
+  if (!leaves_out_tables(options.json)) text = stress_table(plan, result) + text;
   Outputs outputs;
   outputs.write(true,
                 [&] { write_to_reader(options.json == "-" ? json.dump(1, '\t') + '\n' : text); });
@@ -189,7 +186,6 @@ void add_run(CLI::App& app, StressArguments& options) {
 
 void add_outputs(CLI::App& app, StressArguments& options) {
   add_json(app, options.json, "every step as JSON");
-  app.add_option("--csv", options.csv, "every step with commas")->type_name("FILE");
   add_text(app, "--pictures", options.pictures, "DIR",
            "error against each sweep's knob, DIR/SWEEP.svg and DIR/SWEEP.png");
   add_text(app, "--save", options.save, "DIR",
