@@ -16,7 +16,7 @@ namespace manifuzz {
 
 std::string left_out(std::string_view name, std::string_view package) {
   return fmt::format(
-      "the build left out {}; scripts/setup --engines installs {}, and scripts/build builds it",
+      "{} is not in this build; scripts/setup --engines installs {}, then scripts/build builds it",
       name, package);
 }
 
@@ -122,12 +122,14 @@ std::optional<Collider> find_made_over(std::string_view prefix, std::string_view
   const std::string_view over = name.substr(prefix.size());
   const Collider collider = find_collider(over);
   if (collider.declaration.claims != Claims::point) {
-    throw UserError(fmt::format("{}: {} does not claim one point a pair, as gjk does", name, over));
+    throw UserError(fmt::format(
+        "{}: {} does not give one point a pair; one that does, such as gjk, is expected", name,
+        over));
   }
   if (collider.declaration.alters_shapes) {
     throw UserError(
-        fmt::format("{}: {} alters shapes; it is made over those that take them as "
-                    "they are",
+        fmt::format("{}: {} alters shapes; a collider that leaves them as they are is "
+                    "expected",
                     name, over));
   }
   return collider;
@@ -138,7 +140,7 @@ Collider find_collider(std::string_view name) {
   if (const auto base = find_made_over("perturbed+", name)) return make_perturbed_over(*base);
   if (find_sequence_entry(name) != nullptr) {
     throw UserError(
-        fmt::format("{} keeps points over frames: it takes sequences, and these are "
+        fmt::format("{} keeps points from frame to frame: it takes sequences, and these are "
                     "pair cases",
                     name));
   }

@@ -91,8 +91,9 @@ bool is_library(const Engine& engine) {
 std::string folder_of(const Engine& engine) {
   std::string folder = MANIFUZZ_ADAPTERS;
   if (std::filesystem::exists(in_folder(engine.needs, folder))) return folder;
-  throw UserError(fmt::format("{} is not installed; scripts/setup --engines installs it, with {}",
-                              engine.name, engine.tools));
+  throw UserError(
+      fmt::format("{} is not installed; scripts/setup --engines installs it, which needs {}",
+                  engine.name, engine.tools));
 }
 
 }  // namespace
@@ -100,8 +101,8 @@ std::string folder_of(const Engine& engine) {
 std::string library_of(const Engine& engine) {
   if (is_library(engine)) return in_folder(engine.adapter, folder_of(engine));
   throw UserError(
-      fmt::format("{} is a program, which takes most of its time to be asked; what is "
-                  "timed are libraries",
+      fmt::format("{} is a program, whose time is mostly that of passing cases; only libraries are "
+                  "timed",
                   engine.name));
 }
 
