@@ -19,7 +19,7 @@ struct ColliderEntry {
 /// Why an engine is not there: one line for people.
 std::string left_out(std::string_view name, std::string_view package);
 
-/// Those that are built in, or linked where they are installed: not what adapters ask.
+/// The colliders that are built in, or linked where they are installed; adapters are left out.
 const std::vector<ColliderEntry>& linked_colliders();
 
 /// Every collider there is, in the order of `list colliders`.

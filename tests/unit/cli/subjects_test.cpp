@@ -101,7 +101,7 @@ TEST_CASE("a subject that is given is asked of every file, whoever that names") 
   CHECK(json_of(outcome)["passed"] == files.size());
 }
 
-TEST_CASE("show asks whom a file names, by subjects.json, and says where it cannot be asked") {
+TEST_CASE("show asks the collider that a file names, by subjects.json, and says where it cannot") {
   const TemporaryFolder folder;
   const std::string file = save_findings(folder, one_eyed(folder)).front();
   const std::string subjects = folder.write("subjects.json", named("one_eyed", one_eyed(folder)));
