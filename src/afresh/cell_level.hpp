@@ -68,7 +68,7 @@ class CellLevel {
     return {column(box.x_min - extent_max_), column(box.x_max) + aside_,
             row(box.y_min - extent_max_), row(box.y_max)};
   }
-  /// The same of boxes whose left side is not left of this one's, where each lies in its own cell.
+  /// Cells of boxes whose left side is not left of this one's, where each lies in its own cell.
   CellRange right_of(const Box& box) const {
     return {column(box.x_min), column(box.x_max), row(box.y_min - extent_max_), row(box.y_max)};
   }

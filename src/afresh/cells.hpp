@@ -23,7 +23,7 @@ class Cells {
   /// anew.
   bool refile(std::uint32_t body, const Box* before, const Box& box);
 
-  /// Of a body that is filed with this box.
+  /// Removes a body that is filed with this box.
   void remove(std::uint32_t body, const Box& box);
 
   /// The bodies whose boxes overlap this one, in no particular order; until the next call.
@@ -47,8 +47,8 @@ class Cells {
   void make_levels(std::span<const std::uint32_t> bodies, std::span<const Box> boxes);
   std::size_t level_of(const Box& box) const;
   Place place_of(const Box& box) const;
-  /// Of a body filed there, or of none, which may be filed there from now on; the overflow's end if
-  /// there is none.
+  /// The entry of a body filed there, or of none, which may be filed there from now on; the
+  /// overflow's end if there is none.
   std::uint32_t entry_of(const Place& place, std::uint32_t body);
 
   std::span<CellLevel> levels() { return std::span(levels_).first(used_); }
@@ -60,7 +60,7 @@ class Cells {
   std::uint32_t overflow_ = 0;      // those in no cell, from this one
   std::uint32_t overflow_end_ = 0;  // to before this one
 
-  // Of the filing under way: of each body its level and its place there.
+  // While bodies are filed: the level of each body and its place there.
   std::vector<std::uint8_t> level_;
   std::vector<std::uint32_t> place_;
 

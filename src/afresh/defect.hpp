@@ -25,7 +25,7 @@ enum class Defect {
   unknown_body,          ///< no such body is in the scene, or not any more
 };
 
-/// Of a pose that has one.
+/// The defect of a pose that has one.
 Defect defect_of(const Pose<float>& pose);
 
 /// The first defect of a pose, or none.

@@ -14,7 +14,7 @@ namespace manifuzz {
 /// What a collider in this process or a fork of it may take over a case: then it has hung.
 inline constexpr double kCaseSeconds = 5;
 
-/// The same of two, and what those in processes of their own may take, which see to it themselves.
+/// The limit for a case put to both colliders; those in processes of their own enforce theirs.
 inline double case_seconds_max(const Collider& subject, const Collider& oracle) {
   return kCaseSeconds + subject.seconds_max + oracle.seconds_max;
 }

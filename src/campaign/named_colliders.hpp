@@ -22,13 +22,13 @@ class NamedColliders {
   /// nullptr where there is none of that name.
   const Collider* find(const std::string& name);
 
-  /// Whom to ask about a case: those given, whoever it names; where none is given, those it names.
-  /// nullptr where there is no subject of that name; an oracle that is not there gives way to
-  /// box2d.
+  /// The collider to ask about a case: the one given, whichever the case names; else the one that
+  /// it names. nullptr where there is no subject of that name; an oracle that is not installed
+  /// falls back to box2d.
   const Collider* subject_of(const CorpusCase& known);
   const Collider* oracle_of(const CorpusCase& known);
 
-  /// Whom a case that names nobody is put to: those given, else clip and box2d.
+  /// The collider for cases that name none: the one given, else clip or box2d.
   const std::string& subject() const { return subject_; }
   const std::string& oracle() const { return oracle_; }
 

@@ -80,7 +80,7 @@ class BucketTallies {
     Bucket bucket;
     const BucketTally* tally = nullptr;
   };
-  /// Those that were met, in the order of their indices.
+  /// All buckets that were met, in the order of their indices.
   std::vector<Met> all() const;
 
  private:
@@ -139,8 +139,8 @@ struct Tally {
 
 inline constexpr std::uint64_t kJudgeEvery = 256;
 
-/// Of how many agreeing cases one is judged, if nobody says: where either collider is asked in a
-/// process of its own, judging takes less than asking, and all are.
+/// One agreeing case in how many is judged by default: all are where a collider is asked in a
+/// process of its own, since judging takes less than asking there.
 inline std::uint64_t usual_judge_every(const Collider& subject, const Collider& oracle) {
   return subject.is_isolated() || oracle.is_isolated() ? 1 : kJudgeEvery;
 }
@@ -158,8 +158,8 @@ struct Plan {
   Collider subject;
   Collider oracle;
   std::vector<const Regime*> regimes;  ///< not empty, at most kRegimesMax
-  /// Of a campaign of sequences. Subject and oracle then only declare themselves, the oracle as the
-  /// judge, and the regimes only have the motions' names.
+  /// What only a campaign of sequences has. Subject and oracle then only declare themselves, the
+  /// oracle as the judge, and the regimes only have the motions' names.
   std::optional<SequencePlan> sequences{};
   GenerationContext context;
   std::uint64_t seed = 0;
@@ -193,7 +193,7 @@ struct Plan {
   }
 };
 
-/// Those of these names; without names all that have cases which the colliders take.
+/// The regimes of these names; without names all that have cases which the colliders take.
 std::vector<const Regime*> regimes_for(const std::vector<Collider>& colliders,
                                        std::span<const std::string> names);
 

@@ -25,7 +25,7 @@ Collider find_any(const ColliderChoice& choice, const ExternalOptions& external)
   const double seconds = time_limit_of(external);
   if (external.in_process && external.time_limit) {
     throw UserError(
-        "--time-limit: holds for colliders in processes of their own; leave out --in-process");
+        "--time-limit: applies only to colliders in their own processes; omit --in-process");
   }
   if (!choice.command.empty() && external.in_process) {
     throw UserError(
@@ -43,12 +43,13 @@ Collider find_any(const ColliderChoice& choice, const ExternalOptions& external)
 
 Collider with_tie_bias(const Collider& collider, double tie_bias) {
   if (!collider.with_tie_bias) {
-    throw UserError(fmt::format("--tie-bias: that of {} is fixed at {}", collider.declaration.name,
+    throw UserError(fmt::format("--tie-bias: {} has a fixed tie bias, {}; omit the option",
+                                collider.declaration.name,
                                 in_words(collider.declaration.tie_bias)));
   }
   if (tie_bias > static_cast<double>(std::numeric_limits<float>::max())) {
-    throw UserError(fmt::format("--tie-bias: {:g} is beyond float; take 0 to {:g}", tie_bias,
-                                std::numeric_limits<float>::max()));
+    throw UserError(fmt::format("--tie-bias: {:g} is too large for a float; use 0 to {:g}",
+                                tie_bias, std::numeric_limits<float>::max()));
   }
   return collider.with_tie_bias(tie_bias);
 }
@@ -71,7 +72,7 @@ std::string option_again(const ColliderChoice& choice) {
 double time_limit_of(const ExternalOptions& external) {
   const double seconds = external.time_limit.value_or(kTimeLimit);
   if (seconds > 0 && seconds <= kTimeLimitMax) return seconds;
-  throw UserError(fmt::format("--time-limit: {} s is no limit; more than 0, up to {} is expected",
+  throw UserError(fmt::format("--time-limit: {} s is not a valid limit; use more than 0, up to {}",
                               seconds, kTimeLimitMax));
 }
 
@@ -92,8 +93,8 @@ Collider find_named(const ColliderChoice& choice, const std::string& name,
   try {
     Collider found = find_collider(choice, external);
     if (found.declaration.name == name) return found;
-    throw UserError(fmt::format("is called '{}' there, and declares the name '{}'", printable(name),
-                                printable(found.declaration.name)));
+    throw UserError(fmt::format("it is called '{}' there, but declares the name '{}'",
+                                printable(name), printable(found.declaration.name)));
   } catch (const UserError& error) {
     throw UserError(fmt::format("subjects.json: {}: {}", printable(name), error.what()));
   }
@@ -117,32 +118,34 @@ void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& desc
       add_text(app, "--" + choice.role, choice.name, "C|LIBRARY.so", description)
           ->capture_default_str();
   add_text(app, "--" + choice.role + "-command", choice.command, "COMMAND",
-           "the same as a program: case lines in, manifold lines out")
+           fmt::format("program to use as --{}: it reads cases and writes manifolds, a JSON line "
+                       "each",
+                       choice.role))
       ->excludes(name);
 }
 
 void add_subjects(CLI::App& app, std::string& file) {
   add_text(app, "--subjects", file, "FILE",
-           "the file that says how colliders from outside are started; if not given, subjects.json "
-           "in the folder of known cases or beside it, if it belongs to you or to root");
+           "file that says how to start colliders that are not built in; default: subjects.json in "
+           "the folder of known cases or beside it, if it belongs to you or to root");
 }
 
 void add_sequences(CLI::App& app, ColliderChoice& choice) {
   app.add_flag("--sequences", choice.keeps_points,
-               "the program keeps points: it gets sequences, a frame a line")
+               "the program keeps points from frame to frame: send it sequences, one frame a line")
       ->needs("--" + choice.role + "-command");
 }
 
 void add_external_options(CLI::App& app, ExternalOptions& external) {
   app.add_flag("--in-process", external.in_process,
-               "call a shared library from this process: faster, but where it dies, so does a job");
+               "call a shared library from this process: faster, but a crash kills that worker");
   add_length(app, "--time-limit", external.time_limit,
-             "seconds that a library or a program may take over a case; 1 if not given");
+             "seconds that a library or program may take for a case; default: 1");
 }
 
 void add_subject_and_oracle(CLI::App& app, SubjectAndOracle& colliders) {
-  add_collider(app, colliders.subject, "the collider under test");
-  add_collider(app, colliders.oracle, "the collider it is held against");
+  add_collider(app, colliders.subject, "collider under test");
+  add_collider(app, colliders.oracle, "collider to compare it with");
   add_external_options(app, colliders.external);
 }
 

@@ -46,12 +46,14 @@ int answer_bare_call(const char* program) {
     const ColliderEntry* const entry = find_entry(name);
     return entry != nullptr && (entry->is_ours || name == usual_oracle_name());
   }));
-  return complain("a command is missing; above are some to begin with");
+  return complain("a command is missing; some to begin with are listed above");
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Contact points by clipping, and the harness that proves them.", "manifuzz"};
-  app.footer("--help words says what the words mean that commands use.");
+  CLI::App app{
+      "A differential fuzzer for 2D colliders, with an exact judge of their contact manifolds.",
+      "manifuzz"};
+  app.footer("manifuzz --help words explains the terms that commands use.");
   app.set_version_flag("--version", "manifuzz " MANIFUZZ_VERSION);
   app.require_subcommand(1);
   add_common_options(app);
@@ -83,7 +85,7 @@ int run_to_the_end(int argc, char** argv) {
   try {
     return guarding_exit(
         [&] { return run(argc, argv); },
-        [] { return complain("a library called exit in this process; leave out --in-process"); });
+        [] { return complain("a library called exit in this process; omit --in-process"); });
   } catch (const OutputClosed&) {
     return 0;
   } catch (const std::exception& error) {

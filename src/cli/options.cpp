@@ -63,15 +63,15 @@ std::string complaint_about_usage(const CLI::App& app, const CLI::ParseError& er
   // What an option is missing may be what a misspelt one has taken.
   const std::string what = is_option(word) ? no_such_option(command, word)
                            : is_word_too_many
-                               ? fmt::format("'{}' is a word too many", printable(word))
+                               ? fmt::format("unexpected argument '{}'", printable(word))
                                : printable(error.what(), 300);
   return fmt::format("{}: {}", command.get_name(), with_help_of(what, command.get_name()));
 }
 
 void add_common_options(CLI::App& app) {
-  const std::string quiet =
-      "no progress, no remarks; unsaid is what is well, and what a file says in its place";
-  const std::string plain = "no colours on a terminal; NO_COLOR in the environment does the same";
+  const std::string quiet = "show no progress; print only errors, and data that no file takes";
+  const std::string plain =
+      "print without colours; the environment variable NO_COLOR does that, too";
   app.add_flag("--quiet", quiet);
   app.add_flag("--no-color", plain);
 }
@@ -120,7 +120,7 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name,
                                                    printable(text), least, most));
     }
     if (*to > most) {
-      throw UserError(fmt::format("{}: {} are too many; take {} to {}", name, *to, least, most));
+      throw UserError(fmt::format("{}: {} is too large; use {} to {}", name, *to, least, most));
     }
   };
   return app.add_option_function<std::string>(name, read, description)->type_name("N");
@@ -143,26 +143,24 @@ std::string not_blank(const std::string& text) {
 }
 
 void add_seed(CLI::App& app, std::optional<std::uint64_t>& seed) {
-  add_whole_number(app, "--seed", seed, "what the cases depend on; drawn and printed if not given");
+  add_whole_number(app, "--seed", seed, "random seed; chosen and printed if omitted");
 }
 
 void add_regimes(CLI::App& app, std::vector<std::string>& names) {
-  app.add_option(
-         "--regime", names,
-         "a regime, or of sequences a motion, to draw from, again for more; all by turns if not "
-         "given")
+  app.add_option("--regime", names,
+                 "regime (or motion, for sequences); repeatable; default: all in turn")
       ->type_name("R")
       ->allow_extra_args(false);
 }
 
 void add_radius(CLI::App& app, std::optional<double>& radius) {
-  add_length(app, "--radius", radius, "of each polygon; the regime's own if not given");
+  add_length(app, "--radius", radius, "radius of each polygon; default: the regime's own");
 }
 
 float radius_of(double radius) {
   constexpr float most = std::numeric_limits<float>::max() / 2;  // both together are a float still
   if (radius <= static_cast<double>(most)) return static_cast<float>(radius);
-  throw UserError(fmt::format("--radius: {} is beyond float; take 0 to {}", radius, most));
+  throw UserError(fmt::format("--radius: {} is too large for a float; use 0 to {}", radius, most));
 }
 
 void add_corpus(CLI::App& app, CorpusFolders& folders, const std::string& description) {
@@ -174,27 +172,29 @@ CLI::Option* add_day(CLI::App& app, const std::string& name, std::string& day,
   return app.add_option(name, day, description)
       ->type_name("YYYY-MM-DD")
       ->check([](const std::string& text) {
-        return is_day(text) ? ""
-                            : fmt::format("'{}' is no day; one such as 2027-01-31 is expected",
-                                          printable(text));
+        return is_day(text)
+                   ? ""
+                   : fmt::format("'{}' is not a date; a date such as 2027-01-31 is expected",
+                                 printable(text));
       });
 }
 
 void add_today(CLI::App& app, std::string& day) {
   day = today();
-  add_day(app, "--today", day, "the day that acceptances are held against, for tests");
+  add_day(app, "--today", day,
+          "take this as today's date when acceptances end by date; meant for tests");
 }
 
 void add_no_save(CLI::App& app, CorpusFolders& folders) {
-  app.add_flag("--no-save", folders.is_unsaved, "shrink and save nothing");
+  app.add_flag("--no-save", folders.is_unsaved, "do not shrink or save findings");
 }
 
 void add_junit(CLI::App& app, std::string& file) {
-  app.add_option("--junit", file, "a JUnit XML report, - for stdout")->type_name("FILE");
+  app.add_option("--junit", file, "write a JUnit XML report; - is stdout")->type_name("FILE");
 }
 
 void add_json(CLI::App& app, std::string& file, const std::string& what) {
-  app.add_option("--json", file, what + ", to a file or - for stdout")->type_name("FILE");
+  app.add_option("--json", file, "write " + what + " as JSON; - is stdout")->type_name("FILE");
 }
 
 std::uint64_t seed_or_draw(const std::optional<std::uint64_t>& seed) {
@@ -207,16 +207,17 @@ std::uint64_t seed_or_draw(const std::optional<std::uint64_t>& seed) {
 
 void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regimes) {
   if ((cases - 1) / regimes <= std::numeric_limits<std::uint64_t>::max() - first) return;
-  throw UserError("--first: the last index passes 18446744073709551615; take fewer --cases");
+  throw UserError("--first: the last index would exceed 18446744073709551615; use fewer --cases");
 }
 
 void add_case_argument(CLI::App& app, CaseArgument& argument) {
-  add_text(app, "file", argument.name, "FILE",
-           "a case, - for stdin; or a bucket or the beginning of a file's name in the corpus")
+  add_text(
+      app, "file", argument.name, "FILE",
+      "a case's file, or - for stdin; or a bucket, or the beginning of a file name, in the corpus")
       ->required();
   add_corpus(app, argument.folders,
-             "the folder where a bucket or a beginning is looked up; if not given, corpus and the "
-             "folder of findings");
+             "folder in which a bucket or a beginning of a name is looked up; default: corpus and "
+             "the folder of findings");
 }
 
 std::string case_file(const CaseArgument& argument) {

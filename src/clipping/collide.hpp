@@ -42,8 +42,8 @@ template <class Scalar>
                                                                      : manifold;
 }
 
-/// The same of round shapes with faces: by these where their cores overlap, else by where these are
-/// nearest. Not inlined, for the same reason; its own steps are, so that nothing goes through
+/// The contact of round shapes with faces: by their faces where their cores overlap, else by where
+/// the cores are nearest. Not inlined either; its own steps are, so that nothing goes through
 /// memory.
 template <class Scalar>
 [[gnu::noinline, gnu::flatten]] Manifold<Scalar> contact_of_cores(const ConvexPolygon<Scalar>& a,

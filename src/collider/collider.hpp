@@ -157,7 +157,7 @@ inline bool is_judged_by_curve(const Declaration& declaration) {
   return !declaration.clips || declaration.claims != Claims::manifold;
 }
 
-/// The same of its answers to a case: round shapes touch where they are nearest, whatever clips.
+/// Whether the curve judges its answers to this case: round shapes are never judged by clips.
 inline bool is_judged_by_curve(const Declaration& declaration, const PairCase& pair) {
   return is_round(pair) || is_judged_by_curve(declaration);
 }
@@ -198,13 +198,13 @@ inline bool takes_round_shapes(const Declaration& declaration) {
 struct Collider {
   Declaration declaration;
   std::function<Answer(const PairCase&)> collide;
-  /// The same collider with another tie bias, a world length.
+  /// Makes a copy of this collider with another tie bias, a world length.
   std::function<Collider(double tie_bias)> with_tie_bias;
   /// The manifold for a known normal: unit, from A to B, in A's frame.
   std::function<Answer(const PairCase&, const Vector2<double>& normal)> from_normal;
-  /// The same algorithm in double.
+  /// Makes a collider that runs the algorithm in double.
   std::function<Collider()> in_double;
-  /// Of a collider in a process of its own: answers to many cases at once, cheaper than one by one.
+  /// A collider in a process of its own answers many cases at once, cheaper than one by one.
   /// `go_on` is asked several times a second; returns how many were answered, all unless it says
   /// no or the collider has lost too many in a row.
   std::function<std::size_t(std::span<const PairCase>, std::span<Answer>,

@@ -68,10 +68,10 @@ Acceptance read_acceptance(const JsonView& object) {
                         .link = object.string_or("link", ""),
                         .until = object.string_or("until", "")};
   if (acceptance.because.empty()) {
-    object.at("because").fail("is empty; why the finding may stay is expected");
+    object.at("because").fail("is empty; the reason why the finding is accepted is expected");
   }
   if (!acceptance.until.empty() && !is_day(acceptance.until)) {
-    object.at("until").fail("is no day; one such as 2027-01-31 is expected");
+    object.at("until").fail("is not a date; a date such as 2027-01-31 is expected");
   }
   if (const auto up_to = object.find("up_to")) {
     if (up_to->is_object()) {

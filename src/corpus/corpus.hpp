@@ -75,7 +75,7 @@ enum class CaseKind { pair, sequence, either };
 /// or a line and column; callers put the file's name before it.
 CorpusCase parse_case(std::string_view text, FormatKey format_key, CaseKind kind = CaseKind::pair);
 
-/// The same of a value that is parsed already.
+/// Reads one case from a value that is parsed already.
 CorpusCase read_case(const JsonView& root, FormatKey format_key, CaseKind kind = CaseKind::pair);
 
 /// The case on a line that is not blank; errors as `parse_case`.
@@ -160,7 +160,7 @@ using AnswerCase = std::function<void(const PairCase& pair, std::size_t index, s
 /// read. Throws UserError at the end where a line was bad, or where there was no case.
 void answer_each(const std::string& file, const AnswerCase& answer);
 
-/// The same of sequences; what is appended may be several lines, but for the last one's end.
+/// As `answer_each`, for sequences; `lines` may hold several lines, the last without its end.
 using AnswerSequence =
     std::function<void(const Sequence& sequence, std::size_t index, std::string& lines)>;
 void answer_each_sequence(const std::string& file, const AnswerSequence& answer);

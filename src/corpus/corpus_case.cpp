@@ -14,8 +14,9 @@ void check_format(const JsonView& root, FormatKey format_key) {
   const auto format = root.find("format");
   if (!format && format_key == FormatKey::optional) return;
   if (!format)
-    root.fail(fmt::format("the key \"format\" is missing; it is \"{}\", of round shapes \"{}\"",
-                          kCaseFormat, kCurvedCaseFormat));
+    root.fail(
+        fmt::format("the key \"format\" is missing; it must be \"{}\", or \"{}\" for round shapes",
+                    kCaseFormat, kCurvedCaseFormat));
   if (format->string() != kCaseFormat && format->string() != kCurvedCaseFormat) {
     format->fail(fmt::format("unknown format \"{}\"; \"{}\" or \"{}\" is expected",
                              printable(format->string()), kCaseFormat, kCurvedCaseFormat));
@@ -35,8 +36,8 @@ void check_kind(const JsonView& root, CaseKind kind) {
 void check_can_say(const JsonView& root, const PairCase& pair) {
   const auto format = root.find("format");
   if (!format || format->string() == kCurvedCaseFormat || !is_round(pair)) return;
-  format->fail(
-      fmt::format("\"{}\" has no round shapes; \"{}\" has", kCaseFormat, kCurvedCaseFormat));
+  format->fail(fmt::format("\"{}\" has no round shapes; use \"{}\" for them", kCaseFormat,
+                           kCurvedCaseFormat));
 }
 
 Found read_found(const JsonView& object) {

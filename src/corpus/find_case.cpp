@@ -105,8 +105,9 @@ std::string in_words(std::span<const fs::path> folders) {
   names.resize(std::min(names.size(), kListedMax));
   const std::size_t left = found.size() - names.size();
   const std::string more = left > 0 ? fmt::format(" and {} more", left) : "";
-  throw UserError(fmt::format("{}: {} files in {} begin with that: {}{}", printable_path(name),
-                              found.size(), in_words(folders), fmt::join(names, ", "), more));
+  throw UserError(fmt::format("{}: {} files in {} have names that begin so: {}{}",
+                              printable_path(name), found.size(), in_words(folders),
+                              fmt::join(names, ", "), more));
 }
 
 }  // namespace
@@ -123,14 +124,14 @@ FoundCase find_case(const std::string& name, std::span<const fs::path> folders) 
         alike, {}, [](const CorpusCase* known) { return preference(*known); });
     const std::string of =
         alike.size() > 1 ? fmt::format(", the smallest of {} with that bucket", alike.size()) : "";
-    return {smallest.path, fmt::format("taken: {}{}", printable_path(smallest.path), of)};
+    return {smallest.path, fmt::format("using {}{}", printable_path(smallest.path), of)};
   }
   const CaseList begun = matching(
       corpus, [&](const CorpusCase& known) { return file_name(known).starts_with(wanted); });
   if (begun.empty()) complain_of_none(name, folders, corpus);
   if (begun.size() > 1) complain_of_several(name, folders, begun);
   const std::string& path = begun.front()->path;
-  return {path, fmt::format("taken: {}", printable_path(path))};
+  return {path, fmt::format("using {}", printable_path(path))};
 }
 
 }  // namespace manifuzz

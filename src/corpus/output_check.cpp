@@ -106,8 +106,8 @@ void expect_ending(const OutputPath& output) {
 /// What is missing of it is made and taken away again.
 void expect_possible(const OutputPath& output) {
   if (output.path == "-") {
-    fail(output,
-         fmt::format("-: a {} is expected; - is none", is_folder(output) ? "folder" : "file"));
+    fail(output, fmt::format("- cannot be used here; a {} is expected",
+                             is_folder(output) ? "folder" : "file"));
   }
   const auto expect = [&](const fs::path& path, const std::string& why) {
     if (!why.empty()) fail(output, fmt::format("{}: {}", printable_path(path), why));

@@ -60,8 +60,8 @@ float nearer_to_zero(float value);
 /// numbers, and the symmetric image that is simplest. All valid, all of less `complexity`. Lazy.
 rc::Seq<PairCase> simpler_cases(const PairCase& pair);
 
-/// The same changes of all cases with the same shapes, in the same order, simpler or not, valid or
-/// not: for cases that are changed together. Lazy.
+/// Changes that are alike, and in one order, for all cases with the same shapes, simpler or not,
+/// valid or not: for cases that are changed together. Lazy.
 rc::Seq<PairCase> like_changes(const PairCase& pair);
 
 /// The simpler cases among these, and those with one number simpler. Lazy.

@@ -67,8 +67,9 @@ std::string in_folder(std::string_view text, const std::string& folder) {
 void expect_installed(const AskedEngine& engine, const EngineCollider& asked) {
   const std::string& needed = engine.needs.empty() ? asked.library : engine.needs;
   if (std::filesystem::exists(in_folder(needed, folder_of(engine)))) return;
-  throw UserError(fmt::format("{} is not installed; scripts/setup --engines installs it, with {}",
-                              asked.name, engine.tools));
+  throw UserError(
+      fmt::format("{} is not installed; scripts/setup --engines installs it, which needs {}",
+                  asked.name, engine.tools));
 }
 
 }  // namespace
@@ -84,7 +85,7 @@ std::span<const AskedEngine> asked_engines() {
 
 std::string left_out(std::string_view name, const AskedEngine& engine) {
   return fmt::format(
-      "the build left out {}; scripts/setup --engines installs {}, and MANIFUZZ_ENGINES=all "
+      "{} is not in this build; scripts/setup --engines installs {}, then MANIFUZZ_ENGINES=all "
       "scripts/build builds it",
       name, engine.package);
 }
@@ -98,8 +99,8 @@ std::string library_of(const AskedEngine& engine, const EngineCollider& asked) {
   expect_installed(engine, asked);
   if (!asked.library.empty()) return in_folder(asked.library, folder_of(engine));
   throw UserError(
-      fmt::format("{} is a program, which takes most of its time to be asked; what is "
-                  "timed are libraries",
+      fmt::format("{} is a program, whose time is mostly that of passing cases; only libraries are "
+                  "timed",
                   asked.name));
 }
 

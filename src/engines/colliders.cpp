@@ -98,12 +98,14 @@ std::optional<Collider> find_made_over(std::string_view prefix, std::string_view
   const std::string_view over = name.substr(prefix.size());
   const Collider collider = find_collider(over);
   if (collider.declaration.claims != Claims::point) {
-    throw UserError(fmt::format("{}: {} does not claim one point a pair, as gjk does", name, over));
+    throw UserError(fmt::format(
+        "{}: {} does not give one point a pair; one that does, such as gjk, is expected", name,
+        over));
   }
   if (collider.declaration.alters_shapes) {
     throw UserError(
-        fmt::format("{}: {} alters shapes; it is made over those that take them as "
-                    "they are",
+        fmt::format("{}: {} alters shapes; a collider that leaves them as they are is "
+                    "expected",
                     name, over));
   }
   return collider;
@@ -114,7 +116,7 @@ Collider find_collider(std::string_view name) {
   if (const auto base = find_made_over("perturbed+", name)) return make_perturbed_over(*base);
   if (find_sequence_entry(name) != nullptr) {
     throw UserError(
-        fmt::format("{} keeps points over frames: it takes sequences, and these are "
+        fmt::format("{} keeps points from frame to frame: it takes sequences, and these are "
                     "pair cases",
                     name));
   }

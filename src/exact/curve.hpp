@@ -48,7 +48,7 @@ class Along {
   /// The sign of G(n) - length, at its largest where B is slid by up to so much along the tangent:
   /// where corners pass each other G depends on rounding alone.
   int compare_gap(double length, double slide = 0) const;
-  /// The same at its least.
+  /// As `compare_gap`, but with B slid to where G(n) is least.
   int compare_least_gap(double length, double slide) const;
 
   /// The normal in the world, with the length that the numbers have.

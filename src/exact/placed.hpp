@@ -188,7 +188,7 @@ struct Separations {
   double error = 0;                ///< of each of them, a world length
 };
 
-/// Of the floats, as they are stored.
+/// The separations of the stored floats, exactly as they are.
 Separations separations(const PairCase& pair);
 /// `extent` is that of the pair.
 Separations separations(const StoredPair& pair, double extent);

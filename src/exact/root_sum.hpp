@@ -124,7 +124,7 @@ RootSum<Number> sum_of(const Root<Number>& one, const Root<Number>& two = {},
 
 namespace detail {
 
-/// Of a sqrt(p) + b sqrt(q): where the signs differ, the greater square decides.
+/// The sign of a sqrt(p) + b sqrt(q): where the signs differ, the greater square decides.
 template <class Number>
 std::optional<int> sign_of_two(const Root<Number>& a, const Root<Number>& b) {
   const auto of_a = sign(a.coefficient * a.radicand);
@@ -180,7 +180,7 @@ int decide(const Expression& expression) {
   return *sign(expression.template operator()<Rational>());
 }
 
-/// The same with that filter: the expression in doubles.
+/// As `decide`, but tries the expression in doubles first.
 template <class Expression>
 int decide_from_doubles(const Expression& expression) {
   const auto s = sign(expression.template operator()<Approximate<double>>());

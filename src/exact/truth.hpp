@@ -26,8 +26,8 @@ struct FaceAndVertex {
 class Truth {
  public:
   explicit Truth(const PairCase& pair);
-  /// Of what an engine made of the polygons: strictly convex, counter-clockwise. Sizes are judged
-  /// by the case's own; `pair` has the floats nearest to what is used.
+  /// The truth of the shapes that an engine used: strictly convex, counter-clockwise. Sizes are
+  /// those of the case itself; `pair` has the floats nearest to the vertices used.
   Truth(const PairCase& pair, const UsedShapes& used);
   Truth(const Truth&) = delete;  // clips refer to its pair
   Truth& operator=(const Truth&) = delete;
@@ -61,7 +61,7 @@ class Truth {
 
   /// The face of a side's greatest separation, the first of equals. The side has faces.
   FaceOf greatest(Side side) const;
-  /// The same of the pair, A's of equals. Some side has faces.
+  /// The pair's face of greatest separation, A's of equals. Some side has faces.
   FaceOf greatest() const {
     if (!has_faces(Side::a)) return greatest(Side::b);
     return greatest(has_faces(Side::b) && compare_lead_of_b(0) > 0 ? Side::b : Side::a);

@@ -266,7 +266,7 @@ Answer AnswerFile::at(std::size_t index, const PairCase& pair) {
 void AnswerFile::expect_end() {
   const auto line = lines_.next();
   if (!line) return;
-  throw UserError(fmt::format("{}:{}: an answer more than there are cases; one a case is expected",
+  throw UserError(fmt::format("{}:{}: more answers than cases; one answer per case is expected",
                               file_.name(), line->number));
 }
 
@@ -274,7 +274,7 @@ Line AnswerFile::next_line() {
   const auto line = lines_.next();
   ++read_;
   if (line) return *line;
-  throw UserError(file_.name() + ": ends before the cases do; an answer a case is expected");
+  throw UserError(file_.name() + ": fewer answers than cases; one answer per case is expected");
 }
 
 }  // namespace manifuzz

@@ -23,7 +23,8 @@ Rounding read_rounding(const JsonView& name, std::size_t vertices) {
         fmt::format("unknown rounding \"{}\"; \"round\" or \"mitre\" is", printable(rounding)));
   }
   if (rounding == "mitre" && vertices < kMinVertices) {
-    name.fail("a polygon of 3 to 8 vertices may be mitred; circles and capsules are \"round\"");
+    name.fail(
+        "only polygons of 3 to 8 vertices may be \"mitre\"; circles and capsules are \"round\"");
   }
   return rounding == "round" ? Rounding::round : Rounding::mitre;
 }

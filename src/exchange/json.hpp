@@ -16,7 +16,7 @@ class JsonView;
 
 /// The value of the key "format" in a pair case of polygons, rounded by mitres if at all.
 inline constexpr std::string_view kCaseFormat = "manifuzz/case/1";
-/// The same of one with round shapes, which the first cannot say.
+/// The value of the key "format" in a pair case with round shapes, which format 1 cannot say.
 inline constexpr std::string_view kCurvedCaseFormat = "manifuzz/case/2";
 /// The first of these that can say the case.
 std::string_view format_of(const PairCase& pair);
@@ -38,7 +38,7 @@ struct Conventions {
   }
 };
 
-/// Those that follow from a declaration.
+/// The conventions that follow from a declaration.
 inline Conventions conventions_of(const Declaration& declaration) {
   return {
       .has_midpoints = declaration.points == PointsAt::midpoint && !is_judged_by_curve(declaration),
@@ -84,7 +84,7 @@ struct ReportedManifold {
 PartialManifold in_frame_of_a(const ReportedManifold& reported, const Conventions& conventions,
                               const PairCase& pair);
 
-/// The same of a normal.
+/// The normal in A's frame, as these conventions read it.
 Vector2<double> normal_in_frame_of_a(const Vector2<double>& normal, const Conventions& conventions,
                                      const PairCase& pair);
 
@@ -127,7 +127,7 @@ std::string feature_name(Feature feature);
 /// The feature of that name, of any index up to 255; nothing for any other text.
 std::optional<Feature> find_feature(std::string_view name);
 
-/// The same for people, to whom a zero's sign says nothing.
+/// The vector with 0 for each -0, for people, to whom a zero's sign says nothing.
 inline Vector2<double> without_negative_zeros(const Vector2<double>& v) {
   return {v.x() + 0, v.y() + 0};
 }

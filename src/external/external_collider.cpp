@@ -86,12 +86,14 @@ std::optional<Unsupported> beyond_limits(const Declaration& declaration, const P
 
 void check_declaration(const Declaration& declaration, std::string_view prefix) {
   if (!is_collider_name(declaration.name)) {
-    throw UserError(fmt::format("{}name: '{}' is no name; 1 to {} letters, digits, - _ . are",
-                                prefix, printable(declaration.name), kNameLengthMax));
+    throw UserError(
+        fmt::format("{}name: '{}' is not a valid name; 1 to {} letters, digits, - _ . are", prefix,
+                    printable(declaration.name), kNameLengthMax));
   }
   if (declaration.version.size() > kVersionLengthMax || !is_plain(declaration.version)) {
-    throw UserError(fmt::format("{}version: '{}' is no version; up to {} printable characters are",
-                                prefix, printable(declaration.version), kVersionLengthMax));
+    throw UserError(
+        fmt::format("{}version: '{}' is not a valid version; up to {} printable characters are",
+                    prefix, printable(declaration.version), kVersionLengthMax));
   }
   check_snippet(declaration.snippet, prefix);
   const std::array<std::pair<std::string_view, double>, 5> lengths{
@@ -103,25 +105,26 @@ void check_declaration(const Declaration& declaration, std::string_view prefix) 
   for (const auto& [key, length] : lengths) {
     if (std::isfinite(length) && length >= 0) continue;
     throw UserError(
-        fmt::format("{}{}: {} is no length; 0 or more is expected", prefix, key, length));
+        fmt::format("{}{}: {} is not a valid length; 0 or more is expected", prefix, key, length));
   }
   const LeastPolygon& least = declaration.least_polygon;
   if (!(least.turn >= 0 && least.turn < std::numbers::pi / 2)) {
-    throw UserError(
-        fmt::format("{}least_polygon.turn: {} is no angle; one from 0 to below pi / 2 is expected",
-                    prefix, least.turn));
+    throw UserError(fmt::format(
+        "{}least_polygon.turn: {} is not a valid angle; one from 0 to below pi / 2 is expected",
+        prefix, least.turn));
   }
   if (!(std::isfinite(least.area) && least.area >= 0)) {
-    throw UserError(fmt::format("{}least_polygon.area: {} is no area; 0 or more is expected",
-                                prefix, least.area));
+    throw UserError(fmt::format(
+        "{}least_polygon.area: {} is not a valid area; 0 or more is expected", prefix, least.area));
   }
   if (!(std::abs(declaration.tie_bias.relative) < 1)) {
-    throw UserError(fmt::format("{}tie_bias.relative: {} is no share; one between -1 and 1 is",
-                                prefix, declaration.tie_bias.relative));
+    throw UserError(
+        fmt::format("{}tie_bias.relative: {} is not a valid share; one between -1 and 1 is", prefix,
+                    declaration.tie_bias.relative));
   }
   if (!declaration.tolerance.is_none() && declaration.tolerance_source.empty()) {
     throw UserError(fmt::format(
-        "{}tolerance.source: a tolerance is taken only with the place that states it", prefix));
+        "{}tolerance.source: is missing; a tolerance needs the place that states it", prefix));
   }
   const bool is_clip = !is_judged_by_curve(declaration);
   if (is_clip) {
@@ -132,16 +135,17 @@ void check_declaration(const Declaration& declaration, std::string_view prefix) 
          {"depths", declaration.shares_depth}}};
     for (const auto& [key, is_said] : not_of_clips) {
       if (!is_said) continue;
-      throw UserError(fmt::format("{}{}: clips are judged without it; say \"clips\": false as well",
-                                  prefix, key));
+      throw UserError(
+          fmt::format("{}{}: not used for clips; declare \"clips\": false as well", prefix, key));
     }
   }
   const bool is_of_clip =
       declaration.points == PointsAt::clip || declaration.points == PointsAt::midpoint;
   if (is_clip && !is_of_clip) {
-    throw UserError(fmt::format(
-        "{}points: a clip's are \"clip\" or \"midpoint\"; say \"clips\": false for others",
-        prefix));
+    throw UserError(
+        fmt::format("{}points: of clips, \"clip\" or \"midpoint\" is expected; declare \"clips\": "
+                    "false for others",
+                    prefix));
   }
 }
 

@@ -64,7 +64,7 @@ Collider collider_in_process(const std::string& path);
 /// each manifold zeroed. Throws UserError where the library cannot be loaded.
 std::function<void()> library_pass(const std::string& path, std::span<const PairCase> pairs);
 
-/// The same of a function that does nothing: what the interface itself takes.
+/// A pass through a function that does nothing: it takes the time of the interface itself.
 std::function<void()> interface_pass(std::span<const PairCase> pairs);
 
 /// A shared library after manifuzz_collider.h as a collider in a process of its own: one that
@@ -95,7 +95,7 @@ ProgramDeclaration program_declaration(const std::string& command, const std::st
 /// The case that a program is asked first, so that it can declare itself.
 PairCase overlapping_boxes();
 
-/// The same of a program that keeps points, and answers frames: a line each of {"sequence": id,
+/// A program that keeps points and answers frames: it gets a line each of {"sequence": id,
 /// "frame": k, ...case}. What it loses ends its sequence; it is started anew before the next.
 SequenceCollider keeper_of_command(const std::string& command, double seconds_max,
                                    double start_seconds_max = kStartSecondsMax);
@@ -157,7 +157,7 @@ class ProgramProcess {
   BatchResult ask(std::span<const PairCase> pairs, std::span<Answer> answers,
                   const std::function<bool()>& go_on);
 
-  /// The same of other lines, each with its end; what `take` throws is for `refuse`.
+  /// Lines other than cases, each with its end; what `take` throws goes to `refuse`.
   struct Lines {
     std::string text;
     std::size_t count = 0;

@@ -14,7 +14,7 @@ namespace {
 void check_number(const JsonView& answer, std::string_view key, std::size_t asked) {
   const auto said = answer.is_object() ? answer.find(key) : std::nullopt;
   if (!said || said->whole_number() == asked) return;
-  said->fail(fmt::format("is {} where {} was asked", said->whole_number(), asked));
+  said->fail(fmt::format("is {}, but the question was {}", said->whole_number(), asked));
 }
 
 /// A program that is asked frame after frame, and what its answers are read by.
@@ -35,8 +35,8 @@ class KeepingProgram {
     ProgramDeclaration read = program_declaration(command_, declaration);
     if (!read.keeping) {
       throw UserError(
-          fmt::format("'{}' declares: \"keeping\" is missing; a program that keeps points says "
-                      "across which gaps, drifts and turns",
+          fmt::format("'{}' declares: \"keeping\" is missing; it says across which gaps, "
+                      "drifts and turns the program keeps points",
                       command_));
     }
     normal_from_b_ = read.declaration.normal_from_b;

@@ -48,7 +48,7 @@ SecondPoint second_point_in(const JsonView& value) {
   if (!value.is_string()) {
     const double angle = value.number();
     if (!(angle >= 0 && angle <= std::numbers::pi / 2)) {
-      value.fail(fmt::format("{} is no angle; one from 0 to pi / 2 is expected", angle));
+      value.fail(fmt::format("{} is not a valid angle; one from 0 to pi / 2 is expected", angle));
     }
     return SecondPoint::within(angle);
   }

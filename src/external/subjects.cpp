@@ -32,8 +32,8 @@ void expect_own(const fs::path& file) {
   struct stat status {};
   if (stat(file.c_str(), &status) != 0 || status.st_uid == 0 || status.st_uid == geteuid()) return;
   throw UserError(
-      fmt::format("{}: belongs to another user, and names programs to start; --subjects FILE "
-                  "takes it all the same",
+      fmt::format("{}: belongs to another user and names programs to start; if you trust "
+                  "it, give it as --subjects FILE",
                   printable(file.string(), 200)));
 }
 
@@ -41,7 +41,7 @@ NamedSubject read_subject(const JsonView& object) {
   object.expect_keys({"command", "library"});
   NamedSubject subject{object.string_or("command", ""), object.string_or("library", "")};
   if (subject.command.empty() == subject.library.empty()) {
-    object.fail("names a command or a library, one of both");
+    object.fail("either \"command\" or \"library\" is expected");
   }
   return subject;
 }

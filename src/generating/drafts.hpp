@@ -68,7 +68,7 @@ Outline upside_down(const Outline& outline);
 /// before it to the share `after` of the face after it. Needs room for one more vertex.
 Outline chamfered(Outline outline, int corner, double before, double after);
 
-/// The same by lengths along both faces, each cut to less than half of its face.
+/// The corner cut by lengths along both faces, each cut to less than half of its face.
 Outline cut_corner(const Outline& outline, int corner, double before, double after);
 
 /// The vertex inserted into the face, between its ends. Needs room for one more.
@@ -96,7 +96,7 @@ struct Draft {
   bool exact_gap = false;
 };
 
-/// The same meeting with A and B exchanged.
+/// The meeting with A and B exchanged.
 Draft swapped(const Draft& draft);
 
 /// The greatest separation with B at p from A.
@@ -151,7 +151,7 @@ Draft corner_to_corner(Random& random, const Outline& a, const Outline& b);
 /// One of the four, A and B exchanged half the time.
 Draft any_meeting(Random& random, const Outline& a, const Outline& b);
 
-/// The same of two outlines from `sized_outline`.
+/// Any meeting of two outlines from `sized_outline`.
 Draft any_meeting(Random& random);
 
 /// A random outline of random count, between a quarter and twice the usual size.
@@ -198,7 +198,7 @@ std::vector<float*> free_numbers(PairCase& pair);
 /// valid.
 std::optional<PairCase> revalidated(PairCase pair);
 
-// The same case in other words.
+// Other ways to write a case that change no contact.
 
 /// A quarter turn of the world.
 void turn_by_quarter(PairCase& pair);

@@ -28,7 +28,7 @@ struct FacesOf {
   LaneArray offsets;
 };
 
-/// The same of both polygons, A's counted first.
+/// The faces of both polygons, A's counted first.
 struct Faces {
   FacesOf a;
   FacesOf b;
@@ -49,14 +49,14 @@ struct Faces {
   }
 };
 
-/// Of the stored floats, in double. The positions do not matter.
+/// The faces of the stored floats, in double. The positions do not matter.
 Faces faces_of(const PairCase& pair);
 
 /// The last place on the way from `start` along `direction` with separation `target`; `start`
 /// itself where there is none.
 Vector2<double> slide(const Faces& faces, const Vector2<double>& start,
                       const Vector2<double>& direction, double target);
-/// The same of the faces of a pair.
+/// Slides along the faces of a pair, from `start` until the separation is `target`.
 Vector2<double> slide(const PairCase& pair, const Vector2<double>& start,
                       const Vector2<double>& direction, double target);
 

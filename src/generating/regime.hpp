@@ -15,11 +15,11 @@ namespace manifuzz {
 struct GenerationContext {
   std::span<const PairCase> corpus;  ///< sorted, read once at start; empty is allowed
   std::optional<float> radius;       ///< of each polygon, in place of the regime's own
-  /// The same where both have sharp corners; `radius` comes before it.
+  /// The radius of each polygon where both have sharp corners; `radius` comes before it.
   std::optional<float> mitred_radius{};
   /// Which cases of round shapes are asked for; all where it is empty, or where none is drawn.
   std::function<bool(const PairCase&)> takes{};
-  /// The same where both have sharp corners.
+  /// Which cases with sharp corners are asked for; all where it is empty.
   std::function<bool(const PairCase&)> takes_mitred{};
 };
 
@@ -37,9 +37,9 @@ struct Regime {
 /// Every regime, in the order of `list regimes`.
 std::span<const Regime> regimes();
 
-/// Those of polygons with sharp corners alone; the first of all.
+/// The regimes of polygons with sharp corners, the first of all.
 std::span<const Regime> polygon_regimes();
-/// Those of round shapes, the others.
+/// The regimes of round shapes, all the others.
 std::span<const Regime> round_regimes();
 
 /// The regime of that name, or nullptr.
@@ -79,7 +79,7 @@ namespace manifuzz::draw {
   REGIME(ulp, "a case of another regime, a few of its numbers moved by a few ulps")              \
   REGIME(corpus, "a case of the corpus, mutated; generic while the corpus is empty")
 
-/// The same of round shapes.
+/// The regimes of round shapes, with their descriptions.
 #define MANIFUZZ_ROUND_REGIMES(REGIME)                                                            \
   REGIME(circles, "circles with circles, and with polygons of sharp or round corners")            \
   REGIME(capsules, "capsules and segments with each other, with circles and polygons")            \

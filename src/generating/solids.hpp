@@ -24,7 +24,7 @@ Outline segment(double length);
 /// Between a quarter and twice the usual size.
 Solid draw_solid(Random& random, Family family);
 
-/// Of one of these families, equally often.
+/// A random solid of one of these families, each equally often.
 Solid any_of(Random& random, std::initializer_list<Family> families);
 
 /// The core's span and twice the radius.

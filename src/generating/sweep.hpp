@@ -87,7 +87,7 @@ namespace manifuzz::turn {
   SWEEP(corner, "end of an edge", "ulps from the side plane", powers_of_two_to_zero(20),           \
         "an end of the incident edge ever nearer to where it is clipped")
 
-/// The same of round shapes (sweeps_curved.cpp).
+/// The sweeps of round shapes (sweeps_curved.cpp).
 #define MANIFUZZ_ROUND_SWEEPS(SWEEP)                                                              \
   SWEEP(capsule_angle, "angle between capsules", "its tangent", decades({10, 5, 2}, 0, -9),       \
         "two capsules side by side, ever nearer to parallel")                                     \

@@ -9,7 +9,7 @@ namespace manifuzz {
 /// Both coordinates of a vector while they are computed with: they go through the processor at
 /// once. Every operation is that of doubles, coordinate by coordinate.
 using Both [[gnu::vector_size(2 * sizeof(double))]] = double;
-/// The same of floats.
+/// Both coordinates of a vector of floats while they are computed with.
 using BothFloats [[gnu::vector_size(2 * sizeof(float))]] = float;
 
 inline Both both(double of_each) {

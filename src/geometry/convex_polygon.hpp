@@ -86,7 +86,7 @@ enum class PolygonDefect {
 /// The first defect, or none. Decided exactly on the floats, without a tolerance: see
 /// `orientation`.
 std::optional<PolygonDefect> find_defect(std::span<const Vector2<float>> vertices);
-/// The same of doubles, as far as `orientation` is exact.
+/// The first defect of a polygon in doubles, as far as `orientation` is exact on them.
 std::optional<PolygonDefect> find_defect_in_doubles(std::span<const Vector2<double>> vertices);
 
 /// The first defect of a shape that may have less than 3 vertices, or none.
@@ -128,7 +128,7 @@ ConvexPolygon<Scalar> make_polygon(std::span<const Vector2<Scalar>> vertices, Sc
   return polygon;
 }
 
-/// The same vertices in another scalar, the normals computed afresh in it.
+/// A copy of the polygon in another scalar, its normals computed afresh in that one.
 template <class To, class From>
 ConvexPolygon<To> polygon_cast(const ConvexPolygon<From>& polygon) {
   std::array<Vector2<To>, kMaxVertices> vertices;

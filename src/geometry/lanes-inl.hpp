@@ -204,7 +204,7 @@ HWY_INLINE LanePoints<n> turned(double cos, double sin, const LanePoints<n>& a) 
   return {c * a.x - s * a.y, s * a.x + c * a.y};
 }
 
-/// Of x and y by turns.
+/// Loads points whose x and y alternate.
 template <int n = kParts>
 HWY_INLINE LanePoints<n> load_points(const double* from) {
   LanePoints<n> points;
@@ -262,7 +262,7 @@ HWY_INLINE void store_points(const LanePoints<n>& points, double* to) {
   }
 }
 
-/// Of each of `count` lanes the next, of the last the first.
+/// In each of `count` lanes the value of the next lane, in the last that of the first.
 template <int n>
 HWY_INLINE Lanes<n> next(const Lanes<n>& lanes, int count) {
   double memory[kMaxVertices + 1];
@@ -274,7 +274,7 @@ template <int n>
 HWY_INLINE LanePoints<n> next(const LanePoints<n>& points, int count) {
   return {next(points.x, count), next(points.y, count)};
 }
-/// Of each the one before.
+/// In each lane the value of the lane before.
 template <int n>
 HWY_INLINE Lanes<n> previous(const Lanes<n>& lanes, int count) {
   double memory[kMaxVertices + 1];

@@ -94,8 +94,8 @@ void order_points(Manifold<Scalar>& manifold) {
   }
 }
 
-/// The same manifold in another scalar, each figure rounded once: the normal is as nearly unit as
-/// its rounded coordinates are.
+/// A copy of the manifold in another scalar, each figure rounded once: the normal is as nearly unit
+/// as its rounded coordinates are.
 template <class To, class From>
 Manifold<To> manifold_cast(const Manifold<From>& from) {
   Manifold<To> to;
@@ -146,7 +146,7 @@ inline bool same_bits(const Pose<float>& p, const Pose<float>& q) {
   return same_bits(p.position, q.position) && same_bits(p.rotation, q.rotation);
 }
 
-/// Of manifolds with points.
+/// Whether two manifolds with points have the same bits.
 inline bool same_bits(const Manifold<float>& m, const Manifold<float>& n) {
   if (m.count != n.count || m.reference != n.reference || !same_bits(m.normal, n.normal)) {
     return false;

@@ -47,7 +47,7 @@ inline Vector2<double> unit_direction(const Vector2<double>& v) {
   return n + n * (residue / 2);
 }
 
-/// The same rounded to floats, of a difference of floats, whose square neither over- nor
+/// The unit direction rounded to floats, for a difference of floats whose square neither over- nor
 /// underflows. The quotients alone are off by up to 3 roundoffs, and by up to 5 from what
 /// `unit_direction` makes of them: that counts only next to where rounding to float turns over.
 inline Vector2<float> unit_direction_of_floats(const Vector2<double>& v) {

@@ -48,7 +48,7 @@ struct Admissible {
 /// Round shapes are judged by the penetration curve: nor have they any.
 Admissible admissible(std::shared_ptr<const exact::Truth> truth, const Declaration& declaration);
 Admissible admissible(const PairCase& pair, const Declaration& declaration);
-/// The same within these bounds.
+/// The right manifolds within these bounds.
 Admissible admissible(std::shared_ptr<const exact::Truth> truth, const TieBias& tie_bias,
                       const Bounds& bounds);
 

@@ -36,7 +36,7 @@ double rotation_defect(const Body& body);
 
 Bounds bounds(const PairCase& pair, const Declaration& declaration);
 
-/// The same where the extent E is known already.
+/// The bounds of a pair whose extent E is known already.
 Bounds bounds(const PairCase& pair, const Declaration& declaration, double extent);
 
 /// Float cannot say: the separation bound exceeds this share of the smaller polygon's diameter.

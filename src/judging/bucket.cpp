@@ -85,7 +85,7 @@ std::array<std::uint64_t, 4> place_of(const Bucket& bucket, std::uint64_t count)
                               : is_unexplained(bucket.verdict)   ? 1
                               : bucket.verdict == Verdict::known ? 2
                                                                  : 3;
-  constexpr std::array gravities{0, 3, 2, 1};  // an answer that is lost is the gravest
+  constexpr std::array gravities{0, 3, 2, 1};  // a lost answer is the most serious
   const auto gravity = gravities[static_cast<std::size_t>(bucket.error_class)];
   return {whose, static_cast<std::uint64_t>(gravity),
           std::numeric_limits<std::uint64_t>::max() - count, index_of(bucket)};

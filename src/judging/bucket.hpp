@@ -92,7 +92,7 @@ struct Bucket {
   friend bool operator==(const Bucket&, const Bucket&) = default;
 };
 
-/// Of an answer that never came, or is nonsense: crashed, timed_out or malformed.
+/// The bucket of an answer that never came, or is nonsense: crashed, timed_out or malformed.
 inline Bucket bucket_of_lost(Verdict verdict, Fault fault) {
   return {.fault = fault, .verdict = verdict};
 }
@@ -122,7 +122,7 @@ Bucket bucket_at(std::size_t index);
 std::optional<Bucket> find_bucket(std::string_view name);
 
 /// Where a finding stands among others: those against the subject first, then what nobody explains,
-/// what the ledger does, and what is nobody's mistake; of each the gravest and most frequent first.
+/// what the ledger does, and what is nobody's mistake; of each the most serious first.
 std::array<std::uint64_t, 4> place_of(const Bucket& bucket, std::uint64_t count);
 
 /// Counted as unexplained: somebody is wrong and no ledger entry says so.

@@ -41,7 +41,7 @@ struct CurveJudgement {
   double missing = 0;                ///< depth of a second point that is left out, a world length
 };
 
-/// Of a manifold, complete or not, or a penetration; whatever the collider's frame, in A's. Within
+/// Judges a manifold, complete or not, or a penetration, in A's frame whatever the collider's. Uses
 /// these bounds, or those of its declaration.
 CurveJudgement judge_by_curve(const exact::Truth& truth, const Declaration& declaration,
                               const Answer& answer, const CurveBounds& bounds);

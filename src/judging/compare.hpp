@@ -18,10 +18,10 @@ struct ColliderAnswer {
 /// In words, what it says that no manifold can say; none of 0 to 2 points, finite figures, no depth
 /// below zero, features that exist.
 std::optional<std::string> why_malformed(const PairCase& pair, const Manifold<double>& manifold);
-/// The same of any answer, and of the shapes that it used; one that says nothing is well formed. Of
-/// a collider that reports points across gaps, depths may be below zero.
+/// What is malformed in any answer or in the shapes that it used; one that says nothing is well
+/// formed. Depths below zero are allowed to a collider that reports points across gaps.
 std::optional<std::string> why_malformed(const PairCase& pair, const ColliderAnswer& given);
-/// The same, or what became of an answer that was lost.
+/// Why the answer is malformed, or what became of it where it was lost.
 std::optional<std::string> why_lost(const PairCase& pair, const ColliderAnswer& given);
 
 /// Whether they match each other within the sum of both bounds, on the cheap: what it says is so,

@@ -18,8 +18,8 @@ struct ExtentLeftOut {
   std::optional<double> share() const;
 };
 
-/// Of an answer to a pair of mitred polygons that touch, its points in A's frame, whatever its
-/// normal. Right is what `admissible` has, but for a bias that asks for an empty clip.
+/// What an answer to a pair of mitred polygons that touch leaves out, its points in A's frame,
+/// whatever its normal. Right is what `admissible` has, but for a bias that asks for an empty clip.
 ExtentLeftOut extent_left_out(const exact::Truth& truth, const TieBias& tie_bias,
                               const Bounds& bounds, const Manifold<double>& manifold);
 

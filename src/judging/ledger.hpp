@@ -79,7 +79,7 @@ double budget_per_million(const LedgerEntry& entry, std::string_view regime);
 
 /// The first entry that explains what this collider did, or nullptr.
 const LedgerEntry* find_explanation(std::string_view collider, const Deviation& deviation);
-/// The same of an answer that is nonsense, or that never came.
+/// The first entry that explains an answer that is nonsense, or that never came.
 const LedgerEntry* find_explanation(std::string_view collider, const LostAnswer& lost);
 
 }  // namespace manifuzz

@@ -50,7 +50,7 @@ struct ClipFigures {
   std::array<exact::Located<Number>, 2> points;
 };
 
-/// Those of one case's clips, each worked out once.
+/// The figures of one case's clips, each worked out once.
 class ClipFiguresCache {
  public:
   const ClipFigures& of(const exact::Clip& clip) {
@@ -61,17 +61,17 @@ class ClipFiguresCache {
   std::map<const exact::Clip*, const ClipFigures> known_;
 };
 
-/// Of a manifold with points against one clip that has some.
+/// The error of a manifold with points against one clip that has some.
 ErrorAgainstClip error_against(const Manifold<double>& manifold, const ClipFigures& truth,
                                const Bounds& bounds);
 
-/// Of a manifold with points that is one of the right ones, against the one of whose bounds it
-/// takes the least share.
+/// The error of a manifold with points that is one of the right ones, against the one of whose
+/// bounds it takes the least share.
 std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
                                                const Admissible& right, ClipFiguresCache& figures);
 
-/// Of any manifold with points, right or wrong, against the clip nearest to it; none where nothing
-/// may touch.
+/// The error of any manifold with points, right or wrong, against the clip nearest to it; none
+/// where nothing may touch.
 std::optional<ErrorAgainstClip> nearest_error(const Manifold<double>& manifold,
                                               const Admissible& right, ClipFiguresCache& figures);
 
@@ -83,7 +83,7 @@ ManifoldError plain_error(const Manifold<double>& manifold, const Admissible& ri
 /// is judged by what it gave alone. Midpoints are moved to the incident edge.
 Manifold<double> completed(const PartialManifold& given, const Admissible& right);
 
-/// The same with a manifold of the case for a model, in place of the right ones.
+/// The manifold completed as above, but after `model`, a manifold of the case.
 Manifold<double> completed(const PartialManifold& given, const PairCase& pair,
                            const Manifold<double>& model);
 

@@ -53,12 +53,12 @@ class RoundAnswer {
   double most_;
 };
 
-/// The same contact of a pair and of that pair moved: depths, and where they are told normals and
+/// Whether a pair and that pair moved get one contact: depths, and where they are told normals and
 /// the place of a circle's contact. `back` takes an answer of the moved pair to the pair's frame.
 Outcome same_round_contact(AskedCollider& ask, const PairCase& pair, const PairCase& moved,
                            const std::function<Manifold<double>(const Manifold<double>&)>& back);
 
-// Of round pairs, what properties.hpp says of any.
+// What properties.hpp says of any pair, for round pairs.
 Outcome round_depth_is_least(AskedCollider& ask, const PairCase& pair);
 Outcome round_depth_moves_apart(AskedCollider& ask, const PairCase& pair);
 Outcome round_overlap_is_never_empty(AskedCollider& ask, const PairCase& pair);

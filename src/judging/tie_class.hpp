@@ -5,8 +5,8 @@
 
 namespace manifuzz {
 
-/// Of what is right for two colliders: the first decision that lies within the wider of both
-/// bounds.
+/// The tie of what is right for two colliders: the first decision that lies within the wider of
+/// both bounds.
 TieClass tie_class(const Admissible& subject, const Admissible& oracle);
 
 }  // namespace manifuzz

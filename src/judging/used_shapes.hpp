@@ -12,8 +12,8 @@ struct Altered {
   double distance = 0;  ///< Hausdorff, the farther side's; a world length
   double bound = 0;     ///< of that distance, the larger side's
   bool is_beyond_rounding = false;
-  /// Of the shapes used, by which the answer is judged; none where they are no polygons, or ill
-  /// posed.
+  /// The truth of the shapes used, by which the answer is judged; none where they are no polygons,
+  /// or ill posed.
   std::shared_ptr<const exact::Truth> truth;
 };
 

@@ -13,7 +13,7 @@ namespace manifuzz::kernel {
 /// 0.
 void collide_packed(const PackedPairs<float>& pairs, float tie_bias,
                     std::span<ManifoldBlock<float>> out);
-/// The same in double.
+/// Collides packed pairs in double.
 void collide_packed(const PackedPairs<double>& pairs, double tie_bias,
                     std::span<ManifoldBlock<double>> out);
 
@@ -24,7 +24,7 @@ void collide_packed(const PackedPairs<double>& pairs, double tie_bias,
 /// (pair_stream.hpp). `tie_bias` is a length >= 0.
 void collide_pairs(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
                    std::span<const BodyPair> pairs, float tie_bias, std::span<Manifold<float>> out);
-/// The same in double.
+/// Collides pairs of bodies in double.
 void collide_pairs(const Shapes<double>& shapes, std::span<const Placement<double>> bodies,
                    std::span<const BodyPair> pairs, double tie_bias,
                    std::span<Manifold<double>> out);

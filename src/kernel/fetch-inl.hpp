@@ -75,7 +75,7 @@ HWY_INLINE void fetch_corners(D d, const PairBatch<T>& batch, int polygon, int c
   close_polygon(d, count_max, rows, column);
 }
 
-/// The same where every pair has the one shape: each of its scalars goes to every column.
+/// Stores the one shape that every pair has: each of its scalars goes to every column.
 template <class D, class T, class Place>
 HWY_INLINE void spread_corners(D d, const T* corners, int count_max, const Place& place,
                                Row<T>* rows, int column) {

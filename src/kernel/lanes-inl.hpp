@@ -113,8 +113,8 @@ HWY_INLINE void place(D d, const Strip<D>& s, Row<hn::TFromD<D>>* placed) {
   store(s.load2(placed), row);
 }
 
-/// The same address, of which the compiler does not know that: what lies there is read again rather
-/// than kept in registers, of which there are too few.
+/// The address itself, of which the compiler does not know that: what lies there is read again
+/// rather than kept in registers, of which there are too few.
 template <class T>
 HWY_INLINE const T* reloaded(const T* address) {
   asm volatile("" : "+r"(address));

@@ -26,7 +26,7 @@ struct PairBatch {
 /// Collides sixteen pairs, equal to `clipping::collide` of each, bit for bit. `tie_bias` is a
 /// length >= 0.
 void collide_batch(const Shapes<float>& shapes, const PairBatch<float>& batch, float tie_bias);
-/// The same in double.
+/// Collides sixteen pairs in double.
 void collide_batch(const Shapes<double>& shapes, const PairBatch<double>& batch, double tie_bias);
 
 /// A scene's pairs on their way to the kernel for many. Shapes and bodies stay where and as they

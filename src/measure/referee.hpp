@@ -70,7 +70,7 @@ class Referee {
   const Admissible& right_for(const Declaration& declaration);
   /// The answer as it is measured: whole, or lost where it is not well formed.
   Answer whole(const Declaration& declaration, Answer answer);
-  /// Of a completed answer.
+  /// Measures a completed answer.
   Measured measure(const Declaration& declaration, const Answer& answer);
 
   /// The truth's own manifold under the collider's bias: the reference that the bias leaves, the

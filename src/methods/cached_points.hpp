@@ -79,7 +79,7 @@ struct DetectedPoint {
   Side carrier = Side::a;        ///< whose face the normal is of
 };
 
-/// The same of a manifold's point, which is on the incident core of mitred polygons and on the
+/// The point of a manifold as detected: it is on the incident core of mitred polygons and on the
 /// incident surface of round ones. Skins are a radius along the normal from their cores.
 template <class Scalar>
 DetectedPoint<Scalar> detected_point(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,

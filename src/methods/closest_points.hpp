@@ -74,9 +74,9 @@ Manifold<Scalar> contact_at_deepest(const ConvexPolygon<Scalar>& a, const Convex
       {deepest, clipping::face(found.face), clipping::vertex(found.deepest)});
 }
 
-/// Of mitred polygons that are nearest at two vertices. Skins touch along faces alone, and each
-/// reaches past its core by the total radius along them, as side planes of clipping do: the contact
-/// is on the incident skin where both reach it, and there is none where they do not.
+/// The contact of mitred polygons that are nearest at two vertices. Skins touch along faces alone,
+/// and each reaches past its core by the total radius along them, as side planes of clipping do:
+/// the contact is on the incident skin where both reach it, and there is none where they do not.
 template <class Scalar>
 Manifold<Scalar> contact_of_skins(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                   const NearestFaces<Scalar>& faces,
@@ -96,7 +96,7 @@ Manifold<Scalar> contact_of_skins(const ConvexPolygon<Scalar>& a, const ConvexPo
                                   is_of_a ? nearest.features.b : nearest.features.a});
 }
 
-/// Of round shapes whose cores are nearest at two vertices.
+/// The contact of round shapes whose cores are nearest at two vertices.
 template <class Scalar>
 Manifold<Scalar> contact_of_vertices(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      const NearestFaces<Scalar>& faces,
@@ -135,8 +135,8 @@ PointContact<Scalar> contact_by_gjk(const ConvexPolygon<Scalar>& a, const Convex
   return contact;
 }
 
-/// The same with B standing at `b_in_a` in A's frame (see `relative_pose`), whose rotation is taken
-/// to be unit. What the last step's direction still separates costs least.
+/// As above, with B standing at `b_in_a` in A's frame (see `relative_pose`), whose rotation is
+/// taken to be unit. What the last step's direction still separates costs least.
 template <class Scalar>
 PointContact<Scalar> contact_by_gjk(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                     const Pose<Scalar>& b_in_a, Simplex& hint) {

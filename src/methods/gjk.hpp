@@ -94,7 +94,7 @@ struct NearestFeature {
   bool holds_origin = false;                                 ///< the origin is in it
 };
 
-/// Of a vertex.
+/// The nearest feature of a vertex: the vertex itself.
 template <class Scalar>
 NearestFeature nearest_of_vertex(const Difference<Scalar>& difference, SupportPair p) {
   const Vector2<double> at = difference.vertex(p);
@@ -102,8 +102,8 @@ NearestFeature nearest_of_vertex(const Difference<Scalar>& difference, SupportPa
   return {{{p}, 1}, at, squared, squared == 0};
 }
 
-/// Of an edge: the end whose region the origin is in, or the inside. Its line's distance is taken
-/// along the edge's own direction from one of its ends, so that tiny edges far away lose nothing.
+/// The nearest feature of an edge: the end in whose region the origin is, or the inside. Distances
+/// are taken along the edge's direction from one end, so that tiny edges far away lose nothing.
 template <class Scalar>
 NearestFeature nearest_of_edge(const Difference<Scalar>& difference, SupportPair p, SupportPair q) {
   const Vector2<double> along = difference.edge(p, q);
@@ -117,8 +117,8 @@ NearestFeature nearest_of_edge(const Difference<Scalar>& difference, SupportPair
   return {{{q, p}, 2}, -left, squared, false};
 }
 
-/// Of a triangle: the origin is in it, or some edge has the origin on its outer side. A flat one
-/// has no inside.
+/// The nearest feature of a triangle: the origin is in it, or some edge has it on its outer side. A
+/// flat one has no inside.
 template <class Scalar>
 NearestFeature nearest_of_triangle(const Difference<Scalar>& difference, const Simplex& triangle) {
   const auto& p = triangle.vertices;
@@ -139,7 +139,7 @@ NearestFeature nearest_of_triangle(const Difference<Scalar>& difference, const S
   return nearest;
 }
 
-/// Of any simplex that has a vertex.
+/// The nearest feature of any simplex that has a vertex.
 template <class Scalar>
 NearestFeature nearest_of_simplex(const Difference<Scalar>& difference, const Simplex& simplex) {
   const auto& p = simplex.vertices;

@@ -56,10 +56,10 @@ void add_faces(const ConvexPolygon<Scalar>& core, Side side, int first, int last
   add(last);
 }
 
-/// Of the feature of 1 or 2 vertices of the difference that is nearest to the origin. A face's
-/// separation is never more than the true one, so that looking at too many faces does no harm; and
-/// the nearest face is among these, since the difference's outline between its vertices consists of
-/// faces of A and B between theirs.
+/// The faces at the feature of 1 or 2 vertices of the difference that is nearest to the origin. A
+/// face's separation is never more than the true one, so that looking at too many faces does no
+/// harm; and the nearest face is among these, since the difference's outline between its vertices
+/// consists of faces of A and B between theirs.
 template <class Scalar>
 NearestFaces<Scalar> nearest_faces(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                    const Simplex& feature) {

@@ -232,9 +232,9 @@ std::optional<ContactPoint<Scalar>> end_of_contact(const Alongside<Scalar>& seen
   return std::nullopt;
 }
 
-/// Of the point found first, which is the deepest, and of what was found on either side of it along
-/// the tangent, two at most: the deepest and the farther one, or both that are farthest where one
-/// of them is as deep but for `roundoff`, a length. Within `off` places are one.
+/// Keeps two points of those found: the first, which is the deepest, and the farther of the two on
+/// either side of it along the tangent; or these two, where one of them is as deep but for
+/// `roundoff`, a length. Places within `off` of each other are one.
 template <class Scalar>
 void keep_two(const Alongside<Scalar>& seen, const ContactPoint<Scalar>& low,
               const ContactPoint<Scalar>& high, Scalar roundoff, Scalar off,

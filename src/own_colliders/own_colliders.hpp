@@ -49,7 +49,7 @@ PlacedPair<Scalar> placed_pair(const PairCase& pair) {
   }
 }
 
-/// The same of floats that stay where they are: it is not to outlive the pair.
+/// A placed pair of floats that stay where they are: it must not outlive the pair.
 struct PlacedFloats {
   const ConvexPolygon<float>& a;
   const ConvexPolygon<float>& b;
@@ -82,16 +82,16 @@ Collider make_pair(double tie_bias = 0);
 /// The kernel for many pairs, asked one at a time: `clip`'s manifolds, bit for bit.
 Collider make_batch(double tie_bias = 0);
 
-/// The same in double: `clip64`'s.
+/// Makes `batch64`, the kernel in double: `clip64`'s manifolds, bit for bit.
 Collider make_batch64(double tie_bias = 0);
 
 /// One point by the closest points of the cores, in float; judged by the penetration curve.
 Collider make_gjk();
 
-/// The same in double.
+/// Makes `gjk64`, which is `gjk` in double.
 Collider make_gjk64();
 
-/// The same of polygons that are shrunk first, as the article has it; says the shapes used.
+/// Makes a `gjk` that shrinks polygons first, as the article does; answers have the shapes used.
 Collider make_gjk_shrunk();
 
 /// The pair as `gjk-shrunk` has it: polygons shrunk by a quarter of their inradius.
@@ -103,7 +103,7 @@ Collider make_gjk_clip();
 /// `gjk` asked up to twice more, with one shape turned a little each way; up to two points.
 Collider make_perturbed();
 
-/// The same in double.
+/// Makes `perturbed64`, which is `perturbed` in double.
 Collider make_perturbed64();
 
 /// Any collider asked so that answers with one point; mapped back and measured in double.
@@ -112,7 +112,7 @@ Collider make_perturbed_over(const Collider& base);
 /// Points of `gjk` kept over frames, in float; hints are kept too.
 SequenceCollider make_cached();
 
-/// The same of `gjk64`, in double.
+/// Points of `gjk64` kept over frames, in double.
 SequenceCollider make_cached64();
 
 /// Points of `gjk` kept by Bullet's rules.
@@ -122,7 +122,7 @@ SequenceCollider make_cached_bullet();
 /// in double; named cached+NAME.
 SequenceCollider cached_over(const Collider& one_point);
 
-/// The same by Bullet's rules; named cached-bullet+NAME.
+/// Keeps such points by Bullet's rules; named cached-bullet+NAME.
 SequenceCollider cached_bullet_over(const Collider& one_point);
 
 // A namespace of its own, as clipping has, keeps planted copies apart.

@@ -67,7 +67,7 @@ class Interruption {
   /// Waits until a signal, a child's end or a deadline, at most so long.
   void wait(double seconds);
 
-  /// Of a part of this work that a signal is to stop at once, as this one's deadline does.
+  /// Limits for a part of this work that a signal must stop at once, as this one's deadline does.
   Limits until_signal() const {
     return {.first_signal = State::stopped, .stopped_at = limits_.stopped_at};
   }
@@ -80,7 +80,7 @@ class Interruption {
   int signals_before_;  ///< taken by others before this one lived
 };
 
-/// Of work that leaves nothing to be saved: the first signal stops it.
+/// Limits for work that leaves nothing to be saved: the first signal stops it.
 inline constexpr Interruption::Limits kUntilSignal{.first_signal = Interruption::State::stopped};
 
 }  // namespace manifuzz

@@ -94,37 +94,6 @@ Json bench_json(const std::vector<BenchRow>& rows, const std::vector<BenchSubjec
   return json;
 }
 
-std::string bench_csv(const Json& json) {
-  std::vector<Json> rows = json["rows"];
-  for (Json& row : rows) {
-    if (row.contains("error")) row.update(Json(row["error"]));
-  }
-  return csv_text({"collider",
-                   "query",
-                   "input",
-                   "target",
-                   "regime",
-                   "vertices",
-                   "touching",
-                   "pairs",
-                   "ns_per_pair",
-                   "ns_without_interface",
-                   "speedup_over_box2d",
-                   "depth/median",
-                   "depth/p999",
-                   "depth/max",
-                   "position/median",
-                   "position/p999",
-                   "position/max",
-                   "normal/median",
-                   "normal/p999",
-                   "normal/max",
-                   "missed",
-                   "phantom",
-                   "cases"},
-                  rows);
-}
-
 std::vector<PlotPoint> front(std::vector<PlotPoint> points) {
   std::ranges::sort(points, {}, [](const PlotPoint& p) { return std::pair(p.x, p.y); });
   std::vector<PlotPoint> best;

@@ -24,7 +24,7 @@ struct FindingGroup {
   std::vector<const BucketResult*> buckets{};
 };
 
-/// Of the buckets that decide the status, the most serious groups first: the subject's before the
+/// Groups the buckets that decide the status, most serious first: the subject's before the
 /// oracle's, lost answers before wrong ones, then by magnitude.
 std::vector<FindingGroup> finding_groups(const CampaignResult& result);
 

@@ -60,9 +60,6 @@ std::string bench_table(const std::vector<BenchRow>& rows);
 nlohmann::ordered_json bench_json(const std::vector<BenchRow>& rows,
                                   const std::vector<BenchSubject>& subjects, std::uint64_t seed);
 
-/// The rows of what `bench_json` gave with commas, a heading first.
-std::string bench_csv(const nlohmann::ordered_json& json);
-
 /// A named point on two logarithmic axes: coordinates above 0.
 struct PlotPoint {
   std::string name;
@@ -103,14 +100,6 @@ std::string complaints(const Comparison& comparison);
 /// Where it was measured, the plan's terms, the comparison, and the arrays "sweeps" and "walks".
 nlohmann::ordered_json stress_json(const StressPlan& plan, const StressResult& result,
                                    const Comparison& comparison);
-
-/// Figures of rows with commas, a heading first, empty where a row has none. A column is the path
-/// to its figure, "depth/max"; figures below others are floats.
-std::string csv_text(const std::vector<std::string>& columns,
-                     const std::vector<nlohmann::ordered_json>& rows);
-
-/// Every step of what `stress_json` gave with commas, then the walks.
-std::string stress_csv(const nlohmann::ordered_json& json);
 
 /// DIR/SWEEP.svg and DIR/SWEEP.png.
 std::array<std::string, 2> stress_picture_files(const std::filesystem::path& folder,

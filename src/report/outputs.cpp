@@ -111,9 +111,8 @@ void ProgressLine::show(std::string_view text) const {
   if (is_shown_) write_error("\r" + std::string(text) + "\x1b[K");
 }
 
-bool leaves_out_tables(std::initializer_list<std::string_view> files) {
-  const auto takes_data = [](std::string_view file) { return !file.empty() && file != "-"; };
-  return is_quiet() && std::ranges::any_of(files, takes_data);
+bool leaves_out_tables(std::string_view file) {
+  return is_quiet() && !file.empty() && file != "-";
 }
 
 std::string json_text(const nlohmann::ordered_json& json) {

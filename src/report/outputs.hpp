@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -56,9 +55,9 @@ class ProgressLine {
   bool is_shown_;
 };
 
-/// Whether tables are left out: when quiet, where one of these files (empty: none, "-": stdout)
-/// takes what they say.
-bool leaves_out_tables(std::initializer_list<std::string_view> files);
+/// Whether tables are left out: when quiet, where this file (empty: none, "-": stdout) has what
+/// they say.
+bool leaves_out_tables(std::string_view file);
 
 /// JSON as it is written for people and programs: indented, with a line's end. Paths need not be
 /// UTF-8; what is not is replaced.

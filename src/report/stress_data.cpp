@@ -1,8 +1,3 @@
-#include <algorithm>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "measure/provenance.hpp"
 #include "report/measurements.hpp"
 #include "report/words.hpp"
@@ -105,16 +100,6 @@ Json walks_json(const StressPlan& plan, const StressResult& result) {
   return rows;
 }
 
-std::string csv_cell(const Json& row, const std::string& column) {
-  const Json::json_pointer at('/' + column);
-  if (!row.contains(at)) return "";
-  const Json& value = row[at];
-  if (value.is_string()) return value;
-  if (!value.is_number_float()) return value.dump();
-  const bool is_float = column.find('/') != column.npos;
-  return is_float ? fmt::format("{}", value.get<float>()) : fmt::format("{}", value.get<double>());
-}
-
 }  // namespace
 
 Json stress_json(const StressPlan& plan, const StressResult& result, const Comparison& comparison) {
@@ -134,49 +119,6 @@ Json stress_json(const StressPlan& plan, const StressResult& result, const Compa
   json["sweeps"] = sweeps_json(plan, result);
   json["walks"] = walks_json(plan, result);
   return json;
-}
-
-std::string csv_text(const std::vector<std::string>& columns, const std::vector<Json>& rows) {
-  std::string text = fmt::format("{}\n", fmt::join(columns, ","));
-  std::ranges::replace(text, '/', '_');
-  for (const Json& row : rows) {
-    std::vector<std::string> cells(columns.size());
-    std::ranges::transform(columns, cells.begin(),
-                           [&](const std::string& column) { return csv_cell(row, column); });
-    text += fmt::format("{}\n", fmt::join(cells, ","));
-  }
-  return text;
-}
-
-std::string stress_csv(const Json& json) {
-  std::vector<std::string> columns{"sweep",       "collider",    "x",        "cases",
-                                   "unsupported", "ill_posed",   "contacts", "missed",
-                                   "phantom",     "wrong_count", "gross",    "lost"};
-  for (const char* const spread : {"depth", "position", "normal", "depth_of_bound",
-                                   "position_of_bound", "normal_of_bound", "roundoffs_of_extent"}) {
-    for (const char* const figure : {"median", "p999", "max"}) {
-      columns.push_back(fmt::format("{}/{}", spread, figure));
-    }
-  }
-  columns.push_back("touching");
-  for (const char* const change : {"flickers", "jumps", "features"}) {
-    for (const char* const figure : {"with_margin", "within_bound"}) {
-      columns.push_back(fmt::format("{}/{}", change, figure));
-    }
-  }
-  std::vector<Json> rows;
-  for (const Json& sweep : json["sweeps"]) {
-    for (const Json& step : sweep["steps"]) {
-      Json& row = rows.emplace_back(step);
-      row["sweep"] = sweep["sweep"];
-      row["collider"] = sweep["collider"];
-      for (const auto& [error, spread] : step["of_bound"].items()) {
-        row[error + "_of_bound"] = spread;
-      }
-    }
-  }
-  for (const Json& walk : json["walks"]) rows.emplace_back(walk)["sweep"] = walk["walk"];
-  return csv_text(columns, rows);
 }
 
 }  // namespace manifuzz

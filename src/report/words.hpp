@@ -35,7 +35,7 @@ std::string answer_in_words(const DeclaredAnswer& asked);
 /// The verdict as a sentence: "oracle wrong (known): box2d reports no contact, true overlap 0.31".
 std::string verdict_sentence(const JudgedCase& judged);
 
-/// The same and, of an answer that was lost or is nonsense, why: too long for a picture's title.
+/// The verdict's sentence and, for an answer that was lost or is nonsense, the reason.
 std::string verdict_and_why(const JudgedCase& judged);
 
 /// A verdict, and what it means of these two colliders.

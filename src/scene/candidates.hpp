@@ -78,7 +78,7 @@ class Candidates {
     return static_cast<std::uint32_t>(&candidate - all_.data());
   }
 
-  /// Of two bodies, a < b; null if they are no candidates.
+  /// The candidate of two bodies, a < b; null if they are no candidates.
   Candidate* find(std::uint32_t a, std::uint32_t b) {
     for (Candidate& candidate : row(a)) {
       if (candidate.b == b) return &candidate;

@@ -200,7 +200,7 @@ class Scene {
   LargeVector<Contact> contacts_;
   LargeVector<Kept> kept_;  // by contact, unless strict
 
-  // Of the step under way.
+  // What only the step under way needs.
   std::vector<Mover> movers_;
   bool few_moved_ = false;
   std::vector<Leaver> left_;

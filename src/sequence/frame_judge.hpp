@@ -22,7 +22,7 @@ struct FrameView {
   std::span<const KeptBounds> bounds{};  ///< of each frame up to this one
 
   const std::vector<KeptPoint>& points() const { return points_in(frame); }
-  /// Those of the frame before; there is one.
+  /// The points of the frame before; there must be one.
   const std::vector<KeptPoint>& points_before() const { return points_in(frame - 1); }
   const std::vector<KeptPoint>& points_in(std::size_t of) const {
     return std::get<KeptManifold>(answers[of]).points;

@@ -17,7 +17,7 @@ struct KeptBounds {
 
 KeptBounds kept_bounds(const exact::Truth& truth, const Declaration& declaration);
 
-/// Of a normal against the one of an earlier frame, carried: `refreshes` times over.
+/// The bound of a normal against that of an earlier frame, carried: `refreshes` times over.
 double carried_normal_bound(const KeptBounds& then, const KeptBounds& now, int refreshes);
 
 /// What is allowed of a length or an angle up to a limit, for the limit is computed too.

@@ -10,23 +10,23 @@
 namespace manifuzz {
 namespace {
 
-/// What can be wrong in a frame, the gravest first: bodies that fall through each other, or jump
+/// What can be wrong in a frame, most serious first: bodies that fall through each other, or jump
 /// apart; what points the wrong way or is of the wrong size; what is at the wrong place; and what
 /// was right once.
-constexpr std::array kGravestFirst{Kind::missed_contact, Kind::phantom_contact, Kind::reversed,
-                                   Kind::normal,         Kind::inconsistent,    Kind::not_minimal,
-                                   Kind::depth,          Kind::witness,         Kind::position,
-                                   Kind::lingering,      Kind::extent};
+constexpr std::array kMostSeriousFirst{
+    Kind::missed_contact, Kind::phantom_contact, Kind::reversed, Kind::normal,
+    Kind::inconsistent,   Kind::not_minimal,     Kind::depth,    Kind::witness,
+    Kind::position,       Kind::lingering,       Kind::extent};
 
-/// Less is graver; what is explained comes after all that is not, and nothing wrong last.
+/// Less is more serious; what is explained comes after all that is not, and nothing wrong last.
 std::size_t place_of(const FrameJudgement& judgement) {
-  const auto* const kind = std::ranges::find(kGravestFirst, judgement.kind);
-  const auto place = static_cast<std::size_t>(kind - kGravestFirst.begin());
+  const auto* const kind = std::ranges::find(kMostSeriousFirst, judgement.kind);
+  const auto place = static_cast<std::size_t>(kind - kMostSeriousFirst.begin());
   const bool is_explained = judgement.explanation != nullptr || judgement.kind == Kind::none;
-  return is_explained ? place + kGravestFirst.size() : place;
+  return is_explained ? place + kMostSeriousFirst.size() : place;
 }
 
-bool is_graver(const FrameJudgement& p, const FrameJudgement& q) {
+bool is_more_serious(const FrameJudgement& p, const FrameJudgement& q) {
   return place_of(p) < place_of(q);
 }
 
@@ -89,9 +89,9 @@ class SequenceJudge {
     std::vector<FrameJudgement> found = judge_frame(view);
     for (FrameJudgement& judgement : found)
       judgement.explanation = find_sequence_explanation(view, judgement);
-    const auto gravest = std::ranges::min_element(found, is_graver);
-    result_.frames.push_back(gravest == found.end() ? FrameJudgement{} : *gravest);
-    if (result_.frames.size() == 1 || is_graver(result_.frames.back(), worst_)) {
+    const auto most_serious = std::ranges::min_element(found, is_more_serious);
+    result_.frames.push_back(most_serious == found.end() ? FrameJudgement{} : *most_serious);
+    if (result_.frames.size() == 1 || is_more_serious(result_.frames.back(), worst_)) {
       worst_ = result_.frames.back();
       result_.frame = frame;
       result_.bucket.reference = true_side(truth);

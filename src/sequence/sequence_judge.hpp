@@ -23,8 +23,8 @@ struct FrameJudgement {
   const LedgerEntry* explanation = nullptr;  ///< of what is wrong
 };
 
-/// The verdict on a whole sequence: that of the gravest frame, the first of equals; what nobody
-/// explains comes before what the ledger does.
+/// The verdict on a whole sequence: that of the most serious frame, the first of equals; what
+/// nobody explains comes before what the ledger does.
 struct SequenceJudgement {
   Bucket bucket{};
   double magnitude = 0;

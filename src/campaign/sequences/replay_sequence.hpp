@@ -18,7 +18,7 @@ class NamedKeepers {
   /// installed, it cannot begin.
   using Find = std::function<std::optional<SequenceCollider>(const std::string& name)>;
 
-  /// The same as it is asked, and as it is counted.
+  /// A collider as it is asked, and as it is counted.
   struct Keeper {
     SequenceCollider asked;
     Collider declared;
@@ -27,7 +27,7 @@ class NamedKeepers {
   /// `given` is asked about all, whoever they name.
   NamedKeepers(Find find, const std::optional<SequenceCollider>& given);
 
-  /// Whom to ask, or nullptr where there is none of that name.
+  /// The collider to ask, or nullptr where there is none of that name.
   const Keeper* subject_of(const CorpusCase& known);
 
  private:

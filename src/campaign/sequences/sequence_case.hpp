@@ -22,7 +22,7 @@ struct JudgedSequence {
   SequenceJudgement judgement;
 };
 
-/// The same collider; `on_frame` runs before each frame that it is asked.
+/// A copy of the collider that calls `on_frame` before each frame that it is asked.
 SequenceCollider watched(const SequenceCollider& subject, const std::function<void()>& on_frame);
 
 /// What campaigns count of a verdict; the ledger of sequences is not counted.

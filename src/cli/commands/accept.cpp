@@ -47,7 +47,7 @@ void warn_of_elsewhere(const std::string& file, const CorpusFolders& folders) {
     return Place(file).is_within(Place(folder));
   };
   if (std::ranges::any_of(folders.all(), holds)) return;
-  write_remark(fmt::format("{} is outside of {}: it counts for runs whose --corpus holds it",
+  write_remark(fmt::format("{} is not in {}: it is accepted only in runs whose --corpus holds it",
                            printable(file, 200), printable(folders.corpus(), 200)));
 }
 
@@ -94,35 +94,36 @@ int accept(const AcceptArguments& options) {
   }
   if (!options.drop.empty()) return drop(options);
   if (options.files.empty()) {
-    throw UserError("accept: name the files of findings, or --list, or --drop FILE");
+    throw UserError("accept: name files of findings, or use --list or --drop FILE");
   }
   if (options.because.empty()) {
-    throw UserError("--because: is missing; say why the finding may stay");
+    throw UserError("--because: is missing; say why the finding is accepted");
   }
   return accept_files(options);
 }
 
 void add_accept_arguments(CLI::App& app, AcceptArguments& options) {
   CLI::Option* const files =
-      add_text(app, "files", options.files, "FILE", "the files of findings, or their buckets");
+      add_text(app, "files", options.files, "FILE", "files of findings, or their buckets");
   CLI::Option* const because =
-      add_text(app, "--because", options.because, "TEXT", "why they may stay");
+      add_text(app, "--because", options.because, "TEXT", "why the findings are accepted");
   CLI::Option* const link =
-      add_text(app, "--link", options.link, "URL", "where more is said of it, such as an issue");
-  CLI::Option* const until =
-      add_day(app, "--until", options.until, "the last day; without end if not given");
-  CLI::Option* const up_to =
-      add_length(app, "--up-to", options.up_to,
-                 "the greatest magnitude, as a share of the size; 3 times the worst if not given");
+      add_text(app, "--link", options.link, "URL", "link to more about it, such as an issue");
+  CLI::Option* const until = add_day(app, "--until", options.until,
+                                     "last day on which they are accepted; default: no end");
+  CLI::Option* const up_to = add_length(
+      app, "--up-to", options.up_to,
+      "greatest error to accept, as a share of the size; default: 3 times the worst so far");
   add_corpus(app, options.folders,
-             "the folder of known cases; if not given, corpus and the folder of findings");
-  CLI::Option* const list = app.add_flag("--list", options.list, "what is accepted, a line each");
+             "folder of known cases; default: corpus and the folder of findings");
+  CLI::Option* const list =
+      app.add_flag("--list", options.list, "list accepted findings, one a line");
   CLI::Option* const drop_file =
-      add_text(app, "--drop", options.drop, "FILE", "accept it no more")->excludes(list);
+      add_text(app, "--drop", options.drop, "FILE", "stop accepting this finding")->excludes(list);
   CLI::Option* const by_kind = app.add_flag(
       "--kind", options.is_by_kind,
-      "every bucket of a named file's kind and collider: those of the corpus, and in later runs "
-      "rarer ones too, no worse and all together no more often");
+      "accept every bucket of the same kind and collider: those in the corpus, and in later runs "
+      "new ones that are no worse and, all together, no more frequent");
   for (CLI::Option* const of_accepting : {files, because, link, until, up_to, by_kind}) {
     of_accepting->excludes(list)->excludes(drop_file);
   }
@@ -132,7 +133,7 @@ void add_accept_arguments(CLI::App& app, AcceptArguments& options) {
 }  // namespace
 
 const Command kAccept{
-    "accept", "Findings that may stay: from now on only what is worse or more frequent fails.",
+    "accept", "Accept known findings: runs fail only if they get worse or more frequent.",
     "manifuzz accept corpus/regressions/subject-*.json --because 'since 2.3' --up-to 0.5\n"
     "manifuzz accept corpus/regressions/subject-*.json --kind --because 'since 2.3' --up-to 0.5\n"
     "manifuzz accept --list",

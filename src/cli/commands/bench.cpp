@@ -28,7 +28,6 @@ struct BenchArguments {
   bool quick = false;
   bool methods = false;
   std::string json;
-  std::string csv;
   std::vector<std::string> pictures;
 };
 
@@ -133,12 +132,11 @@ int write_results(const BenchArguments& options, const nlohmann::ordered_json& j
   std::string text;
   if (options.json == "-") {
     text = json_text(json);
-  } else if (!leaves_out_tables({options.json, options.csv})) {
+  } else if (!leaves_out_tables(options.json)) {
     text = machine_line(json) + table;
   }
   Outputs outputs;
   outputs.write(true, [&] { write_to_reader(text); });
-  outputs.write(!options.csv.empty(), [&] { write_file(options.csv, bench_csv(json)); });
   outputs.write(!options.json.empty() && options.json != "-",
                 [&] { write_file(options.json, json_text(json)); });
   for (const std::string& picture : options.pictures) {
@@ -162,7 +160,7 @@ int bench_methods(const BenchArguments& options) {
 }
 
 int bench(const BenchArguments& options) {
-  CommandFiles files{{{"--json", options.json}, {"--csv", options.csv, OutputPath::Kind::file}}};
+  CommandFiles files{{{"--json", options.json}}};
   for (const std::string& picture : options.pictures) {
     files.outputs.push_back({"--picture", picture, OutputPath::Kind::file, kPictureEndings});
   }
@@ -184,37 +182,35 @@ int bench(const BenchArguments& options) {
 }
 
 void add_bench_arguments(CLI::App& app, BenchArguments& options) {
-  add_whole_number(app, "--seed", options.seed, "what the cases depend on; 1 if not given");
+  add_whole_number(app, "--seed", options.seed, "random seed; default: 1");
   CLI::Option* const collider =
-      app.add_option("--collider", options.colliders,
-                     "one to time besides box2d, again for more; all but libraries if not given")
+      app.add_option(
+             "--collider", options.colliders,
+             "collider to time besides box2d; repeatable; default: all but shared libraries")
           ->type_name("C|LIBRARY.so")
           ->allow_extra_args(false);
   CLI::Option* const regime =
       app.add_option("--regime", options.regimes,
-                     "a regime besides generic, again for more; all if not given")
+                     "regime to measure besides generic; repeatable; default: all")
           ->type_name("R")
           ->allow_extra_args(false);
-  app.add_flag("--quick", options.quick, "the usual workload alone, in less than 30 s")
+  app.add_flag("--quick", options.quick, "measure only the usual workload, in less than 30 s")
       ->excludes(regime);
-  add_json(app, options.json, "the rows as JSON");
-  CLI::Option* const csv =
-      app.add_option("--csv", options.csv, "the rows with commas")->type_name("FILE");
+  add_json(app, options.json, "the rows");
   app.add_flag("--methods", options.methods,
-               "the article's other ways to contact points beside clipping, over pairs and frames")
+               "compare clipping with the article's other methods, over pairs and over frames")
       ->excludes(collider)
-      ->excludes(regime)
-      ->excludes(csv);
-  app.add_option(
-         "--picture", options.pictures,
-         "run time against error, or what the ways trade; FILE.svg or FILE.png, again for another")
-      ->type_name("FILE")
+      ->excludes(regime);
+  app.add_option("--picture", options.pictures,
+                 "draw run time against error, or with --methods the trade-offs between methods; "
+                 "repeatable")
+      ->type_name("FILE.svg|FILE.png")
       ->allow_extra_args(false);
 }
 
 }  // namespace
 
-const Command kBench{"bench", "Run time against error, for every collider in one run.",
+const Command kBench{"bench", "Measure run time and error of every collider in one run.",
                      "manifuzz bench --quick --picture bench.svg\n"
                      "manifuzz bench --quick --methods --picture methods.svg",
                      define<BenchArguments, add_bench_arguments, bench>};

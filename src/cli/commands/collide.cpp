@@ -36,18 +36,20 @@ int collide_cases(const CollideArguments& options) {
 }
 
 void add_collide_arguments(CLI::App& app, CollideArguments& options) {
-  add_collider(app, options.collider, "which one; `manifuzz list colliders` names them");
+  add_collider(app, options.collider, "collider to ask; manifuzz list colliders names them");
   add_sequences(app, options.collider);
   add_external_options(app, options.external);
   add_length(app, "--tie-bias", options.tie_bias,
-             "by how much B's face must lead to be the reference");
-  app.add_option("FILE", options.file, "*.json: one case; else a case a line; - or nothing: stdin");
+             "how much greater the separation of B's face must be for B to become the reference");
+  app.add_option("FILE", options.file,
+                 "file of cases: one if it ends in .json, else one a line; default: - for stdin");
 }
 
 }  // namespace
 
 const Command kCollide{
-    "collide", "Cases in, manifolds out, a JSON object a line; of sequences a line a frame.",
+    "collide",
+    "Read cases; print the collider's manifolds, one JSON line a case (or frame, for sequences).",
     "manifuzz collide --collider clip corpus/seeds/regime-boxes.json\n"
     "manifuzz generate --regime boxes --cases 100 | manifuzz collide --collider box2d\n"
     "manifuzz generate --regime sliding --cases 1 | manifuzz collide --collider cached",

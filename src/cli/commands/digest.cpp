@@ -44,9 +44,9 @@ int digest_command(const DigestArguments& options) {
   const std::string json = json_text(digest_json(plan, result));
   Outputs outputs;
   outputs.write(true, [&] {
-    write_to_reader(options.json == "-"                 ? json
-                    : leaves_out_tables({options.json}) ? ""
-                                                        : digest_table(plan, result));
+    write_to_reader(options.json == "-"               ? json
+                    : leaves_out_tables(options.json) ? ""
+                                                      : digest_table(plan, result));
   });
   outputs.write(!options.json.empty() && options.json != "-",
                 [&] { write_file(options.json, json); });
@@ -54,18 +54,18 @@ int digest_command(const DigestArguments& options) {
 }
 
 void add_digest_arguments(CLI::App& app, DigestArguments& options) {
-  add_collider(app, options.collider, "whose answers; clip if not given");
+  add_collider(app, options.collider, "collider whose answers are hashed");
   add_external_options(app, options.external);
-  add_whole_number(app, "--seed", options.seed, "what the cases depend on; 1 if not given");
-  add_whole_number(app, "--cases", options.cases, "of each regime; 10000 if not given", 1,
-                   kCasesMax);
-  add_json(app, options.json, "the hashes as JSON");
+  add_whole_number(app, "--seed", options.seed, "random seed; default: 1");
+  add_whole_number(app, "--cases", options.cases, "cases per regime; default: 10000", 1, kCasesMax);
+  add_json(app, options.json, "the hashes");
 }
 
 }  // namespace
 
-const Command kDigest{"digest", "One hash a regime of every bit of a collider's answers.",
-                      "manifuzz digest --collider batch --cases 1000",
-                      define<DigestArguments, add_digest_arguments, digest_command>};
+const Command kDigest{
+    "digest", "Hash every bit of a collider's answers, one hash per regime, to compare builds.",
+    "manifuzz digest --collider batch --cases 1000",
+    define<DigestArguments, add_digest_arguments, digest_command>};
 
 }  // namespace manifuzz

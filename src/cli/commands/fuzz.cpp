@@ -129,7 +129,7 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
   if (baseline) summary["baseline"] = comparison_json(compared(*baseline, campaign.result));
   Outputs outputs;
   outputs.write(!options.ci.stdout_is_data, [&] {
-    const bool is_terse = leaves_out_tables({options.json});
+    const bool is_terse = leaves_out_tables(options.json);
     write_to_reader(is_terse ? objections(campaign)
                     : options.is_verbose
                         ? summary_table(campaign, baseline)
@@ -138,7 +138,7 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
   outputs.write(!options.json.empty(), [&] { write_data(options.json, json_text(summary)); });
   outputs.write(!options.report.empty(), [&] {
     write_data(options.report, page_of_campaign(campaign, summary, options));
-    if (options.report != "-") write_remark("page " + options.report);
+    if (options.report != "-") write_remark("wrote the page " + options.report);
   });
   outputs.add_error(unwritten_in_words(campaign.saving));
   if (is_wanted(options.ci)) {
@@ -192,39 +192,46 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
   add_sequences(app, options.colliders.subject);
   add_seed(app, options.seed);
   CLI::Option* const cases =
-      add_whole_number(app, "--cases", options.cases, "how many cases, all regimes together", 1);
-  add_length(app, "--seconds", options.seconds, "how long, all regimes together; 10 if not given")
+      add_whole_number(app, "--cases", options.cases, "number of cases, over all regimes", 1);
+  add_length(app, "--seconds", options.seconds,
+             "duration of the run, over all regimes; default: 10")
       ->excludes(cases);
   app.add_flag("--until-new", options.until_new,
-               "until the first case of something wrong that the corpus does not show; without "
-               "--cases or --seconds there is no other end");
-  app.add_flag("--ties", options.has_ties, "save and shrink new ties too");
+               "stop at the first wrong case that the corpus does not show; without --cases and "
+               "--seconds the run has no other end");
+  app.add_flag("--ties", options.has_ties, "shrink and save new ties, too");
   add_length(app, "--shrink-seconds", options.shrink_seconds,
-             "how long findings are shrunk, all together; 10 if not given");
+             "seconds to spend on shrinking all findings; default: 10");
   add_today(app, options.today);
-  add_whole_number(app, "--first", options.first, "the first index in each regime");
-  add_whole_number(app, "--jobs", options.jobs, "how many processes; one a core if not given", 1,
-                   kJobsMax);
+  add_whole_number(app, "--first", options.first,
+                   "index of the first case in each regime; default: 0");
+  add_whole_number(app, "--jobs", options.jobs, "number of worker processes; default: one per core",
+                   1, kJobsMax);
   add_whole_number(
       app, "--judge-every", options.judge_every,
-      "of the cases that agree, one in so many is judged too; if not given, 256, or 1 where "
-      "a collider runs in a process of its own",
+      "judge one in N of the cases on which both agree, too; default: 256, or 1 if a collider runs "
+      "in its own process",
       1);
   add_regimes(app, options.regimes);
-  add_length(app, "--tie-bias", options.tie_bias, "the subject's tie bias");
+  add_length(app, "--tie-bias", options.tie_bias,
+             "tie bias of the subject: how much greater the separation of B's face must be for B "
+             "to become "
+             "the reference");
   add_radius(app, options.radius);
   add_corpus(app, options.folders,
-             "the folder of known cases, where new ones are saved; if not given, corpus is read, "
-             "and new ones go to build/found of the tree that was built, or to found");
+             "folder of known cases, in which new ones are saved; default: read corpus, and save "
+             "new ones in build/found of the source tree, or in found outside of it");
   add_no_save(app, options.folders);
-  add_text(app, "--baseline", options.baseline, "FILE",
-           "the --json of an earlier run: says which buckets are new, worse, gone; the status is 1 "
-           "only for what is new or worse");
-  app.add_flag("--verbose", options.is_verbose,
-               "the tables of regimes, verdicts, causes and buckets in place of the short summary");
-  add_json(app, options.json, "the summary as JSON");
+  add_text(
+      app, "--baseline", options.baseline, "FILE",
+      "--json output of an earlier run: print which buckets are new, worse or gone; exit with 1 "
+      "only for new or worse ones");
+  app.add_flag(
+      "--verbose", options.is_verbose,
+      "print tables of regimes, verdicts, causes and buckets in place of the short summary");
+  add_json(app, options.json, "the summary");
   add_text(app, "--report", options.report, "FILE.html",
-           "a page of this run and its corpus, - for stdout");
+           "write an HTML page about this run and its corpus; - is stdout");
   add_junit(app, options.ci.junit);
 }
 
@@ -232,8 +239,8 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
 
 const Command kFuzz{
     "fuzz",
-    "A campaign: random cases to two colliders; what differs is judged, shrunk, saved. A subject "
-    "that keeps points gets sequences, of the motions that --regime names, and is judged alone.",
+    "Compare two colliders on random cases; judge, shrink and save disagreements. A subject that "
+    "keeps points gets sequences of the motions named by --regime, and is judged alone.",
     "manifuzz fuzz --regime sliver --seed 1 --cases 100000\n"
     "manifuzz fuzz --until-new --regime sliver --seed 1 --cases 20000\n"
     "manifuzz fuzz --subject cached --regime turning_platform --seed 1 --cases 1000",

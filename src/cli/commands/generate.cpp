@@ -56,17 +56,19 @@ int generate_cases(const GenerateArguments& options) {
 void add_generate_arguments(CLI::App& app, GenerateArguments& options) {
   add_seed(app, options.seed);
   add_regimes(app, options.regimes);
-  add_whole_number(app, "--first", options.first, "the first index in each regime; 0 if not given");
-  add_whole_number(app, "--cases", options.cases, "how many cases; 10 if not given", 1);
+  add_whole_number(app, "--first", options.first,
+                   "index of the first case in each regime; default: 0");
+  add_whole_number(app, "--cases", options.cases, "number of cases; default: 10", 1);
   add_radius(app, options.radius);
   add_corpus(app, options.folders,
-             "the folder whose cases the regime corpus may mutate; corpus if not given");
+             "folder of the cases that the regime corpus mutates; default: corpus");
 }
 
 }  // namespace
 
 const Command kGenerate{
-    "generate", "Cases of the named regimes, or sequences of the named motions, a line each.",
+    "generate",
+    "Print random cases of the named regimes, or sequences of the named motions, one a line.",
     "manifuzz generate --seed 1 --regime sliver --cases 1000 > slivers.jsonl\n"
     "manifuzz generate --seed 1 --regime turning_platform --cases 10",
     define<GenerateArguments, add_generate_arguments, generate_cases>};

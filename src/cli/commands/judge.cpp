@@ -34,7 +34,7 @@ int judge_cases(const JudgeArguments& options) {
   const Collider subject = find_collider(asked.subject, asked.external);
   const Collider oracle = find_collider(asked.oracle, asked.external);
   if (options.manifolds == "-" && options.file == "-") {
-    throw UserError("--manifolds: stdin is where the cases come from; name a file for one of them");
+    throw UserError("--manifolds: the cases are read from stdin, too; name a file for one of them");
   }
   std::optional<AnswerFile> answers;
   if (!options.manifolds.empty()) {
@@ -62,18 +62,21 @@ void add_judge_arguments(CLI::App& app, JudgeArguments& options) {
   add_subject_and_oracle(app, options.colliders);
   add_sequences(app, options.colliders.subject);
   app.add_option("--manifolds", options.manifolds,
-                 "the subject's answers, a line a case, in place of the subject's own")
+                 "read the subject's answers from this file, one line a case, instead of asking "
+                 "the subject")
       ->type_name("FILE");
-  app.add_option("FILE", options.file, "*.json: one case; else a case a line; - or nothing: stdin");
+  app.add_option("FILE", options.file,
+                 "file of cases: one if it ends in .json, else one a line; default: - for stdin");
 }
 
 }  // namespace
 
-const Command kJudge{"judge", "Cases in, what is right and who is, a JSON object a line.",
-                     "manifuzz generate --seed 1 --regime sliver --cases 10 | manifuzz judge\n"
-                     "manifuzz generate --seed 1 --regime boxes --cases 10 > cases.jsonl\n"
-                     "manifuzz collide --collider box2d cases.jsonl > answers.jsonl\n"
-                     "manifuzz judge --subject box2d --manifolds answers.jsonl cases.jsonl",
-                     define<JudgeArguments, add_judge_arguments, judge_cases>};
+const Command kJudge{
+    "judge", "Read cases; print the right manifolds and who is wrong, one JSON line a case.",
+    "manifuzz generate --seed 1 --regime sliver --cases 10 | manifuzz judge\n"
+    "manifuzz generate --seed 1 --regime boxes --cases 10 > cases.jsonl\n"
+    "manifuzz collide --collider box2d cases.jsonl > answers.jsonl\n"
+    "manifuzz judge --subject box2d --manifolds answers.jsonl cases.jsonl",
+    define<JudgeArguments, add_judge_arguments, judge_cases>};
 
 }  // namespace manifuzz

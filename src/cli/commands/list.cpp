@@ -43,12 +43,13 @@ struct Catalogue {
 };
 
 constexpr Catalogue kCatalogues[] = {
-    {"colliders", "what can be a subject or an oracle", list_colliders},
-    {"regimes", "the families of cases that fuzz and generate draw from", list_regimes},
-    {"motions", "the families of sequences, for colliders that keep points", list_motions},
-    {"ledger", "the known deviations of oracles, with their sources", list_ledger},
-    {"sweeps", "what stress turns until a collider breaks", list_sweeps},
-    {"scenes", "the scenes that scene runs", list_scenes}};
+    {"colliders", "colliders that can be a subject or an oracle", list_colliders},
+    {"regimes", "families of cases that fuzz and generate draw from", list_regimes},
+    {"motions", "families of sequences, for colliders that keep points", list_motions},
+    {"ledger", "known causes of wrong answers, with their places in the engines' sources",
+     list_ledger},
+    {"sweeps", "parameters that stress varies until a collider breaks", list_sweeps},
+    {"scenes", "scenes that the command scene runs", list_scenes}};
 
 std::string list_catalogues() {
   std::string lines;
@@ -67,13 +68,13 @@ int list(const std::optional<std::string>& what) {
 void add_list_arguments(CLI::App& app, std::optional<std::string>& what) {
   app.add_option(
       "WHAT", what,
-      "colliders, regimes, motions, ledger, sweeps or scenes; these lists themselves if not "
-      "given");
+      "colliders, regimes, motions, ledger, sweeps or scenes; default: print these names");
 }
 
 }  // namespace
 
-const Command kList{"list", "What there is, a line each.",
+const Command kList{"list",
+                    "List colliders, regimes, motions, known causes, sweeps or scenes, one a line.",
                     "manifuzz list\nmanifuzz list colliders\nmanifuzz list regimes\nmanifuzz list "
                     "motions\nmanifuzz list ledger\n"
                     "manifuzz list sweeps\nmanifuzz list scenes",

@@ -23,10 +23,11 @@ struct MergeArguments {
 
 void expect_something(const MergeArguments& options, const MergedRuns& runs) {
   if (runs.findings.empty() && !runs.result) {
-    throw UserError("merge: there is nothing to merge; name folders of cases and --json files");
+    throw UserError(
+        "merge: there is nothing to merge; name folders of cases and files written by fuzz --json");
   }
   if (!options.json.empty() && !runs.result) {
-    throw UserError("--json: there is no result to write; name what fuzz --json wrote");
+    throw UserError("--json: there is no result to write; name files written by fuzz --json");
   }
 }
 
@@ -54,26 +55,27 @@ int merge(const MergeArguments& options) {
                       ? json_text(json_of(*runs.result))
                       : merged_text(runs, files.corpus.all().size(), options.output));
   if (runs.errors.empty()) return 0;
-  throw UserError(fmt::format(
-      "merge: {} of the files could not be read or added; the rest is merged", runs.errors.size()));
+  throw UserError(
+      fmt::format("merge: {} of the files could not be read or added; the others are merged",
+                  runs.errors.size()));
 }
 
 void add_merge_arguments(CLI::App& app, MergeArguments& options) {
-  add_text(app, "paths", options.paths, "DIR", "folders of cases, and what fuzz --json wrote")
+  add_text(app, "paths", options.paths, "DIR", "folders of cases, and files written by fuzz --json")
       ->required();
-  add_text(app, "--output", options.output, "DIR", "a new or empty folder for what is kept")
+  add_text(app, "--output", options.output, "DIR", "new or empty folder for the merged cases")
       ->capture_default_str();
-  add_json(app, options.json, "the results as one, as fuzz --json has them");
+  add_json(app, options.json, "the merged summary");
 }
 
 }  // namespace
 
-const Command kMerge{"merge",
-                     "Several runs as one: of each bucket the smallest and the worst case.",
-                     "manifuzz fuzz --seed 1 --cases 200000 --corpus run0 --json run0.json\n"
-                     "manifuzz fuzz --seed 1 --first 10000 --cases 200000 --corpus run1 --json "
-                     "run1.json\n"
-                     "manifuzz merge run0 run1 run0.json run1.json --output all --json all.json",
-                     define<MergeArguments, add_merge_arguments, merge>};
+const Command kMerge{
+    "merge", "Merge several runs into one; keep the smallest and the worst case of each bucket.",
+    "manifuzz fuzz --seed 1 --cases 200000 --corpus run0 --json run0.json\n"
+    "manifuzz fuzz --seed 1 --first 10000 --cases 200000 --corpus run1 --json "
+    "run1.json\n"
+    "manifuzz merge run0 run1 run0.json run1.json --output all --json all.json",
+    define<MergeArguments, add_merge_arguments, merge>};
 
 }  // namespace manifuzz

@@ -84,26 +84,27 @@ int hold_properties(PropertyArguments& options) {
 }
 
 void add_property_arguments(CLI::App& app, PropertyArguments& options) {
-  app.add_option("names", options.names, "which; all if not given")->type_name("NAME");
-  add_collider(app, options.subject, "the collider under test");
+  app.add_option("names", options.names, "properties to test; default: all")->type_name("NAME");
+  add_collider(app, options.subject, "collider under test");
   add_external_options(app, options.external);
-  add_whole_number(app, "--cases", options.cases, "how many for each; 10000 if not given", 1,
+  add_whole_number(app, "--cases", options.cases, "cases per property; default: 10000", 1,
                    kCasesMax);
   add_seed(app, options.seed);
   add_corpus(app, options.folders,
-             "the folder of known cases, where failures are saved; if not given, corpus is read, "
-             "and failures go to build/found of the tree that was built, or to found");
-  app.add_flag("--no-save", options.folders.is_unsaved, "save nothing");
+             "folder of known cases, in which failures are saved; default: read corpus, and save "
+             "failures in build/found of the source tree, or in found outside of it");
+  app.add_flag("--no-save", options.folders.is_unsaved, "do not save failures");
   app.add_flag("--verbose", options.is_verbose,
-               "what RapidCheck says of each property, in place of the short summary");
+               "print RapidCheck's output for each property in place of the short summary");
   add_today(app, options.today);
   add_junit(app, options.ci.junit);
 }
 
 }  // namespace
 
-const Command kProperty{"property", "The properties, which need no oracle, over any collider.",
-                        "manifuzz property swapping-mirrors --subject clip --cases 100000 --seed 1",
-                        define<PropertyArguments, add_property_arguments, hold_properties>};
+const Command kProperty{
+    "property", "Test a collider for what must be true of any collider; this needs no oracle.",
+    "manifuzz property swapping-mirrors --subject clip --cases 100000 --seed 1",
+    define<PropertyArguments, add_property_arguments, hold_properties>};
 
 }  // namespace manifuzz

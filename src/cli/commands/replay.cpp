@@ -51,7 +51,7 @@ int replay(ReplayArguments& options) {
   const std::size_t unread = corpus.errors.size();
   write_complaints(corpus.errors);
   if (corpus.cases.empty() && corpus.sequences.empty() && unread == 0) {
-    throw UserError("replay: there is no case; name files or folders of cases");
+    throw UserError("replay: no cases were found; name files or folders of cases");
   }
 
   Interruption interruption(kUntilSignal);
@@ -74,7 +74,7 @@ int replay(ReplayArguments& options) {
   }
   if (unread > 0) {
     write_complaint(
-        fmt::format("replay: {} of the files could not be read; the rest was replayed", unread));
+        fmt::format("replay: {} of the files could not be read; the others were replayed", unread));
   }
   if (!outputs.are_written() || unread > 0 || !run.unasked.empty()) return 2;
   return run.failed() == 0 ? 0 : 1;
@@ -82,22 +82,23 @@ int replay(ReplayArguments& options) {
 
 void add_replay_arguments(CLI::App& app, ReplayArguments& options) {
   add_text(app, "paths", options.paths, "PATH",
-           "files and folders of cases; if not given, corpus and the folder of findings");
+           "files and folders of cases; default: corpus and the folder of findings");
   add_collider(app, options.colliders.subject,
-               "the collider under test; if not given, the one that each case names, or clip");
+               "collider under test; default: the one that each case names, or clip");
   add_collider(app, options.colliders.oracle,
-               "what it is held against; if not given, the one that each case names, or box2d");
+               "collider to compare it with; default: the one that each case names, or box2d");
   add_sequences(app, options.colliders.subject);
   add_external_options(app, options.colliders.external);
   add_subjects(app, options.subjects);
   add_today(app, options.today);
   add_junit(app, options.ci.junit);
-  add_json(app, options.json, "the summary as JSON");
+  add_json(app, options.json, "the summary");
 }
 
 }  // namespace
 
-const Command kReplay{"replay", "Every corpus case and sequence again: the subject must be right.",
+const Command kReplay{"replay",
+                      "Run every case and sequence of the corpus again; the subject must be right.",
                       "manifuzz replay corpus --subject clip --oracle box2d",
                       define<ReplayArguments, add_replay_arguments, replay>};
 

@@ -54,7 +54,8 @@ int report(const ReportArguments& options) {
   write_complaints(files.corpus.errors);
   const std::size_t count = files.corpus.cases.size() + files.corpus.sequences.size();
   if (count == 0 && files.results.empty()) {
-    throw UserError("report: there is nothing to report; name folders of cases and --json files");
+    throw UserError(
+        "report: there is nothing to report; name folders of cases and files written by --json");
   }
   const PageColliders colliders = page_colliders(options.colliders);
   const std::string html = page_of(files, colliders, options.maps.value_or(kMapsUsual),
@@ -65,28 +66,31 @@ int report(const ReportArguments& options) {
                              files.results.size()));
   }
   if (files.corpus.errors.empty()) return 0;
-  throw UserError(fmt::format("report: {} of the files could not be read; the page has the rest",
-                              files.corpus.errors.size()));
+  throw UserError(
+      fmt::format("report: {} of the files could not be read; the page shows the others",
+                  files.corpus.errors.size()));
 }
 
 void add_report_arguments(CLI::App& app, ReportArguments& options) {
   add_text(
       app, "paths", options.paths, "PATH",
-      "folders and files of cases, and what --json wrote; if not given, corpus and the folder of "
+      "folders and files of cases, and files written by --json; default: corpus and the folder of "
       "findings");
-  add_text(app, "--output", options.output, "FILE.html", "the page, - for stdout")
+  add_text(app, "--output", options.output, "FILE.html", "file for the page; - is stdout")
       ->capture_default_str();
-  add_whole_number(app, "--maps", options.maps,
-                   "of how many buckets the neighbourhood is drawn; 12 if not given", 0, kMapsMax);
-  add_collider(app, options.colliders.subject,
-               "whom cases that name nobody are put to; clip if not given");
-  add_collider(app, options.colliders.oracle, "the one it is held against; box2d if not given");
+  add_whole_number(
+      app, "--maps", options.maps,
+      "number of buckets for which the neighbourhood of the case is drawn; default: 12", 0,
+      kMapsMax);
+  add_collider(app, options.colliders.subject, "collider for cases that name none; default: clip");
+  add_collider(app, options.colliders.oracle,
+               "collider to compare with, for cases that name none; default: box2d");
   add_external_options(app, options.colliders.external);
 }
 
 }  // namespace
 
-const Command kReport{"report", "A page of what was found and measured: one HTML file.",
+const Command kReport{"report", "Write one HTML page about findings and measurements.",
                       "manifuzz fuzz --seed 1 --cases 100000 --json run.json\n"
                       "manifuzz report corpus run.json --output report.html",
                       define<ReportArguments, add_report_arguments, report>};

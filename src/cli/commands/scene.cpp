@@ -66,12 +66,13 @@ void expect_possible(const SceneArguments& options, const ScenePlan& plan) {
   }
   if (options.motion &&
       !(static_cast<float>(*options.motion) > 0 && *options.motion <= kMotionMax)) {
-    throw UserError(fmt::format("--recycled-motion: {} is not above 0 and at most {}",
+    throw UserError(fmt::format("--recycled-motion: {} is out of range; use more than 0, up to {}",
                                 *options.motion, kMotionMax));
   }
   if (plan.sizes.back() > kPosesMax / static_cast<std::size_t>(plan.steps)) {
-    throw UserError(fmt::format("--bodies, --steps: {} bodies for {} steps are more than {} poses",
-                                plan.sizes.back(), plan.steps, kPosesMax));
+    throw UserError(
+        fmt::format("--bodies, --steps: {} bodies for {} steps are more than {} poses; use fewer",
+                    plan.sizes.back(), plan.steps, kPosesMax));
   }
 }
 
@@ -86,7 +87,7 @@ int scene_command(const SceneArguments& options) {
   }();
   const std::string json = json_text(scene_json(result));
   const std::string mismatches = mismatches_in_words(result.runs);
-  const std::string text = leaves_out_tables({options.json}) ? mismatches : scene_table(result);
+  const std::string text = leaves_out_tables(options.json) ? mismatches : scene_table(result);
   Outputs outputs;
   outputs.write(true, [&] { write_to_reader(options.json == "-" ? json : text); });
   outputs.write(!options.json.empty() && options.json != "-",
@@ -107,36 +108,40 @@ void add_scene_arguments(CLI::App& app, SceneArguments& options) {
   const auto add = [&app](const char* name, auto& to, const char* type, const char* what) {
     return app.add_option(name, to, what)->type_name(type);
   };
-  add("--scene", options.scenes, "S", "one to go through, again for more; all if not given")
+  add("--scene", options.scenes, "S", "scene to run; repeatable; default: all")
       ->allow_extra_args(false);
   add("--bodies", options.bodies, "N",
-      "how many, 10 to 1000000, again for more; 100, 1000 and 10000 if not given")
+      "number of bodies, 10 to 1000000; repeatable; default: 100, 1000 and 10000")
       ->check(CLI::Range(std::size_t{10}, kBodiesMax))
       ->allow_extra_args(false);
-  add_whole_number(app, "--steps", options.steps, "how many; 30 if not given", 1)
+  add_whole_number(app, "--steps", options.steps, "number of steps; default: 30", 1)
       ->check(CLI::Range(1, 100'000));
   add("--mode", options.mode, "M",
-      "strict: contacts as colliding all pairs afresh gives them, bit for bit (checked, up to "
-      "10000 bodies); recycle: "
-      "touching pairs keep theirs, carried along; strict if not given")
+      "strict: the contacts equal those of a fresh collision of all pairs, bit for bit (checked up "
+      "to 10000 bodies); recycle: touching pairs reuse last step's contacts; default: strict")
       ->check(CLI::IsMember({"strict", "recycle"}));
-  add_length(app, "--recycled-motion", options.motion,
-             "how far a body may move before its contacts are not recycled; 0.01 if not given");
+  add_length(
+      app, "--recycled-motion", options.motion,
+      "with --mode recycle, how far a body may move while its contacts are reused; default: 0.01");
   app.add_flag("--without-certificates", options.without_certificates,
-               "collide every pair that moved, whatever was proven");
-  add_json(app, options.json, "the rows as JSON");
-  add("--save", options.save, "DIR", "a corpus for pairs that are not as they are afresh");
-  add("--scaling", options.scaling, "FILE", "time against bodies, FILE.svg or FILE.png");
-  add("--skipped", options.skipped, "FILE", "where pairs went, by scene, FILE.svg or FILE.png");
-  add("--recycling", options.recycling, "FILE",
-      "what recycling costs at eight motions: pairs skipped against error, judged; "
-      "FILE.svg or FILE.png");
-  add("--frame", options.frame, "FILE", "the first scene's last step with its contacts, as SVG");
+               "collide every pair that moved, even where its contacts are proven to be the same");
+  add_json(app, options.json, "the rows");
+  add("--save", options.save, "DIR",
+      "folder for pairs whose contacts differ from a fresh collision, saved as cases");
+  add("--scaling", options.scaling, "FILE.svg|FILE.png", "draw time against number of bodies");
+  add("--skipped", options.skipped, "FILE.svg|FILE.png",
+      "draw for each scene why pairs were skipped, and how many were computed");
+  add("--recycling", options.recycling, "FILE.svg|FILE.png",
+      "draw the share of pairs that recycling skips against the judged error, for eight limits of "
+      "motion");
+  add("--frame", options.frame, "FILE.svg",
+      "draw the last step of the first scene with its contacts");
 }
 
 }  // namespace
 
-const Command kScene{"scene", "Whole scenes step after step, against Box2D's contact manager.",
+const Command kScene{"scene",
+                     "Run whole scenes step by step, and compare with Box2D's contact manager.",
                      "manifuzz scene --scene resting_pile --bodies 1000 --steps 20",
                      define<SceneArguments, add_scene_arguments, scene_command>};
 

@@ -47,7 +47,7 @@ Collider chosen(const std::string& file, ColliderChoice& asked, const ExternalOp
   }
   if (find_entry(asked.name) != nullptr) return find_collider(asked, external);
   throw UserError(fmt::format(
-      "{}: was found with '{}' from outside; say where that is: --{} ./LIBRARY.so, "
+      "{}: was found with '{}', which is not built in; say how to start it: --{} ./LIBRARY.so, "
       "--{}-command PROGRAM, --subjects FILE, or a file subjects.json beside the --corpus",
       file, printable(asked.name), asked.role, asked.role));
 }
@@ -61,7 +61,7 @@ CorpusCase read_shown(const std::string& file, const ColliderChoice& subject) {
 
 int show(const ShowArguments& options) {
   if (options.map_step && !options.map) {
-    throw UserError("--map-step: there is no map without --map FILE.png");
+    throw UserError("--map-step: needs --map FILE.png");
   }
   const std::string file = case_file(options.given);
   const CorpusCase given = read_shown(file, options.colliders.subject);
@@ -111,33 +111,34 @@ int show(const ShowArguments& options) {
 void add_show_arguments(CLI::App& app, ShowArguments& options) {
   add_case_argument(app, options.given);
   add_collider(app, options.colliders.subject,
-               "the collider under test; if not given, the one the case names, or clip");
+               "collider under test; default: the one that the case names, or clip");
   add_collider(app, options.colliders.oracle,
-               "the collider it is held against; if not given, the one the case names, or box2d");
+               "collider to compare it with; default: the one that the case names, or box2d");
   add_sequences(app, options.colliders.subject);
   add_external_options(app, options.colliders.external);
   add_subjects(app, options.subjects);
   app.add_option("--svg", options.svg,
-                 "a picture too, of a sequence its frames; - for the picture alone, on stdout")
+                 "draw the case, or a sequence's frames; - prints only the picture, on stdout")
       ->type_name("FILE.svg|FILE.png");
   add_text(app, "--curve", options.curve, "FILE.svg|FILE.png",
-           "a picture of how deep they overlap in each direction, and where each answer stands");
+           "draw how deep the shapes overlap in each direction, and where each answer lies");
   app.add_flag("--upstream", options.upstream,
-               "a report for the authors of the collider at fault, with a program that shows it");
+               "print a report for the authors of the collider at fault, with a program that shows "
+               "the fault");
   app.add_flag("--text-picture", options.text_picture,
-               "a picture of characters too, below the text");
+               "print the case drawn in text, too, below its description");
   app.add_option(
          "--map", options.map,
-         "the case's neighbours as a PNG: one vertex moved by ulps, what each says, who fails")
+         "draw the case's neighbours, with one vertex moved by ulps: which collider fails where")
       ->type_name("FILE.png");
   add_whole_number(app, "--map-step", options.map_step,
-                   "how many ulps apart neighbours are; 1 if not given", 1, kMapStepMax);
+                   "distance between neighbours on the map, in ulps; default: 1", 1, kMapStepMax);
 }
 
 }  // namespace
 
 const Command kShow{
-    "show", "A case as text and as a picture: polygons, contact points, verdict.",
+    "show", "Show a case as text and as a picture: shapes, contact points, verdict.",
     "manifuzz generate --seed 1 --regime boxes --cases 1 | manifuzz show - --svg case.svg "
     "--map case.png\n"
     "manifuzz show oracle/known/missed_contact/none/b/gross",

@@ -29,7 +29,7 @@ struct ShrinkArguments {
 int shrink_folder(const ShrinkArguments& options) {
   const std::filesystem::path folder = options.given.name;
   if (options.output != "-") {
-    throw UserError("--output: a folder's cases are shrunk where they are; leave it out");
+    throw UserError("--output: the cases of a folder are shrunk in place; omit the option");
   }
   const ColliderChoice& asked = options.colliders.subject;
   const Corpus corpus = taken_by(asked, read_corpus_folder(folder));
@@ -53,7 +53,7 @@ int shrink_folder(const ShrinkArguments& options) {
       is_stopped, tell);
   write_complaints(of_pairs.errors);
   write_complaints(of_sequences.errors);
-  if (is_stopped()) write_complaint("shrink: interrupted; the others are left as they are");
+  if (is_stopped()) write_complaint("shrink: interrupted; the other cases are unchanged");
   write_remark(fmt::format("{}: {} of {} cases shrunk", printable(folder.string(), 200),
                            of_pairs.files.size() + of_sequences.files.size(), corpus.all().size()));
   return of_pairs.errors.empty() && of_sequences.errors.empty() ? 0 : 2;
@@ -61,7 +61,7 @@ int shrink_folder(const ShrinkArguments& options) {
 
 void tell_if_cut_short(Interruption& interruption) {
   if (interruption.state() == Interruption::State::running) return;
-  write_complaint("shrink: interrupted; the case is as small as it was until then");
+  write_complaint("shrink: interrupted; this is the smallest case until then");
 }
 
 int shrink_file(const ShrinkArguments& options) {
@@ -97,7 +97,7 @@ void add_shrink_arguments(CLI::App& app, ShrinkArguments& options) {
   add_subject_and_oracle(app, options.colliders);
   add_sequences(app, options.colliders.subject);
   add_subjects(app, options.subjects);
-  app.add_option("--output", options.output, "where the smallest case goes, - for stdout")
+  app.add_option("--output", options.output, "file for the smallest case; - is stdout")
       ->type_name("FILE")
       ->capture_default_str();
 }
@@ -105,7 +105,7 @@ void add_shrink_arguments(CLI::App& app, ShrinkArguments& options) {
 }  // namespace
 
 const Command kShrink{
-    "shrink", "The smallest case with the same verdict, bucket and about the magnitude.",
+    "shrink", "Shrink a case to the smallest with the same verdict and bucket and a similar error.",
     "manifuzz generate --seed 2 --regime tie_bias --cases 1 | manifuzz shrink - --output "
     "smallest.json",
     define<ShrinkArguments, add_shrink_arguments, shrink_file>};

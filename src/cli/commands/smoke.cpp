@@ -35,7 +35,7 @@ SmokePlan plan_of(const SmokeArguments& options) {
   plan.start = Clock::now();
   plan.seconds = options.seconds.value_or(kSmokeSecondsMax);
   if (plan.seconds <= 0 || plan.seconds > kSmokeSecondsMax) {
-    throw UserError(fmt::format("--seconds: {} s are not on; more than 0, up to {} is expected",
+    throw UserError(fmt::format("--seconds: {} s is out of range; use more than 0, up to {}",
                                 plan.seconds, kSmokeSecondsMax));
   }
   plan.save_to = options.folders.save_to();
@@ -107,15 +107,15 @@ int smoke(SmokeArguments& options) {
 }
 
 void add_smoke_arguments(CLI::App& app, SmokeArguments& options) {
-  add_collider(app, options.colliders.subject, "the collider under test");
-  add_collider(app, options.colliders.oracle, "the collider it is held against");
+  add_collider(app, options.colliders.subject, "collider under test");
+  add_collider(app, options.colliders.oracle, "collider to compare it with");
   add_seed(app, options.seed);
   add_length(app, "--seconds", options.seconds,
-             "how long altogether; 18 if not given, and at most");
+             "duration of the whole run, at most 18; default: 18");
   add_corpus(app, options.folders,
-             "the folder of known cases, which is replayed, and where new ones are saved; if not "
-             "given, corpus is read, and new ones go to build/found of the tree that was built, or "
-             "to found");
+             "folder of known cases, which is replayed, and in which new ones are saved; default: "
+             "replay corpus, and save new ones in build/found of the source tree, or in found "
+             "outside of it");
   add_no_save(app, options.folders);
   add_today(app, options.today);
   add_junit(app, options.ci.junit);
@@ -125,7 +125,7 @@ void add_smoke_arguments(CLI::App& app, SmokeArguments& options) {
 
 const Command kSmoke{
     "smoke",
-    "Corpus, properties and a campaign in at most 20 s, however slow the collider: for CI.",
+    "Replay the corpus, test properties and run a campaign, in at most 20 s; meant for CI.",
     "manifuzz smoke --subject clip --oracle box2d --seed 1 --no-save --junit smoke.xml",
     define<SmokeArguments, add_smoke_arguments, smoke>};
 

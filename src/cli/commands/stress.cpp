@@ -34,7 +34,6 @@ struct StressArguments {
   bool quick = false;
   bool flush_to_zero = false;
   std::string json;
-  std::string csv;
   std::string pictures;
   std::string save;
   std::string baseline;
@@ -73,7 +72,7 @@ StressPlan plan_of(const StressArguments& options) {
   plan.cases = options.cases.value_or(options.quick ? kQuickCases : plan.cases);
   plan.flush_to_zero = options.flush_to_zero;
   if (plan.flush_to_zero && !can_flush_to_zero()) {
-    throw UserError("--flush-to-zero: this processor cannot, or not as it is known here");
+    throw UserError("--flush-to-zero: not supported on this processor; omit the option");
   }
   plan.frames = options.frames.value_or(options.quick ? kQuickFrames : plan.frames);
   const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
@@ -96,10 +95,10 @@ void save(const StressPlan& plan, const StressResult& result, const std::string&
         [&](const std::string& name) { line.show("saving " + name); },
         [](const std::filesystem::path& file) {
           write_error(
-              fmt::format("kept: {} is worse than what this run met\n", printable_path(file)));
+              fmt::format("kept {}: it is worse than what this run found\n", printable_path(file)));
         });
   } catch (const Interrupted&) {
-    throw UserError("--save: interrupted, not all was saved");
+    throw UserError("--save: interrupted; not all cases were saved");
   }
 }
 
@@ -109,9 +108,8 @@ void write_files(const StressPlan& plan, const StressResult& result, const Stres
                  Interruption& interruption, Outputs& outputs) {
   outputs.write(!options.json.empty() && options.json != "-",
                 [&] { write_file(options.json, json.dump(1, '\t') + '\n'); });
-  outputs.write(!options.csv.empty(), [&] { write_file(options.csv, stress_csv(json)); });
   outputs.write(!options.store.empty(), [&] {
-    if (result.interrupted) throw UserError("--store: interrupted, nothing is stored");
+    if (result.interrupted) throw UserError("--store: interrupted; nothing was stored");
     write_file(options.store, breaking_points_json(plan, result, stored).dump(1, '\t') + '\n');
   });
   outputs.write(!options.save.empty(), [&] { save(plan, result, options.save, interruption); });
@@ -119,7 +117,7 @@ void write_files(const StressPlan& plan, const StressResult& result, const Stres
   for (const Sweep* const sweep : plan.sweeps) {
     const bool is_cut_short = interruption.is_stopped();
     outputs.write(true, [&] {
-      if (is_cut_short) throw UserError("--pictures: interrupted, not all were drawn");
+      if (is_cut_short) throw UserError("--pictures: interrupted; not all pictures were drawn");
       write_stress_pictures(options.pictures, plan, result, *sweep);
     });
     if (is_cut_short) return;
@@ -130,7 +128,6 @@ int stress(const StressArguments& options) {
   using enum OutputPath::Kind;
   CommandFiles files{
       {{"--json", options.json},
-       {"--csv", options.csv, file},
        {.option = "--store", .path = options.store, .kind = file, .replaces = options.baseline},
        {"--pictures", options.pictures, folder},
        {"--save", options.save, corpus}}};
@@ -141,7 +138,7 @@ int stress(const StressArguments& options) {
     for (const std::string& picture : stress_picture_files(options.pictures, *sweep)) {
       if (options.pictures.empty() || is_apart({"--pictures", picture, file}, files)) continue;
       throw UserError(
-          fmt::format("--pictures: {} is another output, or is read; name another folder",
+          fmt::format("--pictures: {} is another output or an input; name another folder",
                       printable(picture, 200)));
     }
   }
@@ -156,7 +153,7 @@ int stress(const StressArguments& options) {
   const nlohmann::ordered_json json = stress_json(plan, result, comparison);
   std::string text = complaints(comparison);
   if (options.json == "-") write_error(text);
-  if (!leaves_out_tables({options.json, options.csv})) text = stress_table(plan, result) + text;
+  if (!leaves_out_tables(options.json)) text = stress_table(plan, result) + text;
   Outputs outputs;
   outputs.write(true,
                 [&] { write_to_reader(options.json == "-" ? json.dump(1, '\t') + '\n' : text); });
@@ -166,38 +163,39 @@ int stress(const StressArguments& options) {
 }
 
 void add_run(CLI::App& app, StressArguments& options) {
-  app.add_option("--sweep", options.sweeps, "a sweep or a walk, again for more; all if not given")
+  app.add_option("--sweep", options.sweeps, "sweep or walk to run; repeatable; default: all")
       ->type_name("S")
       ->allow_extra_args(false);
   app.add_option("--collider", options.colliders,
-                 "a collider, again for more; all that are there if not given")
+                 "collider to measure; repeatable; default: all that this build has")
       ->type_name("C|LIBRARY.so")
       ->allow_extra_args(false);
-  add_text(app, "--collider-command", options.program.command, "COMMAND",
-           "one more, as a program: case lines in, manifold lines out");
+  add_text(
+      app, "--collider-command", options.program.command, "COMMAND",
+      "one more collider, as a program that reads cases and writes manifolds, a JSON line each");
   add_external_options(app, options.outside);
-  add_whole_number(app, "--cases", options.cases, "a step; 100000 if not given", 1);
-  add_whole_number(app, "--frames", options.frames, "a walk; 1000000 if not given", 1);
-  add_whole_number(app, "--seed", options.seed, "what the cases depend on; 1 if not given");
-  add_whole_number(app, "--jobs", options.jobs, "how many processes; one a core if not given", 1);
+  add_whole_number(app, "--cases", options.cases, "cases per step of a sweep; default: 100000", 1);
+  add_whole_number(app, "--frames", options.frames, "frames per walk; default: 1000000", 1);
+  add_whole_number(app, "--seed", options.seed, "random seed; default: 1");
+  add_whole_number(app, "--jobs", options.jobs, "number of worker processes; default: one per core",
+                   1);
   app.add_flag(
       "--quick", options.quick,
-      "fewer cases, and no collider in a process of its own unless it is named: less than 20 s");
+      "measure fewer cases, and colliders in their own processes only if named: less than 20 s");
   app.add_flag("--flush-to-zero", options.flush_to_zero,
-               "colliders in this process compute without subnormal numbers, as engines may");
+               "flush subnormal numbers to zero in this process, as some engines do");
 }
 
 void add_outputs(CLI::App& app, StressArguments& options) {
-  add_json(app, options.json, "every step as JSON");
-  app.add_option("--csv", options.csv, "every step with commas")->type_name("FILE");
+  add_json(app, options.json, "every step");
   add_text(app, "--pictures", options.pictures, "DIR",
-           "error against each sweep's knob, DIR/SWEEP.svg and DIR/SWEEP.png");
+           "draw error against the parameter of each sweep, as DIR/SWEEP.svg and DIR/SWEEP.png");
   add_text(app, "--save", options.save, "DIR",
-           "a corpus for the worst: wrong cases shrunk, and clip's worst of every sweep");
+           "folder for the worst cases: wrong ones, shrunk, and clip's worst of every sweep");
   add_text(app, "--baseline", options.baseline, "FILE",
-           "breaking points that were stored: none may have moved down");
+           "stored breaking points; fail if one has moved down");
   add_text(app, "--store", options.store, "FILE",
-           "stores the breaking points, for --baseline, over those in it");
+           "store the breaking points for --baseline; those in the file are replaced");
 }
 
 void add_stress_arguments(CLI::App& app, StressArguments& options) {
@@ -207,7 +205,8 @@ void add_stress_arguments(CLI::App& app, StressArguments& options) {
 
 }  // namespace
 
-const Command kStress{"stress", "Numerical stability: a knob turned until each collider breaks.",
+const Command kStress{"stress",
+                      "Test numerical stability: vary one parameter until each collider breaks.",
                       "manifuzz stress --quick --sweep distance",
                       define<StressArguments, add_stress_arguments, stress>};
 

@@ -29,10 +29,10 @@ bool keeps_points(const ColliderChoice& choice) {
 SequenceCollider find_keeper(const ColliderChoice& choice, const ExternalOptions& external) {
   if (!choice.command.empty()) {
     if (!choice.keeps_points) {
-      throw UserError(
-          fmt::format("--{}-command: gets pair cases, and this is a sequence; "
-                      "--sequences says that it keeps points",
-                      choice.role));
+      throw UserError(fmt::format(
+          "--{}-command: takes pair cases, and this is a sequence; if the program keeps "
+          "points, add --sequences",
+          choice.role));
     }
     return keeper_of_command(choice.command, time_limit_of(external), external.start_seconds);
   }
@@ -74,7 +74,8 @@ SequenceCollider keeper_for(const CorpusCase& given, ColliderChoice choice,
 void expect_none_of(const std::vector<PairOption>& options) {
   for (const PairOption& option : options) {
     if (!option.is_given) continue;
-    throw UserError(fmt::format("{}: is of pair cases; leave it out for sequences", option.name));
+    throw UserError(
+        fmt::format("{}: applies only to pair cases; omit it for sequences", option.name));
   }
 }
 
@@ -114,8 +115,8 @@ void expect_no_motions(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (find_motion(name) == nullptr) continue;
     throw UserError(fmt::format(
-        "--regime: {} is a motion, of sequences; they take a subject that keeps points: --subject "
-        "{}",
+        "--regime: {} is a motion, for sequences, which need a subject that keeps points, such as "
+        "--subject {}",
         name, kUsualKeeper));
   }
 }

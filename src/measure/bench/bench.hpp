@@ -66,7 +66,7 @@ struct TimingOptions {
 struct Timing {
   double ns_per_pair = 0;         ///< the median of the repetitions
   double speedup_over_box2d = 0;  ///< the median of their ratios, each to Box2D's of its number
-  /// Of a library: the median of the differences to kInterface's repetitions.
+  /// For a library: the median of the differences to kInterface's repetitions.
   std::optional<double> ns_without_interface = {};
 };
 
@@ -89,7 +89,7 @@ struct BenchErrors {
   std::uint64_t cases = 0;  ///< answered
 };
 
-/// Of the subjects that give manifolds, by name: however it is asked, a collider answers alike.
+/// The errors of each subject that gives manifolds, by name; how it is asked does not matter.
 std::map<std::string, BenchErrors> measure_errors(const std::vector<BenchSubject>& subjects,
                                                   std::span<const PairCase> pairs);
 

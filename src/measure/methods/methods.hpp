@@ -40,7 +40,7 @@ struct MethodErrors {
 
 /// What shows only from frame to frame. Of frames in which rounding decides nothing.
 struct FrameErrors {
-  /// Of contacts that get two points and last: frames until both are there and span 95% of the
+  /// For contacts that get two points and last: frames until both are there and span 95% of the
   /// clip, 1 being at once. The median; none where fewer than half ever have them.
   std::optional<double> frames_to_complete{};
   double completed = 0;  ///< the share of such contacts that ever have both

@@ -34,8 +34,8 @@ struct ClipNow {
 
 ClipNow clip_now(const Admissible& right);
 
-/// Of these points, those where the shapes are apart along the normal by more than `bound`, a
-/// length, or not in front of each other at all.
+/// How many of these points linger: the shapes are apart there along the normal by more than
+/// `bound`, a length, or not in front of each other at all.
 int lingering_points(const PairCase& pair, const TouchingPoints& said, double bound);
 
 }  // namespace manifuzz

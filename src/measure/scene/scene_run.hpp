@@ -109,7 +109,7 @@ struct RecyclingRun {
   ErrorStatistics errors;  ///< of a sample of the contacts, spread over all steps
 };
 
-/// The same of one scene, a run a motion.
+/// What recycling costs in one scene, a run a motion.
 struct RecyclingCurve {
   std::string scene;
   std::size_t bodies = 0;

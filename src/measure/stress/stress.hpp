@@ -134,7 +134,7 @@ struct StressResult {
 
   /// The steps of a sweep, as far as they were measured without a gap.
   std::vector<StepStatistics> steps(const Sweep& sweep, std::size_t subject) const;
-  /// Of a walk; nullptr where it was not measured.
+  /// The statistics of a walk; nullptr where it was not measured.
   const StepStatistics* walk(const Walk& walk, std::size_t subject) const;
 };
 

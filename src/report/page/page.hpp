@@ -46,7 +46,7 @@ BucketRuns runs_of(const CorpusCase& given, const std::vector<ResultFile>& resul
 nlohmann::ordered_json page_sequences_json(const RunFiles& files, NamedKeepers& keepers,
                                            const std::string& program, Interruption& interruption);
 
-/// Of so many buckets the neighbourhood is drawn where nobody says how many: a few seconds.
+/// The number of buckets whose neighbourhood is drawn by default: that takes a few seconds.
 inline constexpr std::size_t kMapsUsual = 12;
 
 /// Who is asked about what files do not answer themselves.

@@ -174,8 +174,8 @@ struct Scene {
   bool is_round = false;  ///< contact points are on surfaces, and side planes where cores end
   std::array<double, 2> radii{};
   std::array<Rim, 2> rims;  ///< the shapes with their radii, as they are judged
-  /// Of the candidate to show; where the polygons are apart, the face of the greatest separation
-  /// alone.
+  /// The reference face of the candidate to show; where the polygons are apart, the face of the
+  /// greatest separation alone.
   PlacedFace reference;
   std::optional<PlacedFace> incident;
   Point outward{0, 0};             ///< the reference face's normal, unit

@@ -48,7 +48,7 @@ CaseMap case_map(const JudgedCase& judged, const Collider& subject, const Collid
 /// the legend, and 46 lines with it; UTF-8.
 std::string text_picture(const PairCase& pair, std::span<const DeclaredAnswer> answers);
 
-/// Of a case between two colliders.
+/// A case between two colliders, as text.
 std::string text_picture(const JudgedCase& judged);
 
 }  // namespace manifuzz

@@ -134,7 +134,7 @@ TEST_CASE("the file that is given is marked where it is, and a case from stdin i
   const std::string kept = corpus_in(folder) + "/regressions/" + name;
   const Outcome outside = accept(folder, {elsewhere});
   CHECK(outside.status == 0);
-  CHECK_THAT(outside.err, Contains("it counts for runs whose --corpus holds it"));
+  CHECK_THAT(outside.err, Contains("it is accepted only in runs whose --corpus holds it"));
   CHECK(read_case_file(elsewhere).accepted);
   CHECK_FALSE(fs::exists(kept));
   const Outcome from_stdin =

@@ -17,9 +17,8 @@ using namespace manifuzz;
 TEST_CASE("bench measures every subject and writes what it found") {
   const test::TemporaryFolder folder;
   const std::string json = (folder.path() / "bench.json").string();
-  const std::string csv = (folder.path() / "bench.csv").string();
-  const auto outcome = test::run_manifuzz({"bench", "--quick", "--collider", "clip", "--collider",
-                                           "batch", "--json", json, "--csv", csv});
+  const auto outcome = test::run_manifuzz(
+      {"bench", "--quick", "--collider", "clip", "--collider", "batch", "--json", json});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   const auto report = nlohmann::json::parse(std::ifstream(json));
@@ -32,10 +31,6 @@ TEST_CASE("bench measures every subject and writes what it found") {
   }
   CHECK(report.at("rows")[0].at("collider") == "box2d");
   CHECK(report.at("rows")[0].at("speedup_over_box2d") == 1.0);
-  std::ifstream lines(csv);
-  std::string heading;
-  std::getline(lines, heading);
-  CHECK(heading.starts_with("collider,query,input"));
 }
 
 TEST_CASE("bench compares the ways to contact points, and draws what they trade") {
@@ -95,16 +90,14 @@ TEST_CASE("the front is what nothing else is left of and below") {
 
 TEST_CASE("an output that bench cannot write loses neither the table nor the others") {
   const test::TemporaryFolder folder;
-  const std::string csv = (folder.path() / "bench.csv").string();
   const std::string picture = (folder.path() / "bench.svg").string();
-  const auto outcome = test::run_manifuzz({"bench", "--quick", "--collider", "clip", "--json",
-                                           "/dev/full", "--csv", csv, "--picture", picture});
+  const auto outcome = test::run_manifuzz(
+      {"bench", "--quick", "--collider", "clip", "--json", "/dev/full", "--picture", picture});
   INFO(outcome.err);
   CHECK(outcome.status == 2);
   CHECK(outcome.out.find("x box2d") != std::string::npos);
   CHECK(outcome.err.find("/dev/full") != std::string::npos);
   CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-  CHECK(test::text_of(csv).starts_with("collider,"));
   CHECK(test::text_of(picture).find("box2d") != std::string::npos);
 }
 

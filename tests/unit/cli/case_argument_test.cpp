@@ -48,7 +48,7 @@ TEST_CASE("a bucket means its smallest case, by slashes or dashes") {
   const SmallCorpus corpus;
   const Outcome slashes = corpus.show("none/tie/count/incident/a");
   CHECK(slashes.status == 0);
-  CHECK(slashes.err == "taken: " + corpus.path +
+  CHECK(slashes.err == "using " + corpus.path +
                            "/ties/none-tie-count-incident-a-12345678.json, the smallest of 2 with "
                            "that bucket\n");
   CHECK(corpus.show("none-tie-count-incident-a").out == slashes.out);
@@ -63,7 +63,7 @@ TEST_CASE("the beginning of a file's name means that file") {
     CAPTURE(name);
     const Outcome outcome = corpus.show(name);
     CHECK(outcome.status == 0);
-    CHECK(outcome.err == "taken: " + corpus.path + "/ties/witness-one.json\n");
+    CHECK(outcome.err == "using " + corpus.path + "/ties/witness-one.json\n");
   }
   CHECK_THAT(corpus.show("aaa").err, Contains("/ties/aaa.json\n"));
   CHECK_THAT(corpus.show("aaa.w").err, Contains("/ties/aaa.worst.json\n"));
@@ -74,8 +74,9 @@ TEST_CASE("a beginning of several files lists them, five at most") {
   const Outcome two = corpus.show("witness-");
   CHECK(two.status == 2);
   CHECK(is_one_clear_line(two.err));
-  CHECK_THAT(two.err, Contains("witness-: 2 files in ") &&
-                          Contains("begin with that: witness-one.json, witness-two.json\n"));
+  CHECK_THAT(two.err,
+             Contains("witness-: 2 files in ") &&
+                 Contains("have names that begin so: witness-one.json, witness-two.json\n"));
   for (char last = 'a'; last <= 'e'; ++last) {
     corpus.folder.write(std::string("corpus/witness-") + last + ".json", recorded("", 4));
   }
@@ -115,6 +116,6 @@ TEST_CASE("shrink takes a bucket as well") {
   const Outcome outcome = run_manifuzz(
       {"shrink", "none/tie/count/incident/a", "--corpus", MANIFUZZ_SOURCE_DIR "/corpus"});
   CHECK(outcome.status == 0);
-  CHECK_THAT(outcome.err, StartsWith("taken: "));
+  CHECK_THAT(outcome.err, StartsWith("using "));
   CHECK_THAT(outcome.out, Contains("none/tie/count/incident/a"));
 }

@@ -103,7 +103,7 @@ TEST_CASE("a bucket is looked up among findings too") {
       run_program({"sh", "-c", "cd \"$0\" && \"$1\" show \"$2\" 2>&1", folder.path().string(),
                    manifuzz_path(), json["buckets"][0]["bucket"].get<std::string>()});
   CHECK(shown.status == 0);
-  CHECK(shown.out.find("taken: found/defects/box2d/") != std::string::npos);
+  CHECK(shown.out.find("using found/defects/box2d/") != std::string::npos);
 }
 
 TEST_CASE("a file in the place of the folder for findings is what the error names") {

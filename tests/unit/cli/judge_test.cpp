@@ -117,8 +117,8 @@ TEST_CASE("answers too many, too few or broken are refused") {
     CHECK(is_one_clear_line(outcome.err));
     CHECK(outcome.err.find(complaint) != std::string::npos);
   };
-  refused("", "ends before the cases do");
-  refused(kRight + "\n" + kRight + "\n", ":2: an answer more than there are cases");
+  refused("", "fewer answers than cases");
+  refused(kRight + "\n" + kRight + "\n", ":2: more answers than cases");
   refused("{}\n", "points");
   refused(R"({"points": [{"depth": 1}], "normal": [1,0]})", "neither \"position\" nor \"local\"");
   refused(R"({"points": [{"local": [0,0]}], "normal": [1,0]})", "depth");

@@ -57,8 +57,9 @@ TEST_CASE("two outputs may not be one file, however it is spelled or linked") {
         with(brief_campaign(given), {"--json", given.path(one), "--report", given.path(other)}),
         "--report: --json writes to ");
   }
-  check_refused({"bench", "--quick", "--json", given.path("a/new"), "--csv", given.path("b/new")},
-                "--csv: --json writes to ");
+  check_refused(
+      {"bench", "--quick", "--json", given.path("a/new.svg"), "--picture", given.path("b/new.svg")},
+      "--picture: --json writes to ");
   check_refused(with(brief_campaign(given),
                      {"--json", given.path("new"), "--report", given.path("new/page.html")}),
                 "--report: --json writes to ");

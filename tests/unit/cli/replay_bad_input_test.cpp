@@ -31,7 +31,7 @@ void check_broken(const TemporaryFolder& folder, const std::map<std::string, std
     ++i;
   }
   CHECK(lines.back() == "manifuzz: replay: " + std::to_string(broken.size()) +
-                            " of the files could not be read; the rest was replayed");
+                            " of the files could not be read; the others were replayed");
 }
 
 }  // namespace

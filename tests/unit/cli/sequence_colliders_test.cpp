@@ -70,7 +70,7 @@ TEST_CASE("what is no collider that keeps points is said to be none") {
       find_sequence_collider("cachd"),
       Catch::Contains("no collider that keeps points 'cachd'") && Catch::Contains("cached"));
   CHECK_THROWS_WITH(find_sequence_collider("cached+clip"),
-                    Catch::Contains("clip does not claim one point a pair"));
+                    Catch::Contains("clip does not give one point a pair"));
   CHECK_THROWS_WITH(find_sequence_collider("cached+gjk-shrunk"),
                     Catch::Contains("gjk-shrunk alters shapes"));
   CHECK_THROWS_WITH(find_sequence_collider("cached+gkj"), Catch::Contains("gkj"));

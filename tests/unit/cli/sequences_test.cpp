@@ -76,12 +76,13 @@ TEST_CASE("sequences and pair cases are told apart in one clear line") {
            {{"judge", "--subject", "cached", pair}, "is a pair case"},
            {{"show", pair, "--subject", "cached"}, "is a pair case"},
            {{"show", sequence, "--subject", "clip"}, "clip keeps no points"},
-           {{"show", sequence, "--map", "x.png"}, "--map: is of pair cases"},
+           {{"show", sequence, "--map", "x.png"}, "--map: applies only to pair cases"},
            {{"shrink", sequence, "--subject", "cached"}, "cached is right on it"},
-           {{"property", "--subject", "cached"}, "cached keeps points over frames"},
+           {{"property", "--subject", "cached"}, "cached keeps points from frame to frame"},
            {{"fuzz", "--subject", "cached", "--regime", "sliver"}, "there is no motion 'sliver'"},
            {{"fuzz", "--regime", "sliding"}, "sliding is a motion"},
-           {{"fuzz", "--subject", "cached", "--radius", "1"}, "--radius: is of pair cases"},
+           {{"fuzz", "--subject", "cached", "--radius", "1"},
+            "--radius: applies only to pair cases"},
            {{"fuzz", "--subject", "cachd"}, "there is no collider 'cachd'"}}) {
     const Outcome outcome = run_manifuzz(bad.arguments);
     CAPTURE(bad.arguments, outcome.err);

@@ -101,7 +101,7 @@ TEST_CASE("a subject that is given is asked of every file, whoever that names") 
   CHECK(json_of(outcome)["passed"] == files.size());
 }
 
-TEST_CASE("show asks whom a file names, by subjects.json, and says where it cannot be asked") {
+TEST_CASE("show asks the collider that a file names, by subjects.json, and says where it cannot") {
   const TemporaryFolder folder;
   const std::string file = save_findings(folder, one_eyed(folder)).front();
   const std::string subjects = folder.write("subjects.json", named("one_eyed", one_eyed(folder)));
@@ -117,9 +117,11 @@ TEST_CASE("show asks whom a file names, by subjects.json, and says where it cann
   };
   folder.write("subjects.json",
                named("one_eyed", clip_but(folder, "another", "nothing", "exit 3")));
-  refused("is called 'one_eyed' there, and declares the name 'another'");
+  refused("it is called 'one_eyed' there, but declares the name 'another'");
   fs::remove(subjects);
-  refused("was found with 'one_eyed' from outside; say where that is: --subject ./LIBRARY.so");
+  refused(
+      "was found with 'one_eyed', which is not built in; say how to start it: --subject "
+      "./LIBRARY.so");
 }
 
 TEST_CASE("bad subjects.json are refused, by their name and the place", "[bad-input]") {
@@ -129,8 +131,8 @@ TEST_CASE("bad subjects.json are refused, by their name and the place", "[bad-in
       {"", "not JSON"},
       {"[]", "$: is an array; an object is expected"},
       {R"({"one_eyed": 3})", "$.one_eyed: is a number; an object is expected"},
-      {R"({"one_eyed": {}})", "names a command or a library, one of both"},
-      {R"({"one_eyed": {"command": "a", "library": "b"}})", "one of both"},
+      {R"({"one_eyed": {}})", R"(either "command" or "library" is expected)"},
+      {R"({"one_eyed": {"command": "a", "library": "b"}})", "is expected"},
       {R"({"one_eyed": {"command": ["a"]}})", "$.one_eyed.command"},
       {R"({"one_eyed": {"command": "a", "args": "b"}})", "unknown key \"args\""},
       {R"({"x": {"command": "a"}, "x": {"command": "a"}})", "repeated"}};

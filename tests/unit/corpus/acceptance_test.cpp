@@ -118,7 +118,7 @@ TEST_CASE("bad acceptances are refused, by the place and what would be right", "
       {R"({"because": "x", "because": "y"})", "repeated"},
       {R"({"because": "x", "link": 1})", "$.accepted.link"},
       {R"({"because": "x", "until": "2027-02-30"})",
-       "$.accepted.until: is no day; one such as 2027-01-31 is expected"},
+       "$.accepted.until: is not a date; a date such as 2027-01-31 is expected"},
       {R"({"because": "x", "until": 2027})", "$.accepted.until"},
       {R"({"because": "x", "up_to": -0.5})", "$.accepted.up_to: -0.5 is no magnitude"},
       {R"({"because": "x", "up_to": "1"})", "$.accepted.up_to"},
