@@ -1,4 +1,4 @@
-"""Godot's Shape2D.collide_and_get_contacts for manifuzz: `manifuzz fuzz --subject-command "python3 relay.py"`.
+"""Godot's Shape2D.collide_and_get_contacts for manifuzz: `manifuzz fuzz --subject-command "python3 oracle/godot3/relay.py"`.
 
 godot3-server takes no pipe as its standard input: collide.gd connects to a port of this machine.
 A case goes there as its length in bytes, then of A and of B: how many points, a radius, the points,
@@ -11,9 +11,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "python"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/colliders/python"))
 
-from protocol import serve  # noqa: E402
+from manifuzz_adapter import serve  # noqa: E402
 
 SNIPPET = """@language gdscript
 @no_normal

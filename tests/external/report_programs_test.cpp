@@ -169,9 +169,9 @@ TEST_CASE("kept reports on dyn4j and jbox2d print what was got") {
 TEST_CASE("kept reports on pymunk, cp and Godot print what was got") {
   check_reports("pymunk", each("snippet.py",
                                quoted_in_engine("pymunk", "installed/bin/python") + " '{file}'"));
-  check_reports("cp",
-                each("snippet.go", "cd '{folder}' && go run '{file}'",
-                     {in_engine("cp", "go.mod").string(), in_engine("cp", "go.sum").string()}));
+  check_reports("cp", each("snippet.go", "cd '{folder}' && go run '{file}'",
+                           {in_engine("cp", "adapter/go.mod").string(),
+                            in_engine("cp", "adapter/go.sum").string()}));
   check_reports("godot3",
                 each("snippet.gd", "cd '{folder}' && godot3-server --no-window -s '{file}'"));
 }

@@ -134,8 +134,9 @@ TEST_CASE("the program of pymunk runs on shapes of every kind") {
 TEST_CASE("the program of cp runs on shapes of every kind") {
   const auto collider = installed_collider("cp");
   if (!collider) return;
-  check_programs(*collider, "snippet.go", "cd '{folder}' && go run '{file}'", {},
-                 {in_engine("cp", "go.mod").string(), in_engine("cp", "go.sum").string()});
+  check_programs(
+      *collider, "snippet.go", "cd '{folder}' && go run '{file}'", {},
+      {in_engine("cp", "adapter/go.mod").string(), in_engine("cp", "adapter/go.sum").string()});
 }
 
 TEST_CASE("the program of Godot runs on shapes of every kind") {

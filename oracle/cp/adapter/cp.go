@@ -1,7 +1,7 @@
-// cp's ShapesCollide for manifuzz, as a shared library: `manifuzz fuzz --subject installed/libmanifuzz_cp.so`.
+// cp's ShapesCollide for manifuzz, as a shared library: `manifuzz fuzz --subject oracle/cp/installed/libmanifuzz_cp.so`.
 package main
 
-// #cgo CFLAGS: -I${SRCDIR}/../../src/external
+// #cgo CFLAGS: -I${SRCDIR}/../../../src/external
 // #include "manifuzz_collider.h"
 import "C"
 
