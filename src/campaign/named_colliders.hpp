@@ -7,6 +7,7 @@
 
 #include "collider/collider.hpp"
 #include "corpus/corpus.hpp"
+#include "engines/colliders.hpp"
 
 namespace manifuzz {
 
@@ -37,7 +38,7 @@ class NamedColliders {
   bool has_subject_;
   bool has_oracle_;
   std::string subject_ = "clip";
-  std::string oracle_ = "box2d";
+  std::string oracle_{usual_oracle_name()};
   std::map<std::string, std::optional<Collider>> known_;
 };
 

@@ -8,6 +8,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "cli/options.hpp"
+#include "engines/asked_engines.hpp"
 #include "engines/colliders.hpp"
 #include "report/outputs.hpp"
 
@@ -149,10 +150,23 @@ void add_subject_and_oracle(CLI::App& app, SubjectAndOracle& colliders) {
   add_external_options(app, colliders.external);
 }
 
+namespace {
+
+void tell_missing_ledger(const std::string& name) {
+  if (!is_without_ledger(name)) return;
+  write_remark(
+      fmt::format("the ledger of {} is not in this build, so its known deviations count as new; "
+                  "MANIFUZZ_ENGINES=all scripts/build builds it",
+                  name));
+}
+
+}  // namespace
+
 Collider find_collider(const ColliderChoice& choice, const ExternalOptions& external,
                        std::optional<double> tie_bias) {
   try {
     const Collider collider = find_any(choice, external);
+    if (choice.command.empty()) tell_missing_ledger(choice.name);
     return tie_bias ? with_tie_bias(collider, *tie_bias) : collider;
   } catch (const UserError& error) {
     const std::string_view what = error.what();

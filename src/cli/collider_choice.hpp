@@ -9,6 +9,7 @@
 
 #include "campaign/named_colliders.hpp"
 #include "collider/collider.hpp"
+#include "engines/colliders.hpp"
 #include "external/external_collider.hpp"
 
 namespace manifuzz {
@@ -33,7 +34,7 @@ struct ExternalOptions {
 /// The collider under test and the one it is held against.
 struct SubjectAndOracle {
   ColliderChoice subject{"subject", "clip", ""};
-  ColliderChoice oracle{"oracle", "box2d", ""};
+  ColliderChoice oracle{"oracle", std::string(usual_oracle_name()), ""};
   ExternalOptions external;
 };
 

@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "corpus/corpus.hpp"
+#include "engines/colliders.hpp"
 
 namespace manifuzz {
 namespace {
@@ -151,8 +152,9 @@ std::string next_steps(const std::string& program, const std::string& corpus,
   text += "Find what is wrong, in ten seconds; each finding comes with its file and command:\n";
   text += fmt::format("  {} fuzz --seconds 10\n\n", by);
   text += "Judge your own: put the command that runs it in place of the words in quotes.\n";
-  text += fmt::format("  {0} fuzz --subject-command {1} --oracle clip64 --cases 20000\n\n", by,
-                      quoted_for_shell(by + " collide --collider box2d"));
+  text += fmt::format(
+      "  {0} fuzz --subject-command {1} --oracle clip64 --cases 20000\n\n", by,
+      quoted_for_shell(fmt::format("{} collide --collider {}", by, usual_oracle_name())));
   return text + fmt::format("Everything else:\n  {} --help\n", by);
 }
 

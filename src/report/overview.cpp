@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engines/asked_engines.hpp"
 #include "report/finding_groups.hpp"
 
 namespace manifuzz {
@@ -63,6 +64,8 @@ std::string wrong_in_words(const CampaignResult& result, Fault of) {
   if (magnitude > 0) line += fmt::format(", by {:.2g} of the size at worst", magnitude);
   if (wrong.explained > 0) line += fmt::format("; {} explained by the ledger", wrong.explained);
   if (wrong.accepted > 0) line += fmt::format("; {} accepted", wrong.accepted);
+  const std::string& name = of == Fault::oracle ? result.settings.oracle : result.settings.subject;
+  if (is_without_ledger(name)) line += "; its ledger is not in this build";
   return line;
 }
 

@@ -186,7 +186,9 @@ void add_bench_arguments(CLI::App& app, BenchArguments& options) {
   CLI::Option* const collider =
       app.add_option(
              "--collider", options.colliders,
-             "collider to time besides box2d; repeatable; default: all but shared libraries")
+             fmt::format(
+                 "collider to time besides {}; repeatable; default: all but shared libraries",
+                 kRatioBase))
           ->type_name("C|LIBRARY.so")
           ->allow_extra_args(false);
   CLI::Option* const regime =

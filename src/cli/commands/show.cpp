@@ -1,6 +1,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -39,9 +40,10 @@ struct ShowArguments {
 /// The collider that was asked for, else the one that the case names, built in or in subjects.json,
 /// else the usual one; `asked` is how it is asked for then.
 Collider chosen(const std::string& file, ColliderChoice& asked, const ExternalOptions& external,
-                const NamedSubjects& subjects, const std::string& recorded, const char* usual) {
+                const NamedSubjects& subjects, const std::string& recorded,
+                std::string_view usual) {
   if (asked.is_given()) return find_collider(asked, external);
-  asked.name = recorded.empty() ? usual : recorded;
+  asked.name = recorded.empty() ? std::string(usual) : recorded;
   if (const auto named = named_choice(asked, subjects)) {
     return find_named(asked = *named, recorded, external);
   }
@@ -82,7 +84,7 @@ int show(const ShowArguments& options) {
   const Collider subject =
       chosen(file, asked.subject, asked.external, named, recorded.subject, "clip");
   const Collider oracle =
-      chosen(file, asked.oracle, asked.external, named, recorded.oracle, "box2d");
+      chosen(file, asked.oracle, asked.external, named, recorded.oracle, usual_oracle_name());
   Interruption interruption(kUntilSignal);
   const JudgedCase judged = judged_case(given, subject, oracle, interruption);
   const bool is_picture_alone = options.svg == "-";
@@ -112,8 +114,10 @@ void add_show_arguments(CLI::App& app, ShowArguments& options) {
   add_case_argument(app, options.given);
   add_collider(app, options.colliders.subject,
                "collider under test; default: the one that the case names, or clip");
-  add_collider(app, options.colliders.oracle,
-               "collider to compare it with; default: the one that the case names, or box2d");
+  add_collider(
+      app, options.colliders.oracle,
+      fmt::format("collider to compare it with; default: the one that the case names, or {}",
+                  usual_oracle_name()));
   add_sequences(app, options.colliders.subject);
   add_external_options(app, options.colliders.external);
   add_subjects(app, options.subjects);

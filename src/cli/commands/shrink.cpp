@@ -13,6 +13,7 @@
 #include "cli/options.hpp"
 #include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
+#include "engines/colliders.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {
@@ -82,7 +83,7 @@ int shrink_file(const ShrinkArguments& options) {
   }
   SubjectAndOracle asked = options.colliders;
   if (!asked.subject.is_given()) asked.subject.name = "clip";
-  if (!asked.oracle.is_given()) asked.oracle.name = "box2d";
+  if (!asked.oracle.is_given()) asked.oracle.name = usual_oracle_name();
   const Collider subject = find_collider(asked.subject, asked.external);
   const Collider oracle = find_collider(asked.oracle, asked.external);
   Interruption interruption;

@@ -249,15 +249,15 @@ std::vector<BenchRow> run_bench(const std::vector<BenchSubject>& subjects,
                                 const BenchOptions& options,
                                 const std::function<void(std::size_t)>& on_workload) {
   const auto base = std::ranges::find(subjects, kRatioBase, &BenchSubject::name);
-  const Collider box2d = base->collider();
-  const auto by_box2d = [&](const PairCase& pair) { return takes(box2d, pair); };
+  const Collider of_base = base->collider();
+  const auto by_base = [&](const PairCase& pair) { return takes(of_base, pair); };
   std::vector<BenchRow> rows;
   for (std::size_t w = 0; w < workloads.size(); ++w) {
     on_workload(w);
-    const auto timed = draw_workload(workloads[w], options.seed, by_box2d);
+    const auto timed = draw_workload(workloads[w], options.seed, by_base);
     WorkloadSpec judged_spec = workloads[w];
     judged_spec.pairs = options.judged;
-    const auto judged = draw_workload(judged_spec, options.seed, by_box2d);
+    const auto judged = draw_workload(judged_spec, options.seed, by_base);
     if (!timed || !judged) continue;
     std::vector<BenchSubject> taking;
     std::ranges::copy_if(subjects, std::back_inserter(taking), [&](const BenchSubject& subject) {
