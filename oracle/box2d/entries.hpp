@@ -7,37 +7,9 @@
 
 namespace manifuzz::ledger_of {
 
-// Box2D 2.4.1. Budgets are twice what 20,000,000 cases showed, of round
+// Box2D 2.4.1. Budgets (budgets.json) are twice what 20,000,000 cases showed, of round
 // shapes 8,400,000, rounded up. An entry without
 // budgets is met in the regime `corpus` alone, which has none.
-inline constexpr Budget kOfTinyFaces[] = {{"micro_edge", 7200}, {"scaled", 1300}, {"ulp", 500}};
-inline constexpr Budget kOfBias[] = {{"generic", 30},
-                                     {"regular", 20},
-                                     {"sliver", 1600},
-                                     {"near_parallel", 10},
-                                     {"tied_faces", 60},
-                                     {"micro_edge", 5000},
-                                     {"near_collinear", 300},
-                                     {"corner_corner", 4000},
-                                     {"corner_face", 30},
-                                     {"deep", 30},
-                                     {"tie_bias", 47'000},
-                                     {"far_from_origin", 40},
-                                     {"scaled", 16'000},
-                                     {"off_unit", 50},
-                                     {"ulp", 4400}};
-inline constexpr Budget kOfTies[] = {{"sliver", 4800},        {"tied_faces", 26'000},
-                                     {"micro_edge", 10},      {"near_collinear", 48'000},
-                                     {"corner_corner", 40},   {"tie_bias", 10},
-                                     {"far_from_origin", 30}, {"scaled", 10},
-                                     {"off_unit", 20},        {"ulp", 4700}};
-inline constexpr Budget kOfEdgeHysteresis[] = {
-    {"capsules", 1200}, {"mixed_shapes", 600}, {"voronoi_lines", 19}};
-inline constexpr Budget kOfEdgeSlabNotWidened[] = {
-    {"capsules", 70000}, {"mixed_shapes", 23000}, {"voronoi_lines", 33000}};
-inline constexpr Budget kOfCoincidentPoints[] = {{"cores_touch", 83000}};
-inline constexpr Budget kOfCornerDirectionNotNormalised[] = {{"cores_touch", 570}};
-inline constexpr Budget kOfDirectionOfRoundings[] = {{"cores_touch", 2700}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfBox2d{
@@ -49,7 +21,6 @@ inline constexpr std::array kOfBox2d{
                 .source = "Box2D 2.4.1, include/box2d/b2_math.h, b2Vec2::Normalize: `if (length < "
                           "b2_epsilon) return 0.0f`; src/collision/b2_collide_polygon.cpp, "
                           "b2CollidePolygons: side offsets of world vertices",
-                .budgets = kOfTinyFaces,
                 .explains = tiny_reference_face_of_box2d},
     LedgerEntry{.id = "box2d-huge-reference-face",
                 .collider = "box2d",
@@ -66,7 +37,6 @@ inline constexpr std::array kOfBox2d{
                     "less deep, and the incident edge lies outside its side planes",
                 .source = "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2CollidePolygons: "
                           "k_tol = 0.1f * b2_linearSlop, then `if (np < 2) return`",
-                .budgets = kOfBias,
                 .explains = no_contact_under_bias},
     LedgerEntry{.id = "box2d-no-contact-on-tied-features",
                 .collider = "box2d",
@@ -75,7 +45,6 @@ inline constexpr std::array kOfBox2d{
                     "one is kept, and its slab misses the deepest vertex",
                 .source = "Box2D 2.4.1, src/collision/b2_collide_polygon.cpp, b2FindMaxSeparation "
                           "and b2FindIncidentEdge: first of equals",
-                .budgets = kOfTies,
                 .explains = no_contact_on_tied_features},
     LedgerEntry{.id = "box2d-crossing-underflows",
                 .collider = "box2d",
@@ -93,7 +62,6 @@ inline constexpr std::array kOfBox2d{
                 .source = "Box2D 2.4.1, src/collision/b2_collide_edge.cpp, "
                           "b2CollideEdgeAndPolygon: ref.sideOffset1 = b2Dot(ref.sideNormal1, "
                           "ref.v1), without the radius that b2CollidePolygons adds",
-                .budgets = kOfEdgeSlabNotWidened,
                 .explains = edge_slab_not_widened},
     LedgerEntry{.id = "box2d-edge-hysteresis",
                 .collider = "box2d",
@@ -102,7 +70,6 @@ inline constexpr std::array kOfBox2d{
                     "its depth and 0.001",
                 .source = "Box2D 2.4.1, src/collision/b2_collide_edge.cpp, "
                           "b2CollideEdgeAndPolygon: k_relativeTol = 0.98f, k_absoluteTol = 0.001f",
-                .budgets = kOfEdgeHysteresis,
                 .explains = edge_face_kept_by_hysteresis,
                 .is_no_bug = true},
     LedgerEntry{.id = "box2d-coincident-points",
@@ -111,7 +78,6 @@ inline constexpr std::array kOfBox2d{
                                "centre lies on the end of an edge",
                 .source = "Box2D 2.4.1, src/collision/b2_collision.cpp, "
                           "b2WorldManifold::Initialize: normal.Set(1.0f, 0.0f)",
-                .budgets = kOfCoincidentPoints,
                 .explains = axis_for_coincident_points},
     LedgerEntry{.id = "box2d-direction-of-roundings",
                 .collider = "box2d",
@@ -121,7 +87,6 @@ inline constexpr std::array kOfBox2d{
                     "Box2D 2.4.1, src/collision/b2_collision.cpp, b2WorldManifold::Initialize: "
                     "normal = pointB - pointA; src/collision/b2_collide_circle.cpp, "
                     "b2CollidePolygonAndCircle: localNormal = cLocal - v1",
-                .budgets = kOfDirectionOfRoundings,
                 .explains = direction_of_roundings},
     LedgerEntry{.id = "box2d-corner-direction-not-normalised",
                 .collider = "box2d",
@@ -130,7 +95,6 @@ inline constexpr std::array kOfBox2d{
                 .source = "Box2D 2.4.1, src/collision/b2_collide_circle.cpp, "
                           "b2CollidePolygonAndCircle: localNormal = cLocal - v1; "
                           "include/box2d/b2_math.h, b2Vec2::Normalize: `if (length < b2_epsilon)`",
-                .budgets = kOfCornerDirectionNotNormalised,
                 .explains = corner_direction_not_normalised},
     LedgerEntry{.id = "box2d-face-within-epsilon",
                 .collider = "box2d",

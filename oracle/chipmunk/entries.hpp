@@ -7,42 +7,8 @@
 
 namespace manifuzz::ledger_of {
 
-// Chipmunk 7.0.3. Budgets are twice what 10,000,000 cases against clip64 showed, of
+// Chipmunk 7.0.3. Budgets (budgets.json) are twice what 10,000,000 cases against clip64 showed, of
 // round shapes 9,000,000 against clip, rounded up.
-inline constexpr Budget kOfChipmunkNormalOfWorldVertices[] = {
-    {"generic", 3400},       {"boxes", 1900},
-    {"regular", 1400},       {"sliver", 14000},
-    {"near_parallel", 1800}, {"tied_faces", 1800},
-    {"micro_edge", 13000},   {"near_collinear", 18000},
-    {"corner_corner", 5200}, {"corner_face", 5800},
-    {"touching", 20},        {"deep", 1700},
-    {"tie_bias", 4100},      {"far_from_origin", 910000},
-    {"scaled", 6800},        {"off_unit", 7200},
-    {"ulp", 56000}};
-inline constexpr Budget kOfChipmunkCornerOnCorner[] = {
-    {"regular", 170},        {"grid", 260000},        {"sliver", 3500},    {"tied_faces", 2200},
-    {"near_collinear", 130}, {"corner_corner", 2800}, {"touching", 19000}, {"deep", 2400},
-    {"tie_bias", 300},       {"scaled", 3300},        {"off_unit", 2400},  {"ulp", 8100}};
-inline constexpr Budget kOfChipmunkCollinearApart[] = {
-    {"grid", 7400}, {"tied_faces", 100}, {"tie_bias", 10}, {"ulp", 290}};
-inline constexpr Budget kOfChipmunkWrongSupportEdge[] = {
-    {"tied_faces", 2500}, {"near_collinear", 16000}, {"ulp", 1100}};
-inline constexpr Budget kOfChipmunkDepthByCrossing[] = {
-    {"capsules", 1100},    {"mixed_shapes", 1200}, {"in_line", 73000},  {"voronoi_lines", 8400},
-    {"cores_touch", 9300}, {"large_radii", 24000}, {"side_planes", 280}};
-inline constexpr Budget kOfChipmunkRoundCornerOnCorner[] = {
-    {"capsules", 250}, {"mixed_shapes", 150}, {"cores_touch", 41000}};
-inline constexpr Budget kOfChipmunkSwappedDistance[] = {
-    {"circles", 220000},     {"capsules", 310000},     {"mixed_shapes", 350000},
-    {"in_line", 210000},     {"tilted_edges", 210000}, {"voronoi_lines", 410000},
-    {"cores_touch", 490000}, {"large_radii", 320000},  {"side_planes", 270000}};
-inline constexpr Budget kOfChipmunkPolygonRadiusSign[] = {{"circles", 470000},
-                                                          {"mixed_shapes", 130000},
-                                                          {"voronoi_lines", 240000},
-                                                          {"cores_touch", 150000},
-                                                          {"large_radii", 140000}};
-inline constexpr Budget kOfChipmunkDirectionOfRoundings[] = {{"cores_touch", 110000}};
-inline constexpr Budget kOfChipmunkRoundCollinear[] = {{"in_line", 210000}};
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfChipmunk{
@@ -52,7 +18,6 @@ inline constexpr std::array kOfChipmunk{
         .description = "a normal off by the roundoff of world coordinates over the face's length",
         .source = "Chipmunk 7.0.3, src/cpCollision.c, ClosestPointsNew: "
                   "`n = cpvnormalize(cpvrperp(delta))`, delta of world points",
-        .budgets = kOfChipmunkNormalOfWorldVertices,
         .explains = normal_of_rounded_vertices},
     LedgerEntry{.id = "chipmunk-corner-on-corner",
                 .collider = "chipmunk",
@@ -60,7 +25,6 @@ inline constexpr std::array kOfChipmunk{
                                "corner of B",
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, GJKRecurse: the direction to the "
                           "nearest point is (0, 0), so no nearer one is found",
-                .budgets = kOfChipmunkCornerOnCorner,
                 .explains = corner_on_corner},
     LedgerEntry{.id = "chipmunk-collinear-apart",
                 .collider = "chipmunk",
@@ -68,7 +32,6 @@ inline constexpr std::array kOfChipmunk{
                                "chord of their difference",
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, ClosestPointsNew: `if(d <= 0.0f` "
                           "comes before the distance to the nearer vertex",
-                .budgets = kOfChipmunkCollinearApart,
                 .explains = collinear_and_apart},
     LedgerEntry{.id = "chipmunk-wrong-support-edge",
                 .collider = "chipmunk",
@@ -76,7 +39,6 @@ inline constexpr std::array kOfChipmunk{
                                "face is clipped, their directions being nearer than a dot can tell",
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, SupportEdgeForPoly: "
                           "`cpvdot(n, planes[i1].n) > cpvdot(n, planes[i2].n)`",
-                .budgets = kOfChipmunkWrongSupportEdge,
                 .explains = neighbours_nearly_parallel},
     LedgerEntry{.id = "chipmunk-swapped-distance",
                 .collider = "chipmunk",
@@ -84,7 +46,6 @@ inline constexpr std::array kOfChipmunk{
                                "segment, polygon, so that distances have the wrong sign",
                 .source = "Chipmunk 7.0.3, src/cpShape.c, cpShapesCollide: distance = "
                           "cpvdot(cpvsub(p2, p1), set.normal), of points not swapped",
-                .budgets = kOfChipmunkSwappedDistance,
                 .explains = sign_of_swapped_distance},
     LedgerEntry{.id = "chipmunk-polygon-radius-sign",
                 .collider = "chipmunk",
@@ -92,7 +53,6 @@ inline constexpr std::array kOfChipmunk{
                                "polygon's radius, and its point as much too far",
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, CircleToPoly: "
                           "cpvadd(points.b, cpvmult(n, poly->r))",
-                .budgets = kOfChipmunkPolygonRadiusSign,
                 .explains = sign_of_polygon_radius},
     LedgerEntry{.id = "chipmunk-direction-of-roundings",
                 .collider = "chipmunk",
@@ -100,7 +60,6 @@ inline constexpr std::array kOfChipmunk{
                                "roundings between both",
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, CircleToSegment: "
                           "n = cpvmult(delta, 1.0f/dist)",
-                .budgets = kOfChipmunkDirectionOfRoundings,
                 .explains = direction_to_place_on_segment},
     LedgerEntry{.id = "chipmunk-round-corner-on-corner",
                 .collider = "chipmunk",
@@ -109,7 +68,6 @@ inline constexpr std::array kOfChipmunk{
                     "other's",
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, GJKRecurse: the direction to the "
                           "nearest point is (0, 0), so no nearer one is found",
-                .budgets = kOfChipmunkRoundCornerOnCorner,
                 .explains = normal_across_corner_on_corner},
     LedgerEntry{.id = "chipmunk-round-collinear",
                 .collider = "chipmunk",
@@ -117,7 +75,6 @@ inline constexpr std::array kOfChipmunk{
                                "apart: the origin lies on the line of a chord",
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, ClosestPointsNew: `if(d <= 0.0f` "
                           "comes before the distance to the nearer vertex",
-                .budgets = kOfChipmunkRoundCollinear,
                 .explains = normal_across_collinear},
     LedgerEntry{.id = "chipmunk-depth-by-crossing",
                 .collider = "chipmunk",
@@ -125,7 +82,6 @@ inline constexpr std::array kOfChipmunk{
                                "a division by its run along the tangent",
                 .source = "Chipmunk 7.0.3, src/cpCollision.c, ContactPoints: "
                           "e1_denom = 1.0f/(d_e1_b - d_e1_a + CPFLOAT_MIN)",
-                .budgets = kOfChipmunkDepthByCrossing,
                 .explains = depth_by_crossing},
     LedgerEntry{.id = "chipmunk-direction-between-corners",
                 .collider = "chipmunk",

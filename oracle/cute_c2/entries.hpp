@@ -7,49 +7,8 @@
 
 namespace manifuzz::ledger_of {
 
-// cute_c2 1.08, in float. Budgets are twice what 300,000 cases against clip64 showed, rounded up.
-inline constexpr Budget kOfCutePlacedVertices[] = {{"boxes", 31000},
-                                                   {"corner_corner", 38000},
-                                                   {"corner_face", 46000},
-                                                   {"deep", 65000},
-                                                   {"far_from_origin", 520000},
-                                                   {"generic", 70000},
-                                                   {"micro_edge", 120000},
-                                                   {"near_collinear", 120000},
-                                                   {"near_parallel", 51000},
-                                                   {"off_unit", 200},
-                                                   {"regular", 88000},
-                                                   {"scaled", 76000},
-                                                   {"sliver", 130000},
-                                                   {"tie_bias", 58000},
-                                                   {"tied_faces", 40000},
-                                                   {"touching", 5300},
-                                                   {"ulp", 77000}};
-inline constexpr Budget kOfCuteBias[] = {
-    {"corner_corner", 16000}, {"corner_face", 4700},   {"deep", 3900},
-    {"far_from_origin", 580}, {"generic", 1200},       {"grid", 580},
-    {"micro_edge", 28000},    {"near_collinear", 970}, {"off_unit", 2200},
-    {"regular", 2000},        {"scaled", 28000},       {"sliver", 11000},
-    {"tie_bias", 3300},       {"tied_faces", 1800},    {"ulp", 5300}};
-inline constexpr Budget kOfCuteOpenPlanes[] = {
-    {"near_collinear", 20000}, {"sliver", 1200}, {"ulp", 1600}};
-inline constexpr Budget kOfCuteInside[] = {{"capsules", 51000},     {"cores_touch", 160000},
-                                           {"in_line", 400000},     {"mixed_shapes", 90000},
-                                           {"tilted_edges", 77000}, {"voronoi_lines", 23000}};
-inline constexpr Budget kOfCuteNearestPlaces[] = {{"capsules", 14000},     {"cores_touch", 470000},
-                                                  {"in_line", 190000},     {"large_radii", 4900},
-                                                  {"mixed_shapes", 8000},  {"side_planes", 24000},
-                                                  {"tilted_edges", 22000}, {"voronoi_lines", 970}};
-inline constexpr Budget kOfCuteTwoFrames[] = {
-    {"capsules", 34000}, {"mixed_shapes", 29000}, {"voronoi_lines", 3900}};
-inline constexpr Budget kOfCuteOnCore[] = {
-    {"capsules", 20000}, {"mixed_shapes", 9900}, {"voronoi_lines", 14000}};
-inline constexpr Budget kOfCuteOnePoint[] = {{"capsules", 180000},     {"cores_touch", 220000},
-                                             {"in_line", 150000},      {"large_radii", 290000},
-                                             {"mixed_shapes", 77000},  {"side_planes", 630000},
-                                             {"tilted_edges", 340000}, {"voronoi_lines", 13000}};
-inline constexpr Budget kOfCuteTiedFeatures[] = {
-    {"near_collinear", 52000}, {"sliver", 3500}, {"tied_faces", 43000}, {"ulp", 4900}};
+// cute_c2 1.08, in float. Budgets (budgets.json) are twice what 300,000 cases against clip64
+// showed, rounded up.
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfCute{
@@ -59,7 +18,6 @@ inline constexpr std::array kOfCute{
         .description = "a normal off by the roundoff of world coordinates over the face's length",
         .source = "cute_c2 1.08, in crate c2-sys 0.1.0 cute-header/cute_c2.c, c2SidePlanes: c2v in "
                   "= c2Norm(c2Sub(rb, ra))",
-        .budgets = kOfCutePlacedVertices,
         .explains = fault_of_cute<FaultOfCute::placed_vertices>},
     LedgerEntry{.id = "cute_c2-bias",
                 .collider = "cute_c2",
@@ -69,7 +27,6 @@ inline constexpr std::array kOfCute{
                     "edge lies outside its side planes",
                 .source = "cute_c2 1.08, in crate c2-sys 0.1.0 cute-header/cute_c2.c, "
                           "c2PolytoPolyManifold: sa * kRelTol > sb + kAbsTol",
-                .budgets = kOfCuteBias,
                 .explains = fault_of_cute<FaultOfCute::bias>},
     LedgerEntry{
         .id = "cute_c2-open-planes",
@@ -78,7 +35,6 @@ inline constexpr std::array kOfCute{
             "no contact, of an incident edge that ends on a side plane: one point is left of it",
         .source = "cute_c2 1.08, in crate c2-sys 0.1.0 cute-header/cute_c2.c, c2Clip: d0 * d1 <= "
                   "0; c2SidePlanes: c2Clip(seg, left) < 2",
-        .budgets = kOfCuteOpenPlanes,
         .explains = fault_of_cute<FaultOfCute::open_planes>},
     LedgerEntry{.id = "cute_c2-inside",
                 .collider = "cute_c2",
@@ -89,7 +45,6 @@ inline constexpr std::array kOfCute{
                     "c2CapsuletoCapsuleManifold, c2CircletoCapsuleManifold: if (d == 0) n = "
                     "c2Norm(c2Skew(; "
                     "d < r, c2CapsuletoPolyManifold: d < A.r, of the rounded distance of c2GJK",
-                .budgets = kOfCuteInside,
                 .explains = fault_of_cute<FaultOfCute::inside>},
     LedgerEntry{.id = "cute_c2-nearest-places",
                 .collider = "cute_c2",
@@ -100,7 +55,6 @@ inline constexpr std::array kOfCute{
                           "c2CapsuletoCapsuleManifold, c2CircletoCapsuleManifold, "
                           "c2CircletoPolyManifold, c2CapsuletoPolyManifold: c2Sub(b, a) of c2GJK, "
                           "which ends at c2Dot(d, d) < FLT_EPSILON * FLT_EPSILON",
-                .budgets = kOfCuteNearestPlaces,
                 .explains = fault_of_cute<FaultOfCute::nearest_places>},
     LedgerEntry{.id = "cute_c2-two-frames",
                 .collider = "cute_c2",
@@ -108,14 +62,12 @@ inline constexpr std::array kOfCute{
                                "polygon's frame clip an edge in the world",
                 .source = "cute_c2 1.08, in crate c2-sys 0.1.0 cute-header/cute_c2.c, "
                           "c2CapsuletoPolyManifold: c2SidePlanes(incident, A_in_B.b, A_in_B.a, &h)",
-                .budgets = kOfCuteTwoFrames,
                 .explains = fault_of_cute<FaultOfCute::two_frames>},
     LedgerEntry{.id = "cute_c2-on-core",
                 .collider = "cute_c2",
                 .description = "points on a capsule's core, with the depth of its surface",
                 .source = "cute_c2 1.08, in crate c2-sys 0.1.0 cute-header/cute_c2.c, "
                           "c2CapsuletoPolyManifold, case 0: m->depths[i] += A.r",
-                .budgets = kOfCuteOnCore,
                 .explains = fault_of_cute<FaultOfCute::on_core>},
     LedgerEntry{.id = "cute_c2-one-point",
                 .collider = "cute_c2",
@@ -124,7 +76,6 @@ inline constexpr std::array kOfCute{
                     "polygon where their cores are apart",
                 .source = "cute_c2 1.08, in crate c2-sys 0.1.0 cute-header/cute_c2.c, "
                           "c2CapsuletoCapsuleManifold, c2CapsuletoPolyManifold: m->count = 1",
-                .budgets = kOfCuteOnePoint,
                 .explains = fault_of_cute<FaultOfCute::one_point>},
     LedgerEntry{
         .id = "cute_c2-tied-features",
@@ -133,7 +84,6 @@ inline constexpr std::array kOfCute{
             "no contact of overlapping polygons: features that tie in float, the wrong one is kept",
         .source = "cute_c2 1.08, in crate c2-sys 0.1.0 cute-header/cute_c2.c, c2CheckFaces: d > "
                   "sep; c2Incident: dot < min_dot",
-        .budgets = kOfCuteTiedFeatures,
         .explains = tied_features_in_cute},
 };
 

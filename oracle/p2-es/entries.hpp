@@ -7,18 +7,8 @@
 
 namespace manifuzz::ledger_of {
 
-// p2-es 1.2.3. Budgets are twice what 300,000 cases against clip64 showed, of normals of float
-// vertices and circles without contact another 300,000, rounded up.
-inline constexpr Budget kOfP2EsNoContactOnTiedFeatures[] = {
-    {"near_collinear", 70000}, {"sliver", 8600}, {"tied_faces", 33000}, {"ulp", 5500}};
-inline constexpr Budget kOfP2EsZeroNormal[] = {{"cores_touch", 240000}};
-inline constexpr Budget kOfP2EsDirectionOfRoundings[] = {{"cores_touch", 35000}};
-inline constexpr Budget kOfP2EsFirstEnd[] = {{"large_radii", 2200}};
-inline constexpr Budget kOfP2EsEdgeOfRoundedEnds[] = {{"large_radii", 200}};
-inline constexpr Budget kOfP2EsFaceBeforeVertex[] = {
-    {"circles", 46000}, {"mixed_shapes", 7600}, {"voronoi_lines", 11000}};
-inline constexpr Budget kOfP2EsVertexBeforeFace[] = {
-    {"circles", 18000}, {"mixed_shapes", 1400}, {"voronoi_lines", 9500}};
+// p2-es 1.2.3. Budgets (budgets.json) are twice what 300,000 cases against clip64 showed, of
+// normals of float vertices and circles without contact another 300,000, rounded up.
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfP2{
@@ -28,7 +18,6 @@ inline constexpr std::array kOfP2{
                                "the wrong one is kept, and its slab misses the deepest vertex",
                 .source = "p2-es 1.2.3, dist/p2-es.js, findMaxSeparation and findIncidentEdge: the "
                           "first of what floats cannot tell apart; convexConvex: `if (np < 2)`",
-                .budgets = kOfP2EsNoContactOnTiedFeatures,
                 .explains = no_contact_on_tied_features},
     LedgerEntry{.id = "p2-es-zero-normal",
                 .collider = "p2-es",
@@ -37,7 +26,6 @@ inline constexpr std::array kOfP2{
                 .source = "p2-es 1.2.3, dist/p2-es.js, normalize: `if (len > 0)`; circleCircle: "
                           "normalize(normalA, normalA); circleLine: scale(c.normalA, orthoDist, "
                           "-1)",
-                .budgets = kOfP2EsZeroNormal,
                 .explains = zero_normal_of_p2},
     LedgerEntry{.id = "p2-es-direction-of-roundings",
                 .collider = "p2-es",
@@ -46,7 +34,6 @@ inline constexpr std::array kOfP2{
                                "at an end its direction",
                 .source = "p2-es 1.2.3, dist/p2-es.js, circleLine: d = dot(dist, worldTangent), "
                           "normalize(lineToCircleOrthoUnit, lineToCircleOrthoUnit)",
-                .budgets = kOfP2EsDirectionOfRoundings,
                 .explains = direction_of_roundings_of_p2},
     LedgerEntry{.id = "p2-es-first-end",
                 .collider = "p2-es",
@@ -54,7 +41,6 @@ inline constexpr std::array kOfP2{
                                "reach is taken",
                 .source = "p2-es 1.2.3, dist/p2-es.js, circleLine: `return 1` in the loop over "
                           "verts",
-                .budgets = kOfP2EsFirstEnd,
                 .explains = first_end_of_p2},
     LedgerEntry{.id = "p2-es-edge-of-rounded-ends",
                 .collider = "p2-es",
@@ -63,7 +49,6 @@ inline constexpr std::array kOfP2{
                     "its direction is that of its ends as floats have them in the world",
                 .source = "p2-es 1.2.3, dist/p2-es.js, circleLine: subtract(worldEdge, "
                           "worldVertex1, worldVertex0), of Float32Arrays",
-                .budgets = kOfP2EsEdgeOfRoundedEnds,
                 .explains = edge_of_rounded_ends_in_p2},
     LedgerEntry{.id = "p2-es-face-before-vertex",
                 .collider = "p2-es",
@@ -71,7 +56,6 @@ inline constexpr std::array kOfP2{
                                "another face: the circle's point along the face's normal is "
                                "inside the polygon, and least deep there",
                 .source = "p2-es 1.2.3, dist/p2-es.js, circleConvex: `Check edges first`",
-                .budgets = kOfP2EsFaceBeforeVertex,
                 .explains = face_before_vertex_of_p2},
     LedgerEntry{.id = "p2-es-vertex-before-face",
                 .collider = "p2-es",
@@ -80,7 +64,6 @@ inline constexpr std::array kOfP2{
                                "polygon, behind its far side",
                 .source = "p2-es 1.2.3, dist/p2-es.js, circleConvex: "
                           "pointInConvexLocal(candidate, convexShape)",
-                .budgets = kOfP2EsVertexBeforeFace,
                 .explains = vertex_before_face_of_p2},
 };
 

@@ -8,39 +8,9 @@
 
 namespace manifuzz::ledger_of {
 
-// Budgets are twice what 10,000,000 cases against clip64 showed, of round shapes 200,000 against
-// clip, of rounded places, faces within slop and nearest places 3,000,000, rounded up.
-inline constexpr Budget kOfPhaserEdgeExtendedToSlab[] = {
-    {"sliver", 590},   {"micro_edge", 80}, {"near_collinear", 18000}, {"corner_corner", 690},
-    {"touching", 470}, {"tie_bias", 500},  {"far_from_origin", 100},  {"scaled", 200},
-    {"off_unit", 220}, {"ulp", 1200}};
-inline constexpr Budget kOfPhaserNoContactOnTiedFeatures[] = {{"near_collinear", 510}, {"ulp", 20}};
-inline constexpr Budget kOfPhaserCapsuleSlips[] = {
-    {"capsules", 120000},     {"mixed_shapes", 71000},  {"in_line", 500000},
-    {"tilted_edges", 150000}, {"voronoi_lines", 36000}, {"cores_touch", 150000},
-    {"large_radii", 24000},   {"side_planes", 110000}};
-inline constexpr Budget kOfPhaserCapsuleSlop[] = {{"capsules", 34000},      {"mixed_shapes", 11000},
-                                                  {"in_line", 31000},       {"tilted_edges", 26000},
-                                                  {"voronoi_lines", 21000}, {"cores_touch", 42000},
-                                                  {"large_radii", 130000},  {"side_planes", 82000}};
-inline constexpr Budget kOfPhaserOnePointBetweenCorners[] = {
-    {"capsules", 400},      {"round_corners", 22000}, {"mixed_shapes", 2900},
-    {"tilted_edges", 4800}, {"voronoi_lines", 600},   {"cores_touch", 3100},
-    {"large_radii", 47000}, {"side_planes", 38000}};
-inline constexpr Budget kOfPhaserDirectionOfRoundings[] = {{"cores_touch", 120000}};
-inline constexpr Budget kOfPhaserNoNormalWithinEpsilon[] = {{"cores_touch", 170000}};
-inline constexpr Budget kOfPhaserFaceWithinEpsilon[] = {{"cores_touch", 5000}};
-inline constexpr Budget kOfPhaserDirectionOfRoundedPlaces[] = {
-    {"capsules", 160},     {"mixed_shapes", 40},  {"in_line", 20},
-    {"tilted_edges", 410}, {"voronoi_lines", 20}, {"cores_touch", 1300}};
-inline constexpr Budget kOfPhaserFaceWithinSlop[] = {
-    {"capsules", 1100},     {"round_corners", 2400}, {"mixed_shapes", 1700},
-    {"voronoi_lines", 400}, {"cores_touch", 44000},  {"side_planes", 360}};
-inline constexpr Budget kOfPhaserNearestByRoundings[] = {{"voronoi_lines", 47},
-                                                         {"side_planes", 3900}};
-inline constexpr Budget kOfPhaserNormalOverRoundedDistance[] = {
-    {"capsules", 710},    {"round_corners", 750}, {"mixed_shapes", 930},
-    {"tilted_edges", 20}, {"voronoi_lines", 680}, {"cores_touch", 1300}};
+// Budgets (budgets.json) are twice what 10,000,000 cases against clip64 showed, of round shapes
+// 200,000 against clip, of rounded places, faces within slop and nearest places 3,000,000, rounded
+// up.
 
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfPhaser{
@@ -52,7 +22,6 @@ inline constexpr std::array kOfPhaser{
                     "lesser is meant",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsules: fp1 = "
                           "(p1.x - p2.x) * u1X + (p1.y - p2.y) * u2Y, s1n = Math.max(-ss1, -ss2)",
-                .budgets = kOfPhaserCapsuleSlips,
                 .explains = slips_in_phaser_capsules},
     LedgerEntry{.id = "phaser-box2d-direction-of-rounded-places",
                 .collider = "phaser-box2d",
@@ -60,7 +29,6 @@ inline constexpr std::array kOfPhaser{
                                "nearest points as doubles have them, not an edge's normal",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsules: normalX = "
                           "closest2.x - closest1.x, over its length",
-                .budgets = kOfPhaserDirectionOfRoundedPlaces,
                 .explains = direction_of_rounded_places},
     LedgerEntry{.id = "phaser-box2d-capsule-slop",
                 .collider = "phaser-box2d",
@@ -68,7 +36,6 @@ inline constexpr std::array kOfPhaser{
                                "along it, or one point where edges overlap but not end beside end",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsules: "
                           "sp <= distance + b2_linearSlop, outsideA, outsideB",
-                .budgets = kOfPhaserCapsuleSlop,
                 .explains = slop_in_phaser_capsules},
     LedgerEntry{.id = "phaser-box2d-no-normal-within-epsilon",
                 .collider = "phaser-box2d",
@@ -77,7 +44,6 @@ inline constexpr std::array kOfPhaser{
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCircles: "
                           "distance >= eps; src/include/math_functions_h.js, "
                           "b2GetLengthAndNormalize",
-                .budgets = kOfPhaserNoNormalWithinEpsilon,
                 .explains = no_normal_within_phaser_epsilon},
     LedgerEntry{.id = "phaser-box2d-face-within-epsilon",
                 .collider = "phaser-box2d",
@@ -85,7 +51,6 @@ inline constexpr std::array kOfPhaser{
                                "1e-10 of a polygon",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygonAndCircle: "
                           "u1 < 0.0 && separation > eps",
-                .budgets = kOfPhaserFaceWithinEpsilon,
                 .explains = face_within_phaser_epsilon},
     LedgerEntry{.id = "phaser-box2d-face-within-slop",
                 .collider = "phaser-box2d",
@@ -93,7 +58,6 @@ inline constexpr std::array kOfPhaser{
                                "are nearest at corners: no face is farther than 0.0005",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: separationA > "
                           "0.1 * b2_linearSlop || separationB > 0.1 * b2_linearSlop",
-                .budgets = kOfPhaserFaceWithinSlop,
                 .explains = face_within_phaser_slop,
                 .is_no_bug = true},
     LedgerEntry{.id = "phaser-box2d-nearest-by-roundings",
@@ -103,7 +67,6 @@ inline constexpr std::array kOfPhaser{
                 .source =
                     "phaser-box2d 1.1.0, src/distance_c.js, b2SegmentDistance: denom = dd1 * "
                     "dd2 - d12 * d12; src/manifold_c.js, b2CollidePolygons: fraction1 === 0.0",
-                .budgets = kOfPhaserNearestByRoundings,
                 .explains = nearest_by_phaser_roundings},
     LedgerEntry{.id = "phaser-box2d-normal-over-rounded-distance",
                 .collider = "phaser-box2d",
@@ -111,14 +74,12 @@ inline constexpr std::array kOfPhaser{
                                "the rounded distance of the same points on their edges",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: normalX *= "
                           "invDistance, of result.distanceSquared",
-                .budgets = kOfPhaserNormalOverRoundedDistance,
                 .explains = normal_over_rounded_distance},
     LedgerEntry{.id = "phaser-box2d-one-point-between-corners",
                 .collider = "phaser-box2d",
                 .description = "one point where edges overlap: cores are nearest at corners",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons and "
                           "b2CollideCapsules: a single point between the nearest vertices",
-                .budgets = kOfPhaserOnePointBetweenCorners,
                 .explains = one_point_between_corners,
                 .is_no_bug = true},
     LedgerEntry{.id = "phaser-box2d-direction-of-roundings",
@@ -127,7 +88,6 @@ inline constexpr std::array kOfPhaser{
                                "direction of roundings between both",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollideCapsuleAndCircle: "
                           "b2GetLengthAndNormalize(b2Sub(pB, pA))",
-                .budgets = kOfPhaserDirectionOfRoundings,
                 .explains = direction_to_place_on_segment},
     LedgerEntry{.id = "phaser-box2d-edge-extended-to-slab",
                 .collider = "phaser-box2d",
@@ -136,7 +96,6 @@ inline constexpr std::array kOfPhaser{
                     "misses the reference face's slab is prolonged to it",
                 .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2ClipPolygons: b2Lerp(v22, v21, "
                           "(lower1 - lower2) / (upper2 - lower2)) with a fraction outside [0, 1]",
-                .budgets = kOfPhaserEdgeExtendedToSlab,
                 .explains = edge_extended_to_slab},
     LedgerEntry{
         .id = "phaser-box2d-no-contact-on-tied-features",
@@ -145,7 +104,6 @@ inline constexpr std::array kOfPhaser{
                        "wrong one is kept, and its slab misses the deepest vertex",
         .source = "phaser-box2d 1.1.0, src/manifold_c.js, b2CollidePolygons: `dot < minDot`, first "
                   "of equals",
-        .budgets = kOfPhaserNoContactOnTiedFeatures,
         .explains = no_contact_on_tied_features},
     LedgerEntry{.id = "phaser-box2d-tiny-edge-unclipped",
                 .collider = "phaser-box2d",

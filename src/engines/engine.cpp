@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/text.hpp"
+#include "engines/engine_texts.hpp"
+
 namespace manifuzz {
 
-std::vector<std::span<const LedgerEntry>> built_ledgers() {
-  std::vector<std::span<const LedgerEntry>> ledgers;
-  for (const Engine& engine : built_engines()) ledgers.push_back(engine.ledger);
+std::vector<BuiltLedger> built_ledgers() {
+  std::vector<BuiltLedger> ledgers;
+  for (const Engine& engine : built_engines()) {
+    const EngineText* const text = find_by_name(engine_texts(), engine.name);
+    ledgers.push_back({engine.ledger, text->budgets});
+  }
   return ledgers;
 }
 

@@ -7,10 +7,11 @@ namespace manifuzz {
 
 // What the build knows of the engines' folders; the build writes the source.
 
-/// An engine's engine.json.
+/// The texts in an engine's folder.
 struct EngineText {
-  std::string_view name;  ///< its folder's
-  std::string_view json;
+  std::string_view name;     ///< its folder's
+  std::string_view json;     ///< engine.json
+  std::string_view budgets;  ///< budgets.json; empty where it has none
 };
 
 /// In the order of oracle/engines.txt, whether built or not.

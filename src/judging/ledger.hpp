@@ -28,17 +28,16 @@ struct LostAnswer {
 
 /// How often an entry may fire, at most, in a regime with its own radii.
 struct Budget {
-  std::string_view regime;
+  std::string regime;
   double per_million = 0;
 };
 
 /// A known deviation of an oracle: named, cited, and alive as long as its witness still shows it.
 struct LedgerEntry {
   std::string_view id;
-  std::string_view collider;          ///< whose deviation it is
-  std::string_view description;       ///< one line for `list ledger`
-  std::string_view source;            ///< file and function, or issue, where it comes from
-  std::span<const Budget> budgets{};  ///< of the regimes in which it fires
+  std::string_view collider;     ///< whose deviation it is
+  std::string_view description;  ///< one line for `list ledger`
+  std::string_view source;       ///< file and function, or issue, where it comes from
   /// Unset where it explains only what is lost.
   bool (*explains)(const Deviation& deviation) = nullptr;
   /// Unset where it explains nothing that is lost.
@@ -47,9 +46,15 @@ struct LedgerEntry {
   bool is_no_bug = false;
 };
 
+/// An engine's ledger.
+struct BuiltLedger {
+  std::span<const LedgerEntry> entries;
+  std::string_view budgets;  ///< its budgets.json: {"ID": {"REGIME": hits a million cases}}
+};
+
 /// The ledger of each engine that a program is built with, in the order of the engines. Whatever is
 /// linked with the judge defines it: a program by the list of its engines, src/engines/engine.hpp.
-std::vector<std::span<const LedgerEntry>> built_ledgers();
+std::vector<BuiltLedger> built_ledgers();
 
 /// Every known deviation, engine by engine.
 std::span<const LedgerEntry> ledger();
@@ -73,6 +78,9 @@ std::size_t index_of(const LedgerEntry& entry);
 
 /// The path in the corpus of a case that shows it.
 std::string witness_of(const LedgerEntry& entry);
+
+/// The entry's budgets, in the regimes in which it fires.
+std::span<const Budget> budgets_of(const LedgerEntry& entry);
 
 /// The entry's budget in a regime, in hits a million cases: 0 where it names none.
 double budget_per_million(const LedgerEntry& entry, std::string_view regime);

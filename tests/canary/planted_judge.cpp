@@ -87,7 +87,7 @@
 namespace manifuzz {
 
 /// A planted judge explains nothing: bugs are looked for in what is right and wrong.
-std::vector<std::span<const LedgerEntry>> built_ledgers() {
+std::vector<BuiltLedger> built_ledgers() {
   return {};
 }
 

@@ -7,8 +7,9 @@
 
 namespace manifuzz::ledger_of {
 
-// Bullet 3.24, what its query loses by roundings and overflow, however it is asked. Budgets are
-// twice what 300,000 cases against clip64 showed, or 1,000,000 where those show more, rounded up.
+// Bullet 3.24, what its query loses by roundings and overflow, however it is asked. Budgets
+// (budgets.json) are twice what 300,000 cases against clip64 showed, or 1,000,000 where those show
+// more, rounded up.
 
 inline constexpr std::string_view kRoundedPoint =
     "Bullet 3.24, btVoronoiSimplexSolver.cpp, closestPtPointTriangle: vc = d1 * d4 - d3 * d2; "
@@ -28,59 +29,37 @@ inline constexpr std::string_view kWithoutAxis =
 inline constexpr std::string_view kWithoutAxisInWords =
     "no contact: the second GJK finds them apart, at two places that are one";
 
-inline constexpr Budget kOfBulletEpaBetweenPlaces[] = {{"near_parallel", 120},
-                                                       {"round_corners", 61},
-                                                       {"side_planes", 61},
-                                                       {"sliver", 60},
-                                                       {"tilted_edges", 61}};
-inline constexpr Budget kOfPerturbedBetweenPlaces[] = {
-    {"near_parallel", 60}, {"round_corners", 61}, {"tilted_edges", 61}};
-inline constexpr Budget kOfPerturbedOutOfPlane[] = {
-    {"cores_touch", 610}, {"in_line", 130}, {"micro_edge", 840}, {"regular", 120}};
-
-inline constexpr Budget kOfBulletEpaRoundedPoint[] = {{"cores_touch", 400}};
-inline constexpr Budget kOfBulletMinkowskiRoundedPoint[] = {{"cores_touch", 400}};
-inline constexpr Budget kOfBulletConvex2dRoundedPoint[] = {
-    {"in_line", 400}, {"scaled", 2200}, {"ulp", 200}};
-inline constexpr Budget kOfPerturbedRoundedPoint[] = {{"cores_touch", 400}};
-
 /// The entries, the first that explains before others.
 inline constexpr std::array kOfBulletRounded{
     LedgerEntry{.id = "bullet-epa-rounded-point",
                 .collider = "bullet-epa",
                 .description = kRoundedPointInWords,
                 .source = kRoundedPoint,
-                .budgets = kOfBulletEpaRoundedPoint,
                 .explains = stopped_at_rounded_point<BulletAsked::epa>},
     LedgerEntry{.id = "bullet-minkowski-rounded-point",
                 .collider = "bullet-minkowski",
                 .description = kRoundedPointInWords,
                 .source = kRoundedPoint,
-                .budgets = kOfBulletMinkowskiRoundedPoint,
                 .explains = stopped_at_rounded_point<BulletAsked::directions>},
     LedgerEntry{.id = "bullet-convex2d-rounded-point",
                 .collider = "bullet-convex2d",
                 .description = kRoundedPointInWords,
                 .source = kRoundedPoint,
-                .budgets = kOfBulletConvex2dRoundedPoint,
                 .explains = stopped_at_rounded_point<BulletAsked::flat>},
     LedgerEntry{.id = "bullet-perturbed-rounded-point",
                 .collider = "bullet-perturbed",
                 .description = kRoundedPointInWords,
                 .source = kRoundedPoint,
-                .budgets = kOfPerturbedRoundedPoint,
                 .explains = of_first_query<stopped_at_rounded_point<BulletAsked::epa>>},
     LedgerEntry{.id = "bullet-epa-between-places",
                 .collider = "bullet-epa",
                 .description = kBetweenPlacesInWords,
                 .source = kBetweenPlaces,
-                .budgets = kOfBulletEpaBetweenPlaces,
                 .explains = epa_normal_between_places},
     LedgerEntry{.id = "bullet-perturbed-between-places",
                 .collider = "bullet-perturbed",
                 .description = kBetweenPlacesInWords,
                 .source = kBetweenPlaces,
-                .budgets = kOfPerturbedBetweenPlaces,
                 .explains = of_first_query<epa_normal_between_places>},
     LedgerEntry{.id = "bullet-epa-without-axis",
                 .collider = "bullet-epa",
@@ -98,7 +77,6 @@ inline constexpr std::array kOfBulletRounded{
                                "shapes are turned out of the plane",
                 .source = "Bullet 3.24, btConvexConvexAlgorithm.cpp, processCollision: "
                           "btPlaneSpace1 of getCachedSeparatingAxis",
-                .budgets = kOfPerturbedOutOfPlane,
                 .explains = turned_out_of_plane},
     LedgerEntry{.id = "bullet-convex2d-corner-before-first",
                 .collider = "bullet-convex2d",

@@ -132,16 +132,15 @@ inline constexpr ParryFault kEpaChord{
 
 /// An entry of a collider on such a fault.
 constexpr LedgerEntry of_parry(std::string_view id, std::string_view collider,
-                               const ParryFault& fault, std::span<const Budget> budgets,
-                               bool (*explains)(const Deviation&)) {
-  return {id, collider, fault.description, fault.source, budgets, explains};
+                               const ParryFault& fault, bool (*explains)(const Deviation&)) {
+  return {id, collider, fault.description, fault.source, explains};
 }
 
 /// The same of one whose answers are lost by it.
 constexpr LedgerEntry of_parry_lost(std::string_view id, std::string_view collider,
                                     const ParryFault& fault,
                                     bool (*explains_lost)(const LostAnswer&)) {
-  LedgerEntry entry = of_parry(id, collider, fault, {}, nullptr);
+  LedgerEntry entry = of_parry(id, collider, fault, nullptr);
   entry.explains_lost = explains_lost;
   return entry;
 }
