@@ -85,8 +85,9 @@ void add_replay_arguments(CLI::App& app, ReplayArguments& options) {
            "files and folders of cases; default: corpus and the folder of findings");
   add_collider(app, options.colliders.subject,
                "collider under test; default: the one that each case names, or clip");
-  add_collider(app, options.colliders.oracle,
-               "collider to compare it with; default: the one that each case names, or box2d");
+  add_collider(
+      app, options.colliders.oracle,
+      "collider to compare the subject with; default: the one that each case names, or box2d");
   add_sequences(app, options.colliders.subject);
   add_external_options(app, options.colliders.external);
   add_subjects(app, options.subjects);

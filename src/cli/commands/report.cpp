@@ -82,8 +82,7 @@ void add_report_arguments(CLI::App& app, ReportArguments& options) {
       "number of buckets for which the neighbourhood of the case is drawn; default: 12", 0,
       kMapsMax);
   add_collider(app, options.colliders.subject, "collider for cases that name none; default: clip");
-  add_collider(app, options.colliders.oracle,
-               "collider to compare with, for cases that name none; default: box2d");
+  add_collider(app, options.colliders.oracle, "oracle for cases that name none; default: box2d");
   add_external_options(app, options.colliders.external);
 }
 

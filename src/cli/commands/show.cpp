@@ -112,8 +112,9 @@ void add_show_arguments(CLI::App& app, ShowArguments& options) {
   add_case_argument(app, options.given);
   add_collider(app, options.colliders.subject,
                "collider under test; default: the one that the case names, or clip");
-  add_collider(app, options.colliders.oracle,
-               "collider to compare it with; default: the one that the case names, or box2d");
+  add_collider(
+      app, options.colliders.oracle,
+      "collider to compare the subject with; default: the one that the case names, or box2d");
   add_sequences(app, options.colliders.subject);
   add_external_options(app, options.colliders.external);
   add_subjects(app, options.subjects);
