@@ -146,7 +146,7 @@ void add_external_options(CLI::App& app, ExternalOptions& external) {
 
 void add_subject_and_oracle(CLI::App& app, SubjectAndOracle& colliders) {
   add_collider(app, colliders.subject, "collider under test");
-  add_collider(app, colliders.oracle, "collider to compare it with");
+  add_collider(app, colliders.oracle, "collider to compare the subject with");
   add_external_options(app, colliders.external);
 }
 

@@ -182,7 +182,7 @@ CLI::Option* add_day(CLI::App& app, const std::string& name, std::string& day,
 void add_today(CLI::App& app, std::string& day) {
   day = today();
   add_day(app, "--today", day,
-          "take this as today's date when acceptances end by date; meant for tests");
+          "date to use as today where acceptances end by date; meant for tests");
 }
 
 void add_no_save(CLI::App& app, CorpusFolders& folders) {

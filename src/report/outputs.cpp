@@ -51,8 +51,9 @@ std::string steps_with(const Corpus& corpus, const std::string& program, const s
                        const IsAtHand& is_at_hand) {
   const auto most = std::ranges::max_element(
       corpus.cases, {}, [&](const CorpusCase& known) { return weight_of(known, is_at_hand); });
-  std::string text = fmt::format("{} holds {} cases. Look at one, and hold all against a change:\n",
-                                 printable(folder, 200), corpus.cases.size());
+  std::string text =
+      fmt::format("{} holds {} cases. Look at one, and replay all of them after a change:\n",
+                  printable(folder, 200), corpus.cases.size());
   text += fmt::format("  {} show {}\n", program, quoted_for_shell(most->path));
   return text + fmt::format("  {} replay {}\n", program, quoted_for_shell(folder));
 }
@@ -149,13 +150,14 @@ std::string next_steps(const std::string& program, const std::string& corpus,
   std::string text =
       "manifuzz says which contact manifolds of a 2D collider are wrong, and why.\n\n";
   if (!known.cases.empty()) text += steps_with(known, by, corpus, is_at_hand) + '\n';
-  text += "Find what is wrong, in ten seconds; each finding comes with its file and command:\n";
+  text += "Look for wrong manifolds for ten seconds; findings are printed with file and command:\n";
   text += fmt::format("  {} fuzz --seconds 10\n\n", by);
-  text += "Judge your own: put the command that runs it in place of the words in quotes.\n";
+  text +=
+      "Test a collider of your own: put the command that runs it in place of the one in quotes.\n";
   text += fmt::format(
       "  {0} fuzz --subject-command {1} --oracle clip64 --cases 20000\n\n", by,
       quoted_for_shell(fmt::format("{} collide --collider {}", by, usual_oracle_name())));
-  return text + fmt::format("Everything else:\n  {} --help\n", by);
+  return text + fmt::format("For everything else:\n  {} --help\n", by);
 }
 
 }  // namespace manifuzz

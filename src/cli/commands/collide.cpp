@@ -36,7 +36,7 @@ int collide_cases(const CollideArguments& options) {
 }
 
 void add_collide_arguments(CLI::App& app, CollideArguments& options) {
-  add_collider(app, options.collider, "collider to ask; manifuzz list colliders names them");
+  add_collider(app, options.collider, "collider to ask; `manifuzz list colliders` lists the names");
   add_sequences(app, options.collider);
   add_external_options(app, options.external);
   add_length(app, "--tie-bias", options.tie_bias,

@@ -57,7 +57,8 @@ void add_digest_arguments(CLI::App& app, DigestArguments& options) {
   add_collider(app, options.collider, "collider whose answers are hashed");
   add_external_options(app, options.external);
   add_whole_number(app, "--seed", options.seed, "random seed; default: 1");
-  add_whole_number(app, "--cases", options.cases, "cases per regime; default: 10000", 1, kCasesMax);
+  add_whole_number(app, "--cases", options.cases, "number of cases of each regime; default: 10000",
+                   1, kCasesMax);
   add_json(app, options.json, "the hashes");
 }
 

@@ -194,7 +194,7 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
   CLI::Option* const cases =
       add_whole_number(app, "--cases", options.cases, "number of cases, over all regimes", 1);
   add_length(app, "--seconds", options.seconds,
-             "duration of the run, over all regimes; default: 10")
+             "duration of the run in seconds, over all regimes; default: 10")
       ->excludes(cases);
   app.add_flag("--until-new", options.until_new,
                "stop at the first wrong case that the corpus does not show; without --cases and "

@@ -87,8 +87,8 @@ void add_property_arguments(CLI::App& app, PropertyArguments& options) {
   app.add_option("names", options.names, "properties to test; default: all")->type_name("NAME");
   add_collider(app, options.subject, "collider under test");
   add_external_options(app, options.external);
-  add_whole_number(app, "--cases", options.cases, "cases per property; default: 10000", 1,
-                   kCasesMax);
+  add_whole_number(app, "--cases", options.cases,
+                   "number of cases for each property; default: 10000", 1, kCasesMax);
   add_seed(app, options.seed);
   add_corpus(app, options.folders,
              "folder of known cases, in which failures are saved; default: read corpus, and save "

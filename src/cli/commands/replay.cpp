@@ -87,8 +87,9 @@ void add_replay_arguments(CLI::App& app, ReplayArguments& options) {
                "collider under test; default: the one that each case names, or clip");
   add_collider(
       app, options.colliders.oracle,
-      fmt::format("collider to compare it with; default: the one that each case names, or {}",
-                  usual_oracle_name()));
+      fmt::format(
+          "collider to compare the subject with; default: the one that each case names, or {}",
+          usual_oracle_name()));
   add_sequences(app, options.colliders.subject);
   add_external_options(app, options.colliders.external);
   add_subjects(app, options.subjects);

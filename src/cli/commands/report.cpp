@@ -84,8 +84,7 @@ void add_report_arguments(CLI::App& app, ReportArguments& options) {
       kMapsMax);
   add_collider(app, options.colliders.subject, "collider for cases that name none; default: clip");
   add_collider(app, options.colliders.oracle,
-               fmt::format("collider to compare with, for cases that name none; default: {}",
-                           usual_oracle_name()));
+               fmt::format("oracle for cases that name none; default: {}", usual_oracle_name()));
   add_external_options(app, options.colliders.external);
 }
 

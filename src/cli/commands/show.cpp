@@ -116,8 +116,9 @@ void add_show_arguments(CLI::App& app, ShowArguments& options) {
                "collider under test; default: the one that the case names, or clip");
   add_collider(
       app, options.colliders.oracle,
-      fmt::format("collider to compare it with; default: the one that the case names, or {}",
-                  usual_oracle_name()));
+      fmt::format(
+          "collider to compare the subject with; default: the one that the case names, or {}",
+          usual_oracle_name()));
   add_sequences(app, options.colliders.subject);
   add_external_options(app, options.colliders.external);
   add_subjects(app, options.subjects);

@@ -95,7 +95,12 @@ int shrink_file(const ShrinkArguments& options) {
 
 void add_shrink_arguments(CLI::App& app, ShrinkArguments& options) {
   add_case_argument(app, options.given);
-  add_subject_and_oracle(app, options.colliders);
+  add_collider(app, options.colliders.subject,
+               "collider under test; default: clip, or for a folder the one that each case names");
+  add_collider(app, options.colliders.oracle,
+               "collider to compare the subject with; default: box2d, or for a folder the one that "
+               "each case names");
+  add_external_options(app, options.colliders.external);
   add_sequences(app, options.colliders.subject);
   add_subjects(app, options.subjects);
   app.add_option("--output", options.output, "file for the smallest case; - is stdout")

@@ -108,10 +108,10 @@ int smoke(SmokeArguments& options) {
 
 void add_smoke_arguments(CLI::App& app, SmokeArguments& options) {
   add_collider(app, options.colliders.subject, "collider under test");
-  add_collider(app, options.colliders.oracle, "collider to compare it with");
+  add_collider(app, options.colliders.oracle, "collider to compare the subject with");
   add_seed(app, options.seed);
   add_length(app, "--seconds", options.seconds,
-             "duration of the whole run, at most 18; default: 18");
+             "duration of the whole run in seconds, at most 18; default: 18");
   add_corpus(app, options.folders,
              "folder of known cases, which is replayed, and in which new ones are saved; default: "
              "replay corpus, and save new ones in build/found of the source tree, or in found "

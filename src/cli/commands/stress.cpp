@@ -174,8 +174,10 @@ void add_run(CLI::App& app, StressArguments& options) {
       app, "--collider-command", options.program.command, "COMMAND",
       "one more collider, as a program that reads cases and writes manifolds, a JSON line each");
   add_external_options(app, options.outside);
-  add_whole_number(app, "--cases", options.cases, "cases per step of a sweep; default: 100000", 1);
-  add_whole_number(app, "--frames", options.frames, "frames per walk; default: 1000000", 1);
+  add_whole_number(app, "--cases", options.cases,
+                   "number of cases in each step of a sweep; default: 100000", 1);
+  add_whole_number(app, "--frames", options.frames,
+                   "number of frames in each walk; default: 1000000", 1);
   add_whole_number(app, "--seed", options.seed, "random seed; default: 1");
   add_whole_number(app, "--jobs", options.jobs, "number of worker processes; default: one per core",
                    1);
