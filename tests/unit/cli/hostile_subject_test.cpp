@@ -34,20 +34,11 @@ const std::vector<std::string>& words_that_are_no_text() {
 }
 
 const std::vector<std::string>& words_of_plain_letters() {
-  static const std::vector<std::string> all{"::error::owned",
-                                            "<script>x()</script>",
-                                            "</script><img src=x>",
-                                            "]]><failure/>",
-                                            "<!--",
-                                            "|a|b|",
-                                            "`id` ```",
-                                            "$(touch owned)",
-                                            "\\\"quoted\\\"",
-                                            "it's",
-                                            "../../owned",
-                                            "%0A::error::owned",
-                                            "&amp;&#60;b>",
-                                            "a b; touch owned"};
+  static const std::vector<std::string> all =
+      with({"::error::owned", "<script>x()</script>", "</script><img src=x>", "]]><failure/>",
+            "<!--", "|a|b|", "`id` ```", "$(touch owned)"},
+           {"\\\"quoted\\\"", "it's", "../../owned", "%0A::error::owned", "&amp;&#60;b>",
+            "a b; touch owned"});
   return all;
 }
 
@@ -271,18 +262,13 @@ TEST_CASE("hostile words in a program's answers are text in every output") {
 
 TEST_CASE("a terminal gets no word of a program but in plain letters") {
   const TemporaryFolder folder;
-  std::vector<std::string> answers;
-  for (const std::string& word : words_no_terminal_may_get()) {
-    answers.push_back("{\"points\": [], \"" + word + "\": 1}");
-    answers.push_back(word);
-  }
   const std::string program =
-      program_that_says(folder, R"("name": "mine", "version": "1")", answers);
-  const auto campaign = campaign_against(program, folder, "20");
+      program_that_says(folder, R"("name": "mine")", {"\x1b[31m\x1b]0;title\x07\xe2\x80\xae"});
+  const auto campaign = campaign_against(program, folder, "60");
   std::string screen = run_on_terminal(with({"env", "TERM=xterm", "NO_COLOR=1"}, campaign)).out;
-  CHECK_THAT(screen, Contains("malformed"));
+  CHECK_THAT(screen, Contains("mine gave no answer again and again: '\\x1b[31m\\x1b]0;title\\x07"));
   for (const std::string& ours : {std::string("\x1b[K"), std::string("\r")}) {
-    for (std::size_t at = 0; (at = screen.find(ours, at)) != screen.npos;) {
+    for (auto at = screen.find(ours); at != screen.npos; at = screen.find(ours)) {
       screen.erase(at, ours.size());
     }
   }
