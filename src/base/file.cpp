@@ -205,7 +205,8 @@ fs::path resolved(const fs::path& path) {
   for (int i = 0; i < links_max && fs::is_symlink(place, unknown); ++i) {
     place = place.parent_path() / fs::read_symlink(place, unknown);
   }
-  return fs::weakly_canonical(place, unknown);
+  const fs::path canonical = fs::weakly_canonical(place, unknown);
+  return canonical.empty() ? fs::absolute(path, unknown) : canonical;  // links may lead in a circle
 }
 
 bool is_within(const fs::path& path, const fs::path& folder) {

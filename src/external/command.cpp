@@ -28,12 +28,13 @@ class CommandCollider {
     const BatchResult result = program_.ask({&pair, 1}, {&answer, 1}, [] { return true; });
     const std::string declaration = program_.declaration();
     const std::string death = result.end == BatchEnd::answered ? "" : program_.stop();
+    const std::string shown = printable(command_, 200);
     if (result.end == BatchEnd::stopped) {
-      throw UserError(fmt::format("'{}': interrupted before it had declared itself", command_));
+      throw UserError(fmt::format("'{}': interrupted before it had declared itself", shown));
     }
     const bool cannot_run = death.ends_with("status 127") || death.ends_with("status 126");
     if (result.end == BatchEnd::exited && cannot_run) {
-      throw UserError(fmt::format("'{}' cannot be run: it {}", command_, death));
+      throw UserError(fmt::format("'{}' cannot be run: it {}", shown, death));
     }
     const ProgramDeclaration read = program_declaration(command_, declaration);
     program_.conventions = conventions_of(read.declaration);

@@ -74,7 +74,8 @@ class HostedLibrary {
 
   Declaration load() {
     const std::string death = start();
-    if (!death.empty()) throw UserError(fmt::format("{}: {} while it was loaded", path_, death));
+    if (!death.empty())
+      throw UserError(fmt::format("{}: {} while it was loaded", printable(path_, 200), death));
     const SharedState& shared = **shared_;
     if (!shared.error.str().empty()) throw UserError(shared.error.str());
     manifuzz_declaration declared = shared.declared;
@@ -86,7 +87,7 @@ class HostedLibrary {
       declaration_ = declaration_of(declared);
       return declaration_;
     } catch (const UserError& error) {
-      throw UserError(fmt::format("{}: {}", path_, error.what()));
+      throw UserError(fmt::format("{}: {}", printable(path_, 200), error.what()));
     }
   }
 

@@ -30,14 +30,14 @@ class KeepingProgram {
     const std::string declaration = program_.declaration();
     if (asked.end == BatchEnd::exited && declaration.empty()) {
       const std::string death = std::get<Lost>(asked.answer).why;
-      throw UserError(fmt::format("'{}' declares nothing: it {}", command_, death));
+      throw UserError(fmt::format("'{}' declares nothing: it {}", printable(command_, 200), death));
     }
     ProgramDeclaration read = program_declaration(command_, declaration);
     if (!read.keeping) {
       throw UserError(
           fmt::format("'{}' declares: \"keeping\" is missing; it says across which gaps, "
                       "drifts and turns the program keeps points",
-                      command_));
+                      printable(command_, 200)));
     }
     normal_from_b_ = read.declaration.normal_from_b;
     program_.scalar = read.declaration.scalar;

@@ -111,12 +111,13 @@ Library::Library(const std::string& path) {
                             in_words(effect)));
   }
   if (library == nullptr) {
-    throw UserError(fmt::format("{}: cannot be loaded: {}", path, printable(dlerror(), 300)));
+    throw UserError(
+        fmt::format("{}: cannot be loaded: {}", printable(path, 200), printable(dlerror(), 300)));
   }
   const void* const declared = dlsym(library, "manifuzz_collider");
   collide_ = reinterpret_cast<decltype(collide_)>(dlsym(library, "manifuzz_collide"));
   if (declared == nullptr || collide_ == nullptr) {
-    throw UserError(fmt::format("{}: has no {}; see manifuzz_collider.h", path,
+    throw UserError(fmt::format("{}: has no {}; see manifuzz_collider.h", printable(path, 200),
                                 declared == nullptr ? "manifuzz_collider" : "manifuzz_collide"));
   }
   // An earlier one ends before what later ones added.

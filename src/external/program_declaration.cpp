@@ -178,7 +178,7 @@ ProgramDeclaration program_declaration(const std::string& command, const std::st
     if (const auto keeping = object.find("keeping")) read.keeping = read_keeping(*keeping);
     return read;
   } catch (const UserError& error) {
-    throw UserError(fmt::format("'{}' declares: {}", command, error.what()));
+    throw UserError(fmt::format("'{}' declares: {}", printable(command, 200), error.what()));
   }
 }
 

@@ -48,8 +48,9 @@ NamedSubject read_subject(const JsonView& object) {
 
 void add_subjects(NamedSubjects& subjects, const fs::path& path) {
   InputFile file(path.string());
+  const std::string text = file.read_all();  // its errors name the file themselves
   try {
-    const JsonTree tree = parse_json(file.read_all());
+    const JsonTree tree = parse_json(text);
     const JsonView root(tree);
     for (const std::string_view name : root.keys()) {
       subjects.emplace(name, read_subject(root.at(name)));
