@@ -4,6 +4,7 @@
 
 #include "support/run_program.hpp"
 #include "support/source_tree.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace manifuzz::test {
 

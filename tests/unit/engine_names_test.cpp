@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "support/source_tree.hpp"
+#include "support/temporary_folder.hpp"
 #include "unit/committed_tree.hpp"
 
 // No source of src names an engine: what it knows of them is what their folders say.

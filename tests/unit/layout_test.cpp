@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "support/source_tree.hpp"
+#include "support/temporary_folder.hpp"
 #include "unit/committed_tree.hpp"
 
 using namespace manifuzz::test;

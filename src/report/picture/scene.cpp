@@ -125,8 +125,9 @@ Interest thickness(const exact::RoughPolygon& polygon) {
   return thinnest;
 }
 
-/// The width of what both shapes cover, where it is thinnest; about its middle.
-std::optional<Interest> overlap_of(const Scene& scene) {
+/// The width of what both shapes cover, where it is thinnest; about its middle. None where it is
+/// about as wide as it is deep: it is seen where the depth is.
+std::optional<Interest> thin_overlap(const Scene& scene) {
   const Box whole = scene.whole(0);
   const double tolerance = 1e-3 * std::max(whole.width, whole.height);
   const Region overlap =
@@ -140,14 +141,14 @@ std::optional<Interest> overlap_of(const Scene& scene) {
     for (const Point& p : overlap) width = std::max(width, cross<double>(along, p - corner));
     if (width > 0) thinnest = std::min(thinnest, width);
   }
-  if (!std::isfinite(thinnest)) return std::nullopt;
+  if (!(thinnest < std::abs(scene.deepest.depth) / 2)) return std::nullopt;
   return Interest{middle_of(overlap), thinnest, 4, 0.25, false, true};
 }
 
 /// The largest first.
 std::vector<Interest> interests(const Scene& scene) {
   std::vector<Interest> all;
-  const std::optional<Interest> overlap = overlap_of(scene);
+  const std::optional<Interest> overlap = thin_overlap(scene);
   if (overlap) all.push_back(*overlap);
   // A shape as thin as the overlap, or nearly, is seen where the overlap is.
   const auto add_thickness = [&](const Interest& thinnest) {
