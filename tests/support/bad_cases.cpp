@@ -144,7 +144,7 @@ Rows polygon_rows() {
        "$.b.vertices: one vertex without a radius"},
       {"segment of one point", with_vertices("[[1,1],[1,1]]"), "repeated"},
       {"mitred capsule", with_a(R"({"vertices": [[0,0],[1,0]], "rounding": "mitre"})"),
-       "$.a.rounding: a polygon of 3 to 8 vertices may be mitred"},
+       "$.a.rounding: only polygons of 3 to 8 vertices may be"},
       {"unknown rounding", with_member(R"("rounding": "bevel")"), "unknown rounding \"bevel\""},
       {"rounding a number", with_member(R"("rounding": 1)"), "$.a.rounding: is a number"},
       {"negative radius", with_member(R"("radius": -0.5)"), "$.a.radius: -0.5 is negative"},

@@ -94,8 +94,8 @@ void save(const StressPlan& plan, const StressResult& result, const std::string&
         plan, result, kept_path(folder), interruption,
         [&](const std::string& name) { line.show("saving " + name); },
         [](const std::filesystem::path& file) {
-          write_error(
-              fmt::format("kept {}: it is worse than what this run found\n", printable_path(file)));
+          write_error(fmt::format("{} is worse than what this run found, and is kept\n",
+                                  printable_path(file)));
         });
   } catch (const Interrupted&) {
     throw UserError("--save: interrupted; not all cases were saved");
