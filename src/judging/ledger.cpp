@@ -1,6 +1,7 @@
 #include "judging/ledger.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <map>
 #include <vector>
@@ -35,16 +36,26 @@ const Budgets& all_budgets() {
 }  // namespace
 
 std::span<const LedgerEntry> ledger() {
-  static const std::vector<LedgerEntry> all = [] {
-    std::vector<LedgerEntry> entries;
+  // Where it lies is fixed: a forked child says by an address which entry explains an answer.
+  static std::array<LedgerEntry, kLedgerMax> entries;
+  static const std::size_t count = [] {
+    std::size_t next = 0;
     for (const BuiltLedger& built : built_ledgers()) {
-      entries.insert(entries.end(), built.entries.begin(), built.entries.end());
+      assert(next + built.entries.size() <= kLedgerMax);
+      next = static_cast<std::size_t>(std::ranges::copy(built.entries, entries.begin() + next).out -
+                                      entries.begin());
     }
-    assert(entries.size() <= kLedgerMax);
-    return entries;
+    return next;
   }();
-  return all;
+  return {entries.data(), count};
 }
+
+namespace {
+
+/// Filled before anything is forked.
+[[maybe_unused]] const bool is_filled = !ledger().empty();
+
+}  // namespace
 
 std::size_t index_of(const LedgerEntry& entry) {
   return static_cast<std::size_t>(&entry - ledger().data());

@@ -98,8 +98,9 @@ void add_shrink_arguments(CLI::App& app, ShrinkArguments& options) {
   add_collider(app, options.colliders.subject,
                "collider under test; default: clip, or for a folder the one that each case names");
   add_collider(app, options.colliders.oracle,
-               "collider to compare the subject with; default: box2d, or for a folder the one that "
-               "each case names");
+               fmt::format("collider to compare the subject with; default: {}, or for a folder the "
+                           "one that each case names",
+                           usual_oracle_name()));
   add_external_options(app, options.colliders.external);
   add_sequences(app, options.colliders.subject);
   add_subjects(app, options.subjects);

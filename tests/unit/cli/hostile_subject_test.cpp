@@ -190,9 +190,9 @@ TEST_CASE("a program whose name or version is hostile is refused in one clear li
   for (const std::string& word : with(words_no_terminal_may_get(), words_of_plain_letters())) {
     check(member("name", word), "declare");
   }
-  check(member("name", ""), "is no name");
-  check(member("name", std::string(100'000, 'x')), "is no name");
-  check(member("name", ".."), "is no name");
+  check(member("name", ""), "is not a valid name");
+  check(member("name", std::string(100'000, 'x')), "is not a valid name");
+  check(member("name", ".."), "is not a valid name");
   for (const std::string& word : words_no_terminal_may_get()) {
     check(R"("name": "mine", )" + member("version", word), "declare");
   }
