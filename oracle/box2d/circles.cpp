@@ -44,6 +44,24 @@ struct LocalManifold {
   FloatVector at{0, 0};  ///< localPoint
 };
 
+/// How far a centre is in front of a face, in doubles and by the face's own direction.
+double distance_in_doubles(const ConvexPolygon<float>& core, int face, const FloatVector& centre) {
+  const Vector2<double> from = core.vertices[face].cast<double>();
+  const Vector2<double> along = core.vertices[core.next(face)].cast<double>() - from;
+  const Vector2<double> apart = centre.cast<double>() - from;
+  return (along.y() * apart.x() - along.x() * apart.y()) / along.norm();
+}
+
+int farthest_in_doubles(const ConvexPolygon<float>& core, const FloatVector& centre) {
+  int farthest = 0;
+  for (int i = 1; i < core.count; ++i) {
+    const bool is_farther =
+        distance_in_doubles(core, i, centre) > distance_in_doubles(core, farthest, centre);
+    if (is_farther) farthest = i;
+  }
+  return farthest;
+}
+
 /// b2CollidePolygonAndCircle.
 std::optional<LocalManifold> of_polygon(const ConvexPolygon<float>& core, const FloatVector& centre,
                                         float radius, unsigned mended) {
@@ -57,6 +75,7 @@ std::optional<LocalManifold> of_polygon(const ConvexPolygon<float>& core, const 
       face = i;
     }
   }
+  if ((mended & FaultOfBox2dCircle::tied_face) != 0) face = farthest_in_doubles(core, centre);
   const FloatVector& v1 = core.vertices[face];
   const FloatVector& v2 = core.vertices[core.next(face)];
   const FloatVector middle = 0.5F * (v1 + v2);
@@ -182,6 +201,10 @@ std::optional<replayed::Contact> ledger_of::circle_contact_of_box2d(const PairCa
 
 bool face_within_box2d_epsilon(const Deviation& d) {
   return is_by_fault_of_circle(d, FaultOfBox2dCircle::face);
+}
+
+bool tied_face_of_box2d_circle(const Deviation& d) {
+  return is_by_fault_of_circle(d, FaultOfBox2dCircle::tied_face);
 }
 
 bool tiny_reference_face_of_box2d(const Deviation& d) {

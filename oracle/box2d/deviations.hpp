@@ -38,6 +38,9 @@ bool corner_direction_not_normalised(const Deviation& deviation);
 /// A circle whose centre is in front of a polygon by less than epsilon: what Box2D 2.4 makes of it
 /// is a face's normal, beyond its corner too, and it would be right without that epsilon.
 bool face_within_box2d_epsilon(const Deviation& deviation);
+/// A circle in front of faces that tie in floats: the one that Box2D 2.4 keeps is not the farthest,
+/// so that the normal is its own, or the direction from its end.
+bool tied_face_of_box2d_circle(const Deviation& deviation);
 /// As `tiny_reference_face`, or a circle against an edge that is shorter than epsilon: what Box2D
 /// 2.4 makes of it is the edge's normal, as short as the edge.
 bool tiny_reference_face_of_box2d(const Deviation& deviation);

@@ -103,6 +103,13 @@ inline constexpr std::array kOfBox2d{
                 .source = "Box2D 2.4.1, src/collision/b2_collide_circle.cpp, "
                           "b2CollidePolygonAndCircle: `if (separation < b2_epsilon)`",
                 .explains = face_within_box2d_epsilon},
+    LedgerEntry{.id = "box2d-circle-tied-faces",
+                .collider = "box2d",
+                .description = "a circle's normal from the end of a face where another face is "
+                               "nearest: both tie in float, and the first is kept",
+                .source = "Box2D 2.4.1, src/collision/b2_collide_circle.cpp, "
+                          "b2CollidePolygonAndCircle: `if (s > separation)`, in floats",
+                .explains = tied_face_of_box2d_circle},
 };
 
 }  // namespace manifuzz::ledger_of

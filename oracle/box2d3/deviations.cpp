@@ -113,6 +113,30 @@ bool direction_of_rounded_place(const Deviation& d) {
   return (found - right).norm() * distance <= 4 * bounds.separation;
 }
 
+bool corner_of_tied_face(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  const Side circle = pair.a.polygon.count == 1 ? Side::a : Side::b;
+  const Side side = other(circle);
+  const Body& core = pair[side];
+  if (d.got.count != 1 || pair[circle].polygon.count != 1 || core.polygon.count < 3) return false;
+  const auto apart = to_centre_by_box2d3(core, pair[circle]);
+  if (!apart) return false;
+  const exact::Truth& truth = *d.right.truth;
+  const Bounds& bounds = d.right.bounds;
+  int tied = 0;
+  for (int i = 0; i < core.polygon.count; ++i) {
+    if (truth.separation({side, i}) >= truth.separation(side) - 2 * bounds.separation) ++tied;
+  }
+  const double depth = total_radius(pair) - apart->cast<double>().norm();
+  if (tied < 2 || std::abs(d.got.points[0].depth - depth) > 4 * bounds.separation) return false;
+  const Vector2<double> turned =
+      rotate<double>(core.pose.rotation.cast<double>(), apart->cast<double>()).normalized();
+  const Vector2<double> normal =
+      rotate<double>(pair.a.pose.rotation.cast<double>(), d.got.normal).normalized();
+  return (normal - (circle == Side::b ? turned : Vector2<double>(-turned))).norm() <=
+         2 * bounds.normal;
+}
+
 bool corner_beyond_slab(const Deviation& d) {
   const auto found = found_by_box2d3(d);
   return found && d.got.count == 0 && found->is_disjoint && !found->are_apart &&

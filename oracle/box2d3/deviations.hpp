@@ -18,6 +18,9 @@ bool slop_in_box2d3_capsules(const Deviation& deviation);
 /// A circle and a segment, a capsule or a polygon's corner in Box2D 3.2: the normal is the
 /// direction to the place on the core that is nearest as floats have it.
 bool direction_of_rounded_place(const Deviation& deviation);
+/// A circle in front of faces that tie in floats: the normal is the direction from the end of the
+/// one that Box2D 3.2 keeps, though the centre is in front of another.
+bool corner_of_tied_face(const Deviation& deviation);
 /// Two capsules: with the slop, the bias to A's edge and the one point that doubles have too.
 bool capsules_of_box2d3(const Deviation& deviation);
 /// Two capsules: floats decide otherwise than doubles which side, end or place is nearer, or make

@@ -113,6 +113,13 @@ inline constexpr std::array kOfBox2d3{
                 .source = "Box2D 3.2.0, commit 56edae79, src/manifold.c, b2ClipPolygons: upper2 < "
                           "lower1 || upper1 < lower2; b2CollidePolygons: result.fraction1 == 0.0f",
                 .explains = neither_clipped_nor_corner},
+    LedgerEntry{.id = "box2d3-circle-tied-faces",
+                .collider = "box2d3",
+                .description = "a circle's normal from the end of a face where another face is "
+                               "nearest: both tie in float, and the first is kept",
+                .source = "Box2D 3.2.0, commit 56edae79, src/manifold.c, "
+                          "b2CollidePolygonAndCircle: `if ( s > separation )`, in floats",
+                .explains = corner_of_tied_face},
 };
 
 }  // namespace manifuzz::ledger_of

@@ -142,6 +142,13 @@ inline constexpr std::array kOfJbox2dSearch{
                     "primaryAxis is the edge's or one of the polygon's faces, none between "
                     "corners",
                 .explains = fault_of_jbox2d_edge<FaultOfJbox2dEdge::corners>},
+    LedgerEntry{.id = "jbox2d-circle-tied-faces",
+                .collider = "jbox2d",
+                .description = "a circle's normal from the end of a face where another face is "
+                               "nearest: both tie in float, and the first is kept",
+                .source = "jbox2d 2.2.1.1, org/jbox2d/collision/Collision.java, "
+                          "collidePolygonAndCircle: `if (s > separation)`, in floats",
+                .explains = tied_face_of_box2d_circle},
 };
 
 }  // namespace manifuzz::ledger_of

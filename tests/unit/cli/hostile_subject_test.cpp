@@ -196,7 +196,8 @@ TEST_CASE("a program whose name or version is hostile is refused in one clear li
   for (const std::string& word : words_no_terminal_may_get()) {
     check(R"("name": "mine", )" + member("version", word), "declare");
   }
-  check(R"("name": "mine", )" + member("version", std::string(100'000, 'x')), "is no version");
+  check(R"("name": "mine", )" + member("version", std::string(100'000, 'x')),
+        "is not a valid version");
 }
 
 TEST_CASE("a program whose declaration is no JSON is one that declares nothing") {
