@@ -146,7 +146,7 @@ const Command kShow{
     "show", "Show a case as text and as a picture: shapes, contact points, verdict.",
     "manifuzz generate --seed 1 --regime boxes --cases 1 | manifuzz show - --svg case.svg "
     "--map case.png\n"
-    "manifuzz show oracle/known/missed_contact/none/b/gross",
+    "manifuzz show none/tie/count/incident/a",
     define<ShowArguments, add_show_arguments, show>};
 
 }  // namespace manifuzz
