@@ -106,14 +106,15 @@ TEST_CASE("an interrupted command that found nothing ends with the signal's stat
   }
 }
 
+// The second comes once the first was seen, and what was found until then is counted.
 TEST_CASE("a second signal ends a campaign without its findings") {
   const TemporaryFolder folder;
   const std::string corpus = (folder.path() / "corpus").string();
-  const Outcome outcome = run_interruptible(
-      with({"fuzz", "--subject-command",
-            ending(folder, "INT $MANIFUZZ_PROCESS; kill -TERM", "sleep 3600"), "--oracle", "clip64",
-            "--regime", "boxes", "--cases", "100000", "--seed", "1", "--corpus", corpus},
-           kPatient));
+  const Outcome outcome = run_interruptible(with(
+      {"fuzz", "--subject-command",
+       ending(folder, "INT $MANIFUZZ_PROCESS && sleep 0.2 && kill -TERM", "sleep 3600"), "--oracle",
+       "clip64", "--regime", "boxes", "--cases", "100000", "--seed", "1", "--corpus", corpus},
+      kPatient));
   CAPTURE(outcome.err);
   CHECK(outcome.status == 1);
   CHECK(outcome.out.find("findings are not saved") != std::string::npos);
