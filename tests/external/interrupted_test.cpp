@@ -15,18 +15,20 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// A program that answers nothing right, interrupts manifuzz at its 100th case, in whichever of its
-/// processes comes first, and then does that, as every other process of it.
+/// A program that answers nothing right, interrupts manifuzz at its case of that number, in
+/// whichever of its processes comes first, and then does that, as every other process of it.
 std::string ending(const TemporaryFolder& folder, const std::string& signal,
-                   const std::string& then) {
+                   const std::string& then, int at = 100) {
   const std::string once = (folder.path() / "once").string();
   return "sh " + folder.write("ending.sh",
                               "trap '' TERM HUP\n"
                               "n=0\n"
                               "while read -r line; do\n"
                               "  n=$((n + 1))\n"
-                              "  if [ $n -eq 100 ]; then\n"
-                              "    mkdir '" +
+                              "  if [ $n -eq " +
+                                  std::to_string(at) +
+                                  " ]; then\n"
+                                  "    mkdir '" +
                                   once + "' 2>/dev/null && kill -" + signal +
                                   " $MANIFUZZ_PROCESS\n    " + then +
                                   "\n  fi\n"
@@ -106,15 +108,15 @@ TEST_CASE("an interrupted command that found nothing ends with the signal's stat
   }
 }
 
-// The second comes once the first was seen, and what was found until then is counted.
+// So late that what was found before is counted.
 TEST_CASE("a second signal ends a campaign without its findings") {
   const TemporaryFolder folder;
   const std::string corpus = (folder.path() / "corpus").string();
-  const Outcome outcome = run_interruptible(with(
-      {"fuzz", "--subject-command",
-       ending(folder, "INT $MANIFUZZ_PROCESS && sleep 0.2 && kill -TERM", "sleep 3600"), "--oracle",
-       "clip64", "--regime", "boxes", "--cases", "100000", "--seed", "1", "--corpus", corpus},
-      kPatient));
+  const Outcome outcome = run_interruptible(
+      with({"fuzz", "--subject-command",
+            ending(folder, "INT $MANIFUZZ_PROCESS && kill -TERM", "sleep 3600", 3000), "--oracle",
+            "clip64", "--regime", "boxes", "--cases", "100000", "--seed", "1", "--corpus", corpus},
+           kPatient));
   CAPTURE(outcome.err);
   CHECK(outcome.status == 1);
   CHECK(outcome.out.find("findings are not saved") != std::string::npos);
