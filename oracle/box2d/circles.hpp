@@ -16,8 +16,8 @@ struct FaultOfBox2dCircle {
   /// b2Vec2::Normalize leaves an edge's normal, or the direction from a polygon's corner, as it is
   /// where that is shorter than b2_epsilon.
   static constexpr unsigned short_direction = 2;
-  /// Of faces that tie in floats, one is kept that is not the farthest, or that the centre is not
-  /// in front of.
+  /// A face is kept, where several tie in floats, that is not the farthest, or that the centre is
+  /// not in front of.
   static constexpr unsigned tied_face = 4;
   static constexpr unsigned all = 7;
 };

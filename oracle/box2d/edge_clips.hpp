@@ -94,7 +94,7 @@ bool is_clip_from(const Deviation& d, exact::FaceOf face, const Fault& is_at_fau
   });
 }
 
-/// The same of the best faces of that side.
+/// Whether the answer is what one of the best faces of that side makes it.
 template <class Fault>
 bool any_clip_from(const Deviation& d, Side side, const Fault& is_at_fault) {
   const exact::Truth& truth = *d.right.truth;

@@ -37,7 +37,7 @@ struct CentreOnCorner {
                                ///< corner in the polygon's frame
 };
 
-/// Those within `bound`, a world length.
+/// The corners within `bound`, a world length, of a circle's centre.
 std::vector<CentreOnCorner> centres_on_corners(const PairCase& pair, double bound) {
   std::vector<CentreOnCorner> found;
   const RoughPair placed = exact::place_roughly(pair);

@@ -37,8 +37,8 @@ bool is_beside_end(const exact::RoughPair& placed, exact::FaceOf face, int incid
   return false;
 }
 
-/// The same of any clip of a segment or capsule and a polygon, of which the bias may take one that
-/// is not right.
+/// Whether that is so of any clip of a segment or capsule and a polygon, for the bias may take one
+/// that is not right.
 bool is_edge_beside_end(const Deviation& d) {
   const PairCase& pair = d.right.pair();
   if (pair.a.polygon.count != 2 && pair.b.polygon.count != 2) return false;

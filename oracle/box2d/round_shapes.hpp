@@ -20,7 +20,7 @@ bool takes_round(const PairCase& pair);
 /// them once.
 std::function<void()> round_pass(std::span<const PairCase> pairs);
 
-/// The same of any pairs that it takes, and `b2WorldManifold` of what touches: of circles Box2D's
+/// A pass of any pairs that it takes, and `b2WorldManifold` of what touches: of circles Box2D's
 /// functions alone give neither a normal nor a depth, of polygons no depths.
 std::function<void()> world_pass(std::span<const PairCase> pairs);
 

@@ -67,7 +67,7 @@ SegmentDistance segment_distance(const Float2& p1, const Float2& q1, const Float
   if (denominator != 0) {
     found.share1 = std::clamp((d12 * rd2 - rd1 * dd2) / denominator, 0.0F, 1.0F);
   }
-  // Of finite cores: infinity less infinity, or over infinity.
+  // Finite cores can give infinity less infinity, or over infinity.
   found.is_beyond_range = std::isnan(found.share1);
   found.share2 = (d12 * found.share1 + rd2) / dd2;
   if (found.share2 < 0) {

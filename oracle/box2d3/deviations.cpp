@@ -65,7 +65,7 @@ std::optional<ledger_of::ContactOfBox2d3> found_by_box2d3(const Deviation& d) {
       (rotate<double>(turn, d.got.normal) - found->normal).norm() > bounds.normal) {
     return std::nullopt;
   }
-  // Of two sharp polygons the judge has moved the points to the incident edge.
+  // The judge has moved the points of two sharp polygons to the incident edge.
   const auto is_same = [&](const ContactPoint<double>& p,
                            const ledger_of::ContactOfBox2d3::Point& q) {
     return std::abs(p.depth - q.depth) <= bounds.separation &&

@@ -72,14 +72,15 @@ struct PointOf {
   float separation = 0;  ///< of the surfaces
 };
 
-/// Of a place on the incident core that is so far from the reference core along its normal.
+/// The point of a place on the incident core that is so far from the reference core along its
+/// normal.
 inline PointOf clipped_point(const Float2& place, const Float2& normal, float distance,
                              float of_reference, float of_incident) {
   return {place + 0.5F * (of_reference - of_incident - distance) * normal,
           distance - (of_reference + of_incident)};
 }
 
-/// Of the nearest places on both cores.
+/// The point between the nearest places on both cores.
 inline PointOf single_point(const Float2& on_first, const Float2& on_second, const Float2& normal,
                             float separation, const Placed& placed) {
   const Float2 from = on_first + placed.first.radius * normal;

@@ -28,7 +28,7 @@ struct PreparedPrisms {
   btPointCollector found{};
 };
 
-/// The same as bodies of a world.
+/// A pair's prisms as bodies of a world.
 struct PreparedObjects {
   PreparedObjects(const manifuzz_body& body_a, const manifuzz_body& body_b)
       : prisms(body_a, body_b), objects(prisms.a, prisms.place_a, prisms.b, prisms.place_b) {}

@@ -11,7 +11,7 @@ namespace manifuzz {
 
 /// btGjkPairDetector with btGjkEpaPenetrationDepthSolver.
 std::function<void()> bullet_epa_pass(std::span<const PairCase> pairs);
-/// The same with btMinkowskiPenetrationDepthSolver.
+/// btGjkPairDetector with btMinkowskiPenetrationDepthSolver.
 std::function<void()> bullet_minkowski_pass(std::span<const PairCase> pairs);
 /// btConvexConvexAlgorithm, perturbed three times.
 std::function<void()> bullet_perturbed_pass(std::span<const PairCase> pairs);

@@ -67,7 +67,7 @@ void touch_of_circle(const Shape& circle, const Shape& other, const Vector& plac
        place + found.normal * -other.radius);
 }
 
-/// Of shapes in Chipmunk's order.
+/// What it finds of shapes in Chipmunk's order.
 Found found_in_order(const Port& port, const Shape& a, const Shape& b) {
   Found found;
   if (b.corners.size() == 1) {

@@ -164,7 +164,7 @@ class Search {
     const Vector delta = to - from;
     const double squared = dot(delta, delta);
     if (port_.is_guarded && squared == 0) return 0;
-    // Of 0 of 0 their clamp gives the least.
+    // Where this is 0 over 0 their clamp gives the least.
     const double share = dot(delta, from + to) / squared;
     return share > -1 ? -std::min(share, 1.0) : 1.0;
   }

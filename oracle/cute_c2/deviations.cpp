@@ -39,7 +39,8 @@ class ByCute {
 
   const as_cute::CuteAnswer& given() const { return given_; }
   bool is_same_answer() const { return replayed::is_same_answer(deviation_, given_.contact); }
-  /// Of polygons, with the face's own normal in place of the one that it clipped along.
+  /// Whether polygons' answer is right with the face's own normal in place of the one that it
+  /// clipped along.
   bool is_right_with_own_normal() const {
     if (given_.own_normal.isZero(0)) return false;
     const replayed::Contact contact{given_.own_normal, given_.contact.points};
@@ -94,7 +95,7 @@ class ByCute {
            static_cast<double>(given_.distance) <= deviation_.right.bounds.separation;
   }
 
-  /// Of capsules at no distance, any of the cores' ends moved to its surface.
+  /// Whether capsules' answer at no distance is right, any of the cores' ends moved to its surface.
   bool is_right_inside(unsigned mended, const as_cute::CuteAnswer& answer) const {
     const bool is_at_none = answer.distance == 0 || is_rounded_distance();
     if (!is_at_none || answer.way == as_cute::Way::face || has_polygon()) return false;

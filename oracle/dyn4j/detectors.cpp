@@ -48,7 +48,7 @@ bool check_simplex(std::vector<Vector2<double>>& simplex, Vector2<double>& along
   const Vector2<double> to_origin = -a;
   if (simplex.size() < 3) {
     const Vector2<double> ab = simplex[0] - a;
-    // Of a, o and b the product of ab, ao and ab.
+    // The triple product of ab, ao and ab.
     along = triple_product(ab, to_origin, ab);
     if (along.x() * along.x() + along.y() * along.y() <= square_of_zero) along = {ab.y(), -ab.x()};
     return false;

@@ -19,7 +19,8 @@ bool epa_within_epsilon_in_dyn4j(const Deviation& deviation);
 /// Gjk: a direction of short edges is taken for 0, its square being compared with Epsilon.E: the
 /// edge's left side is searched, wherever the origin lies.
 bool gjk_direction_within_epsilon_in_dyn4j(const Deviation& deviation);
-/// The same of shapes that are apart: Epa then finds the gap between them, as a depth below 0.
+/// Gjk: a direction of short edges is taken for 0 though the shapes are apart: Epa then finds the
+/// gap between them, as a depth below 0.
 bool gjk_depth_below_0_in_dyn4j(const LostAnswer& lost);
 /// Epa: a point is found twice, and the edge between both has no length and no normal.
 bool epa_edge_of_no_length_in_dyn4j(const Deviation& deviation);
@@ -40,10 +41,10 @@ enum class FaultOfDyn4j : unsigned {
   any_angle = 32,        ///< segments and polygons have an edge, whatever its angle
   neighbour_by_dot = 64  ///< of edges beside each other, dots of unit vectors decide
 };
-/// One of these, after Sat.
+/// One of these faults, after Sat.
 template <FaultOfDyn4j kFault>
 bool after_sat_of_dyn4j(const Deviation& deviation);
-/// The same after Gjk.
+/// One of these faults, after Gjk.
 template <FaultOfDyn4j kFault>
 bool after_gjk_of_dyn4j(const Deviation& deviation);
 

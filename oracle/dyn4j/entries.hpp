@@ -99,7 +99,7 @@ inline constexpr std::array kOfDyn4jSat{
     of_dyn4j("dyn4j-sat-tied-edges", "dyn4j-sat", kTiedEdgesOfDyn4j, edges_tie_after_sat_of_dyn4j),
 };
 
-/// The same of Gjk with Epa.
+/// The entries on Gjk with Epa, the first that explains before others.
 inline constexpr std::array kOfDyn4jGjk{
     LedgerEntry{
         .id = "dyn4j-gjk-epa-within-epsilon",

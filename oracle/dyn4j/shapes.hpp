@@ -69,7 +69,7 @@ class Placed {
   Vector2<double> centre() const { return placing_.placed(centre_); }
   std::vector<Vector2<double>> foci() const;
   std::vector<Vector2<double>> axes(const std::vector<Vector2<double>>& foci) const;
-  // Of a capsule these normalise what they are given, as the engine's do.
+  // Capsules normalise what these are given, as the engine's do.
   Range project(Vector2<double>& axis) const;
   Vector2<double> farthest_point(Vector2<double>& along) const;
   FarthestFeature farthest_feature(Vector2<double>& along, const FeatureMends& mends) const;

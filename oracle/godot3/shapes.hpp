@@ -13,7 +13,7 @@ namespace manifuzz::as_godot {
 /// CMP_EPSILON.
 inline constexpr double kCmpEpsilon = 1e-5;
 
-/// Of A and of B in place of an edge's number: the edge that Godot takes; the farthest vertex.
+/// In place of an edge's number, of A or of B: the edge that Godot takes; the farthest vertex.
 inline constexpr int kItsOwnEdge = -1;
 inline constexpr int kNoEdge = -2;
 

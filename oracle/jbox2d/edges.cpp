@@ -146,7 +146,7 @@ class EdgeAndPolygonOfJbox2d {
   float radius_ = 0;
 };
 
-/// Of an edge and a polygon, with the normal from A to B.
+/// The contact of an edge and a polygon, with the normal from A to B.
 replayed::Contact edge_by_jbox2d(const PairCase& pair, unsigned mended) {
   const bool is_swapped = pair.b.polygon.count == 2;
   const Body& edge = is_swapped ? pair.b : pair.a;

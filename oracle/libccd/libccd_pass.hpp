@@ -10,9 +10,9 @@ namespace manifuzz {
 // One query of libccd through all pairs once, the prisms made before; empty where libccd is not
 // installed.
 
-/// Of ccdGJKPenetration.
+/// A pass of ccdGJKPenetration.
 std::function<void()> libccd_gjk_pass(std::span<const PairCase> pairs);
-/// Of ccdMPRPenetration.
+/// A pass of ccdMPRPenetration.
 std::function<void()> libccd_mpr_pass(std::span<const PairCase> pairs);
 
 }  // namespace manifuzz

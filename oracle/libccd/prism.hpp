@@ -56,9 +56,9 @@ struct Algorithm {
   HalfHeights half_heights;
 };
 
-/// Of equal heights, the difference would be flat at the origin, where doSimplex4 gives up.
+/// With equal heights the difference would be flat at the origin, where doSimplex4 gives up.
 inline constexpr Algorithm kGjk{ccdGJKPenetration, {2, 1}};
-/// Of unequal heights, or low ones, portals are left through their caps.
+/// With unequal heights, or low ones, portals are left through their caps.
 inline constexpr Algorithm kMpr{ccdMPRPenetration, {16, 16}};
 
 struct PrismPair {

@@ -19,8 +19,8 @@ bool deepest_left_out_by_matter(const Deviation& deviation);
 /// Too few points, too near each other, or one on a far side: beside the deepest vertex the deeper
 /// of its neighbours is taken, which is not the end of the edge that faces the other body.
 bool neighbour_by_depth_of_matter(const Deviation& deviation);
-/// The same with the right edges: their ends that are inside the other body are given, and no
-/// place where an edge is cut.
+/// With the right edges too few points, or too near each other: their ends that are inside the
+/// other body are given, and no place where an edge is cut.
 bool vertices_inside_alone_by_matter(const Deviation& deviation);
 
 }  // namespace manifuzz

@@ -39,7 +39,7 @@ std::string to_three_decimals(double value) {
   const double magnitude = std::abs(value);
   const double whole = std::floor(magnitude);
   const double eighths = (magnitude - whole) * 8;
-  // Of what doubles hold only odd sixteenths are halfway between two of three decimals.
+  // Only odd sixteenths are, of what doubles hold, halfway between two of three decimals.
   const double sixteenths = 2 * eighths;
   const bool is_half = sixteenths == std::floor(sixteenths) && eighths != std::floor(eighths);
   const std::string digits =
@@ -164,7 +164,7 @@ struct OverlapOfSide {
   bool is_exchanged = false;  ///< it is not the first of the least of its side's, or not above 0
 };
 
-/// Those within the slack of the least; none where they are apart by more than it.
+/// The overlaps within the slack of the least; none where they are apart by more than it.
 std::vector<OverlapOfSide> least_overlaps(const BodyOfMatter& a, const BodyOfMatter& b,
                                           double slack) {
   std::vector<OverlapOfSide> all;

@@ -191,7 +191,7 @@ Convex convex_of(const Body& body) {
   return made;
 }
 
-/// Of the best face and its neighbours the one behind which the circle's own point is least deep;
+/// The one of the best face and its neighbours behind which the circle's own point is least deep;
 /// by how much.
 struct FaceOfP2 {
   std::size_t index = 0;

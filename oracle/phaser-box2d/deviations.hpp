@@ -8,7 +8,8 @@ namespace manifuzz {
 // what the named fault makes of the case, in double, and holds the answer against that within the
 // collider's bounds.
 
-/// The same in phaser-box2d, within 1e-10.
+/// A circle whose centre is within 1e-10 of a polygon: the normal is a face's, beyond its corner
+/// too.
 bool face_within_phaser_epsilon(const Deviation& deviation);
 /// Two capsules in phaser-box2d: the answer is what b2CollideCapsules makes with u1X for u2X and
 /// the greater of two ends for the lesser, and not what it makes without.

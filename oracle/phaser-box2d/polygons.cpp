@@ -45,8 +45,8 @@ int most_opposed(const RoughPolygon& of, const Vector2<double>& normal) {
   return found;
 }
 
-/// Of the numerator of b2SegmentDistance's share, over both lengths and the extent: some 16
-/// roundings of half an ulp.
+/// The error of the numerator of b2SegmentDistance's share, over both lengths and the extent: some
+/// 16 roundings of half an ulp.
 constexpr double kErrorOfShare = 0x1p-49;
 
 /// b2SegmentDistance: shares of both edges at their nearest places.

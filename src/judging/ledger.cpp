@@ -23,7 +23,7 @@ void add_budgets(std::string_view text, Budgets& budgets) {
   }
 }
 
-/// Of every entry, by its id.
+/// The budgets of every entry, by its id.
 const Budgets& all_budgets() {
   static const Budgets all = [] {
     Budgets budgets;

@@ -7,7 +7,7 @@
 namespace manifuzz {
 namespace {
 
-/// Of this repository's own keepers.
+/// The entries on this repository's own keepers.
 constexpr std::array kOwn{
     SequenceEntry{{.id = "cached-bullet-world-normal",
                    .collider = "cached-bullet",

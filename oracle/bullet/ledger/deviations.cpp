@@ -176,4 +176,8 @@ bool least_of_flattened_directions_of_equal_vertices(const Deviation& d) {
   return is_of_least(d, flattened(), distance_of_equal_vertices);
 }
 
+bool direction_of_short_translation(const Deviation& d) {
+  return ledger_of::is_translation_right(d, 4 * d.right.bounds.separation);
+}
+
 }  // namespace manifuzz

@@ -106,7 +106,7 @@ inline constexpr std::array kOfBulletEpa{
                 .explains = epa_at_inner_face},
 };
 
-/// Of bullet-perturbed, the same of its first query.
+/// The entries of bullet-perturbed on its first query.
 inline constexpr std::array kOfBulletPerturbedEpa{
     LedgerEntry{.id = "bullet-perturbed-gjk-apart",
                 .collider = "bullet-perturbed",

@@ -35,7 +35,7 @@ struct PerturbedAnswer {
 
 PerturbedAnswer ask_perturbed(const BulletPair& pair, const PerturbedParts& parts);
 
-/// Of the points that touch the deepest, and which query found it; null where none touches.
+/// The deepest of the points that touch; null where none touches.
 const BulletPoint* deepest_of(const std::vector<BulletPoint>& points);
 /// What oracle/bullet makes of them in the plane: the deepest, and the one farthest from it.
 replayed::Contact seen_in_plane(const std::vector<BulletPoint>& points);

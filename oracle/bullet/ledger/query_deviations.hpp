@@ -80,7 +80,7 @@ bool epa_without_axis(const Deviation& deviation);
 /// its depth and the same place the answer would be right.
 bool epa_normal_between_places(const Deviation& deviation);
 
-/// Of flat hulls: the answer where the detector takes cores for intersecting, or does not, of which
+/// Flat hulls: the answer where the detector takes cores for intersecting, or does not, of which
 /// it had a corner that is none of theirs: -1 indexes their corners.
 bool corner_before_first(const Deviation& deviation);
 

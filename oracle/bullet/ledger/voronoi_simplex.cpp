@@ -90,7 +90,7 @@ VoronoiSimplex::Weights VoronoiSimplex::of_triangle(const Space& a, const Space&
 }
 
 bool VoronoiSimplex::find_tetrahedron(Weights& weights) {
-  // Of each face its corners, and the one that is off it.
+  // The corners of each face, and the one that is off it.
   constexpr int faces[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
   std::array<int, 4> is_outside{};
   for (int i = 0; i < 4; ++i) {

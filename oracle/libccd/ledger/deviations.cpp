@@ -45,4 +45,9 @@ bool tolerance_of_squares(const Deviation& d) {
   return is_on_chord(difference, translation, corner, distance_max, bound);
 }
 
+bool zero_of_squares(const Deviation& d) {
+  const double root_of_epsilon = std::sqrt(std::numeric_limits<double>::epsilon());
+  return ledger_of::is_translation_right(d, root_of_epsilon + 4 * d.right.bounds.separation);
+}
+
 }  // namespace manifuzz

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kEpaTolerance = 1e-4;
 
-/// Of an edge of a face that is not `without`, those that are left, in the order of expandPolytope:
+/// What is left of a face's edges but `without`, in the order of expandPolytope:
 /// the first is at `from`. And the corner between them.
 struct OtherEdges {
   CcdElement* first;

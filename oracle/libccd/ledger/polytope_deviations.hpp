@@ -27,8 +27,8 @@ bool polytope_left_touching(const Deviation& deviation);
 /// The polytope that it begins with does not hold the origin, or has it on its surface: the steps
 /// of GJK compare sums that are rounded by more than CCD_EPS.
 bool polytope_without_origin(const Deviation& deviation);
-/// The same of a polytope about two corners: the four others do not go round the line between them,
-/// so that its triangles are folded.
+/// Epa stops at a polytope about two corners: the four others do not go round the line between
+/// them, so that its triangles are folded.
 bool polytope_folded(const Deviation& deviation);
 /// No contact: a tetrahedron seems flat, or a direction of no length, by a square below CCD_EPS.
 bool apart_by_zero(const Deviation& deviation);

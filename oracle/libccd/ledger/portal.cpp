@@ -14,7 +14,7 @@ namespace {
 constexpr double kMprTolerance = 1e-4;
 constexpr int kIterationsMax = 1000;
 
-/// Of sums that are compared with 0.
+/// How sums are compared with 0.
 bool is_zero_or_less(double value) {
   return ccd_is_zero(value) || value < 0;
 }

@@ -21,7 +21,7 @@ TrackedPoint<Real> tracked(const Replay<Real>& replay, const ClippedPoint<Real>&
   return {point.on_a, inverse_transform(replay.between, point.on_b), apart.dot(replay.normal)};
 }
 
-/// Of a segment from one place along a tangent to another, the point at a place.
+/// The point at a place along a tangent, on a segment from one such place to another.
 template <class Real>
 Vector2<Real> point_at(const Ends<Real>& ends, const std::array<Real, 2>& range, Real place) {
   const Real run = range[1] - range[0];

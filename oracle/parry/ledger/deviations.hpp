@@ -20,7 +20,7 @@ struct AsAdapters {
   using Real = Scalar;
   /// What it does with a pair, in the one or two orders in which it may be asked.
   static std::vector<Replay<Real>> replays(const exact::StoredPair& pair);
-  /// The same of polygons made by from_convex_polyline.
+  /// The replays of polygons made by from_convex_polyline.
   static std::vector<Replay<Real>> replays_of_simplified(const exact::StoredPair& pair);
   /// The direction that was found, in A's frame: unit, but for roundings.
   static Vector2<double> direction(const Replay<Real>& replay, const PairCase& pair);
@@ -38,7 +38,7 @@ struct Rapier {
   static Manifold<double> answer(const Replay<Real>& replay, const PairCase& pair);
   static const Declaration& declaration();
 };
-/// The same asked by contactCollider.
+/// Rapier asked by contactCollider.
 struct RapierContact {
   using Real = float;
   /// As of `AsAdapters`.
@@ -56,7 +56,7 @@ using Doubles = AsAdapters<double>;
 // its order and its scalar, requires that this gives the answer, and sees where it left: then
 // holds what the named fault allows against the truth, or mends it.
 
-/// The same direction with other faces clipped would be right, or that of the face from which EPA
+/// With other faces clipped the direction would be right, or that of the face from which EPA
 /// is off by its tolerance: the nearest by cosine was taken.
 template <class Engine>
 bool clip_of_face_by_cosine(const Deviation& deviation);

@@ -100,7 +100,7 @@ double excess_of(const Deviation& d, const ReplayOf<Engine>& replay) {
   return exact::Along(*d.right.truth, direction).depth() - ledger_of::least_depth(d);
 }
 
-/// The same along another direction, in a's frame.
+/// The excess of depth along another direction, in a's frame.
 template <class Engine>
 double excess_along(const Deviation& d, const ReplayOf<Engine>& replay,
                     const Vector2<typename Engine::Real>& direction) {

@@ -136,7 +136,7 @@ constexpr LedgerEntry of_parry(std::string_view id, std::string_view collider,
   return {id, collider, fault.description, fault.source, explains};
 }
 
-/// The same of one whose answers are lost by it.
+/// An entry of a collider whose answers are lost by such a fault.
 constexpr LedgerEntry of_parry_lost(std::string_view id, std::string_view collider,
                                     const ParryFault& fault,
                                     bool (*explains_lost)(const LostAnswer&)) {

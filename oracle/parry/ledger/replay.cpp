@@ -10,7 +10,7 @@
 namespace manifuzz::parry {
 namespace {
 
-/// Of capsules: utils/consts.rs.
+/// An eighth of a turn, in utils/consts.rs, for capsules.
 constexpr double kCosineOfEighth = 0.92387953251;
 constexpr double kSineOfEighth = 0.38268343236;
 
@@ -158,7 +158,7 @@ std::vector<TrackedPoint<Real>> clipped_at(const Replay<Real>& replay, Side side
   std::vector<TrackedPoint<Real>> points{tracked(replay, point)};
   add_radii(replay, points);
   if (static_cast<double>(std::abs(run)) <= bound) return points;
-  // Of a face that is not along the normal it took this end itself, or the other's beside it.
+  // From a face that is not along the normal parry took this end itself, or the other's beside it.
   std::vector<TrackedPoint<Real>> all = clipped_by(replay, replay.faces);
   if (beneath == place || all.empty()) return {};
   all[place < beneath ? 0 : 1] = points[0];

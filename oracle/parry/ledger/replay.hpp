@@ -49,8 +49,8 @@ struct Replay {
 template <class Real>
 Replay<Real> replayed(const Placed<Real>& a, const Placed<Real>& b, Real prediction = 0);
 
-/// The same again, but that GJK's places on chords are not rounded as parry's are, and that no
-/// corners are taken for one to which those places lead.
+/// The replay of a pair, but that GJK's places on chords are not rounded as parry's are, and that
+/// no corners are taken for one to which those places lead.
 template <class Real>
 Replay<Real> replayed_with_unrounded_feet(const Replay<Real>& replay);
 
@@ -70,13 +70,13 @@ template <class Real>
 std::vector<TrackedPoint<Real>> clipped_at(const Replay<Real>& replay, Side side, std::size_t end,
                                            double bound);
 
-/// The same of a GJK that keeps the step from which it went back; none where it did not, and of
-/// `supports`.
+/// The replay of a pair with a GJK that keeps the step from which it went back; none where it did
+/// not, and of `supports`.
 template <class Real>
 std::optional<Replay<Real>> replayed_after_step(const Replay<Real>& replay);
 
-/// The same where EPA's distances of a chord have the signs that those of a triangle have; none
-/// where it did not end on a chord, and of other routes than `features`.
+/// The replay of a pair where EPA's distances of a chord have the signs that those of a triangle
+/// have; none where it did not end on a chord, and of other routes than `features`.
 template <class Real>
 std::optional<Replay<Real>> replayed_with_signs(const Replay<Real>& replay);
 

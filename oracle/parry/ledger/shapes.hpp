@@ -90,7 +90,7 @@ struct Shape {
   bool is_capsule() const { return corners.size() == 2 && radius > 0; }
   bool is_polygon() const { return corners.size() > 2; }
 
-  /// Of the core: of equals a segment's second end, a polygon's first corner.
+  /// The core's support: of equals a segment's second end, a polygon's first corner.
   const Vector2<Real>& farthest_corner(const Vector2<Real>& along) const {
     if (corners.size() == 2) {
       return corners[0].dot(along) > corners[1].dot(along) ? corners[0] : corners[1];
@@ -102,7 +102,7 @@ struct Shape {
     return corners[best];
   }
 
-  /// Of the core and its radius, if that is asked for.
+  /// The support of the core, and of its radius if that is asked for.
   Vector2<Real> support(const Vector2<Real>& along, bool is_round) const {
     if (!is_round || radius == 0) return farthest_corner(along);
     const Vector2<Real> unit = unit_of(along);

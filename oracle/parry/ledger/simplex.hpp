@@ -34,7 +34,7 @@ Projection<Real> project_on_segment(const Vector2<Real>& place, const Vector2<Re
           .shares = {Real(1) - share, share}};
 }
 
-/// The same of the edge from `corners[first]` to `corners[second]` of a triangle.
+/// The origin's projection onto the edge from `corners[first]` to `corners[second]` of a triangle.
 template <class Real>
 Projection<Real> on_edge(const std::array<Vector2<Real>, 3>& corners, int first, int second,
                          Real before) {
@@ -48,7 +48,7 @@ Projection<Real> on_edge(const std::array<Vector2<Real>, 3>& corners, int first,
           .shares = {Real(1) - share, share}};
 }
 
-/// Of a triangle without area: on its longest edge.
+/// The origin's projection onto a triangle without area: onto its longest edge.
 template <class Real>
 Projection<Real> origin_on_longest_edge(const std::array<Vector2<Real>, 3>& corners) {
   const auto square = [&](std::size_t i, std::size_t j) {

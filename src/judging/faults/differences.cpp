@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "exact/curve.hpp"
-#include "judging/faults/shared_faults.hpp"
 
 namespace manifuzz {
 namespace ledger_of {
@@ -120,29 +118,15 @@ double least_depth(const Deviation& d) {
   return exact::PenetrationCurve(*d.right.truth, exact::skin_of(*d.right.truth)).least();
 }
 
-}  // namespace ledger_of
-
-namespace {
-
-/// Whether the translation is that of a least depth, within `bound`, and yet it is wrong.
 bool is_translation_right(const Deviation& d, double bound) {
-  if (d.got.count == 0 || d.got.normal.isZero(0) || ledger_of::is_of_points(d.kind)) return false;
+  if (d.got.count == 0 || d.got.normal.isZero(0) || is_of_points(d.kind)) return false;
   const exact::PenetrationCurve curve(*d.right.truth, exact::skin_of(*d.right.truth));
-  const Vector2<double> got = ledger_of::translation_of(d);
+  const Vector2<double> got = translation_of(d);
   return std::ranges::any_of(curve.minima(bound), [&](const Vector2<double>& normal) {
-    return (got - curve.least() * ledger_of::in_world(d.right.pair(), normal)).norm() <= bound;
+    return (got - curve.least() * in_world(d.right.pair(), normal)).norm() <= bound;
   });
 }
 
-}  // namespace
-
-bool direction_of_short_translation(const Deviation& d) {
-  return is_translation_right(d, 4 * d.right.bounds.separation);
-}
-
-bool zero_of_squares(const Deviation& d) {
-  const double root_of_epsilon = std::sqrt(std::numeric_limits<double>::epsilon());
-  return is_translation_right(d, root_of_epsilon + 4 * d.right.bounds.separation);
-}
+}  // namespace ledger_of
 
 }  // namespace manifuzz

@@ -44,6 +44,8 @@ bool is_of_points(Kind kind);
 double deepest(const Manifold<double>& manifold);
 /// The answer's normal, in the world, times the deepest of its depths.
 Vector2<double> translation_of(const Deviation& deviation);
+/// Whether the translation is that of a least depth, within `bound`, and yet it is wrong.
+bool is_translation_right(const Deviation& deviation, double bound);
 /// D* of the pair.
 double least_depth(const Deviation& deviation);
 

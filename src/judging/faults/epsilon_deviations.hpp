@@ -4,7 +4,7 @@
 
 namespace manifuzz::ledger_of {
 
-// Of engines that are Box2D 2.4 in doubles, each with an epsilon of its own, a world length.
+// Faults of engines that are Box2D 2.4 in doubles, each with an epsilon of its own, a world length.
 
 /// A circle whose centre is nearer than epsilon to another's or to an edge's end: the normal is the
 /// world's x axis, from the first shape of both.

@@ -20,7 +20,7 @@ struct Contact {
   std::vector<Point> points;
 };
 
-/// The same in A's frame.
+/// A contact in A's frame.
 Manifold<double> in_frame_of_a(const PairCase& pair, const Contact& contact);
 
 /// Whether it is what the engine answered, within the bounds of a right collider's figures.
@@ -30,7 +30,8 @@ bool is_same_answer(const Deviation& deviation, const Contact& contact);
 bool is_right_answer(const Deviation& deviation, const Declaration& declaration,
                      const Contact& contact);
 
-/// The same of what an engine says of the pair alone: a normal from A to B in the world, a depth.
+/// Both questions of what an engine says of the pair alone: a normal from A to B in the world, a
+/// depth.
 bool is_same_separation(const Deviation& deviation, const Vector2<double>& normal, double depth);
 bool is_right_separation(const Deviation& deviation, const Declaration& declaration,
                          const Vector2<double>& normal, double depth);

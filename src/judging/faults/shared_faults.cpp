@@ -49,7 +49,7 @@ bool direction_to_place_on_segment(const Deviation& d) {
   const Vector2<double> along = placed(other(circle), 1) - from;
   const double share = std::clamp(along.dot(centre - from) / along.dot(along), 0.0, 1.0);
   const Vector2<double> delta = from + share * along - centre;
-  // Of what is rounded in the world, nothing is left but roundings where they are at one place.
+  // What is rounded in the world has nothing left but roundings where they are at one place.
   const double bound = d.right.bounds.normal + 2 * d.right.bounds.separation / delta.norm();
   Vector2<double> normal = SeenAlong(pair, d.got.normal).normal();
   if (circle == Side::b) normal = -normal;

@@ -17,11 +17,6 @@ bool normal_of_rounded_vertices(const Deviation& deviation);
 /// A circle against a segment: the normal is the direction to the place on it that is nearest as
 /// doubles have it, however short.
 bool direction_to_place_on_segment(const Deviation& deviation);
-/// The normal is the direction of a translation that is right to rounding, but hardly longer than
-/// its roundings.
-bool direction_of_short_translation(const Deviation& deviation);
-/// The same of libccd, which takes squares below CCD_EPS for 0: off by up to the root of it.
-bool zero_of_squares(const Deviation& deviation);
 
 namespace ledger_of {
 
