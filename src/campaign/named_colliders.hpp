@@ -25,11 +25,11 @@ class NamedColliders {
 
   /// The collider to ask about a case: the one given, whichever the case names; else the one that
   /// it names. nullptr where there is no subject of that name; an oracle that is not installed
-  /// falls back to box2d.
+  /// falls back to the usual one.
   const Collider* subject_of(const CorpusCase& known);
   const Collider* oracle_of(const CorpusCase& known);
 
-  /// The collider for cases that name none: the one given, else clip or box2d.
+  /// The collider for cases that name none: the one given, else clip and the usual oracle.
   const std::string& subject() const { return subject_; }
   const std::string& oracle() const { return oracle_; }
 

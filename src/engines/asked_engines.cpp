@@ -83,6 +83,14 @@ std::span<const AskedEngine> asked_engines() {
   return all;
 }
 
+std::optional<FoundCollider> find_asked(std::string_view collider) {
+  for (const AskedEngine& engine : asked_engines()) {
+    const EngineCollider* const asked = find_by_name(engine.colliders, collider);
+    if (asked != nullptr) return FoundCollider{&engine, asked};
+  }
+  return std::nullopt;
+}
+
 std::string left_out(std::string_view name, const AskedEngine& engine) {
   return fmt::format(
       "{} is not in this build; scripts/setup --engines installs {}, then MANIFUZZ_ENGINES=all "
@@ -105,12 +113,9 @@ std::string library_of(const AskedEngine& engine, const EngineCollider& asked) {
 }
 
 std::optional<std::string> library_of_installed(std::string_view collider) {
-  for (const AskedEngine& engine : asked_engines()) {
-    const EngineCollider* const asked = find_by_name(engine.colliders, collider);
-    if (asked == nullptr || asked->is_built || asked->is_linked) continue;
-    return library_of(engine, *asked);
-  }
-  return std::nullopt;
+  const auto found = find_asked(collider);
+  if (!found || found->asked->is_built || found->asked->is_linked) return std::nullopt;
+  return library_of(*found->engine, *found->asked);
 }
 
 Collider collider_of(const AskedEngine& engine, const EngineCollider& asked) {
@@ -126,11 +131,8 @@ Collider collider_of(const AskedEngine& engine, const EngineCollider& asked) {
 }
 
 bool is_without_ledger(std::string_view collider) {
-  for (const AskedEngine& engine : asked_engines()) {
-    if (find_by_name(engine.colliders, collider) == nullptr) continue;
-    return find_by_name(built_engines(), engine.name) == nullptr;
-  }
-  return false;
+  const auto found = find_asked(collider);
+  return found && find_by_name(built_engines(), found->engine->name) == nullptr;
 }
 
 }  // namespace manifuzz

@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "collider/collider.hpp"
+#include "base/text.hpp"
+#include "engines/engine.hpp"
 
 namespace manifuzz {
 
@@ -35,6 +36,13 @@ struct AskedEngine {
 /// Every engine in oracle/, whether built or not, in the order of oracle/engines.txt.
 std::span<const AskedEngine> asked_engines();
 
+/// An engine, and the collider of that name that it has.
+struct FoundCollider {
+  const AskedEngine* engine;
+  const EngineCollider* asked;
+};
+std::optional<FoundCollider> find_asked(std::string_view collider);
+
 /// Throws UserError that says what would make it so, where it cannot be asked here.
 Collider collider_of(const AskedEngine& engine, const EngineCollider& asked);
 
@@ -48,6 +56,18 @@ std::optional<std::string> library_of_installed(std::string_view collider);
 
 /// Why the build left it out: one line for people.
 std::string left_out(std::string_view name, const AskedEngine& engine);
+
+/// What an engine that is built has of that name among some of its parts, such as its colliders.
+/// Throws UserError where the build left it out.
+template <class Entry>
+auto make_linked(std::vector<Entry> Engine::*entries, const AskedEngine& engine,
+                 const EngineCollider& asked) {
+  for (const Engine& built : built_engines()) {
+    const Entry* const entry = find_by_name(built.*entries, asked.name);
+    if (entry != nullptr) return entry->make();
+  }
+  throw UserError(left_out(asked.name, engine));
+}
 
 /// Whether an engine has that collider of which this program knows no ledger: what it is known for
 /// looks new.

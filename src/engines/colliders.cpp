@@ -11,7 +11,6 @@
 #include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {
-
 namespace {
 
 /// In the order in which they are listed.
@@ -31,18 +30,9 @@ std::vector<ColliderEntry> own_entries() {
   };
 }
 
-/// The collider of that name of an engine that is built; throws UserError where it is left out.
-Collider linked_collider(const AskedEngine& engine, const EngineCollider& asked) {
-  for (const Engine& built : built_engines()) {
-    const auto* const entry = find_by_name(built.colliders, asked.name);
-    if (entry != nullptr) return entry->make();
-  }
-  throw UserError(left_out(asked.name, engine));
-}
-
 ColliderEntry entry_of(const AskedEngine& engine, const EngineCollider& asked) {
   if (asked.is_linked) {
-    return {asked.name, [&] { return linked_collider(engine, asked); }};
+    return {asked.name, [&] { return make_linked(&Engine::colliders, engine, asked); }};
   }
   return {asked.name, [&] { return collider_of(engine, asked); }};
 }

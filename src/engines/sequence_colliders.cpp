@@ -18,15 +18,6 @@ struct Way {
   SequenceCollider (*over)(const Collider& one_point);
 };
 
-/// The keeper of that name of an engine that is built; throws UserError where it is left out.
-SequenceCollider linked_keeper(const AskedEngine& engine, const EngineCollider& asked) {
-  for (const Engine& built : built_engines()) {
-    const auto* const entry = find_by_name(built.keepers, asked.name);
-    if (entry != nullptr) return entry->make();
-  }
-  throw UserError(left_out(asked.name, engine));
-}
-
 constexpr Way kWays[] = {{"cached+", cached_over}, {"cached-bullet+", cached_bullet_over}};
 
 }  // namespace
@@ -41,7 +32,8 @@ const std::vector<SequenceColliderEntry>& sequence_colliders() {
     for (const AskedEngine& engine : asked_engines()) {
       for (const EngineCollider& asked : engine.colliders) {
         if (!asked.keeps_points) continue;
-        entries.push_back({asked.name, [&] { return linked_keeper(engine, asked); }});
+        entries.push_back(
+            {asked.name, [&] { return make_linked(&Engine::keepers, engine, asked); }});
       }
     }
     return entries;

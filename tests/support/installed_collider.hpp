@@ -34,11 +34,7 @@ inline std::optional<Collider> collider_with_ledger(std::string_view name) {
 
 /// A file in the folder of the engine that has that collider.
 inline std::filesystem::path in_engine(std::string_view collider, std::string_view file) {
-  for (const AskedEngine& engine : asked_engines()) {
-    if (find_by_name(engine.colliders, collider) == nullptr) continue;
-    return source_dir() / "oracle" / engine.name / file;
-  }
-  return source_dir() / "oracle" / collider / file;
+  return source_dir() / "oracle" / find_asked(collider)->engine->name / file;
 }
 
 }  // namespace manifuzz::test
