@@ -126,13 +126,12 @@ Interest thickness(const exact::RoughPolygon& polygon) {
 }
 
 /// The width of what both shapes cover, where it is thinnest; about its middle. None where it is
-/// about as wide as it is deep: it is seen where the depth is.
+/// about as wide as it is deep, and seen where the depth is, or no wider than its own roundings.
 std::optional<Interest> thin_overlap(const Scene& scene) {
   const Box whole = scene.whole(0);
   const double tolerance = 1e-3 * std::max(whole.width, whole.height);
-  const Region overlap =
-      intersection(scene.shape(Side::a, whole, tolerance), scene.shape(Side::b, whole, tolerance));
-  if (overlap.size() < 3) return std::nullopt;
+  const auto shape = [&](Side side) { return scene.shape(side, whole, tolerance); };
+  const Region overlap = intersection(shape(Side::a), shape(Side::b));
   double thinnest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < overlap.size(); ++i) {
     const Point& corner = overlap[i];
@@ -141,8 +140,10 @@ std::optional<Interest> thin_overlap(const Scene& scene) {
     for (const Point& p : overlap) width = std::max(width, cross<double>(along, p - corner));
     if (width > 0) thinnest = std::min(thinnest, width);
   }
-  if (!(thinnest < std::abs(scene.deepest.depth) / 2)) return std::nullopt;
-  return Interest{middle_of(overlap), thinnest, 4, 0.25, false, true};
+  const Point middle = middle_of(overlap);
+  const double resolved = 8 * std::numeric_limits<double>::epsilon() * length(middle);
+  if (!(thinnest > resolved && thinnest < std::abs(scene.deepest.depth) / 2)) return std::nullopt;
+  return Interest{middle, thinnest, 4, 0.25, false, true};
 }
 
 /// The largest first.

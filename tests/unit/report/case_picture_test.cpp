@@ -3,10 +3,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "corpus/corpus.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/picture/pictures.hpp"
 #include "report/words.hpp"
 #include "support/named_tests.hpp"
+#include "support/source_tree.hpp"
 #include "unit/report/sample.hpp"
 #include "unit/report/svg_reader.hpp"
 
@@ -126,6 +128,16 @@ TEST_CASE("a depth too small to be seen gets a closer view") {
   CHECK(frames(0.25F) == 1);
   CHECK(frames(1e-5F) == 2);
   CHECK(frames(-1e-5F) == 2);
+}
+
+TEST_CASE("an overlap much thinner than its depth gets a view of its own, if rounding leaves one") {
+  const auto frames = [](const char* file) {
+    const auto path = source_dir() / "corpus/defects/box2d" / file;
+    const PairCase pair = read_case_file(path.string()).pair;
+    return select(read_svg(case_svg(judged_case(pair))), "rect", "frame").size();
+  };
+  CHECK(frames("thin-overlap-box2d.json") == 3);
+  CHECK(frames("oracle-known-missed_contact-none-a-gross-0103adb7.json") == 1);
 }
 
 TEST_CASE("polygons apart show the gap, and no contact") {
