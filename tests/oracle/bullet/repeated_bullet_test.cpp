@@ -251,6 +251,19 @@ TEST_CASE("shapes are turned out of the plane where the first normal is upright"
   CHECK_FALSE(is_it(side, replayed::in_frame_of_a(side, seen_in_plane(of_side.points))));
 }
 
+TEST_CASE("shapes are turned out of the plane where the first query ends at a flat simplex") {
+  const PairCase pair{
+      body_at(std::array{Vector2<float>{0, -32768}, Vector2<float>{0, 65536}}, 0, 0, 42598.4F),
+      body_at(std::array{Vector2<float>{0, 0}}, 0, 0, 64225.28F)};
+  const PerturbedAnswer answer = ask_perturbed(prisms_of(pair), {});
+  REQUIRE(answer.first.loop.end == QueryEnd::degenerate);
+  CHECK(std::abs(answer.first.normal.z()) > 0.9F);
+  Manifold<double> got = replayed::in_frame_of_a(pair, seen_in_plane(answer.points));
+  CHECK(explains(turned_out_of_plane, pair, got, Kind::witness));
+  got.normal = -got.normal;
+  CHECK_FALSE(explains(turned_out_of_plane, pair, got, Kind::witness));
+}
+
 TEST_CASE("an answer that the repeated turns do not give is none of theirs") {
   const auto is_one = [](bool (*predicate)(const Deviation&)) {
     return is_explained(predicate, squares_side_by_side(), {1, 0}, 0.29);
