@@ -91,8 +91,8 @@ std::size_t near(std::span<const CellLevel> levels, const BoxColumns& entries,
   return found.count();
 }
 
-/// Of two boxes of a level the left one finds the other; of two that begin at one x, that of the
-/// lower entry.
+/// The left one of two boxes of a level finds the other; where both begin at one x, that of the
+/// lower entry does.
 HWY_INLINE void scan_right(const CellLevel& level, const BoxColumns& entries, std::size_t entry,
                            const Box& box, Found& found) {
   const Floats d;

@@ -49,7 +49,7 @@ class TrialFolder {
   std::string why_not_;
 };
 
-/// Of the file just opened, which is taken away.
+/// Why the file just opened cannot be created; it is taken away again.
 std::string why_not_opened(int file, const std::string& path) {
   if (file < 0) return failure("create it");
   ::close(file);

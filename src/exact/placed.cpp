@@ -58,8 +58,8 @@ void place_both(const StoredPair& pair, RoughPair& placed) {
   store_placed(place_b<kParts>(pair), pair.b.polygon.count, placed.b);
 }
 
-/// Of each face of a polygon, and the greatest; all faces at once meet each vertex of the other. A
-/// point has no face: what comes of its lane is anything.
+/// The separation of each face of a polygon, and the greatest; all faces at once meet each vertex
+/// of the other. A point has no face: what comes of its lane is anything.
 template <int n, int m>
 HWY_INLINE double separate(const Placed<n>& polygon, int face_count, const Placed<m>& opposing,
                            int count, LaneArray& of_face) {

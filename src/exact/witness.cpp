@@ -88,7 +88,8 @@ class Frame {
   }
 
  private:
-  /// Of a point, or of a segment along the normal, which a turn however small shows at its height.
+  /// Adds the ends of a point, or of a segment along the normal, which a turn however small shows
+  /// at its height.
   void add_ends(Side side, const Interval<E>& places, std::optional<Interval<E>>& all) const {
     const auto& polygon = pair_[side].polygon;
     const Point<Number> first = vertex<Number>(pair_, side, 0);

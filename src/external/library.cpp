@@ -203,7 +203,7 @@ Declaration declaration_of(const manifuzz_declaration& declared) {
 
 namespace {
 
-/// Of one that claims no points.
+/// The answer of a library that claims no points.
 Penetration penetration_of(const manifuzz_manifold& manifold, bool has_normal,
                            const Conventions& conventions, const PairCase& pair) {
   Penetration result{.touches = manifold.touching != 0, .used = shapes_of(manifold)};

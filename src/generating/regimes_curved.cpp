@@ -151,7 +151,7 @@ bool cores_touch(Random& random, const GenerationContext&, PairCase& pair) {
   const Solid a = any_of(random, all);
   const Solid b = any_of(random, {Family::circle, Family::capsule, Family::rounded});
   if (random.chance(0.15)) {
-    // The same shape at the same place, or nearly.
+    // A shape upon itself, or nearly.
     Draft draft;
     draft.a.outline = draft.b.outline = b.outline;
     if (random.chance(0.5)) draft.b.pose.rotation = unit({1, next_to_nothing(random)});

@@ -126,8 +126,7 @@ const LedgerEntry* explanation_of_wrong(const PairCase& pair, const ColliderAnsw
                           {wrong.right, wrong.manifold, wrong.mismatch.kind, &pair});
 }
 
-/// Of answers that are both right: whether they say the same, as far as both say it of the same
-/// shapes.
+/// Whether two right answers say the same, as far as both say it of the same shapes.
 bool agree(const Judged& subject, const Judged& oracle) {
   if (subject.is_altered || oracle.is_altered) return true;
   if (subject.by_curve || oracle.by_curve) return subject.touches == oracle.touches;

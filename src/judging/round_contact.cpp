@@ -125,8 +125,8 @@ class AlongContact {
   }
   double total_radius() const { return exact::total_radius<DoubleDouble>(pair_).high; }
 
-  /// Of each vertex of a side that is farthest towards the other within bound, the edges that are
-  /// the more perpendicular to the normal within bound; none of a point.
+  /// The edges of a side that meet in a vertex that is farthest towards the other side within
+  /// bound, and are the more perpendicular to the normal within bound; none of a point.
   std::vector<SeenEdge> best_edges(Side side) const {
     std::vector<SeenEdge> best;
     const auto& polygon = pair_[side].polygon;

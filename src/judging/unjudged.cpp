@@ -20,7 +20,7 @@ std::string in_words(const Vector2<double>& v) {
   return fmt::format("({}, {})", in_words(v.x()), in_words(v.y()));
 }
 
-/// Of a figure, by its name.
+/// Says of a figure, by its name, that it is not finite.
 std::string not_finite(std::string_view name, const std::string& value) {
   return fmt::format("{} {} is not finite; smaller coordinates are expected", name, value);
 }

@@ -91,7 +91,7 @@ class RoundContact {
     return edge;
   }
 
-  /// Of the vertex that is farthest towards the other shape, the edge more perpendicular to that.
+  /// The edge at the vertex that is farthest towards the other shape, the more perpendicular one.
   Edge edge_of(Side side) const {
     const exact::RoughPolygon& polygon = placed_[side];
     const Place towards = side == Side::a ? normal_ : Place(-normal_);

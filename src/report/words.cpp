@@ -58,7 +58,7 @@ constexpr std::array<std::string_view, kTieClassNames.size()> kTieWords{
     "two incident edges are nearer than rounding can tell", "a depth is zero within rounding",
     "the incident edge ends at a side plane within rounding"};
 
-/// Of the verdicts that say more than their names do; {0} is the subject, {1} the oracle.
+/// What verdicts mean that say more than their names do; {0} is the subject, {1} the oracle.
 constexpr std::array<std::string_view, 7> kVerdictWords{"agree: both are right, and say the same",
                                                         "tie: they differ, and both are right",
                                                         "known: {1} is wrong, as the ledger says",

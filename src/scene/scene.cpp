@@ -81,7 +81,7 @@ void Scene::start_path(std::uint32_t body) {
   movers_.push_back({body, placements_[body].pose.position});
 }
 
-/// Of those to be looked at, bodies that are in the scene no more.
+/// Bodies to be looked at that are in the scene no more are not looked at.
 void Scene::forget_removed() {
   std::erase_if(movers_, [&](const Mover& mover) {
     const bool is_gone = generations_[mover.body] % 2 == 0;

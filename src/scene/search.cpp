@@ -61,8 +61,8 @@ bool Scene::few_moved() const {
          movers_.size() * candidates_.longest_row() < body_count_ + candidates_.size();
 }
 
-/// Those that may have left, by their places among the movers, without a branch that depends on
-/// one.
+/// The movers that may have left their boxes, by their places among them, without a branch that
+/// depends on one.
 void Scene::find_leavers() {
   clear_for(bodies_, body_count_);
   clear_for(left_, body_count_);
@@ -81,7 +81,7 @@ void Scene::find_leavers() {
   for (const std::uint32_t i : found_) leave(movers_[i]);
 }
 
-/// Of `bodies_`.
+/// The tight boxes of `bodies_`.
 void Scene::draw_tight_boxes() {
   std::array<Box, 256> drawn;
   for (std::size_t first = 0; first < bodies_.size(); first += drawn.size()) {
@@ -120,8 +120,8 @@ void Scene::leave(const Mover& mover) {
   leave_at_[body] = (path + slack(fat, box)) * (1 - 4 * kRoundoff);
 }
 
-/// Of those that left: proofs of a path that began anew are forgotten, and where only few rows are
-/// looked at, pairs whose boxes overlap no longer are dropped.
+/// Where a body that left began a new path, proofs are forgotten; and where only few rows are
+/// looked at, its pairs whose boxes overlap no longer are dropped.
 void Scene::part_from_partners() {
   for (const Leaver& leaver : left_) {
     const bool is_unproven = is(leaver.body, kUnproven);

@@ -110,7 +110,7 @@ void Scene::drop_parted() {
   }
 }
 
-/// Of a body, the pairs in other rows that are not looked at with those.
+/// A body's pairs in other rows that are not looked at with these rows.
 void Scene::look_at_partners(std::uint32_t body) {
   for (const std::uint32_t other : cells_.near(boxes_[body])) {
     if (other > body || is(other, kMoved)) continue;
@@ -140,7 +140,7 @@ void Scene::look_at(std::uint32_t a, Candidate& candidate) {
   }
 }
 
-/// Of the pairs that wait and did not touch, those whose tight boxes do not overlap.
+/// Leaves out pairs that wait and did not touch, where their tight boxes do not overlap.
 void Scene::leave_out_apart() {
   if (!settings_.certificates) return;
   const std::size_t count = std::exchange(apart_.count, 0);

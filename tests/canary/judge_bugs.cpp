@@ -24,7 +24,7 @@ const std::vector<Collider>& subjects() {
   return all;
 }
 
-/// The same of round shapes, under policies of the second point too.
+/// Subjects that take round shapes, under policies of the second point too.
 const std::vector<Collider>& round_subjects() {
   static const std::vector<Collider> all = [] {
     std::vector<Collider> made{make_clip(), make_clip64()};

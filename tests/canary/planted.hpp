@@ -14,7 +14,7 @@ namespace manifuzz::canary {
 /// A collider with a bug in it.
 using MakeCollider = std::function<Collider(double tie_bias)>;
 
-/// Those registered so far.
+/// The planted colliders registered so far.
 std::vector<MakeCollider>& planted_colliders();
 
 /// The collider with the bug acting whenever it is asked.
@@ -23,7 +23,8 @@ Collider with_bug(const Bug& bug, Collider collider);
 /// A collider that gives a second point of round shapes by this policy, with a bug in it.
 using MakeWithSecondPoint = Collider (*)(SecondPoint second_point);
 
-/// Those of round shapes: of each bug in float, in double and under policies of the second point.
+/// Planted colliders of round shapes: of each bug in float, in double and under policies of the
+/// second point.
 std::vector<Collider>& planted_round_colliders();
 
 /// A collider by another method than clipping, with a bug in it.

@@ -123,7 +123,7 @@ std::string row(const std::string& name, const Forms& forms) {
       median(forms.shrink_ms), most(forms.shrink_ms));
 }
 
-/// Of a sighting whose bucket alone is known: how often the likeliest bug is the right guess, every
+/// Where a sighting's bucket alone is known: how often the likeliest bug is the right guess, every
 /// bug being as frequent as any other. And how often a bug shows in its most frequent bucket.
 std::string purity(const std::map<std::string, Forms>& bugs) {
   std::map<std::string, double> likeliest;
@@ -148,7 +148,7 @@ std::string purity(const std::map<std::string, Forms>& bugs) {
       100 * in_main_bucket / count);
 }
 
-/// Of bugs whose cases are gross for the most part: how many have one simplest form.
+/// Among bugs whose cases are gross for the most part: how many have one simplest form.
 std::string simplest_forms(const std::map<std::string, Forms>& bugs) {
   int gross = 0;
   int with_one = 0;

@@ -15,7 +15,7 @@ struct WorstCases {
   int gross = 0;                                                    ///< of those
 };
 
-/// Of so many cases of all regimes, against Box2D.
+/// The worst of so many cases of all regimes, against Box2D.
 WorstCases worst_cases(const Collider& subject, std::uint64_t seed, std::uint64_t cases);
 
 }  // namespace manifuzz::canary

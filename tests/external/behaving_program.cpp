@@ -48,7 +48,7 @@ Answer answer_by_altered(const PairCase& pair) {
   return result;
 }
 
-/// Of what clip64 says, as much as that behaviour claims.
+/// As much of what clip64 says as that behaviour claims.
 Answer claimed(Manifold<double> manifold, std::string_view behaviour) {
   if (manifold.count == 2 && manifold.points[1].depth > manifold.points[0].depth) {
     std::swap(manifold.points[0], manifold.points[1]);

@@ -22,7 +22,7 @@ std::string raises(int signal) {
   return "raises-" + std::to_string(signal);
 }
 
-/// Those that end the process at once, whatever it is.
+/// Behaviours that end the process at once, whatever it is.
 const std::vector<std::string>& ways_to_end() {
   static const std::vector<std::string> all{
       "aborts",        "terminates",    "throws",       "allocates",     "overflows",
@@ -46,7 +46,7 @@ std::vector<PairCase> cases_around_unlucky() {
   return {others[0], others[1], unlucky_ones[0], others[2], others[3]};
 }
 
-/// Of a batch that has an unlucky case in its middle, that one alone.
+/// A batch that has an unlucky case in its middle loses that one alone.
 void check_loses_one(const Collider& subject, Lost::How how) {
   static const std::vector<PairCase> pairs = cases_around_unlucky();
   std::vector<Answer> answers(pairs.size());

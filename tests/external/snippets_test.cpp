@@ -41,7 +41,7 @@ TEST_CASE("the programs of Bullet compile and run on shapes of every kind") {
        {"bullet-epa", "bullet-minkowski", "bullet-convex2d", "bullet-perturbed"}) {
     const auto collider = installed_collider(engine);
     if (!collider) continue;
-    // Of the four points of prisms the adapter leaves those that differ in the plane.
+    // The adapter leaves those of a prism's four points that differ in the plane.
     check_at_once(*collider, kCpp, kCompileCpp + "$(pkg-config --cflags --libs bullet)",
                   kRunCompiled, {.has_count = std::string_view(engine) != "bullet-perturbed"});
   }

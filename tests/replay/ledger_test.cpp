@@ -42,7 +42,7 @@ Manifold<double> manifold_of(const Answer& answer) {
   return manifold;
 }
 
-/// The same shapes where A's frame is, each scaled to a diameter of 1.
+/// Puts both shapes where A's frame is, each scaled to a diameter of 1.
 void scale_to_unit(PairCase& pair) {
   for (Body* const body : {&pair.a, &pair.b}) {
     const auto scale = 1 / static_cast<float>(size(body->polygon));

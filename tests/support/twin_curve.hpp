@@ -19,8 +19,7 @@ class TwinCurve {
   Real depth(const Vector2<double>& normal) const { return along(turned(normal)); }
   /// G(n); none where no line along the normal meets both cores.
   std::optional<Real> gap(const Vector2<double>& normal) const;
-  // Of a normal whose length is rational, where A's rotation is unit: lengths are then rational
-  // too.
+  // A normal's length is rational, where A's rotation is unit: lengths are then rational too.
 
   /// G(n) at its largest, and at its least, where B is slid by up to so much along the tangent;
   /// none where no line meets both cores: with any such slide, with one of the two.

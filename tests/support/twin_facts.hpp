@@ -146,7 +146,8 @@ class Twin {
     }
   }
 
-  /// Of each side that the bias leaves open; `all` says which sides are in it already.
+  /// Adds a candidate of each side that the bias leaves open; `all` says which sides are in it
+  /// already.
   void add_open_sides(const TieBias& bias, std::vector<TwinCandidate>& all) const {
     const auto has = [&](Side side) {
       return std::ranges::any_of(all, [&](const TwinCandidate& c) { return c.side == side; });

@@ -40,7 +40,7 @@ class RoundTwin {
   const std::optional<Greatest>& greatest_of(Side side) const {
     return greatest_[side == Side::a ? 0 : 1];
   }
-  /// Of all faces; none of two points.
+  /// The greatest separation of all faces; none of two points.
   const std::optional<Greatest>& greatest() const { return greatest_of(reference_); }
   /// Whether cores overlap: faces decide then.
   bool is_deep() const { return greatest() && greatest()->squared < 0; }

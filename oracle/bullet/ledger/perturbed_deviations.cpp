@@ -52,8 +52,8 @@ int query_of_deepest(const Deviation& d) {
 }
 
 /// Whether the first query's normal came about by what is wrong with bullet-epa: the axis of cores
-/// that touch or have corners near to each other, a query that ended at a flat simplex, a second GJK,
-/// or an EPA that ended otherwise than within its accuracy.
+/// that touch or have corners near to each other, a query that ended at a flat simplex, a second
+/// GJK, or an EPA that ended otherwise than within its accuracy.
 bool is_first_normal_faulty(const ledger_of::PerturbedAnswer& answer) {
   const ledger_of::BulletAnswer& first = answer.first;
   if (first.normal_of == ledger_of::NormalOf::query || first.is_axis_deeper) {

@@ -60,7 +60,7 @@ std::optional<std::vector<PairCase>> draw_workload(
     context.radius = 0.0F;
   }
   const auto is_taken = [&](const PairCase& pair) { return !context.takes || context.takes(pair); };
-  // Of each case many are drawn before one is given that is not taken.
+  // Many cases are drawn before one is given that is not taken.
   if (!is_taken(generate(seed, *spec.regime, 0, context))) return std::nullopt;
   std::vector<PairCase> pairs;
   const double touching = static_cast<double>(spec.pairs) * spec.touching;
@@ -118,7 +118,7 @@ void initialize(const TimingOptions& options) {
   benchmark::Initialize(&count, arguments.data());
 }
 
-/// Of each repetition what `combined` makes of it and of the other's of its number.
+/// The median of what `combined` makes of each repetition and of the other's of its number.
 template <class Combine>
 double median_of(const std::vector<double>& seconds, const std::vector<double>& of_other,
                  const Combine& combined) {

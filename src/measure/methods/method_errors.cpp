@@ -7,7 +7,8 @@
 namespace manifuzz {
 namespace {
 
-/// Of the clip's extent: what is kept moves by a little without being any the less complete.
+/// The share of the clip's extent that is enough: what is kept moves by a little without being any
+/// the less complete.
 constexpr double kSpannedShare = 0.95;
 
 /// In frames: a contact that is over before is not one that lasted.

@@ -6,7 +6,7 @@
 namespace manifuzz {
 namespace {
 
-/// Of the kernels, that of the widest instruction set, which comes first.
+/// The kernel of the widest instruction set, which comes first.
 MethodSubject of_bench(std::string method, const std::string& name) {
   static const std::vector<BenchSubject> all = own_subjects();
   return {std::move(method), *std::ranges::find(all, name, &BenchSubject::name)};

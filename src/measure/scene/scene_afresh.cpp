@@ -13,8 +13,8 @@ constexpr std::size_t kFindingsMax = 16;
 
 using Bodies = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Of all pairs of bodies where they are now, collided by the kernel that the scene uses: one body
-/// against all behind it at a time, for all pairs would not fit into memory.
+/// The contacts of all pairs of bodies where they are now, by the kernel that the scene uses: one
+/// body against all behind it at a time, for all pairs would not fit into memory.
 std::map<Bodies, Manifold<float>> contacts_of_all_pairs(
     const kernel::Shapes<float>& shapes, std::span<const kernel::Placement<float>> bodies,
     float tie_bias) {

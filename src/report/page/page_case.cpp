@@ -98,7 +98,8 @@ std::optional<Segment> named_edge(std::span<const ContactPoint<double>> points, 
 }
 
 /// Two points of the line of each side plane: of the reference face's ends, widened by the radii.
-/// Those of round shapes are not drawn: they are perpendicular to a normal that is not the face's.
+/// Side planes of round shapes are not drawn: they are perpendicular to a normal that is not the
+/// face's.
 Json planes_json(const PairCase& pair, const Segment& face) {
   if (is_round(pair)) return Json::array();
   const Point along = unit_or_zero(face.second - face.first);

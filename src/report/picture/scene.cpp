@@ -70,7 +70,7 @@ DepthBar deepest_bar(const Scene& scene, const PairCase& pair, const exact::Clip
   return bar_at(scene, deepest, total_radius(pair) - separation, side, scene.outward);
 }
 
-/// Of round shapes: the face or A's vertex where the cores are nearest, and the depth there.
+/// Shows of round shapes the face, or A's vertex, where the cores are nearest, and the depth there.
 void show_nearest(Scene& scene, const PairCase& pair, const exact::Truth& truth) {
   const exact::PenetrationCurve curve(truth, exact::Skin::round);
   const auto vertices = curve.nearest_vertices();

@@ -50,7 +50,7 @@ std::string point_in_words(const PairCase& pair, const KeptPoint& point, std::si
                      "world " + place_of(to_world(pair, point.anchor_a)), place_of(point.anchor_b));
 }
 
-/// Those that the frame before had and this one has not.
+/// The points that the frame before had and this one has not.
 std::string left_out(const JudgedSequence& judged, std::size_t frame) {
   if (frame == 0 || frame >= judged.answers.size()) return "";
   const std::vector<KeptPoint> now = points_in(judged, frame);
@@ -110,7 +110,8 @@ void write_outcome(std::string& text, const JudgedSequence& judged) {
   if (!judged.given.note.empty()) add_row(text, "note", printable(judged.given.note, 1000));
 }
 
-/// Of a long sequence, those about the frame that decides, the last, and all that are wrong.
+/// Whether a frame is shown: in a long sequence those about the frame that decides, the last, and
+/// all that are wrong.
 bool is_shown(const JudgedSequence& judged, std::size_t frame) {
   constexpr std::size_t shown_whole = 32;
   const std::size_t count = judged.given.frames.size();

@@ -57,7 +57,7 @@ class EngineTerms {
     return text;
   }
 
-  /// Of the engine's own answer, whose points lie where it declares.
+  /// What the engine itself answered; its points lie where it declares.
   std::string got(const Manifold<double>& manifold) const {
     const bool is_by_curve = is_judged_by_curve(declaration_, pair_);
     // Across a gap no right contact has an incident edge that a midpoint is moved to.
@@ -178,7 +178,7 @@ std::string in_terms(const EngineTerms& terms, const Declaration& declaration,
   return terms.penetration(penetration);
 }
 
-/// Of several that are right, the one that is nearest to what was got: its normal is.
+/// The right manifold whose normal is nearest to that of the answer.
 const Manifold<double>& nearest_to(const std::vector<Manifold<double>>& right, const Claim& got) {
   const auto distance = [&](const Manifold<double>& one) {
     if (!got.touches || !got.normal || one.count == 0) return one.count == 0 ? INFINITY : 0.0;

@@ -86,7 +86,7 @@ Sight seen_across_gap(const Effect& effect) {
           std::max(gap, effect.push) / effect.size};
 }
 
-/// Of bodies that are still inside each other.
+/// What is seen where bodies are still inside each other.
 Sight seen_inside(const Effect& effect, double before) {
   const std::string left = plain(effect.overlap_after);
   const double share = effect.overlap_after / effect.size;

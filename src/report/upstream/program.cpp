@@ -40,7 +40,7 @@ double length_of(const Place& rotation) {
   return std::sqrt(rotation.x() * rotation.x() + rotation.y() * rotation.y());
 }
 
-/// Of three numbers, rounded once: products of two floats are exact, and so is what a sum loses.
+/// Three numbers' sum, rounded once: products of two floats are exact, and so is what a sum loses.
 double sum_of(double a, double b, double c) {
   const auto lost = [](double p, double q, double sum) {
     const double share = sum - p;

@@ -58,7 +58,7 @@ std::string with_share(const Sight& sight, double size) {
       sight.text, against);
 }
 
-/// Of points that lie beside the right ones.
+/// What is seen where points lie beside the right ones.
 std::optional<Sight> seen_of_place(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const PairCase& pair = judged.given.pair;
   constexpr std::string_view spin = "so the bodies get a spin that they should not have";
@@ -79,7 +79,7 @@ std::optional<Sight> seen_of_place(const JudgedCase& judged, const DeclaredAnswe
                   spin)};
 }
 
-/// Of points that are too many, too few or too close together.
+/// What is seen where points are too many, too few or too close together.
 std::optional<Sight> seen_of_count(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const Claim claim = claim_of(asked.answer);
   if (claim.points > right_count(judged, asked.declaration)) {
@@ -110,7 +110,7 @@ std::optional<Sight> seen_of_count(const JudgedCase& judged, const DeclaredAnswe
       share};
 }
 
-/// Of points where the deepest one and the normal are as they should be.
+/// What is seen where the deepest point and the normal are as they should be.
 Sight seen_of_points(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const PointErrors off = point_errors(judged.given.pair, asked);
   if (off.depth > off.place && !asked.declaration.shares_depth) {

@@ -51,7 +51,7 @@ std::array<std::string, 2> got_and_expected(const JudgedCase& judged, const Decl
   }
 }
 
-/// Of the neighbours that were asked when the case was found.
+/// How many neighbours failed, of those that were asked when the case was found.
 std::string neighbours_in_words(const JudgedCase& judged) {
   if (!judged.given.expect || !judged.given.expect->severity) return {};
   const double share = *judged.given.expect->severity;

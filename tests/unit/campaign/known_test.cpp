@@ -146,7 +146,7 @@ TEST_CASE("how often is too often is the ledger's budget, and none in regimes th
   const auto with_rate = [](const std::string& regime) {
     return accepted(wrong(kGross), {.because = "so", .per_million = {{regime, 10'000}}});
   };
-  // Of 1000 cases 10 are expected; five standard deviations and five make 30.
+  // 10 of 1000 cases are expected; five standard deviations and five make 30.
   CHECK(found(with_rate("boxes"), kGross, 30, 0.5).is_accepted);
   CHECK_FALSE(found(with_rate("boxes"), kGross, 31, 0.5).is_accepted);
   CHECK(found(with_rate("sliver"), kGross, 1000, 0.5).is_accepted);

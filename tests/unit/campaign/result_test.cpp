@@ -75,7 +75,7 @@ TEST_CASE("a result of fuzz is read back as it was written, infinity too") {
 }
 
 TEST_CASE("a result of fuzz with any part of another type, or without it, is refused by its path") {
-  // These follow from others, and are not read.
+  // What follows from other members is not read.
   const std::set<std::string> unread{"/seed",     "/first",  "/seconds", "/cases_per_second",
                                      "/agreeing", "/vacuous"};
   const Json good = json_of(sample());

@@ -95,7 +95,7 @@ const std::vector<BadUsage>& bad_usages() {
   return all;
 }
 
-/// The same with fewer cases, and less of a smoke run's time.
+/// An example with fewer cases, and less of a smoke run's time.
 std::string shortened(std::string example) {
   for (const auto& [text, shorter] : {std::pair<std::string_view, std::string_view>("00000", "000"),
                                       {"manifuzz smoke", "manifuzz smoke --seconds 3"}}) {

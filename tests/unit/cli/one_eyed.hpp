@@ -35,7 +35,7 @@ inline std::string one_eyed(const TemporaryFolder& folder) {
   return clip_but(folder, "one_eyed", R"(*'"reference": "b"'*)", "echo '{\"points\": []}'");
 }
 
-/// The same by its name, and right.
+/// A right collider of the name that the wrong one has.
 inline std::string mended(const TemporaryFolder& folder) {
   return clip_but(folder, "one_eyed", "nothing", "exit 3");
 }

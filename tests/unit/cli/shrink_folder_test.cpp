@@ -26,7 +26,7 @@ std::ptrdiff_t unshrunk(const TemporaryFolder& folder) {
                                [](const CorpusCase& known) { return known.found->is_unshrunk; });
 }
 
-/// Of the smallest cases; each once.
+/// The buckets of the smallest cases; each once.
 std::set<std::string> buckets_of(const TemporaryFolder& folder) {
   std::set<std::string> buckets;
   for (const CorpusCase& known : cases_of(folder)) {

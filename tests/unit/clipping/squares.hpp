@@ -10,7 +10,7 @@ inline ConvexPolygon<float> polygon(const std::vector<Vector2<float>>& vertices,
   return make_polygon<float>(vertices, radius);
 }
 
-/// Of half width 1, around the origin.
+/// A square of half width 1, around the origin.
 inline ConvexPolygon<float> square(float radius = 0) {
   return polygon({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, radius);
 }

@@ -136,7 +136,7 @@ void for_many(const Check& check) {
   }
 }
 
-/// The same pair moved, and how a normal in A's frame goes with it.
+/// A way to move a pair, and how a normal in A's frame goes with it.
 struct Motion {
   const char* name;
   std::optional<PairCase> (*pair)(PairCase);

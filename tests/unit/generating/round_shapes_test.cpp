@@ -26,7 +26,7 @@ double core_length(const Body& body) {
   return body.polygon.count == 1 ? 0 : direction(body).norm();
 }
 
-/// Of capsules the one that is rounder, as a share of its core.
+/// The radius of the rounder capsule, as a share of its core.
 double roundness(const PairCase& pair) {
   double least = INFINITY;
   for (const Body* body : {&pair.a, &pair.b}) {

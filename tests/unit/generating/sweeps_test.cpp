@@ -104,7 +104,8 @@ double shortest_face(const PairCase& pair) {
   return shortest;
 }
 
-/// Of one polygon, both faces at a vertex lean alike from another's face, but for a tangent.
+/// Looks where both faces at a vertex of one polygon lean alike from another's face, but for a
+/// tangent.
 void see_leans(const Placed& of, const Placed& to, Nearest& nearest) {
   for (std::size_t i = 0; i < of.vertices.size(); ++i) {
     for (std::size_t k = 0; k < to.vertices.size(); ++k) {

@@ -15,12 +15,12 @@ struct MistakenAdapter {
   Collider collider;
 };
 
-/// Those whose mistake is in what they answer.
+/// Adapters whose mistake is in what they answer.
 std::vector<MistakenAdapter> mistaken_in_answers();
-/// Those whose mistake is in how they read the case, or in what they declare.
+/// Adapters whose mistake is in how they read the case, or in what they declare.
 std::vector<MistakenAdapter> mistaken_in_reading();
 
-/// The same collider, whose answers name neither reference nor features, as a program's may.
+/// The collider with answers that name neither reference nor features, as a program's may.
 Collider without_names(const Collider& collider);
 
 }  // namespace manifuzz::test

@@ -20,7 +20,7 @@ Digest digest_of(const Collider& collider, std::uint64_t seed = 1) {
   return digest({collider, seed, kCases}, interruption, [](std::uint64_t) {});
 }
 
-/// Of each regime that kernels take.
+/// The hash of each regime that kernels take.
 std::vector<std::uint64_t> hashes_of_polygons(const Collider& collider) {
   std::vector<std::uint64_t> hashes;
   for (const RegimeDigest& regime : digest_of(collider).regimes) {

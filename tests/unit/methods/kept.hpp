@@ -17,7 +17,7 @@ struct Kept {
   }
 };
 
-/// The same as Bullet keeps them.
+/// Points kept as Bullet keeps them.
 struct KeptAsBullet {
   methods::PointCache<double> cache;
   double threshold = 0.25;

@@ -14,7 +14,7 @@ ConvexPolygon<Scalar> shape(std::vector<Vector2<Scalar>> vertices, Scalar radius
   return make_polygon<Scalar>(vertices, radius, rounding);
 }
 
-/// Of half width 1, around a place.
+/// A box of half width 1, around a place.
 inline ConvexPolygon<double> box_at(double x, double y) {
   return shape<double>({{x - 1, y - 1}, {x + 1, y - 1}, {x + 1, y + 1}, {x - 1, y + 1}});
 }

@@ -27,7 +27,7 @@ bool holds(const std::vector<Element>& elements, std::string_view expected) {
   return joined.find(expected) != std::string::npos;
 }
 
-/// Of an upright box that is drawn as a polygon.
+/// The bounds of an upright box that is drawn as a polygon.
 Box bounds_of(const Element& polygon) {
   std::istringstream corners(polygon.attributes.at("points"));
   Point low(1e9, 1e9);

@@ -33,7 +33,7 @@ double share_of_frames(std::string_view motion, const std::function<bool(const P
   return holding / count;
 }
 
-/// The same of steps from one frame to the next.
+/// The share of steps from one frame to the next of which it holds.
 double share_of_steps(std::string_view motion,
                       const std::function<bool(const PairCase&, const PairCase&)>& holds) {
   double count = 0;
