@@ -1,0 +1,1 @@
+// Nothing: headers are precompiled for a target, which must have a source.

@@ -1,0 +1,5 @@
+#pragma once
+
+// Catch2 is parsed once for all tests.
+
+#include <catch2/catch.hpp>
