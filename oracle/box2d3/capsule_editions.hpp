@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "exact/curve.hpp"
 #include "judging/faults/differences.hpp"
 #include "oracle/box2d3/placed.hpp"
 
@@ -183,6 +184,13 @@ inline std::optional<std::array<Core, 2>> capsule_cores(const PairCase& pair) {
     return Core{of.vertices[0], of.vertices[1]};
   };
   return std::array{core(placed.first), core(placed.second)};
+}
+
+/// Cores are nearest at a vertex of each, and of the clip of their edges one point is given.
+inline bool one_point_between_corners(const Deviation& d) {
+  const exact::PenetrationCurve curve(*d.right.truth, exact::Skin::round);
+  return d.kind == Kind::count && d.got.count == 1 && is_round(d.right.pair()) &&
+         curve.are_cores_apart() && curve.nearest_vertices().has_value();
 }
 
 }  // namespace manifuzz::ledger_of

@@ -23,21 +23,9 @@
 
 extern "C" {
 
-extern const manifuzz_declaration manifuzz_collider = {
-    .interface = MANIFUZZ_INTERFACE,
-    .name = "bullet-convex2d",
-    .version = MANIFUZZ_BULLET_VERSION,
-    .scalar = MANIFUZZ_FLOAT32,
-    .rounds_in = MANIFUZZ_WORLD,
-    .answers_in = MANIFUZZ_WORLD,
-    .points = MANIFUZZ_ON_SURFACE_B,
-    .normal = MANIFUZZ_B_TO_A,
-    .tie_bias = 0,
-    .vertices_max = MANIFUZZ_VERTICES_MAX,
-    .takes_radius = 0,
-    .snippet = manifuzz_bullet::kAlgorithmSnippet,
-    .claims = manifuzz_bullet::claims_of_point(0, nullptr),
-};
+extern const manifuzz_declaration manifuzz_collider = manifuzz_bullet::declaration(
+    "bullet-convex2d", MANIFUZZ_BULLET_VERSION, manifuzz_bullet::kAlgorithmSnippet,
+    manifuzz_bullet::claims_of_point(0, nullptr));
 
 int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_manifold* manifold) {
   using namespace manifuzz_bullet;

@@ -1,30 +1,17 @@
 #include "engines/engine.hpp"
 
-#include <array>
-
 #include "oracle/bullet/bullet_cached.hpp"
 #include "oracle/bullet/bullet_pass.hpp"
-#include "oracle/bullet/ledger/displaced_entries.hpp"
-#include "oracle/bullet/ledger/entries.hpp"
-#include "oracle/bullet/ledger/epa_entries.hpp"
-#include "oracle/bullet/ledger/perturbed_entries.hpp"
-#include "oracle/bullet/ledger/query_entries.hpp"
-#include "oracle/bullet/ledger/rounded_entries.hpp"
+#include "oracle/bullet/ledger/rows.hpp"
 #include "oracle/bullet/sequence_ledger.hpp"
 
 namespace manifuzz {
 
-namespace {
-
-constexpr std::array kLedger =
-    joined(ledger_of::kOfBullet, ledger_of::kOfBulletEpa, ledger_of::kOfBulletQuery,
-           ledger_of::kOfBulletDisplaced, ledger_of::kOfBulletPerturbed,
-           ledger_of::kOfBulletPerturbedEpa, ledger_of::kOfBulletRounded);
-
-}  // namespace
-
 Engine engine_bullet() {
-  Engine engine{.name = "bullet", .ledger = kLedger, .sequence_ledger = bullet_sequence_ledger()};
+  Engine engine{.name = "bullet",
+                .ledger = bullet_query_ledger(),
+                .sequence_ledger = {bullet_sequence_ledger()}};
+  engine.ledger.push_back(bullet_perturbed_ledger());
 #ifdef MANIFUZZ_WITH_BULLET
   engine.keepers = {{"bullet-cached", make_bullet_cached}};
   engine.passes = {{"bullet-epa", "bullet-epa", "closest points", bullet_epa_pass},

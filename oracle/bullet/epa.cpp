@@ -9,21 +9,9 @@
 
 extern "C" {
 
-extern const manifuzz_declaration manifuzz_collider = {
-    .interface = MANIFUZZ_INTERFACE,
-    .name = "bullet-epa",
-    .version = MANIFUZZ_BULLET_VERSION,
-    .scalar = MANIFUZZ_FLOAT32,
-    .rounds_in = MANIFUZZ_WORLD,
-    .answers_in = MANIFUZZ_WORLD,
-    .points = MANIFUZZ_ON_SURFACE_B,
-    .normal = MANIFUZZ_B_TO_A,
-    .tie_bias = 0,
-    .vertices_max = MANIFUZZ_VERTICES_MAX,
-    .takes_radius = 0,
-    .snippet = manifuzz_bullet::kSnippet,
-    .claims = manifuzz_bullet::claims_of_point(1e-4, "btGjkEpa2.cpp: EPA_ACCURACY 0.0001"),
-};
+extern const manifuzz_declaration manifuzz_collider = manifuzz_bullet::declaration(
+    "bullet-epa", MANIFUZZ_BULLET_VERSION, manifuzz_bullet::kSnippet,
+    manifuzz_bullet::claims_of_point(1e-4, "btGjkEpa2.cpp: EPA_ACCURACY 0.0001"));
 
 int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_manifold* manifold) {
   btGjkEpaPenetrationDepthSolver solver;

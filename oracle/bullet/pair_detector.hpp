@@ -64,4 +64,22 @@ constexpr manifuzz_claims claims_of_point(double tolerance, const char* source) 
   return claims;
 }
 
+/// Of a collider of this folder.
+constexpr manifuzz_declaration declaration(const char* name, const char* version,
+                                           const char* snippet, const manifuzz_claims& claims) {
+  return {.interface = MANIFUZZ_INTERFACE,
+          .name = name,
+          .version = version,
+          .scalar = MANIFUZZ_FLOAT32,
+          .rounds_in = MANIFUZZ_WORLD,
+          .answers_in = MANIFUZZ_WORLD,
+          .points = MANIFUZZ_ON_SURFACE_B,
+          .normal = MANIFUZZ_B_TO_A,
+          .tie_bias = 0,
+          .vertices_max = MANIFUZZ_VERTICES_MAX,
+          .takes_radius = 0,
+          .snippet = snippet,
+          .claims = claims};
+}
+
 }  // namespace manifuzz_bullet

@@ -1,6 +1,5 @@
 #include "oracle/bullet/sequence_ledger.hpp"
 
-#include <array>
 #include <cmath>
 
 #include "exact/curve.hpp"
@@ -27,33 +26,17 @@ bool axis_across_gap(const FrameView& view, const FrameJudgement& judgement) {
          std::abs(point.depth - curve.least()) <= bound;
 }
 
-constexpr std::string_view kAxisSource =
-    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual: "
-    "normalInB = m_cachedSeparatingAxis where calcPenDepth is false";
-constexpr std::string_view kEpaSource =
-    "Bullet 3.24, btGjkPairDetector.cpp, getClosestPointsNonVirtual, and btGjkEpa2.cpp";
-
-constexpr SequenceEntry entry_of(std::string_view id, std::string_view description,
-                                 std::string_view source,
-                                 bool (*explains)(const FrameView&, const FrameJudgement&)) {
-  return {{.id = id, .collider = "bullet-cached", .description = description, .source = source},
-          explains};
-}
-
-constexpr std::array kSequenceLedger{
-    entry_of("bullet-cached-world-normal", kWorldNormal, kWorldNormalSource, normal_of_the_world),
-    entry_of("bullet-cached-slot-by-areas", kAreas, kAreasSource, slot_by_areas),
-    entry_of("bullet-cached-detection", "what is detected is wrong as bullet-epa's answers are",
-             kEpaSource, detected_by_epa),
-    entry_of("bullet-cached-axis-across-gap",
-             "a gap below 0.001 has its width as distance, and an axis of before as normal",
-             kAxisSource, axis_across_gap),
+constexpr SequenceRow kSequenceRows[] = {
+    {"world-normal", normal_of_the_world},
+    {"slot-by-areas", slot_by_areas},
+    {"detection", detected_by_epa},
+    {"axis-across-gap", axis_across_gap},
 };
 
 }  // namespace
 
-std::span<const SequenceEntry> bullet_sequence_ledger() {
-  return kSequenceLedger;
+SequenceRows bullet_sequence_ledger() {
+  return {"bullet-cached", kSequenceRows};
 }
 
 }  // namespace manifuzz

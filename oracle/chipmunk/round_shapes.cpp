@@ -39,10 +39,6 @@ bool is_right(const Deviation& d, const Manifold<double>& manifold) {
   return judge_by_curve(*d.right.truth, as_chipmunk(), manifold).kind == Kind::none;
 }
 
-double least_depth(const Deviation& d) {
-  return exact::PenetrationCurve(*d.right.truth, exact::Skin::round).least();
-}
-
 /// B's vertices minus A's.
 std::vector<Vector2<double>> minkowski_points(const PairCase& pair) {
   const exact::RoughPair placed = exact::place_roughly(pair);
@@ -158,7 +154,7 @@ bool depth_by_crossing(const Deviation& d) {
     off += most;
   }
   const double least = curve.least();
-  const double deepest = deepest_of_points(mended);
+  const double deepest = std::max(ledger_of::deepest(mended), 0.0);
   if (std::abs(least - deepest) > off) return false;
   if (is_missed) return true;
   for (int i = 0; i < mended.count; ++i) {

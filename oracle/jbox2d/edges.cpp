@@ -1,12 +1,13 @@
+#include "oracle/jbox2d/edges.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "judging/faults/replayed.hpp"
-#include "oracle/jbox2d/deviations.hpp"
 #include "oracle/jbox2d/shapes.hpp"
 
-// jbox2d 2.2.1.1: EPCollider.collide, of an edge that has no neighbours, is repeated in float, and
+// EPCollider.collide, of an edge that has no neighbours, is repeated in float, and
 // again with faults mended.
 
 namespace manifuzz {
@@ -158,8 +159,7 @@ replayed::Contact edge_by_jbox2d(const PairCase& pair, unsigned mended) {
 
 }  // namespace
 
-template <FaultOfJbox2dEdge kFault>
-bool fault_of_jbox2d_edge(const Deviation& d) {
+bool is_edge_at_fault(const Deviation& d, FaultOfJbox2dEdge fault) {
   const PairCase& pair = d.right.pair();
   if (std::min(pair.a.polygon.count, pair.b.polygon.count) != 2 ||
       std::max(pair.a.polygon.count, pair.b.polygon.count) < kMinVertices ||
@@ -171,15 +171,9 @@ bool fault_of_jbox2d_edge(const Deviation& d) {
   declaration.min_vertices = 1;
   declaration.takes_round = true;
   constexpr unsigned kAll = 31;
-  return replayed::is_needed(static_cast<unsigned>(kFault), kAll, [&](unsigned mended) {
+  return replayed::is_needed(static_cast<unsigned>(fault), kAll, [&](unsigned mended) {
     return replayed::is_right_answer(d, declaration, edge_by_jbox2d(pair, mended));
   });
 }
-
-template bool fault_of_jbox2d_edge<FaultOfJbox2dEdge::radius>(const Deviation&);
-template bool fault_of_jbox2d_edge<FaultOfJbox2dEdge::hysteresis>(const Deviation&);
-template bool fault_of_jbox2d_edge<FaultOfJbox2dEdge::slab>(const Deviation&);
-template bool fault_of_jbox2d_edge<FaultOfJbox2dEdge::front>(const Deviation&);
-template bool fault_of_jbox2d_edge<FaultOfJbox2dEdge::corners>(const Deviation&);
 
 }  // namespace manifuzz

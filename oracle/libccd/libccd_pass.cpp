@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "external/external_collider.hpp"
-#include "oracle/libccd/prism.hpp"
+#include "oracle/libccd/penetration.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,22 +1,20 @@
 #include "engines/engine.hpp"
 
-#include <array>
-
-#include "oracle/parry/ledger/entries.hpp"
-#include "oracle/parry/ledger/f64_entries.hpp"
-#include "oracle/parry/ledger/simplified_entries.hpp"
+#include "oracle/parry/ledger/rows.hpp"
 
 namespace manifuzz {
 
-namespace {
-
-constexpr std::array kLedger =
-    joined(ledger_of::kOfParry, ledger_of::kOfParryF64, ledger_of::kOfParrySimplified);
-
-}  // namespace
-
 Engine engine_parry() {
-  return {.name = "parry", .ledger = kLedger};
+  using namespace parry;
+  static const auto as_they_are = rows_but_for({"kept-normals"}, kRowsOfManifolds<Floats>);
+  static const auto simplified = rows_but_for({"squared-length"}, kRowsOfManifolds<Floats>);
+  static const auto in_doubles =
+      rows_but_for({"squared-length", "kept-normals", "not-a-number", "origin-within-tolerance"},
+                   kRowsOfManifolds<Doubles>);
+  return {.name = "parry",
+          .ledger = {{"parry2d", as_they_are},
+                     {"parry2d-f64", in_doubles},
+                     {"parry2d-simplified", simplified}}};
 }
 
 }  // namespace manifuzz

@@ -1,3 +1,5 @@
+#include "oracle/phaser-box2d/polygons.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -7,7 +9,6 @@
 
 #include "exact/curve.hpp"
 #include "oracle/box2d3/placed.hpp"
-#include "oracle/phaser-box2d/deviations.hpp"
 
 // phaser-box2d's b2CollidePolygons on round shapes.
 

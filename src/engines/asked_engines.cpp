@@ -36,9 +36,11 @@ EngineCollider collider_from(const JsonView& object) {
 AskedEngine engine_from(const EngineText& text) {
   const JsonTree tree = parse_json(text.json);
   const JsonView object(tree);
-  object.expect_keys({"version", "descends_from", "needs", "tools", "package", "colliders"});
+  object.expect_keys(
+      {"version", "cited_as", "descends_from", "needs", "tools", "package", "colliders"});
   AskedEngine engine{.name = std::string(text.name),
                      .version = std::string(object.at("version").string()),
+                     .cited_as = object.string_or("cited_as", fmt::format("{} {{}}", text.name)),
                      .needs = object.string_or("needs", ""),
                      .tools = object.string_or("tools", ""),
                      .package = object.string_or("package", ""),

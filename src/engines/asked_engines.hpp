@@ -25,11 +25,12 @@ struct EngineCollider {
 
 /// An engine's engine.json.
 struct AskedEngine {
-  std::string name;     ///< its folder's
-  std::string version;  ///< that its ledger is of
-  std::string needs;    ///< a file without which it cannot be asked; empty: its library
-  std::string tools;    ///< with what scripts/setup --engines can get that
-  std::string package;  ///< Debian's, that it is built with
+  std::string name;      ///< its folder's
+  std::string version;   ///< that its ledger is of
+  std::string cited_as;  ///< how its ledger's sources begin, {} in the place of the version
+  std::string needs;     ///< a file without which it cannot be asked; empty: its library
+  std::string tools;     ///< with what scripts/setup --engines can get that
+  std::string package;   ///< Debian's, that it is built with
   std::vector<EngineCollider> colliders;
 };
 

@@ -70,11 +70,11 @@ struct SceneBaseline {
 /// An engine that colliders are asked of: a folder in oracle/. What is compiled of it is here, and
 /// each of it may be absent; how its colliders are asked says its engine.json.
 struct Engine {
-  std::string_view name;                             ///< its folder's
-  std::span<const LedgerEntry> ledger{};             ///< its known deviations
-  std::span<const SequenceEntry> sequence_ledger{};  ///< those over frames
-  std::vector<ColliderEntry> colliders{};            ///< that are linked into this program
-  std::vector<SequenceColliderEntry> keepers{};      ///< likewise, that keep points
+  std::string_view name;                         ///< its folder's
+  std::vector<LedgerRows> ledger{};              ///< its known deviations
+  std::vector<SequenceRows> sequence_ledger{};   ///< those over frames
+  std::vector<ColliderEntry> colliders{};        ///< that are linked into this program
+  std::vector<SequenceColliderEntry> keepers{};  ///< likewise, that keep points
   std::vector<TimedPass> passes{};
   SceneBaseline scenes{};
 };

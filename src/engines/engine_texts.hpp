@@ -11,7 +11,8 @@ namespace manifuzz {
 struct EngineText {
   std::string_view name;     ///< its folder's
   std::string_view json;     ///< engine.json
-  std::string_view budgets;  ///< budgets.json; empty where it has none
+  std::string_view ledger;   ///< ledger.json; empty where it has none
+  std::string_view budgets;  ///< budgets.json; likewise
 };
 
 /// In the order of oracle/engines.txt, whether built or not.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,42 +33,40 @@ struct Budget {
 
 /// A known deviation of an oracle: named, cited, and alive as long as its witness still shows it.
 struct LedgerEntry {
-  std::string_view id;
-  std::string_view collider;     ///< whose deviation it is
-  std::string_view description;  ///< one line for `list ledger`
-  std::string_view source;       ///< file and function, or issue, where it comes from
+  std::string id;
+  std::string collider;       ///< whose deviation it is
+  std::string description{};  ///< one line for `list ledger`
+  std::string source{};       ///< file and function, or issue, where it comes from
   /// Unset where it explains only what is lost.
   bool (*explains)(const Deviation& deviation) = nullptr;
   /// Unset where it explains nothing that is lost.
   bool (*explains_lost)(const LostAnswer& lost) = nullptr;
   /// Its source or its documentation says that it is meant.
   bool is_no_bug = false;
+  std::vector<Budget> budgets{};  ///< in the regimes in which it fires
 };
 
-/// An engine's ledger.
-struct BuiltLedger {
-  std::span<const LedgerEntry> entries;
-  std::string_view budgets;  ///< its budgets.json: {"ID": {"REGIME": hits a million cases}}
+/// What an engine's sources say of an entry: what looks for it. All else is in the texts of its
+/// folder.
+struct LedgerRow {
+  std::string_view cause;  ///< the entry's id, without the collider's name before it
+  bool (*explains)(const Deviation& deviation) = nullptr;
+  bool (*explains_lost)(const LostAnswer& lost) = nullptr;
 };
 
-/// The ledger of each engine that a program is built with, in the order of the engines. Whatever is
-/// linked with the judge defines it: a program by the list of its engines, src/engines/engine.hpp.
-std::vector<BuiltLedger> built_ledgers();
+/// Rows of a collider, the first that explains before others.
+struct LedgerRows {
+  std::string_view collider;
+  std::span<const LedgerRow> rows;
+};
+
+/// The entries of each engine that a program is built with, in the order of the engines. Whatever
+/// is linked with the judge defines it: a program by the list of its engines,
+/// src/engines/engine.hpp.
+std::vector<LedgerEntry> built_ledger();
 
 /// Every known deviation, engine by engine.
 std::span<const LedgerEntry> ledger();
-
-/// Several arrays of entries as one, the first that explains before others.
-template <class... Entries>
-constexpr auto joined(const Entries&... entries) {
-  std::array<LedgerEntry, (std::tuple_size_v<Entries> + ...)> all{};
-  std::size_t next = 0;
-  const auto append = [&](const auto& some) {
-    for (const LedgerEntry& entry : some) all[next++] = entry;
-  };
-  (append(entries), ...);
-  return all;
-}
 
 inline constexpr std::size_t kLedgerMax = 384;
 
@@ -78,9 +75,6 @@ std::size_t index_of(const LedgerEntry& entry);
 
 /// The path in the corpus of a case that shows it.
 std::string witness_of(const LedgerEntry& entry);
-
-/// The entry's budgets, in the regimes in which it fires.
-std::span<const Budget> budgets_of(const LedgerEntry& entry);
 
 /// The entry's budget in a regime, in hits a million cases: 0 where it names none.
 double budget_per_million(const LedgerEntry& entry, std::string_view regime);

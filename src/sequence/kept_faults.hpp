@@ -23,13 +23,4 @@ bool slot_by_areas(const FrameView& view, const FrameJudgement& judgement);
 /// detected.
 bool detected_by(std::string_view collider, const FrameView& view, const FrameJudgement& judgement);
 
-inline constexpr std::string_view kWorldNormal =
-    "the normal stays in the world while both bodies turn";
-inline constexpr std::string_view kWorldNormalSource =
-    "Bullet 3.24, btPersistentManifold.cpp, refreshContactPoints: m_normalWorldOnB is never turned";
-inline constexpr std::string_view kAreas =
-    "a fifth point takes the slot of one that is deepest or at an end: areas on a line are 0";
-inline constexpr std::string_view kAreasSource =
-    "Bullet 3.24, btPersistentManifold.cpp, sortCachedPoints";
-
 }  // namespace manifuzz

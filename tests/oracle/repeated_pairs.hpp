@@ -1,11 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
+#include <string_view>
+
+#include <catch2/catch.hpp>
 
 #include "judging/ledger.hpp"
 
-// Pairs by hand, and what a predicate of the ledger says of an answer to them.
+// Pairs by hand, and what an entry of the ledger says of an answer to them.
 
 namespace manifuzz::test {
 
@@ -55,6 +59,13 @@ inline Manifold<double> one_point(const Vector2<double>& normal, const Vector2<d
   return manifold;
 }
 
+/// The entry of that id.
+inline const LedgerEntry& entry_of(std::string_view id) {
+  const auto found = std::ranges::find(ledger(), id, &LedgerEntry::id);
+  REQUIRE(found != ledger().end());
+  return *found;
+}
+
 /// What a predicate says of a manifold.
 inline bool explains(bool (*predicate)(const Deviation&), const PairCase& pair,
                      const Manifold<double>& manifold, Kind kind = Kind::inconsistent,
@@ -68,15 +79,17 @@ inline bool explains(bool (*predicate)(const Deviation&), const PairCase& pair,
   return predicate({right, manifold, kind});
 }
 
-/// The same of one point.
-inline bool is_explained(bool (*predicate)(const Deviation&), const PairCase& pair,
-                         const Vector2<double>& normal, double depth,
-                         Kind kind = Kind::inconsistent, ScalarType scalar = ScalarType::float32) {
-  Manifold<double> manifold;
-  manifold.count = 1;
-  manifold.normal = normal.normalized();
-  manifold.points[0].depth = depth;
-  return explains(predicate, pair, manifold, kind, scalar);
+/// What the entry of that id says of a manifold.
+inline bool explains(std::string_view id, const PairCase& pair, const Manifold<double>& manifold,
+                     Kind kind = Kind::inconsistent, ScalarType scalar = ScalarType::float32) {
+  return explains(entry_of(id).explains, pair, manifold, kind, scalar);
+}
+
+/// What it says of one point.
+inline bool is_explained(std::string_view id, const PairCase& pair, const Vector2<double>& normal,
+                         double depth, Kind kind = Kind::inconsistent,
+                         ScalarType scalar = ScalarType::float32) {
+  return explains(id, pair, one_point(normal.normalized(), {0, 0}, depth), kind, scalar);
 }
 
 }  // namespace manifuzz::test

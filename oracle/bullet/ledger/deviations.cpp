@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "judging/faults/differences.hpp"
-#include "oracle/bullet/ledger/query_deviations.hpp"
 
 // Bullet 3, in world directions seen from A's position.
 
-namespace manifuzz {
+namespace manifuzz::ledger_of {
 namespace {
 
 /// GJK_MIN_DISTANCE of btGjkEpa2.cpp, in float.
@@ -55,22 +54,20 @@ struct Distances {
   double most = 0;
 };
 
-using FindDistances = Distances (*)(const ledger_of::Difference& difference,
-                                    const Vector2<double>& place);
+using FindDistances = Distances (*)(const Difference& difference, const Vector2<double>& place);
 
-Distances exact_distance(const ledger_of::Difference& difference, const Vector2<double>& place) {
+Distances exact_distance(const Difference& difference, const Vector2<double>& place) {
   const double distance = difference.distance_from(place);
   return {distance, distance};
 }
 
 /// Too far, where the nearest corner has another one so near that either is taken for both.
-Distances distance_of_equal_vertices(const ledger_of::Difference& difference,
-                                     const Vector2<double>& place) {
+Distances distance_of_equal_vertices(const Difference& difference, const Vector2<double>& place) {
   const double distance = difference.distance_from(place);
   const auto& corners = difference.corners();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if ((difference.after(i) - corners[i]).norm() > kEqualVertices) continue;
-    const double to_both = ledger_of::distance_to_segment(place, corners[i], difference.after(i));
+    const double to_both = distance_to_segment(place, corners[i], difference.after(i));
     if (to_both <= distance + kEqualVertices) return {distance, distance + kEqualVertices};
   }
   return {distance, distance};
@@ -79,7 +76,7 @@ Distances distance_of_equal_vertices(const ledger_of::Difference& difference,
 /// Whether the solver makes this translation of B, or none, of one direction, from B to A and not
 /// quite unit.
 bool is_made_of(const Vector2<double>& towards_a, double overlap, const Deviation& d,
-                const ledger_of::Difference& difference, FindDistances find_distances) {
+                const Difference& difference, FindDistances find_distances) {
   const PairCase& pair = d.right.pair();
   const double radii = is_round(pair) ? total_radius(pair) : 0;
   const double bound = 4 * d.right.bounds.separation;
@@ -87,7 +84,7 @@ bool is_made_of(const Vector2<double>& towards_a, double overlap, const Deviatio
   const double moved = overlap + kExtraSeparation + radii;
   const Distances found = find_distances(difference, Vector2<double>(-moved * towards_a));
   if (d.got.count == 0) return overlap < bound || found.least <= bound;
-  const Vector2<double> got = ledger_of::translation_of(d);
+  const Vector2<double> got = translation_of(d);
   const Vector2<double> normal = -towards_a.normalized();
   if (got.norm() > bound &&
       (got.normalized() - normal).norm() > bound / got.norm() + d.right.bounds.normal) {
@@ -106,8 +103,8 @@ bool is_made_of(const Vector2<double>& towards_a, double overlap, const Deviatio
 /// these.
 bool is_of_least(const Deviation& d, const std::vector<Vector2<double>>& directions,
                  FindDistances find_distances) {
-  if (ledger_of::is_of_points(d.kind)) return false;
-  const ledger_of::Difference difference(d.right.pair());
+  if (is_of_points(d.kind)) return false;
+  const Difference difference(d.right.pair());
   const double bound = 4 * d.right.bounds.separation;
   const auto overlap = [&](const Vector2<double>& n) {
     return difference.reach(Vector2<double>(-n));
@@ -119,13 +116,12 @@ bool is_of_least(const Deviation& d, const std::vector<Vector2<double>>& directi
   });
 }
 
-std::vector<Vector2<double>> in_the_plane() {
-  return with_opposites(kUpright);
-}
-
-std::vector<Vector2<double>> flattened() {
-  std::vector<Vector2<double>> all = in_the_plane();
-  std::ranges::copy(with_opposites(kSlanting), std::back_inserter(all));
+/// Those in the plane, and of flat shapes the others flattened.
+std::vector<Vector2<double>> directions_of(BulletAsked asked) {
+  std::vector<Vector2<double>> all = with_opposites(kUpright);
+  if (asked == BulletAsked::flat) {
+    std::ranges::copy(with_opposites(kSlanting), std::back_inserter(all));
+  }
   return all;
 }
 
@@ -145,39 +141,31 @@ Declaration declaration_of_epa() {
 
 bool below_gjk_distance(const Deviation& d) {
   const double bound = 4 * d.right.bounds.separation;
-  if (ledger_of::is_of_points(d.kind) || bound > kGjkMinDistance) return false;
+  if (is_of_points(d.kind) || bound > kGjkMinDistance) return false;
   const double most = kGjkMinDistance + bound;
-  const double least = ledger_of::least_depth(d);
+  const double least = least_depth(d);
   if (d.got.count == 0 && least < 0) return false;
-  return std::abs(least) <= most && std::abs(ledger_of::deepest(d.got)) <= most;
+  return std::abs(least) <= most && std::abs(deepest(d.got)) <= most;
 }
 
 bool gap_as_depth(const Deviation& d) {
-  if (d.got.count == 0 || ledger_of::is_of_points(d.kind)) return false;
-  const double gap = -ledger_of::least_depth(d);
+  if (d.got.count == 0 || is_of_points(d.kind)) return false;
+  const double gap = -least_depth(d);
   const double bound = 4 * d.right.bounds.separation;
   return bound <= kPenetrationTolerance && gap > 0 && gap <= kPenetrationTolerance &&
-         std::abs(ledger_of::deepest(d.got)) <= gap + bound;
+         std::abs(deepest(d.got)) <= gap + bound;
 }
 
-bool least_of_fixed_directions(const Deviation& d) {
-  return is_of_least(d, in_the_plane(), exact_distance);
+bool is_of_least_direction(const Deviation& d, BulletAsked asked) {
+  return is_of_least(d, directions_of(asked), exact_distance);
 }
 
-bool least_of_fixed_directions_of_equal_vertices(const Deviation& d) {
-  return is_of_least(d, in_the_plane(), distance_of_equal_vertices);
-}
-
-bool least_of_flattened_directions(const Deviation& d) {
-  return is_of_least(d, flattened(), exact_distance);
-}
-
-bool least_of_flattened_directions_of_equal_vertices(const Deviation& d) {
-  return is_of_least(d, flattened(), distance_of_equal_vertices);
+bool is_of_least_direction_of_equal_vertices(const Deviation& d, BulletAsked asked) {
+  return is_of_least(d, directions_of(asked), distance_of_equal_vertices);
 }
 
 bool direction_of_short_translation(const Deviation& d) {
-  return ledger_of::is_translation_right(d, 4 * d.right.bounds.separation);
+  return is_translation_right(d, 4 * d.right.bounds.separation);
 }
 
-}  // namespace manifuzz
+}  // namespace manifuzz::ledger_of

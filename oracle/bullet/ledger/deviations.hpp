@@ -2,11 +2,18 @@
 
 #include "judging/ledger.hpp"
 
-namespace manifuzz {
+namespace manifuzz::ledger_of {
 
-// What the ledger's entries on Bullet look for: each recomputes what the named fault makes of
-// the case, in double, and holds the answer against that within the collider's bounds. A
-// translation is a normal times its depth: what moves B away.
+/// How Bullet was asked: prisms with its EPA or with its fixed directions, or flat hulls with
+/// these.
+enum class BulletAsked { epa, directions, flat };
+
+/// What oracle/bullet/epa.cpp declares.
+Declaration declaration_of_epa();
+
+// What faults of Bullet make of the case in double, whatever its query does; the answer is held
+// against that within the collider's bounds. A translation is a normal times its depth: what moves
+// B away.
 
 /// The normal is the direction of a translation that is right to rounding, but hardly longer than
 /// its roundings.
@@ -17,17 +24,15 @@ bool below_gjk_distance(const Deviation& deviation);
 /// btGjkPairDetector: contact across a gap below gGjkEpaPenetrationTolerance, the solver's
 /// distance with the sign of a depth.
 bool gap_as_depth(const Deviation& deviation);
-/// btMinkowskiPenetrationDepthSolver on prisms: the normal is that one of its directions in the
-/// plane along which they overlap least, and the depth what its displaced query makes of it; no
-/// contact where the overlap is below 0.
-bool least_of_fixed_directions(const Deviation& deviation);
-/// The same, that query's distance too large by less than 0.01: its nearest corners are nearer to
-/// each other than btVoronoiSimplexSolver tells apart.
-bool least_of_fixed_directions_of_equal_vertices(const Deviation& deviation);
-/// btMinkowskiPenetrationDepthSolver on flat shapes, of which it drops what the directions have
-/// along z: they are no longer unit, and the short ones seem to have the least overlap. No contact,
-/// or the whole displacement for a depth, where the displaced shapes still overlap.
-bool least_of_flattened_directions(const Deviation& deviation);
-bool least_of_flattened_directions_of_equal_vertices(const Deviation& deviation);
+/// btMinkowskiPenetrationDepthSolver: the normal is that one of its directions along which they
+/// overlap least, and the depth what its displaced query makes of it; no contact where the overlap
+/// is below 0. Of prisms these are the directions in the plane. Of flat shapes it drops what the
+/// directions have along z: they are no longer unit, and the short ones seem to have the least
+/// overlap; where the displaced shapes still overlap there is no contact, or the whole displacement
+/// for a depth.
+bool is_of_least_direction(const Deviation& deviation, BulletAsked asked);
+/// So, but for that query's distance, which is too large by less than 0.01: its nearest corners are
+/// nearer to each other than btVoronoiSimplexSolver tells apart.
+bool is_of_least_direction_of_equal_vertices(const Deviation& deviation, BulletAsked asked);
 
-}  // namespace manifuzz
+}  // namespace manifuzz::ledger_of

@@ -38,6 +38,7 @@ double missed_along(const Space& axis, const BulletPlace& place, const BulletHul
 
 RepeatedQuery repeat_query(const PairCase& pair, BulletAsked asked) {
   RepeatedQuery query;
+  query.asked = asked;
   const BulletPair hulls = hulls_of(pair, asked);
   if (asked == BulletAsked::epa) {
     query.answer = ask_detector(hulls, solve_by_epa, &query.epa, 1e18F);

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "oracle/bullet/ledger/deviations.hpp"
 #include "oracle/bullet/ledger/epa.hpp"
-#include "oracle/bullet/ledger/query_deviations.hpp"
 
 namespace manifuzz::ledger_of {
 
 /// What an engine answers, repeated.
 struct RepeatedQuery {
+  BulletAsked asked = BulletAsked::epa;
   BulletAnswer answer;
   MinkowskiTrace directions;
   EpaTrace epa;
@@ -22,13 +23,6 @@ RepeatedQuery repeat_query(const PairCase& pair, BulletAsked asked);
 /// Whether it is what was answered, a point across a gap too: but for the adapter's and the
 /// manifold's own roundings, which are the bound's.
 bool is_answered(const Deviation& deviation, const RepeatedQuery& query);
-
-/// The same, and that it came about as asked.
-template <class CameAbout>
-bool is_repeated(const Deviation& deviation, BulletAsked asked, const CameAbout& came_about) {
-  const RepeatedQuery query = repeat_query(deviation.right.pair(), asked);
-  return came_about(query) && is_answered(deviation, query);
-}
 
 /// Whether it ended at the corner that roundings of products made the nearest of a hull's along the
 /// axis: another is nearer, by no more than REL_ERROR2 of the squared distance, which would have

@@ -4,9 +4,9 @@
 
 namespace manifuzz {
 
-// What the ledger's entries on libccd look for: each recomputes what the named fault makes of
-// the case, in double, and holds the answer against that within the collider's bounds. A
-// translation is a normal times its depth: what moves B away.
+// What faults of libccd make of the case in double, whatever its GJK does; the answer is held
+// against that within the collider's bounds. A translation is a normal times its depth: what moves
+// B away.
 
 /// The translation is right but for squares below CCD_EPS, which libccd takes for 0: off by up to
 /// the root of it.

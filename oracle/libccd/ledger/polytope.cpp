@@ -219,7 +219,7 @@ CcdAnswer CcdPolytope::expand_from(const CcdSimplex& simplex) {
 }
 
 CcdAnswer ccd_penetration(const PairCase& pair) {
-  const CcdPrisms prisms(pair, CcdPrisms::kOfGjk);
+  const CcdPrisms prisms(pair, manifuzz_libccd::kHeightsOfGjk);
   CcdSimplex simplex;
   CcdVector dir(0, 0, 0);
   const auto support = [&](const CcdVector& along) { return prisms.support(along); };
@@ -228,7 +228,7 @@ CcdAnswer ccd_penetration(const PairCase& pair) {
 }
 
 bool is_ccd_apart_by_zero(const PairCase& pair) {
-  const CcdPrisms prisms(pair, CcdPrisms::kOfGjk);
+  const CcdPrisms prisms(pair, manifuzz_libccd::kHeightsOfGjk);
   CcdSimplex simplex;
   CcdVector dir(0, 0, 0);
   const auto support = [&](const CcdVector& along) { return prisms.support(along); };

@@ -110,7 +110,7 @@ bool refine(Portal& portal) {
 }  // namespace
 
 CcdPortalAnswer ccd_portal_penetration(const PairCase& pair) {
-  const CcdPrisms prisms(pair, CcdPrisms::kOfMpr);
+  const CcdPrisms prisms(pair, manifuzz_libccd::kHeightsOfMpr);
   Portal portal{prisms};
   const CcdPortalEnd found = discover(portal);
   if (found == CcdPortalEnd::segment) return {found, portal.v[1]};

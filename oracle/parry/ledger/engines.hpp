@@ -4,12 +4,29 @@
 
 #include "judging/by_curve.hpp"
 #include "judging/faults/differences.hpp"
-#include "oracle/parry/ledger/deviations.hpp"
 #include "oracle/parry/ledger/replay.hpp"
 
-// How an answer is held against a replay, whichever collider gave it.
+// The colliders whose answers are replayed, and how an answer is held against a replay, whichever
+// of them gave it.
 
 namespace manifuzz::parry {
+
+/// parry2d as its adapters ask it, in a scalar.
+template <class Scalar>
+struct AsAdapters {
+  using Real = Scalar;
+  /// What it does with a pair, in the one or two orders in which it may be asked.
+  static std::vector<Replay<Real>> replays(const exact::StoredPair& pair);
+  /// The replays of polygons made by from_convex_polyline.
+  static std::vector<Replay<Real>> replays_of_simplified(const exact::StoredPair& pair);
+  /// The direction that was found, in A's frame: unit, but for roundings.
+  static Vector2<double> direction(const Replay<Real>& replay, const PairCase& pair);
+  /// What is answered of a replay.
+  static Manifold<double> answer(const Replay<Real>& replay, const PairCase& pair);
+  static const Declaration& declaration();
+};
+using Floats = AsAdapters<float>;
+using Doubles = AsAdapters<double>;
 
 /// What the adapters declare of every collider that clips along a direction of its own.
 inline Declaration declared(ScalarType scalar, double epsilon) {

@@ -6,6 +6,7 @@
 
 #include "exact/curve.hpp"
 #include "exact/placed.hpp"
+#include "judging/faults/differences.hpp"
 #include "judging/ledger.hpp"
 
 namespace manifuzz::ledger_of {
@@ -98,17 +99,11 @@ inline bool is_without_depth(const Manifold<double>& manifold) {
                      [](const ContactPoint<double>& point) { return point.depth == 0; });
 }
 
-inline double deepest_of_points(const Manifold<double>& manifold) {
-  double deepest = 0;
-  for (int i = 0; i < manifold.count; ++i) deepest = std::max(deepest, manifold.points[i].depth);
-  return deepest;
-}
-
 /// Whether no point is deeper than both cores overlap along the answer's normal.
 inline bool is_as_deep_as_there(const Deviation& d) {
   if (d.got.normal.isZero(0)) return is_without_depth(d.got);
   const exact::Along along(*d.right.truth, d.got.normal);
-  return deepest_of_points(d.got) <= along.depth() + 4 * d.right.bounds.separation;
+  return std::max(deepest(d.got), 0.0) <= along.depth() + 4 * d.right.bounds.separation;
 }
 
 }  // namespace manifuzz::ledger_of

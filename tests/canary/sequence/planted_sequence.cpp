@@ -14,7 +14,7 @@
 namespace manifuzz {
 
 /// A planted judge of sequences explains nothing: bugs are looked for in what is right and wrong.
-std::vector<std::span<const SequenceEntry>> built_sequence_ledgers() {
+std::vector<SequenceEntry> built_sequence_ledger() {
   return {};
 }
 

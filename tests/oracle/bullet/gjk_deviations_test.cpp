@@ -12,6 +12,7 @@
 // explained, and what is wrong otherwise is not.
 
 using namespace manifuzz;
+using namespace manifuzz::ledger_of;
 using namespace manifuzz::test;
 
 namespace {
@@ -22,6 +23,14 @@ Manifold<double> manifold_of(const Vector2<double>& normal, double depth) {
   manifold.normal = normal.normalized();
   manifold.points[0].depth = depth;
   return manifold;
+}
+
+bool of_fixed_directions(const Deviation& deviation) {
+  return is_of_least_direction(deviation, BulletAsked::directions);
+}
+
+bool of_flattened_directions(const Deviation& deviation) {
+  return is_of_least_direction(deviation, BulletAsked::flat);
 }
 
 Manifold<double> none() {
@@ -77,7 +86,7 @@ TEST_CASE("the least of the fixed directions, and the depth of the displaced que
   const double overlap = normal.dot(Vector2<double>(2 - 1.7F, 1.5));
   const double depth = overlap + 0.5 - (normal.x() * (overlap + 0.5) - (2 - 1.7F));
   const auto is_it = [](const Manifold<double>& got, Kind kind = Kind::inconsistent) {
-    return explains(least_of_fixed_directions, squares_side_by_side(), got, kind);
+    return explains(of_fixed_directions, squares_side_by_side(), got, kind);
   };
   CHECK(is_it(manifold_of(normal, depth)));
   CHECK_FALSE(is_it(manifold_of(normal, depth), Kind::witness));
@@ -94,7 +103,7 @@ TEST_CASE("the least of the flattened directions, which are not unit") {
   const double moved = 0.52573 * (overlap + 0.5);
   const double depth = 0.52573 * (overlap + 0.5 - (moved - (2 - 1.7F)));
   const auto is_it = [](const PairCase& pair, const Manifold<double>& got) {
-    return explains(least_of_flattened_directions, pair, got);
+    return explains(of_flattened_directions, pair, got);
   };
   CHECK(is_it(squares_side_by_side(), manifold_of({1, 0}, depth)));
   CHECK_FALSE(is_it(squares_side_by_side(), manifold_of({1, 0}, 0.31)));

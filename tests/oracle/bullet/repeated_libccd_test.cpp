@@ -5,13 +5,11 @@
 #include "judging/by_curve.hpp"
 #include "judging/faults/shared_faults.hpp"
 #include "judging/judge.hpp"
+#include "oracle/bullet/ledger/deviations.hpp"
 #include "oracle/bullet/ledger/epa.hpp"
-#include "oracle/bullet/ledger/query_deviations.hpp"
 #include "oracle/libccd/ledger/deviations.hpp"
 #include "oracle/libccd/ledger/polytope.hpp"
-#include "oracle/libccd/ledger/polytope_deviations.hpp"
 #include "oracle/libccd/ledger/portal.hpp"
-#include "oracle/libccd/ledger/ray.hpp"
 #include "oracle/repeated_pairs.hpp"
 #include "own_colliders/own_colliders.hpp"
 
@@ -26,7 +24,7 @@ TEST_CASE("the repeated polytope ends at the nearest face of two squares") {
   const CcdAnswer answer = ccd_penetration(squares_side_by_side());
   CHECK(answer.end == CcdEnd::along);
   CHECK(answer.nearest.place.x() == Approx(0.3));
-  CHECK_FALSE(is_explained(polytope_left_by_squares, squares_side_by_side(), {1, 0}, 0.3,
+  CHECK_FALSE(is_explained("libccd-gjk-left-by-squares", squares_side_by_side(), {1, 0}, 0.3,
                            Kind::inconsistent, ScalarType::float64));
   CHECK(ccd_penetration({square_of_two(0, 0), square_of_two(3, 0.5F)}).end == CcdEnd::none);
 }
@@ -35,7 +33,7 @@ TEST_CASE("the corner of the ray is the one beyond the middle, where the origin 
   // The origin is on the diagonal of the difference, whose corner is (1.5, 1.5) away.
   const PairCase diagonal{square_of_two(0, 0), square_of_two(0.5F, 0.5F)};
   const auto is_it = [](const PairCase& pair, const Vector2<double>& normal, double depth) {
-    return is_explained(translation_to_corner_of_ray, pair, normal, depth, Kind::not_minimal,
+    return is_explained("libccd-mpr-corner-of-ray", pair, normal, depth, Kind::not_minimal,
                         ScalarType::float64);
   };
   CHECK(is_it(diagonal, {1, 1}, std::hypot(1.5, 1.5)));
@@ -59,14 +57,14 @@ TEST_CASE("the translation is to the portal that the ray from the centres leaves
                                               Vector2<float>{4, 1}, Vector2<float>{-4, 1}};
   const PairCase pair{body_at(corners, 0, 0), body_at(corners, 5, 0.5F)};
   const auto is_it = [&](const Vector2<double>& normal, double depth) {
-    return is_explained(translation_to_portal, pair, normal, depth, Kind::not_minimal,
+    return is_explained("libccd-mpr-face-of-ray", pair, normal, depth, Kind::not_minimal,
                         ScalarType::float64);
   };
   CHECK(is_it({1, 0}, 3));
   CHECK_FALSE(is_it({3, 0.5}, std::hypot(3, 0.5)));
   CHECK_FALSE(is_it({1, 0}, 2.5));
   CHECK_FALSE(is_it({0, -1}, 2.5));
-  CHECK_FALSE(explains(translation_to_portal, pair, {}, Kind::missed_contact));
+  CHECK_FALSE(explains("libccd-mpr-face-of-ray", pair, {}, Kind::missed_contact));
 }
 
 TEST_CASE("eight triangles about two corners of a difference are folded beside the origin") {
@@ -76,7 +74,7 @@ TEST_CASE("eight triangles about two corners of a difference are folded beside t
   REQUIRE(answer.first.size() == 4);
   const Vector2<double> translation(answer.nearest.place.x(), answer.nearest.place.y());
   const auto is_it = [&](double depth) {
-    return is_explained(polytope_folded, pair, translation, depth, Kind::not_minimal,
+    return is_explained("libccd-gjk-folded", pair, translation, depth, Kind::not_minimal,
                         ScalarType::float64);
   };
   CHECK(is_it(translation.norm()));
@@ -87,29 +85,29 @@ TEST_CASE("eight triangles about two corners of a difference are folded beside t
 TEST_CASE("triangles 1e14 wide are expanded in a cycle, others to an end") {
   const PairCase pair{triangle_of({Vector2<float>{0, 0}, {-1e14F, 1e8F}, {0, -1}}),
                       triangle_of({Vector2<float>{0, 0}, {0, 2e8F}, {-1e8F, 0}})};
+  const auto is_endless = entry_of("libccd-gjk-endless").explains_lost;
   const Answer none = Lost{Lost::How::timed_out};
-  CHECK(polytope_expanded_for_ever({pair, none, Lost::How::timed_out}));
-  CHECK_FALSE(polytope_expanded_for_ever({pair, none, Lost::How::crashed}));
-  CHECK_FALSE(polytope_expanded_for_ever({squares_side_by_side(), none, Lost::How::timed_out}));
+  CHECK(is_endless({pair, none, Lost::How::timed_out}));
+  CHECK_FALSE(is_endless({pair, none, Lost::How::crashed}));
+  CHECK_FALSE(is_endless({squares_side_by_side(), none, Lost::How::timed_out}));
 }
 
 TEST_CASE("what is right of a translation is explained where the repeated engine answers it") {
   // Corner on corner, where any direction is right of a depth of 0.
   const PairCase pair = triangles_corner_on_corner();
-  const auto is_it = [&](bool (*predicate)(const Deviation&), const Vector2<double>& normal) {
-    return is_explained(predicate, pair, normal, 1e-9, Kind::not_minimal, ScalarType::float64);
-  };
-  CHECK(is_it(zero_of_squares, {1, -1}));
-  CHECK_FALSE(is_it(by_ccd<zero_of_squares>, {1, -1}));
+  const Manifold<double> got = one_point(Vector2<double>(1, -1).normalized(), {0, 0}, 1e-9);
+  CHECK(explains(zero_of_squares, pair, got, Kind::not_minimal, ScalarType::float64));
+  CHECK_FALSE(
+      explains("libccd-gjk-zero-of-squares", pair, got, Kind::not_minimal, ScalarType::float64));
   // Bullet's, of squares 6e-5 apart: below GJK_MIN_DISTANCE, and its own answer alone.
   const PairCase touch{square_of_two(0, 0), square_of_two(2.00006F, 0.5F)};
   EpaTrace trace;
   const BulletAnswer answer = ask_detector(prisms_of(touch), solve_by_epa, &trace, 1e18F);
   const Vector2<double> normal(-answer.normal.x(), -answer.normal.y());
   REQUIRE(trace.is_near);
-  CHECK(is_explained(below_gjk_distance, touch, {0, 1}, 5e-5));
-  CHECK_FALSE(is_explained(epa_below_least_distance, touch, {0, 1}, 5e-5));
-  CHECK(is_explained(epa_below_least_distance, touch, normal, -answer.distance));
+  CHECK(explains(below_gjk_distance, touch, one_point({0, 1}, {0, 0}, 5e-5)));
+  CHECK_FALSE(is_explained("bullet-epa-least-distance", touch, {0, 1}, 5e-5));
+  CHECK(is_explained("bullet-epa-least-distance", touch, normal, -answer.distance));
 }
 
 TEST_CASE("a direction of no length is known where the ledger repeats it, and malformed else") {

@@ -3,16 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "judging/faults/shared_faults.hpp"
-#include "oracle/box2d3/deviations.hpp"
-#include "oracle/chipmunk/deviations.hpp"
-#include "oracle/cute_c2/deviations.hpp"
-#include "oracle/dyn4j/deviations.hpp"
-#include "oracle/godot3/deviations.hpp"
-#include "oracle/jbox2d/deviations.hpp"
 #include "oracle/parry/ledger/engines.hpp"
-#include "oracle/phaser-box2d/deviations.hpp"
 #include "oracle/repeated_pairs.hpp"
-#include "oracle/sat/deviations.hpp"
 
 // Ways of an engine's fault that the witness of its entry does not show: nearest places that are
 // rounded. What the engine answers is explained, and what is wrong otherwise is not.
@@ -40,7 +32,7 @@ PairCase circle_at_corner(float moved) {
 
 TEST_CASE("Box2D 3.2's direction from a corner to a centre is that of its roundings") {
   const auto is_it = [](float moved, const Vector2<double>& normal, double depth) {
-    return is_explained(direction_of_rounded_place, circle_at_corner(moved), normal, depth,
+    return is_explained("box2d3-direction-of-rounded-place", circle_at_corner(moved), normal, depth,
                         Kind::not_minimal);
   };
   const Vector2<double> given(-0.8479983210563659, -0.5299989581108092);
@@ -58,7 +50,7 @@ TEST_CASE("dyn4j's Gjk takes short capsules that are apart for overlapping, the 
                                           Vector2<float>{2.734375e-05F, 0.0001171875F}};
     const float radius = 1.10783866e-07F;
     const PairCase pair{body_at(a, 0, 0, radius), body_at(b, moved, 0, radius)};
-    return gjk_depth_below_0_in_dyn4j({pair, Answer(got), how});
+    return entry_of("dyn4j-gjk-direction-within-epsilon").explains_lost({pair, Answer(got), how});
   };
   const Manifold<double> given = one_point({1, 0}, {1.95e-5, 1e-4}, -1.909180898817537e-05);
   CHECK(is_it(0, given, Lost::How::malformed));
@@ -73,7 +65,7 @@ TEST_CASE("cute_c2's GJK ends at corners within epsilon, wherever the edge is") 
   const auto is_it = [](float end, const Manifold<double>& got) {
     const std::array<Vector2<float>, 2> ends{Vector2<float>{0, end}, Vector2<float>{0, -0.002F}};
     const PairCase pair{circle_at({0, 0}, 0.08F), body_at(ends, 0, 0)};
-    return explains(fault_of_cute<FaultOfCute::nearest_places>, pair, got, Kind::inconsistent);
+    return explains("cute_c2-nearest-places", pair, got, Kind::inconsistent);
   };
   CHECK(is_it(8e-8F, one_point({0, 1}, {0, 8e-8}, 0.07999992)));
   CHECK_FALSE(is_it(8e-8F, one_point({0, 1}, {0, 8e-8}, 0.07)));
@@ -88,7 +80,7 @@ TEST_CASE("cute_c2 finds no contact of crossing cores by the roundings of their 
   const auto is_it = [&](float from, const Manifold<double>& got) {
     const std::array<Vector2<float>, 2> ends{Vector2<float>{0, from}, Vector2<float>{256, 0}};
     const PairCase pair{body_at(corners, 0, 0), body_at(ends, 0, 0)};
-    return explains(fault_of_cute<FaultOfCute::inside>, pair, got, Kind::missed_contact);
+    return explains("cute_c2-inside", pair, got, Kind::missed_contact);
   };
   CHECK(is_it(102.4F, {}));
   CHECK_FALSE(is_it(100, {}));  // no roundings: it finds the origin inside
@@ -103,7 +95,7 @@ TEST_CASE("parry's normal of capsules that are nearly parallel is across either 
   const auto replay = parry::Doubles::replays(exact::stored(pair)).front();
   const Manifold<double> given = parry::Doubles::answer(replay, pair);
   const auto is_it = [&](const Manifold<double>& got) {
-    return explains(nearly_parallel_parry_capsules<parry::Doubles>, pair, got, Kind::inconsistent,
+    return explains("parry2d-f64-nearly-parallel-capsules", pair, got, Kind::inconsistent,
                     ScalarType::float64);
   };
   CHECK(is_it(given));
@@ -121,7 +113,7 @@ TEST_CASE("parry's GJK says inside of a gap, of whose chord the foot is rounded"
   const auto replay = parry::Floats::replays(exact::stored(pair)).front();
   const Manifold<double> given = parry::Floats::answer(replay, pair);
   const auto is_it = [&](const Manifold<double>& got) {
-    return explains(rounded_foot_of_gjk<parry::Floats>, pair, got, Kind::inconsistent);
+    return explains("parry2d-rounded-foot", pair, got, Kind::inconsistent);
   };
   CHECK(replay.gjk.end == parry::GjkEnd::refused_inside);
   CHECK(is_it(given));
@@ -143,7 +135,7 @@ TEST_CASE("parry's EPA takes the far side of a chord within 10 epsilon of the or
     return parry::Floats::answer(parry::Floats::replays(exact::stored(pair)).front(), pair);
   };
   const auto is_it = [](const PairCase& pair, const Manifold<double>& got) {
-    return explains(origin_within_tolerance<parry::Floats>, pair, got, Kind::inconsistent);
+    return explains("parry2d-origin-within-tolerance", pair, got, Kind::inconsistent);
   };
   const PairCase within = at(1.0610712e-06F);
   const Manifold<double> given = given_of(within);
@@ -175,7 +167,7 @@ TEST_CASE("parry's place on an edge nearly along the normal is off by more than 
     return parry::Floats::answer(parry::Floats::replays(exact::stored(of)).front(), of);
   };
   const auto is_it = [](const PairCase& of, const Manifold<double>& got) {
-    return explains(edge_along_normal<parry::Floats>, of, got, Kind::inconsistent);
+    return explains("parry2d-edge-along-normal", of, got, Kind::inconsistent);
   };
   const Manifold<double> given = given_of(pair);
   REQUIRE(given.count == 1);

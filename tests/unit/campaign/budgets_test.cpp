@@ -58,7 +58,7 @@ TEST_CASE("the regime corpus, which depends on the corpus, is not held to budget
 TEST_CASE("every budget names a regime, and not the regime corpus") {
   int budgets = 0;
   for (const LedgerEntry& entry : ledger()) {
-    for (const Budget& budget : budgets_of(entry)) {
+    for (const Budget& budget : entry.budgets) {
       ++budgets;
       CHECK(find_regime(budget.regime) != nullptr);
       CHECK(budget.regime != "corpus");

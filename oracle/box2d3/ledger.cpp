@@ -1,0 +1,262 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "engines/engine.hpp"
+#include "exact/curve.hpp"
+#include "judging/faults/differences.hpp"
+#include "judging/faults/shared_faults.hpp"
+#include "oracle/box2d3/capsule_editions.hpp"
+#include "oracle/box2d3/floats.hpp"
+#include "oracle/box2d3/replay.hpp"
+
+// Box2D 3.2 on circles, capsules and rounded polygons.
+
+namespace manifuzz {
+namespace {
+
+using ledger_of::box2d3::Float2;
+
+/// b2CollidePolygonAndCircle's difference from a corner to a centre; none where it takes the
+/// normal of a face.
+std::optional<Float2> to_centre_from_corner(const ConvexPolygon<float>& core,
+                                            const Float2& centre) {
+  int face = 0;
+  float separation = -std::numeric_limits<float>::max();
+  for (int i = 0; i < core.count; ++i) {
+    const float s = ledger_of::box2d3::dot(core.normals[i], centre - core.vertices[i]);
+    if (s > separation) {
+      separation = s;
+      face = i;
+    }
+  }
+  if (!(separation > ledger_of::box2d3::kEpsilon)) return std::nullopt;
+  const Float2& v1 = core.vertices[face];
+  const Float2& v2 = core.vertices[core.next(face)];
+  if (ledger_of::box2d3::dot(centre - v1, v2 - v1) < 0) return centre - v1;
+  if (ledger_of::box2d3::dot(centre - v2, v1 - v2) < 0) return centre - v2;
+  return std::nullopt;
+}
+
+/// Its difference from the nearest place on the core to the circle's centre, in the core's frame:
+/// b2CollideCapsuleAndCircle's, or that of a polygon's corner.
+std::optional<Float2> to_centre_by_box2d3(const Body& core, const Body& circle) {
+  const Pose<float> between = relative_pose(core.pose, circle.pose);
+  const Vector2<float> centre = transform(between, circle.polygon.vertices[0]);
+  if (core.polygon.count > 2) return to_centre_from_corner(core.polygon, centre);
+  const Vector2<float>& from = core.polygon.vertices[0];
+  const Vector2<float>& to = core.polygon.vertices[1];
+  const Vector2<float> edge = to - from;
+  const float before = (centre - from).dot(edge);
+  if (before < 0) return centre - from;
+  if ((to - centre).dot(edge) < 0) return centre - to;
+  return centre - (from + before / edge.dot(edge) * edge);
+}
+
+/// What it finds of two shapes with edges, if that is the answer: the same floats, but for their
+/// way through the world, by a rotation that is not unit.
+std::optional<ledger_of::ContactOfBox2d3> found_by_box2d3(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  const Bounds& bounds = d.right.bounds;
+  auto found = ledger_of::contact_of_box2d3(pair);
+  if (!found || d.got.count != static_cast<int>(found->points.size())) return std::nullopt;
+  const Vector2<double> turn = pair.a.pose.rotation.cast<double>().normalized();
+  if (d.got.count > 0 &&
+      (rotate<double>(turn, d.got.normal) - found->normal).norm() > bounds.normal) {
+    return std::nullopt;
+  }
+  // The judge has moved the points of two sharp polygons to the incident edge.
+  const auto is_same = [&](const ContactPoint<double>& p,
+                           const ledger_of::ContactOfBox2d3::Point& q) {
+    return std::abs(p.depth - q.depth) <= bounds.separation &&
+           (!is_round(pair) || (to_world(pair, p.position) - q.at).norm() <= bounds.position);
+  };
+  const auto is_given = [&](const ledger_of::ContactOfBox2d3::Point& q) {
+    return std::any_of(d.got.points.begin(), d.got.points.begin() + d.got.count,
+                       [&](const ContactPoint<double>& p) { return is_same(p, q); });
+  };
+  if (!std::ranges::all_of(found->points, is_given)) return std::nullopt;
+  return found;
+}
+
+/// Whether round shapes' cores are apart, and nearest at a vertex of each.
+bool are_nearest_at_vertices(const Deviation& d) {
+  if (!is_round(d.right.pair())) return false;
+  const exact::PenetrationCurve curve(*d.right.truth, exact::Skin::round);
+  return curve.are_cores_apart() && curve.nearest_vertices().has_value();
+}
+
+/// A circle whose centre is within float's epsilon of another core: the normal has no
+/// length.
+bool no_normal_within_box2d3_epsilon(const Deviation& d) {
+  // At a polygon's corner the depth is taken along the normal.
+  const PairCase& pair = d.right.pair();
+  const bool has_polygon = std::max(pair.a.polygon.count, pair.b.polygon.count) >= kMinVertices;
+  return ledger_of::has_no_normal_within(d, ledger_of::kEpsilonOfBox2d3,
+                                         ledger_of::least_depth(d)) ||
+         (has_polygon && ledger_of::has_no_normal_within(d, ledger_of::kEpsilonOfBox2d3, 0));
+}
+
+/// Two capsules: the answer is what b2CollideCapsules makes, which is as
+/// phaser-box2d's without the slips, but that A's edge is kept up to 0.0005.
+bool slop_in_box2d3_capsules(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  const auto cores = ledger_of::capsule_cores(pair);
+  if (!cores) return false;
+  // b2CollideSegmentAndCapsule has the segment first.
+  const bool is_swapped = pair.a.polygon.radius > 0 && pair.b.polygon.radius == 0;
+  ledger_of::FoundByPhaser found = ledger_of::capsules_by_phaser(
+      (*cores)[is_swapped ? 1 : 0], (*cores)[is_swapped ? 0 : 1], total_radius(pair), true,
+      {0.1 * ledger_of::kSlopOfPhaser, ledger_of::kEpsilonOfBox2d3});
+  if (is_swapped) found.normal = -found.normal;
+  return (d.got.count > 0 || found.is_clipped) &&
+         ledger_of::is_given(d, found, ledger_of::as_rounded(d));
+}
+
+/// A circle and a segment, a capsule or a polygon's corner: the normal is the
+/// direction to the place on the core that is nearest as floats have it.
+bool direction_of_rounded_place(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  const Side circle = pair.a.polygon.count == 1 ? Side::a : Side::b;
+  const Body& core = pair[other(circle)];
+  if (d.got.count != 1 || pair[circle].polygon.count != 1 || core.polygon.count < 2) return false;
+  const Bounds& bounds = d.right.bounds;
+  const double least = ledger_of::least_depth(d);
+  if (std::abs(d.got.points[0].depth - least) > 4 * bounds.separation) return false;
+  const auto apart = to_centre_by_box2d3(core, pair[circle]);
+  if (!apart) return false;
+  const Vector2<double> turned =
+      rotate<double>(core.pose.rotation.cast<double>(), apart->cast<double>().normalized());
+  const Vector2<double> normal =
+      rotate<double>(pair.a.pose.rotation.cast<double>(), d.got.normal).normalized();
+  const Vector2<double> found =
+      (circle == Side::b ? turned : Vector2<double>(-turned)).normalized();
+  if ((normal - found).norm() > 2 * bounds.normal) return false;
+  // The place is off by no more than its roundings, whatever that makes of the direction.
+  const Vector2<double> right =
+      rotate<double>(pair.a.pose.rotation.cast<double>(),
+                     exact::PenetrationCurve(*d.right.truth, exact::Skin::round).minima(0).front());
+  const double distance = total_radius(pair) - least;
+  return (found - right).norm() * distance <= 4 * bounds.separation;
+}
+
+/// A circle in front of faces that tie in floats: the normal is the direction from the end of the
+/// one that Box2D 3.2 keeps, though the centre is in front of another.
+bool corner_of_tied_face(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  const Side circle = pair.a.polygon.count == 1 ? Side::a : Side::b;
+  const Side side = other(circle);
+  const Body& core = pair[side];
+  if (d.got.count != 1 || pair[circle].polygon.count != 1 || core.polygon.count < 3) return false;
+  const auto apart = to_centre_by_box2d3(core, pair[circle]);
+  if (!apart) return false;
+  const exact::Truth& truth = *d.right.truth;
+  const Bounds& bounds = d.right.bounds;
+  int tied = 0;
+  for (int i = 0; i < core.polygon.count; ++i) {
+    if (truth.separation({side, i}) >= truth.separation(side) - 2 * bounds.separation) ++tied;
+  }
+  const double depth = total_radius(pair) - apart->cast<double>().norm();
+  if (tied < 2 || std::abs(d.got.points[0].depth - depth) > 4 * bounds.separation) return false;
+  const Vector2<double> turned =
+      rotate<double>(core.pose.rotation.cast<double>(), apart->cast<double>()).normalized();
+  const Vector2<double> normal =
+      rotate<double>(pair.a.pose.rotation.cast<double>(), d.got.normal).normalized();
+  return (normal - (circle == Side::b ? turned : Vector2<double>(-turned))).norm() <=
+         2 * bounds.normal;
+}
+
+/// No contact though corners with radii overlap: no face of either core is farther than 0.0005,
+/// and the incident edge is beyond the reference face's ends.
+bool corner_beyond_slab(const Deviation& d) {
+  const auto found = found_by_box2d3(d);
+  return found && d.got.count == 0 && found->is_disjoint && !found->are_apart &&
+         ledger_of::least_depth(d) > d.right.bounds.separation;
+}
+
+/// Two capsules: with the slop, the bias to A's edge and the one point that doubles have too.
+bool capsules_of_box2d3(const Deviation& d) {
+  return found_by_box2d3(d) && slop_in_box2d3_capsules(d);
+}
+
+/// Two capsules: floats decide otherwise than doubles which side, end or place is nearer, or make
+/// another normal of the direction between nearest places.
+bool roundings_in_box2d3_capsules(const Deviation& d) {
+  const auto found = found_by_box2d3(d);
+  return found && found->is_of_capsules && !slop_in_box2d3_capsules(d);
+}
+
+/// A round pair with a polygon: edges are clipped along a face's normal though a vertex of each is
+/// nearer.
+bool face_within_box2d3_slop(const Deviation& d) {
+  const auto found = found_by_box2d3(d);
+  return found && !found->is_of_capsules && found->is_clipped && are_nearest_at_vertices(d);
+}
+
+/// The normal between two corners is their difference over the distance of the same places as
+/// shares of their edges give them: not unit, by the roundings of these over the distance.
+bool normal_over_box2d3_distance(const Deviation& d) {
+  const auto found = found_by_box2d3(d);
+  return found && !found->is_of_capsules && found->are_apart && !found->is_clipped &&
+         d.got.count == 1 && std::abs(d.got.normal.norm() - 1) > d.right.bounds.normal;
+}
+
+/// An answer that holds no number: the distance of the nearest places is 0, and their difference is
+/// divided by it.
+bool normal_over_no_distance(const LostAnswer& lost) {
+  if (lost.how != Lost::How::malformed) return false;
+  const auto found = ledger_of::contact_of_box2d3(lost.pair);
+  return found && !found->is_of_capsules && found->are_apart && !found->is_clipped &&
+         !found->points.empty() && !found->normal.allFinite();
+}
+
+/// An answer that holds no number: of two capsules, the product of both cores' squared lengths is
+/// beyond a float, and the nearest places are shares of infinity over infinity.
+bool squares_beyond_box2d3_range(const LostAnswer& lost) {
+  if (lost.how != Lost::How::malformed) return false;
+  const Manifold<double>* const got = manifold_in(lost.answer);
+  const auto found = ledger_of::contact_of_box2d3(lost.pair);
+  return got != nullptr && got->count == 1 && !got->points[0].position.allFinite() && found &&
+         found->is_of_capsules && found->is_beyond_range && found->points.size() == 1 &&
+         !found->points[0].at.allFinite();
+}
+
+/// The incident edge is shorter along the face than float's epsilon, and not clipped.
+bool edge_below_box2d3_epsilon(const Deviation& d) {
+  const auto found = found_by_box2d3(d);
+  return found && found->is_unclipped;
+}
+
+/// No contact: edges that are apart miss each other along the reference face, by roundings, and are
+/// nearest, by roundings, not at their ends.
+bool neither_clipped_nor_corner(const Deviation& d) {
+  const auto found = found_by_box2d3(d);
+  return found && d.got.count == 0 && found->is_disjoint && found->are_apart &&
+         ledger_of::least_depth(d) > d.right.bounds.separation;
+}
+
+constexpr LedgerRow kBox2d3Rows[] = {
+    {"no-contact-on-tied-features", no_contact_on_tied_features},
+    {"corner-beyond-slab", corner_beyond_slab},
+    {"capsule-slop", capsules_of_box2d3},
+    {"one-point-between-corners", ledger_of::one_point_between_corners},
+    {"face-within-slop", face_within_box2d3_slop},
+    {"no-normal-within-epsilon", no_normal_within_box2d3_epsilon},
+    {"direction-of-rounded-place", direction_of_rounded_place},
+    {"capsule-roundings", roundings_in_box2d3_capsules},
+    {"normal-over-rounded-distance", normal_over_box2d3_distance},
+    {"no-distance", nullptr, normal_over_no_distance},
+    {"squares-beyond-float", nullptr, squares_beyond_box2d3_range},
+    {"edge-below-epsilon", edge_below_box2d3_epsilon},
+    {"neither-clipped-nor-corner", neither_clipped_nor_corner},
+    {"circle-tied-faces", corner_of_tied_face},
+};
+
+}  // namespace
+
+Engine engine_box2d3() {
+  return {.name = "box2d3", .ledger = {{"box2d3", kBox2d3Rows}}};
+}
+
+}  // namespace manifuzz

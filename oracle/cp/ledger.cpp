@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engines/engine.hpp"
+#include "judging/by_curve.hpp"
+#include "judging/faults/shared_faults.hpp"
+#include "oracle/chipmunk/deviations.hpp"
+#include "oracle/chipmunk/replay.hpp"
+
+// cp, whose other faults are Chipmunk's own.
+
+namespace manifuzz {
+namespace {
+
+/// What cp would find if it added no more than Chipmunk does; none where it gave another answer
+/// than its operations give.
+std::optional<munk::Found> without_what_cp_adds(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  const replayed::Contact given =
+      munk::contact_of(munk::found_by(munk::kCp, pair), d.got.reference);
+  if (!replayed::is_same_answer(d, given)) return std::nullopt;
+  return munk::found_by(munk::kChipmunk, pair);
+}
+
+/// Whether it would be right, with its points on either edge where the answer had none that says.
+bool is_right_by_chipmunk(const Deviation& d, const munk::Found& found) {
+  const auto is_right = [&](Side reference) {
+    return replayed::is_right_answer(d, as_chipmunk(), munk::contact_of(found, reference));
+  };
+  return is_right(d.got.reference) || (d.got.count == 0 && is_right(other(d.got.reference)));
+}
+
+bool is_wrong_as_chipmunk(const Deviation& d) {
+  if (!is_round(d.right.pair())) {
+    return normal_of_rounded_vertices(d) || neighbours_nearly_parallel(d);
+  }
+  return sign_of_swapped_distance(d) || sign_of_polygon_radius(d) ||
+         direction_to_place_on_segment(d) || direction_between_corners(d) ||
+         segment_normal_not_unit(d) || normal_across_corner_on_corner(d) ||
+         normal_across_collinear(d) || depth_by_crossing(d);
+}
+
+/// A normal that is shorter than unit as 1e-15 beside the length that it is divided by makes
+/// it, and right else, or wrong in a way of Chipmunk's.
+bool normal_short_by_cp(const Deviation& d) {
+  const auto found = without_what_cp_adds(d);
+  if (!found) return false;
+  if (is_right_by_chipmunk(d, *found)) return true;
+  // Beside it something of Chipmunk's may be wrong, which alone is not what was given.
+  const replayed::Contact contact = munk::contact_of(*found, d.got.reference);
+  const Manifold<double> mended = replayed::in_frame_of_a(d.right.pair(), contact);
+  const Kind kind = mended.count == 0 ? Kind::missed_contact : d.kind;
+  if (!is_wrong_as_chipmunk({d.right, mended, kind})) return false;
+  const bool is_short = d.kind == Kind::normal && d.got.normal.norm() <= 1 - d.right.bounds.normal;
+  return is_short || !is_wrong_as_chipmunk(d);
+}
+
+constexpr LedgerRow kCpRows[] = {
+    {"short-normal", normal_short_by_cp},
+    {"normal-of-world-vertices", normal_of_rounded_vertices},
+    {"corner-on-corner", corner_on_corner},
+    {"collinear-apart", collinear_and_apart},
+    {"wrong-support-edge", neighbours_nearly_parallel},
+    {"swapped-distance", sign_of_swapped_distance},
+    {"polygon-radius-sign", sign_of_polygon_radius},
+    {"direction-of-roundings", direction_to_place_on_segment},
+    {"round-corner-on-corner", normal_across_corner_on_corner},
+    {"round-collinear", normal_across_collinear},
+    {"depth-by-crossing", depth_by_crossing},
+    {"segment-normal-not-unit", segment_normal_not_unit},
+};
+
+}  // namespace
+
+Engine engine_cp() {
+  return {.name = "cp", .ledger = {{"cp", kCpRows}}};
+}
+
+}  // namespace manifuzz
