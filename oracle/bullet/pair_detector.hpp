@@ -64,7 +64,7 @@ constexpr manifuzz_claims claims_of_point(double tolerance, const char* source) 
   return claims;
 }
 
-/// Of a collider of this folder.
+/// What a collider of this folder declares.
 constexpr manifuzz_declaration declaration(const char* name, const char* version,
                                            const char* snippet, const manifuzz_claims& claims) {
   return {.interface = MANIFUZZ_INTERFACE,

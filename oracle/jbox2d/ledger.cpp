@@ -115,8 +115,7 @@ replayed::Contact by_jbox2d(const PairCase& pair, bool is_mended) {
   return contact;
 }
 
-/// Of a polygon's faces a local maximum of the separation is kept, to which the direction between
-/// the centroids has led.
+/// A local maximum of the separation is kept, to which the direction between the centroids has led.
 bool local_maximum_in_jbox2d(const Deviation& d) {
   const PairCase& pair = d.right.pair();
   if (std::min(pair.a.polygon.count, pair.b.polygon.count) < kMinVertices || is_round(pair)) {

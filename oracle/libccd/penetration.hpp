@@ -80,7 +80,7 @@ constexpr manifuzz_claims claims_of_separation(double tolerance, const char* sou
   return claims;
 }
 
-/// Of a collider of this folder.
+/// What a collider of this folder declares.
 constexpr manifuzz_declaration declaration(const char* name, const char* version,
                                            const char* snippet, const manifuzz_claims& claims) {
   return {.interface = MANIFUZZ_INTERFACE,

@@ -74,8 +74,9 @@ bool planck_edge_slab_not_widened(const Deviation& d) {
   return is_edge_clip_of_planck(d, [](const BetweenEnds& clip) { return clip.is_cut; });
 }
 
-/// So clipped, where the face is not the one of the greatest separation: the edge's towards the
-/// polygon's centroid, or whichever 0.98 times the edge's separation and 0.001 decide for.
+/// An edge against a polygon, clipped between the very ends of a face that is not the one of the
+/// greatest separation: the edge's towards the polygon's centroid, or whichever 0.98 times the
+/// edge's separation and 0.001 decide for.
 bool planck_edge_hysteresis(const Deviation& d) {
   return is_edge_clip_of_planck(d, [](const BetweenEnds&) { return true; });
 }

@@ -94,7 +94,7 @@ Declaration as_declared_by_sat() {
   return declaration;
 }
 
-/// Of polygons that just touch the overlap is 0, and the axis is not turned about.
+/// The overlap of polygons that just touch is 0, and the axis is not turned about.
 bool axis_of_exact_touch_in_sat(const Deviation& d) {
   const PairCase& pair = d.right.pair();
   if (pair.a.polygon.count < kMinVertices || pair.b.polygon.count < kMinVertices) return false;

@@ -116,7 +116,7 @@ bool is_of_least(const Deviation& d, const std::vector<Vector2<double>>& directi
   });
 }
 
-/// Those in the plane, and of flat shapes the others flattened.
+/// The solver's directions in the plane, and of flat shapes the others flattened.
 std::vector<Vector2<double>> directions_of(BulletAsked asked) {
   std::vector<Vector2<double>> all = with_opposites(kUpright);
   if (asked == BulletAsked::flat) {

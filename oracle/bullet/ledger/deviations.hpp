@@ -31,8 +31,8 @@ bool gap_as_depth(const Deviation& deviation);
 /// overlap; where the displaced shapes still overlap there is no contact, or the whole displacement
 /// for a depth.
 bool is_of_least_direction(const Deviation& deviation, BulletAsked asked);
-/// So, but for that query's distance, which is too large by less than 0.01: its nearest corners are
-/// nearer to each other than btVoronoiSimplexSolver tells apart.
+/// btMinkowskiPenetrationDepthSolver, whose displaced query's distance is too large by less than
+/// 0.01: its nearest corners are nearer to each other than btVoronoiSimplexSolver tells apart.
 bool is_of_least_direction_of_equal_vertices(const Deviation& deviation, BulletAsked asked);
 
 }  // namespace manifuzz::ledger_of

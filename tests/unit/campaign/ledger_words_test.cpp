@@ -50,6 +50,13 @@ TEST_CASE("every entry of the ledger has words and a predicate, and its id is it
   }
 }
 
+TEST_CASE("a source begins with the engine and its version, as they are cited") {
+  const auto is_of_box2d = [](const LedgerEntry& entry) { return entry.collider == "box2d"; };
+  const auto found = std::ranges::find_if(ledger(), is_of_box2d);
+  REQUIRE(found != ledger().end());
+  CHECK(found->source.starts_with("Box2D 2.4.1, include/box2d/b2_math.h"));
+}
+
 TEST_CASE("all words and budgets in an engine's folder are those of a row") {
   for (const Engine& engine : built_engines()) {
     const EngineText& text = *find_by_name(engine_texts(), engine.name);
