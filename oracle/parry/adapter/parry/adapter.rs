@@ -11,12 +11,14 @@ use parry::shape::{Ball, Capsule, ConvexPolygon, RoundShape, Segment, Shape as P
 /// What all rows declare. The normal is a face's of the polytope that EPA ends with, within 100
 /// roundoffs of the least deep; both edges are clipped along it, and neither is the reference.
 pub const COMMON: Declaration = Declaration {
-    version: c"0.30.2".as_ptr(),
+    version: concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast(),
     points: MIDPOINTS,
     claims: Claims {
         does_not_clip: 1,
         tolerance_absolute: 100.0 * Real::EPSILON as f64,
-        tolerance_source: c"parry2d 0.30.2, src/query/epa/epa2.rs: _eps_tol = _eps * 100.0".as_ptr(),
+        tolerance_source: concat!(
+            "parry2d ", env!("CARGO_PKG_VERSION"),
+            ", src/query/epa/epa2.rs: _eps_tol = _eps * 100.0\0").as_ptr().cast(),
         vertices_min: 1,
         takes_round: 1,
         ..CLAIMS

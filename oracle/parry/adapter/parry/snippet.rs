@@ -7,7 +7,7 @@ macro_rules! snippet {
 @none no point of a dist of 0 or less
 @figures by way of A's frame, so to a few roundings of the largest
 @point middle of local_p1 and local_p2 in the world $m, dist $s
-// cargo add "#, $package, r#"@0.30.2
+// cargo add "#, $package, "@", env!("CARGO_PKG_VERSION"), r#"
 use "#, $module, r#"::{math::*, query::*, shape::*};
 fn main() {
 @each     let at_@* = Pose::from_parts(@*.position(Vector::new("#, $numbers, r#"))@, @*."#, $unit, r#"rotation(Rot2::from_cos_sin_unchecked("#, $numbers, r#"))@);

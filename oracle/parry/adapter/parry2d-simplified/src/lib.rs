@@ -12,7 +12,7 @@ use parry::shape::ConvexPolygon;
 use snippet::snippet;
 
 /// It makes none of fewer than three corners whose normals' product is at most 1 - sqrt(2^-23)
-/// (parry2d 0.30.2, src/shape/convex_polygon.rs): that of an angle of 0.02628.
+/// (parry2d, src/shape/convex_polygon.rs): that of an angle of 0.02628.
 const LEAST_TURN: f64 = 0.0263;
 
 const OURS: Declaration = Declaration {
