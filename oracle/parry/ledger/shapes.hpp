@@ -8,7 +8,7 @@
 #include "exact/placed.hpp"
 #include "geometry/pair_case.hpp"
 
-// parry2d 0.30.2, whose operations are repeated in its order and in its scalar, so that the numbers
+// parry2d, whose operations are repeated in its order and in its scalar, so that the numbers
 // are its own to the last bit: vectors as glam has them, and shapes with their support points.
 
 namespace manifuzz::parry {
