@@ -10,7 +10,8 @@ function(manifuzz_precompile name)
   target_precompile_headers(manifuzz_${name} PRIVATE ${ARGN})
 endfunction()
 
-# manifuzz_take_headers(target name): takes them for every source of a target.
+# manifuzz_take_headers(target name): takes them for every source of a target, which must be
+# optimised as much: g++ 12 ends by a fault else.
 function(manifuzz_take_headers target name)
   target_precompile_headers(${target} REUSE_FROM manifuzz_${name})
   # They are valid only where the macros that they look at are the same: librsvg's flags have

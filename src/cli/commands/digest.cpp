@@ -16,7 +16,7 @@
 namespace manifuzz {
 namespace {
 
-constexpr std::uint64_t kCasesMax = 1'000'000'000;
+constexpr std::uint64_t kDigestCasesMax = 1'000'000'000;
 
 struct DigestArguments {
   ColliderChoice collider{"collider", "clip", ""};
@@ -58,7 +58,7 @@ void add_digest_arguments(CLI::App& app, DigestArguments& options) {
   add_external_options(app, options.external);
   add_whole_number(app, "--seed", options.seed, "random seed; default: 1");
   add_whole_number(app, "--cases", options.cases, "number of cases of each regime; default: 10000",
-                   1, kCasesMax);
+                   1, kDigestCasesMax);
   add_json(app, options.json, "the hashes");
 }
 

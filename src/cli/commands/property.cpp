@@ -17,7 +17,8 @@ namespace manifuzz {
 namespace {
 
 constexpr std::uint64_t kDefaultCases = 10'000;
-constexpr std::uint64_t kCasesMax = 100'000'000;  // RapidCheck takes 24 bytes for each at once
+constexpr std::uint64_t kPropertyCasesMax =
+    100'000'000;  // RapidCheck takes 24 bytes for each at once
 
 struct PropertyArguments {
   std::vector<std::string> names;
@@ -88,7 +89,7 @@ void add_property_arguments(CLI::App& app, PropertyArguments& options) {
   add_collider(app, options.subject, "collider under test");
   add_external_options(app, options.external);
   add_whole_number(app, "--cases", options.cases,
-                   "number of cases for each property; default: 10000", 1, kCasesMax);
+                   "number of cases for each property; default: 10000", 1, kPropertyCasesMax);
   add_seed(app, options.seed);
   add_corpus(app, options.folders,
              "folder of known cases, in which failures are saved; default: read corpus, and save "
