@@ -9,6 +9,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "campaign/shrink_in_child.hpp"
 #include "judging/manifold_error.hpp"
 
 namespace manifuzz {
@@ -105,45 +106,23 @@ struct AskedOften {
   Collider oracle;
 };
 
-/// What a shrinking child has found so far, where its parent can see it even if it dies.
-struct ShrinkSlot {
-  std::atomic<int> evaluations{0};
-  std::atomic<int> accepted{0};
-  std::array<PairCase, 2> best;  ///< the one at `accepted` mod 2 is whole
-  std::atomic<bool> complete{false};
-};
-
 }  // namespace
 
 Shrunk shrink_finding(const PairCase& pair, const Collider& subject, const Collider& oracle,
                       Interruption& interruption, const Deadline& deadline) {
   const AskedOften asked(subject, oracle);
   const Judgement root = judge_in_child(pair, asked.subject, asked.oracle, interruption);
-  Interruption::Limits limits = interruption.until_signal();
-  limits.stopped_at = earlier(limits.stopped_at, deadline);
-  Interruption shrinking(limits);
-  const Shared<ShrinkSlot> slot;
-  slot->best[0] = pair;
-  const auto like_root = [&](const PairCase& candidate) {
-    ++slot->evaluations;
-    const Judgement judgement =
-        is_of_lost(root.bucket) || asked.is_here
-            ? judge_in_child(candidate, asked.subject, asked.oracle, shrinking)
-            : judge(candidate, subject, oracle);
-    if (!is_alike(judgement, root)) return false;
-    slot->best[static_cast<std::size_t>(slot->accepted + 1) % 2] = candidate;
-    ++slot->accepted;
-    return true;
+  const auto judged = [&](const PairCase& candidate, Interruption& shrinking) {
+    return is_of_lost(root.bucket) || asked.is_here
+               ? judge_in_child(candidate, asked.subject, asked.oracle, shrinking)
+               : judge(candidate, subject, oracle);
   };
-  const auto shrink_it = [&] { slot->complete = shrink(pair, like_root).complete; };
-  if (asked.is_here) {
-    unless_interrupted(shrink_it);
-  } else {
-    run_in_child(shrink_it, case_seconds_max(subject, oracle), shrinking,
-                 [&] { return static_cast<std::uint64_t>(slot->evaluations); });
-  }
-  return {slot->best[static_cast<std::size_t>(slot->accepted) % 2], slot->evaluations,
-          slot->complete};
+  return ShrinkTask<PairCase, PairCase>{pair, asked.is_here, case_seconds_max(subject, oracle),
+                                        deadline,
+                                        [&](const PairCase& candidate, Interruption& shrinking) {
+                                          return is_alike(judged(candidate, shrinking), root);
+                                        }}
+      .run(interruption);
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "campaign/trial.hpp"
 #include "collider/collider.hpp"
 #include "corpus/shrink.hpp"
 #include "judging/judge.hpp"
@@ -30,12 +31,6 @@ void unless_interrupted(const std::function<void()>& work);
 /// What a child's end, crashed or timed out, makes of the answer that it was to give.
 Lost lost_by(Ending ending);
 Bucket bucket_of_lost(Ending ending, Fault at_work);
-
-/// How a child ended, and who was at work then.
-struct Loss {
-  Ending ending = Ending::crashed;
-  Fault at_work = Fault::none;
-};
 
 /// The collider in a process of its own, which runs from case to case and is begun anew where it
 /// dies or hangs; as it is where it has one already.

@@ -24,7 +24,7 @@ using Count = std::uint64_t;
 std::string key_of(const CorpusCase& known) {
   if (known.expect && !known.expect->bucket.empty()) return finding_key(*known.expect);
   std::string line;
-  append_case_line(line, known.pair);
+  append_case_line(line, known.any);
   return known.property + '|' + line;
 }
 
@@ -53,7 +53,7 @@ MergedFinding merged_finding(const Members& members) {
   }
   MergedFinding kept{*std::ranges::min(members, {}, size_of), {}};
   const CorpusCase& worst = *std::ranges::min(as_seen, {}, badness);
-  if (!worst.is_of_same(kept.smallest)) kept.worst = worst;
+  if (worst.any != kept.smallest.any) kept.worst = worst;
   const auto accepted = std::ranges::find_if(
       members, [](const CorpusCase* known) { return known->accepted.has_value(); });
   if (accepted != members.end()) kept.smallest.accepted = (*accepted)->accepted;

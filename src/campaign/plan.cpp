@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "campaign/in_child.hpp"
+#include "sequence/sequence_judge.hpp"
 
 namespace manifuzz {
 
@@ -13,9 +14,20 @@ DeclaredAnswer declared_answer(const Collider& collider, const PairCase& pair,
 
 JudgedCase judged_case(const CorpusCase& given, const Collider& subject, const Collider& oracle,
                        Interruption& interruption) {
-  return {given, declared_answer(subject, given.pair, interruption),
-          declared_answer(oracle, given.pair, interruption),
-          judge_in_child(given.pair, subject, oracle, interruption)};
+  return {given, declared_answer(subject, given.pair(), interruption),
+          declared_answer(oracle, given.pair(), interruption),
+          judge_in_child(given.pair(), subject, oracle, interruption)};
+}
+
+std::vector<Declaration> asked_by(const Plan& plan) {
+  std::vector<Declaration> asked{plan.subject.declaration};
+  if (plan.oracle.declaration.name != kJudgeName) asked.push_back(plan.oracle.declaration);
+  return asked;
+}
+
+Standing standing(const AnyCase& any) {
+  if (const auto* const pair = std::get_if<PairCase>(&any)) return standing(exact::Truth(*pair));
+  return standing(std::get<Sequence>(any));
 }
 
 std::vector<const Regime*> regimes_for(const std::vector<Collider>& colliders,

@@ -10,14 +10,12 @@
 
 #include "base/text.hpp"
 #include "campaign/least_cases.hpp"
+#include "campaign/work.hpp"
 #include "collider/collider.hpp"
-#include "collider/sequence_collider.hpp"
 #include "corpus/corpus.hpp"
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
 #include "process/interruption.hpp"
-#include "sequence/motions.hpp"
-#include "sequence/sequence_judge.hpp"
 
 namespace manifuzz {
 
@@ -50,9 +48,6 @@ JudgedCase judged_case(const CorpusCase& given, const Collider& subject, const C
                        Interruption& interruption);
 
 inline constexpr std::size_t kRegimesMax = 64;
-
-/// A position in the campaign's order of cases: case k is regime k % R at index first + k / R.
-using CaseNumber = std::uint64_t;
 
 /// What was seen of one bucket.
 struct BucketTally {
@@ -145,22 +140,12 @@ inline std::uint64_t usual_judge_every(const Collider& subject, const Collider& 
   return subject.is_isolated() || oracle.is_isolated() ? 1 : kJudgeEvery;
 }
 
-/// What a campaign of sequences runs in place of pair cases. The judge alone says who is right.
-struct SequencePlan {
-  SequenceCollider subject;
-  std::vector<const Motion*> motions;  ///< in the places of the plan's regimes
-
-  bool takes(const Sequence& sequence) const { return manifuzz::takes(subject, sequence); }
-};
-
 /// What a campaign runs: which cases, through which two colliders.
 struct Plan {
   Collider subject;
   Collider oracle;
   std::vector<const Regime*> regimes;  ///< not empty, at most kRegimesMax
-  /// What only a campaign of sequences has. Subject and oracle then only declare themselves, the
-  /// oracle as the judge, and the regimes only have the motions' names.
-  std::optional<SequencePlan> sequences{};
+  std::shared_ptr<const KindOfWork> work = work_on_pairs();
   GenerationContext context;
   std::uint64_t seed = 0;
   std::uint64_t first = 0;             ///< index in each regime of its first case
@@ -187,11 +172,13 @@ struct Plan {
   PairCase pair(CaseNumber number) const {
     return generate(seed, *regimes[regime_of(number)], index_of(number), context);
   }
-  Sequence sequence(CaseNumber number) const {
-    return draw_sequence(seed, *sequences->motions[regime_of(number)], index_of(number),
-                         [this](const Sequence& drawn) { return sequences->takes(drawn); });
-  }
 };
+
+/// The colliders that the plan asks: without an oracle that only stands for the judge.
+std::vector<Declaration> asked_by(const Plan& plan);
+
+/// Where a case stands by the truth alone.
+Standing standing(const AnyCase& any);
 
 /// The regimes of these names; without names all that have cases which the colliders take.
 std::vector<const Regime*> regimes_for(const std::vector<Collider>& colliders,

@@ -129,7 +129,7 @@ void describe_failure(RunSlot& slot, const rc::detail::FailureResult& failure,
   slot.has_failing = !failure.counterExample.empty();
   if (!slot.has_failing) return;
   const std::string& line = failure.counterExample.front().second;
-  slot.failing = parse_case(line, FormatKey::optional).pair;
+  slot.failing = parse_case(line, FormatKey::optional).pair();
 }
 
 std::string message_of(const rc::detail::TestResult& result) {

@@ -50,7 +50,7 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject, co
   const std::string sentence(property->sentence);
   const Shared<OutcomeSlot> slot;
   const auto body = [&] {
-    const Outcome outcome = check(*property, subject, recorded.pair);
+    const Outcome outcome = check(*property, subject, recorded.pair());
     slot->kind = outcome.kind;
     slot->magnitude = outcome.magnitude;
     slot->why.set(outcome.why);
@@ -59,7 +59,7 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject, co
   if (ending == Ending::stopped) throw Interrupted();
   const bool has_ended = ending == Ending::done;
   const bool fails = !has_ended || slot->kind == Outcome::Kind::fails;
-  if (!fails && !takes(subject, recorded.pair)) {
+  if (!fails && !takes(subject, recorded.pair())) {
     return {.expected = sentence, .got = "", .is_unsupported = true};
   }
   if (!fails) {
@@ -84,15 +84,6 @@ Replayed replay_wrong(const CorpusCase& recorded, const Judgement& judgement,
   return failed_unless_accepted(key, worst_error(judgement), known, expected, got);
 }
 
-}  // namespace
-
-Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const Collider& oracle,
-                     const Known& known, Interruption& interruption) {
-  if (!recorded.property.empty()) return replay_property(recorded, subject, known, interruption);
-  return replayed(recorded, judge_in_child(recorded.pair, subject, oracle, interruption), subject,
-                  oracle, known);
-}
-
 /// What came of it: where the oracle's ledger is not in this program, what was known when the case
 /// was recorded is taken to be so still.
 Bucket bucket_with_ledger(const CorpusCase& recorded, const Bucket& bucket,
@@ -106,6 +97,7 @@ Bucket bucket_with_ledger(const CorpusCase& recorded, const Bucket& bucket,
   return taken;
 }
 
+/// What that makes of the verdict on a case.
 Replayed replayed(const CorpusCase& recorded, const Judgement& judgement, const Collider& subject,
                   const Collider& oracle, const Known& known) {
   const Bucket bucket = bucket_with_ledger(recorded, judgement.bucket, oracle);
@@ -143,6 +135,18 @@ Replayed replayed(const CorpusCase& recorded, const Judgement& judgement, const 
           .is_stale = is_stale(recorded, got, subject, oracle)};
 }
 
+}  // namespace
+
+Replayed replay_case(const CorpusCase& recorded, const Trial& trial, const Known& known,
+                     Interruption& interruption) {
+  if (!trial.is_there()) return {.expected = "", .got = "", .is_unsupported = true};
+  if (!recorded.property.empty()) {
+    return replay_property(recorded, trial.subject(), known, interruption);
+  }
+  return replayed(recorded, trial.judge(recorded.any, interruption), trial.subject(),
+                  trial.oracle(), known);
+}
+
 std::size_t ReplayRun::failed() const {
   return static_cast<std::size_t>(std::ranges::count_if(
       cases, [](const ReplayedCase& one) { return one.result.has_failed(); }));
@@ -169,11 +173,11 @@ std::vector<std::string> ReplayRun::stale() const {
 std::vector<Declaration> ReplayRun::declarations() const {
   std::map<std::string, Declaration> by_name;
   for (const ReplayedCase& one : cases) {
-    for (const Collider* const asked : {one.subject, one.oracle}) {
+    for (const Collider* const asked : {&one.trial->subject(), &one.trial->oracle()}) {
       by_name.emplace(asked->declaration.name, asked->declaration);
     }
   }
-  by_name.erase("");  // the oracle of sequences
+  by_name.erase("");  // the judge
   std::vector<Declaration> all;
   all.reserve(by_name.size());
   for (const auto& [name, declaration] : by_name) all.push_back(declaration);
@@ -193,9 +197,8 @@ void ReplayRun::add(const ReplayRun& run) {
   left_out += run.left_out;
 }
 
-ReplayRun replay_all(
-    const std::vector<CorpusCase>& cases, Interruption& interruption,
-    const std::function<std::optional<ReplayedCase>(const CorpusCase&)>& replay_one) {
+ReplayRun replay_cases(const std::vector<CorpusCase>& cases, const TrialOf& trial_of,
+                       const Known& known, Interruption& interruption) {
   ReplayRun run;
   std::set<std::string> subjects;
   std::set<std::string> oracles;
@@ -204,16 +207,16 @@ ReplayRun replay_all(
     for (const CorpusCase& recorded : cases) {
       const auto case_start = Clock::now();
       if (interruption.is_stopped()) break;
-      auto replayed_case = replay_one(recorded);
-      if (!replayed_case) {
+      const auto trial = trial_of(recorded);
+      if (trial == nullptr) {
         run.unasked.push_back(&recorded);
         continue;
       }
+      const Replayed result = replay_case(recorded, *trial, known, interruption);
       if (interruption.is_stopped()) break;
-      replayed_case->seconds = seconds_since(case_start);
-      run.cases.push_back(*replayed_case);
-      subjects.insert(replayed_case->subject->declaration.name);
-      oracles.insert(replayed_case->oracle->declaration.name);
+      run.cases.push_back({&recorded, result, seconds_since(case_start), trial});
+      subjects.insert(trial->subject().declaration.name);
+      oracles.insert(trial->oracle().declaration.name);
     }
   } catch (const Interrupted&) {
     // This one is left out too.
@@ -225,26 +228,13 @@ ReplayRun replay_all(
   return run;
 }
 
-ReplayRun replay_cases(const std::vector<CorpusCase>& cases, NamedColliders& colliders,
-                       const Known& known, Interruption& interruption) {
-  return replay_all(
-      cases, interruption, [&](const CorpusCase& recorded) -> std::optional<ReplayedCase> {
-        const Collider* const subject = colliders.subject_of(recorded);
-        const Collider* const oracle = colliders.oracle_of(recorded);
-        if (subject == nullptr || oracle == nullptr) return std::nullopt;
-        return ReplayedCase{&recorded,
-                            replay_case(recorded, *subject, *oracle, known, interruption), 0,
-                            subject, oracle};
-      });
-}
-
 namespace {
 
 /// Writes the failing case to the corpus and returns its path.
 std::string save(const std::string& corpus, const Property& property, const Collider& subject,
                  const PropertyResult& result) {
   CorpusCase failing;
-  failing.pair = *result.failing;
+  failing.any = *result.failing;
   failing.property = std::string(property.name);
   failing.expect.emplace().subject = subject.declaration.name;
   failing.expect->magnitude = result.magnitude;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "campaign/known.hpp"
-#include "campaign/named_colliders.hpp"
+#include "campaign/trial.hpp"
 #include "collider/collider.hpp"
 #include "corpus/corpus.hpp"
 #include "judging/properties.hpp"
@@ -57,20 +57,15 @@ struct Replayed {
 /// out too, unless they were against the subject: that it is right now is what a regression waits
 /// for. A case that a property failed on must pass that property. One that either cannot take is no
 /// failure, unless these two were recorded to answer it.
-Replayed replay_case(const CorpusCase& recorded, const Collider& subject, const Collider& oracle,
-                     const Known& known, Interruption& interruption);
-
-/// What that makes of the verdict on a case or a sequence, which has an oracle of no name.
-Replayed replayed(const CorpusCase& recorded, const Judgement& judgement, const Collider& subject,
-                  const Collider& oracle, const Known& known);
+Replayed replay_case(const CorpusCase& recorded, const Trial& trial, const Known& known,
+                     Interruption& interruption);
 
 /// A corpus case that was run again.
 struct ReplayedCase {
   const CorpusCase* recorded = nullptr;
   Replayed result;
   double seconds = 0;
-  const Collider* subject = nullptr;  ///< of a sequence, its declaration alone
-  const Collider* oracle = nullptr;   ///< of a sequence, of no name
+  std::shared_ptr<const Trial> trial{};
 };
 
 struct ReplayRun {
@@ -91,14 +86,8 @@ struct ReplayRun {
   void add(const ReplayRun& run);
 };
 
-/// Runs these again, as far as there is time: `replay_one` says nothing of one whose subject is not
-/// there.
-ReplayRun replay_all(
-    const std::vector<CorpusCase>& cases, Interruption& interruption,
-    const std::function<std::optional<ReplayedCase>(const CorpusCase&)>& replay_one);
-
-/// Every case again, as far as there is time; the run refers to the cases and to the colliders.
-ReplayRun replay_cases(const std::vector<CorpusCase>& cases, NamedColliders& colliders,
+/// Every case again, as far as there is time; the run refers to the cases.
+ReplayRun replay_cases(const std::vector<CorpusCase>& cases, const TrialOf& trial_of,
                        const Known& known, Interruption& interruption);
 
 /// A property that was run over a collider.

@@ -113,8 +113,8 @@ struct CampaignResult {
   std::uint64_t touching() const { return sum_of(regimes, &RegimeTally::touching); }
   std::uint64_t near() const { return sum_of(regimes, &RegimeTally::near); }
   std::uint64_t frames() const { return sum_of(regimes, &RegimeTally::frames); }
-  /// Whether its cases are sequences.
-  bool is_of_sequences() const { return frames() > 0; }
+  /// Whether its cases are sequences, whose frames are counted too.
+  bool has_frames() const { return frames() > 0; }
   std::uint64_t agreeing() const { return verdicts[static_cast<std::size_t>(Verdict::agree)]; }
   std::uint64_t unexplained() const;          ///< nor accepted
   std::uint64_t accepted() const;             ///< not explained, but accepted

@@ -221,7 +221,7 @@ Json json_of(const CampaignResult& result) {
             {"jobs", result.jobs},
             {"touching", result.touching()},
             {"near", result.near()}};
-  if (result.is_of_sequences()) {
+  if (result.has_frames()) {
     json["sequences"] = result.cases();
     json["frames"] = result.frames();
   }

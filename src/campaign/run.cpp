@@ -4,13 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "base/random.hpp"
 #include "base/text.hpp"
-#include "campaign/hints/hints.hpp"
 #include "campaign/in_child.hpp"
-#include "campaign/sequences/sequence_case.hpp"
-#include "judging/by_curve.hpp"
-#include "judging/compare.hpp"
 
 namespace manifuzz {
 namespace {
@@ -98,10 +93,7 @@ void add_allowances(const Declaration& declaration, std::vector<std::string>& al
 
 Settings settings_of(const Plan& plan) {
   std::vector<std::string> allowances;
-  Declaration of_subject = plan.subject.declaration;
-  if (plan.sequences)
-    of_subject.claims = Claims::manifold;  // a point at a time, but all are judged
-  add_allowances(of_subject, allowances);
+  add_allowances(plan.subject.declaration, allowances);
   add_allowances(plan.oracle.declaration, allowances);
   return {.subject = plan.subject.declaration.name,
           .oracle = plan.oracle.declaration.name,
@@ -187,13 +179,6 @@ CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
   return result;
 }
 
-/// What comes of a corpus case now.
-Bucket bucket_now(const CorpusCase& known, const Plan& plan, Interruption& interruption) {
-  return plan.sequences
-             ? judge_in_child(known.sequence(), plan.sequences->subject, interruption).bucket
-             : judge_in_child(known.pair, plan.subject, plan.oracle, interruption).bucket;
-}
-
 /// The files whose finding is accepted and does not come any more, asked again.
 std::vector<std::string> stale_files(const Plan& plan, const Known& known,
                                      Interruption& interruption) {
@@ -201,9 +186,9 @@ std::vector<std::string> stale_files(const Plan& plan, const Known& known,
   for (const auto& [key, accepted] : known.accepted) {
     if (interruption.state() != Interruption::State::running) break;
     try {
-      const CorpusCase known_case =
-          read_case_file(accepted.file, plan.sequences ? CaseKind::sequence : CaseKind::pair);
-      const std::string got = to_string(bucket_now(known_case, plan, interruption));
+      const CorpusCase known_case = read_case_file(accepted.file, plan.work->kind());
+      const std::string got =
+          to_string(plan.work->trial(plan)->judge(known_case.any, interruption).bucket);
       if (is_stale(known_case, got, plan.subject, plan.oracle)) {
         stale.push_back(accepted.file);
       }
@@ -218,23 +203,7 @@ std::vector<std::string> stale_files(const Plan& plan, const Known& known,
   return stale;
 }
 
-/// One agreeing case in `judge_every`, by what the case is and not by its place in the campaign:
-/// alone it is sampled too.
-bool is_sampled(const Plan& plan, CaseNumber number) {
-  const std::uint64_t stream = plan.regimes[plan.regime_of(number)]->stream;
-  return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
-}
-
 }  // namespace
-
-Judgement judgement_on(const Plan& plan, CaseNumber number, const exact::Truth& truth,
-                       const ColliderAnswer& subject, const ColliderAnswer& oracle) {
-  if (!is_sampled(plan, number) && plainly_agree(truth, subject, oracle)) {
-    // That neither reports a contact is held exactly in comparing them.
-    return {.is_judged = !touches(subject.answer)};
-  }
-  return judge(truth.pair(), subject, oracle);
-}
 
 Campaign run_campaign(const Plan& plan, const Known& known, const SaveTo& save_to,
                       const Origin& origin, const OnProgress& on_progress) {
@@ -253,7 +222,7 @@ Campaign run_campaign(const Plan& plan, const Known& known, const SaveTo& save_t
                                });
   }
   campaign.result = result_of(campaign, origin);
-  campaign.result.hints = hints_of(*run.tally, plan, interruption);
+  campaign.result.hints = plan.work->hints(*run.tally, plan, interruption);
   campaign.result.stale = stale_files(plan, known, interruption);
   return campaign;
 }

@@ -1,6 +1,7 @@
 #include "campaign/save.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <string_view>
 
@@ -8,9 +9,7 @@
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
-#include "campaign/recorded_case.hpp"
 #include "campaign/result.hpp"
-#include "campaign/sequences/save_sequence.hpp"
 
 namespace manifuzz {
 namespace {
@@ -38,6 +37,9 @@ constexpr int kInVainMax = 3;
 
 constexpr std::string_view kNotAsked = " Nobody was asked again: there was no time.";
 
+/// Where those of each kind are kept; pair cases by their verdicts.
+constexpr std::array<const char*, std::variant_size_v<AnyCase>> kFolderOfKind{"", "sequences"};
+
 /// How a finding was saved.
 struct SavedFinding {
   bool is_small = false;    ///< as small as can be
@@ -56,87 +58,78 @@ Judgement judgement_seen(const Finding& finding) {
 /// Writes the finding as the campaign saw it.
 SavedFinding save_unasked(Finding& finding, const Found& found, const Plan& plan,
                           const std::filesystem::path& corpus) {
-  CorpusCase saved = plan.sequences
-                         ? unasked_sequence(finding, plan)
-                         : unasked_case(plan.pair(finding.tally.worst), judgement_seen(finding),
-                                        plan.subject, plan.oracle);
+  const AnyCase worst = plan.work->draw(plan, finding.tally.worst);
+  CorpusCase saved = plan.work->trial(plan)->unasked(worst, judgement_seen(finding));
   saved.found = found;
   saved.found->is_unshrunk = true;
   saved.note += kNotAsked;
-  const auto folder = plan.sequences ? corpus_folder(saved)
-                                     : corpus_folder(finding.bucket, plan.oracle.declaration.name);
-  finding.file = write_corpus_case(corpus / folder, saved).string();
+  const auto folder = corpus / corpus_folder(worst, finding.bucket, plan.oracle.declaration.name);
+  finding.file = write_corpus_case(folder, saved).string();
   return {.is_as_seen = true, .is_answered = false};
 }
 
 /// Shrinks the finding's worst witness, until there is no more time, and writes it to the corpus,
 /// and beside it the worst as it was seen; sets `file`. Throws UserError where it cannot be
 /// written, and Interrupted where there was no answer at all.
-SavedFinding save_pair(Finding& finding, const Found& found, const Plan& plan,
-                       const std::filesystem::path& corpus, const Deadlines& deadlines,
-                       Interruption& interruption) {
+SavedFinding save_shrunk(Finding& finding, const Found& found, const Plan& plan,
+                         const std::filesystem::path& corpus, const Deadlines& deadlines,
+                         Interruption& interruption) {
   SavedFinding how;
-  const auto recorded = [&](const PairCase& pair, const Judgement& judgement) {
+  const auto trial = plan.work->trial(plan);
+  const auto recorded = [&](const AnyCase& any, const Judgement& judgement) {
     CorpusCase saved;
     try {
       const Deadline severity_until = has_passed(deadlines.of_all)
                                           ? deadlines.of_all
                                           : std::max(*deadlines.of_shrinking, after(1));
-      saved =
-          recorded_case(pair, judgement, plan.subject, plan.oracle, interruption, severity_until);
+      saved = trial->recorded(any, judgement, interruption, severity_until);
     } catch (const Interrupted&) {
       how.is_as_seen = true;
-      saved = unasked_case(pair, judgement, plan.subject, plan.oracle);
+      saved = trial->unasked(any, judgement);
       saved.note += kNotAsked;
     }
     saved.found = found;
     return saved;
   };
-  const PairCase worst = plan.pair(finding.tally.worst);
-  const Judgement of_worst = judge_in_child(worst, plan.subject, plan.oracle, interruption);
+  const AnyCase worst = plan.work->draw(plan, finding.tally.worst);
+  const Judgement of_worst = trial->judge(worst, interruption);
   how.is_answered = !is_of_lost(of_worst.bucket);
-  const auto folder = corpus / corpus_folder(finding.bucket, plan.oracle.declaration.name);
+  const auto folder = corpus / corpus_folder(worst, finding.bucket, plan.oracle.declaration.name);
   if (of_worst.bucket != finding.bucket) {
-    CorpusCase unrepeated = recorded(worst, {finding.bucket, finding.tally.error.magnitude});
+    CorpusCase unrepeated = recorded(worst, {.bucket = finding.bucket,
+                                             .magnitude = finding.tally.error.magnitude,
+                                             .frame = of_worst.frame});
     unrepeated.note += fmt::format(" Asked again, alone, it is {}.", to_string(of_worst.bucket));
     finding.file = write_corpus_case(folder, unrepeated).string();
     how.is_small = true;
     return how;
   }
   // One that a collider cannot take shows nothing that a smaller one shows better.
-  Shrunk smallest{.pair = worst, .complete = finding.bucket.verdict == Verdict::unsupported};
+  Smallest smallest{worst, finding.bucket.verdict == Verdict::unsupported};
   if (!smallest.complete && interruption.state() == Interruption::State::running &&
       !has_passed(deadlines.of_all)) {
-    unless_interrupted([&] {
-      smallest =
-          shrink_finding(worst, plan.subject, plan.oracle, interruption, deadlines.of_shrinking);
-    });
+    unless_interrupted(
+        [&] { smallest = trial->shrink(worst, interruption, deadlines.of_shrinking); });
   }
   Judgement of_smallest = of_worst;
-  unless_interrupted([&] {
-    of_smallest = judge_in_child(smallest.pair, plan.subject, plan.oracle, interruption);
-  });
-  CorpusCase saved = recorded(smallest.pair, of_smallest);
+  unless_interrupted([&] { of_smallest = trial->judge(smallest.any, interruption); });
+  CorpusCase saved = recorded(smallest.any, of_smallest);
   saved.found->is_unshrunk = !smallest.complete;
   const auto file = write_corpus_case(folder, saved);
   finding.file = file.string();
-  if (worst != smallest.pair) write_worst_case(file, recorded(worst, of_worst));
+  if (worst != smallest.any) write_worst_case(file, recorded(worst, of_worst));
   how.is_small = smallest.complete;
   return how;
 }
 
-/// Saves the finding of a pair or a sequence, as the campaign saw it where there is no answer.
+/// Saves the finding, as the campaign saw it where there is no answer.
 SavedFinding save_finding(Finding& finding, const Tally& tally, const Plan& plan,
                           const std::filesystem::path& corpus, const Deadlines& deadlines,
                           Interruption& interruption) {
   const Found found = found_at(finding, tally, plan);
   if (interruption.is_stopped()) return save_unasked(finding, found, plan, corpus);
   try {
-    if (!plan.sequences) {
-      return save_pair(finding, found, plan, corpus, deadlines, interruption);
-    }
-    return {.is_small =
-                save_sequence(finding, found, plan, corpus, deadlines.of_shrinking, interruption)};
+    return save_shrunk(finding, found, plan, corpus, deadlines, interruption);
   } catch (const Interrupted&) {
     return save_unasked(finding, found, plan, corpus);
   }
@@ -150,15 +143,14 @@ Found found_at(const Finding& finding, const Tally& tally, const Plan& plan) {
               .regime = std::string(plan.regimes[plan.regime_of(number)]->name),
               .index = plan.index_of(number),
               .versions = {}};
-  for (const Collider* collider : {&plan.subject, &plan.oracle}) {
-    found.versions[collider->declaration.name] = collider->declaration.version;
-  }
-  if (plan.sequences) found.versions.erase(std::string(kJudgeName));
+  for (const Declaration& asked : asked_by(plan)) found.versions[asked.name] = asked.version;
   if (is_unexplained(finding.bucket.verdict)) found.seen = seen_of(finding, tally, plan);
   return found;
 }
 
-std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& oracle) {
+std::filesystem::path corpus_folder(const AnyCase& any, const Bucket& bucket,
+                                    const std::string& oracle) {
+  if (kind_of(any) != CaseKind::pair) return kFolderOfKind.at(any.index());
   switch (bucket.verdict) {
     case Verdict::tie:
       return "ties";
@@ -175,10 +167,9 @@ std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& ora
 }
 
 std::filesystem::path corpus_folder(const CorpusCase& known) {
-  if (known.is_sequence()) return "sequences";
   if (!known.property.empty()) return "regressions";
-  const auto bucket = known.expect ? find_bucket(known.expect->bucket) : std::nullopt;
-  return bucket ? corpus_folder(*bucket, known.expect->oracle) : "seeds";
+  const Expectation expect = known.expect.value_or(Expectation{});
+  return corpus_folder(known.any, find_bucket(expect.bucket).value_or(Bucket{}), expect.oracle);
 }
 
 Saving save_new(std::vector<Finding>& found, const Tally& tally, const Plan& plan,

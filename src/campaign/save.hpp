@@ -6,14 +6,15 @@
 #include <vector>
 
 #include "campaign/known.hpp"
-#include "campaign/recorded_case.hpp"
 #include "corpus/corpus.hpp"
 #include "process/interruption.hpp"
 
 namespace manifuzz {
 
-/// Where the corpus keeps such cases: ties, defects/<oracle>, regressions or seeds.
-std::filesystem::path corpus_folder(const Bucket& bucket, const std::string& oracle);
+/// Where the corpus keeps such cases: pairs in ties, defects/<oracle>, regressions or seeds, others
+/// by their kind.
+std::filesystem::path corpus_folder(const AnyCase& any, const Bucket& bucket,
+                                    const std::string& oracle);
 std::filesystem::path corpus_folder(const CorpusCase& known);
 
 /// The finding's case as it was met: where it was found, how often, and by which versions.

@@ -8,28 +8,20 @@
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/known.hpp"
-#include "campaign/recorded_case.hpp"
 #include "campaign/save.hpp"
 
 namespace manifuzz {
 
-CorpusCase shrunk_case(const CorpusCase& given, const Collider& subject, const Collider& oracle,
-                       Interruption& interruption) {
-  const Judgement root = judge_in_child(given.pair, subject, oracle, interruption);
-  if (root.bucket.verdict == Verdict::agree) {
-    throw UserError(
-        fmt::format("{}: {} and {} agree on it; a case on which they differ is expected",
-                    given.path, subject.declaration.name, oracle.declaration.name));
-  }
-  if (root.bucket.verdict == Verdict::unsupported) {
-    throw UserError(fmt::format("{}: {} or {} cannot take it; a case that both take is expected",
-                                given.path, subject.declaration.name, oracle.declaration.name));
-  }
-  const Shrunk smallest = shrink_finding(given.pair, subject, oracle, interruption);
-  CorpusCase result = unasked_case(smallest.pair, root, subject, oracle);
+CorpusCase shrunk_case(const CorpusCase& given, const Trial& trial, Interruption& interruption) {
+  const Judgement root = trial.judge(given.any, interruption);
+  const bool was_begun = given.found && given.found->is_unshrunk;
+  const std::string why_not = trial.why_unshrinkable(root, was_begun);
+  if (!why_not.empty()) throw UserError(fmt::format("{}: {}", given.path, why_not));
+  const Smallest smallest = trial.shrink(given.any, interruption, {});
+  CorpusCase result = trial.unasked(smallest.any, root);
   unless_interrupted([&] {
-    const Judgement judgement = judge_in_child(smallest.pair, subject, oracle, interruption);
-    result = recorded_case(smallest.pair, judgement, subject, oracle, interruption);
+    const Judgement judgement = trial.judge(smallest.any, interruption);
+    result = trial.recorded(smallest.any, judgement, interruption);
   });
   result.found = given.found;
   if (result.found) result.found->is_unshrunk = !smallest.complete;
@@ -87,27 +79,20 @@ bool is_left_unshrunk(const CorpusCase& known) {
 
 }  // namespace
 
-CorpusCase shrunk_by_names(const CorpusCase& known, NamedColliders& colliders,
-                           Interruption& interruption) {
-  const Collider* const subject = colliders.subject_of(known);
-  const Collider* const oracle = colliders.oracle_of(known);
-  if (subject == nullptr || oracle == nullptr) {
-    throw UserError(fmt::format("{}: its subject '{}' is not at hand; name it with --subject",
-                                printable(known.path, 200), printable(known.expect->subject)));
-  }
-  return shrunk_case(known, *subject, *oracle, interruption);
-}
-
-ShrunkInPlace shrink_in_place(std::span<const CorpusCase> cases,
-                              const std::function<CorpusCase(const CorpusCase&)>& smallest_of,
-                              const std::function<bool()>& is_stopped,
+ShrunkInPlace shrink_in_place(std::span<const CorpusCase> cases, const TrialOf& trial_of,
+                              Interruption& interruption,
                               const std::function<void(const std::string& file)>& on_shrunk) {
   ShrunkInPlace shrunk;
   for (const CorpusCase& known : cases) {
     if (!is_left_unshrunk(known)) continue;
-    if (is_stopped()) break;
+    if (interruption.state() != Interruption::State::running) break;
     try {
-      shrunk.files.push_back(replace(known, smallest_of(known)));
+      const auto trial = trial_of(known);
+      if (trial == nullptr || !trial->is_there()) {
+        throw UserError(fmt::format("{}: its subject '{}' is not at hand; name it with --subject",
+                                    printable(known.path, 200), printable(known.expect->subject)));
+      }
+      shrunk.files.push_back(replace(known, shrunk_case(known, *trial, interruption)));
       on_shrunk(shrunk.files.back());
     } catch (const UserError& error) {
       shrunk.errors.emplace_back(error.what());  // the others can be shrunk all the same

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/named_colliders.hpp"
+#include "campaign/trial.hpp"
 #include "corpus/corpus.hpp"
 #include "process/interruption.hpp"
 
@@ -13,8 +13,7 @@ namespace manifuzz {
 
 /// The smallest case that is the same finding, as a corpus has it. Throws UserError where there is
 /// none, and Interrupted.
-CorpusCase shrunk_case(const CorpusCase& given, const Collider& subject, const Collider& oracle,
-                       Interruption& interruption);
+CorpusCase shrunk_case(const CorpusCase& given, const Trial& trial, Interruption& interruption);
 
 /// What became of findings that there was no time for when they were saved.
 struct ShrunkInPlace {
@@ -22,17 +21,11 @@ struct ShrunkInPlace {
   std::vector<std::string> errors;  ///< a line for each that could not be shrunk
 };
 
-/// The smallest case that is the same finding, by the colliders that it names. Throws UserError
-/// where they are not at hand, and as `shrunk_case`.
-CorpusCase shrunk_by_names(const CorpusCase& known, NamedColliders& colliders,
-                           Interruption& interruption);
-
-/// Shrinks those of these cases by `smallest_of`, each in its file's place: the worst seen stays
-/// beside the smallest. `on_shrunk` is told of each file. Once `is_stopped`, the others are left as
-/// they are; throws Interrupted where the one at work is.
-ShrunkInPlace shrink_in_place(std::span<const CorpusCase> cases,
-                              const std::function<CorpusCase(const CorpusCase&)>& smallest_of,
-                              const std::function<bool()>& is_stopped,
+/// Shrinks those of these cases, each in its file's place: the worst seen stays beside the
+/// smallest. `on_shrunk` is told of each file. Once it is interrupted, the others are left as they
+/// are; throws Interrupted where the one at work is.
+ShrunkInPlace shrink_in_place(std::span<const CorpusCase> cases, const TrialOf& trial_of,
+                              Interruption& interruption,
                               const std::function<void(const std::string& file)>& on_shrunk);
 
 }  // namespace manifuzz

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 
+#include "campaign/pairs/pair_trial.hpp"
 #include "generating/regime.hpp"
 #include "judging/properties.hpp"
 
@@ -63,9 +64,9 @@ SmokeRun run_smoke(const SmokePlan& plan, const SmokeListener& listener, Interru
   {
     Interruption in_time(
         {.first_signal = Interruption::State::stopped, .stopped_at = plan.at(kReplayShare, 1)});
-    run.asked = std::make_shared<NamedColliders>([](const auto&) { return std::nullopt; },
-                                                 plan.subject, plan.oracle);
-    run.replayed = replay_cases(plan.known_cases.cases, *run.asked, plan.known, in_time);
+    const auto trial = trial_of_pairs(plan.subject, plan.oracle);
+    run.replayed = replay_cases(
+        plan.known_cases.cases, [&](const CorpusCase&) { return trial; }, plan.known, in_time);
   }
   listener.on_replayed(run.replayed);
   if (!all.is_stopped()) run.checked = check_all(plan, run.pairs, listener);

@@ -38,7 +38,6 @@ struct SmokePlan {
 /// What was done of it: where somebody asks to stop, no part is begun after that.
 struct SmokeRun {
   std::vector<PairCase> pairs;  ///< the corpus's, of which the campaign may draw its cases again
-  std::shared_ptr<NamedColliders> asked;  ///< to which the replay refers
   ReplayRun replayed;
   std::vector<CheckedProperty> checked{};
   std::optional<Campaign> campaign{};

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "base/random.hpp"
-#include "sequence/sequence_json.hpp"
 
 namespace manifuzz {
 namespace {
@@ -81,7 +80,7 @@ std::string look_of(const CorpusCase& corpus_case) {
 bool is_same_finding(const CorpusCase& known, const CorpusCase& other) {
   const Expectation expect = known.expect.value_or(Expectation{});
   const Expectation of_other = other.expect.value_or(Expectation{});
-  return known.is_of_same(other) && known.property == other.property &&
+  return known.any == other.any && known.property == other.property &&
          expect.bucket == of_other.bucket && expect.subject == of_other.subject &&
          expect.oracle == of_other.oracle;
 }
@@ -97,7 +96,7 @@ bool holds(const fs::path& file, const CorpusCase& corpus_case) {
 }  // namespace
 
 void Corpus::add(CorpusCase one) {
-  (one.is_sequence() ? sequences : cases).push_back(std::move(one));
+  (kind_of(one.any) == CaseKind::pair ? cases : others).push_back(std::move(one));
 }
 
 void Corpus::add(Corpus more) {
@@ -107,12 +106,12 @@ void Corpus::add(Corpus more) {
   append(cases, more.cases);
   append(errors, more.errors);
   append(files, more.files);
-  append(sequences, more.sequences);
+  append(others, more.others);
 }
 
 std::vector<CorpusCase> Corpus::all() const {
   std::vector<CorpusCase> both = cases;
-  both.insert(both.end(), sequences.begin(), sequences.end());
+  both.insert(both.end(), others.begin(), others.end());
   return both;
 }
 
@@ -157,11 +156,7 @@ Corpus read_corpus(std::span<const fs::path> paths) {
 
 std::string corpus_file_name(const CorpusCase& corpus_case) {
   std::string text;
-  if (corpus_case.is_sequence()) {
-    append_sequence_line(text, corpus_case.sequence());
-  } else {
-    append_case_line(text, corpus_case.pair);
-  }
+  append_case_line(text, corpus_case.any);
   return fmt::format("{}-{:08x}.json", look_of(corpus_case), mix(hash_of(text)) >> 32);
 }
 
@@ -225,39 +220,35 @@ void write_worst_case(const fs::path& file, const CorpusCase& worst) {
   write_file(worst_beside(file), format_case(worst));
 }
 
-namespace {
-
-/// Calls `answer` with each case of that kind.
-template <class Answer>
-void answer_cases(const std::string& path, CaseKind kind, const Answer& answer) {
+void answer_each(const std::string& path, CaseKind kind, const AnswerCase& answer) {
   InputFile file(path);
   Output out;
   const bool is_one_case = path.ends_with(".json");
-  std::string line;
+  std::string lines;
   std::size_t cases = 0;
   std::size_t bad = 0;
   std::string first_error;
   const auto write_answer = [&](std::size_t number, const auto& read) {
-    line.clear();
+    lines.clear();
     ++cases;
     try {
-      answer(read(), cases - 1, line);
+      answer(read().any, cases - 1, lines);
     } catch (const UserError& error) {
       const std::string place = is_one_case ? "" : fmt::format(":{}", number);
       if (bad++ == 0) first_error = fmt::format("{}{}: {}", file.name(), place, error.what());
-      line = "{\"error\": ";
-      append_string(line, error.what());
-      fmt::format_to(std::back_inserter(line), ", \"line\": {}}}", number);
+      lines = "{\"error\": ";
+      append_string(lines, error.what());
+      fmt::format_to(std::back_inserter(lines), ", \"line\": {}}}", number);
     }
-    out.write(line += '\n');
+    out.write(lines += '\n');
   };
   if (is_one_case) {
     const std::string text = file.read_all();
     write_answer(1, [&] { return parse_case(text, FormatKey::required, kind); });
   } else {
-    LineReader lines(file, [&] { out.flush(); });
-    while (const auto read = lines.next()) {
-      write_answer(read->number, [&] { return parse_line(*read, kind); });
+    LineReader reader(file, [&] { out.flush(); });
+    while (const auto line = reader.next()) {
+      write_answer(line->number, [&] { return parse_line(*line, kind); });
     }
   }
   out.flush();
@@ -265,22 +256,6 @@ void answer_cases(const std::string& path, CaseKind kind, const Answer& answer) 
   if (bad == 0) return;
   throw UserError(is_one_case ? first_error
                               : fmt::format("{} ({} bad of {})", first_error, bad, cases));
-}
-
-}  // namespace
-
-void answer_each(const std::string& path, const AnswerCase& answer) {
-  answer_cases(path, CaseKind::pair,
-               [&](const CorpusCase& one, std::size_t index, std::string& line) {
-                 answer(one.pair, index, line);
-               });
-}
-
-void answer_each_sequence(const std::string& path, const AnswerSequence& answer) {
-  answer_cases(path, CaseKind::sequence,
-               [&](const CorpusCase& one, std::size_t index, std::string& lines) {
-                 answer(one.sequence(), index, lines);
-               });
 }
 
 }  // namespace manifuzz

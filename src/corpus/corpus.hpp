@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "base/file.hpp"
@@ -43,33 +44,45 @@ struct Expectation {
   std::optional<Errors> errors = {};     ///< in what; not recorded by older versions
 };
 
-/// A case as corpus/README.md describes it, a pair case or a sequence; a bare one is one without
-/// the other keys.
-struct CorpusCase {
-  PairCase pair;  ///< of a sequence as it stands in its first frame
-  std::optional<Found> found;
-  std::optional<Expectation> expect;
-  std::optional<Acceptance> accepted = {};
-  std::string property;  ///< the property that failed on it, or empty
-  std::string note;      ///< a sentence of why it is kept, or empty
-  std::string path;  ///< the file it was read from, with :line for a line; for errors and reports
-  std::vector<FramePoses> frames = {};  ///< of a sequence; none of a pair case
+/// A case of any kind. Each kind has functions of one name for its own type, such as
+/// `append_case_line`, and formats of its own.
+using AnyCase = std::variant<PairCase, Sequence>;
 
-  bool is_sequence() const { return !frames.empty(); }
-  Sequence sequence() const { return {pair.a.polygon, pair.b.polygon, frames}; }
-  /// Makes it a case of that sequence.
-  void set(const Sequence& sequence);
-  /// Whether both are cases of the same pair, or of the same sequence.
-  bool is_of_same(const CorpusCase& other) const {
-    return pair == other.pair && frames == other.frames;
-  }
+/// Appends a case as one line, without the line's end.
+void append_case_line(std::string& out, const AnyCase& any);
+
+/// Which cases are read, in the order of AnyCase; the others are errors.
+enum class CaseKind { pair, sequence, either };
+
+/// The kind of a case.
+inline CaseKind kind_of(const AnyCase& any) {
+  return static_cast<CaseKind>(any.index());
+}
+
+/// How many frames a case has; a pair case has none.
+inline std::size_t frames_in(const AnyCase& any) {
+  const auto* const sequence = std::get_if<Sequence>(&any);
+  return sequence != nullptr ? sequence->frames.size() : 0;
+}
+
+/// A case as corpus/README.md describes it; a bare one is one without the other keys.
+struct CorpusCase {
+  AnyCase any;
+  std::optional<Found> found = {};
+  std::optional<Expectation> expect = {};
+  std::optional<Acceptance> accepted = {};
+  std::string property = {};  ///< the property that failed on it, or empty
+  std::string note = {};      ///< a sentence of why it is kept, or empty
+  std::string path =
+      {};  ///< the file it was read from, with :line for a line; for errors and reports
+
+  /// The pair or the sequence that it must be.
+  const PairCase& pair() const { return std::get<PairCase>(any); }
+  const Sequence& sequence() const { return std::get<Sequence>(any); }
 };
 
 /// Whether the key "format" may be left out.
 enum class FormatKey { required, optional };
-
-/// Which cases are read; the others are errors.
-enum class CaseKind { pair, sequence, either };
 
 /// Reads one case, the white space around it is free. Throws UserError that begins with a JSON path
 /// or a line and column; callers put the file's name before it.
@@ -89,20 +102,23 @@ CorpusCase read_case_file(const std::string& path, CaseKind kind = CaseKind::pai
 std::string format_case(const CorpusCase& corpus_case);
 
 /// Appends a case, and where it came from, as one line, without the line's end.
-void append_found_case_line(std::string& out, const PairCase& pair, const Found& found);
-void append_found_case_line(std::string& out, const Sequence& sequence, const Found& found);
+void append_found_case_line(std::string& out, const AnyCase& any, const Found& found);
 
 struct Corpus {
   std::vector<CorpusCase> cases;               ///< pair cases
   std::vector<std::string> errors;             ///< one line for each file or folder that is broken
   std::vector<std::filesystem::path> files{};  ///< all that were read, broken ones too
-  std::vector<CorpusCase> sequences{};         ///< in the same order
+  std::vector<CorpusCase> others{};            ///< of all other kinds, in the same order
 
   /// Adds it to its like.
   void add(CorpusCase one);
   /// Adds all of another corpus behind its own.
   void add(Corpus more);
-  /// The sequences behind the cases.
+  /// Those among which ones of a kind are.
+  const std::vector<CorpusCase>& of(CaseKind kind) const {
+    return kind == CaseKind::pair ? cases : others;
+  }
+  /// The others behind the pair cases.
   std::vector<CorpusCase> all() const;
 };
 
@@ -150,20 +166,16 @@ std::string shrunk_beside(std::string_view path);
 /// Writes that case there.
 void write_worst_case(const std::filesystem::path& file, const CorpusCase& worst);
 
-/// Appends the line (without its end) that answers a case; throws UserError where there is none.
-/// `index` counts the lines that are not blank, bad ones too, from 0.
-using AnswerCase = std::function<void(const PairCase& pair, std::size_t index, std::string& line)>;
+/// Appends what answers a case, one line or several, the last without its end; throws UserError
+/// where there is no answer. `index` counts the lines that are not blank, bad ones too, from 0.
+using AnswerCase = std::function<void(const AnyCase& any, std::size_t index, std::string& lines)>;
 
-/// Reads pair cases from a file (*.json: one; else one a line, blank lines skipped; "-": stdin) and
-/// writes a line for each to the standard output, in order and constant memory. A bad line gives
-/// {"error": "...", "line": N} in its place. Whoever feeds a pipe gets every answer before the next
-/// read. Throws UserError at the end where a line was bad, or where there was no case.
-void answer_each(const std::string& file, const AnswerCase& answer);
-
-/// As `answer_each`, for sequences; `lines` may hold several lines, the last without its end.
-using AnswerSequence =
-    std::function<void(const Sequence& sequence, std::size_t index, std::string& lines)>;
-void answer_each_sequence(const std::string& file, const AnswerSequence& answer);
+/// Reads cases of a kind from a file (*.json: one; else one a line, blank lines skipped; "-":
+/// stdin) and writes the lines for each to the standard output, in order and constant memory. A bad
+/// line gives {"error": "...", "line": N} in its place. Whoever feeds a pipe gets every answer
+/// before the next read. Throws UserError at the end where a line was bad, or where there was no
+/// case.
+void answer_each(const std::string& file, CaseKind kind, const AnswerCase& answer);
 
 /// An option, and the file or folder that it names to be written; an empty path: none.
 struct OutputPath {

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -23,21 +25,61 @@ void check_format(const JsonView& root, FormatKey format_key) {
   }
 }
 
-/// Fails unless the case is of a kind that is read.
-void check_kind(const JsonView& root, CaseKind kind) {
-  if (kind == CaseKind::either || is_sequence(root) == (kind == CaseKind::sequence)) return;
-  root.find("format").value_or(root).fail(
-      kind == CaseKind::pair
-          ? "is a sequence, which takes a collider that keeps points; a pair case is expected"
-          : fmt::format("is a pair case; a sequence, \"{}\", is expected", kSequenceFormat));
-}
-
 /// The first format has no round shapes.
 void check_can_say(const JsonView& root, const PairCase& pair) {
   const auto format = root.find("format");
   if (!format || format->string() == kCurvedCaseFormat || !is_round(pair)) return;
   format->fail(fmt::format("\"{}\" has no round shapes; use \"{}\" for them", kCaseFormat,
                            kCurvedCaseFormat));
+}
+
+AnyCase read_pair_case(const JsonView& root, FormatKey format_key) {
+  root.expect_keys({"format", "a", "b", "found", "expect", "accepted", "property", "note"});
+  check_format(root, format_key);
+  const PairCase pair{read_body(root.at("a")), read_body(root.at("b"))};
+  check_can_say(root, pair);
+  return pair;
+}
+
+AnyCase read_sequence_case(const JsonView& root, FormatKey format_key) {
+  root.expect_keys({"format", "a", "b", "frames", "found", "expect", "accepted", "note"});
+  if (format_key == FormatKey::required) root.at("format");
+  return read_sequence(root);
+}
+
+constexpr std::array<std::string_view, 8> kExpectationOfPair{
+    "subject", "oracle", "verdict", "bucket", "severity", "magnitude", "errors", "manifolds"};
+/// There is no oracle, and no neighbourhood.
+constexpr std::array<std::string_view, 5> kExpectationOfSequence{"subject", "verdict", "bucket",
+                                                                 "magnitude", "errors"};
+
+/// How files have a kind of case.
+struct CaseFormat {
+  bool (*is_of)(const JsonView& root);
+  AnyCase (*read)(const JsonView& root, FormatKey format_key);
+  std::span<const std::string_view> expectation;  ///< what is recorded of a verdict
+  std::string_view what;                          ///< it is, where another kind is expected
+  std::string_view expected;                      ///< where it is another
+};
+
+/// The kinds, in the order of AnyCase.
+constexpr std::array<CaseFormat, std::variant_size_v<AnyCase>> kFormats{
+    {{[](const JsonView& root) { return !is_sequence(root); }, read_pair_case, kExpectationOfPair,
+      "is a pair case", "a pair case is expected"},
+     {is_sequence, read_sequence_case, kExpectationOfSequence,
+      "is a sequence, which takes a collider that keeps points",
+      "a sequence, \"manifuzz/sequence/1\", is expected"}}};
+
+/// The format of an object. Fails unless the case is of a kind that is read.
+const CaseFormat& format_of(const JsonView& root, CaseKind kind) {
+  const CaseFormat& format =
+      *std::ranges::find_if(kFormats, [&](const CaseFormat& one) { return one.is_of(root); });
+  const auto wanted = static_cast<std::size_t>(kind);
+  if (kind != CaseKind::either && &format != &kFormats[wanted]) {
+    root.find("format").value_or(root).fail(
+        fmt::format("{}; {}", format.what, kFormats[wanted].expected));
+  }
+  return format;
 }
 
 Found read_found(const JsonView& object) {
@@ -62,14 +104,8 @@ double read_share(const JsonView& value) {
   value.fail(fmt::format("{} is not a share; a number from 0 to 1 is expected", share));
 }
 
-/// Of a sequence there is no oracle, and no neighbourhood.
-Expectation read_expectation(const JsonView& object, const CorpusCase& given) {
-  if (given.is_sequence()) {
-    object.expect_keys({"subject", "verdict", "bucket", "magnitude", "errors"});
-  } else {
-    object.expect_keys(
-        {"subject", "oracle", "verdict", "bucket", "severity", "magnitude", "errors", "manifolds"});
-  }
+/// The right manifolds and answers are of the pair case that `any` is.
+Expectation read_expectation(const JsonView& object, const AnyCase& any) {
   Expectation expect{object.string_or("subject", ""),
                      object.string_or("oracle", ""),
                      object.string_or("verdict", ""),
@@ -80,7 +116,7 @@ Expectation read_expectation(const JsonView& object, const CorpusCase& given) {
   if (const auto errors = object.find("errors")) expect.errors = read_errors(*errors);
   if (const auto manifolds = object.find("manifolds")) {
     for (std::size_t i = 0; i < manifolds->length("an array of manifolds"); ++i) {
-      expect.manifolds.push_back(read_recorded_answer((*manifolds)[i], given.pair));
+      expect.manifolds.push_back(read_recorded_answer((*manifolds)[i], std::get<PairCase>(any)));
     }
   }
   return expect;
@@ -114,7 +150,7 @@ void append_found(std::string& out, std::string_view separator, const Found& fou
   out += '}';
 }
 
-void append_expectation(std::string& out, const PairCase& pair, const Expectation& expect) {
+void append_expectation(std::string& out, const AnyCase& any, const Expectation& expect) {
   out += ",\n  \"expect\": {";
   constexpr std::string_view separator = ",\n    ";
   const std::size_t start = out.size();
@@ -135,7 +171,8 @@ void append_expectation(std::string& out, const PairCase& pair, const Expectatio
     out.append(separator) += "\"manifolds\": [";
     for (std::size_t i = 0; i < expect.manifolds.size(); ++i) {
       out += i > 0 ? ",\n      " : "\n      ";
-      append_answer(out, pair, expect.manifolds[i].collider, expect.manifolds[i].answer);
+      append_answer(out, std::get<PairCase>(any), expect.manifolds[i].collider,
+                    expect.manifolds[i].answer);
     }
     out += "\n    ]";
   }
@@ -145,11 +182,6 @@ void append_expectation(std::string& out, const PairCase& pair, const Expectatio
 
 }  // namespace
 
-void CorpusCase::set(const Sequence& sequence) {
-  pair = sequence.at(0);
-  frames = sequence.frames;
-}
-
 CorpusCase parse_case(std::string_view text, FormatKey format_key, CaseKind kind) {
   if (is_blank(text)) throw UserError("is empty; one case is expected");
   const JsonTree tree = parse_json(text);
@@ -157,21 +189,12 @@ CorpusCase parse_case(std::string_view text, FormatKey format_key, CaseKind kind
 }
 
 CorpusCase read_case(const JsonView& root, FormatKey format_key, CaseKind kind) {
-  CorpusCase corpus_case;
-  check_kind(root, kind);
-  if (is_sequence(root)) {
-    root.expect_keys({"format", "a", "b", "frames", "found", "expect", "accepted", "note"});
-    if (format_key == FormatKey::required) root.at("format");
-    corpus_case.set(read_sequence(root));
-  } else {
-    root.expect_keys({"format", "a", "b", "found", "expect", "accepted", "property", "note"});
-    check_format(root, format_key);
-    corpus_case.pair = {read_body(root.at("a")), read_body(root.at("b"))};
-    check_can_say(root, corpus_case.pair);
-  }
+  const CaseFormat& format = format_of(root, kind);
+  CorpusCase corpus_case{.any = format.read(root, format_key)};
   if (const auto found = root.find("found")) corpus_case.found = read_found(*found);
   if (const auto expect = root.find("expect")) {
-    corpus_case.expect = read_expectation(*expect, corpus_case);
+    expect->expect_keys(format.expectation);
+    corpus_case.expect = read_expectation(*expect, corpus_case.any);
   }
   if (const auto accepted = root.find("accepted")) {
     corpus_case.accepted = read_acceptance(*accepted);
@@ -201,38 +224,24 @@ CorpusCase read_case_file(const std::string& path, CaseKind kind) {
 
 std::string format_case(const CorpusCase& corpus_case) {
   std::string out;
-  if (corpus_case.is_sequence()) {
-    append_sequence_start(out, corpus_case.sequence());
-  } else {
-    append_case_start(out, corpus_case.pair);
-  }
+  std::visit([&](const auto& one) { append_case_start(out, one); }, corpus_case.any);
   if (corpus_case.found) append_found(out, ",\n  ", *corpus_case.found);
-  if (corpus_case.expect) append_expectation(out, corpus_case.pair, *corpus_case.expect);
+  if (corpus_case.expect) append_expectation(out, corpus_case.any, *corpus_case.expect);
   if (corpus_case.accepted) out += acceptance_member(*corpus_case.accepted);
   append_member(out, ",\n  ", "property", corpus_case.property);
   append_member(out, ",\n  ", "note", corpus_case.note);
   return out + "\n}\n";
 }
 
-namespace {
+void append_case_line(std::string& out, const AnyCase& any) {
+  std::visit([&](const auto& one) { append_case_line(out, one); }, any);
+}
 
-/// Adds where it came from to a case's line.
-void append_found_to_line(std::string& out, const Found& found) {
+void append_found_case_line(std::string& out, const AnyCase& any, const Found& found) {
+  append_case_line(out, any);
   out.pop_back();  // the brace that closes it
   append_found(out, ", ", found);
   out += '}';
-}
-
-}  // namespace
-
-void append_found_case_line(std::string& out, const PairCase& pair, const Found& found) {
-  append_case_line(out, pair);
-  append_found_to_line(out, found);
-}
-
-void append_found_case_line(std::string& out, const Sequence& sequence, const Found& found) {
-  append_sequence_line(out, sequence);
-  append_found_to_line(out, found);
 }
 
 }  // namespace manifuzz

@@ -25,6 +25,7 @@ struct Judgement {
   AnswerError of_subject{};                  ///< how wrong it is; none where it is right
   AnswerError of_oracle{};
   bool is_by_tolerance = false;  ///< an answer is right, but only by the tolerance it declares
+  std::optional<std::size_t> frame{};  ///< of several: the one that decides
 };
 
 /// The error of whoever is at fault, the subject's before the oracle's.

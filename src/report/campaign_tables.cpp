@@ -132,8 +132,8 @@ double per_second(std::uint64_t cases, double seconds) {
 }
 
 std::string campaign_heading(const Campaign& campaign) {
-  return campaign.result.is_of_sequences() ? sequence_heading(campaign.result, campaign.plan.seed)
-                                           : case_heading(campaign);
+  return campaign.result.has_frames() ? sequence_heading(campaign.result, campaign.plan.seed)
+                                      : case_heading(campaign);
 }
 
 std::string remarks_on_campaign(const Campaign& campaign) {
@@ -147,9 +147,8 @@ std::string remarks_on_campaign(const Campaign& campaign) {
 
 std::string summary_table(const Campaign& campaign, const std::optional<CampaignResult>& baseline) {
   const CampaignResult& result = campaign.result;
-  std::string text =
-      fmt::format("{}\n{}", campaign_heading(campaign),
-                  result.is_of_sequences() ? motion_rows(result) : regime_rows(result));
+  std::string text = fmt::format("{}\n{}", campaign_heading(campaign),
+                                 result.has_frames() ? motion_rows(result) : regime_rows(result));
   text += '\n' + verdict_rows(result);
   if (!result.ledger.empty()) text += '\n' + ledger_rows(result);
   if (!result.buckets.empty()) text += '\n';

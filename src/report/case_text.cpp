@@ -76,8 +76,8 @@ void write_truth(std::string& text, const PairCase& pair) {
 }
 
 void write_bounds(std::string& text, const JudgedCase& judged) {
-  const Bounds of_subject = bounds(judged.given.pair, judged.subject.declaration);
-  const Bounds of_oracle = bounds(judged.given.pair, judged.oracle.declaration);
+  const Bounds of_subject = bounds(judged.given.pair(), judged.subject.declaration);
+  const Bounds of_oracle = bounds(judged.given.pair(), judged.oracle.declaration);
   const auto add_bound = [&](std::string_view name, double Bounds::*member) {
     row(text, name,
         fmt::format("{:<24} {}", digits(of_subject.*member), digits(of_oracle.*member)));
@@ -237,7 +237,7 @@ void append_collision(std::string& line, const Collider& collider, const PairCas
 }
 
 std::string case_text(const JudgedCase& judged) {
-  const PairCase& pair = judged.given.pair;
+  const PairCase& pair = judged.given.pair();
   std::string text = verdict_and_why(judged) + '\n';
   write_verdict(text, judged.judgement);
   write_origin(text, judged.given);

@@ -108,7 +108,7 @@ CampaignOverview overview_of(const CampaignResult& result) {
     overview.findings.push_back({group.new_buckets > 0, fmt::format("{}: {}", collider, group.what),
                                  how_often_and_bad(group), clearest.file, clearest.command});
   }
-  if (result.is_of_sequences()) return overview;
+  if (result.settings.oracle == kJudgeName) return overview;
   overview.oracle = wrong_in_words(result, Fault::oracle);
   overview.causes = causes_of(result);
   return overview;

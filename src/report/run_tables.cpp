@@ -21,10 +21,10 @@ std::string progress_line(const Plan& plan, const Progress& progress) {
   if (plan.cases && a_second > 0) {
     left = static_cast<double>(*plan.cases - std::min(*plan.cases, tally.cases())) / a_second;
   }
-  std::string line = fmt::format(
-      "{} {}, {:.0f} a second; agree {}, tie {}, known {}, unexplained {}", tally.cases(),
-      plan.sequences ? "sequences" : "cases", a_second, tally.count(Verdict::agree),
-      tally.count(Verdict::tie), tally.count(Verdict::known), tally.unexplained());
+  std::string line =
+      fmt::format("{} {}, {:.0f} a second; agree {}, tie {}, known {}, unexplained {}",
+                  tally.cases(), plan.work->noun(), a_second, tally.count(Verdict::agree),
+                  tally.count(Verdict::tie), tally.count(Verdict::known), tally.unexplained());
   if (plan.until_new) line += "; waiting for a new bucket";
   if (plan.seconds || plan.cases) line += fmt::format("; {:.0f} s left", std::max(0.0, left));
   return line;

@@ -17,12 +17,14 @@ std::string wrong_in_words(const JudgedCase& judged, const DeclaredAnswer& asked
   const std::string& name = asked.declaration.name;
   const double error = error_of_kind(judged.judgement);
   // It is a share of the size; people want to see the length.
-  const std::string off = brief(error * size(judged.given.pair));
+  const std::string off = brief(error * size(judged.given.pair()));
   switch (judged.judgement.bucket.kind) {
     case Kind::missed_contact:
-      return fmt::format("{} reports no contact, true {}", name, truth_in_words(judged.given.pair));
+      return fmt::format("{} reports no contact, true {}", name,
+                         truth_in_words(judged.given.pair()));
     case Kind::phantom_contact:
-      return fmt::format("{} reports contact across a {}", name, truth_in_words(judged.given.pair));
+      return fmt::format("{} reports contact across a {}", name,
+                         truth_in_words(judged.given.pair()));
     case Kind::normal:
       return fmt::format("the normal of {} is off by {}", name, brief(error));
     case Kind::position:
@@ -71,7 +73,8 @@ std::string agreement(const JudgedCase& judged) {
   const std::string names =
       fmt::format("{} and {}", judged.subject.declaration.name, judged.oracle.declaration.name);
   if (!touches(judged.subject.answer)) {
-    return fmt::format("agree: {} report no contact, {}", names, truth_in_words(judged.given.pair));
+    return fmt::format("agree: {} report no contact, {}", names,
+                       truth_in_words(judged.given.pair()));
   }
   return fmt::format("agree within rounding: {} report {}", names, answer_in_words(judged.subject));
 }
@@ -201,7 +204,7 @@ std::string verdict_sentence(const JudgedCase& judged) {
                          wrong_in_words(judged, judged.subject), judged.oracle.declaration.name);
     case Verdict::ill_posed:
       return fmt::format("ill-posed: rounding moves these {} by more than 5% of the smaller one",
-                         is_round(judged.given.pair) ? "shapes" : "polygons");
+                         is_round(judged.given.pair()) ? "shapes" : "polygons");
     case Verdict::unsupported:
       return "unsupported: " + unsupported_in_words(judged);
     case Verdict::crashed:
@@ -218,7 +221,7 @@ std::string verdict_and_why(const JudgedCase& judged) {
   const std::string sentence = verdict_sentence(judged);
   if (!is_of_lost(judged.judgement.bucket)) return sentence;
   const DeclaredAnswer& asked = one_that_failed(judged);
-  const auto why = why_lost(judged.given.pair, {asked.declaration, asked.answer});
+  const auto why = why_lost(judged.given.pair(), {asked.declaration, asked.answer});
   return why ? fmt::format("{}: {}", sentence, *why) : sentence;
 }
 

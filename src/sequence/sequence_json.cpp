@@ -73,12 +73,12 @@ Sequence read_sequence(const JsonView& object) {
   return sequence;
 }
 
-void append_sequence_line(std::string& out, const Sequence& sequence) {
+void append_case_line(std::string& out, const Sequence& sequence) {
   append_sequence(out, sequence, {});
   out += '}';
 }
 
-void append_sequence_start(std::string& out, const Sequence& sequence) {
+void append_case_start(std::string& out, const Sequence& sequence) {
   append_sequence(out, sequence, {"\n  ", "\n    "});
 }
 

@@ -25,10 +25,10 @@ bool is_sequence(const JsonView& object);
 Sequence read_sequence(const JsonView& object);
 
 /// Appends a sequence as one line, without the line's end.
-void append_sequence_line(std::string& out, const Sequence& sequence);
+void append_case_line(std::string& out, const Sequence& sequence);
 
 /// Appends the same as a corpus file begins: a line for each shape and each frame, and the last
 /// brace not yet.
-void append_sequence_start(std::string& out, const Sequence& sequence);
+void append_case_start(std::string& out, const Sequence& sequence);
 
 }  // namespace manifuzz

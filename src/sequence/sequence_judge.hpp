@@ -8,6 +8,7 @@
 #include "geometry/sequence.hpp"
 #include "judging/bucket.hpp"
 #include "judging/compare.hpp"
+#include "judging/judge.hpp"
 #include "judging/ledger.hpp"
 
 namespace manifuzz {
@@ -36,6 +37,9 @@ struct SequenceJudgement {
 /// Judges answers to a sequence, one for each frame, or fewer where the last of them is lost.
 SequenceJudgement judge_sequence(const Sequence& sequence, const SequenceCollider& subject,
                                  std::span<const KeptAnswer> answers);
+
+/// Where a sequence stands by the truth alone: whether it touches in any frame, or else comes near.
+Standing standing(const Sequence& sequence);
 
 /// Whether a collider may be asked about a sequence, by what it declares of shapes. Sharp polygons
 /// have no radius for one that takes none.

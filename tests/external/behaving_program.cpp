@@ -67,7 +67,7 @@ Answer claimed(Manifold<double> manifold, std::string_view behaviour) {
 
 std::string answer_to(const std::string& line, std::string_view behaviour) {
   static const Collider clip64 = make_clip64();
-  const PairCase pair = parse_case(line, FormatKey::required).pair;
+  const PairCase pair = parse_case(line, FormatKey::required).pair();
   const float x = pair.a.polygon.vertices[0].x();
   const float y = pair.b.pose.position.y();
   const bool is_unlucky = test::is_unlucky(x, y);

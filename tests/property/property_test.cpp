@@ -120,9 +120,9 @@ TEST_CASE("what the ledger explains of round shapes fails no property") {
   const CorpusCase witness = read_case_file(
       (test::source_dir() / "corpus/defects/box2d/witness-box2d-edge-slab-not-widened.json")
           .string());
-  REQUIRE(is_round(witness.pair));
+  REQUIRE(is_round(witness.pair()));
   const Property* const property = find_by_name(properties(), "admissible");
-  CHECK(check(*property, find_collider("box2d"), witness.pair).kind == Outcome::Kind::known);
+  CHECK(check(*property, find_collider("box2d"), witness.pair()).kind == Outcome::Kind::known);
 }
 
 TEST_CASE("scaling is asked of colliders without a length of their own alone") {

@@ -24,7 +24,7 @@ void check_alive(const LedgerEntry& entry) {
   const std::string subject = witness.expect ? witness.expect->subject : "clip";
   Interruption interruption(kUntilSignal);
   const Judgement judgement =
-      judge_in_child(witness.pair, find_collider(subject), *oracle, interruption);
+      judge_in_child(witness.pair(), find_collider(subject), *oracle, interruption);
   CHECK(judgement.bucket.verdict == Verdict::known);
   REQUIRE(judgement.explanation != nullptr);
   CHECK(judgement.explanation->id == entry.id);
@@ -75,7 +75,7 @@ void check_strict(const LedgerEntry& entry) {
   const auto oracle = test::installed_collider(entry.collider);
   if (!oracle) return;
   const auto path = test::source_dir() / "corpus" / witness_of(entry);
-  const PairCase pair = read_case_file(path.string()).pair;
+  const PairCase pair = read_case_file(path.string()).pair();
   if (entry.explains == nullptr) return check_strict_on_lost(entry, pair, *oracle);
   if (!is_judged_by_curve(oracle->declaration, pair)) return;
   const Admissible right = admissible(pair, oracle->declaration);

@@ -45,7 +45,7 @@ TEST_CASE("what the corpus says is right is what the judge says is right") {
     const auto expected = recorded_as_right(*recorded.expect);
     if (expected.empty()) continue;
     const Collider subject = find_collider(recorded.expect->subject);
-    const auto now = right_manifolds(admissible(recorded.pair, subject.declaration));
+    const auto now = right_manifolds(admissible(recorded.pair(), subject.declaration));
     REQUIRE(now.size() == expected.size());
     for (std::size_t i = 0; i < now.size(); ++i) check_same(now[i], expected[i]);
     ++compared;

@@ -215,7 +215,7 @@ Sample sample_of(const Tally& tally, const Plan& plan, Interruption& interruptio
 std::vector<Hint> hints_of(const Tally& tally, const Plan& plan, Interruption& interruption) {
   std::size_t wrong = 0;
   for (const LeastCases& of_kind : tally.first_wrong) wrong += of_kind.all().size();
-  if (plan.sequences || wrong < kHintedMin) return {};
+  if (wrong < kHintedMin) return {};
   Sample sample = sample_of(tally, plan, interruption);
   std::vector<Hint> hints;
   while (sample.wrong_count() >= kHintedMin) {

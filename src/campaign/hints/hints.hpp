@@ -17,7 +17,7 @@ inline constexpr double kHintedShare = 0.9;
 /// The known mistakes of an adapter that make the wrong answers of a campaign. The first of each
 /// kind are asked again, and judged with each mistake undone; of several the one counts that
 /// explains most, and none that makes an answer wrong that was right. Nothing is asked where too
-/// few are wrong, and of sequences.
+/// few are wrong.
 std::vector<Hint> hints_of(const Tally& tally, const Plan& plan, Interruption& interruption);
 
 }  // namespace manifuzz

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "campaign/in_child.hpp"
+#include "campaign/shrink_in_child.hpp"
 #include "judging/errors/clip_error.hpp"
 #include "process/pool.hpp"
 #include "sequence/sequence_json.hpp"
@@ -53,30 +54,23 @@ KeptAnswer taken_from(const AnswerSlot& slot) {
   return KeptManifold{{begin, begin + static_cast<std::ptrdiff_t>(slot.count)}};
 }
 
-/// A sequence where a child's parent can see it.
-struct SharedSequence {
+/// A sequence in shared memory.
+struct SequenceSlot {
   std::size_t frames = 0;
   ConvexPolygon<float> a;
   ConvexPolygon<float> b;
   std::array<FramePoses, kFramesMax> poses;
 
-  void set(const Sequence& sequence) {
+  SequenceSlot& operator=(const Sequence& sequence) {
     frames = sequence.frames.size();
     a = sequence.a;
     b = sequence.b;
     std::copy_n(sequence.frames.begin(), frames, poses.begin());
+    return *this;
   }
-  Sequence sequence() const {
+  explicit operator Sequence() const {
     return {a, b, {poses.begin(), poses.begin() + static_cast<std::ptrdiff_t>(frames)}};
   }
-};
-
-/// What a shrinking child has found so far, where its parent can see it even if it dies.
-struct ShrinkSlot {
-  std::atomic<int> evaluations{0};
-  std::atomic<int> accepted{0};
-  std::array<SharedSequence, 2> best;  ///< the one at `accepted` mod 2 is whole
-  std::atomic<bool> complete{false};
 };
 
 /// The bound of the frame that decides.
@@ -106,25 +100,13 @@ Judgement counted(const SequenceJudgement& judgement) {
   Judgement result{.bucket = judgement.bucket,
                    .magnitude = judgement.magnitude,
                    .bound = bound_of(judgement),
-                   .is_judged = true};
+                   .explanation = judgement.explanation,
+                   .is_judged = true,
+                   .frame = judgement.frame};
   if (judgement.bucket.kind != Kind::none) {
     result.of_subject.add_beyond(component_of(judgement.bucket.kind), judgement.magnitude, 0);
   }
   return result;
-}
-
-bool is_alike(const SequenceJudgement& judgement, const SequenceJudgement& root) {
-  return is_alike(counted(judgement), counted(root)) && judgement.explanation == root.explanation;
-}
-
-Standing standing(const Sequence& sequence) {
-  Standing all;
-  for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
-    const Standing of_frame = standing(exact::Truth(sequence.at(k)));
-    all.near = all.near || of_frame.near;
-    if (of_frame.touching) return of_frame;
-  }
-  return all;
 }
 
 std::vector<KeptAnswer> ask_in_child(const SequenceCollider& subject, const Sequence& sequence,
@@ -171,38 +153,17 @@ ShrunkSequence shrink_finding(const Sequence& sequence, const SequenceCollider& 
   const SequenceJudgement root = judge_in_child(sequence, subject, interruption);
   const Verdict verdict = root.bucket.verdict;
   const bool is_lost = verdict == Verdict::crashed || verdict == Verdict::timed_out;
-  const bool is_here = is_lost || subject.is_isolated;
   const bool is_touching = touches_where_decided(sequence, root);
-  Interruption::Limits limits = interruption.until_signal();
-  limits.stopped_at = earlier(limits.stopped_at, deadline);
-  Interruption shrinking(limits);
-  const Shared<ShrinkSlot> slot;
-  slot->best[0].set(sequence);
-  const auto like_root = [&](const Sequence& candidate) {
-    if (is_here && shrinking.is_stopped()) throw Interrupted();
-    ++slot->evaluations;
+  const auto is_like_root = [&](const Sequence& candidate, Interruption& shrinking) {
     const SequenceJudgement judgement =
         is_lost ? judge_in_child(candidate, subject, shrinking)
                 : judge_sequence(candidate, subject, ask_sequence(subject, candidate));
-    if (!is_alike(judgement, root)) return false;
-    if (touches_where_decided(candidate, judgement) != is_touching) return false;
-    slot->best[static_cast<std::size_t>(slot->accepted + 1) % 2].set(candidate);
-    ++slot->accepted;
-    return true;
+    return is_alike(counted(judgement), counted(root)) &&
+           touches_where_decided(candidate, judgement) == is_touching;
   };
-  const auto shrink_it = [&] { slot->complete = shrink(sequence, like_root).complete; };
-  if (is_here) {
-    try {
-      shrink_it();
-    } catch (const Interrupted&) {
-      // What is done until then is kept.
-    }
-  } else {
-    run_in_child(shrink_it, kCaseSeconds, shrinking,
-                 [&] { return static_cast<std::uint64_t>(slot->evaluations); });
-  }
-  return {slot->best[static_cast<std::size_t>(slot->accepted) % 2].sequence(), slot->evaluations,
-          slot->complete};
+  return ShrinkTask<SequenceSlot, Sequence>{sequence, is_lost || subject.is_isolated, kCaseSeconds,
+                                            deadline, is_like_root}
+      .run(interruption);
 }
 
 }  // namespace manifuzz

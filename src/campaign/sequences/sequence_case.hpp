@@ -25,15 +25,8 @@ struct JudgedSequence {
 /// A copy of the collider that calls `on_frame` before each frame that it is asked.
 SequenceCollider watched(const SequenceCollider& subject, const std::function<void()>& on_frame);
 
-/// What campaigns count of a verdict; the ledger of sequences is not counted.
+/// The verdict as that on any case.
 Judgement counted(const SequenceJudgement& judgement);
-
-/// Whether it is the same finding: its bucket, its ledger entry, and 0.3 to 3 times its magnitude,
-/// unless both are right within their bounds.
-bool is_alike(const SequenceJudgement& judgement, const SequenceJudgement& root);
-
-/// Where a sequence stands by the truth alone: whether it touches in any frame, or else comes near.
-Standing standing(const Sequence& sequence);
 
 /// What the collider answers in a child process, frame by frame; the last one is Lost where it dies
 /// or hangs. Throws Interrupted.

@@ -5,8 +5,8 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "report/words.hpp"
 
@@ -24,14 +24,15 @@ int collide_cases(const CollideArguments& options) {
   if (!options.collider.is_given()) {
     throw UserError("--collider is required; `manifuzz list colliders` names them");
   }
-  if (keeps_points(options.collider)) {
-    expect_none_of({{"--tie-bias", options.tie_bias.has_value()}});
-    return collide_sequences(options.collider, options.external, options.file);
+  if (const OtherKind* const kind = kind_for(options.collider)) {
+    expect_none_of(*kind, {{"--tie-bias", options.tie_bias.has_value()}});
+    return kind->collide(options.collider, options.external, options.file);
   }
   const Collider collider = find_collider(options.collider, options.external, options.tie_bias);
-  answer_each(options.file, [&collider](const PairCase& pair, std::size_t, std::string& line) {
-    append_collision(line, collider, pair);
-  });
+  answer_each(options.file, CaseKind::pair,
+              [&collider](const AnyCase& any, std::size_t, std::string& line) {
+                append_collision(line, collider, std::get<PairCase>(any));
+              });
   return 0;
 }
 

@@ -9,10 +9,9 @@
 #include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "campaign/run.hpp"
-#include "campaign/sequences/sequence_plan.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
 #include "measure/provenance.hpp"
@@ -53,17 +52,17 @@ struct FuzzArguments {
 /// Which cases, and who is asked about them.
 void plan_cases(Plan& plan, const FuzzArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
-  if (keeps_points(asked.subject)) {
-    expect_none_of({{"--oracle", asked.oracle.name != SubjectAndOracle().oracle.name},
-                    {"--oracle-command", !asked.oracle.command.empty()},
-                    {"--tie-bias", options.tie_bias.has_value()},
-                    {"--radius", options.radius.has_value()},
-                    {"--judge-every", options.judge_every.has_value()}});
-    return plan_sequences(plan, find_keeper(asked.subject, asked.external), options.regimes);
+  if (const OtherKind* const kind = kind_for(asked.subject)) {
+    expect_none_of(*kind, {{"--oracle", asked.oracle.name != SubjectAndOracle().oracle.name},
+                           {"--oracle-command", !asked.oracle.command.empty()},
+                           {"--tie-bias", options.tie_bias.has_value()},
+                           {"--radius", options.radius.has_value()},
+                           {"--judge-every", options.judge_every.has_value()}});
+    return kind->plan(plan, asked, options.regimes);
   }
   plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
   plan.oracle = find_collider(asked.oracle, asked.external);
-  expect_no_motions(options.regimes);
+  expect_regimes_of_pairs(options.regimes);
   plan.regimes = regimes_for({plan.subject, plan.oracle}, options.regimes);
   if (options.radius) plan.context.radius = radius_of(*options.radius);
   narrow_to_colliders(plan);
@@ -91,7 +90,7 @@ Plan plan_of(const FuzzArguments& options) {
 /// index.
 std::string repeating_command(const FuzzArguments& options) {
   SubjectAndOracle again = options.colliders;
-  if (keeps_points(again.subject)) again.oracle.name.clear();
+  if (kind_for(again.subject) != nullptr) again.oracle.name.clear();
   std::string command = fmt::format("{} fuzz {}", this_program(), options_again(again));
   if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
   if (options.radius) command += fmt::format(" --radius {}", *options.radius);
@@ -107,7 +106,7 @@ std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_j
   const RunFiles files{read_whole(options.folders), {{run, "fuzz", summary, campaign.result}}};
   const PageColliders colliders{
       {find_installed, campaign.plan.subject, campaign.plan.oracle},
-      named_keepers(options.colliders.subject, options.colliders.external)};
+      trials_of_others(options.colliders.subject, options.colliders.external)};
   const std::string program = this_program();
   std::string again = is_kept ? fmt::format("{} report", program) : "";
   if (is_kept) {
@@ -160,9 +159,7 @@ CommandFiles files_of(const FuzzArguments& options) {
 Campaign run_with_progress(const Plan& plan, const Known& known, const FuzzArguments& options) {
   const SaveTo saved{.folder = options.folders.save_to(),
                      .shrink_seconds = options.shrink_seconds.value_or(kShrinkSeconds)};
-  std::vector<Declaration> asked{plan.subject.declaration};
-  if (!plan.sequences) asked.push_back(plan.oracle.declaration);
-  const Origin origin{repeating_command(options), provenance(plan.seed, asked)};
+  const Origin origin{repeating_command(options), provenance(plan.seed, asked_by(plan))};
   const ProgressLine line;
   return run_campaign(plan, known, saved, origin,
                       [&](const Progress& progress) { line.show(progress_line(plan, progress)); });
@@ -179,7 +176,7 @@ int fuzz(FuzzArguments& options) {
   plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.seed);
   plan.context.corpus = pairs;
-  Known known = known_of(plan.sequences ? all.sequences : all.cases, options.today);
+  Known known = known_of(all.of(plan.work->kind()), options.today);
   if (baseline) add_baseline(*baseline, plan, known);
   Campaign campaign = run_with_progress(plan, known, options);
   if (baseline) hold_against(*baseline, campaign.result);

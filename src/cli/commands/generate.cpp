@@ -5,8 +5,8 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "generating/regime.hpp"
 
@@ -23,16 +23,15 @@ struct GenerateArguments {
 };
 
 int generate_cases(const GenerateArguments& options) {
-  if (names_motion(options.regimes)) {
-    expect_none_of({{"--radius", options.radius.has_value()}});
-    return generate_sequences(
-        {options.regimes, options.seed, options.first.value_or(0), options.cases.value_or(10)});
+  const DrawOptions draw{options.regimes, options.seed, options.first.value_or(0),
+                         options.cases.value_or(10)};
+  if (const OtherKind* const kind = kind_for(options.regimes)) {
+    expect_none_of(*kind, {{"--radius", options.radius.has_value()}});
+    return kind->generate(draw);
   }
   const std::vector<const Regime*> chosen =
       chosen_by_name(regimes(), options.regimes, "regime", "--regime");
-  const std::uint64_t first = options.first.value_or(0);
-  const std::uint64_t cases = options.cases.value_or(10);
-  expect_indices(first, cases, chosen.size());
+  expect_indices(draw.first, draw.count, chosen.size());
   GenerationContext context;
   if (options.radius) context.radius = radius_of(*options.radius);
   const Corpus corpus = read_corpus_folder(options.folders.corpus());
@@ -41,9 +40,9 @@ int generate_cases(const GenerateArguments& options) {
   context.corpus = pairs;
   Output out;
   std::string line;
-  for (std::uint64_t k = 0; k < cases; ++k) {
+  for (std::uint64_t k = 0; k < draw.count; ++k) {
     const Regime& regime = *chosen[k % chosen.size()];
-    const std::uint64_t index = first + k / chosen.size();
+    const std::uint64_t index = draw.first + k / chosen.size();
     line.clear();
     append_found_case_line(line, generate(seed, regime, index, context),
                            {seed, std::string(regime.name), index, {}});

@@ -8,8 +8,8 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
 #include "exchange/json.hpp"
@@ -27,9 +27,9 @@ struct JudgeArguments {
 
 int judge_cases(const JudgeArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
-  if (keeps_points(asked.subject)) {
-    expect_none_of({{"--manifolds", !options.manifolds.empty()}});
-    return judge_sequences(asked.subject, asked.external, options.file);
+  if (const OtherKind* const kind = kind_for(asked.subject)) {
+    expect_none_of(*kind, {{"--manifolds", !options.manifolds.empty()}});
+    return kind->judge(asked.subject, asked.external, options.file);
   }
   const Collider subject = find_collider(asked.subject, asked.external);
   const Collider oracle = find_collider(asked.oracle, asked.external);
@@ -43,7 +43,8 @@ int judge_cases(const JudgeArguments& options) {
   // A program that takes an engine's name for its own is not excused by that engine's faults.
   const bool is_named = asked.subject.command.empty() && find_entry(asked.subject.name) != nullptr;
   bool unexplained = false;
-  answer_each(options.file, [&](const PairCase& pair, std::size_t index, std::string& line) {
+  const auto answer = [&](const AnyCase& any, std::size_t index, std::string& line) {
+    const auto& pair = std::get<PairCase>(any);
     const auto truth = std::make_shared<const exact::Truth>(pair);
     const Admissible right = admissible(truth, subject.declaration);
     const Answer of_subject = answers ? whole(answers->at(index, pair), right, subject.declaration)
@@ -53,7 +54,8 @@ int judge_cases(const JudgeArguments& options) {
     if (is_named) explain_subject(truth, asked_subject, judgement);
     append_judgement(line, right, asked_subject, judgement);
     unexplained = unexplained || is_unexplained(judgement.bucket.verdict);
-  });
+  };
+  answer_each(options.file, CaseKind::pair, answer);
   if (answers) answers->expect_end();
   return unexplained ? 1 : 0;
 }

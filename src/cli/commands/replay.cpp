@@ -9,8 +9,8 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
 #include "measure/provenance.hpp"
@@ -41,24 +41,20 @@ int replay(ReplayArguments& options) {
   if (paths.empty()) paths = CorpusFolders().all();
   check_outputs({{{"--json", options.json}}, paths}, options.ci);
   const SubjectAndOracle& asked = options.colliders;
-  const bool is_of_sequences = keeps_points(asked.subject);
-  NamedColliders colliders(
-      find_installed_or_named({options.subjects, corpora_of(paths)}),
-      is_of_sequences ? std::nullopt : given_collider(asked.subject, asked.external),
-      given_collider(asked.oracle, asked.external));
-  NamedKeepers keepers = named_keepers(asked.subject, asked.external);
+  const TrialOf trial_of =
+      trials_of(asked, find_installed_or_named({options.subjects, corpora_of(paths)}));
   const Corpus corpus = taken_by(asked.subject, read_corpus(paths));
   const std::size_t unread = corpus.errors.size();
   write_complaints(corpus.errors);
-  if (corpus.cases.empty() && corpus.sequences.empty() && unread == 0) {
+  if (corpus.all().empty() && unread == 0) {
     throw UserError("replay: no cases were found; name files or folders of cases");
   }
 
   Interruption interruption(kUntilSignal);
-  ReplayRun run =
-      replay_cases(corpus.cases, colliders, known_of(corpus.cases, options.today), interruption);
-  run.add(replay_sequences(corpus.sequences, keepers, known_of(corpus.sequences, options.today),
-                           interruption));
+  ReplayRun run;
+  for (const std::vector<CorpusCase>* const like : {&corpus.cases, &corpus.others}) {
+    run.add(replay_cases(*like, trial_of, known_of(*like, options.today), interruption));
+  }
   Outputs outputs;
   if (run.left_out > 0) outputs.add_interruption("replay: interrupted before it was done");
   outputs.write(!options.ci.stdout_is_data, [&] { write_to_reader(replay_text(run)); });

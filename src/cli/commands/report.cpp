@@ -9,8 +9,8 @@
 #include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
 #include "report/outputs.hpp"
@@ -38,11 +38,11 @@ std::string repeating_command(const std::vector<std::filesystem::path>& paths,
 }
 
 PageColliders page_colliders(const SubjectAndOracle& asked) {
-  const bool is_of_pairs = !keeps_points(asked.subject);
+  const bool is_of_pairs = kind_for(asked.subject) == nullptr;
   return {
       {find_installed, is_of_pairs ? given_collider(asked.subject, asked.external) : std::nullopt,
        given_collider(asked.oracle, asked.external)},
-      named_keepers(asked.subject, asked.external)};
+      trials_of_others(asked.subject, asked.external)};
 }
 
 int report(const ReportArguments& options) {
@@ -52,7 +52,7 @@ int report(const ReportArguments& options) {
   check_outputs({{{"--output", options.output}}, paths});
   const RunFiles files = read_run_files(paths);
   write_complaints(files.corpus.errors);
-  const std::size_t count = files.corpus.cases.size() + files.corpus.sequences.size();
+  const std::size_t count = files.corpus.all().size();
   if (count == 0 && files.results.empty()) {
     throw UserError(
         "report: there is nothing to report; name folders of cases and files written by --json");

@@ -11,8 +11,8 @@
 #include "base/text.hpp"
 #include "campaign/plan.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
 #include "report/picture/drawing.hpp"
@@ -54,29 +54,22 @@ Collider chosen(const std::string& file, ColliderChoice& asked, const ExternalOp
       file, printable(asked.name), asked.role, asked.role));
 }
 
-/// Of the kind that the subject takes, if one was named.
-CorpusCase read_shown(const std::string& file, const ColliderChoice& subject) {
-  const bool is_of_sequences = keeps_points(subject);
-  const CaseKind kind = is_of_sequences ? CaseKind::sequence : CaseKind::either;
-  return read_case_file(file, kind);
-}
-
 int show(const ShowArguments& options) {
   if (options.map_step && !options.map) {
     throw UserError("--map-step: needs --map FILE.png");
   }
   const std::string file = case_file(options.given);
-  const CorpusCase given = read_shown(file, options.colliders.subject);
+  const CorpusCase given = read_case_file(file, kind_to_read(options.colliders.subject));
   check_outputs({{{"--svg", options.svg, OutputPath::Kind::data, kPictureEndings},
                   {"--curve", options.curve, OutputPath::Kind::file, {".svg", ".png"}},
                   {"--map", options.map.value_or(""), OutputPath::Kind::file, {".png"}}},
                  {file}});
-  if (given.is_sequence()) {
-    expect_none_of({{"--curve", !options.curve.empty()},
-                    {"--map", options.map.has_value()},
-                    {"--upstream", options.upstream},
-                    {"--text-picture", options.text_picture}});
-    return show_sequence(given, options.colliders.subject, options.colliders.external, options.svg);
+  if (const OtherKind* const kind = kind_for(given.any)) {
+    expect_none_of(*kind, {{"--curve", !options.curve.empty()},
+                           {"--map", options.map.has_value()},
+                           {"--upstream", options.upstream},
+                           {"--text-picture", options.text_picture}});
+    return kind->show(given, options.colliders.subject, options.colliders.external, options.svg);
   }
   const Expectation recorded = given.expect.value_or(Expectation{});
   SubjectAndOracle asked = options.colliders;

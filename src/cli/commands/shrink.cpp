@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -7,11 +8,11 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "campaign/sequences/save_sequence.hpp"
+#include "campaign/pairs/pair_trial.hpp"
 #include "campaign/shrink_saved.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences/keepers.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
 #include "report/outputs.hpp"
@@ -32,37 +33,31 @@ int shrink_folder(const ShrinkArguments& options) {
   if (options.output != "-") {
     throw UserError("--output: the cases of a folder are shrunk in place; omit the option");
   }
-  const ColliderChoice& asked = options.colliders.subject;
-  const Corpus corpus = taken_by(asked, read_corpus_folder(folder));
-  NamedColliders colliders(
-      find_installed_or_named({options.subjects, {folder}}),
-      keeps_points(asked) ? std::nullopt : given_collider(asked, options.colliders.external),
-      given_collider(options.colliders.oracle, options.colliders.external));
+  const Corpus corpus = taken_by(options.colliders.subject, read_corpus_folder(folder));
+  const TrialOf trial_of =
+      trials_of(options.colliders, find_installed_or_named({options.subjects, {folder}}));
+  const std::vector<CorpusCase> cases = corpus.all();
   Interruption interruption;
-  const auto is_stopped = [&] { return interruption.state() != Interruption::State::running; };
-  const auto tell = [](const std::string& file) { write_output(file + '\n'); };
-  const ShrunkInPlace of_pairs = shrink_in_place(
-      corpus.cases,
-      [&](const CorpusCase& known) { return shrunk_by_names(known, colliders, interruption); },
-      is_stopped, tell);
-  const ShrunkInPlace of_sequences = shrink_in_place(
-      corpus.sequences,
-      [&](const CorpusCase& known) {
-        return shrunk_sequence(known, keeper_for(known, asked, options.colliders.external),
-                               interruption);
-      },
-      is_stopped, tell);
-  write_complaints(of_pairs.errors);
-  write_complaints(of_sequences.errors);
-  if (is_stopped()) write_complaint("shrink: interrupted; the other cases are unchanged");
+  const ShrunkInPlace shrunk = shrink_in_place(
+      cases, trial_of, interruption, [](const std::string& file) { write_output(file + '\n'); });
+  write_complaints(shrunk.errors);
+  if (interruption.state() != Interruption::State::running) {
+    write_complaint("shrink: interrupted; the other cases are unchanged");
+  }
   write_remark(fmt::format("{}: {} of {} cases shrunk", printable(folder.string(), 200),
-                           of_pairs.files.size() + of_sequences.files.size(), corpus.all().size()));
-  return of_pairs.errors.empty() && of_sequences.errors.empty() ? 0 : 2;
+                           shrunk.files.size(), cases.size()));
+  return shrunk.errors.empty() ? 0 : 2;
 }
 
-void tell_if_cut_short(Interruption& interruption) {
-  if (interruption.state() == Interruption::State::running) return;
-  write_complaint("shrink: interrupted; this is the smallest case until then");
+/// By those that were asked for, or else the usual ones; of other kinds the one that it names.
+std::shared_ptr<const Trial> trial_of(const CorpusCase& given, SubjectAndOracle asked) {
+  if (const OtherKind* const kind = kind_for(given.any)) {
+    return kind->trial(given, asked.subject, asked.external);
+  }
+  if (!asked.subject.is_given()) asked.subject.name = "clip";
+  if (!asked.oracle.is_given()) asked.oracle.name = usual_oracle_name();
+  return trial_of_pairs(find_collider(asked.subject, asked.external),
+                        find_collider(asked.oracle, asked.external));
 }
 
 int shrink_file(const ShrinkArguments& options) {
@@ -70,26 +65,14 @@ int shrink_file(const ShrinkArguments& options) {
   if (std::filesystem::is_directory(options.given.name, unknown)) return shrink_folder(options);
   const std::string file = case_file(options.given);
   check_outputs({{{"--output", options.output}}, {file}});
-  const CorpusCase given = read_case_file(
-      file, keeps_points(options.colliders.subject) ? CaseKind::sequence : CaseKind::either);
-  if (given.is_sequence()) {
-    Interruption interruption;
-    write_data(options.output,
-               format_case(shrunk_sequence(
-                   given, keeper_for(given, options.colliders.subject, options.colliders.external),
-                   interruption)));
-    tell_if_cut_short(interruption);
-    return 0;
-  }
-  SubjectAndOracle asked = options.colliders;
-  if (!asked.subject.is_given()) asked.subject.name = "clip";
-  if (!asked.oracle.is_given()) asked.oracle.name = usual_oracle_name();
-  const Collider subject = find_collider(asked.subject, asked.external);
-  const Collider oracle = find_collider(asked.oracle, asked.external);
+  const CorpusCase given = read_case_file(file, kind_to_read(options.colliders.subject));
+  const auto trial = trial_of(given, options.colliders);
   Interruption interruption;
-  const std::string text = format_case(shrunk_case(given, subject, oracle, interruption));
+  const std::string text = format_case(shrunk_case(given, *trial, interruption));
   options.output == "-" ? write_output(text) : write_file(options.output, text);
-  tell_if_cut_short(interruption);
+  if (interruption.state() != Interruption::State::running) {
+    write_complaint("shrink: interrupted; this is the smallest case until then");
+  }
   return 0;
 }
 

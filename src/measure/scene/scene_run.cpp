@@ -192,7 +192,7 @@ void save_mismatches(const std::filesystem::path& corpus, const std::vector<Scen
   for (const SceneRun& run : runs) {
     for (const PairCase& pair : run.afresh.findings) {
       CorpusCase finding;
-      finding.pair = pair;
+      finding.any = pair;
       finding.note = fmt::format("In the scene {} of {} bodies it was not as it is afresh.",
                                  run.scene, run.bodies);
       write_corpus_case(corpus, finding);

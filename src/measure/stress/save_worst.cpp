@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "campaign/in_child.hpp"
+#include "campaign/pairs/recorded_case.hpp"
 #include "campaign/save.hpp"
 #include "engines/colliders.hpp"
 #include "measure/stress/stress.hpp"
@@ -72,7 +73,7 @@ std::pair<bool, double> badness_of(const Collider& collider, const PairCase& pai
 bool has_worse(const std::filesystem::path& file, const Collider& collider, const PairCase& pair,
                Interruption& interruption) {
   if (!std::filesystem::exists(file)) return false;
-  const PairCase saved = read_case_file(file.string()).pair;
+  const PairCase saved = read_case_file(file.string()).pair();
   return badness_of(collider, saved, interruption) > badness_of(collider, pair, interruption);
 }
 
@@ -99,7 +100,7 @@ std::optional<std::filesystem::path> save_witness(const StressPlan& plan, const 
     pair = shrink_finding(pair, subject, oracle, interruption).pair;
     judgement = judge_in_child(pair, subject, oracle, interruption);
   }
-  const auto file = corpus / corpus_folder(judgement.bucket, oracle.declaration.name) / name;
+  const auto file = corpus / corpus_folder(pair, judgement.bucket, oracle.declaration.name) / name;
   if (has_worse(file, of.collider, pair, interruption)) return file;
   CorpusCase saved = recorded_case(pair, judgement, subject, oracle, interruption);
   saved.note += fmt::format(" {} of {}.", is_fault ? "Shrunk from the worst" : "The worst",

@@ -36,13 +36,13 @@ TestResult test_of_regime(const Campaign& campaign, std::size_t i) {
 /// The case that stands for a finding: the shrunk one where it was saved, else the first.
 CorpusCase case_of(const Campaign& campaign, const Finding& finding) {
   try {
-    if (finding.is_new && !finding.file.empty()) return read_case_file(finding.file);
+    if (finding.is_new && !finding.file.empty()) {
+      return read_case_file(finding.file, campaign.plan.work->kind());
+    }
   } catch (const UserError&) {
     // Somebody took it away: the first shows the same.
   }
-  CorpusCase first;
-  first.pair = campaign.plan.pair(finding.tally.first);
-  return first;
+  return {campaign.plan.work->draw(campaign.plan, finding.tally.first)};
 }
 
 TestResult failed_test(const std::string& name, const TestFailure& failure) {
@@ -71,7 +71,7 @@ void add_buckets(TestSuite& suite, const Campaign& campaign, Interruption& inter
     const Finding& finding = campaign.findings[i];
     if (!decides_status(campaign.result.buckets[i])) continue;
     suite.tests.push_back(test_of_bucket(campaign.result, finding, campaign.result.buckets[i]));
-    if (plan.sequences || ++pictures > kDescribedMax) continue;
+    if (!has_text_picture(plan.work->kind()) || ++pictures > kDescribedMax) continue;
     add_picture(*suite.tests.back().failure, [&] {
       return text_picture(
           judged_case(case_of(campaign, finding), plan.subject, plan.oracle, interruption));
@@ -145,18 +145,18 @@ TestSuite replay_suite(const ReplayRun& run, const CalledAgain& again, Interrupt
   std::size_t pictures = 0;
   for (const ReplayedCase& one : run.cases) {
     TestResult& test = suite.tests.emplace_back(TestResult{one.recorded->path, one.seconds});
+    const Collider& subject = one.trial->subject();
+    const Collider& oracle = one.trial->oracle();
     if (one.result.is_unsupported) {
-      test.why_skipped =
-          one.recorded->is_sequence()
-              ? fmt::format("unsupported: {} cannot take it", one.subject->declaration.name)
-              : fmt::format("unsupported: {} or {} cannot take it", one.subject->declaration.name,
-                            one.oracle->declaration.name);
+      const std::string& other = oracle.declaration.name;
+      test.why_skipped = fmt::format("unsupported: {}{}{} cannot take it", subject.declaration.name,
+                                     other.empty() ? "" : " or ", other);
     }
     if (!one.result.has_failed()) continue;
     test.failure = failure_of(one, again);
-    if (one.recorded->is_sequence() || ++pictures > kDescribedMax) continue;
+    if (!has_text_picture(kind_of(one.recorded->any)) || ++pictures > kDescribedMax) continue;
     add_picture(*test.failure, [&] {
-      return text_picture(judged_case(*one.recorded, *one.subject, *one.oracle, interruption));
+      return text_picture(judged_case(*one.recorded, subject, oracle, interruption));
     });
   }
   return suite;

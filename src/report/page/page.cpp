@@ -135,7 +135,7 @@ DeclaredAnswer answer_of(const CorpusCase& given, const std::string& name, const
   if (own != recorded.end()) {
     asked.answer = own->answer;
   } else if (collider != nullptr) {
-    asked.answer = ask_in_child(*collider, given.pair, interruption);
+    asked.answer = ask_in_child(*collider, given.pair(), interruption);
   } else {
     asked.answer = Lost{Lost::How::crashed, "no answer is recorded"};
   }
@@ -148,7 +148,7 @@ std::vector<Manifold<double>> right_of(const PageCase& page_case) {
   const CorpusCase& given = page_case.judged.given;
   if (page_case.is_judged) {
     const Declaration& subject = page_case.judged.subject.declaration;
-    right = manifolds_to_show(admissible(given.pair, subject), subject);
+    right = manifolds_to_show(admissible(given.pair(), subject), subject);
   } else if (given.expect) {
     for (const NamedAnswer& named : given.expect->manifolds) {
       const Manifold<double>* const manifold = manifold_in(named.answer);
@@ -178,7 +178,7 @@ PageCase page_case_of(const CorpusCase& given, const BucketRuns& runs, NamedColl
   judged.subject = answer_of(asked, subject_name, subject, interruption);
   judged.oracle = answer_of(asked, oracle_name, oracle, interruption);
   if (page_case.is_judged) {
-    judged.judgement = judge(given.pair, {judged.subject.declaration, judged.subject.answer},
+    judged.judgement = judge(given.pair(), {judged.subject.declaration, judged.subject.answer},
                              {judged.oracle.declaration, judged.oracle.answer});
   }
   page_case.right = right_of(page_case);
@@ -241,7 +241,7 @@ BucketRuns runs_of(const CorpusCase& given, const std::vector<ResultFile>& resul
   BucketRuns runs;
   const auto& expect = given.expect;
   if (!expect) return runs;
-  const std::string_view oracle = given.is_sequence() ? kJudgeName : expect->oracle;
+  const std::string_view oracle = expect->oracle.empty() ? kJudgeName : expect->oracle;
   for (const ResultFile& result : results) {
     const bool is_of_these = result.campaign && result.campaign->settings.oracle == oracle &&
                              result.campaign->settings.subject == expect->subject;

@@ -13,7 +13,7 @@
 #include "campaign/named_colliders.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/result.hpp"
-#include "campaign/sequences/replay_sequence.hpp"
+#include "campaign/trial.hpp"
 #include "collider/collider.hpp"
 #include "report/picture/pictures.hpp"
 
@@ -43,7 +43,7 @@ BucketRuns runs_of(const CorpusCase& given, const std::vector<ResultFile>& resul
 
 /// The sequences of these files as the page's script reads them, each with its verdict and, where
 /// its collider is there to be asked, its filmstrip. Throws Interrupted.
-nlohmann::ordered_json page_sequences_json(const RunFiles& files, NamedKeepers& keepers,
+nlohmann::ordered_json page_sequences_json(const RunFiles& files, const TrialOf& trial_of,
                                            const std::string& program, Interruption& interruption);
 
 /// The number of buckets whose neighbourhood is drawn by default: that takes a few seconds.
@@ -52,7 +52,7 @@ inline constexpr std::size_t kMapsUsual = 12;
 /// Who is asked about what files do not answer themselves.
 struct PageColliders {
   NamedColliders of_pairs;
-  NamedKeepers of_sequences;
+  TrialOf of_sequences;
 };
 
 /// How the page's commands call this program.

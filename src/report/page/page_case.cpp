@@ -173,7 +173,7 @@ Json answer_json(const PairCase& pair, std::string_view role, const DeclaredAnsw
 std::string sentence_of(const PageCase& page_case) {
   if (page_case.is_judged) return verdict_and_why(page_case.judged);
   const CorpusCase& given = page_case.judged.given;
-  return given.note.empty() ? truth_in_words(given.pair) : given.note;
+  return given.note.empty() ? truth_in_words(given.pair()) : given.note;
 }
 
 }  // namespace
@@ -181,7 +181,7 @@ std::string sentence_of(const PageCase& page_case) {
 Json page_case_json(const PageCase& page_case) {
   const JudgedCase& judged = page_case.judged;
   const CorpusCase& given = judged.given;
-  const PairCase& pair = given.pair;
+  const PairCase& pair = given.pair();
   const exact::Truth truth(pair);
   const exact::RoughPair placed = exact::place_roughly(pair);
   const Region a = filled(pair, placed, Side::a);

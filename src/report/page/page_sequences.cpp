@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
+#include "campaign/sequences/keeper_trial.hpp"
 #include "report/page/page.hpp"
 #include "report/sequence/sequence_report.hpp"
 
@@ -30,14 +31,14 @@ Json judged_json(const JudgedSequence& judged) {
 
 }  // namespace
 
-Json page_sequences_json(const RunFiles& files, NamedKeepers& keepers, const std::string& program,
+Json page_sequences_json(const RunFiles& files, const TrialOf& trial_of, const std::string& program,
                          Interruption& interruption) {
   Json all = Json::array();
-  for (const CorpusCase& given : files.corpus.sequences) {
+  for (const CorpusCase& given : files.corpus.others) {
     if (interruption.is_stopped()) throw Interrupted();
-    const NamedKeepers::Keeper* const keeper = keepers.subject_of(given);
-    const bool is_there = keeper != nullptr && keeper->asked.begin;
-    Json one = is_there ? judged_json(judged_sequence(given, keeper->asked, interruption))
+    const auto trial = std::dynamic_pointer_cast<const KeeperTrial>(trial_of(given));
+    const bool is_there = trial != nullptr && trial->is_there();
+    Json one = is_there ? judged_json(judged_sequence(given, trial->keeper(), interruption))
                         : recorded_json(given);
     const BucketRuns runs = runs_of(given, files.results);
     std::vector<std::string> commands{
@@ -45,7 +46,7 @@ Json page_sequences_json(const RunFiles& files, NamedKeepers& keepers, const std
     std::ranges::copy(runs.commands, std::back_inserter(commands));
     one["file"] = given.path;
     one["regime"] = given.found ? given.found->regime : "";
-    one["frames"] = given.frames.size();
+    one["frames"] = frames_in(given.any);
     one["note"] = given.note;
     one["count"] = runs.count ? Json(*runs.count) : Json();
     one["commands"] = commands;

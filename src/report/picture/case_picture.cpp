@@ -63,7 +63,7 @@ class Picture {
  public:
   explicit Picture(const JudgedCase& judged)
       : judged_(judged),
-        scene_(make_scene(judged.given.pair, std::array{judged.subject, judged.oracle})),
+        scene_(make_scene(judged.given.pair(), std::array{judged.subject, judged.oracle})),
         svg_(verdict_sentence(judged), kPictureStyle) {
     std::erase_if(scene_.points, [](const DrawnPoint& p) { return !p.bar.to.allFinite(); });
   }
@@ -95,7 +95,7 @@ class Picture {
   }
 
   std::string truth_line() const {
-    const PairCase& pair = judged_.given.pair;
+    const PairCase& pair = judged_.given.pair();
     const exact::Truth truth(pair);
     if (scene_.is_round) {
       const double apart = exact::separation_of(truth);
@@ -162,7 +162,7 @@ void Picture::write_swatches() {
     svg_.line({at, at + Point(20, 0)}, css);
   };
   for (const Side side : kSides) {
-    const Body& body = judged_.given.pair[side];
+    const Body& body = judged_.given.pair()[side];
     area(side == Side::a ? "fill a" : "fill b",
          fmt::format("{}: {}, at {}", side == Side::a ? 'A' : 'B', shape_in_words(body.polygon),
                      place(body.pose.position.cast<double>())));
@@ -187,12 +187,12 @@ void Picture::write_answer(const DeclaredAnswer& asked, bool is_subject) {
                   is_subject ? "subject" : "oracle", answer_in_words(asked));
   if (asked.count() > 0) {
     const Manifold<double>& manifold = *asked.manifold();
-    const Point normal = world_normal(judged_.given.pair, manifold.normal);
+    const Point normal = world_normal(judged_.given.pair(), manifold.normal);
     text +=
         fmt::format("; reference {}, normal ({}, {})", manifold.reference == Side::a ? 'A' : 'B',
                     brief(normal.x()), brief(normal.y()));
     for (int i = 0; i < asked.count(); ++i) {
-      const Point at = to_world(judged_.given.pair, manifold.points[i].position);
+      const Point at = to_world(judged_.given.pair(), manifold.points[i].position);
       text += (i == 0 ? "; at " : " and ") + place(at);
     }
   }

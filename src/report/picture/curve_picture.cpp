@@ -33,7 +33,7 @@ class CurvePicture {
  public:
   explicit CurvePicture(const JudgedCase& judged)
       : judged_(judged),
-        pair_(judged.given.pair),
+        pair_(judged.given.pair()),
         truth_(pair_),
         curve_(truth_, exact::skin_of(truth_)),
         placed_(exact::place_roughly(pair_)),

@@ -248,7 +248,7 @@ std::string map_png(const JudgedCase& judged, const Neighbourhood& neighbourhood
 
 CaseMap case_map(const JudgedCase& judged, const Collider& subject, const Collider& oracle,
                  int step_ulps, Interruption& interruption) {
-  const PairCase& pair = judged.given.pair;
+  const PairCase& pair = judged.given.pair();
   const Grid grid = grid_around(exact::Truth(pair), step_ulps);
   const Neighbourhood map =
       ask_neighbourhood(pair, subject, oracle, grid, grid.cell_count(), interruption);

@@ -48,6 +48,11 @@ CaseMap case_map(const JudgedCase& judged, const Collider& subject, const Collid
 /// the legend, and 46 lines with it; UTF-8.
 std::string text_picture(const PairCase& pair, std::span<const DeclaredAnswer> answers);
 
+/// Whether cases of a kind are drawn in text.
+inline bool has_text_picture(CaseKind kind) {
+  return kind == CaseKind::pair;
+}
+
 /// A case between two colliders, as text.
 std::string text_picture(const JudgedCase& judged);
 

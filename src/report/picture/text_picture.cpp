@@ -155,7 +155,7 @@ std::string text_picture(const PairCase& pair, std::span<const DeclaredAnswer> a
 }
 
 std::string text_picture(const JudgedCase& judged) {
-  return text_picture(judged.given.pair, std::array{judged.subject, judged.oracle});
+  return text_picture(judged.given.pair(), std::array{judged.subject, judged.oracle});
 }
 
 }  // namespace manifuzz

@@ -71,7 +71,7 @@ class Filmstrip {
       wanted = std::max(wanted, frame.whole().width);
       high = std::max(high, frame.whole().height);
     }
-    const double most = 5 * size(judged_.given.pair);
+    const double most = 5 * size(judged_.given.sequence().at(0));
     is_cut_ = wanted > most || high > most;
     const double fit =
         0.86 * std::min(width_ / std::min(wanted, most), height_ / std::min(high, most));
@@ -101,11 +101,11 @@ void Filmstrip::write_title() {
   y_ -= 5;
   const Declaration& subject = judged_.subject.declaration;
   std::string text = fmt::format("{} {}: {}.", subject.name, subject.version, subject.description);
-  if (frames_.size() < judged_.given.frames.size()) {
+  if (frames_.size() < judged_.given.sequence().frames.size()) {
     text += fmt::format(
         " Shown are {} of {} frames: the first, births, what is wrong and its "
         "neighbours.",
-        frames_.size(), judged_.given.frames.size());
+        frames_.size(), judged_.given.sequence().frames.size());
   }
   y_ = write_down(svg_, text, {kPictureEdge, y_}, right, kTextFont, "subtitle");
 }

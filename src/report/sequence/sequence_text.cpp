@@ -114,7 +114,7 @@ void write_outcome(std::string& text, const JudgedSequence& judged) {
 /// all that are wrong.
 bool is_shown(const JudgedSequence& judged, std::size_t frame) {
   constexpr std::size_t shown_whole = 32;
-  const std::size_t count = judged.given.frames.size();
+  const std::size_t count = judged.given.sequence().frames.size();
   const std::size_t deciding = judged.judgement.frame;
   if (count <= shown_whole || frame + 1 == count) return true;
   if (frame + 2 >= deciding && frame <= deciding + 1) return true;
@@ -123,7 +123,7 @@ bool is_shown(const JudgedSequence& judged, std::size_t frame) {
 }
 
 void write_frames(std::string& text, const JudgedSequence& judged) {
-  for (std::size_t k = 0; k < judged.given.frames.size(); ++k) {
+  for (std::size_t k = 0; k < judged.given.sequence().frames.size(); ++k) {
     std::size_t next = k;
     while (!is_shown(judged, next)) ++next;
     if (next > k) {
@@ -141,8 +141,8 @@ void write_frames(std::string& text, const JudgedSequence& judged) {
 std::string sequence_text(const JudgedSequence& judged) {
   std::string text = verdict_sentence(judged) + '\n';
   write_outcome(text, judged);
-  write_shape(text, judged.given.pair.a.polygon, 'A');
-  write_shape(text, judged.given.pair.b.polygon, 'B');
+  write_shape(text, judged.given.sequence().a, 'A');
+  write_shape(text, judged.given.sequence().b, 'B');
   write_frames(text, judged);
   return text;
 }
@@ -150,7 +150,7 @@ std::string sequence_text(const JudgedSequence& judged) {
 void append_sequence_judgement(std::string& lines, std::size_t sequence,
                                const JudgedSequence& judged) {
   const SequenceJudgement& judgement = judged.judgement;
-  for (std::size_t k = 0; k < judged.given.frames.size(); ++k) {
+  for (std::size_t k = 0; k < judged.given.sequence().frames.size(); ++k) {
     static constexpr FrameJudgement kNotJudged{};
     const FrameJudgement& frame = k < judgement.frames.size() ? judgement.frames[k] : kNotJudged;
     const TrueOverlap truth =

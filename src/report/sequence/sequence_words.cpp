@@ -10,6 +10,7 @@
 #include "report/sequence/sequence_report.hpp"
 #include "report/words.hpp"
 #include "sequence/frame_judge.hpp"
+#include "sequence/motions.hpp"
 
 namespace manifuzz {
 namespace {
@@ -109,7 +110,8 @@ std::string verdict_sentence(const JudgedSequence& judged) {
   const std::string words = frame_in_words(judged, judgement.frame);
   switch (judgement.bucket.verdict) {
     case Verdict::agree:
-      return fmt::format("{} is right in each of {} frames", name, judged.given.frames.size());
+      return fmt::format("{} is right in each of {} frames", name,
+                         judged.given.sequence().frames.size());
     case Verdict::known:
       return fmt::format("{} is wrong in frame {} (known): {}", name, judgement.frame, words);
     case Verdict::subject_wrong:

@@ -29,7 +29,7 @@ bool has_birth(const JudgedSequence& judged, std::size_t frame) {
 }  // namespace
 
 std::vector<std::size_t> frames_that_matter(const JudgedSequence& judged) {
-  const std::size_t count = judged.given.frames.size();
+  const std::size_t count = judged.given.sequence().frames.size();
   std::vector<std::size_t> wanted{judged.judgement.frame};
   if (const auto birth = birth_of_blamed(judged)) wanted.push_back(*birth);
   if (judged.judgement.frame > 0) wanted.push_back(judged.judgement.frame - 1);

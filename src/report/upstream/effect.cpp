@@ -159,7 +159,7 @@ double overlap_once_pushed(const PairCase& pair, const Vector2<double>& push) {
 }
 
 Effect effect_of(const JudgedCase& judged, const DeclaredAnswer& asked) {
-  const PairCase& pair = judged.given.pair;
+  const PairCase& pair = judged.given.pair();
   const Claim claim = claim_of(asked.answer);
   const Bounds within = bounds(pair, asked.declaration);
   Effect effect{.is_contact = claim.touches,

@@ -102,7 +102,7 @@ double turn_of(const PairCase& pair, const Vector2<double>& normal,
 
 Kind told_kind(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const Kind kind = judged.judgement.bucket.kind;
-  const PairCase& pair = judged.given.pair;
+  const PairCase& pair = judged.given.pair();
   const bool are_in_place = kind == Kind::position && point_errors(pair, asked).place <=
                                                           bounds(pair, asked.declaration).position;
   return are_in_place ? Kind::count : kind;

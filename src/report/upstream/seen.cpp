@@ -31,7 +31,7 @@ bool is_far_too_deep(const PairCase& pair, const Claim& claim, const Declaration
 int right_count(const JudgedCase& judged, const Declaration& declaration) {
   int most = 0;
   for (const Manifold<double>& right :
-       manifolds_to_show(admissible(judged.given.pair, declaration), declaration)) {
+       manifolds_to_show(admissible(judged.given.pair(), declaration), declaration)) {
     most = std::max(most, right.count);
   }
   return most;
@@ -60,7 +60,7 @@ std::string with_share(const Sight& sight, double size) {
 
 /// What is seen where points lie beside the right ones.
 std::optional<Sight> seen_of_place(const JudgedCase& judged, const DeclaredAnswer& asked) {
-  const PairCase& pair = judged.given.pair;
+  const PairCase& pair = judged.given.pair();
   constexpr std::string_view spin = "so the bodies get a spin that they should not have";
   if (told_kind(judged, asked) == Kind::position) {
     const double off = point_errors(pair, asked).place;
@@ -86,11 +86,11 @@ std::optional<Sight> seen_of_count(const JudgedCase& judged, const DeclaredAnswe
     return Sight{"a second contact point takes a part of the impulse where one point is right"};
   }
   const Manifold<double>* const given = manifold_in(asked.answer);
-  const RightContact right = right_contact(judged.given.pair, asked);
+  const RightContact right = right_contact(judged.given.pair(), asked);
   if (given == nullptr || !right.manifold) return std::nullopt;
   const double full = span_of(*right.manifold);
   const double span = span_of(*given);
-  const double share = std::abs(full - span) / size(judged.given.pair);
+  const double share = std::abs(full - span) / size(judged.given.pair());
   if (claim.points < 2) {
     return Sight{fmt::format("one contact point carries bodies that touch along {}, so they rock",
                              plain(full)),
@@ -112,14 +112,14 @@ std::optional<Sight> seen_of_count(const JudgedCase& judged, const DeclaredAnswe
 
 /// What is seen where the deepest point and the normal are as they should be.
 Sight seen_of_points(const JudgedCase& judged, const DeclaredAnswer& asked) {
-  const PointErrors off = point_errors(judged.given.pair, asked);
+  const PointErrors off = point_errors(judged.given.pair(), asked);
   if (off.depth > off.place && !asked.declaration.shares_depth) {
     return {fmt::format("one contact point's depth is off by {}, so the push turns the bodies",
                         plain(off.depth)),
-            off.depth / size(judged.given.pair)};
+            off.depth / size(judged.given.pair())};
   }
   return {fmt::format("the impulse acts {} beside the right place", plain(off.place)),
-          off.place / size(judged.given.pair)};
+          off.place / size(judged.given.pair())};
 }
 
 /// What the kind of the finding says first; none where the push says it all.
@@ -149,7 +149,7 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
                : "the simulation stops";
   }
   const std::optional<Sight> of_kind = seen_of_kind(judged, asked);
-  if (of_kind && of_kind->share >= kUnseen) return with_share(*of_kind, size(judged.given.pair));
+  if (of_kind && of_kind->share >= kUnseen) return with_share(*of_kind, size(judged.given.pair()));
   Effect effect = effect_of(judged, asked);
   std::optional<Sight> of_push = seen_of_push(effect);
   if (!of_kind && !of_push) {  // what is wrong is within what the depth may be off by
@@ -157,8 +157,8 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
     of_push = seen_of_push(effect);
   }
   if (of_push && (!of_kind || of_push->share >= kUnseen))
-    return with_share(*of_push, size(judged.given.pair));
-  return with_share(of_kind ? *of_kind : seen_of_points(judged, asked), size(judged.given.pair));
+    return with_share(*of_push, size(judged.given.pair()));
+  return with_share(of_kind ? *of_kind : seen_of_points(judged, asked), size(judged.given.pair()));
 }
 
 }  // namespace manifuzz

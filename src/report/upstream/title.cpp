@@ -49,7 +49,7 @@ std::string normal_in_words(const JudgedCase& judged, const Vector2<double>& nor
                             const Declaration& declaration) {
   const double length = normal.norm();
   if (length == 0) return "has length 0";
-  const double turn = turn_of(judged.given.pair, normal, declaration);
+  const double turn = turn_of(judged.given.pair(), normal, declaration);
   const double lacking = std::abs(1 - length);
   if (lacking > turn) {
     if (lacking > 1e-3) return "has length " + plain(length);
@@ -61,7 +61,7 @@ std::string normal_in_words(const JudgedCase& judged, const Vector2<double>& nor
 std::string wrong_normal_in_words(const JudgedCase& judged, const Claim& claim,
                                   const Declaration& declaration) {
   const Vector2<double> normal = claim.normal.value_or(Vector2<double>(0, 0));
-  return fmt::format("the normal of {} {}", pair_in_words(judged.given.pair),
+  return fmt::format("the normal of {} {}", pair_in_words(judged.given.pair()),
                      normal_in_words(judged, normal, declaration));
 }
 
@@ -72,7 +72,7 @@ std::string depth_in_words(const PairCase& pair, const Claim& claim) {
 /// A right normal may point to the same side, or be the answer's own: then its depth is the news.
 std::string reversed_in_words(const JudgedCase& judged, const Claim& claim,
                               const Declaration& declaration) {
-  const PairCase& pair = judged.given.pair;
+  const PairCase& pair = judged.given.pair();
   const double turn = turn_of(pair, claim.normal.value(), declaration);
   if (turn > std::numbers::pi / 2) return "the normal of " + pair_in_words(pair) + " is reversed";
   if (turn <= bounds(pair, declaration).normal) return depth_in_words(pair, claim);
@@ -82,7 +82,7 @@ std::string reversed_in_words(const JudgedCase& judged, const Claim& claim,
 /// Where the direction between the cores decides, a depth is held against the least one: then the
 /// normal is the news.
 bool is_depth_along_normal(const JudgedCase& judged, const Claim& claim) {
-  const PairCase& pair = judged.given.pair;
+  const PairCase& pair = judged.given.pair();
   const double off = judged.judgement.magnitude * size(pair);
   return std::abs(std::abs(claim.depth - depth_along(pair, claim)) - off) <=
          std::abs(std::abs(claim.depth - true_depth(pair)) - off);
@@ -111,7 +111,7 @@ std::string not_minimal_in_words(const PairCase& pair, const Claim& claim) {
 
 std::string count_in_words(const JudgedCase& judged, const Claim& claim,
                            const Declaration& declaration) {
-  const std::string pair_words = pair_in_words(judged.given.pair);
+  const std::string pair_words = pair_in_words(judged.given.pair());
   if (claim.points > right_count(judged, declaration)) {
     return pair_words + " have two contact points where one is right";
   }
@@ -137,7 +137,7 @@ std::string lost_in_words(const DeclaredAnswer& asked) {
 }
 
 std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
-  const PairCase& pair = judged.given.pair;
+  const PairCase& pair = judged.given.pair();
   const std::string pair_words = pair_in_words(pair);
   const Claim claim = claim_of(asked.answer);
   const std::string off = plain(judged.judgement.magnitude * size(pair));  // a length is seen

@@ -41,7 +41,7 @@ std::string cause_in_words(const LedgerEntry* explanation) {
 /// What was got and what is right, in as many digits as it takes to tell one from the other.
 std::array<std::string, 2> got_and_expected(const JudgedCase& judged, const DeclaredAnswer& asked,
                                             const Program& program) {
-  const PairCase& pair = judged.given.pair;
+  const PairCase& pair = judged.given.pair();
   const int digits_max = asked.declaration.scalar == ScalarType::float32 ? 9 - 7 : 17 - 9;
   Detail detail{.has_features = judged.judgement.bucket.kind == Kind::features};
   for (;; ++detail.more_digits) {
@@ -66,7 +66,7 @@ std::string neighbours_in_words(const JudgedCase& judged) {
 
 std::string upstream_report(const JudgedCase& judged, const std::string& options) {
   const DeclaredAnswer& asked = answer_at_fault(judged);
-  const PairCase& pair = judged.given.pair;
+  const PairCase& pair = judged.given.pair();
   const std::string& snippet = asked.declaration.snippet;
   const Program program =
       snippet.empty() ? judged_again(pair, options) : program_for(snippet, pair);

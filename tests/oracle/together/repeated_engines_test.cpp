@@ -17,7 +17,7 @@ using test::explains;
 namespace {
 
 PairCase pair_of(const char* line) {
-  return parse_case(line, FormatKey::optional).pair;
+  return parse_case(line, FormatKey::optional).pair();
 }
 
 }  // namespace

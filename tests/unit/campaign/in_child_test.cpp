@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/text.hpp"
+#include "campaign/pairs/pair_trial.hpp"
 #include "campaign/replay.hpp"
 #include "generating/regime.hpp"
 #include "judging/manifold_error.hpp"
@@ -85,10 +86,11 @@ TEST_CASE("a property's replay asks once, in a child") {
   });
   Interruption interruption;
   CorpusCase recorded;
-  recorded.pair = some_case();
+  recorded.any = some_case();
   recorded.property = "never-empty";
-  CHECK(replay_case(recorded, collider, collider, {}, interruption).passed);
-  const Replayed again = replay_case(recorded, collider, collider, {}, interruption);
+  CHECK(replay_case(recorded, *trial_of_pairs(collider, collider), {}, interruption).passed);
+  const Replayed again =
+      replay_case(recorded, *trial_of_pairs(collider, collider), {}, interruption);
   CHECK_FALSE(again.passed);
   CHECK(again.got == "crashed");
 }

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "campaign/pairs/pair_trial.hpp"
 #include "campaign/smoke.hpp"
 #include "engines/colliders.hpp"
 
@@ -12,9 +13,8 @@ namespace {
 CorpusCase boxes(const std::string& bucket) {
   CorpusCase recorded;
   const std::vector<Vector2<float>> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  recorded.pair.a.polygon = make_polygon<float>(square);
-  recorded.pair.b.polygon = make_polygon<float>(square);
-  recorded.pair.b.pose.position = {1.5F, 0.25F};
+  const ConvexPolygon<float> box = make_polygon<float>(square);
+  recorded.any = PairCase{{box, {}}, {box, {{1.5F, 0.25F}, {1, 0}}}};
   recorded.expect = Expectation{"clip", "box2d", "", bucket, {}};
   return recorded;
 }
@@ -27,7 +27,7 @@ Collider blind() {
 
 Replayed replay(const CorpusCase& recorded, const Collider& subject) {
   Interruption interruption;
-  return replay_case(recorded, subject, find_collider("box2d"),
+  return replay_case(recorded, *trial_of_pairs(subject, find_collider("box2d")),
                      known_of({&recorded, 1}, "2026-11-23"), interruption);
 }
 
@@ -59,7 +59,8 @@ TEST_CASE("a regression passes once the subject is right") {
 
 TEST_CASE("a case that a collider cannot take has neither passed nor failed") {
   CorpusCase recorded = boxes("none/agree/none/none/a");
-  recorded.pair.b.polygon = make_polygon<float>(std::vector<Vector2<float>>{{0, 0}}, 1);
+  std::get<PairCase>(recorded.any).b.polygon =
+      make_polygon<float>(std::vector<Vector2<float>>{{0, 0}}, 1);
   const auto is_left_out = [&] {
     const Replayed replayed = replay(recorded, find_collider("pair"));
     return replayed.is_unsupported && !replayed.passed && !replayed.has_failed() &&
@@ -77,7 +78,8 @@ TEST_CASE("a case that a collider cannot take has neither passed nor failed") {
 
 TEST_CASE("a case that was answered and is taken no more fails") {
   CorpusCase recorded = boxes("none/agree/none/none/a");
-  recorded.pair.b.polygon = make_polygon<float>(std::vector<Vector2<float>>{{0, 0}}, 1);
+  std::get<PairCase>(recorded.any).b.polygon =
+      make_polygon<float>(std::vector<Vector2<float>>{{0, 0}}, 1);
   recorded.expect->subject = "pair";
   CHECK(replay(recorded, find_collider("pair")).has_failed());
   recorded.expect->bucket = "none/unsupported/none/none/a";

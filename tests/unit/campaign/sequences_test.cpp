@@ -3,10 +3,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "campaign/sequences/replay_sequence.hpp"
-#include "campaign/sequences/save_sequence.hpp"
+#include "campaign/replay.hpp"
+#include "campaign/sequences/keeper_trial.hpp"
 #include "campaign/sequences/sequence_case.hpp"
-#include "campaign/sequences/sequence_plan.hpp"
+#include "campaign/sequences/sequence_work.hpp"
 #include "sequence/motions.hpp"
 #include "unit/sequence/keepers.hpp"
 
@@ -63,7 +63,7 @@ TEST_CASE("a stale normal shrinks to two frames, the same every time") {
   CHECK(smallest.sequence.frames.size() == 2);
   const auto root = judge_in_child(sequence, subject, interruption);
   const auto shrunk = judge_in_child(smallest.sequence, subject, interruption);
-  CHECK(is_alike(shrunk, root));
+  CHECK(is_alike(counted(shrunk), counted(root)));
   CHECK(complexity(smallest.sequence) < complexity(sequence));
   CHECK(shrink_finding(sequence, subject, interruption).sequence == smallest.sequence);
 }
@@ -108,13 +108,11 @@ TEST_CASE("a sequence that is replayed passes by the rules of cases") {
   const SequenceCollider wrong = keeper_with(Mistake::stale_normal);
   Interruption interruption;
   const Sequence sequence = first_with(Kind::normal, "turning_platform", wrong);
-  std::vector<CorpusCase> saved{
-      recorded_sequence(sequence, judge_in_child(sequence, wrong, interruption), wrong)};
+  const KeeperTrial trial(wrong);
+  std::vector<CorpusCase> saved{trial.unasked(sequence, trial.judge(sequence, interruption))};
   const auto replay = [&](const SequenceCollider& subject) {
-    NamedKeepers keepers({}, subject);
-    return replay_sequences(saved, keepers, known_of(saved, "2026-11-23"), interruption)
-        .cases.at(0)
-        .result;
+    return replay_case(saved.front(), KeeperTrial(subject), known_of(saved, "2026-11-23"),
+                       interruption);
   };
   CHECK(saved.front().expect->bucket.starts_with("subject/subject_wrong/normal/"));
   CHECK_FALSE(replay(wrong).passed);
@@ -128,13 +126,13 @@ TEST_CASE("a sequence that is replayed passes by the rules of cases") {
 
 TEST_CASE("a keeper that is not there is not asked, and one that is not installed fails nothing") {
   std::vector<CorpusCase> saved(1);
-  saved.front().set(apart_for(2));
+  saved.front().any = apart_for(2);
   saved.front().expect.emplace().subject = "somebody's";
   Interruption interruption;
-  NamedKeepers none([](const std::string&) { return std::nullopt; }, {});
-  CHECK(replay_sequences(saved, none, {}, interruption).unasked.size() == 1);
-  NamedKeepers absent([](const std::string&) { return SequenceCollider{}; }, {});
-  const ReplayRun run = replay_sequences(saved, absent, {}, interruption);
+  const TrialOf none = trials_of_keepers([](const auto&) { return std::nullopt; }, {});
+  CHECK(replay_cases(saved, none, {}, interruption).unasked.size() == 1);
+  const TrialOf absent = trials_of_keepers([](const auto&) { return SequenceCollider{}; }, {});
+  const ReplayRun run = replay_cases(saved, absent, {}, interruption);
   CHECK(run.unsupported() == 1);
   CHECK(run.failed() == 0);
 }
@@ -150,7 +148,7 @@ TEST_CASE("a campaign draws sequences of shapes that the keeper declares") {
   plan_sequences(plan, subject, {});
   CHECK(plan.regimes.size() == motions().size());
   for (CaseNumber number = 0; number < 400; ++number) {
-    const PairCase pair = plan.sequence(number).at(0);
+    const PairCase pair = std::get<Sequence>(plan.work->draw(plan, number)).at(0);
     REQUIRE_FALSE(is_round(pair));
     REQUIRE(total_radius(pair) == 0);
     REQUIRE(std::max(pair.a.polygon.count, pair.b.polygon.count) <= 5);
@@ -177,6 +175,6 @@ TEST_CASE("motions that have no shapes which a keeper takes are left out, unless
   Plan named;
   plan_sequences(named, of_circles, {&rolling, 1});
   Interruption interruption;
-  const Sequence untaken = named.sequence(0);
+  const auto untaken = std::get<Sequence>(named.work->draw(named, 0));
   CHECK(judge_in_child(untaken, of_circles, interruption).bucket.verdict == Verdict::unsupported);
 }

@@ -41,10 +41,10 @@ TEST_CASE("A case is a function of seed, regime and index") {
   REQUIRE(turns.size() == 6);
   CHECK(turns[1] == all[0]);
   CHECK(turns[5] == all[2]);
-  CHECK(read(turns[0]).pair != read(all[0]).pair);
+  CHECK(read(turns[0]).pair() != read(all[0]).pair());
   const auto other_seed = generated({"--seed", "8", "--regime", "boxes", "--cases", "1"});
   REQUIRE(other_seed.size() == 1);
-  CHECK(other_seed[0].pair != read(all[0]).pair);
+  CHECK(other_seed[0].pair() != read(all[0]).pair());
 }
 
 TEST_CASE("Any 64-bit seed and index will do") {
@@ -90,10 +90,10 @@ TEST_CASE("A radius is that of each polygon, in place of the regime's own") {
   REQUIRE(rounded.size() == 20);
   const manifuzz::Regime& generic = *manifuzz::find_regime("generic");
   for (std::size_t i = 0; i < own.size(); ++i) {
-    CHECK(own[i].pair == manifuzz::generate(1, generic, i));
-    CHECK(rounded[i].pair.a.polygon.radius == 0.1F);
-    CHECK(rounded[i].pair.b.polygon.radius == 0.1F);
-    CHECK(rounded[i].pair == manifuzz::generate(1, generic, i, {.corpus = {}, .radius = 0.1F}));
+    CHECK(own[i].pair() == manifuzz::generate(1, generic, i));
+    CHECK(rounded[i].pair().a.polygon.radius == 0.1F);
+    CHECK(rounded[i].pair().b.polygon.radius == 0.1F);
+    CHECK(rounded[i].pair() == manifuzz::generate(1, generic, i, {.corpus = {}, .radius = 0.1F}));
   }
 }
 

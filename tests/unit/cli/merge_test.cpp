@@ -25,7 +25,7 @@ Kept kept_in(const fs::path& folder) {
     if (known.path.ends_with(".worst.json")) {
       CHECK(kept.worst.emplace(known.expect->bucket, text_of(known.path)).second);
     } else {
-      CHECK(kept.smallest.emplace(known.expect->bucket, known.pair).second);
+      CHECK(kept.smallest.emplace(known.expect->bucket, known.pair()).second);
     }
   }
   return kept;

@@ -121,7 +121,7 @@ TEST_CASE("new buckets of sequences are shrunk and saved, and their commands rep
     CHECK(std::filesystem::path(file).parent_path().filename() == "sequences");
     const auto known = manifuzz::read_case_file(file, manifuzz::CaseKind::sequence);
     CHECK(known.expect->bucket == bucket["bucket"]);
-    CHECK(known.frames.size() <= 3);
+    CHECK(known.sequence().frames.size() <= 3);
     CHECK(bucket["command"].get<std::string>().find(" --subject cached-bullet --corpus ") !=
           std::string::npos);
     const Json again = fuzz(folder,

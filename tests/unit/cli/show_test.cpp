@@ -55,7 +55,7 @@ TEST_CASE("show - reads stdin, --svg - writes the picture alone") {
 TEST_CASE("the colliders are those asked for, else the recorded ones, else clip and box2d") {
   const TemporaryFolder folder;
   CorpusCase recorded;
-  recorded.pair = box_on_box(0.25F);
+  recorded.any = box_on_box(0.25F);
   recorded.expect = Expectation{"clip64", "clip", {}, {}, {}};
   const std::string file = folder.write("case.json", format_case(recorded));
   const std::string by_record = run_manifuzz({"show", file}).out;

@@ -62,7 +62,7 @@ TEST_CASE("what a campaign had no time to shrink is counted, and shrink DIR goes
     CHECK(known.found->seen);
     if (is_worst(known.path)) {
       const bool was_there = std::ranges::any_of(
-          before, [&](const CorpusCase& other) { return other.pair == known.pair; });
+          before, [&](const CorpusCase& other) { return other.any == known.any; });
       CHECK(was_there);
     }
   }

@@ -187,7 +187,7 @@ TEST_CASE("an acceptance is not written among lines, which it would break") {
 
 TEST_CASE("a campaign mutates no accepted case, nor the worst beside it") {
   CorpusCase known;
-  known.pair = generate(1, *find_regime("boxes"), 0);
+  known.any = generate(1, *find_regime("boxes"), 0);
   known.path = "corpus/regressions/x.json";
   CorpusCase worst = known;
   worst.path = "corpus/regressions/x.worst.json";

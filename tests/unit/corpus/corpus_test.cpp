@@ -83,7 +83,7 @@ TEST_CASE("A corpus file has a line for each polygon and each manifold") {
 TEST_CASE("A corpus file reads back whole") {
   const CorpusCase sample = sample_case();
   const CorpusCase read = parse_case(format_case(sample), FormatKey::required);
-  CHECK(read.pair == sample.pair);
+  CHECK(read.any == sample.any);
   CHECK(read.found->seed == sample.found->seed);
   CHECK(read.found->regime == "sliver");
   CHECK(read.found->index == 12);
@@ -102,9 +102,9 @@ TEST_CASE("A case that no collider was asked has no versions") {
   CHECK(text.find("versions") == std::string::npos);
   CHECK(parse_case(text, FormatKey::required).found->index == 12);
   std::string line;
-  append_found_case_line(line, sample.pair, *sample.found);
+  append_found_case_line(line, sample.any, *sample.found);
   CHECK(line.find('\n') == std::string::npos);
-  CHECK(parse_case(line, FormatKey::required).pair == sample.pair);
+  CHECK(parse_case(line, FormatKey::required).any == sample.any);
 }
 
 TEST_CASE("A severity from 0 to 1 reads back, and none stays none") {
@@ -137,7 +137,7 @@ TEST_CASE("A file is named by its bucket and its pair alone") {
   sample.found.reset();
   sample.note.clear();
   CHECK(corpus_file_name(sample) == name);
-  sample.pair.b.pose.position.x() += 1;
+  std::get<PairCase>(sample.any).b.pose.position.x() += 1;
   CHECK(corpus_file_name(sample) != name);
   sample.expect->bucket = "../../etc/passwd\n";
   CHECK(corpus_file_name(sample).starts_with("------etc-passwd--"));

@@ -30,11 +30,11 @@ CorpusCase parse(const std::string& text) {
 
 TEST_CASE("a sequence is read as it is written") {
   const CorpusCase read = parse(kGood);
-  REQUIRE(read.is_sequence());
-  CHECK(read.frames.size() == 2);
-  CHECK(read.frames[1].a.rotation == Vector2<float>(0.6F, 0.8F));
-  CHECK(read.pair.b.polygon.radius == 0.5F);
-  CHECK(read.pair.b.pose.position == Vector2<float>(0, 1.25F));
+  REQUIRE(kind_of(read.any) == CaseKind::sequence);
+  CHECK(read.sequence().frames.size() == 2);
+  CHECK(read.sequence().frames[1].a.rotation == Vector2<float>(0.6F, 0.8F));
+  CHECK(read.sequence().b.radius == 0.5F);
+  CHECK(read.sequence().frames[0].b.position == Vector2<float>(0, 1.25F));
 }
 
 TEST_CASE("every motion's sequences read back bit for bit, as lines and as files") {
@@ -50,7 +50,7 @@ TEST_CASE("every motion's sequences read back bit for bit, as lines and as files
       CHECK(again.found->index == index);
       CHECK(again.note == known.note);
       std::string line;
-      append_found_case_line(line, known.sequence(), *known.found);
+      append_found_case_line(line, known.any, *known.found);
       CHECK(line.find('\n') == std::string::npos);
       CHECK(parse(line).is_of_same(known));
     }
@@ -88,7 +88,7 @@ TEST_CASE("a sequence is no pair case, nor the other way round") {
       R"({"a": {"vertices": [[0,0],[1,0],[0,1]]}, "b": {"vertices": [[0,0],[1,0],[0,1]]}})";
   CHECK_THROWS_WITH(parse_case(pair, FormatKey::optional, CaseKind::sequence),
                     Catch::Contains("is a pair case; a sequence"));
-  CHECK_FALSE(parse_case(pair, FormatKey::optional, CaseKind::either).is_sequence());
+  CHECK(kind_of(parse_case(pair, FormatKey::optional, CaseKind::either).any) == CaseKind::pair);
 }
 
 TEST_CASE("a corpus keeps sequences apart from pair cases") {
@@ -101,11 +101,11 @@ TEST_CASE("a corpus keeps sequences apart from pair cases") {
   const Corpus corpus = read_known(folder.path());
   CHECK(corpus.errors.empty());
   CHECK(corpus.cases.empty());
-  REQUIRE(corpus.sequences.size() == 2);
-  CHECK(corpus.sequences[1].is_of_same(known));
+  REQUIRE(corpus.others.size() == 2);
+  CHECK(corpus.others[1].any == known.any);
   // It is not written twice, and not taken for another one.
   CHECK(write_corpus_case(folder.path() / "sequences", known) == file);
-  known.frames.pop_back();
+  std::get<Sequence>(known.any).frames.pop_back();
   CHECK(write_corpus_case(folder.path() / "sequences", known) != file);
   CHECK(find_case("subject/known/normal/none/a/gross", {{folder.path()}}).file ==
         (folder.path() / "sequences" / corpus_file_name(known)).string());

@@ -175,13 +175,13 @@ TEST_CASE("a clear lead of the best face is preferred to near ties and to ties")
 TEST_CASE(
     "of cases of one bucket the simplest is preferred, then the one with the greatest error") {
   CorpusCase plain;
-  plain.pair = messy();
+  plain.any = messy();
   plain.expect = Expectation{};
   plain.expect->magnitude = 0.1;
   CorpusCase worse = plain;
   worse.expect->magnitude = 0.2;
   CorpusCase odd = worse;
-  odd.pair.a.pose.position.x() = 2e9F;
+  std::get<PairCase>(odd.any).a.pose.position.x() = 2e9F;
   CHECK(preference(worse) < preference(plain));
   CHECK(preference(plain) < preference(odd));
 }

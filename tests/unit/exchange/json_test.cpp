@@ -31,7 +31,7 @@ float read_back(float value) {
 }
 
 PairCase read_pair(const std::string& text) {
-  return parse_case(text, FormatKey::optional).pair;
+  return parse_case(text, FormatKey::optional).pair();
 }
 
 std::string complaint_about(const std::string& text) {

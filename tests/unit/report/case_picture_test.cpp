@@ -46,7 +46,7 @@ void check_words(const JudgedCase& judged, const std::vector<Element>& elements)
     CHECK(holds(elements, asked->declaration.name + " " + asked->declaration.version));
     CHECK(holds(elements, answer_in_words(*asked)));
   }
-  const Admissible right = admissible(judged.given.pair, judged.subject.declaration);
+  const Admissible right = admissible(judged.given.pair(), judged.subject.declaration);
   const exact::Clip* const candidate = candidate_to_show(right, judged.subject);
   if (candidate == nullptr) return;
   const Side side = candidate->reference.side;
@@ -133,7 +133,7 @@ TEST_CASE("a depth too small to be seen gets a closer view") {
 TEST_CASE("an overlap much thinner than its depth gets a view of its own, if rounding leaves one") {
   const auto frames = [](const char* file) {
     const auto path = source_dir() / "corpus/defects/box2d" / file;
-    const PairCase pair = read_case_file(path.string()).pair;
+    const PairCase pair = read_case_file(path.string()).pair();
     return select(read_svg(case_svg(judged_case(pair))), "rect", "frame").size();
   };
   CHECK(frames("thin-overlap-box2d.json") == 3);

@@ -20,8 +20,9 @@ CorpusCase platform(std::size_t frames) {
           {"a": [0,0,0.961262,0.275637], "b": [-0.4107,1.43228,0.962357,0.27179]},
           {"a": [0,0,0.913545,0.406737], "b": [-0.60604,1.36118,0.911911,0.410388]}]})",
       FormatKey::optional, CaseKind::sequence);
-  while (known.frames.size() < frames) known.frames.push_back(known.frames.back());
-  known.frames.resize(frames);
+  std::vector<FramePoses>& all = std::get<Sequence>(known.any).frames;
+  while (all.size() < frames) all.push_back(all.back());
+  all.resize(frames);
   return known;
 }
 

@@ -49,7 +49,7 @@ Map map_of(const PairCase& pair, const Collider& subject, const Collider& oracle
            int cells_max = 1 << 20) {
   Interruption interruption;
   Map map;
-  map.judged.given.pair = pair;
+  map.judged.given.any = pair;
   map.judged.subject.declaration = subject.declaration;
   map.judged.oracle.declaration = oracle.declaration;
   map.judged.judgement = judge_in_child(pair, subject, oracle, interruption);
@@ -174,7 +174,7 @@ TEST_CASE("every known defect has a map") {
   CHECK(corpus.cases.size() > 5);
   for (const CorpusCase& known : corpus.cases) {
     CAPTURE(known.path);
-    Map map = map_of(known.pair, subject, oracle, 100);
+    Map map = map_of(known.pair(), subject, oracle, 100);
     map.judged.given = known;
     CHECK(Image(map_png(map.judged, map.neighbourhood)).width() > 1000);
     CHECK(map.severity() > 0);

@@ -74,7 +74,7 @@ TEST_CASE("the text of round shapes names them and the right contact") {
 TEST_CASE("a report on round shapes says what they are, and what is right") {
   JudgedCase judged = judged_case(circle_on_box());
   judged.oracle.answer = Manifold<double>{};
-  judged.judgement = judge(judged.given.pair, {judged.subject.declaration, judged.subject.answer},
+  judged.judgement = judge(judged.given.pair(), {judged.subject.declaration, judged.subject.answer},
                            {judged.oracle.declaration, judged.oracle.answer});
   const std::string report = upstream_report(judged, "--subject clip");
   CHECK_THAT(report,

@@ -15,7 +15,7 @@ inline JudgedCase judged_case(const PairCase& pair, const std::string& subject =
   const Collider of_subject = find_collider(subject);
   const Collider of_oracle = find_collider(oracle);
   JudgedCase judged;
-  judged.given.pair = pair;
+  judged.given.any = pair;
   judged.subject = {of_subject.declaration, of_subject.collide(pair)};
   judged.oracle = {of_oracle.declaration, of_oracle.collide(pair)};
   judged.judgement = judge(pair, {judged.subject.declaration, judged.subject.answer},

@@ -238,7 +238,7 @@ TEST_CASE("a report says what was got, what is right, and how to see it") {
   JudgedCase judged = test::judged_case(test::box_on_box(0.25F), "clip", "box2d");
   CHECK_THROWS_AS(upstream_report(judged, "--subject clip"), UserError);
   judged.oracle.answer = Manifold<double>{};
-  judged.judgement = judge(judged.given.pair, {judged.subject.declaration, judged.subject.answer},
+  judged.judgement = judge(judged.given.pair(), {judged.subject.declaration, judged.subject.answer},
                            {judged.oracle.declaration, judged.oracle.answer});
   judged.given.expect.emplace().severity = 0.5;
   const std::string report = upstream_report(judged, "--subject clip");

@@ -56,11 +56,11 @@ TEST_CASE("the pairs of the corpus meet and part in a scene as they do alone") {
   int met = 0;
   for (const CorpusCase& each : corpus.cases) {
     CAPTURE(each.path);
-    Meeting meeting(each.pair);
+    Meeting meeting(each.pair());
     if (!meeting.is_possible()) continue;
     ++met;
     const auto size =
-        static_cast<float>(4 * (reach(each.pair.a.polygon) + reach(each.pair.b.polygon)));
+        static_cast<float>(4 * (reach(each.pair().a.polygon) + reach(each.pair().b.polygon)));
     for (int k = -30; k <= 30; ++k) {
       CAPTURE(k);
       const float distance = k == 0 ? 0 : std::ldexp(size, -(30 - std::abs(k)));

@@ -1,4 +1,4 @@
-#include "campaign/recorded_case.hpp"
+#include "campaign/pairs/recorded_case.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +78,7 @@ std::optional<double> recorded_severity(const PairCase& pair, const Bucket& find
 CorpusCase unasked_case(const PairCase& pair, const Judgement& judgement, const Collider& subject,
                         const Collider& oracle) {
   CorpusCase recorded;
-  recorded.pair = pair;
+  recorded.any = pair;
   Expectation& expect = recorded.expect.emplace(
       Expectation{.subject = subject.declaration.name,
                   .oracle = oracle.declaration.name,

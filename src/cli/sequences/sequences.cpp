@@ -1,12 +1,13 @@
-#include "cli/sequences/keepers.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "campaign/sequences/keeper_trial.hpp"
 #include "campaign/sequences/sequence_case.hpp"
+#include "campaign/sequences/sequence_work.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
 #include "engines/sequence_colliders.hpp"
 #include "exchange/kept_json.hpp"
@@ -15,15 +16,20 @@
 #include "report/sequence/sequence_report.hpp"
 #include "sequence/motions.hpp"
 
-namespace manifuzz {
+// Sequences and the colliders that keep points over their frames, as commands have them.
 
-bool keeps_points(std::string_view name) {
+namespace manifuzz {
+namespace {
+
+bool keeps_points(const ColliderChoice& choice) {
+  if (!choice.command.empty()) return choice.keeps_points;
+  const std::string& name = choice.name;
   return find_sequence_entry(name) != nullptr || name.starts_with("cached+") ||
          name.starts_with("cached-bullet+");
 }
 
-bool keeps_points(const ColliderChoice& choice) {
-  return choice.command.empty() ? keeps_points(choice.name) : choice.keeps_points;
+bool is_motion(std::string_view name) {
+  return find_motion(name) != nullptr;
 }
 
 SequenceCollider find_keeper(const ColliderChoice& choice, const ExternalOptions& external) {
@@ -48,94 +54,75 @@ SequenceCollider find_keeper(const ColliderChoice& choice, const ExternalOptions
   }
 }
 
-NamedKeepers named_keepers(const ColliderChoice& choice, const ExternalOptions& external) {
-  const auto find = [](const std::string& name) -> std::optional<SequenceCollider> {
-    try {
-      return find_sequence_collider(name);
-    } catch (const UserError&) {
-      if (find_sequence_entry(name) == nullptr) return std::nullopt;
-      SequenceCollider absent;
-      absent.declaration.name = name;
-      return absent;
-    }
-  };
-  return {find, keeps_points(choice) ? std::optional(find_keeper(choice, external)) : std::nullopt};
+void plan_campaign(Plan& plan, const SubjectAndOracle& asked,
+                   std::span<const std::string> regimes) {
+  plan_sequences(plan, find_keeper(asked.subject, asked.external), regimes);
 }
 
-SequenceCollider keeper_for(const CorpusCase& given, ColliderChoice choice,
-                            const ExternalOptions& external) {
+std::shared_ptr<const KeeperTrial> keeper_for(const CorpusCase& given, ColliderChoice choice,
+                                              const ExternalOptions& external) {
   if (!choice.is_given()) {
     const bool names_one = given.expect && !given.expect->subject.empty();
     choice.name = names_one ? given.expect->subject : kUsualKeeper;
   }
-  return find_keeper(choice, external);
+  return std::make_shared<const KeeperTrial>(find_keeper(choice, external));
 }
 
-void expect_none_of(const std::vector<PairOption>& options) {
-  for (const PairOption& option : options) {
-    if (!option.is_given) continue;
-    throw UserError(
-        fmt::format("{}: applies only to pair cases; omit it for sequences", option.name));
+std::shared_ptr<const Trial> trial_for(const CorpusCase& given, ColliderChoice choice,
+                                       const ExternalOptions& external) {
+  return keeper_for(given, std::move(choice), external);
+}
+
+std::optional<SequenceCollider> find_known_keeper(const std::string& name) {
+  try {
+    return find_sequence_collider(name);
+  } catch (const UserError&) {
+    if (find_sequence_entry(name) == nullptr) return std::nullopt;
+    SequenceCollider absent;
+    absent.declaration.name = name;
+    return absent;
   }
+}
+
+TrialOf trials_by_name(const ColliderChoice& choice, const ExternalOptions& external) {
+  const bool is_given = keeps_points(choice);
+  return trials_of_keepers(find_known_keeper,
+                           is_given ? std::optional(find_keeper(choice, external)) : std::nullopt);
 }
 
 int collide_sequences(const ColliderChoice& choice, const ExternalOptions& external,
                       const std::string& file) {
   const SequenceCollider keeper = find_keeper(choice, external);
-  answer_each_sequence(file, [&](const Sequence& sequence, std::size_t index, std::string& lines) {
+  const auto answer = [&](const AnyCase& any, std::size_t index, std::string& lines) {
+    const auto& sequence = std::get<Sequence>(any);
     const std::vector<KeptAnswer> answers = ask_sequence(keeper, sequence);
     for (std::size_t k = 0; k < answers.size(); ++k) {
       if (k > 0) lines += '\n';
       append_kept_answer(lines, sequence.at(k), keeper.declaration.name, {index, k}, answers[k]);
     }
-  });
+  };
+  answer_each(file, CaseKind::sequence, answer);
   return 0;
 }
 
+/// Status 1 where something is wrong that nobody explains.
 int judge_sequences(const ColliderChoice& choice, const ExternalOptions& external,
                     const std::string& file) {
   const SequenceCollider keeper = find_keeper(choice, external);
   bool is_any_unexplained = false;
-  answer_each_sequence(file, [&](const Sequence& sequence, std::size_t index, std::string& lines) {
-    JudgedSequence judged{{}, keeper, ask_sequence(keeper, sequence), {}};
-    judged.given.set(sequence);
+  const auto answer = [&](const AnyCase& any, std::size_t index, std::string& lines) {
+    const auto& sequence = std::get<Sequence>(any);
+    JudgedSequence judged{{any}, keeper, ask_sequence(keeper, sequence), {}};
     judged.judgement = judge_sequence(sequence, keeper, judged.answers);
     append_sequence_judgement(lines, index, judged);
     is_any_unexplained = is_any_unexplained || is_unexplained(judged.judgement.bucket.verdict);
-  });
+  };
+  answer_each(file, CaseKind::sequence, answer);
   return is_any_unexplained ? 1 : 0;
 }
 
-bool names_motion(const std::vector<std::string>& names) {
-  return std::ranges::any_of(names,
-                             [](const std::string& name) { return find_motion(name) != nullptr; });
-}
-
-void expect_no_motions(const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    if (find_motion(name) == nullptr) continue;
-    throw UserError(fmt::format(
-        "--regime: {} is a motion, for sequences, which need a subject that keeps points, such as "
-        "--subject {}",
-        name, kUsualKeeper));
-  }
-}
-
-Corpus taken_by(const ColliderChoice& subject, Corpus corpus) {
-  if (!subject.is_given()) return corpus;
-  const bool is_keeper = keeps_points(subject);
-  std::vector<CorpusCase>& others = is_keeper ? corpus.cases : corpus.sequences;
-  if (!others.empty()) {
-    write_remark(fmt::format("left out: {} {}, which --{}{} does not take", others.size(),
-                             is_keeper ? "pair cases" : "sequences", subject.role,
-                             subject.command.empty() ? " " + subject.name : "-command"));
-  }
-  others.clear();
-  return corpus;
-}
-
-int generate_sequences(const SequenceDraw& draw) {
-  const auto chosen = chosen_by_name(motions(), draw.names, "motion", "--regime");
+int generate_sequences(const DrawOptions& draw) {
+  const auto chosen = chosen_by_name(motions(), draw.regimes, "motion", "--regime");
   expect_indices(draw.first, draw.count, chosen.size());
   const std::uint64_t seed = seed_or_draw(draw.seed);
   Output out;
@@ -156,7 +143,7 @@ int show_sequence(const CorpusCase& given, const ColliderChoice& choice,
                   const ExternalOptions& external, const std::string& picture) {
   Interruption interruption(kUntilSignal);
   const JudgedSequence judged =
-      judged_sequence(given, keeper_for(given, choice, external), interruption);
+      judged_sequence(given, keeper_for(given, choice, external)->keeper(), interruption);
   const std::string svg = picture.empty() ? "" : filmstrip_svg(judged);
   if (picture == "-") {
     write_output(svg);
@@ -166,5 +153,23 @@ int show_sequence(const CorpusCase& given, const ColliderChoice& choice,
   write_output(sequence_text(judged));
   return 0;
 }
+
+}  // namespace
+
+const OtherKind kSequences{
+    .kind = CaseKind::sequence,
+    .noun = "sequences",
+    .regime_is =
+        "a motion, for sequences, which need a subject that keeps points, such as "
+        "--subject cached",
+    .is_asked = keeps_points,
+    .has_regime = is_motion,
+    .plan = plan_campaign,
+    .trial = trial_for,
+    .trials = trials_by_name,
+    .collide = collide_sequences,
+    .judge = judge_sequences,
+    .generate = generate_sequences,
+    .show = show_sequence};
 
 }  // namespace manifuzz
