@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "campaign/save.hpp"
+#include "campaign/pairs/recorded_case.hpp"
 #include "external/campaigns.hpp"
 #include "generating/regime.hpp"
 #include "judging/manifold_error.hpp"

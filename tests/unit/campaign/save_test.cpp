@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "campaign/in_child.hpp"
+#include "campaign/pairs/recorded_case.hpp"
 #include "engines/colliders.hpp"
 
 using namespace manifuzz;
