@@ -15,16 +15,15 @@ namespace {
 /// What is wrong with a collider's answer.
 std::string wrong_in_words(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const std::string& name = asked.declaration.name;
+  const PairCase& pair = judged.given.pair();
   const double error = error_of_kind(judged.judgement);
   // It is a share of the size; people want to see the length.
-  const std::string off = brief(error * size(judged.given.pair()));
+  const std::string off = brief(error * size(pair));
   switch (judged.judgement.bucket.kind) {
     case Kind::missed_contact:
-      return fmt::format("{} reports no contact, true {}", name,
-                         truth_in_words(judged.given.pair()));
+      return fmt::format("{} reports no contact, true {}", name, truth_in_words(pair));
     case Kind::phantom_contact:
-      return fmt::format("{} reports contact across a {}", name,
-                         truth_in_words(judged.given.pair()));
+      return fmt::format("{} reports contact across a {}", name, truth_in_words(pair));
     case Kind::normal:
       return fmt::format("the normal of {} is off by {}", name, brief(error));
     case Kind::position:
@@ -72,10 +71,8 @@ constexpr std::array<std::string_view, 7> kVerdictWords{"agree: both are right, 
 std::string agreement(const JudgedCase& judged) {
   const std::string names =
       fmt::format("{} and {}", judged.subject.declaration.name, judged.oracle.declaration.name);
-  if (!touches(judged.subject.answer)) {
-    return fmt::format("agree: {} report no contact, {}", names,
-                       truth_in_words(judged.given.pair()));
-  }
+  const std::string truth = truth_in_words(judged.given.pair());
+  if (!touches(judged.subject.answer)) return "agree: " + names + " report no contact, " + truth;
   return fmt::format("agree within rounding: {} report {}", names, answer_in_words(judged.subject));
 }
 

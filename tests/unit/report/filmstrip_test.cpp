@@ -2,6 +2,7 @@
 
 #include "report/sequence/sequence_report.hpp"
 #include "report/sequence/strip_frames.hpp"
+#include "sequence/motions.hpp"
 #include "unit/report/svg_reader.hpp"
 #include "unit/sequence/keepers.hpp"
 
@@ -92,7 +93,7 @@ TEST_CASE("sequences of any motion can be drawn, whatever keeps points") {
   for (const Motion& motion : motions()) {
     for (const Mistake mistake : {Mistake::none, Mistake::stale_normal, Mistake::past_gap}) {
       CorpusCase known;
-      known.set(draw_sequence(5, motion, 0));
+      known.any = draw_sequence(5, motion, 0);
       const std::string svg = filmstrip_svg(judged(known, mistake));
       CAPTURE(motion.name);
       check_numbers(svg);
