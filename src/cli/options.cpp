@@ -69,7 +69,7 @@ std::string complaint_about_usage(const CLI::App& app, const CLI::ParseError& er
 }
 
 void add_common_options(CLI::App& app) {
-  const std::string quiet = "show no progress; print only errors, and data that no file takes";
+  const std::string quiet = "show no progress; print only errors, and results that go to no file";
   const std::string plain =
       "print without colours; the environment variable NO_COLOR does that, too";
   app.add_flag("--quiet", quiet);
@@ -210,10 +210,11 @@ void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regime
   throw UserError("--first: the last index would exceed 18446744073709551615; use fewer --cases");
 }
 
-void add_case_argument(CLI::App& app, CaseArgument& argument) {
-  add_text(
-      app, "file", argument.name, "FILE",
-      "a case's file, or - for stdin; or a bucket, or the beginning of a file name, in the corpus")
+void add_case_argument(CLI::App& app, CaseArgument& argument, const std::string& or_else) {
+  add_text(app, "file", argument.name, "FILE",
+           "a case's file, or - for stdin; or a bucket, or the beginning of a file name, in the "
+           "corpus" +
+               or_else)
       ->required();
   add_corpus(app, argument.folders,
              "folder in which a bucket or a beginning of a name is looked up; default: corpus and "

@@ -81,7 +81,7 @@ struct CaseArgument {
 };
 
 /// Adds the argument, and --corpus.
-void add_case_argument(CLI::App& app, CaseArgument& argument);
+void add_case_argument(CLI::App& app, CaseArgument& argument, const std::string& or_else = "");
 
 /// The file that is meant; what was taken from the corpus is said on stderr. Throws UserError.
 std::string case_file(const CaseArgument& argument);

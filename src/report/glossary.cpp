@@ -46,6 +46,8 @@ constexpr std::array kWords{
          "one name for findings that look alike: who is at fault, verdict, kind, tie, "
          "reference, and how far off"},
     Word{"regime", "a way of drawing cases, such as slivers or nearly tied faces"},
+    Word{"sequence", "one pair of shapes in frame after frame, for colliders that keep points"},
+    Word{"motion", "a way of drawing sequences, such as a box that rocks on a floor"},
     Word{"corpus", "a folder of cases that are known, each a file"},
     Word{"accepted",
          "a finding that its author has said may stay; what is worse or more frequent "

@@ -122,8 +122,8 @@ void add_accept_arguments(CLI::App& app, AcceptArguments& options) {
       add_text(app, "--drop", options.drop, "FILE", "stop accepting this finding")->excludes(list);
   CLI::Option* const by_kind = app.add_flag(
       "--kind", options.is_by_kind,
-      "accept every bucket of the same kind and collider: those in the corpus, and in later runs "
-      "new ones that are no worse and, all together, no more frequent");
+      "accept every bucket of this kind and collider in the corpus; later runs may show new ones, but "
+      "none that is worse, and no more of them in all");
   for (CLI::Option* const of_accepting : {files, because, link, until, up_to, by_kind}) {
     of_accepting->excludes(list)->excludes(drop_file);
   }

@@ -27,7 +27,7 @@ struct ShrinkArguments {
   std::string output = "-";
 };
 
-/// Those of a folder's findings that there was no time for when they were saved.
+/// Shrinks a folder's findings that there was no time for when they were saved.
 int shrink_folder(const ShrinkArguments& options) {
   const std::filesystem::path folder = options.given.name;
   if (options.output != "-") {
@@ -77,7 +77,8 @@ int shrink_file(const ShrinkArguments& options) {
 }
 
 void add_shrink_arguments(CLI::App& app, ShrinkArguments& options) {
-  add_case_argument(app, options.given);
+  add_case_argument(app, options.given,
+                    "; or a folder of findings, whose cases are shrunk in place");
   add_collider(app, options.colliders.subject,
                "collider under test; default: clip, or for a folder the one that each case names");
   add_collider(app, options.colliders.oracle,

@@ -56,9 +56,9 @@ std::string neighbours_in_words(const JudgedCase& judged) {
   if (!judged.given.expect || !judged.given.expect->severity) return {};
   const double share = *judged.given.expect->severity;
   const std::string failing = share >= 1   ? "all fail too"
-                              : share <= 0 ? "hardly any fails"
+                              : share <= 0 ? "almost none fails"
                                            : fmt::format("{:.3g} % fail too", 100 * share);
-  return fmt::format("- Of the neighbours, one vertex moved by up to 64 ulps each way, {}.\n",
+  return fmt::format("- Neighbours, with one vertex moved by up to 64 ulps each way: {}.\n",
                      failing);
 }
 
