@@ -11,8 +11,8 @@
 #include "campaign/trial.hpp"
 #include "collider/collider.hpp"
 #include "corpus/corpus.hpp"
-#include "judging/properties.hpp"
 #include "process/interruption.hpp"
+#include "properties/properties.hpp"
 
 namespace manifuzz {
 

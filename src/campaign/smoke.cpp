@@ -6,7 +6,7 @@
 
 #include "campaign/pairs/pair_trial.hpp"
 #include "generating/regime.hpp"
-#include "judging/properties.hpp"
+#include "properties/properties.hpp"
 
 namespace manifuzz {
 namespace {

@@ -4,8 +4,8 @@
 #include "canary/search.hpp"
 #include "corpus/shrink.hpp"
 #include "generating/regime.hpp"
-#include "judging/properties.hpp"
 #include "oracle/box2d/box2d.hpp"
+#include "properties/properties.hpp"
 
 // Bugs planted into the collider: a campaign against Box2D must blame it, or a property must fail.
 

@@ -40,6 +40,7 @@ const std::vector<Folder> kFolders = {
     {"external", "external", {"own code"}},
     {"generating", "generating", {"own code", "external"}},
     {"judging", "judging", {"own code", "external"}},
+    {"properties", "properties", {"own code", "external"}},
     {"sequence", "sequence", {"own code", "external"}},
     {"corpus", "corpus", {"own code", "external"}},
     {"engines", "engines", {}},

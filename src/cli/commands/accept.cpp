@@ -120,10 +120,10 @@ void add_accept_arguments(CLI::App& app, AcceptArguments& options) {
       app.add_flag("--list", options.list, "list accepted findings, one a line");
   CLI::Option* const drop_file =
       add_text(app, "--drop", options.drop, "FILE", "stop accepting this finding")->excludes(list);
-  CLI::Option* const by_kind = app.add_flag(
-      "--kind", options.is_by_kind,
-      "accept every bucket of this kind and collider in the corpus; later runs may show new ones, but "
-      "none that is worse, and no more of them in all");
+  CLI::Option* const by_kind = app.add_flag("--kind", options.is_by_kind,
+                                            "accept every bucket of this kind and collider in the "
+                                            "corpus; later runs may show new ones, but "
+                                            "none that is worse, and no more of them in all");
   for (CLI::Option* const of_accepting : {files, because, link, until, up_to, by_kind}) {
     of_accepting->excludes(list)->excludes(drop_file);
   }

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "geometry/pair_case.hpp"
-#include "judging/round_answer.hpp"
+#include "properties/round_answer.hpp"
 
 namespace manifuzz {
 namespace {

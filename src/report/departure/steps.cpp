@@ -1,12 +1,12 @@
-#include "judging/departure/steps.hpp"
+#include "report/departure/steps.hpp"
 
 #include <array>
 
 #include <fmt/format.h>
 
 #include "geometry/pose.hpp"
-#include "judging/departure/other_clips.hpp"
-#include "judging/departure/other_depths.hpp"
+#include "report/departure/other_clips.hpp"
+#include "report/departure/other_depths.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,4 +1,4 @@
-#include "judging/departure/departure.hpp"
+#include "report/departure/departure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "geometry/pose.hpp"
 #include "judging/by_curve.hpp"
-#include "judging/departure/steps.hpp"
 #include "judging/manifold_error.hpp"
+#include "report/departure/steps.hpp"
 
 namespace manifuzz {
 namespace {

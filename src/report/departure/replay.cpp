@@ -1,4 +1,4 @@
-#include "judging/departure/replay.hpp"
+#include "report/departure/replay.hpp"
 
 #include <algorithm>
 #include <cmath>

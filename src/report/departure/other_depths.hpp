@@ -1,6 +1,6 @@
 #pragma once
 
-#include "judging/departure/steps.hpp"
+#include "report/departure/steps.hpp"
 
 namespace manifuzz {
 

@@ -1,4 +1,4 @@
-#include "judging/properties.hpp"
+#include "properties/properties.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "judging/by_curve.hpp"
 #include "judging/compare.hpp"
 #include "judging/ledger.hpp"
-#include "judging/round_answer.hpp"
+#include "properties/round_answer.hpp"
 
 namespace manifuzz {
 namespace {

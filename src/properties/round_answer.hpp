@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "judging/properties.hpp"
 #include "judging/round_contact.hpp"
+#include "properties/properties.hpp"
 
 namespace manifuzz {
 

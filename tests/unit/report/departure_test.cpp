@@ -1,4 +1,4 @@
-#include "judging/departure/departure.hpp"
+#include "report/departure/departure.hpp"
 
 #include <functional>
 

@@ -7,7 +7,7 @@
 
 #include "exact/truth.hpp"
 #include "judging/bounds.hpp"
-#include "judging/departure/replay.hpp"
+#include "report/departure/replay.hpp"
 
 namespace manifuzz {
 

@@ -1,4 +1,4 @@
-#include "judging/departure/other_depths.hpp"
+#include "report/departure/other_depths.hpp"
 
 #include <array>
 #include <utility>

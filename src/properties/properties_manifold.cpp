@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "judging/judge.hpp"
-#include "judging/round_answer.hpp"
+#include "properties/round_answer.hpp"
 
 namespace manifuzz {
 namespace {

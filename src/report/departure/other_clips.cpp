@@ -1,4 +1,4 @@
-#include "judging/departure/other_clips.hpp"
+#include "report/departure/other_clips.hpp"
 
 #include <array>
 

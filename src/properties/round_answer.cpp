@@ -1,4 +1,4 @@
-#include "judging/round_answer.hpp"
+#include "properties/round_answer.hpp"
 
 #include <algorithm>
 #include <cmath>
