@@ -133,7 +133,7 @@ SequenceJudgement judge_sequence(const Sequence& sequence, const SequenceCollide
 Standing standing(const Sequence& sequence) {
   Standing all;
   for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
-    const Standing of_frame = standing(exact::Truth(sequence.at(k)));
+    const Standing of_frame = standing(sequence.at(k));
     all.near = all.near || of_frame.near;
     if (of_frame.touching) return of_frame;
   }
