@@ -12,6 +12,25 @@ DeclaredAnswer declared_answer(const Collider& collider, const PairCase& pair,
   return {collider.declaration, ask_in_child(collider, pair, interruption)};
 }
 
+namespace {
+
+Standing standing_of(const PairCase& pair) {
+  return standing(exact::Truth(pair));
+}
+
+/// Whether it touches in any frame, or else comes near.
+Standing standing_of(const Sequence& sequence) {
+  Standing all;
+  for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
+    const Standing of_frame = standing_of(sequence.at(k));
+    all.near = all.near || of_frame.near;
+    if (of_frame.touching) return of_frame;
+  }
+  return all;
+}
+
+}  // namespace
+
 JudgedCase judged_case(const CorpusCase& given, const Collider& subject, const Collider& oracle,
                        Interruption& interruption) {
   return {given, declared_answer(subject, given.pair(), interruption),
@@ -26,8 +45,7 @@ std::vector<Declaration> asked_by(const Plan& plan) {
 }
 
 Standing standing(const AnyCase& any) {
-  if (const auto* const pair = std::get_if<PairCase>(&any)) return standing(exact::Truth(*pair));
-  return standing(std::get<Sequence>(any));
+  return std::visit([](const auto& one) { return standing_of(one); }, any);
 }
 
 std::vector<const Regime*> regimes_for(const std::vector<Collider>& colliders,

@@ -130,16 +130,6 @@ SequenceJudgement judge_sequence(const Sequence& sequence, const SequenceCollide
   return SequenceJudge(sequence, subject, answers).judge();
 }
 
-Standing standing(const Sequence& sequence) {
-  Standing all;
-  for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
-    const Standing of_frame = standing(sequence.at(k));
-    all.near = all.near || of_frame.near;
-    if (of_frame.touching) return of_frame;
-  }
-  return all;
-}
-
 bool takes(const SequenceCollider& subject, const Sequence& sequence) {
   const PairCase pair = sequence.at(0);
   const bool has_mitred_radius = !is_round(pair) && total_radius(pair) > 0;

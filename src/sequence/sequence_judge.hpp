@@ -38,9 +38,6 @@ struct SequenceJudgement {
 SequenceJudgement judge_sequence(const Sequence& sequence, const SequenceCollider& subject,
                                  std::span<const KeptAnswer> answers);
 
-/// Where a sequence stands by the truth alone: whether it touches in any frame, or else comes near.
-Standing standing(const Sequence& sequence);
-
 /// Whether a collider may be asked about a sequence, by what it declares of shapes. Sharp polygons
 /// have no radius for one that takes none.
 bool takes(const SequenceCollider& subject, const Sequence& sequence);
