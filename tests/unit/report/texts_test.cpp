@@ -251,7 +251,7 @@ TEST_CASE("a report says what was got, what is right, and how to see it") {
   CHECK_THAT(report, Contains("- Got: no contact.\n- Expected: normal (0, -1) from A to B; "
                               "world.points (-0.5, -0.875), separations -0.25; "));
   CHECK_THAT(report, Contains("- Users see: nothing pushes the bodies apart"));
-  CHECK_THAT(report, Contains("each way, 50 % fail too.\n"));
+  CHECK_THAT(report, Contains("each way: 50 % fail too.\n"));
   CHECK_THAT(report, Contains("- By hand: the face of A from (-1, -1) to (1, -1) has the outward "
                               "normal (0, -1), and B's vertex "));
   CHECK_THAT(report, Contains("0.25 behind it; so they overlap by 0.25"));
