@@ -199,7 +199,7 @@ std::vector<std::string> stale_files(const Plan& plan, const Known& known,
     }
   }
   std::ranges::sort(stale);
-  stale.erase(std::ranges::unique(stale).begin(), stale.end());
+  stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
   return stale;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <ranges>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 using exact::FaceOf;
 
-constexpr std::ptrdiff_t kNamedMax = 3;  ///< changes that are named, the earliest steps first
+constexpr std::size_t kNamedMax = 3;  ///< changes that are named, the earliest steps first
 
 /// A manifold as it is replayed: world directions and lengths, seen from A's position.
 struct GivenContact {
@@ -287,7 +287,8 @@ std::string departures_in_words(const Departures& departures) {
     return fmt::format("It departs at {}: {} the clip gives this answer.", first.step, first.words);
   }
   std::string words = "One of these changes alone gives this answer:";
-  for (const Departure& departure : departures.found | std::views::take(kNamedMax)) {
+  const std::size_t named = std::min(departures.found.size(), kNamedMax);
+  for (const Departure& departure : std::span(departures.found).first(named)) {
     words += fmt::format("{} at {}, {}", &departure == &first ? "" : ";", departure.step,
                          departure.words);
   }

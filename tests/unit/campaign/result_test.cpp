@@ -20,12 +20,12 @@ CampaignResult sample() {
   CampaignResult result;
   result.machine = {{"processor", "p"}, {"cores", 2}, {"instruction_set", "sse2"}};
   result.compiler = "g++";
-  result.settings = {.subject = "zeta",
-                     .oracle = "alpha",
-                     .versions = {{"manifuzz", "0.1.0"}, {"zeta", "2"}, {"alpha", "1"}},
-                     .tie_bias = 0.5,
-                     .radius = 0.25,
-                     .judge_every = 7};
+  result.settings.subject = "zeta";
+  result.settings.oracle = "alpha";
+  result.settings.versions = {{"manifuzz", "0.1.0"}, {"zeta", "2"}, {"alpha", "1"}};
+  result.settings.tie_bias.absolute = 0.5;
+  result.settings.radius = 0.25;
+  result.settings.judge_every = 7;
   result.jobs = 3;
   result.verdicts = {90, 5, 4, 0, 1};
   result.of_oracle[Component::depth] = std::numeric_limits<double>::infinity();
