@@ -69,7 +69,8 @@ std::string complaint_about_usage(const CLI::App& app, const CLI::ParseError& er
 }
 
 void add_common_options(CLI::App& app) {
-  const std::string quiet = "show no progress; print only errors, and results that go to no file";
+  const std::string quiet =
+      "show no progress and no remarks; print only errors, and results that no --json takes";
   const std::string plain =
       "print without colours; the environment variable NO_COLOR does that, too";
   app.add_flag("--quiet", quiet);

@@ -1,8 +1,11 @@
+#include <cstdlib>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
@@ -17,28 +20,69 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json parsed(std::string_view text) {
-  return text.empty() ? Json::object() : Json::parse(text);
+Json parsed(std::string_view engine, std::string_view file, std::string_view text) {
+  try {
+    return text.empty() ? Json::object() : Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw UserError(fmt::format("oracle/{}/{}: {}", engine, file, error.what()));
+  }
+}
+
+/// Fails where an object of an engine's ledger.json is none, or has other members than these.
+void expect_members(std::string_view engine, const std::string& path, const Json& object,
+                    const std::set<std::string_view>& allowed) {
+  const auto fail = [&](std::string_view what) {
+    throw UserError(fmt::format("oracle/{}/ledger.json: {}: {}; {} are expected", engine, path,
+                                what, fmt::join(allowed, ", ")));
+  };
+  if (!object.is_object()) fail("is no object");
+  for (const auto& [key, value] : object.items()) {
+    if (!allowed.contains(key)) fail(fmt::format("unknown member '{}'", key));
+    const bool is_flag = key == "no_bug";
+    if (path != "$" && !(is_flag ? value.is_boolean() : value.is_string())) {
+      fail(fmt::format("'{}' is not a {}", key, is_flag ? "boolean" : "string"));
+    }
+  }
 }
 
 /// The words of causes in an engine's ledger.json.
 struct CausesInWords {
-  const AskedEngine* engine;
+  const AskedEngine* engine;  ///< whose they are
   Json causes;
 };
 
-/// An engine's own, and those of the engine whose causes it has too.
-std::vector<CausesInWords> causes_in_words(std::string_view engine) {
-  const Json ledger = parsed(find_by_name(engine_texts(), engine)->ledger);
-  std::vector<CausesInWords> all;
-  if (const auto causes = ledger.find("causes"); causes != ledger.end()) {
-    all.push_back({find_by_name(asked_engines(), engine), *causes});
-  }
-  if (const auto of = ledger.find("causes_of"); of != ledger.end()) {
-    for (CausesInWords& words : causes_in_words(of->get<std::string>())) {
-      all.push_back(std::move(words));
+CausesInWords words_in(const AskedEngine& engine, const Json& ledger) {
+  CausesInWords words{&engine, ledger.value("causes", Json::object())};
+  for (const auto& [cause, said] : words.causes.items()) {
+    const std::string path = fmt::format("$.causes.{}", cause);
+    expect_members(engine.name, path, said, {"description", "source", "cited_as", "no_bug"});
+    for (const char* const needed : {"description", "source"}) {
+      if (said.contains(needed)) continue;
+      throw UserError(
+          fmt::format("oracle/{}/ledger.json: {}: has no '{}'", engine.name, path, needed));
     }
   }
+  return words;
+}
+
+Json ledger_of(std::string_view engine) {
+  Json ledger = parsed(engine, "ledger.json", find_by_name(engine_texts(), engine)->ledger);
+  expect_members(engine, "$", ledger, {"causes", "causes_of"});
+  return ledger;
+}
+
+/// An engine's own, and those of the engine whose causes it has too.
+std::vector<CausesInWords> causes_in_words(std::string_view engine) {
+  const Json ledger = ledger_of(engine);
+  std::vector<CausesInWords> all{words_in(*find_by_name(asked_engines(), engine), ledger)};
+  const std::string other = ledger.value("causes_of", std::string());
+  if (other.empty()) return all;
+  const AskedEngine* const of = find_by_name(asked_engines(), other);
+  if (of == nullptr) {
+    throw UserError(
+        fmt::format("oracle/{}/ledger.json: $.causes_of: there is no engine '{}'", engine, other));
+  }
+  all.push_back(words_in(*of, ledger_of(other)));
   return all;
 }
 
@@ -51,20 +95,25 @@ std::string source_of(const AskedEngine& engine, const Json& cause) {
   return fmt::format("{}, {}", cited, cause.at("source").get<std::string>());
 }
 
-/// The entry of a collider on a cause, which looks for nothing yet.
+/// The entry of a collider on a cause, which looks for nothing yet. Causes of another engine are
+/// cited as the collider's own engine cites them: it may have them in another version.
 LedgerEntry entry_in_words(std::span<const CausesInWords> words, std::string_view collider,
                            std::string_view cause) {
   LedgerEntry entry{.id = fmt::format("{}-{}", collider, cause), .collider = std::string(collider)};
+  const AskedEngine& own = *words.front().engine;
   for (const auto& [engine, causes] : words) {
     auto found = causes.find(entry.id);
     if (found == causes.end()) found = causes.find(cause);
     if (found == causes.end()) continue;
     entry.description = found->at("description");
-    entry.source = source_of(*engine, *found);
+    entry.source = source_of(own, *found);
     entry.is_no_bug = found->value("no_bug", false);
     return entry;
   }
-  throw UserError(fmt::format("no ledger.json has words for {}", entry.id));
+  throw UserError(
+      fmt::format("oracle/{}/ledger.json: $.causes has no words for {}: '{}' or '{}' "
+                  "is expected",
+                  own.name, entry.id, cause, entry.id));
 }
 
 std::vector<Budget> budgets_from(const Json& budgets, const std::string& id) {
@@ -76,13 +125,23 @@ std::vector<Budget> budgets_from(const Json& budgets, const std::string& id) {
   return of_entry;
 }
 
-}  // namespace
+/// The ledgers are read before main begins: what is wrong with one ends the program, with status 2.
+template <class Read>
+auto read_or_end(const Read& read) {
+  try {
+    return read();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "manifuzz: {}\n", error.what());
+    std::_Exit(2);
+  }
+}
 
-std::vector<LedgerEntry> built_ledger() {
+std::vector<LedgerEntry> read_ledger() {
   std::vector<LedgerEntry> all;
   for (const Engine& engine : built_engines()) {
     const auto words = causes_in_words(engine.name);
-    const Json budgets = parsed(find_by_name(engine_texts(), engine.name)->budgets);
+    const Json budgets =
+        parsed(engine.name, "budgets.json", find_by_name(engine_texts(), engine.name)->budgets);
     for (const LedgerRows& of_collider : engine.ledger) {
       for (const LedgerRow& row : of_collider.rows) {
         LedgerEntry& entry =
@@ -93,10 +152,12 @@ std::vector<LedgerEntry> built_ledger() {
       }
     }
   }
-  return all;
+  if (all.size() <= kLedgerMax) return all;
+  throw UserError(fmt::format("the ledgers have {} entries; kLedgerMax is {}: raise it", all.size(),
+                              kLedgerMax));
 }
 
-std::vector<SequenceEntry> built_sequence_ledger() {
+std::vector<SequenceEntry> read_sequence_ledger() {
   std::vector<SequenceEntry> all;
   for (const Engine& engine : built_engines()) {
     const auto words = causes_in_words(engine.name);
@@ -107,6 +168,16 @@ std::vector<SequenceEntry> built_sequence_ledger() {
     }
   }
   return all;
+}
+
+}  // namespace
+
+std::vector<LedgerEntry> built_ledger() {
+  return read_or_end(read_ledger);
+}
+
+std::vector<SequenceEntry> built_sequence_ledger() {
+  return read_or_end(read_sequence_ledger);
 }
 
 }  // namespace manifuzz

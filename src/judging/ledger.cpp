@@ -13,7 +13,7 @@ std::span<const LedgerEntry> ledger() {
   static std::array<LedgerEntry, kLedgerMax> entries;
   static const std::size_t count = [] {
     std::vector<LedgerEntry> built = built_ledger();
-    assert(built.size() <= kLedgerMax);
+    assert(built.size() <= entries.size());
     std::ranges::move(built, entries.begin());
     return built.size();
   }();

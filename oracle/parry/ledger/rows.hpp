@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <initializer_list>
 #include <span>
 #include <vector>
@@ -40,6 +41,9 @@ inline constexpr LedgerRow kRowsOfManifolds[] = {
 inline std::vector<LedgerRow> rows_but_for(std::initializer_list<std::string_view> causes,
                                            std::span<const LedgerRow> rows) {
   std::vector<LedgerRow> others;
+  assert(std::ranges::all_of(causes, [&](std::string_view cause) {
+    return std::ranges::find(rows, cause, &LedgerRow::cause) != rows.end();
+  }));
   std::ranges::copy_if(rows, std::back_inserter(others), [&](const LedgerRow& row) {
     return std::ranges::find(causes, row.cause) == causes.end();
   });
