@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "campaign/pairs/pair_trial.hpp"
+#include "generating/regime.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {
@@ -55,6 +56,14 @@ void expect_regimes_of_pairs(const std::vector<std::string>& names) {
     const OtherKind* const kind = kind_for(std::vector{name});
     if (kind == nullptr) continue;
     throw UserError(fmt::format("--regime: {} is {}", name, kind->regime_is));
+  }
+}
+
+void expect_regimes_of(const OtherKind& kind, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (kind.has_regime(name) || find_regime(name) == nullptr) continue;
+    throw UserError(fmt::format("--regime: {} is a regime of pair cases, which do not mix with {}",
+                                name, kind.noun));
   }
 }
 

@@ -69,6 +69,8 @@ void expect_none_of(const OtherKind& kind, const std::vector<PairOption>& option
 
 /// Fails where one is a regime of another kind, and says who takes it.
 void expect_regimes_of_pairs(const std::vector<std::string>& names);
+/// Fails where one is a regime of pair cases.
+void expect_regimes_of(const OtherKind& kind, const std::vector<std::string>& names);
 
 /// The trials of other kinds; of each kind, where pair cases find their colliders by `find`.
 TrialOf trials_of_others(const ColliderChoice& subject, const ExternalOptions& external);

@@ -58,6 +58,7 @@ void plan_cases(Plan& plan, const FuzzArguments& options) {
                            {"--tie-bias", options.tie_bias.has_value()},
                            {"--radius", options.radius.has_value()},
                            {"--judge-every", options.judge_every.has_value()}});
+    expect_regimes_of(*kind, options.regimes);
     return kind->plan(plan, asked, options.regimes);
   }
   plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
@@ -86,12 +87,18 @@ Plan plan_of(const FuzzArguments& options) {
   return plan;
 }
 
+/// Without an oracle where it has none.
+SubjectAndOracle asked_again(const FuzzArguments& options) {
+  SubjectAndOracle again = options.colliders;
+  if (kind_for(again.subject) != nullptr) again.oracle.name.clear();
+  return again;
+}
+
 /// The beginning of a command that repeats a case: whatever it depends on besides regime, seed and
 /// index.
 std::string repeating_command(const FuzzArguments& options) {
-  SubjectAndOracle again = options.colliders;
-  if (kind_for(again.subject) != nullptr) again.oracle.name.clear();
-  std::string command = fmt::format("{} fuzz {}", this_program(), options_again(again));
+  std::string command =
+      fmt::format("{} fuzz {}", this_program(), options_again(asked_again(options)));
   if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
   if (options.radius) command += fmt::format(" --radius {}", *options.radius);
   if (options.judge_every) command += fmt::format(" --judge-every {}", *options.judge_every);
@@ -118,7 +125,7 @@ std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_j
 }
 
 ShowAgain show_again(const FuzzArguments& options) {
-  return {this_program(), options_to_show(options.colliders)};
+  return {this_program(), options_to_show(asked_again(options))};
 }
 
 /// Everything that was asked for; one output that fails loses no other.

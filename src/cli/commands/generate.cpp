@@ -27,6 +27,7 @@ int generate_cases(const GenerateArguments& options) {
                          options.cases.value_or(10)};
   if (const OtherKind* const kind = kind_for(options.regimes)) {
     expect_none_of(*kind, {{"--radius", options.radius.has_value()}});
+    expect_regimes_of(*kind, options.regimes);
     return kind->generate(draw);
   }
   const std::vector<const Regime*> chosen =
