@@ -79,7 +79,7 @@ TEST_CASE("sequences and pair cases are told apart in one clear line") {
            {{"show", sequence, "--map", "x.png"}, "--map: applies only to pair cases"},
            {{"shrink", sequence, "--subject", "cached"}, "cached is right on it"},
            {{"property", "--subject", "cached"}, "cached keeps points from frame to frame"},
-           {{"fuzz", "--subject", "cached", "--regime", "sliver"}, "there is no motion 'sliver'"},
+           {{"fuzz", "--subject", "cached", "--regime", "sliver"}, "sliver is a regime of pair cases"},
            {{"fuzz", "--regime", "sliding"}, "sliding is a motion"},
            {{"fuzz", "--subject", "cached", "--radius", "1"},
             "--radius: applies only to pair cases"},
