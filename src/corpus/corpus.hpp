@@ -114,7 +114,7 @@ struct Corpus {
   void add(CorpusCase one);
   /// Adds all of another corpus behind its own.
   void add(Corpus more);
-  /// Those among which ones of a kind are.
+  /// The cases among which those of a kind are.
   const std::vector<CorpusCase>& of(CaseKind kind) const {
     return kind == CaseKind::pair ? cases : others;
   }

@@ -1,6 +1,5 @@
 #include <cstdlib>
 #include <set>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -46,23 +45,17 @@ void expect_members(std::string_view engine, const std::string& path, const Json
 }
 
 /// The words of causes in an engine's ledger.json.
-struct CausesInWords {
-  const AskedEngine* engine;  ///< whose they are
-  Json causes;
-};
-
-CausesInWords words_in(const AskedEngine& engine, const Json& ledger) {
-  CausesInWords words{&engine, ledger.value("causes", Json::object())};
-  for (const auto& [cause, said] : words.causes.items()) {
+Json causes_in(std::string_view engine, const Json& ledger) {
+  Json causes = ledger.value("causes", Json::object());
+  for (const auto& [cause, said] : causes.items()) {
     const std::string path = fmt::format("$.causes.{}", cause);
-    expect_members(engine.name, path, said, {"description", "source", "cited_as", "no_bug"});
+    expect_members(engine, path, said, {"description", "source", "cited_as", "no_bug"});
     for (const char* const needed : {"description", "source"}) {
       if (said.contains(needed)) continue;
-      throw UserError(
-          fmt::format("oracle/{}/ledger.json: {}: has no '{}'", engine.name, path, needed));
+      throw UserError(fmt::format("oracle/{}/ledger.json: {}: has no '{}'", engine, path, needed));
     }
   }
-  return words;
+  return causes;
 }
 
 Json ledger_of(std::string_view engine) {
@@ -71,19 +64,24 @@ Json ledger_of(std::string_view engine) {
   return ledger;
 }
 
-/// An engine's own, and those of the engine whose causes it has too.
-std::vector<CausesInWords> causes_in_words(std::string_view engine) {
+/// An engine, its words of causes, and those of the engine whose causes it has too.
+struct CausesInWords {
+  const AskedEngine* engine;
+  std::vector<Json> causes;
+};
+
+CausesInWords causes_in_words(std::string_view engine) {
   const Json ledger = ledger_of(engine);
-  std::vector<CausesInWords> all{words_in(*find_by_name(asked_engines(), engine), ledger)};
+  CausesInWords words{find_by_name(asked_engines(), engine), {}};
+  words.causes.push_back(causes_in(engine, ledger));
   const std::string other = ledger.value("causes_of", std::string());
-  if (other.empty()) return all;
-  const AskedEngine* const of = find_by_name(asked_engines(), other);
-  if (of == nullptr) {
+  if (other.empty()) return words;
+  if (find_by_name(asked_engines(), other) == nullptr) {
     throw UserError(
         fmt::format("oracle/{}/ledger.json: $.causes_of: there is no engine '{}'", engine, other));
   }
-  all.push_back(words_in(*of, ledger_of(other)));
-  return all;
+  words.causes.push_back(causes_in(other, ledger_of(other)));
+  return words;
 }
 
 /// With the engine and its version, as they are cited, before the place.
@@ -97,23 +95,22 @@ std::string source_of(const AskedEngine& engine, const Json& cause) {
 
 /// The entry of a collider on a cause, which looks for nothing yet. Causes of another engine are
 /// cited as the collider's own engine cites them: it may have them in another version.
-LedgerEntry entry_in_words(std::span<const CausesInWords> words, std::string_view collider,
+LedgerEntry entry_in_words(const CausesInWords& words, std::string_view collider,
                            std::string_view cause) {
   LedgerEntry entry{.id = fmt::format("{}-{}", collider, cause), .collider = std::string(collider)};
-  const AskedEngine& own = *words.front().engine;
-  for (const auto& [engine, causes] : words) {
+  for (const Json& causes : words.causes) {
     auto found = causes.find(entry.id);
     if (found == causes.end()) found = causes.find(cause);
     if (found == causes.end()) continue;
     entry.description = found->at("description");
-    entry.source = source_of(own, *found);
+    entry.source = source_of(*words.engine, *found);
     entry.is_no_bug = found->value("no_bug", false);
     return entry;
   }
   throw UserError(
       fmt::format("oracle/{}/ledger.json: $.causes has no words for {}: '{}' or '{}' "
                   "is expected",
-                  own.name, entry.id, cause, entry.id));
+                  words.engine->name, entry.id, cause, entry.id));
 }
 
 std::vector<Budget> budgets_from(const Json& budgets, const std::string& id) {
