@@ -14,7 +14,7 @@
 
 namespace manifuzz {
 
-/// Which cases `generate` draws.
+/// The seed, regimes and indices of the cases that `generate` draws.
 struct DrawOptions {
   std::vector<std::string> regimes;
   std::optional<std::uint64_t> seed;
