@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "corpus/corpus.hpp"
-#include "report/outputs.hpp"
 
 namespace manifuzz {
 namespace {
@@ -196,6 +196,12 @@ void add_junit(CLI::App& app, std::string& file) {
 
 void add_json(CLI::App& app, std::string& file, const std::string& what) {
   app.add_option("--json", file, "write " + what + " as JSON; - is stdout")->type_name("FILE");
+}
+
+void write_table(Outputs& outputs, const std::string& table, const std::string& json_file,
+                 const std::string& json) {
+  outputs.write(true, [&] { write_to_reader(json_file == "-" ? json : table); });
+  outputs.write(!json_file.empty() && json_file != "-", [&] { write_file(json_file, json); });
 }
 
 std::uint64_t seed_or_draw(const std::optional<std::uint64_t>& seed) {

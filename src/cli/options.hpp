@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include "corpus/corpus_folders.hpp"
+#include "report/outputs.hpp"
 
 namespace manifuzz {
 
@@ -66,6 +67,10 @@ void add_no_save(CLI::App& app, CorpusFolders& folders);
 void add_junit(CLI::App& app, std::string& file);
 
 void add_json(CLI::App& app, std::string& file, const std::string& what);
+/// Writes a table for people, or in its place the JSON where --json asks for it on the standard
+/// output; and the JSON to the file that --json names otherwise.
+void write_table(Outputs& outputs, const std::string& table, const std::string& json_file,
+                 const std::string& json);
 
 /// The seed that was given, or one that is drawn and printed on stderr first.
 std::uint64_t seed_or_draw(const std::optional<std::uint64_t>& seed);

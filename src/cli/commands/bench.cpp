@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/file.hpp"
 #include "base/text.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
@@ -129,16 +128,9 @@ MethodsOptions quick_methods() {
 int write_results(const BenchArguments& options, const nlohmann::ordered_json& json,
                   const std::string& table,
                   const std::function<void(const std::string& path)>& draw) {
-  std::string text;
-  if (options.json == "-") {
-    text = json_text(json);
-  } else if (!leaves_out_tables(options.json)) {
-    text = machine_line(json) + table;
-  }
   Outputs outputs;
-  outputs.write(true, [&] { write_to_reader(text); });
-  outputs.write(!options.json.empty() && options.json != "-",
-                [&] { write_file(options.json, json_text(json)); });
+  write_table(outputs, leaves_out_tables(options.json) ? "" : machine_line(json) + table,
+              options.json, json_text(json));
   for (const std::string& picture : options.pictures) {
     outputs.write(true, [&] { draw(picture); });
   }

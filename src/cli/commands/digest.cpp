@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/file.hpp"
 #include "cli/collider_choice.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
@@ -41,15 +40,9 @@ int digest_command(const DigestArguments& options) {
   plan.seed = options.seed.value_or(plan.seed);
   plan.cases = options.cases.value_or(plan.cases);
   const Digest result = run(plan);
-  const std::string json = json_text(digest_json(plan, result));
   Outputs outputs;
-  outputs.write(true, [&] {
-    write_to_reader(options.json == "-"               ? json
-                    : leaves_out_tables(options.json) ? ""
-                                                      : digest_table(plan, result));
-  });
-  outputs.write(!options.json.empty() && options.json != "-",
-                [&] { write_file(options.json, json); });
+  write_table(outputs, leaves_out_tables(options.json) ? "" : digest_table(plan, result),
+              options.json, json_text(digest_json(plan, result)));
   return outputs.are_written() ? 0 : 2;
 }
 

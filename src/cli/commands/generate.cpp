@@ -5,10 +5,11 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "cli/kinds.hpp"
 #include "cli/options.hpp"
+#include "cli/sequences.hpp"
 #include "corpus/corpus.hpp"
 #include "generating/regime.hpp"
+#include "sequence/motions.hpp"
 
 namespace manifuzz {
 namespace {
@@ -16,40 +17,55 @@ namespace {
 struct GenerateArguments {
   std::optional<std::uint64_t> seed;
   std::vector<std::string> regimes;
-  std::optional<std::uint64_t> first;
-  std::optional<std::uint64_t> cases;
+  std::optional<std::uint64_t> first = 0;
+  std::optional<std::uint64_t> cases = 10;
   std::optional<double> radius;
   CorpusFolders folders;
 };
 
-int generate_cases(const GenerateArguments& options) {
-  const DrawOptions draw{options.regimes, options.seed, options.first.value_or(0),
-                         options.cases.value_or(10)};
-  if (const OtherKind* const kind = kind_for(options.regimes)) {
-    expect_none_of(*kind, {{"--radius", options.radius.has_value()}});
-    expect_regimes_of(*kind, options.regimes);
-    return kind->generate(draw);
+/// Prints cases of these families by turns, a line each, as `draw` makes them.
+template <class Family, class Draw>
+void print_cases(const std::vector<const Family*>& families, const GenerateArguments& options,
+                 std::uint64_t seed, const Draw& draw) {
+  Output out;
+  std::string line;
+  for (std::uint64_t k = 0; k < *options.cases; ++k) {
+    const Family& family = *families[k % families.size()];
+    const std::uint64_t index = *options.first + k / families.size();
+    line.clear();
+    append_found_case_line(line, draw(family, index), {seed, std::string(family.name), index, {}});
+    out.write(line += '\n');
   }
-  const std::vector<const Regime*> chosen =
-      chosen_by_name(regimes(), options.regimes, "regime", "--regime");
-  expect_indices(draw.first, draw.count, chosen.size());
+  out.flush();
+}
+
+void generate_sequences(const GenerateArguments& options) {
+  expect_none_of({{"--radius", options.radius.has_value()}});
+  expect_motions(options.regimes);
+  const auto chosen = chosen_by_name(motions(), options.regimes, "motion", "--regime");
+  expect_indices(*options.first, *options.cases, chosen.size());
+  const std::uint64_t seed = seed_or_draw(options.seed);
+  print_cases(chosen, options, seed, [&](const Motion& motion, std::uint64_t index) {
+    return draw_sequence(seed, motion, index);
+  });
+}
+
+void generate_pairs(const GenerateArguments& options) {
+  const auto chosen = chosen_by_name(regimes(), options.regimes, "regime", "--regime");
+  expect_indices(*options.first, *options.cases, chosen.size());
   GenerationContext context;
   if (options.radius) context.radius = radius_of(*options.radius);
   const Corpus corpus = read_corpus_folder(options.folders.corpus());
   const std::uint64_t seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, seed);
   context.corpus = pairs;
-  Output out;
-  std::string line;
-  for (std::uint64_t k = 0; k < draw.count; ++k) {
-    const Regime& regime = *chosen[k % chosen.size()];
-    const std::uint64_t index = draw.first + k / chosen.size();
-    line.clear();
-    append_found_case_line(line, generate(seed, regime, index, context),
-                           {seed, std::string(regime.name), index, {}});
-    out.write(line += '\n');
-  }
-  out.flush();
+  print_cases(chosen, options, seed, [&](const Regime& regime, std::uint64_t index) {
+    return generate(seed, regime, index, context);
+  });
+}
+
+int generate_cases(const GenerateArguments& options) {
+  any_motion(options.regimes) ? generate_sequences(options) : generate_pairs(options);
   return 0;
 }
 

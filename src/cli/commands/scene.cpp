@@ -85,13 +85,10 @@ int scene_command(const SceneArguments& options) {
       line.show(fmt::format("{}: {} of {} bodies", doing, scene, n));
     });
   }();
-  const std::string json = json_text(scene_json(result));
   const std::string mismatches = mismatches_in_words(result.runs);
   const std::string text = leaves_out_tables(options.json) ? mismatches : scene_table(result);
   Outputs outputs;
-  outputs.write(true, [&] { write_to_reader(options.json == "-" ? json : text); });
-  outputs.write(!options.json.empty() && options.json != "-",
-                [&] { write_file(options.json, json); });
+  write_table(outputs, text, options.json, json_text(scene_json(result)));
   outputs.write(!options.save.empty(), [&] { save_mismatches(options.save, result.runs); });
   outputs.write(!options.frame.empty(), [&] { write_file(options.frame, scene_frame(plan)); });
   outputs.write(!options.scaling.empty(),

@@ -104,10 +104,8 @@ void save(const StressPlan& plan, const StressResult& result, const std::string&
 
 /// What a run found is written, even after it was interrupted; another signal ends the writing.
 void write_files(const StressPlan& plan, const StressResult& result, const StressArguments& options,
-                 const nlohmann::ordered_json& json, const nlohmann::ordered_json& stored,
-                 Interruption& interruption, Outputs& outputs) {
-  outputs.write(!options.json.empty() && options.json != "-",
-                [&] { write_file(options.json, json.dump(1, '\t') + '\n'); });
+                 const nlohmann::ordered_json& stored, Interruption& interruption,
+                 Outputs& outputs) {
   outputs.write(!options.store.empty(), [&] {
     if (result.interrupted) throw UserError("--store: interrupted; nothing was stored");
     write_file(options.store, breaking_points_json(plan, result, stored).dump(1, '\t') + '\n');
@@ -155,9 +153,8 @@ int stress(const StressArguments& options) {
   if (options.json == "-") write_error(text);
   if (!leaves_out_tables(options.json)) text = stress_table(plan, result) + text;
   Outputs outputs;
-  outputs.write(true,
-                [&] { write_to_reader(options.json == "-" ? json.dump(1, '\t') + '\n' : text); });
-  write_files(plan, result, options, json, stored, writing, outputs);
+  write_table(outputs, text, options.json, json.dump(1, '\t') + '\n');
+  write_files(plan, result, options, stored, writing, outputs);
   if (!outputs.are_written()) return 2;
   return comparison.worse.empty() && comparison.not_compared.empty() ? 0 : 1;
 }
