@@ -147,19 +147,24 @@ Replayed replay_case(const CorpusCase& recorded, const Trial& trial, const Known
                   trial.oracle(), known);
 }
 
+namespace {
+
+std::size_t count_of(const std::vector<ReplayedCase>& cases, const auto& is_counted) {
+  return static_cast<std::size_t>(std::ranges::count_if(cases, is_counted, &ReplayedCase::result));
+}
+
+}  // namespace
+
 std::size_t ReplayRun::failed() const {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      cases, [](const ReplayedCase& one) { return one.result.has_failed(); }));
+  return count_of(cases, &Replayed::has_failed);
 }
 
 std::size_t ReplayRun::unsupported() const {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      cases, [](const ReplayedCase& one) { return one.result.is_unsupported; }));
+  return count_of(cases, &Replayed::is_unsupported);
 }
 
 std::size_t ReplayRun::accepted() const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(cases, [](const ReplayedCase& one) { return one.result.is_accepted; }));
+  return count_of(cases, &Replayed::is_accepted);
 }
 
 std::vector<std::string> ReplayRun::stale() const {

@@ -56,7 +56,7 @@ class CommandCollider {
       result.end = BatchEnd::extra_lines;
     }
     if (result.end == BatchEnd::answered || result.end == BatchEnd::stopped) return result.answered;
-    const Lost lost = lost_by(result);
+    const Lost lost = program_.lost_by(result);
     if (pairs.size() == 1) {
       answers[0] = lost;
       return 1;
@@ -67,15 +67,6 @@ class CommandCollider {
   }
 
  private:
-  Lost lost_by(const BatchResult& result) {
-    const std::string death = program_.stop();
-    if (result.end == BatchEnd::exited) {
-      return {Lost::How::crashed, death.empty() ? "closed its output" : death};
-    }
-    const bool is_late = result.end == BatchEnd::timed_out;
-    return {is_late ? Lost::How::timed_out : Lost::How::malformed, result.why};
-  }
-
   /// The program died among these, and answers may have died with it in its buffers: asked one at a
   /// time, it dies over the case that it dies of. Where it dies of none, the first stands for the
   /// crash, which is not to be passed over.
@@ -85,7 +76,7 @@ class CommandCollider {
       const BatchResult result = program_.ask(pairs.subspan(i, 1), answers.subspan(i, 1), go_on);
       if (result.end == BatchEnd::stopped) return i;
       if (result.end == BatchEnd::answered) continue;
-      answers[i] = lost_by(result);
+      answers[i] = program_.lost_by(result);
       return i + 1;
     }
     answers[0] = Lost{crash.how, crash.why + ", among other cases; alone it answers each"};
@@ -100,7 +91,7 @@ class CommandCollider {
           program_.ask(pairs.subspan(done, 1), answers.subspan(done, 1), go_on);
       if (result.end == BatchEnd::stopped) break;
       if (result.end != BatchEnd::answered) {
-        answers[done] = lost_by(result);
+        answers[done] = program_.lost_by(result);
       } else if (program_.writes_more(kExtraLineSeconds)) {
         program_.stop();
         answers[done] = Lost{Lost::How::malformed, "more answers than cases"};

@@ -172,6 +172,8 @@ class ProgramProcess {
 
   /// Ends the program. Says how it had ended, if it had by itself.
   std::string stop();
+  /// Ends the program too: what it has lost where a batch ended otherwise than answered or stopped.
+  Lost lost_by(const BatchResult& result);
 
   /// The declaration of the last start, a line of JSON, or empty.
   const std::string& declaration() const { return declaration_; }

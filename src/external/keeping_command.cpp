@@ -79,18 +79,10 @@ class KeepingProgram {
     line.text += '\n';
     const BatchResult result = program_.ask(line, [] { return true; });
     asked.end = result.end;
-    if (result.end == BatchEnd::answered) return asked;
     if (result.end == BatchEnd::stopped) {
       asked.answer = Lost{Lost::How::timed_out, "interrupted"};
-      return asked;
-    }
-    const std::string death = program_.stop();
-    const std::string why = death.empty() ? result.why : death;
-    if (result.end == BatchEnd::exited) {
-      asked.answer = Lost{Lost::How::crashed, why.empty() ? "closed its output" : why};
-    } else {
-      const bool is_late = result.end == BatchEnd::timed_out;
-      asked.answer = Lost{is_late ? Lost::How::timed_out : Lost::How::malformed, result.why};
+    } else if (result.end != BatchEnd::answered) {
+      asked.answer = program_.lost_by(result);
     }
     return asked;
   }

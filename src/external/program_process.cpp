@@ -127,6 +127,16 @@ std::string ProgramProcess::stop() {
   return child_.stop();
 }
 
+Lost ProgramProcess::lost_by(const BatchResult& result) {
+  const std::string death = stop();
+  const std::string& why = death.empty() ? result.why : death;
+  if (result.end == BatchEnd::exited) {
+    return {Lost::How::crashed, why.empty() ? "closed its output" : why};
+  }
+  const bool is_late = result.end == BatchEnd::timed_out;
+  return {is_late ? Lost::How::timed_out : Lost::How::malformed, result.why};
+}
+
 void ProgramProcess::start() {
   stop();
   declaration_.clear();
