@@ -63,8 +63,7 @@ bool segment_normal_not_unit(const Deviation& d) {
     const munk::Shape segment = munk::placed({}, pair[side]);
     const munk::Vector centre = munk::placed({}, pair[other(side)]).corners[0];
     const munk::Vector along = segment.corners[1] - segment.corners[0];
-    const double share =
-        munk::clamped01(munk::dot(along, centre - segment.corners[0]) / munk::dot(along, along));
+    const double share = munk::clamped01(along.dot(centre - segment.corners[0]) / along.dot(along));
     const munk::Vector normal = side == Side::a ? -segment.normals[0] : segment.normals[0];
     return segment.corners[0] + along * share == centre &&
            std::abs(normal.norm() - 1) > d.right.bounds.normal &&

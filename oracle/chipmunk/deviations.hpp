@@ -1,6 +1,8 @@
 #pragma once
 
-#include "judging/ledger.hpp"
+#include <vector>
+
+#include "judging/faults/shared_faults.hpp"
 
 namespace manifuzz {
 
@@ -39,5 +41,23 @@ bool normal_across_collinear(const Deviation& deviation);
 bool depth_by_crossing(const Deviation& deviation);
 /// What Chipmunk and its ports declare.
 const Declaration& as_chipmunk();
+/// B's vertices minus A's, in world directions: the corners, and more, of what GJK walks on.
+std::vector<Vector2<double>> differences_of_vertices(const PairCase& pair);
+
+/// What Chipmunk is known for; its ports have most of these causes.
+inline constexpr LedgerRow kRowsOfMunk[] = {
+    {"normal-of-world-vertices", normal_of_rounded_vertices},
+    {"corner-on-corner", corner_on_corner},
+    {"collinear-apart", collinear_and_apart},
+    {"wrong-support-edge", neighbours_nearly_parallel},
+    {"swapped-distance", sign_of_swapped_distance},
+    {"polygon-radius-sign", sign_of_polygon_radius},
+    {"direction-of-roundings", direction_to_place_on_segment},
+    {"round-corner-on-corner", normal_across_corner_on_corner},
+    {"round-collinear", normal_across_collinear},
+    {"depth-by-crossing", depth_by_crossing},
+    {"direction-between-corners", direction_between_corners},
+    {"segment-normal-not-unit", segment_normal_not_unit},
+};
 
 }  // namespace manifuzz

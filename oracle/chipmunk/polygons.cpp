@@ -1,49 +1,35 @@
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "exact/placed.hpp"
-#include "judging/faults/shared_faults.hpp"
 #include "oracle/chipmunk/deviations.hpp"
 
 // Chipmunk on polygons: GJK and EPA, whose normals are those of the difference of both.
 
 namespace manifuzz {
-namespace {
-
-/// The vertices in the world, from A's position.
-std::vector<Vector2<double>> placed(const PairCase& pair, Side side) {
-  std::vector<Vector2<double>> vertices;
-  for (int i = 0; i < pair[side].polygon.count; ++i) {
-    const exact::Point<double> at = exact::vertex<double>(pair, side, i);
-    vertices.emplace_back(at.x, at.y);
-  }
-  return vertices;
-}
-
-/// B's vertices minus A's: the corners, and more, of what GJK walks on.
-std::vector<Vector2<double>> differences(const PairCase& pair) {
+std::vector<Vector2<double>> differences_of_vertices(const PairCase& pair) {
+  const exact::RoughPair placed = exact::place_roughly(pair);
   std::vector<Vector2<double>> all;
-  for (const auto& b : placed(pair, Side::b)) {
-    for (const auto& a : placed(pair, Side::a)) all.push_back(b - a);
+  for (int j = 0; j < placed.b.count; ++j) {
+    for (int i = 0; i < placed.a.count; ++i) {
+      all.push_back(placed.b.vertices[j] - placed.a.vertices[i]);
+    }
   }
   return all;
 }
 
-}  // namespace
-
 bool corner_on_corner(const Deviation& d) {
   if (is_round(d.right.pair())) return false;
   const bool fits = d.kind == Kind::normal || d.kind == Kind::missed_contact;
-  return fits &&
-         std::ranges::any_of(differences(d.right.pair()), [&](const Vector2<double>& apart) {
-           return apart.norm() <= d.right.bounds.separation;
-         });
+  return fits && std::ranges::any_of(differences_of_vertices(d.right.pair()),
+                                     [&](const Vector2<double>& apart) {
+                                       return apart.norm() <= d.right.bounds.separation;
+                                     });
 }
 
 bool collinear_and_apart(const Deviation& d) {
   if (d.kind != Kind::phantom_contact || is_round(d.right.pair())) return false;
-  const auto all = differences(d.right.pair());
+  const auto all = differences_of_vertices(d.right.pair());
   const double bound = 4 * d.right.bounds.separation;  // which the differences are rounded within
   return std::ranges::any_of(all, [&](const Vector2<double>& from) {
     return std::ranges::any_of(all, [&](const Vector2<double>& to) {

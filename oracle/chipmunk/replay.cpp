@@ -19,11 +19,11 @@ struct Edge {
 Edge support_edge(const Shape& shape, const Vector& n) {
   const auto& at = shape.corners;
   if (at.size() == 2) {
-    return dot(shape.normals[0], n) > 0 ? Edge{at[0], at[1]} : Edge{at[1], at[0]};
+    return shape.normals[0].dot(n) > 0 ? Edge{at[0], at[1]} : Edge{at[1], at[0]};
   }
   const std::size_t i = support_of(shape, n);
   const std::size_t next = shape.after(i);
-  if (dot(n, shape.normals[i]) > dot(n, shape.normals[next])) return {at[shape.before(i)], at[i]};
+  if (n.dot(shape.normals[i]) > n.dot(shape.normals[next])) return {at[shape.before(i)], at[i]};
   return {at[i], at[next]};
 }
 
@@ -48,7 +48,7 @@ void clip(const Port& port, const Shape& a, const Shape& b, const Closest& close
         n * a.radius + mixed(of_a.from, of_a.to, clamped01((at_a - a_from) * per_a));
     const Vector on_b =
         n * -b.radius + mixed(of_b.from, of_b.to, clamped01((at_b - b_from) * per_b));
-    if (dot(on_b - on_a, n) <= 0) push(found, on_a, on_b);
+    if ((on_b - on_a).dot(n) <= 0) push(found, on_a, on_b);
   };
   add(b_to, a_from);
   add(b_from, a_to);
@@ -58,7 +58,7 @@ void clip(const Port& port, const Shape& a, const Shape& b, const Closest& close
 void touch_of_circle(const Shape& circle, const Shape& other, const Vector& place,
                      const Vector& where_one, Found& found) {
   const Vector delta = place - circle.corners[0];
-  const double squared = dot(delta, delta);
+  const double squared = delta.dot(delta);
   const double reach = circle.radius + other.radius;
   if (!(squared < reach * reach)) return;
   const double distance = std::sqrt(squared);
@@ -74,7 +74,7 @@ Found found_in_order(const Port& port, const Shape& a, const Shape& b) {
     touch_of_circle(a, b, b.corners[0], Vector(1, 0), found);
   } else if (a.corners.size() == 1 && b.corners.size() == 2) {
     const Vector along = b.corners[1] - b.corners[0];
-    const double share = clamped01(dot(along, a.corners[0] - b.corners[0]) / dot(along, along));
+    const double share = clamped01(along.dot(a.corners[0] - b.corners[0]) / along.dot(along));
     touch_of_circle(a, b, b.corners[0] + along * share, b.normals[0], found);
   } else {
     const Closest closest = Search(port, a, b).run();
@@ -105,7 +105,7 @@ Found found_by(const Port& port, const PairCase& pair) {
   if (is_swapped) found.normal = -found.normal;
   for (Touch& touch : found.points) {
     // The distance is that of the points as they were found, along the normal as it is given.
-    touch.distance = dot(touch.on_b - touch.on_a, found.normal);
+    touch.distance = (touch.on_b - touch.on_a).dot(found.normal);
     if (is_swapped) std::swap(touch.on_a, touch.on_b);
   }
   return found;

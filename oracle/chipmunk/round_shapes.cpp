@@ -39,18 +39,6 @@ bool is_right(const Deviation& d, const Manifold<double>& manifold) {
   return judge_by_curve(*d.right.truth, as_chipmunk(), manifold).kind == Kind::none;
 }
 
-/// B's vertices minus A's.
-std::vector<Vector2<double>> minkowski_points(const PairCase& pair) {
-  const exact::RoughPair placed = exact::place_roughly(pair);
-  std::vector<Vector2<double>> all;
-  for (int j = 0; j < placed.b.count; ++j) {
-    for (int i = 0; i < placed.a.count; ++i) {
-      all.push_back(placed.b.vertices[j] - placed.a.vertices[i]);
-    }
-  }
-  return all;
-}
-
 /// A chord of the difference to which ClosestPointsNew's normal is perpendicular.
 struct Chord {
   Vector2<double> from;
@@ -64,7 +52,7 @@ bool is_across_chord(const Deviation& d, const Fault& is_at_fault) {
   if (!is_as_deep_as_there(d)) return false;
   const Vector2<double> normal = SeenAlong(pair, d.got.normal).normal();
   const double bound = 4 * d.right.bounds.separation;
-  const auto all = minkowski_points(pair);
+  const auto all = differences_of_vertices(pair);
   return std::ranges::any_of(all, [&](const Vector2<double>& from) {
     return std::ranges::any_of(all, [&](const Vector2<double>& to) {
       const Vector2<double> along = to - from;
@@ -77,14 +65,10 @@ bool is_across_chord(const Deviation& d, const Fault& is_at_fault) {
 }  // namespace
 
 const Declaration& as_chipmunk() {
-  static const Declaration declaration = [] {
-    Declaration made;
-    made.scalar = ScalarType::float64;
-    made.frame = RoundingFrame::world;
-    made.min_vertices = 1;
-    made.takes_round = true;
-    return made;
-  }();
+  static const Declaration declaration{.scalar = ScalarType::float64,
+                                       .frame = RoundingFrame::world,
+                                       .min_vertices = 1,
+                                       .takes_round = true};
   return declaration;
 }
 
@@ -120,7 +104,7 @@ bool normal_across_corner_on_corner(const Deviation& d) {
   const double bound = d.right.bounds.separation;
   if (d.got.count == 0) {
     // Along that normal both support edges are far from the corner, and each other.
-    return std::ranges::any_of(minkowski_points(d.right.pair()),
+    return std::ranges::any_of(differences_of_vertices(d.right.pair()),
                                [&](const Vector2<double>& at) { return at.norm() <= bound; });
   }
   return is_across_chord(d, [&](const Chord& chord) { return chord.from.norm() <= bound; });

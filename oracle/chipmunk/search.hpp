@@ -15,10 +15,6 @@ using Vector = Vector2<double>;
 
 inline constexpr int kIterationsMax = 30;
 
-inline double dot(const Vector& v, const Vector& w) {
-  return v.x() * w.x() + v.y() * w.y();
-}
-
 inline double clamped01(double share) {
   return std::max(0.0, std::min(share, 1.0));
 }
@@ -51,7 +47,7 @@ struct Shape {
 };
 
 inline Vector normalized(const Port& port, const Vector& v) {
-  return v * (1.0 / (std::sqrt(dot(v, v)) + port.to_length));
+  return v * (1.0 / (std::sqrt(v.dot(v)) + port.to_length));
 }
 
 inline std::vector<Vector> normals_of(const Port& port, const std::vector<Vector>& corners) {
@@ -76,15 +72,11 @@ inline Shape placed(const Port& port, const Body& body) {
   shape.radius = static_cast<double>(body.polygon.radius);
   const Vector turn = body.pose.rotation.cast<double>();
   const Vector at = body.pose.position.cast<double>();
-  for (Vector& normal : shape.normals) {
-    normal = {turn.x() * normal.x() + -turn.y() * normal.y(),
-              turn.y() * normal.x() + turn.x() * normal.y()};
-  }
+  for (Vector& normal : shape.normals) normal = rotate(turn, normal);
   Vector low(INFINITY, INFINITY);
   Vector high = -low;
   for (Vector& corner : shape.corners) {
-    corner = {turn.x() * corner.x() + -turn.y() * corner.y() + at.x(),
-              turn.y() * corner.x() + turn.x() * corner.y() + at.y()};
+    corner = rotate(turn, corner) + at;
     low = low.cwiseMin(corner);
     high = high.cwiseMax(corner);
   }
@@ -94,11 +86,11 @@ inline Shape placed(const Port& port, const Body& body) {
 }
 
 inline std::size_t support_of(const Shape& shape, const Vector& n) {
-  if (shape.corners.size() == 2) return dot(shape.corners[0], n) > dot(shape.corners[1], n) ? 0 : 1;
+  if (shape.corners.size() == 2) return shape.corners[0].dot(n) > shape.corners[1].dot(n) ? 0 : 1;
   double most = -INFINITY;
   std::size_t farthest = 0;
   for (std::size_t i = 0; i < shape.corners.size(); ++i) {
-    const double along = dot(shape.corners[i], n);
+    const double along = shape.corners[i].dot(n);
     if (along > most) {
       most = along;
       farthest = i;
@@ -144,7 +136,7 @@ class Search {
       if (is_greater(p.ab, from.ab, Vector(0, 0)) && is_greater(to.ab, p.ab, Vector(0, 0))) {
         return expanded({from, p, to});
       }
-      if (dot(p.ab, n) <= std::max(dot(from.ab, n), dot(to.ab, n))) break;
+      if (p.ab.dot(n) <= std::max(from.ab.dot(n), to.ab.dot(n))) break;
       (squared_distance(from.ab, p.ab) < squared_distance(p.ab, to.ab) ? to : from) = p;
       ++iteration;
     }
@@ -162,16 +154,16 @@ class Search {
 
   double nearest(const Vector& from, const Vector& to) const {
     const Vector delta = to - from;
-    const double squared = dot(delta, delta);
+    const double squared = delta.dot(delta);
     if (port_.is_guarded && squared == 0) return 0;
     // Where this is 0 over 0 their clamp gives the least.
-    const double share = dot(delta, from + to) / squared;
+    const double share = delta.dot(from + to) / squared;
     return share > -1 ? -std::min(share, 1.0) : 1.0;
   }
 
   double squared_distance(const Vector& from, const Vector& to) const {
     const Vector at = mixed_by_t(from, to, nearest(from, to));
-    return dot(at, at);
+    return at.dot(at);
   }
 
   Closest closest(const Corner& from, const Corner& to) const {
@@ -179,9 +171,9 @@ class Search {
     const Vector p = mixed_by_t(from.ab, to.ab, t);
     Closest found{mixed_by_t(from.a, to.a, t), mixed_by_t(from.b, to.b, t),
                   normalized(port_, clockwise_quarter<double>(to.ab - from.ab)), 0};
-    found.d = dot(found.n, p);
+    found.d = found.n.dot(p);
     if (found.d <= 0 || (-1 < t && t < 1)) return found;
-    found.d = std::sqrt(dot(p, p));
+    found.d = std::sqrt(p.dot(p));
     found.n = p * (1 / (found.d + port_.to_length));
     return found;
   }

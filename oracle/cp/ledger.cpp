@@ -4,7 +4,6 @@
 
 #include "engines/engine.hpp"
 #include "judging/by_curve.hpp"
-#include "judging/faults/shared_faults.hpp"
 #include "oracle/chipmunk/deviations.hpp"
 #include "oracle/chipmunk/replay.hpp"
 
@@ -56,25 +55,13 @@ bool normal_short_by_cp(const Deviation& d) {
   return is_short || !is_wrong_as_chipmunk(d);
 }
 
-constexpr LedgerRow kCpRows[] = {
-    {"short-normal", normal_short_by_cp},
-    {"normal-of-world-vertices", normal_of_rounded_vertices},
-    {"corner-on-corner", corner_on_corner},
-    {"collinear-apart", collinear_and_apart},
-    {"wrong-support-edge", neighbours_nearly_parallel},
-    {"swapped-distance", sign_of_swapped_distance},
-    {"polygon-radius-sign", sign_of_polygon_radius},
-    {"direction-of-roundings", direction_to_place_on_segment},
-    {"round-corner-on-corner", normal_across_corner_on_corner},
-    {"round-collinear", normal_across_collinear},
-    {"depth-by-crossing", depth_by_crossing},
-    {"segment-normal-not-unit", segment_normal_not_unit},
-};
+constexpr LedgerRow kFirstOfCp[] = {{"short-normal", normal_short_by_cp}};
 
 }  // namespace
 
 Engine engine_cp() {
-  return {.name = "cp", .ledger = {{"cp", kCpRows}}};
+  static const auto others = rows_but_for({"direction-between-corners"}, kRowsOfMunk);
+  return {.name = "cp", .ledger = {{"cp", kFirstOfCp}, {"cp", others}}};
 }
 
 }  // namespace manifuzz

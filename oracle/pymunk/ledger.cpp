@@ -1,6 +1,5 @@
 #include "engines/engine.hpp"
 #include "exact/placed.hpp"
-#include "judging/faults/shared_faults.hpp"
 #include "oracle/chipmunk/deviations.hpp"
 #include "sequence/kept_faults.hpp"
 
@@ -31,16 +30,7 @@ bool zero_normal_of_one_middle(const Deviation& d) {
   return (middle_of(placed.a) - middle_of(placed.b)).norm() <= 4 * d.right.bounds.separation;
 }
 
-constexpr LedgerRow kPymunkRows[] = {
-    {"normal-of-world-vertices", normal_of_rounded_vertices},
-    {"corner-on-corner", corner_on_corner},
-    {"collinear-apart", collinear_and_apart},
-    {"wrong-support-edge", neighbours_nearly_parallel},
-    {"swapped-distance", sign_of_swapped_distance},
-    {"direction-of-roundings", direction_to_place_on_segment},
-    {"round-corner-on-corner", normal_across_corner_on_corner},
-    {"round-collinear", normal_across_collinear},
-    {"depth-by-crossing", depth_by_crossing},
+constexpr LedgerRow kLastOfPymunk[] = {
     {"zero-normal", zero_normal_of_one_middle},
     {"direction-between-corners", direction_between_corners},
     {"segment-normal-not-unit", segment_normal_not_unit},
@@ -55,8 +45,10 @@ constexpr SequenceRow kKeptRows[] = {{"detection", detected_wrongly}};
 }  // namespace
 
 Engine engine_pymunk() {
+  static const auto first = rows_but_for(
+      {"polygon-radius-sign", "direction-between-corners", "segment-normal-not-unit"}, kRowsOfMunk);
   return {.name = "pymunk",
-          .ledger = {{"pymunk", kPymunkRows}},
+          .ledger = {{"pymunk", first}, {"pymunk", kLastOfPymunk}},
           .sequence_ledger = {{"pymunk-kept", kKeptRows}}};
 }
 

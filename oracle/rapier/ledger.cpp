@@ -196,8 +196,7 @@ constexpr LedgerRow kRowsOfContact[] = {
 namespace manifuzz {
 
 Engine engine_rapier() {
-  static const auto rows =
-      parry::rows_but_for({"squared-length"}, parry::kRowsOfManifolds<parry::Rapier>);
+  static const auto rows = rows_but_for({"squared-length"}, parry::kRowsOfManifolds<parry::Rapier>);
   return {.name = "rapier",
           .ledger = {{"rapier2d", rows}, {"rapier2d-contact", parry::kRowsOfContact}}};
 }

@@ -71,8 +71,7 @@ Collider usual_oracle() {
 }
 
 const ColliderEntry* find_entry(std::string_view name) {
-  const auto entry = std::ranges::find(colliders(), name, &ColliderEntry::name);
-  return entry == colliders().end() ? nullptr : &*entry;
+  return find_by_name(colliders(), name);
 }
 
 std::optional<Collider> find_installed(const std::string& name) {

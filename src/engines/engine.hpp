@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -66,6 +67,10 @@ struct SceneBaseline {
   std::vector<std::vector<Pose<float>>> (*trajectory)(std::span<const WorldBody> bodies,
                                                       int steps) = nullptr;
 };
+
+/// The rows on other causes than these, each of which one is on.
+std::vector<LedgerRow> rows_but_for(std::initializer_list<std::string_view> causes,
+                                    std::span<const LedgerRow> rows);
 
 /// An engine that colliders are asked of: a folder in oracle/. What is compiled of it is here, and
 /// each of it may be absent; how its colliders are asked says its engine.json.

@@ -42,8 +42,7 @@ const std::vector<SequenceColliderEntry>& sequence_colliders() {
 }
 
 const SequenceColliderEntry* find_sequence_entry(std::string_view name) {
-  const auto entry = std::ranges::find(sequence_colliders(), name, &SequenceColliderEntry::name);
-  return entry == sequence_colliders().end() ? nullptr : &*entry;
+  return find_by_name(sequence_colliders(), name);
 }
 
 SequenceCollider find_sequence_collider(std::string_view name) {

@@ -30,15 +30,13 @@ using Doubles = AsAdapters<double>;
 
 /// What the adapters declare of every collider that clips along a direction of its own.
 inline Declaration declared(ScalarType scalar, double epsilon) {
-  Declaration made;
-  made.scalar = scalar;
-  made.frame = RoundingFrame::world;
-  made.min_vertices = 1;
-  made.takes_round = true;
-  made.clips = false;
-  made.points = PointsAt::midpoint;
-  made.tolerance.absolute = 100 * epsilon;
-  return made;
+  return {.scalar = scalar,
+          .frame = RoundingFrame::world,
+          .min_vertices = 1,
+          .takes_round = true,
+          .clips = false,
+          .points = PointsAt::midpoint,
+          .tolerance = {.absolute = 100 * epsilon}};
 }
 
 template <class Engine>
@@ -98,6 +96,17 @@ std::optional<ReplayOf<Engine>> as_reported(const Deviation& d) {
     if (is_same_answer(d, Engine::answer(replay, d.right.pair()))) return std::move(replay);
   }
   return std::nullopt;
+}
+
+/// What GJK and EPA search, of shapes without a ball.
+inline constexpr std::initializer_list<Route> kSearches{Route::features, Route::supports};
+
+/// The replay of an answer that was found by one of these routes.
+template <class Engine>
+std::optional<ReplayOf<Engine>> replay_by(const Deviation& d, std::initializer_list<Route> routes) {
+  auto replay = as_reported<Engine>(d);
+  if (replay && std::ranges::find(routes, replay->route) == routes.end()) replay.reset();
+  return replay;
 }
 
 template <class Engine>

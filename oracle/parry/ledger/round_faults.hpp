@@ -8,21 +8,6 @@
 
 namespace manifuzz::parry {
 
-/// The replay of a circle against another shape.
-template <class Engine>
-std::optional<ReplayOf<Engine>> replay_of_circle(const Deviation& d) {
-  auto replay = as_reported<Engine>(d);
-  if (replay && replay->route != Route::ball) replay.reset();
-  return replay;
-}
-
-template <class Engine>
-std::optional<ReplayOf<Engine>> replay_of_capsules(const Deviation& d) {
-  auto replay = as_reported<Engine>(d);
-  if (replay && replay->route != Route::capsules) replay.reset();
-  return replay;
-}
-
 /// By how much EPA's direction misses the least depth. A circle's normal is another one: it is
 /// taken from the place that EPA gives to the centre, however near that is.
 template <class Engine>
@@ -110,7 +95,7 @@ bool direction_of_parry_places(const Deviation& d) {
 /// Two capsules: both ends of the clip would be right; one point is missing or another was taken.
 template <class Engine>
 bool second_point_of_parry_capsules(const Deviation& d) {
-  auto replay = replay_of_capsules<Engine>(d);
+  auto replay = replay_by<Engine>(d, {Route::capsules});
   if (!replay || (d.kind != Kind::count && d.kind != Kind::extent)) return false;
   replay->points = replay->both_ends;
   return is_right<Engine>(d, *replay);
@@ -119,14 +104,14 @@ bool second_point_of_parry_capsules(const Deviation& d) {
 /// Two capsules whose cores overlap, or touch to rounding: their distance gives the normal.
 template <class Engine>
 bool crossing_of_parry_capsules(const Deviation& d) {
-  const auto replay = replay_of_capsules<Engine>(d);
+  const auto replay = replay_by<Engine>(d, {Route::capsules});
   return replay && !ledger_of::is_of_points(d.kind) && cores_apart(d) <= bound_of(d);
 }
 
 /// Two capsules whose nearest places are off by roundings over the square of the sine between both.
 template <class Engine>
 bool nearly_parallel_parry_capsules(const Deviation& d) {
-  const auto replay = replay_of_capsules<Engine>(d);
+  const auto replay = replay_by<Engine>(d, {Route::capsules});
   const double apart = cores_apart(d);
   if (!replay || ledger_of::is_of_points(d.kind) || apart <= 0) return false;
   const double off = error_of_places<Engine>(d);
@@ -145,7 +130,7 @@ bool corner_of_epa_chord(const Deviation& d) {
 /// roundings, or that from the other's origin.
 template <class Engine>
 bool centre_on_surface(const Deviation& d) {
-  const auto replay = replay_of_circle<Engine>(d);
+  const auto replay = replay_by<Engine>(d, {Route::ball});
   if (!replay || d.got.count == 0) return false;
   // Taken to be on a core that is nearer than epsilon: the depth is off by no more than that.
   if (replay->is_on_core && std::abs(ledger_of::deepest(d.got) - ledger_of::least_depth(d)) <=
@@ -168,7 +153,7 @@ bool centre_on_surface(const Deviation& d) {
 /// A circle whose centre GJK projects on a polygon within its relative tolerance.
 template <class Engine>
 bool circle_by_gjk_stop(const Deviation& d) {
-  const auto replay = replay_of_circle<Engine>(d);
+  const auto replay = replay_by<Engine>(d, {Route::ball});
   const double surface = centre_from_surface(d);
   if (!replay || surface <= 0 || !is_stopped_by_tolerance(*replay)) return false;
   // The place is in the shape, and no farther than the distance over 1 - _eps_rel.

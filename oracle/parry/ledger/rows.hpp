@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cassert>
-#include <initializer_list>
-#include <span>
-#include <vector>
-
 #include "oracle/parry/ledger/round_faults.hpp"
 #include "oracle/parry/ledger/search_faults.hpp"
 
@@ -36,18 +30,5 @@ inline constexpr LedgerRow kRowsOfManifolds[] = {
     {"circle-by-gjk", circle_by_gjk_stop<Engine>},
     {"epa-chord", chord_of_epa<Engine>},
 };
-
-/// The rows on other causes than these.
-inline std::vector<LedgerRow> rows_but_for(std::initializer_list<std::string_view> causes,
-                                           std::span<const LedgerRow> rows) {
-  std::vector<LedgerRow> others;
-  assert(std::ranges::all_of(causes, [&](std::string_view cause) {
-    return std::ranges::find(rows, cause, &LedgerRow::cause) != rows.end();
-  }));
-  std::ranges::copy_if(rows, std::back_inserter(others), [&](const LedgerRow& row) {
-    return std::ranges::find(causes, row.cause) == causes.end();
-  });
-  return others;
-}
 
 }  // namespace manifuzz::parry

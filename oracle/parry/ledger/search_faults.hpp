@@ -13,15 +13,6 @@
 
 namespace manifuzz::parry {
 
-template <class Engine>
-std::optional<ReplayOf<Engine>> replay_of_search(const Deviation& d) {
-  auto replay = as_reported<Engine>(d);
-  if (replay && replay->route != Route::features && replay->route != Route::supports) {
-    replay.reset();
-  }
-  return replay;
-}
-
 template <class Real>
 std::vector<std::size_t> faces_of(const Shape<Real>& shape) {
   std::vector<std::size_t> faces(std::max<std::size_t>(shape.normals.size(), 1));
@@ -99,7 +90,7 @@ inline exact::StoredPair pair_of(const LostAnswer& lost) {
 /// is off by its tolerance: the nearest by cosine was taken.
 template <class Engine>
 bool clip_of_face_by_cosine(const Deviation& d) {
-  const auto replay = replay_of_search<Engine>(d);
+  const auto replay = replay_by<Engine>(d, kSearches);
   return replay && replay->route == Route::features && !replay->normal.isZero(0) &&
          (is_right_with_other_faces<Engine>(d, *replay) || is_right_along_face<Engine>(d, *replay));
 }
@@ -127,7 +118,7 @@ bool normals_before_simplifying(const Deviation& d) {
 /// EPA's faces have no normal: the square of a length is beyond the scalar's range.
 template <class Engine>
 bool squared_length_of_epa(const Deviation& d) {
-  const auto replay = replay_of_search<Engine>(d);
+  const auto replay = replay_by<Engine>(d, kSearches);
   return replay && replay->epa.is_out_of_range && replay->normal.isZero(0);
 }
 
@@ -136,7 +127,7 @@ bool squared_length_of_epa(const Deviation& d) {
 /// bound, and with the end it would be right: the edge is so nearly along the normal.
 template <class Engine>
 bool edge_along_normal(const Deviation& d) {
-  auto replay = replay_of_search<Engine>(d);
+  auto replay = replay_by<Engine>(d, kSearches);
   if (!replay || replay->route != Route::features || replay->normal.isZero(0)) return false;
   for (const Side side : {Side::a, Side::b}) {
     for (const std::size_t end : {0U, 1U}) {
@@ -152,7 +143,7 @@ bool edge_along_normal(const Deviation& d) {
 /// a single direction.
 template <class Engine>
 bool normal_of_corner_cones(const Deviation& d) {
-  const auto replay = replay_of_search<Engine>(d);
+  const auto replay = replay_by<Engine>(d, kSearches);
   if (!replay || replay->epa.end != EpaEnd::corner) return false;
   const double apart = shapes_apart(d, *replay);
   // Within both cones, no other corner is farther along it: D would be the radii.
@@ -190,7 +181,7 @@ bool step_back_of_gjk(const Deviation& d) {
 /// GJK stopped within its relative tolerance of the distance.
 template <class Engine>
 bool stop_of_gjk(const Deviation& d) {
-  const auto replay = replay_of_search<Engine>(d);
+  const auto replay = replay_by<Engine>(d, kSearches);
   if (!replay || replay->gjk.end != GjkEnd::near_enough) return false;
   const double apart = shapes_apart(d, *replay);
   // D along it is the radii less min_bound, and max_bound is no less than the distance.
@@ -223,7 +214,7 @@ bool touching_of_gjk(const Deviation& d) {
 /// signs of both mended the answer is right.
 template <class Engine>
 bool origin_within_tolerance(const Deviation& d) {
-  const auto replay = replay_of_search<Engine>(d);
+  const auto replay = replay_by<Engine>(d, kSearches);
   if (!replay) return false;
   if (replay->gjk.end == GjkEnd::on_simplex && replay->epa.end == EpaEnd::corner &&
       d.kind == Kind::phantom_contact) {
