@@ -25,11 +25,6 @@ double lead_over_hysteresis(const exact::Truth& truth, const EdgeAndPolygon& sid
          (0.98 * (truth.separation(sides.edge) - radius) + 0.001);
 }
 
-/// b2Mul of a transform and a vector.
-Vector2<float> placed_by_box2d(const Pose<float>& pose, const Vector2<float>& v) {
-  return rotate(pose.rotation, v) + pose.position;
-}
-
 /// A circle whose centre lies on a corner of the other core, as Box2D's floats have it.
 struct CentreOnCorner {
   Side circle = Side::a;
@@ -44,13 +39,13 @@ std::vector<CentreOnCorner> centres_on_corners(const PairCase& pair, double boun
   for (const Side side : {Side::a, Side::b}) {
     const Body& other_body = pair[other(side)];
     if (pair[side].polygon.count != 1) continue;
-    const Vector2<float> centre = placed_by_box2d(pair[side].pose, pair[side].polygon.vertices[0]);
+    const Vector2<float> centre = transform(pair[side].pose, pair[side].polygon.vertices[0]);
     for (int i = 0; i < other_body.polygon.count; ++i) {
       const Vector2<double> apart = placed[side].vertices[0] - placed[other(side)].vertices[i];
       if (apart.norm() > bound) continue;
       const Vector2<float>& corner = other_body.polygon.vertices[i];
       if (other_body.polygon.count < kMinVertices) {
-        found.push_back({side, centre - placed_by_box2d(other_body.pose, corner)});
+        found.push_back({side, centre - transform(other_body.pose, corner)});
       } else {
         const Vector2<float> local =
             rotate_back<float>(other_body.pose.rotation, centre - other_body.pose.position);

@@ -83,21 +83,8 @@ inline std::array<double, 2> clipped(const Core& core, const Places& places, dou
 
 /// The vector between both cores where they are nearest, as the function clamps it.
 inline Vector2<double> nearest_vector(const Core& a, const Core& b) {
-  const Vector2<double> d1 = a.along();
-  const Vector2<double> d2 = b.along();
-  const Vector2<double> r = a.from - b.from;
-  const double d12 = d1.dot(d2);
-  const double denominator = d1.dot(d1) * d2.dot(d2) - d12 * d12;
-  double f1 = 0;
-  if (denominator != 0) {
-    f1 = std::clamp((d12 * r.dot(d2) - r.dot(d1) * d2.dot(d2)) / denominator, 0.0, 1.0);
-  }
-  double f2 = (d12 * f1 + r.dot(d2)) / d2.dot(d2);
-  if (f2 < 0 || f2 > 1) {
-    f1 = std::clamp((f2 < 0 ? -r.dot(d1) : d12 - r.dot(d1)) / d1.dot(d1), 0.0, 1.0);
-    f2 = f2 < 0 ? 0 : 1;
-  }
-  return b.from + f2 * d2 - (a.from + f1 * d1);
+  const auto [share_of_a, share_of_b] = nearest_shares(a.from, a.along(), b.from, b.along());
+  return b.from + share_of_b * b.along() - (a.from + share_of_a * a.along());
 }
 
 inline std::vector<double> depths_of(const std::array<double, 2>& gaps, double radius) {

@@ -23,9 +23,9 @@ struct BestSide {
 };
 
 BestSide best_side(const Float2& axis, const Float2& origin, const Float2& p, const Float2& q) {
-  const Float2 normal = left_of(axis);
-  const float first = dot(p - origin, normal);
-  const float second = dot(q - origin, normal);
+  const Float2 normal = counter_clockwise_quarter(axis);
+  const float first = (p - origin).dot(normal);
+  const float second = (q - origin).dot(normal);
   const float ahead = first < second ? first : second;
   const float behind = -first < -second ? -first : -second;
   if (ahead > behind) return {normal, ahead};
@@ -57,11 +57,11 @@ SegmentDistance segment_distance(const Float2& p1, const Float2& q1, const Float
   const Float2 d1 = q1 - p1;
   const Float2 d2 = q2 - p2;
   const Float2 r = p1 - p2;
-  const float dd1 = dot(d1, d1);
-  const float dd2 = dot(d2, d2);
-  const float rd1 = dot(r, d1);
-  const float rd2 = dot(r, d2);
-  const float d12 = dot(d1, d2);
+  const float dd1 = d1.dot(d1);
+  const float dd2 = d2.dot(d2);
+  const float rd1 = r.dot(d1);
+  const float rd2 = r.dot(d2);
+  const float d12 = d1.dot(d2);
   const float denominator = dd1 * dd2 - d12 * d12;
   SegmentDistance found;
   if (denominator != 0) {
@@ -80,7 +80,7 @@ SegmentDistance segment_distance(const Float2& p1, const Float2& q1, const Float
   found.closest1 = p1 + found.share1 * d1;
   found.closest2 = p2 + found.share2 * d2;
   found.between = found.closest2 - found.closest1;
-  found.square = dot(found.between, found.between);
+  found.square = found.between.dot(found.between);
   return found;
 }
 
@@ -98,10 +98,10 @@ Found collide_capsules(const Placed& placed) {
   const float distance = std::sqrt(nearest.square);
   const Float2 u1 = normalized(q1 - p1);
   const Float2 u2 = normalized(q2 - p2);
-  const float length1 = length_of(q1 - p1);
-  const float length2 = length_of(q2 - p2);
-  const Along of_second{dot(p2 - p1, u1), dot(q2 - p1, u1)};
-  const Along of_first{dot(p1 - p2, u2), dot(q1 - p2, u2)};
+  const float length1 = (q1 - p1).norm();
+  const float length2 = (q2 - p2).norm();
+  const Along of_second{(p2 - p1).dot(u1), (q2 - p1).dot(u1)};
+  const Along of_first{(p1 - p2).dot(u2), (q1 - p2).dot(u2)};
   if (!of_second.is_outside(length1) && !of_first.is_outside(length2)) {
     const BestSide on_first = best_side(u1, p1, p2, q2);
     const BestSide on_second = best_side(u2, p2, p1, q1);
@@ -112,7 +112,7 @@ Found collide_capsules(const Placed& placed) {
     const Float2& origin = is_by_first ? p1 : p2;
     const float of_reference = is_by_first ? placed.first.radius : placed.second.radius;
     const float of_incident = is_by_first ? placed.second.radius : placed.first.radius;
-    const std::array gaps{dot(ends[0] - origin, out), dot(ends[1] - origin, out)};
+    const std::array gaps{(ends[0] - origin).dot(out), (ends[1] - origin).dot(out)};
     if (std::min(gaps[0], gaps[1]) <= distance + kSlop) {
       found.normal = is_by_first ? out : Float2(-out);
       for (const std::size_t k : {0U, 1U}) {
@@ -122,8 +122,8 @@ Found collide_capsules(const Placed& placed) {
       return found;
     }
   }
-  const bool has_direction = dot(nearest.between, nearest.between) > kEpsilon * kEpsilon;
-  found.normal = has_direction ? normalized(nearest.between) : left_of(u1);
+  const bool has_direction = nearest.between.dot(nearest.between) > kEpsilon * kEpsilon;
+  found.normal = has_direction ? normalized(nearest.between) : counter_clockwise_quarter(u1);
   found.points = {
       single_point(nearest.closest1, nearest.closest2, found.normal, distance - radius, placed)};
   return found;

@@ -21,23 +21,11 @@ inline Float2 lerp(const Float2& a, const Float2& b, float t) {
   return {(1.0F - t) * a.x() + t * b.x(), (1.0F - t) * a.y() + t * b.y()};
 }
 
-inline float dot(const Float2& a, const Float2& b) {
-  return a.x() * b.x() + a.y() * b.y();
-}
-
-inline float length_of(const Float2& v) {
-  return std::sqrt(dot(v, v));
-}
-
 inline Float2 normalized(const Float2& v) {
-  const float length = length_of(v);
+  const float length = v.norm();
   if (length < kEpsilon) return {0, 0};
   const float inverse = 1.0F / length;
   return {inverse * v.x(), inverse * v.y()};
-}
-
-inline Float2 left_of(const Float2& v) {
-  return {-v.y(), v.x()};
 }
 
 /// Both shapes in the first one's frame, from its vertex 0.

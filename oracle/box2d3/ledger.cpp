@@ -25,7 +25,7 @@ std::optional<Float2> to_centre_from_corner(const ConvexPolygon<float>& core,
   int face = 0;
   float separation = -std::numeric_limits<float>::max();
   for (int i = 0; i < core.count; ++i) {
-    const float s = ledger_of::box2d3::dot(core.normals[i], centre - core.vertices[i]);
+    const float s = core.normals[i].dot(centre - core.vertices[i]);
     if (s > separation) {
       separation = s;
       face = i;
@@ -34,8 +34,8 @@ std::optional<Float2> to_centre_from_corner(const ConvexPolygon<float>& core,
   if (!(separation > ledger_of::box2d3::kEpsilon)) return std::nullopt;
   const Float2& v1 = core.vertices[face];
   const Float2& v2 = core.vertices[core.next(face)];
-  if (ledger_of::box2d3::dot(centre - v1, v2 - v1) < 0) return centre - v1;
-  if (ledger_of::box2d3::dot(centre - v2, v1 - v2) < 0) return centre - v2;
+  if ((centre - v1).dot(v2 - v1) < 0) return centre - v1;
+  if ((centre - v2).dot(v1 - v2) < 0) return centre - v2;
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "oracle/box2d3/faces.hpp"
 #include "oracle/box2d3/floats.hpp"
 
 namespace manifuzz::ledger_of {
@@ -44,43 +45,17 @@ Placed placed_by_box2d3(const PairCase& pair) {
   return placed;
 }
 
-struct BestFace {
-  int index = 0;
-  float separation = -std::numeric_limits<float>::max();
-};
-
-/// b2FindMaxSeparation.
-BestFace best_face(const ConvexPolygon<float>& on, const ConvexPolygon<float>& of) {
-  BestFace best;
-  for (int i = 0; i < on.count; ++i) {
-    float nearest = std::numeric_limits<float>::max();
-    for (int j = 0; j < of.count; ++j) {
-      nearest = std::min(nearest, box2d3::dot(on.normals[i], of.vertices[j] - on.vertices[i]));
-    }
-    if (nearest > best.separation) best = {i, nearest};
-  }
-  return best;
-}
-
-int most_opposed(const ConvexPolygon<float>& of, const Float2& normal) {
-  int found = 0;
-  for (int i = 1; i < of.count; ++i) {
-    if (box2d3::dot(normal, of.normals[i]) < box2d3::dot(normal, of.normals[found])) found = i;
-  }
-  return found;
-}
-
 /// b2ClipPolygons.
 void clip_edges(Found& found, const ConvexPolygon<float>& on, int face,
                 const ConvexPolygon<float>& of, int edge) {
   const Float2& normal = on.normals[face];
-  const Float2 tangent = box2d3::left_of(normal);
+  const Float2 tangent = counter_clockwise_quarter(normal);
   const Float2& v11 = on.vertices[face];
   const Float2& v21 = of.vertices[edge];
   const Float2& v22 = of.vertices[of.next(edge)];
-  const float upper1 = box2d3::dot(on.vertices[on.next(face)] - v11, tangent);
-  const float upper2 = box2d3::dot(v21 - v11, tangent);
-  const float lower2 = box2d3::dot(v22 - v11, tangent);
+  const float upper1 = (on.vertices[on.next(face)] - v11).dot(tangent);
+  const float upper2 = (v21 - v11).dot(tangent);
+  const float lower2 = (v22 - v11).dot(tangent);
   found.is_disjoint = upper2 < 0 || upper1 < lower2;
   if (found.is_disjoint) return;
   const bool is_long = upper2 - lower2 > box2d3::kEpsilon;
@@ -92,7 +67,7 @@ void clip_edges(Found& found, const ConvexPolygon<float>& on, int face,
   const Float2 upper =
       is_high && is_long ? box2d3::lerp(v22, v21, (upper1 - lower2) / (upper2 - lower2)) : v21;
   for (const Float2& place : {lower, upper}) {
-    const float distance = box2d3::dot(place - v11, normal);
+    const float distance = (place - v11).dot(normal);
     found.points.push_back(box2d3::clipped_point(place, normal, distance, on.radius, of.radius));
   }
   found.is_clipped = true;
@@ -103,13 +78,13 @@ Found polygons(const Placed& placed) {
   const ConvexPolygon<float>& a = placed.first;
   const ConvexPolygon<float>& b = placed.second;
   const float radius = placed.radius();
-  const BestFace on_a = best_face(a, b);
-  const BestFace on_b = best_face(b, a);
+  const auto on_a = box2d3::best_face<float>(a, b);
+  const auto on_b = box2d3::best_face<float>(b, a);
   Found found;
   if (std::max(on_a.separation, on_b.separation) > box2d3::kSpeculative + radius) return found;
   const bool is_by_a = on_a.separation >= on_b.separation;
-  const int i = is_by_a ? on_a.index : most_opposed(a, b.normals[on_b.index]);
-  const int j = is_by_a ? most_opposed(b, a.normals[on_a.index]) : on_b.index;
+  const int i = is_by_a ? on_a.index : box2d3::most_opposed(a, b.normals[on_b.index]);
+  const int j = is_by_a ? box2d3::most_opposed(b, a.normals[on_a.index]) : on_b.index;
   found.are_apart = std::max(on_a.separation, on_b.separation) > box2d3::kTenth;
   box2d3::SegmentDistance nearest;
   float separation = 0;

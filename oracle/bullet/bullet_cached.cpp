@@ -135,22 +135,20 @@ class Memory {
 };
 
 Declaration declaration() {
-  Declaration declared;
-  declared.name = "bullet-cached";
-  declared.version = MANIFUZZ_BULLET_VERSION;
-  declared.description = "Bullet's btPersistentManifold over btConvexConvexAlgorithm, of prisms";
-  declared.scalar = ScalarType::float32;
-  declared.frame = RoundingFrame::world;
-  declared.min_vertices = 1;
-  declared.takes_radius = false;
-  declared.takes_round = true;
-  declared.second_point = SecondPoint::never();
-  declared.claims = Claims::point;
-  declared.clips = false;
-  declared.points = PointsAt::surface_b;
-  declared.tolerance.absolute = 1e-4;
-  declared.tolerance_source = "btGjkEpa2.cpp: EPA_ACCURACY 0.0001";
-  return declared;
+  return {.name = "bullet-cached",
+          .version = MANIFUZZ_BULLET_VERSION,
+          .description = "Bullet's btPersistentManifold over btConvexConvexAlgorithm, of prisms",
+          .scalar = ScalarType::float32,
+          .frame = RoundingFrame::world,
+          .takes_radius = false,
+          .min_vertices = 1,
+          .takes_round = true,
+          .second_point = SecondPoint::never(),
+          .claims = Claims::point,
+          .clips = false,
+          .points = PointsAt::surface_b,
+          .tolerance = {.absolute = 1e-4},
+          .tolerance_source = "btGjkEpa2.cpp: EPA_ACCURACY 0.0001"};
 }
 
 Keeping keeping() {

@@ -3,7 +3,6 @@
 #include "oracle/bullet/bullet_cached.hpp"
 #include "oracle/bullet/bullet_pass.hpp"
 #include "oracle/bullet/ledger/rows.hpp"
-#include "oracle/bullet/sequence_ledger.hpp"
 
 namespace manifuzz {
 

@@ -1,8 +1,7 @@
-#include "oracle/bullet/sequence_ledger.hpp"
-
 #include <cmath>
 
 #include "exact/curve.hpp"
+#include "oracle/bullet/ledger/rows.hpp"
 #include "sequence/kept_faults.hpp"
 #include "sequence/kept_point.hpp"
 

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/vector.hpp"
-
 namespace manifuzz::as_cute {
 namespace {
 
@@ -112,7 +110,7 @@ Vector2<float> direction_of(const Simplex& s) {
   const Vector2<float>& a = s.vertices[0].p;
   if (s.count == 1) return -a;
   const Vector2<float> ab = s.vertices[1].p - a;
-  return cross<float>(ab, -a) > 0 ? skew_of(ab) : ccw90_of(ab);
+  return cross<float>(ab, -a) > 0 ? counter_clockwise_quarter(ab) : clockwise_quarter(ab);
 }
 
 SimplexVertex vertex_of(const Shape& a, std::size_t i, const Shape& b, std::size_t j) {
@@ -123,43 +121,12 @@ SimplexVertex vertex_of(const Shape& a, std::size_t i, const Shape& b, std::size
 
 }  // namespace
 
-Vector2<float> turned(const Placing& by, const Vector2<float>& v) {
-  const auto [c, s] = std::pair(by.rotation.x(), by.rotation.y());
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
-}
-
-Vector2<float> turned_back(const Placing& by, const Vector2<float>& v) {
-  const auto [c, s] = std::pair(by.rotation.x(), by.rotation.y());
-  return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()};
-}
-
-Vector2<float> placed(const Placing& by, const Vector2<float>& v) {
-  return turned(by, v) + by.at;
-}
-
-Vector2<float> placed_back(const Placing& by, const Vector2<float>& v) {
-  return turned_back(by, v - by.at);
-}
-
-Vector2<float> unit_of(const Vector2<float>& v) {
-  return v * (1.0F / std::sqrt(v.dot(v)));
-}
-
-Vector2<float> skew_of(const Vector2<float>& v) {
-  return {-v.y(), v.x()};
-}
-
-Vector2<float> ccw90_of(const Vector2<float>& v) {
-  return {v.y(), -v.x()};
-}
-
 Shape::Shape(const Body& body) : radius(body.polygon.radius) {
-  const Placing given{body.pose.rotation, body.pose.position};
   const bool is_polygon = body.polygon.count > 2;
-  if (is_polygon) placing = given;
+  if (is_polygon) placing = body.pose;
   for (int i = 0; i < body.polygon.count; ++i) {
     const Vector2<float> vertex = body.polygon.vertices[i];
-    vertices.push_back(is_polygon ? vertex : placed(given, vertex));
+    vertices.push_back(is_polygon ? vertex : transform(body.pose, vertex));
     if (is_polygon) normals.push_back(body.polygon.normals[i]);
   }
 }
@@ -192,8 +159,8 @@ Nearest nearest_by_cute(const Shape& a, const Shape& b) {
     constexpr float kEpsilon = std::numeric_limits<float>::epsilon();
     is_within_epsilon = d.dot(d) < kEpsilon * kEpsilon;
     if (is_within_epsilon) break;
-    const std::size_t of_a = a.support(turned_back(a.placing, -d));
-    const std::size_t of_b = b.support(turned_back(b.placing, d));
+    const std::size_t of_a = a.support(rotate_back<float>(a.placing.rotation, -d));
+    const std::size_t of_b = b.support(rotate_back(b.placing.rotation, d));
     s.vertices[s.count] = vertex_of(a, of_a, b, of_b);
     const bool is_known =
         std::any_of(before.begin(), before.begin() + count,

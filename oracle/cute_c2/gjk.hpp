@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "geometry/pair_case.hpp"
@@ -9,35 +10,28 @@ namespace manifuzz::as_cute {
 // What cute_c2 1.08 makes of a case, its operations and the adapter's repeated in their order, in
 // float: the numbers are the engine's to the last bit.
 
-/// c2x.
-struct Placing {
-  Vector2<float> rotation{1, 0};
-  Vector2<float> at{0, 0};
-};
+/// c2MulxvT.
+inline Vector2<float> placed_back(const Pose<float>& by, const Vector2<float>& v) {
+  return rotate_back<float>(by.rotation, v - by.position);
+}
 
-/// c2Mulrv, c2MulrvT, c2Mulxv, c2MulxvT.
-Vector2<float> turned(const Placing& by, const Vector2<float>& v);
-Vector2<float> turned_back(const Placing& by, const Vector2<float>& v);
-Vector2<float> placed(const Placing& by, const Vector2<float>& v);
-Vector2<float> placed_back(const Placing& by, const Vector2<float>& v);
-
-/// c2Norm, c2Skew, c2CCW90.
-Vector2<float> unit_of(const Vector2<float>& v);
-Vector2<float> skew_of(const Vector2<float>& v);
-Vector2<float> ccw90_of(const Vector2<float>& v);
+/// c2Norm.
+inline Vector2<float> unit_of(const Vector2<float>& v) {
+  return v * (1.0F / std::sqrt(v.dot(v)));
+}
 
 /// A c2Circle or c2Capsule, which are in the world, or a c2Poly with its c2x.
 struct Shape {
   std::vector<Vector2<float>> vertices;
   std::vector<Vector2<float>> normals;
   float radius = 0;
-  Placing placing;
+  Pose<float> placing{};
 
   explicit Shape(const Body& body);
 
   std::size_t count() const { return vertices.size(); }
   std::size_t next(std::size_t i) const { return i + 1 == count() ? 0 : i + 1; }
-  Vector2<float> vertex(std::size_t i) const { return placed(placing, vertices[i]); }
+  Vector2<float> vertex(std::size_t i) const { return transform(placing, vertices[i]); }
   /// c2Support.
   std::size_t support(const Vector2<float>& along) const;
 };

@@ -13,23 +13,10 @@
 namespace manifuzz {
 namespace {
 
-/// What cute_c2 is at fault with.
-enum class FaultOfCute : unsigned {
-  placed_vertices = 1,  ///< a face's normal is that of its placed ends, in float
-  bias = 2,             ///< B's face clips though A's is farther
-  open_planes = 4,      ///< an end on a side plane is outside
-  two_frames = 8,       ///< a capsule's ends in the polygon's frame clip an edge in the world
-  on_core = 16,         ///< a capsule's points are on its core
-  one_point = 32,       ///< one point at most where cores are apart
-  nearest_places = 64,  ///< the normal is the direction between the nearest places of c2GJK
-  inside = 128          ///< cores at no distance: A's left side, and the sum of the radii
-};
+using as_cute::FaultOfCute;
+using replayed::has;
 
 constexpr unsigned kFaultsOfCute = 255;
-
-constexpr bool has(unsigned faults, FaultOfCute fault) {
-  return (faults & static_cast<unsigned>(fault)) != 0;
-}
 
 /// As cute/adapter.rs declares it.
 Declaration as_declared_by_cute(unsigned mended) {
@@ -47,7 +34,7 @@ Declaration as_declared_by_cute(unsigned mended) {
 class ByCute {
  public:
   explicit ByCute(const Deviation& deviation)
-      : deviation_(deviation), given_(as_cute::by_cute(deviation.right.pair(), {})) {}
+      : deviation_(deviation), given_(as_cute::by_cute(deviation.right.pair(), 0)) {}
 
   const as_cute::CuteAnswer& given() const { return given_; }
   bool is_same_answer() const { return replayed::is_same_answer(deviation_, given_.contact); }
@@ -68,13 +55,9 @@ class ByCute {
  private:
   bool is_right(unsigned mended) const {
     const bool is_inside = has(mended, FaultOfCute::inside) && is_rounded_distance();
-    as_cute::CuteAnswer answer = as_cute::by_cute(
-        deviation_.right.pair(), {.is_normal_of_shape = has(mended, FaultOfCute::placed_vertices),
-                                  .is_unbiased = has(mended, FaultOfCute::bias),
-                                  .is_plane_inside = has(mended, FaultOfCute::open_planes),
-                                  .is_in_world = has(mended, FaultOfCute::two_frames),
-                                  .is_inside = is_inside,
-                                  .is_on_surface = has(mended, FaultOfCute::on_core)});
+    constexpr auto inside = static_cast<unsigned>(FaultOfCute::inside);
+    as_cute::CuteAnswer answer =
+        as_cute::by_cute(deviation_.right.pair(), is_inside ? mended : mended & ~inside);
     const bool is_nearest = has(mended, FaultOfCute::nearest_places);
     if (is_nearest && answer.way != as_cute::Way::nearest) return false;
     if (has(mended, FaultOfCute::inside) && !(is_inside && has_polygon())) {

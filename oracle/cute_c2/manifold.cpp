@@ -8,6 +8,8 @@
 namespace manifuzz::as_cute {
 namespace {
 
+using replayed::has;
+
 using Segment = std::array<Vector2<float>, 2>;
 
 /// c2h.
@@ -24,13 +26,13 @@ Plane plane_at(const Shape& polygon, std::size_t i) {
 }
 
 /// c2Clip: whether both ends are left.
-bool is_clipped(Segment& segment, const Plane& plane, const Mends& mends) {
+bool is_clipped(Segment& segment, const Plane& plane, unsigned mended) {
   std::vector<Vector2<float>> left;
   const float first = plane.distance(segment[0]);
   const float second = plane.distance(segment[1]);
   if (first < 0) left.push_back(segment[0]);
   if (second < 0) left.push_back(segment[1]);
-  if (mends.is_plane_inside && left.size() < 2 && (first == 0 || second == 0)) {
+  if (has(mended, FaultOfCute::open_planes) && left.size() < 2 && (first == 0 || second == 0)) {
     const Vector2<float> on_plane = first == 0 ? segment[0] : segment[1];
     segment = {left.empty() ? on_plane : left[0], on_plane};
     return true;
@@ -46,21 +48,24 @@ bool is_clipped(Segment& segment, const Plane& plane, const Mends& mends) {
 
 /// c2SidePlanes: the plane of the face, where the segment has two ends between its own.
 std::optional<Plane> clip_by_sides(Segment& segment, const Vector2<float>& from,
-                                   const Vector2<float>& to, const Mends& mends,
+                                   const Vector2<float>& to, unsigned mended,
                                    const Vector2<float>* own_normal = nullptr) {
   Vector2<float> along = unit_of(to - from);
-  if (mends.is_normal_of_shape && own_normal != nullptr) along = skew_of(*own_normal);
+  if (has(mended, FaultOfCute::placed_vertices) && own_normal != nullptr)
+    along = counter_clockwise_quarter(*own_normal);
   const Plane left{-along, (-along).dot(from)};
   const Plane right{along, along.dot(to)};
-  if (!is_clipped(segment, left, mends) || !is_clipped(segment, right, mends)) return std::nullopt;
-  return Plane{ccw90_of(along), ccw90_of(along).dot(from)};
+  if (!is_clipped(segment, left, mended) || !is_clipped(segment, right, mended))
+    return std::nullopt;
+  const Vector2<float> out = clockwise_quarter(along);
+  return Plane{out, out.dot(from)};
 }
 
 /// c2SidePlanesFromPoly.
 std::optional<Plane> clip_by_face(Segment& segment, const Shape& polygon, std::size_t face,
-                                  const Mends& mends) {
-  const Vector2<float> own = turned(polygon.placing, polygon.normals[face]);
-  return clip_by_sides(segment, polygon.vertex(face), polygon.vertex(polygon.next(face)), mends,
+                                  unsigned mended) {
+  const Vector2<float> own = rotate(polygon.placing.rotation, polygon.normals[face]);
+  return clip_by_sides(segment, polygon.vertex(face), polygon.vertex(polygon.next(face)), mended,
                        &own);
 }
 
@@ -130,8 +135,9 @@ CuteAnswer of_capsules(const Shape& a, const Shape& b, const Shape& across) {
   const float r = a.radius + b.radius;
   if (!(nearest.distance < r)) return apart_by(nearest.distance);
   const bool is_inside = nearest.distance == 0;
-  const Vector2<float> n = is_inside ? unit_of(skew_of(across.vertices[1] - across.vertices[0]))
-                                     : unit_of(nearest.on_b - nearest.on_a);
+  const Vector2<float> n =
+      is_inside ? unit_of(counter_clockwise_quarter<float>(across.vertices[1] - across.vertices[0]))
+                : unit_of(nearest.on_b - nearest.on_a);
   CuteAnswer answer = one_point(is_inside ? Way::inside : Way::nearest, n, nearest.on_b, -b.radius,
                                 r - nearest.distance, nearest.distance);
   answer.is_within_epsilon = nearest.is_within_epsilon;
@@ -160,8 +166,8 @@ CuteAnswer of_circle_and_polygon(const Shape& circle, const Shape& polygon) {
   }
   const Plane plane = plane_at(polygon, best.index);
   const Vector2<float> on_face = local - plane.normal * plane.distance(local);
-  return one_point(Way::face, -turned(polygon.placing, plane.normal),
-                   placed(polygon.placing, on_face), 0, circle.radius - best.separation, 0);
+  return one_point(Way::face, -rotate(polygon.placing.rotation, plane.normal),
+                   transform(polygon.placing, on_face), 0, circle.radius - best.separation, 0);
 }
 
 /// A capsule's points as far from its core as it has radius; those on the polygon are on its
@@ -174,17 +180,17 @@ void move_to_surface(replayed::Contact& contact, const Shape& capsule) {
 
 /// One side of a capsule clips: case 1 and case 2 of c2CapsuletoPolyManifold.
 CuteAnswer of_side(const Shape& capsule, const Shape& polygon, const Plane& side,
-                   const Segment& core, const Segment& local_core, const Mends& mends) {
+                   const Segment& core, const Segment& local_core, unsigned mended) {
   Segment incident = incident_edge(polygon, side.normal);
-  const Segment& ends = mends.is_in_world ? core : local_core;
-  const auto plane = clip_by_sides(incident, ends[0], ends[1], mends);
+  const Segment& ends = has(mended, FaultOfCute::two_frames) ? core : local_core;
+  const auto plane = clip_by_sides(incident, ends[0], ends[1], mended);
   return plane ? keep_deep(incident, *plane, capsule.radius, false) : CuteAnswer{};
 }
 
 /// c2CapsuletoPolyManifold.
-CuteAnswer of_capsule_and_polygon(const Shape& capsule, const Shape& polygon, const Mends& mends) {
+CuteAnswer of_capsule_and_polygon(const Shape& capsule, const Shape& polygon, unsigned mended) {
   const Nearest nearest = nearest_by_cute(capsule, polygon);
-  if (!(nearest.distance < 1.0e-6F) && !mends.is_inside) {
+  if (!(nearest.distance < 1.0e-6F) && !has(mended, FaultOfCute::inside)) {
     if (!(nearest.distance < capsule.radius)) return apart_by(nearest.distance);
     const Vector2<float> n = unit_of(nearest.on_b - nearest.on_a);
     return one_point(Way::nearest, n, nearest.on_a, capsule.radius,
@@ -194,8 +200,8 @@ CuteAnswer of_capsule_and_polygon(const Shape& capsule, const Shape& polygon, co
   const Vector2<float> b = placed_back(polygon.placing, capsule.vertices[1]);
   const Vector2<float> along = unit_of(a - b);
   const auto side_of = [&](const Vector2<float>& normal) { return Plane{normal, a.dot(normal)}; };
-  const Plane first = side_of(ccw90_of(along));
-  const Plane second = side_of(skew_of(along));
+  const Plane first = side_of(clockwise_quarter(along));
+  const Plane second = side_of(counter_clockwise_quarter(along));
   const auto separation = [&](const Plane& side) {
     return side.distance(polygon.vertices[polygon.support(-side.normal)]);
   };
@@ -208,55 +214,48 @@ CuteAnswer of_capsule_and_polygon(const Shape& capsule, const Shape& polygon, co
   const float of_sides = std::max(best.separation, separation(first));
   if (separation(second) > of_sides) {
     return of_side(capsule, polygon, second, {capsule.vertices[0], capsule.vertices[1]}, {a, b},
-                   mends);
+                   mended);
   }
   if (of_sides > best.separation) {
     return of_side(capsule, polygon, first, {capsule.vertices[1], capsule.vertices[0]}, {b, a},
-                   mends);
+                   mended);
   }
   Segment core{capsule.vertices[0], capsule.vertices[1]};
-  const auto plane = clip_by_face(core, polygon, best.index, mends);
+  const auto plane = clip_by_face(core, polygon, best.index, mended);
   if (!plane) return {};
   CuteAnswer answer = keep_deep(core, *plane, capsule.radius, true);
-  if (mends.is_on_surface) move_to_surface(answer.contact, capsule);
+  if (has(mended, FaultOfCute::on_core)) move_to_surface(answer.contact, capsule);
   return answer;
-}
-
-/// c2MulxxT.
-Placing placing_in(const Placing& of, const Placing& other) {
-  const auto& [p, q] = std::pair(of.rotation, other.rotation);
-  return {{p.x() * q.x() + p.y() * q.y(), p.x() * q.y() - p.y() * q.x()},
-          turned_back(of, other.at - of.at)};
 }
 
 /// c2CheckFaces.
 BestFace check_faces(const Shape& a, const Shape& b) {
-  const Placing b_in_a = placing_in(a.placing, b.placing);
-  const Placing a_in_b = placing_in(b.placing, a.placing);
+  const Pose<float> b_in_a = relative_pose(a.placing, b.placing);
+  const Pose<float> a_in_b = relative_pose(b.placing, a.placing);
   BestFace best;
   for (std::size_t i = 0; i < a.count(); ++i) {
     const Plane face = plane_at(a, i);
-    const std::size_t deepest = b.support(turned(a_in_b, -face.normal));
-    const float d = face.distance(placed(b_in_a, b.vertices[deepest]));
+    const std::size_t deepest = b.support(rotate<float>(a_in_b.rotation, -face.normal));
+    const float d = face.distance(transform(b_in_a, b.vertices[deepest]));
     if (d > best.separation) best = {i, d};
   }
   return best;
 }
 
 /// c2PolytoPolyManifold.
-CuteAnswer of_polygons(const Shape& a, const Shape& b, const Mends& mends) {
+CuteAnswer of_polygons(const Shape& a, const Shape& b, unsigned mended) {
   const BestFace of_a = check_faces(a, b);
   const BestFace of_b = check_faces(b, a);
   if (of_a.separation >= 0 || of_b.separation >= 0) return {};
-  const float relative = mends.is_unbiased ? 1.0F : 0.95F;  // kRelTol
-  const float absolute = mends.is_unbiased ? 0.0F : 0.01F;  // kAbsTol
+  const float relative = has(mended, FaultOfCute::bias) ? 1.0F : 0.95F;  // kRelTol
+  const float absolute = has(mended, FaultOfCute::bias) ? 0.0F : 0.01F;  // kAbsTol
   const bool is_of_a = of_a.separation * relative > of_b.separation + absolute;
   const Shape& reference = is_of_a ? a : b;
   const Shape& other_one = is_of_a ? b : a;
   const std::size_t face = is_of_a ? of_a.index : of_b.index;
-  const Vector2<float> normal = turned(reference.placing, reference.normals[face]);
-  Segment incident = incident_edge(other_one, turned_back(other_one.placing, normal));
-  const auto plane = clip_by_face(incident, reference, face, mends);
+  const Vector2<float> normal = rotate(reference.placing.rotation, reference.normals[face]);
+  Segment incident = incident_edge(other_one, rotate_back(other_one.placing.rotation, normal));
+  const auto plane = clip_by_face(incident, reference, face, mended);
   if (!plane) return {};
   CuteAnswer answer = keep_deep(incident, *plane, 0, !is_of_a);
   answer.own_normal = (is_of_a ? normal : -normal).cast<double>();
@@ -264,21 +263,21 @@ CuteAnswer of_polygons(const Shape& a, const Shape& b, const Mends& mends) {
 }
 
 /// In the order in which the functions take them.
-CuteAnswer in_order(const Shape& first, const Shape& second, const Mends& mends) {
-  if (first.count() > 2) return of_polygons(first, second, mends);
+CuteAnswer in_order(const Shape& first, const Shape& second, unsigned mended) {
+  if (first.count() > 2) return of_polygons(first, second, mended);
   if (second.count() > 2 && first.count() == 1) return of_circle_and_polygon(first, second);
-  if (second.count() > 2) return of_capsule_and_polygon(first, second, mends);
+  if (second.count() > 2) return of_capsule_and_polygon(first, second, mended);
   if (second.count() == 1) return of_circles(first, second);
   return of_capsules(first, second, first.count() == 2 ? first : second);
 }
 
 }  // namespace
 
-CuteAnswer by_cute(const PairCase& pair, const Mends& mends) {
+CuteAnswer by_cute(const PairCase& pair, unsigned mended) {
   const Shape a(pair.a);
   const Shape b(pair.b);
   const bool is_swapped = std::min<std::size_t>(a.count(), 3) > std::min<std::size_t>(b.count(), 3);
-  CuteAnswer answer = is_swapped ? in_order(b, a, mends) : in_order(a, b, mends);
+  CuteAnswer answer = is_swapped ? in_order(b, a, mended) : in_order(a, b, mended);
   if (is_swapped) {
     answer.contact.normal = -answer.contact.normal;
     answer.out = -answer.out;

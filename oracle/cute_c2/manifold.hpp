@@ -5,14 +5,16 @@
 
 namespace manifuzz::as_cute {
 
-/// What of the engine is to be mended: the ledger's entries compare answers.
-struct Mends {
-  bool is_normal_of_shape = false;  ///< a reference face's direction is its polygon's normal's
-  bool is_unbiased = false;         ///< the face of the greater separation clips
-  bool is_plane_inside = false;     ///< an end on a side plane is inside
-  bool is_in_world = false;         ///< a capsule clips in the world, as the polygon stands there
-  bool is_inside = false;           ///< a capsule and a polygon are at no distance
-  bool is_on_surface = false;       ///< a capsule's points are a radius from its core
+/// What cute_c2 is at fault with.
+enum class FaultOfCute : unsigned {
+  placed_vertices = 1,  ///< a face's normal is that of its placed ends, in float
+  bias = 2,             ///< B's face clips though A's is farther
+  open_planes = 4,      ///< an end on a side plane is outside
+  two_frames = 8,       ///< a capsule's ends in the polygon's frame clip an edge in the world
+  on_core = 16,         ///< a capsule's points are on its core
+  one_point = 32,       ///< one point at most where cores are apart
+  nearest_places = 64,  ///< the normal is the direction between the nearest places of c2GJK
+  inside = 128          ///< cores at no distance: A's left side, and the sum of the radii
 };
 
 /// How c2Collide came to its answer.
@@ -33,7 +35,7 @@ struct CuteAnswer {
   Vector2<double> own_normal{0, 0};  ///< of polygons: the clipping face's, of its own vertices
 };
 
-/// c2Collide.
-CuteAnswer by_cute(const PairCase& pair, const Mends& mends);
+/// c2Collide, with some faults mended.
+CuteAnswer by_cute(const PairCase& pair, unsigned mended);
 
 }  // namespace manifuzz::as_cute

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "judging/faults/replayed.hpp"
 #include "oracle/dyn4j/shapes.hpp"
 
 namespace manifuzz::as_dyn4j {
@@ -30,15 +29,8 @@ Found by_axes(const Placed& a, const Placed& b);
 /// sixth power of a length, is not above Epsilon.E, or so much.
 Found by_gjk(const Placed& a, const Placed& b, double square_of_zero = kEpsilon);
 
-/// What of ClippingManifoldSolver.getManifold is to be mended.
-struct ManifoldMends {
-  FeatureMends features;
-  bool is_normal_of_shape = false;  ///< the reference edge's direction is its shape's own
-  bool is_by_angle = false;         ///< the edge more nearly perpendicular to the normal clips
-};
-
-/// ClippingManifoldSolver.getManifold.
+/// ClippingManifoldSolver.getManifold, with some faults mended.
 replayed::Contact clipped_by_dyn4j(const Found& found, const Placed& a, const Placed& b,
-                                   const ManifoldMends& mends);
+                                   unsigned mended);
 
 }  // namespace manifuzz::as_dyn4j

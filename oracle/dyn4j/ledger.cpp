@@ -14,25 +14,14 @@
 namespace manifuzz {
 namespace {
 
-/// What ClippingManifoldSolver, and the features that it asks for, are at fault with.
-enum class FaultOfDyn4j : unsigned {
-  longer_capsule = 2,    ///< the edge of a capsule is longer than its core
-  normal_of_edge = 4,    ///< the normal is the reference edge's, and depths are along it
-  placed_vertices = 8,   ///< the reference edge's direction is that of its placed ends
-  longer_edges = 16,     ///< the edge clips whose product with the normal is least
-  any_angle = 32,        ///< segments and polygons have an edge, whatever its angle
-  neighbour_by_dot = 64  ///< of edges beside each other, dots of unit vectors decide
-};
+using as_dyn4j::FaultOfDyn4j;
+using replayed::has;
 
 using DetectorOfDyn4j = as_dyn4j::Found (*)(const as_dyn4j::Placed&, const as_dyn4j::Placed&);
 
 /// Normal and depth are not those of the least depth.
 constexpr unsigned kFaultOfDetector = 1;
 constexpr unsigned kFaultsOfDyn4j = 127;
-
-constexpr bool has(unsigned faults, FaultOfDyn4j fault) {
-  return (faults & static_cast<unsigned>(fault)) != 0;
-}
 
 /// As Dyn4j.java declares it.
 Declaration as_declared_by_dyn4j(unsigned mended) {
@@ -73,15 +62,7 @@ class ByDyn4j {
       found.normal = replayed::least_normal_near(deviation_, found.normal);
     }
     if (!found.touches) return {};
-    const as_dyn4j::FeatureMends features{
-        .is_capsule_as_long = has(mended, FaultOfDyn4j::longer_capsule),
-        .is_along_normal = has(mended, FaultOfDyn4j::normal_of_edge),
-        .is_edge_by_sine = has(mended, FaultOfDyn4j::neighbour_by_dot)};
-    return as_dyn4j::clipped_by_dyn4j(
-        found, a_, b_,
-        {.features = features,
-         .is_normal_of_shape = has(mended, FaultOfDyn4j::placed_vertices),
-         .is_by_angle = has(mended, FaultOfDyn4j::longer_edges)});
+    return as_dyn4j::clipped_by_dyn4j(found, a_, b_, mended);
   }
 
   const Deviation& deviation_;
@@ -197,7 +178,7 @@ bool gjk_depth_below_0_in_dyn4j(const LostAnswer& lost) {
   if (as_dyn4j::by_gjk(a, b, 0).touches) return false;
   const as_dyn4j::Found found = found_by_gjk(a, b);
   if (!found.touches) return false;
-  const replayed::Contact contact = as_dyn4j::clipped_by_dyn4j(found, a, b, {});
+  const replayed::Contact contact = as_dyn4j::clipped_by_dyn4j(found, a, b, 0);
   return std::ssize(contact.points) == got->count && contact.points[0].depth < 0 &&
          got->points[0].depth == contact.points[0].depth;
 }

@@ -6,6 +6,8 @@
 namespace manifuzz::as_dyn4j {
 namespace {
 
+using replayed::has;
+
 /// ClippingManifoldSolver.clip.
 std::vector<Vector2<double>> clip_by_dyn4j(const Vector2<double>& p, const Vector2<double>& q,
                                            const Vector2<double>& out, double offset) {
@@ -59,29 +61,32 @@ replayed::Contact single_point(const Vector2<double>& at, const Found& found) {
 }  // namespace
 
 replayed::Contact clipped_by_dyn4j(const Found& found, const Placed& a, const Placed& b,
-                                   const ManifoldMends& mends) {
+                                   unsigned mended) {
   Found along = found;
-  const FarthestFeature of_a = a.farthest_feature(along.normal, mends.features);
+  const FarthestFeature of_a = a.farthest_feature(along.normal, mended);
   if (!of_a.is_edge) return single_point(of_a.from, along);
   Vector2<double> back = -along.normal;
-  const FarthestFeature of_b = b.farthest_feature(back, mends.features);
+  const FarthestFeature of_b = b.farthest_feature(back, mended);
   if (!of_b.is_edge) {
     along.normal = -back;
     return single_point(of_b.from, along);
   }
-  const bool is_of_b = is_less_perpendicular(of_a, of_b, along.normal, mends.is_by_angle);
+  const bool is_of_b =
+      is_less_perpendicular(of_a, of_b, along.normal, has(mended, FaultOfDyn4j::longer_edges));
   const FarthestFeature& reference = is_of_b ? of_b : of_a;
   const FarthestFeature& incident = is_of_b ? of_a : of_b;
-  Vector2<double> tangent = mends.is_normal_of_shape ? reference.along : reference.edge;
+  Vector2<double> tangent =
+      has(mended, FaultOfDyn4j::placed_vertices) ? reference.along : reference.edge;
   normalize(tangent);
   Vector2<double> sides = tangent;
   // Ends that are cut along the normal are cut across its tangent.
-  if (mends.features.is_along_normal) {
+  if (has(mended, FaultOfDyn4j::normal_of_edge)) {
     sides = {-along.normal.y(), along.normal.x()};
     if (sides.dot(tangent) < 0) sides = -sides;
   }
   const auto left = between_ends_of(reference, incident, sides);
-  if (left.empty() && mends.features.is_capsule_as_long && (a.is_capsule() || b.is_capsule())) {
+  if (left.empty() && has(mended, FaultOfDyn4j::longer_capsule) &&
+      (a.is_capsule() || b.is_capsule())) {
     return single_point(end_nearest_to(reference, incident, sides), along);
   }
   replayed::Contact manifold;
@@ -90,7 +95,7 @@ replayed::Contact clipped_by_dyn4j(const Found& found, const Placed& a, const Pl
   // The engine's normal of the manifold points from B to A.
   manifold.normal = is_of_b ? front : Vector2<double>(-front);
   double steep = 1;
-  if (mends.features.is_along_normal) {
+  if (has(mended, FaultOfDyn4j::normal_of_edge)) {
     steep = std::abs(front.dot(along.normal));
     manifold.normal = along.normal;
   }

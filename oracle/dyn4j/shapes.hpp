@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geometry/pair_case.hpp"
+#include "judging/faults/replayed.hpp"
 
 namespace manifuzz::as_dyn4j {
 
@@ -15,23 +15,6 @@ inline constexpr double kEpsilon = 0x1p-53;
 /// Vector2.normalize, which leaves what is shorter than Epsilon.E; the length, 0 of these.
 double normalize(Vector2<double>& v);
 
-/// Transform.
-struct Placing {
-  double cos = 1;
-  double sin = 0;
-  Vector2<double> at{0, 0};
-
-  Vector2<double> turned(const Vector2<double>& v) const {
-    return {cos * v.x() - sin * v.y(), sin * v.x() + cos * v.y()};
-  }
-  Vector2<double> turned_back(const Vector2<double>& v) const {
-    return {cos * v.x() + sin * v.y(), -sin * v.x() + cos * v.y()};
-  }
-  Vector2<double> placed(const Vector2<double>& v) const {
-    return {cos * v.x() - sin * v.y() + at.x(), sin * v.x() + cos * v.y() + at.y()};
-  }
-};
-
 /// Interval.
 struct Range {
   double min = 0;
@@ -41,11 +24,14 @@ struct Range {
   bool contains(const Range& other) const { return other.min > min && other.max < max; }
 };
 
-/// What of getFarthestFeature is to be mended: the ledger's entries compare answers.
-struct FeatureMends {
-  bool is_capsule_as_long = false;  ///< its edge ends where its core does
-  bool is_along_normal = false;     ///< its edge is a radius from its core along the normal
-  bool is_edge_by_sine = false;     ///< of a polygon's edges, the one at the lesser angle
+/// What ClippingManifoldSolver, and the features that it asks for, are at fault with.
+enum class FaultOfDyn4j : unsigned {
+  longer_capsule = 2,    ///< the edge of a capsule is longer than its core
+  normal_of_edge = 4,    ///< the normal is the reference edge's, and depths are along it
+  placed_vertices = 8,   ///< the reference edge's direction is that of its placed ends
+  longer_edges = 16,     ///< the edge clips whose product with the normal is least
+  any_angle = 32,        ///< segments and polygons have an edge, whatever its angle
+  neighbour_by_dot = 64  ///< of edges beside each other, dots of unit vectors decide
 };
 
 /// PointFeature, or EdgeFeature.
@@ -66,13 +52,13 @@ class Placed {
   bool is_circle() const { return kind_ == Kind::circle; }
   bool is_capsule() const { return kind_ == Kind::capsule; }
   double radius() const { return radius_; }
-  Vector2<double> centre() const { return placing_.placed(centre_); }
+  Vector2<double> centre() const { return transform(placing_, centre_); }
   std::vector<Vector2<double>> foci() const;
   std::vector<Vector2<double>> axes(const std::vector<Vector2<double>>& foci) const;
   // Capsules normalise what these are given, as the engine's do.
   Range project(Vector2<double>& axis) const;
   Vector2<double> farthest_point(Vector2<double>& along) const;
-  FarthestFeature farthest_feature(Vector2<double>& along, const FeatureMends& mends) const;
+  FarthestFeature farthest_feature(Vector2<double>& along, unsigned mended) const;
 
  private:
   enum class Kind { circle, segment, capsule, polygon };
@@ -84,10 +70,10 @@ class Placed {
   FarthestFeature edge_of(const Vector2<double>& first, const Vector2<double>& second,
                           const Vector2<double>& along) const;
   bool is_next_edge(std::size_t at, const Vector2<double>& along, bool by_sine) const;
-  FarthestFeature capsule_feature(Vector2<double>& along, const FeatureMends& mends) const;
+  FarthestFeature capsule_feature(Vector2<double>& along, unsigned mended) const;
 
   Kind kind_;
-  Placing placing_;
+  Pose<double> placing_;
   double radius_ = 0;
   double length_ = 0;  ///< of a capsule with both caps
   Vector2<double> centre_{0, 0};

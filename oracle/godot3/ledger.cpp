@@ -14,51 +14,22 @@
 namespace manifuzz {
 namespace {
 
-/// What Godot 3 is at fault with.
-enum class FaultOfGodot : unsigned {
-  short_difference = 1,  ///< normal and depth are those of the difference of rounded points
-  first_ends = 2,        ///< of two edges, places are on the planes through their first ends
-  first_edge = 4,        ///< of a polygon's edges within 0.36 degrees the first is met
-  segment_length = 8,    ///< a segment's normal is as long as the segment
-  tested_axis = 16,      ///< the axis is between two rounded places, or one of several that tie
-  flat_capsule = 32,     ///< a capsule within 0.0012 degrees has a side, with its normal
-  uncapped_foot = 64,    ///< a point meets an edge's line where it is nearest, beyond its ends too
-  rounded_ends = 128,    ///< an edge's line is that of its ends as rounded in the world
-  short_edge = 256,      ///< an edge shorter than 1e-10 is its first end
-  start_values = 512,    ///< supports below -1e10 and overlaps above 1e15 are not found
-  squared_length = 1024  ///< the square of a length overflows or underflows
-};
+using as_godot::FaultOfGodot;
+using replayed::has;
 
 constexpr unsigned kFaultsOfGodot = 2047;
 
-constexpr bool has(unsigned faults, FaultOfGodot fault) {
-  return (faults & static_cast<unsigned>(fault)) != 0;
-}
-
 /// As relay.py declares it.
 Declaration as_declared_by_godot() {
-  Declaration declaration;
-  declaration.frame = RoundingFrame::world;
-  declaration.min_vertices = 1;
-  declaration.takes_radius = false;
-  declaration.second_point = {0.99998};  // _SEGMENT_IS_VALID_SUPPORT_THRESHOLD
-  declaration.clips = false;
-  declaration.points = PointsAt::surface_a;
-  declaration.shares_depth = true;
-  declaration.one_point_enough = true;
-  declaration.least_depth = as_godot::kCmpEpsilon;
-  return declaration;
-}
-
-as_godot::Mends mends_of(unsigned mended) {
-  return {.is_segment_unit = has(mended, FaultOfGodot::segment_length),
-          .is_along_edges = has(mended, FaultOfGodot::first_ends),
-          .is_side_tilted = has(mended, FaultOfGodot::flat_capsule),
-          .is_foot_between = has(mended, FaultOfGodot::uncapped_foot),
-          .is_edge_exact = has(mended, FaultOfGodot::rounded_ends),
-          .is_of_any_length = has(mended, FaultOfGodot::short_edge),
-          .is_without_start = has(mended, FaultOfGodot::start_values),
-          .is_square_in_range = has(mended, FaultOfGodot::squared_length)};
+  return {.frame = RoundingFrame::world,
+          .takes_radius = false,
+          .min_vertices = 1,
+          .second_point = {0.99998},  // _SEGMENT_IS_VALID_SUPPORT_THRESHOLD
+          .clips = false,
+          .points = PointsAt::surface_a,
+          .shares_depth = true,
+          .one_point_enough = true,
+          .least_depth = as_godot::kCmpEpsilon};
 }
 
 /// The square of a vector's length is beyond float's normal numbers.
@@ -106,7 +77,7 @@ replayed::Contact contact_of(const as_godot::GodotAnswer& answer, unsigned mende
 /// meets gives a right answer, or, where that is mended, another one within the angle or none.
 bool is_right_along(const Deviation& d, unsigned mended,
                     const std::optional<Vector2<double>>& axis) {
-  as_godot::Mends mends = mends_of(mended);
+  as_godot::Mends mends{mended};
   const auto is_right = [&](const as_godot::Mends& with) {
     as_godot::GodotAnswer answer = as_godot::by_godot(d.right.pair(), with, axis);
     if (axis) {
@@ -127,7 +98,7 @@ bool is_right_along(const Deviation& d, unsigned mended,
 
 bool is_right_with(const Deviation& d, unsigned mended) {
   if (!has(mended, FaultOfGodot::tested_axis)) return is_right_along(d, mended, std::nullopt);
-  if (as_godot::by_godot(d.right.pair(), mends_of(mended)).axis.isZero(0)) return false;
+  if (as_godot::by_godot(d.right.pair(), {mended}).axis.isZero(0)) return false;
   const auto axes = replayed::least_normals(d);
   return std::ranges::any_of(
       axes, [&](const Vector2<double>& axis) { return is_right_along(d, mended, axis); });

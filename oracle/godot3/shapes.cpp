@@ -12,10 +12,8 @@ constexpr double kValidSupport = 0.99998;
 
 /// relay.py: in double, of what is stored.
 Vector2<double> placed_by_relay(const Body& body, int i) {
-  const Vector2<double> r = body.pose.rotation.cast<double>();
-  const Vector2<double> v = body.polygon.vertices[i].cast<double>();
-  const Vector2<double> p = body.pose.position.cast<double>();
-  return {r.x() * v.x() - r.y() * v.y() + p.x(), r.y() * v.x() + r.x() * v.y() + p.y()};
+  return transform<double>({body.pose.position.cast<double>(), body.pose.rotation.cast<double>()},
+                           body.polygon.vertices[i].cast<double>());
 }
 
 /// Geometry::is_polygon_clockwise; of a thin polygon roundings decide.
@@ -32,17 +30,13 @@ bool is_clockwise(const std::vector<Vector2<float>>& points) {
 }  // namespace
 
 Vector2<float> normalized(const Vector2<float>& v, const Mends& mends) {
-  if (mends.is_square_in_range && !v.isZero(0)) {
+  if (mends.has(FaultOfGodot::squared_length) && !v.isZero(0)) {
     return unit_direction(v.cast<double>()).cast<float>();
   }
   const float square = v.x() * v.x() + v.y() * v.y();
   if (square == 0) return v;
   const float length = std::sqrt(square);
   return {v.x() / length, v.y() / length};
-}
-
-Vector2<float> tangent_of(const Vector2<float>& v) {
-  return {v.y(), -v.x()};
 }
 
 Shape::Shape(const Body& body, const Mends& mends, int edge)
@@ -102,7 +96,7 @@ std::vector<Vector2<float>> Shape::normals() const {
   std::vector<Vector2<float>> normals;
   for (std::size_t i = 0; i < (type_ == Type::segment ? 1 : all.size()); ++i) {
     const Vector2<float> along = all[(i + 1) % all.size()] - all[i];
-    normals.push_back(tangent_of(normalized(along, mends_)));
+    normals.push_back(clockwise_quarter(normalized(along, mends_)));
   }
   return normals;
 }
@@ -146,8 +140,8 @@ Supports<float> Shape::local_supports(const Vector2<float>& n) const {
   if (type_ == Type::capsule) return capsule_supports(n);
   if (type_ == Type::polygon) return polygon_supports(n);
   const Vector2<float> along = points_[1] - points_[0];
-  Vector2<float> normal = tangent_of(along);
-  if (mends_.is_segment_unit) normal = normalized(normal, mends_);
+  Vector2<float> normal = clockwise_quarter(along);
+  if (mends_.has(FaultOfGodot::segment_length)) normal = normalized(normal, mends_);
   if (static_cast<double>(std::abs(n.dot(normal))) > kValidSupport) {
     return {{points_[0], points_[1]}, 2};
   }
@@ -158,7 +152,7 @@ Supports<float> Shape::capsule_supports(Vector2<float> n) const {
   const float half = height_ * 0.5F;
   const bool is_upper = n.y() > 0;
   const bool is_side = static_cast<double>(std::abs(n.y())) < 1.0 - kValidSupport;
-  if (is_side && !mends_.is_side_tilted) {
+  if (is_side && !mends_.has(FaultOfGodot::flat_capsule)) {
     n.y() = 0;
     n = normalized(n, mends_);
   }
@@ -171,7 +165,7 @@ Supports<float> Shape::capsule_supports(Vector2<float> n) const {
 
 bool Shape::is_along(int i, const Vector2<float>& n) const {
   const Vector2<float> along = points_[(i + 1) % points_.size()] - points_[i];
-  return static_cast<double>(normalized(tangent_of(along), mends_).dot(n)) > kValidSupport;
+  return static_cast<double>(normalized(clockwise_quarter(along), mends_).dot(n)) > kValidSupport;
 }
 
 std::vector<int> Shape::edges_met(const Vector2<float>& direction) const {
@@ -196,7 +190,8 @@ Supports<float> Shape::polygon_supports(const Vector2<float>& n) const {
   const auto count = static_cast<int>(points_.size());
   int farthest = -1;
   int edge = std::max(edge_, kItsOwnEdge);
-  float most = mends_.is_without_start ? -std::numeric_limits<float>::infinity() : -1e10F;
+  float most =
+      mends_.has(FaultOfGodot::start_values) ? -std::numeric_limits<float>::infinity() : -1e10F;
   for (int i = 0; i < count && edge < 0; ++i) {
     const float d = n.dot(points_[i]);
     if (d > most) {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "geometry/pair_case.hpp"
+#include "judging/faults/replayed.hpp"
 
 namespace manifuzz::as_godot {
 
@@ -17,22 +17,31 @@ inline constexpr double kCmpEpsilon = 1e-5;
 inline constexpr int kItsOwnEdge = -1;
 inline constexpr int kNoEdge = -2;
 
-/// What of the engine is to be mended: the ledger's entries compare answers.
-struct Mends {
-  bool is_segment_unit = false;   ///< a segment's normal is unit
-  bool is_along_edges = false;    ///< edges are met where they are, not at their first ends
-  bool is_side_tilted = false;    ///< a capsule's side lies along the normal, not its own
-  bool is_foot_between = false;   ///< a point meets an edge along the normal, between its ends
-  bool is_edge_exact = false;     ///< an edge's ends are not rounded in the world
-  bool is_of_any_length = false;  ///< an edge is one however short
-  bool is_without_start = false;  ///< the farthest vertex and the least overlap are found anywhere
-  bool is_square_in_range = false;  ///< squares of lengths neither overflow nor underflow
-  std::array<int, 2> edges{kItsOwnEdge, kItsOwnEdge};  ///< of the polygons A and B
+/// What Godot 3 is at fault with.
+enum class FaultOfGodot : unsigned {
+  short_difference = 1,  ///< normal and depth are those of the difference of rounded points
+  first_ends = 2,        ///< of two edges, places are on the planes through their first ends
+  first_edge = 4,        ///< of a polygon's edges within 0.36 degrees the first is met
+  segment_length = 8,    ///< a segment's normal is as long as the segment
+  tested_axis = 16,      ///< the axis is between two rounded places, or one of several that tie
+  flat_capsule = 32,     ///< a capsule within 0.0012 degrees has a side, with its normal
+  uncapped_foot = 64,    ///< a point meets an edge's line where it is nearest, beyond its ends too
+  rounded_ends = 128,    ///< an edge's line is that of its ends as rounded in the world
+  short_edge = 256,      ///< an edge shorter than 1e-10 is its first end
+  start_values = 512,    ///< supports below -1e10 and overlaps above 1e15 are not found
+  squared_length = 1024  ///< the square of a length overflows or underflows
 };
 
-/// Vector2::normalized, Vector2::tangent.
+/// What of the engine is to be mended: the ledger's entries compare answers.
+struct Mends {
+  unsigned faults = 0;
+  std::array<int, 2> edges{kItsOwnEdge, kItsOwnEdge};  ///< of the polygons A and B
+
+  bool has(FaultOfGodot fault) const { return replayed::has(faults, fault); }
+};
+
+/// Vector2::normalized.
 Vector2<float> normalized(const Vector2<float>& v, const Mends& mends);
-Vector2<float> tangent_of(const Vector2<float>& v);
 
 /// The supports along a direction, in the world: an edge where there are two, none where there is
 /// no maximum.

@@ -107,7 +107,7 @@ std::vector<PointPair<Scalar>> of_edges(const Supports<Scalar>& a, const Support
                   End{tangent.dot(b.points[0]), false, 0}, End{tangent.dot(b.points[1]), false, 1}};
   std::ranges::stable_sort(ends, {}, &End::at);
   const auto on_plane = [&](const Supports<Scalar>& edge, const Vector2<Scalar>& at) {
-    if (mends.is_along_edges) return place_on(edge, share_along(edge, n, at));
+    if (mends.has(FaultOfGodot::first_ends)) return place_on(edge, share_along(edge, n, at));
     return Vector2<Scalar>(at - n * (n.dot(at) - n.dot(edge.points[0])));
   };
   std::vector<PointPair<Scalar>> pairs;
@@ -129,9 +129,9 @@ Vector2<Scalar> on_edge(const Vector2<Scalar>& point, const Supports<Scalar>& ed
                         const Vector2<Scalar>& n, const Mends& mends) {
   const Vector2<Scalar> along = edge.points[1] - edge.points[0];
   const Scalar square = along.dot(along);
-  const double least = mends.is_of_any_length ? 0 : 1e-20;
+  const double least = mends.has(FaultOfGodot::short_edge) ? 0 : 1e-20;
   if (square == 0 || static_cast<double>(square) < least) return edge.points[0];
-  if (mends.is_foot_between) {
+  if (mends.has(FaultOfGodot::uncapped_foot)) {
     return place_on(edge, std::clamp(share_along(edge, n, point), Scalar(0), Scalar(1)));
   }
   return place_on(edge, along.dot(point - edge.points[0]) / square);
@@ -193,7 +193,7 @@ GodotAnswer by_godot(const PairCase& pair, const Mends& mends,
   const Shape& a = is_swapped ? of_b : of_a;
   const Shape& b = is_swapped ? of_a : of_b;
   BestAxis best;
-  if (mends.is_without_start) best.depth = std::numeric_limits<float>::infinity();
+  if (mends.has(FaultOfGodot::start_values)) best.depth = std::numeric_limits<float>::infinity();
   for (const Vector2<float>& tested : axes_of(a, b, mends)) {
     if (!test_axis(a, b, tested, best) && !axis) return {};
   }
@@ -206,7 +206,8 @@ GodotAnswer by_godot(const PairCase& pair, const Mends& mends,
   answer.edges = {of_a.edges_met(from_a), of_b.edges_met(-from_a)};
   answer.is_without_support =
       a.supports<float>(-best.axis).count == 0 || b.supports<float>(best.axis).count == 0;
-  const auto contact = mends.is_edge_exact ? contact_at<double> : contact_at<float>;
+  const auto contact =
+      mends.has(FaultOfGodot::rounded_ends) ? contact_at<double> : contact_at<float>;
   answer.contact = contact(a, b, best.axis, mends, is_swapped);
   return answer;
 }

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "judging/faults/replayed.hpp"
 #include "oracle/godot3/shapes.hpp"
 
 namespace manifuzz::as_godot {

@@ -20,10 +20,7 @@ class EdgeAndPolygonOfJbox2d {
  public:
   EdgeAndPolygonOfJbox2d(const Body& edge, const Body& polygon, unsigned mended)
       : edge_{edge}, polygon_{polygon}, mended_(mended) {
-    const Float2& q = edge.pose.rotation;
-    const Float2& r = polygon.pose.rotation;
-    between_.pose.rotation = {q.x() * r.x() + q.y() * r.y(), q.x() * r.y() - q.y() * r.x()};
-    between_.pose.position = edge_.turned_back(polygon.pose.position - edge.pose.position);
+    between_.pose = relative_pose(edge.pose, polygon.pose);
     const jbox2d::Polygon placing{between_};
     for (int i = 0; i < polygon_.count(); ++i) {
       vertices_[i] = placing.placed(polygon_.vertex(i));
@@ -69,9 +66,7 @@ class EdgeAndPolygonOfJbox2d {
   }
 
  private:
-  bool is_mended(FaultOfJbox2dEdge fault) const {
-    return (mended_ & static_cast<unsigned>(fault)) != 0;
-  }
+  bool is_mended(FaultOfJbox2dEdge fault) const { return replayed::has(mended_, fault); }
   /// computeEdgeSeparation.
   float edge_separation(const Float2& normal) const {
     float least = std::numeric_limits<float>::max();
@@ -166,10 +161,8 @@ bool is_edge_at_fault(const Deviation& d, FaultOfJbox2dEdge fault) {
       !replayed::is_same_answer(d, edge_by_jbox2d(pair, 0))) {
     return false;
   }
-  Declaration declaration;
-  declaration.frame = RoundingFrame::world;
-  declaration.min_vertices = 1;
-  declaration.takes_round = true;
+  const Declaration declaration{
+      .frame = RoundingFrame::world, .min_vertices = 1, .takes_round = true};
   constexpr unsigned kAll = 31;
   return replayed::is_needed(static_cast<unsigned>(fault), kAll, [&](unsigned mended) {
     return replayed::is_right_answer(d, declaration, edge_by_jbox2d(pair, mended));

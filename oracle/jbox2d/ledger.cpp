@@ -121,8 +121,7 @@ bool local_maximum_in_jbox2d(const Deviation& d) {
   if (std::min(pair.a.polygon.count, pair.b.polygon.count) < kMinVertices || is_round(pair)) {
     return false;
   }
-  Declaration declaration;
-  declaration.frame = RoundingFrame::world;
+  const Declaration declaration{.frame = RoundingFrame::world};
   return replayed::is_same_answer(d, by_jbox2d(pair, false)) &&
          replayed::is_right_answer(d, declaration, by_jbox2d(pair, true));
 }

@@ -15,15 +15,11 @@ struct Polygon {
   int next(int i) const { return i + 1 < count() ? i + 1 : 0; }
   int previous(int i) const { return i > 0 ? i - 1 : count() - 1; }
   const Vector2<float>& vertex(int i) const { return body.polygon.vertices[i]; }
-  Vector2<float> turned(const Vector2<float>& v) const {
-    const Vector2<float>& q = body.pose.rotation;
-    return {q.x() * v.x() - q.y() * v.y(), q.y() * v.x() + q.x() * v.y()};
-  }
+  Vector2<float> turned(const Vector2<float>& v) const { return rotate(body.pose.rotation, v); }
   Vector2<float> turned_back(const Vector2<float>& v) const {
-    const Vector2<float>& q = body.pose.rotation;
-    return {q.x() * v.x() + q.y() * v.y(), -q.y() * v.x() + q.x() * v.y()};
+    return rotate_back(body.pose.rotation, v);
   }
-  Vector2<float> placed(const Vector2<float>& v) const { return turned(v) + body.pose.position; }
+  Vector2<float> placed(const Vector2<float>& v) const { return transform(body.pose, v); }
   /// Protocol.java, normal.
   Vector2<float> normal(int i) const {
     const Vector2<double> edge = vertex(next(i)).cast<double>() - vertex(i).cast<double>();

@@ -44,14 +44,12 @@ std::optional<CollisionOfMatter> found_by_matter(const Deviation& d) {
 
 /// As matter-js.mjs declares it.
 Declaration as_declared_by_matter() {
-  Declaration declaration;
-  declaration.scalar = ScalarType::float64;
-  declaration.frame = RoundingFrame::world;
-  declaration.takes_angles = true;
-  declaration.clips = false;
-  declaration.points = PointsAt::vertex;
-  declaration.shares_depth = true;
-  return declaration;
+  return {.scalar = ScalarType::float64,
+          .frame = RoundingFrame::world,
+          .takes_angles = true,
+          .clips = false,
+          .points = PointsAt::vertex,
+          .shares_depth = true};
 }
 
 /// Whether it tries a body's axis along this, either way.

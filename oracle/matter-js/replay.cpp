@@ -12,10 +12,6 @@ namespace {
 
 using Vertices = std::vector<Vector2<double>>;
 
-double cross_of(const Vector2<double>& p, const Vector2<double>& q) {
-  return p.x() * q.y() - p.y() * q.x();
-}
-
 /// Vertices.centre.
 Vector2<double> centre_by_matter(const Vertices& vertices) {
   double area = 0;
@@ -25,9 +21,7 @@ Vector2<double> centre_by_matter(const Vertices& vertices) {
   Vector2<double> centre(0, 0);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vector2<double>& next = vertices[(i + 1) % vertices.size()];
-    const double cross = cross_of(vertices[i], next);
-    centre +=
-        Vector2<double>((vertices[i].x() + next.x()) * cross, (vertices[i].y() + next.y()) * cross);
+    centre += (vertices[i] + next) * cross(vertices[i], next);
   }
   const double divisor = 6 * (area / 2);
   return {centre.x() / divisor, centre.y() / divisor};
@@ -197,11 +191,9 @@ BodyOfMatter body_of_matter(const Body& body) {
     made.vertices.push_back(length * body.polygon.vertices[i].cast<double>());
   }
   const double angle = std::atan2(unit.y(), unit.x());
-  const double cos = std::cos(angle);
-  const double sin = std::sin(angle);
   const auto turned = [&](const Vector2<double>& v) {
     if (angle == 0) return v;
-    return Vector2<double>(v.x() * cos - v.y() * sin, v.x() * sin + v.y() * cos);
+    return rotate<double>({std::cos(angle), std::sin(angle)}, v);
   };
   for (std::size_t i = 0; i < made.vertices.size(); ++i) {
     made.normals.push_back(
@@ -211,8 +203,7 @@ BodyOfMatter body_of_matter(const Body& body) {
   std::ranges::transform(made.axes, made.axes.begin(), turned);
   std::ranges::transform(made.normals, made.normals.begin(), turned);
   const Vector2<double> centre = centre_by_matter(made.vertices);
-  made.position = {unit.x() * centre.x() - unit.y() * centre.y() + at.x(),
-                   unit.y() * centre.x() + unit.x() * centre.y() + at.y()};
+  made.position = rotate(unit, centre) + at;
   for (Vector2<double>& v : made.vertices) {
     v = (v - centre) + made.position;
     if (angle != 0) v = made.position + turned(v - made.position);

@@ -160,10 +160,8 @@ bool is_repeated_by(const Deviation& d, const ContactOfNape& contact) {
 
 /// Whether the answer would be right if no end were moved by more than the edge's length.
 bool is_right_within_edge(const Deviation& d) {
-  Declaration declaration;
-  declaration.frame = RoundingFrame::world;
-  declaration.takes_angles = true;
-  declaration.min_vertices = 1;
+  const Declaration declaration{
+      .frame = RoundingFrame::world, .takes_angles = true, .min_vertices = 1};
   const auto contacts = ledger_of::contacts_of_nape(d.right.pair(), CutOfNape::within_edge);
   return std::ranges::any_of(contacts, [&](const ContactOfNape& contact) {
     replayed::Contact mended{contact.normal, {}};

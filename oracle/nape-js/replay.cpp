@@ -25,23 +25,12 @@ struct EdgeOfNape {
 
 using PolygonOfNape = std::vector<EdgeOfNape>;
 
-/// How far a place is along a face, against the order of its corners.
-double back_along(const Corner& normal, const Corner& place) {
-  return normal.y() * place.x() - normal.x() * place.y();
-}
-
 /// validate_laxi, validate_gverts and validate_gaxi.
 PolygonOfNape polygon_of_nape(const Body& body) {
   const Corner rotation = body.pose.rotation.cast<double>();
-  const Corner position = body.pose.position.cast<double>();
   const double angle = std::atan2(rotation.y(), rotation.x());
-  const double sine = std::sin(angle);
-  const double cosine = std::cos(angle);
+  const Pose<double> pose{body.pose.position.cast<double>(), {std::cos(angle), std::sin(angle)}};
   const std::vector<Corner> corners = spliced_by_nape(given_to_nape(body));
-  const auto in_world = [&](const Corner& v) {
-    return Corner(position.x() + (cosine * v.x() - sine * v.y()),
-                  position.y() + (v.x() * sine + v.y() * cosine));
-  };
   PolygonOfNape polygon;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Corner& u = corners[i];
@@ -50,12 +39,11 @@ PolygonOfNape polygon_of_nape(const Body& body) {
     const double y = u.y() - v.y();
     const double inverse = 1.0 / std::sqrt(x * x + y * y);
     const Corner local(-(y * inverse), x * inverse);
-    EdgeOfNape edge{.from = in_world(u), .to = in_world(v)};
-    edge.normal = {cosine * local.x() - sine * local.y(), local.x() * sine + local.y() * cosine};
-    edge.projection = position.x() * edge.normal.x() + position.y() * edge.normal.y() +
-                      (local.x() * u.x() + local.y() * u.y());
-    edge.high = edge.from.y() * edge.normal.x() - edge.from.x() * edge.normal.y();
-    edge.low = edge.to.y() * edge.normal.x() - edge.to.x() * edge.normal.y();
+    EdgeOfNape edge{.from = transform(pose, u), .to = transform(pose, v)};
+    edge.normal = rotate(pose.rotation, local);
+    edge.projection = pose.position.dot(edge.normal) + local.dot(u);
+    edge.high = cross(edge.normal, edge.from);
+    edge.low = cross(edge.normal, edge.to);
     polygon.push_back(edge);
   }
   return polygon;
@@ -95,8 +83,9 @@ ContactOfNape cut_by_nape(const EdgeOfNape& face, const PolygonOfNape& of, CutOf
     incident = &edge;
   }
   const Corner along = incident->to - incident->from;
-  const double first = back_along(face.normal, incident->from);
-  const double last = back_along(face.normal, incident->to);
+  // Along the face, against the order of its corners.
+  const double first = cross(incident->from, face.normal);
+  const double last = cross(incident->to, face.normal);
   ContactOfNape found;
   found.run = last - first;
   const double inverse = 1 / found.run;
@@ -154,8 +143,8 @@ std::vector<Vector2<double>> spliced_by_nape(std::vector<Vector2<double>> corner
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vector2<double> a = at(i + 1) - at(i);
       const Vector2<double> b = at(i + 2) - at(i + 1);
-      const double cross = b.y() * a.x() - b.x() * a.y();
-      if (cross * cross >= kSquareOfNape) continue;
+      const double turn = cross(a, b);
+      if (turn * turn >= kSquareOfNape) continue;
       // The first is erased from before this one.
       const bool is_first = i + 1 == corners.size();
       erase(i + 1);

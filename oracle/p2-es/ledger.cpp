@@ -60,11 +60,7 @@ std::optional<int> nearest_vertex_of_other(const Deviation& d) {
 
 /// As p2-es.mjs declares it.
 Declaration as_declared_by_p2() {
-  Declaration declaration;
-  declaration.frame = RoundingFrame::world;
-  declaration.takes_angles = true;
-  declaration.min_vertices = 1;
-  return declaration;
+  return {.frame = RoundingFrame::world, .takes_angles = true, .min_vertices = 1};
 }
 
 /// A normal without length, and no depth: what it is made of is (0, 0).

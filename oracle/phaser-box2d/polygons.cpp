@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "exact/curve.hpp"
+#include "oracle/box2d3/faces.hpp"
 #include "oracle/box2d3/placed.hpp"
 
 // phaser-box2d's b2CollidePolygons on round shapes.
@@ -16,35 +17,11 @@ namespace manifuzz {
 namespace {
 
 using exact::RoughPolygon;
+using ledger_of::box2d3::best_face;
+using ledger_of::box2d3::most_opposed;
 
 constexpr double kSlopOfPolygons = 0.1 * 0.005;  // manifold_c.js: 0.1 * b2_linearSlop
 constexpr double kEpsilonOfClips = 1e-10;        // math_functions_h.js: eps
-
-/// b2FindMaxSeparation.
-struct BestFace {
-  int index = 0;
-  double separation = -std::numeric_limits<double>::infinity();
-};
-
-BestFace best_face(const RoughPolygon& on, const RoughPolygon& of) {
-  BestFace best;
-  for (int i = 0; i < on.count; ++i) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (int j = 0; j < of.count; ++j) {
-      nearest = std::min(nearest, on.normals[i].dot(of.vertices[j] - on.vertices[i]));
-    }
-    if (nearest > best.separation) best = {i, nearest};
-  }
-  return best;
-}
-
-int most_opposed(const RoughPolygon& of, const Vector2<double>& normal) {
-  int found = 0;
-  for (int i = 1; i < of.count; ++i) {
-    if (normal.dot(of.normals[i]) < normal.dot(of.normals[found])) found = i;
-  }
-  return found;
-}
 
 /// The error of the numerator of b2SegmentDistance's share, over both lengths and the extent: some
 /// 16 roundings of half an ulp.
@@ -71,26 +48,12 @@ NearestPlaces nearest_places(const Vector2<double>& p1, const Vector2<double>& q
                              const Vector2<double>& p2, const Vector2<double>& q2) {
   const Vector2<double> d1 = q1 - p1;
   const Vector2<double> d2 = q2 - p2;
-  const Vector2<double> r = p1 - p2;
-  const double dd1 = d1.dot(d1);
-  const double dd2 = d2.dot(d2);
-  const double d12 = d1.dot(d2);
-  const double rd1 = r.dot(d1);
-  const double rd2 = r.dot(d2);
-  const double denominator = dd1 * dd2 - d12 * d12;
-  NearestPlaces found;
-  if (denominator != 0) {
-    found.share1 = std::clamp((d12 * rd2 - rd1 * dd2) / denominator, 0.0, 1.0);
-  }
-  found.share2 = (d12 * found.share1 + rd2) / dd2;
-  if (found.share2 < 0 || found.share2 > 1) {
-    found.share1 = std::clamp((found.share2 < 0 ? -rd1 : d12 - rd1) / dd1, 0.0, 1.0);
-    found.share2 = found.share2 < 0 ? 0 : 1;
-  }
-  found.distance = ((p1 + found.share1 * d1) - (p2 + found.share2 * d2)).norm();
-  found.length1 = d1.norm();
-  found.sine = std::abs(d1.x() * d2.y() - d1.y() * d2.x()) / (found.length1 * d2.norm());
-  return found;
+  const auto [share1, share2] = nearest_shares(p1, d1, p2, d2);
+  return {.share1 = share1,
+          .share2 = share2,
+          .distance = ((p1 + share1 * d1) - (p2 + share2 * d2)).norm(),
+          .length1 = d1.norm(),
+          .sine = std::abs(cross(d1, d2)) / (d1.norm() * d2.norm())};
 }
 
 /// What b2CollidePolygons finds, its normal from A to B in the world.
@@ -135,8 +98,8 @@ std::optional<PolygonsByPhaser> polygons_by_phaser(const PairCase& pair) {
   const RoughPolygon& a = placed.first;
   const RoughPolygon& b = placed.second;
   const double radius = total_radius(pair);
-  const BestFace on_a = best_face(a, b);
-  const BestFace on_b = best_face(b, a);
+  const auto on_a = best_face<double>(a, b);
+  const auto on_b = best_face<double>(b, a);
   const bool is_by_a = on_a.separation >= on_b.separation;
   const int i = is_by_a ? on_a.index : most_opposed(a, b.normals[on_b.index]);
   const int j = is_by_a ? most_opposed(b, a.normals[on_a.index]) : on_b.index;

@@ -85,13 +85,11 @@ FoundBySat polygons_by_sat(const PairCase& pair, bool is_mended) {
 
 /// As sat.mjs declares it.
 Declaration as_declared_by_sat() {
-  Declaration declaration;
-  declaration.scalar = ScalarType::float64;
-  declaration.frame = RoundingFrame::world;
-  declaration.min_vertices = 1;
-  declaration.takes_radius = false;
-  declaration.claims = Claims::separation;
-  return declaration;
+  return {.scalar = ScalarType::float64,
+          .frame = RoundingFrame::world,
+          .takes_radius = false,
+          .min_vertices = 1,
+          .claims = Claims::separation};
 }
 
 /// The overlap of polygons that just touch is 0, and the axis is not turned about.

@@ -72,9 +72,9 @@ enum class NormalsFrom {
 
 /// What a collider declares of itself. It is judged by this, and by nothing else.
 struct Declaration {
-  std::string name;         ///< in tables, options and the names of files
-  std::string version;      ///< of the engine or the library that it calls
-  std::string description;  ///< one line for `list colliders`
+  std::string name{};         ///< in tables, options and the names of files
+  std::string version{};      ///< of the engine or the library that it calls
+  std::string description{};  ///< one line for `list colliders`
   ScalarType scalar = ScalarType::float32;
   RoundingFrame frame = RoundingFrame::local;
   bool takes_angles = false;  ///< a rotation reaches it as an angle, and is rounded once more

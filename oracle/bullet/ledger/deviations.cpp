@@ -128,15 +128,13 @@ std::vector<Vector2<double>> directions_of(BulletAsked asked) {
 }  // namespace
 
 Declaration declaration_of_epa() {
-  Declaration declaration;
-  declaration.claims = Claims::point;
-  declaration.frame = RoundingFrame::world;
-  declaration.min_vertices = 1;
-  declaration.takes_round = true;
-  declaration.clips = false;
-  declaration.points = PointsAt::surface_b;
-  declaration.tolerance.absolute = 1e-4;  // EPA_ACCURACY
-  return declaration;
+  return {.frame = RoundingFrame::world,
+          .min_vertices = 1,
+          .takes_round = true,
+          .claims = Claims::point,
+          .clips = false,
+          .points = PointsAt::surface_b,
+          .tolerance = {.absolute = 1e-4}};  // EPA_ACCURACY
 }
 
 bool below_gjk_distance(const Deviation& d) {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "judging/ledger.hpp"
+#include "sequence/sequence_ledger.hpp"
 
 namespace manifuzz {
 
@@ -16,5 +16,7 @@ std::span<const LedgerRow, kBulletEpaRows> bullet_epa_rows();
 std::vector<LedgerRows> bullet_query_ledger();
 /// The rows of bullet-perturbed.
 LedgerRows bullet_perturbed_ledger();
+/// The rows of bullet-cached.
+SequenceRows bullet_sequence_ledger();
 
 }  // namespace manifuzz

@@ -41,6 +41,12 @@ std::vector<Vector2<double>> least_normals(const Deviation& deviation);
 /// The one of them that is nearest to another normal.
 Vector2<double> least_normal_near(const Deviation& deviation, const Vector2<double>& normal);
 
+/// Whether a fault is among some: each is a bit.
+template <class Fault>
+constexpr bool has(unsigned faults, Fault fault) {
+  return (faults & static_cast<unsigned>(fault)) != 0;
+}
+
 /// Whether a fault, a bit of 1 to `all`, is in one of the smallest sets of them that have to be
 /// mended for a right answer. `is_right` tells that of the answer with a set of faults mended.
 template <class IsRight>

@@ -1,15 +1,15 @@
-#include "oracle/libccd/ledger/rows.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "engines/engine.hpp"
 #include "exact/arithmetic.hpp"
 #include "judging/faults/differences.hpp"
 #include "oracle/libccd/ledger/deviations.hpp"
 #include "oracle/libccd/ledger/polytope.hpp"
 #include "oracle/libccd/ledger/portal.hpp"
+#include "oracle/libccd/libccd_pass.hpp"
 
 // ccdGJKPenetration and ccdMPRPenetration are repeated in their own doubles, in space: the answer
 // is that of the repeated one, which ended as named.
@@ -110,16 +110,12 @@ bool polytope_left_at_own_corner(const Deviation& d) {
          is_said_by_ccd(d, answer);
 }
 
-/// The nearest element's square is 0, for an element inside the difference that the origin is on.
-bool polytope_left_at_zero(const Deviation& d) {
+/// The repeated query ended so, for an element inside the difference: one that the origin is on, or
+/// a simplex that touches it and was taken for the boundary.
+template <CcdEnd kEnd>
+bool polytope_left(const Deviation& d) {
   const CcdAnswer answer = ledger_of::ccd_penetration(d.right.pair());
-  return answer.end == CcdEnd::zero && is_said_by_ccd(d, answer);
-}
-
-/// A simplex that touches the origin was taken for the difference's boundary.
-bool polytope_left_touching(const Deviation& d) {
-  const CcdAnswer answer = ledger_of::ccd_penetration(d.right.pair());
-  return answer.end == CcdEnd::touching && is_said_by_ccd(d, answer);
+  return answer.end == kEnd && is_said_by_ccd(d, answer);
 }
 
 /// The polytope that it begins with does not hold the origin, or has it on its surface: the steps
@@ -167,26 +163,12 @@ bool is_said_by_portal(const Deviation& d, const CcdPortalAnswer& answer) {
   return (ledger_of::translation_of(d) - translation).norm() <= 4 * d.right.bounds.separation;
 }
 
-/// The origin is on the segment from the difference's middle to its corner that is farthest beyond
-/// it, or is that middle. The translation is to this corner, not to the face that it is on.
-bool translation_to_corner_of_ray(const Deviation& d) {
+/// The repeated query ended so, with the translation to an edge or a corner of the last portal, or
+/// not.
+template <CcdPortalEnd kEnd, bool kIsOnEdge>
+bool portal_left(const Deviation& d) {
   const CcdPortalAnswer answer = ledger_of::ccd_portal_penetration(d.right.pair());
-  return answer.end == CcdPortalEnd::segment && is_said_by_portal(d, answer);
-}
-
-/// The last portal, through which the ray from the middle leaves, is within the tolerance of the
-/// boundary: the translation is at right angles to it, and ends within it.
-bool translation_to_portal(const Deviation& d) {
-  const CcdPortalAnswer answer = ledger_of::ccd_portal_penetration(d.right.pair());
-  return answer.end == CcdPortalEnd::tolerance && !answer.is_on_edge &&
-         is_said_by_portal(d, answer);
-}
-
-/// The foot of the origin is beside the last portal, one triangle: the translation is to an edge or
-/// a corner of it.
-bool translation_to_edge_of_portal(const Deviation& d) {
-  const CcdPortalAnswer answer = ledger_of::ccd_portal_penetration(d.right.pair());
-  return answer.end == CcdPortalEnd::tolerance && answer.is_on_edge && is_said_by_portal(d, answer);
+  return answer.end == kEnd && answer.is_on_edge == kIsOnEdge && is_said_by_portal(d, answer);
 }
 
 constexpr LedgerRow kGjkRows[] = {
@@ -194,8 +176,8 @@ constexpr LedgerRow kGjkRows[] = {
     {"tolerance-of-squares", by_ccd<tolerance_of_squares>},
     {"left-by-squares", polytope_left_by_squares},
     {"left-at-own-corner", polytope_left_at_own_corner},
-    {"left-at-zero", polytope_left_at_zero},
-    {"left-touching", polytope_left_touching},
+    {"left-at-zero", polytope_left<CcdEnd::zero>},
+    {"left-touching", polytope_left<CcdEnd::touching>},
     {"without-origin", polytope_without_origin},
     {"folded", polytope_folded},
     {"apart-by-zero", apart_by_zero},
@@ -204,15 +186,26 @@ constexpr LedgerRow kGjkRows[] = {
 };
 
 constexpr LedgerRow kMprRows[] = {
-    {"face-of-ray", translation_to_portal},
-    {"corner-of-ray", translation_to_corner_of_ray},
-    {"edge-of-portal", translation_to_edge_of_portal},
+    // The last portal, through which the ray from the middle leaves, is within the tolerance of the
+    // boundary: the translation is at right angles to it, and ends within it.
+    {"face-of-ray", portal_left<CcdPortalEnd::tolerance, false>},
+    // The origin is on the segment from the difference's middle to its corner that is farthest
+    // beyond it, or is that middle. The translation is to this corner, not to the face that it is
+    // on.
+    {"corner-of-ray", portal_left<CcdPortalEnd::segment, false>},
+    // The foot of the origin is beside the last portal, one triangle.
+    {"edge-of-portal", portal_left<CcdPortalEnd::tolerance, true>},
 };
 
 }  // namespace
 
-std::vector<LedgerRows> libccd_ledger() {
-  return {{"libccd-gjk", kGjkRows}, {"libccd-mpr", kMprRows}};
+Engine engine_libccd() {
+  Engine engine{.name = "libccd", .ledger = {{"libccd-gjk", kGjkRows}, {"libccd-mpr", kMprRows}}};
+#ifdef MANIFUZZ_WITH_CCD
+  engine.passes = {{"libccd-gjk", "libccd-gjk", "closest points", libccd_gjk_pass},
+                   {"libccd-mpr", "libccd-mpr", "closest points", libccd_mpr_pass}};
+#endif
+  return engine;
 }
 
 }  // namespace manifuzz
