@@ -68,7 +68,7 @@ struct SceneBaseline {
                                                       int steps) = nullptr;
 };
 
-/// The rows on other causes than these, each of which one is on.
+/// The rows on other causes than these, which all must be among those of the rows.
 std::vector<LedgerRow> rows_but_for(std::initializer_list<std::string_view> causes,
                                     std::span<const LedgerRow> rows);
 
