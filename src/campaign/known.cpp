@@ -105,7 +105,7 @@ std::string objection_to_frequency(const Acceptance& acceptance, const BucketTal
 }
 
 /// Of a plan's colliders.
-std::string finding_key(const Bucket& bucket, const Plan& plan) {
+std::string key_in_plan(const Bucket& bucket, const Plan& plan) {
   return key_of(to_string(bucket), plan.subject.declaration.name, plan.oracle.declaration.name);
 }
 
@@ -222,7 +222,7 @@ bool is_stale(const CorpusCase& known, const std::string& got, const Collider& s
 std::vector<Finding> findings(const Tally& tally, const Plan& plan, const Known& known) {
   std::vector<Finding> found;
   for (const auto& [bucket, met] : tally.buckets.all()) {
-    const KnownAs as = known_as(finding_key(bucket, plan), met->error, known);
+    const KnownAs as = known_as(key_in_plan(bucket, plan), met->error, known);
     Finding finding{bucket, *met, false, as.file};
     const bool is_unknown = finding.file.empty() && !as.is_in_baseline &&
                             (plan.has_ties || bucket.verdict != Verdict::tie);
@@ -261,7 +261,7 @@ bool is_new_and_wrong(const Judgement& judgement, const Plan& plan, const Known&
   const bool is_wanted =
       is_unexplained(bucket.verdict) || (plan.has_ties && bucket.verdict == Verdict::tie);
   if (!is_wanted) return false;
-  const KnownAs as = known_as(finding_key(bucket, plan), worst_error(judgement), known);
+  const KnownAs as = known_as(key_in_plan(bucket, plan), worst_error(judgement), known);
   if (as.acceptance != nullptr) return !as.is_accepted();
   if (const Acceptance* const of_kind = acceptance_of_kind(bucket, as, plan, known)) {
     return !objection(*of_kind, worst_error(judgement), known.today).empty();

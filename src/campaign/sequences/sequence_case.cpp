@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kKeptMax = 32;
 
 /// A frame's answer where the parent of the child that asks can see it.
-struct AnswerSlot {
+struct KeptSlot {
   enum class Kind { none, kept, unsupported, lost };
   Kind kind = Kind::none;
   Lost::How how = Lost::How::crashed;
@@ -28,25 +28,25 @@ struct AnswerSlot {
   SharedText<256> why;
 };
 
-void put(AnswerSlot& slot, const KeptAnswer& answer) {
+void put(KeptSlot& slot, const KeptAnswer& answer) {
   if (const auto* const kept = std::get_if<KeptManifold>(&answer)) {
     slot.count = kept->points.size();
     std::copy_n(kept->points.begin(), std::min(slot.count, kKeptMax), slot.points.begin());
-    slot.kind = AnswerSlot::Kind::kept;
+    slot.kind = KeptSlot::Kind::kept;
   } else if (const auto* const unsupported = std::get_if<Unsupported>(&answer)) {
     slot.why.set(unsupported->why);
-    slot.kind = AnswerSlot::Kind::unsupported;
+    slot.kind = KeptSlot::Kind::unsupported;
   } else {
     const Lost& lost = std::get<Lost>(answer);
     slot.how = lost.how;
     slot.why.set(lost.why);
-    slot.kind = AnswerSlot::Kind::lost;
+    slot.kind = KeptSlot::Kind::lost;
   }
 }
 
-KeptAnswer taken_from(const AnswerSlot& slot) {
-  if (slot.kind == AnswerSlot::Kind::unsupported) return Unsupported{slot.why.str()};
-  if (slot.kind == AnswerSlot::Kind::lost) return Lost{slot.how, slot.why.str()};
+KeptAnswer taken_from(const KeptSlot& slot) {
+  if (slot.kind == KeptSlot::Kind::unsupported) return Unsupported{slot.why.str()};
+  if (slot.kind == KeptSlot::Kind::lost) return Lost{slot.how, slot.why.str()};
   if (slot.count > kKeptMax) {
     return Lost{Lost::How::malformed, fmt::format("keeps {} points", slot.count)};
   }
@@ -116,14 +116,14 @@ std::vector<KeptAnswer> ask_in_child(const SequenceCollider& subject, const Sequ
     if (interruption.is_stopped()) throw Interrupted();  // it may have been cut short
     return answers;
   }
-  const Shared<AnswerSlot> slots(sequence.frames.size());
+  const Shared<KeptSlot> slots(sequence.frames.size());
   const Shared<std::atomic<std::size_t>> done;
   const auto body = [&] {
     const auto ask = subject.begin();
     for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
       put(slots[k], ask(sequence.at(k)));
       ++*done;
-      if (slots[k].kind != AnswerSlot::Kind::kept) break;
+      if (slots[k].kind != KeptSlot::Kind::kept) break;
     }
   };
   const Ending ending =

@@ -1,0 +1,109 @@
+#include "cli/program.hpp"
+
+#include <csignal>
+#include <exception>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options.hpp"
+#include "engines/colliders.hpp"
+#include "process/child.hpp"
+#include "process/signals.hpp"
+#include "process/standard_streams.hpp"
+#include "report/glossary.hpp"
+#include "report/outputs.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr int kBadUsage = 2;
+
+/// What a command may still ask anybody, once a signal came; it ends within 2 s.
+constexpr double kSecondsAfterSignal = 1.2;
+
+int complain(std::string_view what) {
+  write_complaint(what);
+  return kBadUsage;
+}
+
+/// Help goes to stdout; what cannot be parsed gives one line on stderr.
+int answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) {
+    const bool is_version = dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr;
+    Output out;
+    out.write(is_version ? error.what() + std::string("\n") : app.help());
+    out.flush();
+    return 0;
+  }
+  return complain(complaint_about_usage(app, error));
+}
+
+/// A call without arguments is answered in full; but a script that has lost its command must not
+/// pass, so its status is that of bad usage.
+int answer_bare_call(const char* program) {
+  write_to_reader(next_steps(program, "corpus", [](const std::string& name) {
+    const ColliderEntry* const entry = find_entry(name);
+    return entry != nullptr && (entry->is_ours || name == usual_oracle_name());
+  }));
+  return complain("a command is missing; some to begin with are listed above");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{
+      "A differential fuzzer for 2D colliders, with an exact judge of their contact manifolds.",
+      "manifuzz"};
+  app.footer("manifuzz --help words explains the terms that commands use.");
+  app.set_version_flag("--version", "manifuzz " MANIFUZZ_VERSION);
+  app.require_subcommand(1);
+  add_common_options(app);
+  std::map<const CLI::App*, Run> runs;
+  for (const Command& command : commands()) {
+    CLI::App* const sub =
+        app.add_subcommand(std::string(command.name), std::string(command.summary));
+    sub->footer(help_on_example(command.example));
+    runs[sub] = command.define(*sub);
+    add_common_options(*sub);
+  }
+  if (argc < 2) return answer_bare_call(argc > 0 ? argv[0] : "manifuzz");
+  if (argc == 3 && argv[1] == std::string_view("--help") && argv[2] == std::string_view("words")) {
+    write_output(glossary_text());
+    return 0;
+  }
+  try {
+    app.parse(argc, argv);
+    obey_common_options(app);
+  } catch (const CLI::ParseError& error) {
+    obey_common_options(app);
+    return answer_parse_error(app, error);
+  }
+  return runs.at(app.get_subcommands().front())();
+}
+
+/// Whatever the command throws becomes a complaint and a status.
+int run_to_the_end(int argc, char** argv) {
+  try {
+    return guarding_exit(
+        [&] { return run(argc, argv); },
+        [] { return complain("a library called exit in this process; omit --in-process"); });
+  } catch (const OutputClosed&) {
+    return 0;
+  } catch (const std::exception& error) {
+    return complain(error.what());
+  }
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  fill_in_standard_streams();
+  const Descendants descendants;
+  stop_children_on_signals();
+  leave_after_signal(kSecondsAfterSignal);
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that left is noticed where output is written
+  return status_after_signals(run_to_the_end(argc, argv));
+}
+
+}  // namespace manifuzz
