@@ -4,7 +4,6 @@
 #include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "report/campaign_text.hpp"
-#include "report/hint_lines.hpp"
 #include "report/lines.hpp"
 #include "report/outputs.hpp"
 #include "report/sequence/sequence_report.hpp"
@@ -53,6 +52,10 @@ std::string ledger_rows(const CampaignResult& result) {
     return fmt::format("{:<36}{:>14}{}\n", entry.id, entry.hits,
                        entry.hits == 0 ? "  never fired" : "");
   });
+}
+
+std::string hint_line(const Hint& hint) {
+  return fmt::format("{}: {}\n", fresh("hint"), hint.text);
 }
 
 std::string over_budget_lines(const CampaignResult& result) {
@@ -137,7 +140,7 @@ std::string campaign_heading(const Campaign& campaign) {
 }
 
 std::string remarks_on_campaign(const Campaign& campaign) {
-  std::string text = state_in_words(campaign) + hint_lines(campaign.result.hints) +
+  std::string text = state_in_words(campaign) + lines_of(campaign.result.hints, hint_line) +
                      over_budget_lines(campaign.result);
   if (campaign.plan.until_new && !campaign.run.sought && !has_new(campaign.findings)) {
     text += "nothing new: the corpus shows each of these already\n";

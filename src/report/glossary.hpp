@@ -1,15 +1,18 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 namespace manifuzz {
 
-/// The words that tables, pages and files use, each with what it means, in the order in which they
-/// explain each other.
-std::span<const std::pair<std::string_view, std::string_view>> glossary();
+struct Word {
+  std::string_view word;
+  std::string_view meaning;
+};
+
+/// The words that tables, pages and files use, in the order in which they explain each other.
+std::vector<Word> glossary();
 
 /// All of them as text, for a terminal.
 std::string glossary_text();

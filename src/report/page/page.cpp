@@ -16,18 +16,9 @@
 #include "report/outputs.hpp"
 #include "report/overview.hpp"
 #include "report/round_truth.hpp"
+#include "report/texts.hpp"
 
 namespace manifuzz {
-
-// What embed.cmake makes of the files that files.txt lists.
-
-/// The one `.html` file, in which `@style@`, `@data@` and `@script@` stand once each for what goes
-/// there.
-extern const std::string_view kPageTemplate;
-/// The style sheets, one after the other.
-extern const std::string_view kPageStyle;
-/// The scripts, one after the other: one module.
-extern const std::string_view kPageScript;
 
 namespace {
 

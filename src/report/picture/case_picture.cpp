@@ -6,6 +6,7 @@
 #include "exact/curve.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/picture/pictures.hpp"
+#include "report/texts.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

@@ -8,6 +8,7 @@
 #include "judging/by_curve.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/picture/pictures.hpp"
+#include "report/texts.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

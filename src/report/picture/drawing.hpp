@@ -64,13 +64,11 @@ class Svg {
   pugi::xml_node paper_;
 };
 
-/// What all pictures of a case have in common: width, free sides, fonts, and a style sheet: blue
-/// and orange, told apart by every eye (Okabe and Ito); what colliders say is red or green.
+/// What all pictures of a case have in common: width, free sides, fonts.
 inline constexpr double kPictureWidth = 960;
 inline constexpr double kPictureEdge = 24;
 inline constexpr Font kTitleFont{17, true};
 inline constexpr Font kTextFont{12.5};
-extern const std::string_view kPictureStyle;
 
 /// The text from `at` to `right`, in as many lines as it takes; where the next line would begin.
 double write_down(Svg& svg, std::string_view text, const Point& at, double right, const Font& font,

@@ -6,6 +6,7 @@
 #include "report/picture/drawing.hpp"
 #include "report/sequence/sequence_report.hpp"
 #include "report/sequence/strip_frames.hpp"
+#include "report/texts.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -18,30 +19,11 @@ constexpr std::size_t kColumnsMax = 3;
 constexpr Font kHeadFont{13, true};
 constexpr Font kNoteFont{11.5};
 
-constexpr std::string_view kStripStyle = R"(
-.wrong-frame{fill:none;stroke:#d1002c;stroke-width:1}
-.wrong-frame.decides{stroke-width:3.4}
-.wrong-word{fill:#b00025}
-.right-word{fill:#006048}
-.anchor.a{fill:#0072b2;stroke:#ffffff;stroke-width:1.2}
-.anchor.b{fill:none;stroke:#b87900;stroke-width:2.2}
-.joined{stroke:#14181f;stroke-width:1.4;stroke-dasharray:3 2}
-.kept{stroke:#14181f;stroke-width:2.2}
-.kept-head{fill:#14181f}
-.kept.wrong{stroke:#d1002c;stroke-width:2.8}
-.kept-head.wrong{fill:#d1002c}
-.truth{stroke:#00795c;stroke-width:2.2;stroke-dasharray:6 3}
-.truth-head{fill:#00795c}
-.spoke{stroke-width:1.2;stroke-dasharray:2 3}
-.spoke.a{stroke:#0072b2}
-.spoke.b{stroke:#b87900}
-)";
-
 class Filmstrip {
  public:
   explicit Filmstrip(const JudgedSequence& judged)
       : judged_(judged),
-        svg_(verdict_sentence(judged), std::string(kPictureStyle) + std::string(kStripStyle)) {
+        svg_(verdict_sentence(judged), std::string(kPictureStyle) + std::string(kFilmstripStyle)) {
     for (const std::size_t number : frames_that_matter(judged)) {
       frames_.push_back(strip_frame(judged, number));
     }
