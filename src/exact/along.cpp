@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <limits>
 
 #include "exact/curve.hpp"

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "collider/used_shapes.hpp"
@@ -166,6 +168,10 @@ struct RoughPolygon {
 
   int face_count() const { return count > 1 ? count : 0; }
   int next(int i) const { return i + 1 < count ? i + 1 : 0; }
+  int previous(int i) const { return i > 0 ? i - 1 : count - 1; }
+  std::vector<Vector2<double>> corners() const {
+    return {vertices.begin(), vertices.begin() + count};
+  }
 };
 
 struct RoughPair {
@@ -178,6 +184,36 @@ struct RoughPair {
 RoughPair place_roughly(const StoredPair& pair);
 inline RoughPair place_roughly(const PairCase& pair) {
   return place_roughly(stored(pair));
+}
+
+/// A place or direction of A's frame, in world directions.
+inline Vector2<double> seen_from_a(const PairCase& pair, const Vector2<double>& local) {
+  return rotate<double>(pair.a.pose.rotation.cast<double>(), local);
+}
+
+/// The angle between two directions, in radians.
+inline double angle_between(const Vector2<double>& p, const Vector2<double>& q) {
+  return std::abs(std::atan2(cross(p, q), p.dot(q)));
+}
+
+/// How far along a segment, as a share of it, the place on it is that is nearest to another.
+inline double share_along_segment(const Vector2<double>& place, const Vector2<double>& from,
+                                  const Vector2<double>& to) {
+  const Vector2<double> along = to - from;
+  const double square = along.dot(along);
+  return square > 0 ? std::clamp((place - from).dot(along) / square, 0.0, 1.0) : 0.0;
+}
+
+/// The place on a segment that is nearest to another.
+inline Vector2<double> nearest_on_segment(const Vector2<double>& place, const Vector2<double>& from,
+                                          const Vector2<double>& to) {
+  return from + share_along_segment(place, from, to) * (to - from);
+}
+
+/// How far a place is from a segment.
+inline double distance_to_segment(const Vector2<double>& place, const Vector2<double>& from,
+                                  const Vector2<double>& to) {
+  return (place - from - share_along_segment(place, from, to) * (to - from)).norm();
 }
 
 /// The separation of every face of both polygons, within one proven error.

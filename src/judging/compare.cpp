@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 #include "judging/manifold_error.hpp"
 
@@ -99,6 +97,45 @@ Mismatch difference(const Manifold<double>& subject, const Manifold<double>& ora
   }
   if (subject.count != oracle.count) return {Kind::count, magnitude};
   return {Kind::position, magnitude};
+}
+
+namespace {
+
+bool several_references(const Admissible& right) {
+  return std::ranges::any_of(right.candidates, [&](const exact::Clip* clip) {
+    return clip->reference != right.candidates.front()->reference;
+  });
+}
+
+bool contact_boundary(const Admissible& right) {
+  if (right.may_touch && right.may_be_apart) return true;
+  const exact::Clip& clip = *right.candidates.front();
+  return std::ranges::any_of(
+      points_of(clip), [&](const auto& point) { return is_at_zero_depth(right, clip, point); });
+}
+
+bool clip_boundary(const Admissible& right) {
+  const exact::Clip& clip = *right.candidates.front();
+  return clip.count < 2 || may_miss(right, clip) ||
+         std::ranges::any_of(points_of(clip), [&](const auto& point) {
+           return compare_margin(clip, point.end, right.bounds.separation) <= 0;
+         });
+}
+
+}  // namespace
+
+TieClass tie_class(const Admissible& subject, const Admissible& oracle) {
+  const Admissible& wider = subject.candidates.size() > oracle.candidates.size() ? subject : oracle;
+  if (wider.candidates.empty()) return TieClass::none;
+  if (several_references(wider) || subject.candidates != oracle.candidates) {
+    return TieClass::reference;
+  }
+  if (wider.candidates.size() > 1) return TieClass::incident;
+  const Admissible& coarser =
+      subject.bounds.separation > oracle.bounds.separation ? subject : oracle;
+  if (contact_boundary(coarser)) return TieClass::contact_boundary;
+  if (clip_boundary(coarser)) return TieClass::clip_boundary;
+  return TieClass::none;
 }
 
 }  // namespace manifuzz

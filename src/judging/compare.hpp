@@ -1,9 +1,7 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 
 #include "judging/admissible.hpp"
 
@@ -24,6 +22,15 @@ std::optional<std::string> why_malformed(const PairCase& pair, const ColliderAns
 /// Why the answer is malformed, or what became of it where it was lost.
 std::optional<std::string> why_lost(const PairCase& pair, const ColliderAnswer& given);
 
+/// A verdict that needs no judging of manifolds, if it is one.
+std::optional<Bucket> without_judging(const exact::Truth& truth, const ColliderAnswer& subject,
+                                      const ColliderAnswer& oracle);
+
+/// Whether floats cannot say more of answers that are within bound than that they are: the bound of
+/// either collider, or the tolerance that it declares, exceeds a set share of the size.
+bool hides_all(const exact::Truth& truth, const ColliderAnswer& subject,
+               const ColliderAnswer& oracle);
+
 /// Whether they match each other within the sum of both bounds, on the cheap: what it says is so,
 /// but it leaves to `judge` every case in which anything has to be decided.
 bool plainly_agree(const exact::Truth& truth, const ColliderAnswer& subject,
@@ -33,6 +40,10 @@ bool plainly_agree(const exact::Truth& truth, const ColliderAnswer& subject,
 /// manifolds that are right.
 bool agree_within_bounds(const Manifold<double>& subject, const Admissible& right_for_subject,
                          const Manifold<double>& oracle, const Admissible& right_for_oracle);
+
+/// The tie of what is right for two colliders: the first decision that lies within the wider of
+/// both bounds.
+TieClass tie_class(const Admissible& subject, const Admissible& oracle);
 
 /// How the subject's manifold differs from the oracle's, both being right: `from_contact` is the
 /// magnitude where only one of them has a contact.

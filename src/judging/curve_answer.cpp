@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "judging/mitred_contact.hpp"
 #include "judging/turned_faces.hpp"
 
 namespace manifuzz {
@@ -74,6 +73,23 @@ bool CurveAnswer::touches_as_it_should() const {
   const bool may = curve_.compare_least(-bounds_.touching - declaration_.speculative) >= 0;
   return said_.touches ? may : !must || may_be_missed();
 }
+
+namespace {
+
+/// Whether mitred skins that touch may do so where no contact point can be: along the normal of a
+/// face that has the least depth, to within `minimality`, the deepest places are farther apart
+/// along the tangent than both skins reach, less `along` each; world lengths. bounds.md, "Corners
+/// of mitred skins".
+bool may_touch_beyond_skins(const exact::Truth& truth, const exact::PenetrationCurve& curve,
+                            double minimality, double along) {
+  if (truth.compare_separation(0) <= 0) return false;
+  const double slide = 2 * std::max(total_radius(truth.pair()) - along, 0.0);
+  return std::ranges::any_of(curve.minima(minimality), [&](const Vector2<double>& normal) {
+    return exact::Along(truth, normal).compare_gap(curve.least() - minimality, slide) < 0;
+  });
+}
+
+}  // namespace
 
 /// Whether no contact is right though skins touch, since there is no place for a point.
 bool CurveAnswer::may_be_missed() const {

@@ -1,7 +1,6 @@
 #include "judging/extent.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace manifuzz {
 namespace {

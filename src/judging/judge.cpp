@@ -4,8 +4,6 @@
 
 #include "judging/by_curve.hpp"
 #include "judging/errors/clip_error.hpp"
-#include "judging/tie_class.hpp"
-#include "judging/unjudged.hpp"
 #include "judging/used_shapes.hpp"
 
 namespace manifuzz {

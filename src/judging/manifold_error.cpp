@@ -72,17 +72,6 @@ ErrorAgainstClip error_against(const Manifold<double>& manifold, const ClipFigur
   return {error, of_bound, &clip};
 }
 
-ManifoldError plain_error(const Manifold<double>& manifold, const Admissible& right) {
-  const bool may_be_empty = right.may_be_apart || !right.may_touch;
-  if (manifold.count == 0 && may_be_empty) return {};
-  if (manifold.count == 0 || right.candidates.empty()) {
-    return {.depth = right.from_contact()};
-  }
-  ClipFiguresCache figures;
-  const auto nearest = nearest_error(manifold, right, figures);
-  return nearest ? nearest->error : ManifoldError{};
-}
-
 std::optional<ErrorAgainstClip> nearest_error(const Manifold<double>& manifold,
                                               const Admissible& right, ClipFiguresCache& figures) {
   const auto distance = [](const ErrorAgainstClip& measured) {

@@ -75,10 +75,6 @@ std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
 std::optional<ErrorAgainstClip> nearest_error(const Manifold<double>& manifold,
                                               const Admissible& right, ClipFiguresCache& figures);
 
-/// The error of any manifold, right or wrong, against the clip nearest to it: a contact that was
-/// missed, or seen across a gap, is off by its depth.
-ManifoldError plain_error(const Manifold<double>& manifold, const Admissible& right);
-
 /// The manifold with what it leaves out set as the right manifold nearest to it has it, so that it
 /// is judged by what it gave alone. Midpoints are moved to the incident edge.
 Manifold<double> completed(const PartialManifold& given, const Admissible& right);

@@ -1,7 +1,6 @@
 #include "judging/turned_faces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace manifuzz {

@@ -1,5 +1,3 @@
-#include "judging/unjudged.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "judging/used_shapes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "exact/hausdorff.hpp"

@@ -34,15 +34,6 @@ ConvexPolygon<float> circle_at(const Vector2<float>& place, float radius) {
   return make_polygon<float>(center, radius);
 }
 
-/// The place of a segment that is nearest to a point.
-Vector2<double> nearest_on(const Vector2<double>& from, const Vector2<double>& to,
-                           const Vector2<double>& point) {
-  const Vector2<double> along = to - from;
-  const double squared = along.dot(along);
-  if (!(squared > 0)) return from;
-  return from + std::clamp((point - from).dot(along) / squared, 0.0, 1.0) * along;
-}
-
 /// The place of a segment's core, in the world, that is nearest to the other core's outline.
 Vector2<double> nearest_to_outline(const exact::RoughPolygon& segment,
                                    const exact::RoughPolygon& other) {
@@ -59,9 +50,9 @@ Vector2<double> nearest_to_outline(const exact::RoughPolygon& segment,
   };
   for (int i = 0; i < other.count; ++i) {
     const Vector2<double>& corner = other.vertices[i];
-    take(nearest_on(from, to, corner), corner);
+    take(exact::nearest_on_segment(corner, from, to), corner);
     for (const Vector2<double>& end : {from, to}) {
-      take(end, nearest_on(corner, other.vertices[other.next(i)], end));
+      take(end, exact::nearest_on_segment(end, corner, other.vertices[other.next(i)]));
     }
   }
   return best;
@@ -85,7 +76,7 @@ PairCase with_nearest_circle(const PairCase& pair, Side side) {
 double off_core(const PairCase& pair, const PairCase& smaller, Side side) {
   const auto end = [&](int i) { return pair[side].polygon.vertices[i].cast<double>(); };
   const Vector2<double> center = smaller[side].polygon.vertices[0].cast<double>();
-  const Vector2<double> apart = center - nearest_on(end(0), end(1), center);
+  const Vector2<double> apart = center - exact::nearest_on_segment(center, end(0), end(1));
   return apart.norm() * scale_of(pair[side]);
 }
 

@@ -1,8 +1,6 @@
 #include <cmath>
-#include <type_traits>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
 #include "exact/curve.hpp"
@@ -11,7 +9,6 @@
 #include "judging/manifold_error.hpp"
 #include "judging/used_shapes.hpp"
 #include "report/outputs.hpp"
-#include "report/round_truth.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

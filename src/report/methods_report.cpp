@@ -2,7 +2,6 @@
 #include <functional>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "measure/provenance.hpp"
 #include "report/measurements.hpp"

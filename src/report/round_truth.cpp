@@ -101,8 +101,8 @@ class RoundContact {
       if (towards.dot(ahead) > 0) farthest = i;
     }
     if (polygon.face_count() == 0) return {seen(side, 0), seen(side, 0), 0, -1};
-    const int before = farthest > 0 ? farthest - 1 : polygon.count - 1;
-    const Edge edges[] = {edge_along(side, before, towards), edge_along(side, farthest, towards)};
+    const Edge edges[] = {edge_along(side, polygon.previous(farthest), towards),
+                          edge_along(side, farthest, towards)};
     return edges[edges[1].cosine >= edges[0].cosine ? 1 : 0];
   }
 

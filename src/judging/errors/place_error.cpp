@@ -1,7 +1,6 @@
 #include "judging/errors/place_error.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -12,27 +11,15 @@ namespace {
 
 using exact::RoughPolygon;
 
-Vector2<double> in_world(const exact::Truth& truth, const Vector2<double>& local) {
-  return rotate<double>(truth.pair().a.pose.rotation.cast<double>(), local);
-}
-
 /// With mitred corners that lie so far out.
 RoughPolygon grown(const RoughPolygon& core, double radius) {
   RoughPolygon result = core;
   for (int i = 0; i < core.count; ++i) {
-    const Vector2<double>& before = core.normals[i > 0 ? i - 1 : core.count - 1];
+    const Vector2<double>& before = core.normals[core.previous(i)];
     const Vector2<double>& after = core.normals[i];
     result.vertices[i] += radius * (before + after) / (1 + before.dot(after));
   }
   return result;
-}
-
-double distance_from_edge(const Vector2<double>& place, const Vector2<double>& from,
-                          const Vector2<double>& to) {
-  const Vector2<double> edge = to - from;
-  const double squared = edge.dot(edge);
-  const double share = squared > 0 ? (place - from).dot(edge) / squared : 0;
-  return (place - from - std::clamp(share, 0.0, 1.0) * edge).norm();
 }
 
 double distance_from(const Vector2<double>& place, const RoughPolygon& shape) {
@@ -41,8 +28,8 @@ double distance_from(const Vector2<double>& place, const RoughPolygon& shape) {
   double least = INFINITY;
   for (int i = 0; i < shape.count; ++i) {
     is_outside = is_outside || is_before(i);
-    least = std::min(least,
-                     distance_from_edge(place, shape.vertices[i], shape.vertices[shape.next(i)]));
+    least = std::min(
+        least, exact::distance_to_segment(place, shape.vertices[i], shape.vertices[shape.next(i)]));
   }
   return is_outside ? least : 0;
 }
@@ -117,10 +104,10 @@ class Seen {
         radius_(total_radius(truth.pair())),
         reach_(is_round(truth.pair()) ? 0 : radius_) {
     const exact::RoughPair placed = exact::place_roughly(truth.stored());
-    const Vector2<double> along = in_world(truth, normal).normalized();
+    const Vector2<double> along = exact::seen_from_a(truth.pair(), normal).normalized();
     top_ = profile_of(placed.a, along, 1);
     bottom_ = profile_of(placed.b, along, -1);
-    const Vector2<double> at = in_world(truth, claim.point.position);
+    const Vector2<double> at = exact::seen_from_a(truth.pair(), claim.point.position);
     place_ = cross<double>(along, at);
     height_ = along.dot(at);
   }
@@ -178,7 +165,7 @@ class Seen {
 double distance_from_both(const exact::Truth& truth, const Vector2<double>& place) {
   const exact::RoughPair placed = exact::place_roughly(truth.stored());
   const double radius = total_radius(truth.pair());
-  const Vector2<double> at = in_world(truth, place);
+  const Vector2<double> at = exact::seen_from_a(truth.pair(), place);
   const auto from = [&](const RoughPolygon& core) {
     if (is_round(truth.pair())) return std::max(distance_from(at, core) - radius, 0.0);
     return distance_from(at, radius > 0 ? grown(core, radius) : core);
@@ -188,7 +175,7 @@ double distance_from_both(const exact::Truth& truth, const Vector2<double>& plac
 
 double distance_from_vertices(const exact::Truth& truth, const Vector2<double>& place) {
   const exact::RoughPair placed = exact::place_roughly(truth.stored());
-  const Vector2<double> at = in_world(truth, place);
+  const Vector2<double> at = exact::seen_from_a(truth.pair(), place);
   double least = INFINITY;
   for (const Side side : {Side::a, Side::b}) {
     for (int i = 0; i < placed[side].count; ++i) {

@@ -28,10 +28,6 @@ void append_half(std::vector<Vector2<double>>& hull, const Range& places) {
   hull.pop_back();
 }
 
-Vector2<double> in_world(const PairCase& pair, const Vector2<double>& local) {
-  return rotate<double>(pair.a.pose.rotation.cast<double>(), local).normalized();
-}
-
 }  // namespace
 
 Difference::Difference(const PairCase& pair) {
@@ -87,19 +83,6 @@ std::vector<Vector2<double>> nearest_places(const PairCase& pair, Side side) {
   return places;
 }
 
-Vector2<double> nearest_on_segment(const Vector2<double>& place, const Vector2<double>& from,
-                                   const Vector2<double>& to) {
-  const Vector2<double> along = to - from;
-  const double square = along.dot(along);
-  const double share = square > 0 ? std::clamp((place - from).dot(along) / square, 0.0, 1.0) : 0.0;
-  return from + share * along;
-}
-
-double distance_to_segment(const Vector2<double>& place, const Vector2<double>& from,
-                           const Vector2<double>& to) {
-  return (nearest_on_segment(place, from, to) - place).norm();
-}
-
 bool is_of_points(Kind kind) {
   return kind == Kind::witness || kind == Kind::extent || kind == Kind::count;
 }
@@ -111,7 +94,7 @@ double deepest(const Manifold<double>& manifold) {
 }
 
 Vector2<double> translation_of(const Deviation& d) {
-  return deepest(d.got) * in_world(d.right.pair(), d.got.normal);
+  return deepest(d.got) * exact::seen_from_a(d.right.pair(), d.got.normal).normalized();
 }
 
 double least_depth(const Deviation& d) {
@@ -123,7 +106,8 @@ bool is_translation_right(const Deviation& d, double bound) {
   const exact::PenetrationCurve curve(*d.right.truth, exact::skin_of(*d.right.truth));
   const Vector2<double> got = translation_of(d);
   return std::ranges::any_of(curve.minima(bound), [&](const Vector2<double>& normal) {
-    return (got - curve.least() * in_world(d.right.pair(), normal)).norm() <= bound;
+    return (got - curve.least() * exact::seen_from_a(d.right.pair(), normal).normalized()).norm() <=
+           bound;
   });
 }
 

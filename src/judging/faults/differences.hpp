@@ -7,6 +7,9 @@
 
 namespace manifuzz::ledger_of {
 
+using exact::distance_to_segment;
+using exact::nearest_on_segment;
+
 /// The convex hull of every a - b of both cores, in world directions: they overlap where the origin
 /// is in it, and B is moved away by a vector that takes the origin out of it.
 class Difference {
@@ -30,13 +33,6 @@ class Difference {
 /// In the world, the places on a side's core that are nearest to the other core's vertices, and its
 /// own vertices.
 std::vector<Vector2<double>> nearest_places(const PairCase& pair, Side side);
-
-/// The place on a segment that is nearest to another.
-Vector2<double> nearest_on_segment(const Vector2<double>& place, const Vector2<double>& from,
-                                   const Vector2<double>& to);
-/// How far a place is from a segment.
-double distance_to_segment(const Vector2<double>& place, const Vector2<double>& from,
-                           const Vector2<double>& to);
 
 /// Whether what is wrong is where points lie, or how many there are: no matter of the translation.
 bool is_of_points(Kind kind);

@@ -8,8 +8,8 @@ namespace manifuzz::ledger_of {
 namespace {
 
 /// The answer's normal in the world, unit.
-Vector2<double> world_normal(const Deviation& d) {
-  return rotate<double>(d.right.pair().a.pose.rotation.cast<double>(), d.got.normal).normalized();
+Vector2<double> given_normal(const Deviation& d) {
+  return exact::seen_from_a(d.right.pair(), d.got.normal).normalized();
 }
 
 bool has_circle(const PairCase& pair) {
@@ -32,7 +32,7 @@ bool is_axis_within(const Deviation& d, double epsilon) {
   // The world's x axis, from the first shape: an edge, a polygon, or A.
   const bool is_turned = pair.a.polygon.count == 1 && pair.b.polygon.count > 1;
   const Vector2<double> axis(is_turned ? -1 : 1, 0);
-  if ((world_normal(d) - axis).norm() > 2 * d.right.bounds.normal) return false;
+  if ((given_normal(d) - axis).norm() > 2 * d.right.bounds.normal) return false;
   for (int i = 0; i < placed.a.count; ++i) {
     for (int j = 0; j < placed.b.count; ++j) {
       const Vector2<double> apart = placed.b.vertices[j] - placed.a.vertices[i];
@@ -56,7 +56,7 @@ bool is_face_within(const Deviation& d, double epsilon) {
     if (truth.separation(face) < truth.separation(side) - bound) continue;
     const Vector2<double>& out = placed[side].normals[i];
     const Vector2<double> normal = side == Side::a ? out : Vector2<double>(-out);
-    if ((world_normal(d) - normal).norm() <= 2 * d.right.bounds.normal &&
+    if ((given_normal(d) - normal).norm() <= 2 * d.right.bounds.normal &&
         is_depth_of(d, truth.separation(face))) {
       return true;
     }

@@ -1,7 +1,6 @@
 #include "judging/faults/shared_faults.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "judging/faults/seen_along.hpp"

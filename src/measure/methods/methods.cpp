@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "measure/methods/method_errors.hpp"
+#include "sequence/motions.hpp"
 
 namespace manifuzz {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "collider/sequence_collider.hpp"
 #include "measure/bench/bench.hpp"
-#include "sequence/motions.hpp"
 
 namespace manifuzz {
 

@@ -1,6 +1,5 @@
 #include "measure/scene/scene_run.hpp"
 
-#include <array>
 #include <chrono>
 #include <cmath>
 

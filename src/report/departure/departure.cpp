@@ -31,8 +31,8 @@ GivenContact seen_in_world(const PairCase& pair, const Manifold<double>& manifol
   GivenContact contact{world_normal(pair, manifold.normal), {}, names_features};
   for (int i = 0; i < manifold.count; ++i) {
     const ContactPoint<double>& point = manifold.points[i];
-    contact.points.push_back({rotate<double>(pair.a.pose.rotation.cast<double>(), point.position),
-                              point.depth, point.features});
+    contact.points.push_back(
+        {exact::seen_from_a(pair, point.position), point.depth, point.features});
   }
   return contact;
 }

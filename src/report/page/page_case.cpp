@@ -65,7 +65,7 @@ double thickness(const Region& region) {
 Json body_json(const PairCase& pair, Side side, const exact::RoughPolygon& placed,
                const Region& own, const Region& other) {
   Json vertices = Json::array();
-  for (int i = 0; i < placed.count; ++i) vertices.push_back(vector_json(placed.vertices[i]));
+  for (const Point& vertex : placed.corners()) vertices.push_back(vector_json(vertex));
   return {{"vertices", vertices},
           {"radius", static_cast<double>(pair[side].polygon.radius)},
           {"corners", is_round(pair) ? "round" : "mitre"},
@@ -113,7 +113,7 @@ Json planes_json(const PairCase& pair, const Segment& face) {
 /// stretch along it, from the incident skin below the point to the reference's.
 Json point_json(const PairCase& pair, const ContactPoint<double>& point, const Point& outward,
                 Side incident) {
-  const Point seen = rotate<double>(pair.a.pose.rotation.cast<double>(), point.position);
+  const Point seen = exact::seen_from_a(pair, point.position);
   // A round shape's point is on its surface.
   const double radius = is_round(pair) ? 0 : static_cast<double>(pair[incident].polygon.radius);
   const Point skin = seen - radius * outward;

@@ -258,7 +258,7 @@ void number_vertices(Drawing& drawing, Side side) {
   for (int i = 0; i < polygon.count; ++i) {
     const Point at = drawing.view.place(polygon.vertices[i]);
     if (!drawing.sees(at)) continue;
-    const Point& before = polygon.normals[i > 0 ? i - 1 : polygon.count - 1];
+    const Point& before = polygon.normals[polygon.previous(i)];
     const Point outward = View::direction(unit_or_zero(polygon.normals[i] + before));
     Label label{fmt::format("{}", i), at, outward, 1, {10.5}, css("vertex", side)};
     if (write(drawing, label, false)) continue;

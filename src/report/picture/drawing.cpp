@@ -5,10 +5,7 @@
 #include <cmath>
 #include <librsvg/rsvg.h>
 #include <new>
-#include <sstream>
 #include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "base/text.hpp"
 

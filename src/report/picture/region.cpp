@@ -89,7 +89,7 @@ Rim rim_of(const exact::RoughPolygon& polygon, double radius, Rounding corners) 
   Rim rim;
   for (int i = 0; i < polygon.count; ++i) {
     const Point& vertex = polygon.vertices[i];
-    const Point& before = polygon.normals[i > 0 ? i - 1 : polygon.count - 1];
+    const Point& before = polygon.normals[polygon.previous(i)];
     const Point& after = polygon.normals[i];
     // Both faces are a radius farther out: their sum is 2 cos of half the turn long.
     const double span = 1 + before.dot(after);
@@ -106,6 +106,12 @@ Rim rim_of(const exact::RoughPolygon& polygon, double radius, Rounding corners) 
            {polygon.vertices[0], radius, {-1, 0}, {1, 0}}};
   }
   return rim;
+}
+
+std::array<Rim, 2> rims_of(const PairCase& pair, const exact::RoughPair& placed) {
+  const Rounding corners = is_round(pair) ? Rounding::round : Rounding::mitre;
+  return {rim_of(placed.a, static_cast<double>(pair.a.polygon.radius), corners),
+          rim_of(placed.b, static_cast<double>(pair.b.polygon.radius), corners)};
 }
 
 Region region_of(const Rim& rim, const Box& where, double tolerance) {

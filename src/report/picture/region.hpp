@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -70,6 +71,9 @@ using Rim = std::vector<RimCorner>;
 /// A core with its radius, its corners round or as sharp as the core's; fewer than three vertices
 /// are always round.
 Rim rim_of(const exact::RoughPolygon& polygon, double radius, Rounding corners);
+
+/// A's and B's, with skins that are mitred where both are: that is how they are judged.
+std::array<Rim, 2> rims_of(const PairCase& pair, const exact::RoughPair& placed);
 
 Box box_around_rim(const Rim& rim);
 

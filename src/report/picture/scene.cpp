@@ -37,11 +37,6 @@ PlacedFace placed_vertex(const exact::RoughPair& polygons, Side side, int vertex
   return {side, {Feature::Kind::vertex, static_cast<unsigned char>(vertex)}, {at, at}};
 }
 
-/// A local point of A, seen from A's position in world directions.
-Point seen_from_a(const PairCase& pair, const Point& local) {
-  return rotate<double>(pair.a.pose.rotation.cast<double>(), local);
-}
-
 /// From the incident skin below a point of the incident edge, along the reference face's normal.
 DepthBar bar_at(const Scene& scene, const Point& position, double depth, Side reference,
                 const Point& outward) {
@@ -63,7 +58,8 @@ DepthBar deepest_bar(const Scene& scene, const PairCase& pair, const exact::Clip
     const auto& points = candidate->points;
     const bool second = candidate->count > 1 && points[1].depth() > points[0].depth();
     const exact::ClipPoint& point = points[second ? 1 : 0];
-    return bar_at(scene, seen_from_a(pair, point.position()), point.depth(), side, scene.outward);
+    return bar_at(scene, exact::seen_from_a(pair, point.position()), point.depth(), side,
+                  scene.outward);
   }
   const Point deepest = farthest_against(scene.polygons[other(side)], scene.outward);
   const double separation = scene.outward.dot(deepest - scene.reference.segment.first);
@@ -86,7 +82,7 @@ void show_nearest(Scene& scene, const PairCase& pair, const exact::Truth& truth)
 
 void add_right(Scene& scene, const PairCase& pair, const Manifold<double>& manifold) {
   for (int i = 0; i < manifold.count; ++i) {
-    scene.right.push_back(seen_from_a(pair, manifold.points[i].position));
+    scene.right.push_back(exact::seen_from_a(pair, manifold.points[i].position));
   }
 }
 
@@ -96,7 +92,7 @@ void add_points(Scene& scene, const PairCase& pair, const DeclaredAnswer& asked,
     const ContactPoint<double>& point = manifold.points[i];
     if (!point.position.allFinite()) continue;
     const Point normal = world_normal(pair, manifold.normal);
-    const Point position = seen_from_a(pair, point.position);
+    const Point position = exact::seen_from_a(pair, point.position);
     const Point direction = unit_or_zero(normal);
     const Point outward = manifold.reference == Side::a ? direction : Point(-direction);
     DepthBar bar = bar_at(scene, position, point.depth, manifold.reference, outward);
@@ -107,8 +103,7 @@ void add_points(Scene& scene, const PairCase& pair, const DeclaredAnswer& asked,
 
 /// Around a polygon and its skin.
 Box box_of(const Scene& scene, Side side) {
-  const auto* const vertices = scene.polygons[side].vertices.data();
-  return box_around({vertices, vertices + scene.polygons[side].count}).grown(scene.radius(side));
+  return box_around(scene.polygons[side].corners()).grown(scene.radius(side));
 }
 
 /// The width of a polygon where it is thinnest, and the corner there.
@@ -225,12 +220,7 @@ Scene make_scene(const PairCase& pair, std::span<const DeclaredAnswer> answers) 
   scene.polygons = exact::place_roughly(pair);
   scene.is_round = is_round(pair);
   scene.radii = {pair.a.polygon.radius, pair.b.polygon.radius};
-  // Skins are mitred where both are: that is how they are judged.
-  const Rounding corners = scene.is_round ? Rounding::round : Rounding::mitre;
-  for (const Side side : kSides) {
-    scene.rims[static_cast<std::size_t>(side)] =
-        rim_of(scene.polygons[side], scene.radius(side), corners);
-  }
+  scene.rims = rims_of(pair, scene.polygons);
   const exact::Truth& truth = *admitted.truth;
   scene.depth = std::abs(exact::separation_of(truth) - total_radius(pair));
   scene.rounding = admitted.bounds.separation;

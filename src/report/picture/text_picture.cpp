@@ -111,9 +111,7 @@ std::string drawn(const Scene& scene, const DotFrame& frame) {
   draw_outline(canvas, frame, a, 1);
   draw_outline(canvas, frame, b, 2);
   for (const Side side : kSides) {
-    const auto& vertices = scene.polygons[side].vertices;
-    const Point middle =
-        middle_of(Region(vertices.begin(), vertices.begin() + scene.polygons[side].count));
+    const Point middle = middle_of(scene.polygons[side].corners());
     if (frame.box.contains(middle)) canvas.mark(frame.place(middle), side == Side::a ? 'A' : 'B');
   }
   for (const auto& [point, mark] : marks_of(scene)) {

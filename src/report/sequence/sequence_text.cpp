@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "exchange/json.hpp"
 #include "report/outputs.hpp"
+#include "report/rows.hpp"
 #include "report/sequence/sequence_report.hpp"
 #include "report/words.hpp"
 
@@ -13,26 +14,14 @@ namespace manifuzz {
 namespace {
 
 template <class Number>
-std::string digits_of(Number value) {
-  std::string out;
-  append_number(out, value);
-  return out;
-}
-
-template <class Number>
 std::string place_of(const Vector2<Number>& v) {
-  return fmt::format("({}, {})", digits_of(v.x()), digits_of(v.y()));
+  return fmt::format("({}, {})", digits(v.x()), digits(v.y()));
 }
 
-/// A named value, the values of one block below each other.
-void add_row(std::string& text, std::string_view name, std::string_view value) {
-  text += fmt::format("  {:<12} {}\n", name, value);
-}
-
-void write_shape(std::string& text, const ConvexPolygon<float>& shape, char name) {
-  text += fmt::format("{}: {}\n", name, shape_in_words(shape));
+void write_shape(Rows& rows, const ConvexPolygon<float>& shape, char name) {
+  rows.text += fmt::format("{}: {}\n", name, shape_in_words(shape));
   for (int i = 0; i < shape.count; ++i) {
-    add_row(text, fmt::format("vertex {}", i), place_of(shape.vertices[i]));
+    rows.add(fmt::format("vertex {}", i), place_of(shape.vertices[i]));
   }
 }
 
@@ -45,7 +34,7 @@ std::string point_in_words(const PairCase& pair, const KeptPoint& point, std::si
   const bool is_new = point.born == static_cast<int>(frame);
   return fmt::format("{}, depth {}, normal {} with {}, at {} on A ({}) and {} on B",
                      is_new ? "born" : fmt::format("kept since frame {}", point.born),
-                     digits_of(point.depth), place_of(without_negative_zeros(point.normal)),
+                     digits(point.depth), place_of(without_negative_zeros(point.normal)),
                      name_of(point.travels_with), place_of(point.anchor_a),
                      "world " + place_of(to_world(pair, point.anchor_a)), place_of(point.anchor_b));
 }
@@ -62,52 +51,33 @@ std::string left_out(const JudgedSequence& judged, std::size_t frame) {
   return names;
 }
 
-void write_frame(std::string& text, const JudgedSequence& judged, std::size_t frame) {
+void write_frame(Rows& rows, const JudgedSequence& judged, std::size_t frame) {
   const PairCase pair = judged.given.sequence().at(frame);
   const FrameJudgement* const verdict =
       frame < judged.judgement.frames.size() ? &judged.judgement.frames[frame] : nullptr;
   const std::string words = frame_in_words(judged, frame);
   const bool is_wrong = verdict != nullptr && verdict->kind != Kind::none;
-  text += fmt::format("frame {}: {}\n", frame, is_wrong ? bad(words) : words);
-  add_row(text, "A", pose_in_words(pair.a.pose));
-  add_row(text, "B", pose_in_words(pair.b.pose));
+  rows.text += fmt::format("frame {}: {}\n", frame, is_wrong ? bad(words) : words);
+  rows.add("A", pose_in_words(pair.a.pose));
+  rows.add("B", pose_in_words(pair.b.pose));
   const TrueOverlap truth = true_overlap(pair, judged.subject.declaration);
   std::string true_words = fmt::format("{} {}, normal", truth.depth < 0 ? "apart by" : "overlap",
-                                       digits_of(truth.depth < 0 ? -truth.depth : truth.depth));
+                                       digits(truth.depth < 0 ? -truth.depth : truth.depth));
   for (const Vector2<double>& normal : truth.normals) {
     true_words += (&normal == &truth.normals.front() ? " " : " or ") +
                   place_of(without_negative_zeros(normal));
   }
-  add_row(text, "truth", true_words);
+  rows.add("truth", true_words);
   if (frame >= judged.answers.size()) return;
   const std::vector<KeptPoint> points = points_in(judged, frame);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool is_to_blame = is_wrong && verdict->point == i;
-    add_row(text, fmt::format("point {}{}", points[i].id, is_to_blame ? " *" : ""),
-            point_in_words(pair, points[i], frame));
+    rows.add(fmt::format("point {}{}", points[i].id, is_to_blame ? " *" : ""),
+             point_in_words(pair, points[i], frame));
   }
-  if (points.empty()) add_row(text, "points", "none");
+  if (points.empty()) rows.add("points", "none");
   const std::string left = left_out(judged, frame);
-  if (!left.empty()) add_row(text, "dropped", left);
-}
-
-void write_outcome(std::string& text, const JudgedSequence& judged) {
-  const SequenceJudgement& judgement = judged.judgement;
-  const Verdict verdict = judgement.bucket.verdict;
-  const std::string name(to_string(verdict));
-  add_row(text, "verdict", is_unexplained(verdict) ? bad(name) : name);
-  add_row(text, "bucket", to_string(judgement.bucket));
-  add_row(text, "magnitude", digits_of(judgement.magnitude) + " of the size");
-  if (const LedgerEntry* const entry = judgement.explanation) {
-    add_row(text, "ledger", fmt::format("{}: {}", entry->id, entry->description));
-    add_row(text, "source", entry->source);
-  }
-  if (judged.given.found) {
-    add_row(text, "found",
-            fmt::format("seed {}, motion {}, index {}", judged.given.found->seed,
-                        printable(judged.given.found->regime), judged.given.found->index));
-  }
-  if (!judged.given.note.empty()) add_row(text, "note", printable(judged.given.note, 1000));
+  if (!left.empty()) rows.add("dropped", left);
 }
 
 /// Whether a frame is shown: in a long sequence those about the frame that decides, the last, and
@@ -122,29 +92,31 @@ bool is_shown(const JudgedSequence& judged, std::size_t frame) {
          judged.judgement.frames[frame].kind != Kind::none;
 }
 
-void write_frames(std::string& text, const JudgedSequence& judged) {
+void write_frames(Rows& rows, const JudgedSequence& judged) {
   for (std::size_t k = 0; k < judged.given.sequence().frames.size(); ++k) {
     std::size_t next = k;
     while (!is_shown(judged, next)) ++next;
     if (next > k) {
-      text +=
+      rows.text +=
           fmt::format("frames {} to {}: {}\n", k, next - 1,
                       next <= judged.judgement.frames.size() ? "nothing is wrong" : "not judged");
       k = next;
     }
-    write_frame(text, judged, k);
+    write_frame(rows, judged, k);
   }
 }
 
 }  // namespace
 
 std::string sequence_text(const JudgedSequence& judged) {
-  std::string text = verdict_sentence(judged) + '\n';
-  write_outcome(text, judged);
-  write_shape(text, judged.given.sequence().a, 'A');
-  write_shape(text, judged.given.sequence().b, 'B');
-  write_frames(text, judged);
-  return text;
+  const SequenceJudgement& judgement = judged.judgement;
+  Rows rows{.name_width = 12, .text = verdict_sentence(judged) + '\n'};
+  rows.add_finding(judgement.bucket, judgement.magnitude, judgement.explanation);
+  rows.add_origin(judged.given, "motion");
+  write_shape(rows, judged.given.sequence().a, 'A');
+  write_shape(rows, judged.given.sequence().b, 'B');
+  write_frames(rows, judged);
+  return rows.text;
 }
 
 void append_sequence_judgement(std::string& lines, std::size_t sequence,

@@ -49,7 +49,7 @@ std::string wrong_in_words(Kind kind, bool is_kept, const std::string& off) {
 }
 
 /// The angle between unit vectors that differ by so much.
-std::string angle_in_words(double difference) {
+std::string turn_in_words(double difference) {
   const double degrees = 360 / std::numbers::pi * std::asin(std::min(difference / 2, 1.0));
   return degrees < 10 ? fmt::format("{:.2g} degrees", degrees)
                       : fmt::format("{:.0f} degrees", degrees);
@@ -101,7 +101,7 @@ std::string frame_in_words(const JudgedSequence& judged, std::size_t frame) {
   const bool is_kept = verdict.point && *verdict.point < points.size() &&
                        points[*verdict.point].born != static_cast<int>(frame);
   return wrong_in_words(verdict.kind, is_kept,
-                        is_direction ? angle_in_words(verdict.magnitude) : brief(length));
+                        is_direction ? turn_in_words(verdict.magnitude) : brief(length));
 }
 
 std::string verdict_sentence(const JudgedSequence& judged) {

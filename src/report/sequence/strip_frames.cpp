@@ -1,7 +1,6 @@
 #include "report/sequence/strip_frames.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -48,8 +47,7 @@ std::vector<std::size_t> frames_that_matter(const JudgedSequence& judged) {
 
 std::pair<Point, Point> StripFrame::spoke(Side side) const {
   const exact::RoughPolygon& polygon = polygons[side];
-  const Point middle =
-      middle_of(Region(polygon.vertices.begin(), polygon.vertices.begin() + polygon.count));
+  const Point middle = middle_of(polygon.corners());
   if (polygon.count > 1) return {middle, polygon.vertices[0]};
   const auto radius = static_cast<double>(pair[side].polygon.radius);
   return {middle, middle + radius * pair[side].pose.rotation.cast<double>()};
@@ -72,11 +70,7 @@ bool StripFrame::has_wrong_normal(std::size_t i) const {
 StripFrame strip_frame(const JudgedSequence& judged, std::size_t number) {
   StripFrame frame{.number = number, .pair = judged.given.sequence().at(number)};
   frame.polygons = exact::place_roughly(frame.pair);
-  const Rounding corners = is_round(frame.pair) ? Rounding::round : Rounding::mitre;
-  for (const Side side : kSides) {
-    const auto radius = static_cast<double>(frame.pair[side].polygon.radius);
-    frame.rims[static_cast<std::size_t>(side)] = rim_of(frame.polygons[side], radius, corners);
-  }
+  frame.rims = rims_of(frame.pair, frame.polygons);
   frame.points = points_in(judged, number);
   frame.truth = true_overlap(frame.pair, judged.subject.declaration);
   const auto& verdicts = judged.judgement.frames;
@@ -87,7 +81,7 @@ StripFrame strip_frame(const JudgedSequence& judged, std::size_t number) {
 
 /// The angle between two directions, in degrees.
 double degrees_between(const Point& p, const Point& q) {
-  return std::abs(std::atan2(p.x() * q.y() - p.y() * q.x(), p.dot(q))) * 180 / std::numbers::pi;
+  return exact::angle_between(p, q) * 180 / std::numbers::pi;
 }
 
 /// The true normal that is nearest to this one.

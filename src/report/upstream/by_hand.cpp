@@ -5,7 +5,6 @@
 
 #include "exact/curve.hpp"
 #include "report/upstream/parts.hpp"
-#include "report/words.hpp"
 
 namespace manifuzz {
 namespace {

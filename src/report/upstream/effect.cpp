@@ -17,10 +17,6 @@ namespace {
 /// A depth that is so small a share of the overlap pushes nothing apart.
 constexpr double kNoPush = 1e-3;
 
-double angle_between(const Vector2<double>& from, const Vector2<double>& to) {
-  return std::abs(std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to)));
-}
-
 /// How deep two bodies overlap along each direction, once B is moved.
 class PushedPair {
  public:
@@ -180,7 +176,7 @@ Effect effect_of(const JudgedCase& judged, const DeclaredAnswer& asked) {
   if (effect.length == 0) return effect;
   const RightContact right = right_contact(pair, asked);
   if (right.manifold && right.manifold->count > 0 && !right.is_along_own) {
-    effect.turn = angle_between(right.manifold->normal, *claim.normal);
+    effect.turn = exact::angle_between(right.manifold->normal, *claim.normal);
   }
   const Vector2<double> unit = world_normal(pair, *claim.normal / effect.length).normalized();
   if (claim.depth > 0) effect.overlap_after = overlap_once_pushed(pair, claim.depth * unit);

@@ -10,14 +10,6 @@
 namespace manifuzz {
 namespace {
 
-double distance_to_edge(const Vector2<double>& place, const Vector2<double>& from,
-                        const Vector2<double>& to) {
-  const Vector2<double> along = to - from;
-  const double square = along.squaredNorm();
-  const double share = square > 0 ? std::clamp((place - from).dot(along) / square, 0.0, 1.0) : 0.0;
-  return (place - from - share * along).norm();
-}
-
 /// How far a place lies out of a core: of one with mitred corners the greatest distance in front of
 /// a face; negative or 0 within.
 double outside_core(const exact::RoughPolygon& core, const Vector2<double>& place, bool is_mitred) {
@@ -26,7 +18,8 @@ double outside_core(const exact::RoughPolygon& core, const Vector2<double>& plac
   for (int i = 0; i < core.count; ++i) {
     const Vector2<double>& from = core.vertices[i];
     in_front = std::max(in_front, core.normals[i].dot(place - from));
-    nearest = std::min(nearest, distance_to_edge(place, from, core.vertices[core.next(i)]));
+    nearest =
+        std::min(nearest, exact::distance_to_segment(place, from, core.vertices[core.next(i)]));
   }
   const bool is_inside = core.count > 2 && in_front <= 0;
   return is_inside || is_mitred ? in_front : nearest;
@@ -93,9 +86,7 @@ double turn_of(const PairCase& pair, const Vector2<double>& normal,
   for (const Manifold<double>& right :
        manifolds_to_show(admissible(pair, declaration), declaration)) {
     if (right.count == 0) continue;
-    const Vector2<double>& n = right.normal;
-    turn = std::min(turn,
-                    std::abs(std::atan2(n.x() * normal.y() - n.y() * normal.x(), n.dot(normal))));
+    turn = std::min(turn, exact::angle_between(right.normal, normal));
   }
   return turn;
 }

@@ -5,7 +5,6 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 
 #include "base/text.hpp"
 #include "collider/snippet.hpp"
+#include "report/rows.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
@@ -24,9 +24,7 @@ using Place = Vector2<double>;
 
 template <class Number>
 std::string number_text(Number value) {
-  std::string text;
-  append_number(text, value + Number{0});  // no negative zeros
-  return text;
+  return digits(value + Number{0});  // no negative zeros
 }
 
 /// Two numbers of an engine in double, which may be no floats any more.

@@ -8,7 +8,6 @@
 #include "report/round_truth.hpp"
 #include "report/upstream/effect.hpp"
 #include "report/upstream/parts.hpp"
-#include "report/words.hpp"
 
 namespace manifuzz {
 

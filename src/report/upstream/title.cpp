@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -7,10 +6,8 @@
 
 #include "exact/curve.hpp"
 #include "judging/bounds.hpp"
-#include "report/round_truth.hpp"
 #include "report/upstream/effect.hpp"
 #include "report/upstream/parts.hpp"
-#include "report/words.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,5 +1,3 @@
-#include "judging/mitred_contact.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "judging/by_curve.hpp"
