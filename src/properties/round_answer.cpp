@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "judging/curve_answer.hpp"
 #include "judging/judge.hpp"
 
 namespace manifuzz {
@@ -32,9 +33,7 @@ Outcome same_normal_and_place(const PairCase& pair, const RoundAnswer& here,
   if (!(turn <= within)) return fails("another normal", turn);
   if (!has_circle(pair)) return holds();
   // On the line through the circle's center, a radius and a depth from it at most.
-  const ContactPoint<double>& other_deepest =
-      moved_back
-          .points[moved_back.count > 1 && moved_back.points[1].depth > moved_back.points[0].depth];
+  const ContactPoint<double>& other_deepest = moved_back.points[deepest_of(moved_back)];
   const double off =
       across(here.manifold().normal, here.deepest().position, other_deepest.position);
   const auto along = [](const RoundAnswer& answer) {
@@ -60,8 +59,7 @@ RoundAnswer::RoundAnswer(AskedCollider& ask, const PairCase& pair)
 }
 
 const ContactPoint<double>& RoundAnswer::deepest() const {
-  const auto& [first, second] = manifold_->points;
-  return manifold_->count > 1 && second.depth > first.depth ? second : first;
+  return manifold_->points[deepest_of(*manifold_)];
 }
 
 double RoundAnswer::distance() const {

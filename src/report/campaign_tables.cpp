@@ -4,8 +4,8 @@
 #include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "report/campaign_text.hpp"
-#include "report/lines.hpp"
 #include "report/outputs.hpp"
+#include "report/rows.hpp"
 #include "report/sequence/sequence_report.hpp"
 #include "report/words.hpp"
 

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "campaign/replay.hpp"
 #include "report/outputs.hpp"
+#include "report/rows.hpp"
 
 namespace manifuzz {
 
@@ -18,12 +19,10 @@ std::string why_unasked(const CorpusCase& unasked) {
 }
 
 std::string stale_in_words(std::span<const std::string> files) {
-  std::string lines;
-  for (const std::string& file : files) {
-    lines += fmt::format("stale {}: what was accepted comes no more; manifuzz accept --drop {}\n",
-                         printable(file, 200), quoted_for_shell(file));
-  }
-  return lines;
+  return lines_of(files, [](const std::string& file) {
+    return fmt::format("stale {}: what was accepted comes no more; manifuzz accept --drop {}\n",
+                       printable(file, 200), quoted_for_shell(file));
+  });
 }
 
 namespace {

@@ -28,6 +28,13 @@ std::string digits(const Vector2<Number>& v) {
   return fmt::format("({}, {})", digits(v.x() + zero), digits(v.y() + zero));
 }
 
+/// What `line_of` says of each of a list, one after the other.
+std::string lines_of(const auto& list, const auto& line_of) {
+  std::string lines;
+  for (const auto& one : list) lines += line_of(one);
+  return lines;
+}
+
 /// Named values below each other.
 struct Rows {
   int name_width = 0;

@@ -6,8 +6,8 @@
 #include "generating/sweep.hpp"
 #include "measure/scene/scene_run.hpp"
 #include "report/campaign_text.hpp"
-#include "report/lines.hpp"
 #include "report/outputs.hpp"
+#include "report/rows.hpp"
 
 namespace manifuzz {
 

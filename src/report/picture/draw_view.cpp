@@ -34,11 +34,6 @@ struct Drawing {
   void take(const Point& at, double about) { taken.push_back(Box{at.x(), at.y()}.grown(about)); }
 };
 
-/// Classes of the style sheet: the kind of thing, and whose it is.
-std::string css(std::string_view kind, Side side) {
-  return fmt::format("{} {}", kind, side == Side::a ? "a" : "b");
-}
-
 /// Draws the part of a canvas segment that is seen.
 void stroke(const Drawing& drawing, const Segment& on_canvas, std::string_view style) {
   if (const auto seen = inside(on_canvas, drawing.view.frame)) drawing.svg.line(*seen, style);
@@ -90,11 +85,11 @@ void draw_edges(const Drawing& drawing, Side side) {
   const auto& polygon = drawing.scene.polygons[side];
   for (int i = 0; i < polygon.face_count(); ++i) {
     const Segment edge{polygon.vertices[i], polygon.vertices[polygon.next(i)]};
-    stroke(drawing, drawing.view.place(edge), css("edge", side));
+    stroke(drawing, drawing.view.place(edge), css_of("edge", side));
   }
   if (drawing.scene.radius(side) <= 0) return;
   draw_rim(drawing.svg, drawing.view, drawing.scene.rim(side), drawing.shape(side),
-           css("skin", side));
+           css_of("skin", side));
 }
 
 /// A side plane is a line; as much of it as the frame shows.
@@ -117,7 +112,7 @@ void draw_shapes(const Drawing& drawing) {
   const Scene& scene = drawing.scene;
   for (const Side side : kSides) {
     fill_rim(drawing.svg, drawing.view, drawing.scene.rim(side), drawing.shape(side),
-             css("fill", side));
+             css_of("fill", side));
   }
   fill(drawing, intersection(drawing.shapes[0], drawing.shapes[1]), "overlap");
   if (scene.incident) draw_side_planes(drawing);
@@ -249,7 +244,7 @@ void draw_letter(Drawing& drawing, Side side) {
   // Beside a shape that is too narrow for it.
   const Point towards = most * view.scale < 9 ? Point(0.6, -0.8) : Point(0, 0);
   const std::string name = side == Side::a ? "A" : "B";
-  write(drawing, {name, view.place(best), towards, 5, {18, true}, css("letter", side)}, true);
+  write(drawing, {name, view.place(best), towards, 5, {18, true}, css_of("letter", side)}, true);
 }
 
 /// Where there is room, outside the vertex or else beside it.
@@ -260,7 +255,7 @@ void number_vertices(Drawing& drawing, Side side) {
     if (!drawing.sees(at)) continue;
     const Point& before = polygon.normals[polygon.previous(i)];
     const Point outward = View::direction(unit_or_zero(polygon.normals[i] + before));
-    Label label{fmt::format("{}", i), at, outward, 1, {10.5}, css("vertex", side)};
+    Label label{fmt::format("{}", i), at, outward, 1, {10.5}, css_of("vertex", side)};
     if (write(drawing, label, false)) continue;
     label.towards = {outward.x() < 0 ? -1 : 1, 0};
     label.gap = 9;

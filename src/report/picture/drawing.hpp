@@ -144,6 +144,11 @@ class DotCanvas {
 
 inline constexpr std::array<Side, 2> kSides{Side::a, Side::b};
 
+/// Classes of the style sheet: the kind of thing, and whose it is.
+inline std::string css_of(std::string_view kind, Side side) {
+  return std::string(kind) + (side == Side::a ? " a" : " b");
+}
+
 /// A face of a shape where it stands, or where round shapes are nearest at a vertex, that.
 struct PlacedFace {
   Side side = Side::a;

@@ -44,7 +44,7 @@ constexpr std::array<Colour, kVerdictNames.size()> kVerdictColours{
 constexpr std::array kRoles{&Cell::subject, &Cell::oracle, &Cell::truth};
 
 /// A statement, the cells in which each role has it, and its colour.
-struct Said {
+struct Statement {
   ContactSummary what;
   std::array<int, kRoles.size()> cells{};
   Colour colour = kOther;
@@ -54,20 +54,20 @@ struct Said {
 
 /// What is said anywhere on the map, the most frequent first; what comes too late for a colour of
 /// its own shares one.
-std::vector<Said> all_said(const Neighbourhood& neighbourhood) {
-  std::vector<Said> all;
+std::vector<Statement> all_said(const Neighbourhood& neighbourhood) {
+  std::vector<Statement> all;
   for (const Cell& cell : neighbourhood.cells) {
     if (cell.state != Cell::State::judged) continue;
     for (std::size_t role = 0; role < kRoles.size(); ++role) {
       const ContactSummary& what = cell.*kRoles[role];
-      auto known = std::ranges::find(all, what, &Said::what);
-      if (known == all.end()) known = all.insert(all.end(), Said{.what = what});
+      auto known = std::ranges::find(all, what, &Statement::what);
+      if (known == all.end()) known = all.insert(all.end(), Statement{.what = what});
       ++known->cells[role];
     }
   }
-  std::ranges::stable_sort(all, std::ranges::greater(), &Said::total);
+  std::ranges::stable_sort(all, std::ranges::greater(), &Statement::total);
   std::size_t used = 0;
-  for (Said& said : all) {
+  for (Statement& said : all) {
     if (said.what.kind == ContactSummary::Kind::apart) {
       said.colour = kPale;
     } else if (said.what.kind == ContactSummary::Kind::nothing) {
@@ -147,7 +147,7 @@ class MapPicture {
       return kVerdictColours[static_cast<std::size_t>(cell.bucket.verdict)];
     }
     const ContactSummary& what = cell.*kRoles[static_cast<std::size_t>(panel)];
-    return std::ranges::find(said_, what, &Said::what)->colour;
+    return std::ranges::find(said_, what, &Statement::what)->colour;
   }
 
   void draw_panel(int panel, std::string_view title) {
@@ -194,7 +194,7 @@ class MapPicture {
     y_ += 4;
     std::array<int, kRoles.size()> others{};
     int kinds = 0;
-    for (const Said& said : said_) {
+    for (const Statement& said : said_) {
       if (said.colour != kOther) {
         write_entry(entry(statement_in_words(said.what), said.cells), x, right, said.colour);
         continue;
@@ -235,7 +235,7 @@ class MapPicture {
   double pixels_;  // a cell's width
   double panel_;   // a panel's
   double width_;
-  std::vector<Said> said_;
+  std::vector<Statement> said_;
   Canvas canvas_;
   double y_ = 0;
 };

@@ -14,10 +14,6 @@ constexpr double kShownDegrees = 2;   // true normals nearer than this are not d
 constexpr Font kMarkFont{11, true};
 constexpr Font kLetterFont{13, true};
 
-std::string of_side(std::string_view kind, Side side) {
-  return fmt::format("{} {}", kind, side == Side::a ? "a" : "b");
-}
-
 /// In a region, half way from its middle to the corner that is farthest from there.
 Point away_from(const Point& contact, const Region& region) {
   const Point far = *std::ranges::max_element(
@@ -72,15 +68,15 @@ void FrameDrawing::draw_bodies() {
   for (const Side side : kSides) {
     const auto i = static_cast<std::size_t>(side);
     seen[i] = region_of(frame.rim(side), view.shown(), tolerance);
-    fill_rim(svg, view, frame.rim(side), seen[i], of_side("fill", side));
+    fill_rim(svg, view, frame.rim(side), seen[i], css_of("fill", side));
   }
   const Region both = intersection(seen[0], seen[1]);
   svg.polygon(intersection(view.place(both), view.frame), "overlap");
   for (const Side side : kSides) {
     const auto i = static_cast<std::size_t>(side);
-    draw_rim(svg, view, frame.rim(side), seen[i], of_side("outline", side));
+    draw_rim(svg, view, frame.rim(side), seen[i], css_of("outline", side));
     const auto spoke = inside(view.place(frame.spoke(side)), view.frame);
-    if (spoke) svg.line(*spoke, of_side("spoke", side));
+    if (spoke) svg.line(*spoke, css_of("spoke", side));
     const Region visible = intersection(view.place(seen[i]), view.frame);
     if (!visible.empty()) letters[i] = away_from(view.place(frame.middle()), visible);
   }
@@ -127,7 +123,7 @@ void FrameDrawing::write_labels() {
   for (const Side side : kSides) {
     const auto& at = letters[static_cast<std::size_t>(side)];
     if (!at) continue;
-    write_label(*at, side == Side::a ? "A" : "B", kLetterFont, of_side("letter", side));
+    write_label(*at, side == Side::a ? "A" : "B", kLetterFont, css_of("letter", side));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "exact/curve.hpp"
 #include "judging/bounds.hpp"
+#include "report/rows.hpp"
 #include "report/sequence/sequence_report.hpp"
 #include "report/words.hpp"
 #include "sequence/frame_judge.hpp"
@@ -135,11 +136,9 @@ std::string keeper_line(const SequenceCollider& keeper) {
 }
 
 std::string list_motions() {
-  std::string lines;
-  for (const Motion& motion : motions()) {
-    lines += fmt::format("{:<16} {}\n", motion.name, motion.description);
-  }
-  return lines;
+  return lines_of(motions(), [](const Motion& motion) {
+    return fmt::format("{:<16} {}\n", motion.name, motion.description);
+  });
 }
 
 std::string sequence_heading(const CampaignResult& result, std::uint64_t seed) {

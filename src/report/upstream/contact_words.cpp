@@ -179,7 +179,7 @@ std::string in_terms(const EngineTerms& terms, const Declaration& declaration,
 }
 
 /// The right manifold whose normal is nearest to that of the answer.
-const Manifold<double>& nearest_to(const std::vector<Manifold<double>>& right, const Claim& got) {
+const Manifold<double>& nearest_to(const std::vector<Manifold<double>>& right, const Said& got) {
   const auto distance = [&](const Manifold<double>& one) {
     if (!got.touches || !got.normal || one.count == 0) return one.count == 0 ? INFINITY : 0.0;
     return (one.normal - *got.normal).norm();
@@ -190,7 +190,7 @@ const Manifold<double>& nearest_to(const std::vector<Manifold<double>>& right, c
 /// The contact along the answer's own normal, where no other has clearly less depth; none of
 /// mitred corners, which have faces' normals alone.
 std::optional<Manifold<double>> right_along_own(const PairCase& pair, const DeclaredAnswer& asked) {
-  const Claim got = claim_of(asked.answer);
+  const Said got = said_by(asked.answer);
   if (!is_judged_by_curve(asked.declaration, pair) || !got.normal || got.normal->isZero(0) ||
       !got.normal->allFinite()) {
     return std::nullopt;
@@ -212,20 +212,6 @@ std::string short_figure(double value) {
   return fmt::format("{:.4g}", value + 0.0);
 }
 
-Claim claim_of(const Answer& answer) {
-  if (const auto* const said = std::get_if<Penetration>(&answer)) {
-    return {.touches = said->touches, .normal = said->normal, .depth = said->depth};
-  }
-  const Manifold<double>* const manifold = manifold_in(answer);
-  if (manifold == nullptr || manifold->count <= 0) return {};
-  const auto& [first, second] = manifold->points;
-  const int count = std::min(manifold->count, 2);
-  return {.touches = true,
-          .normal = manifold->normal,
-          .depth = count > 1 ? std::max(first.depth, second.depth) : first.depth,
-          .points = count};
-}
-
 double true_depth(const PairCase& pair) {
   return total_radius(pair) - exact::separation_of(exact::Truth(pair));
 }
@@ -237,7 +223,7 @@ RightContact right_contact(const PairCase& pair, const DeclaredAnswer& asked) {
   const std::vector<Manifold<double>> right =
       manifolds_to_show(admissible(pair, asked.declaration), asked.declaration);
   if (right.empty()) return {};
-  return {.manifold = nearest_to(right, claim_of(asked.answer)),
+  return {.manifold = nearest_to(right, said_by(asked.answer)),
           .count = static_cast<int>(right.size())};
 }
 

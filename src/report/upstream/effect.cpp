@@ -1,5 +1,3 @@
-#include "report/upstream/effect.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -156,7 +154,7 @@ double overlap_once_pushed(const PairCase& pair, const Vector2<double>& push) {
 
 Effect effect_of(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const PairCase& pair = judged.given.pair();
-  const Claim claim = claim_of(asked.answer);
+  const Said claim = said_by(asked.answer);
   const Bounds within = bounds(pair, asked.declaration);
   Effect effect{.is_contact = claim.touches,
                 .size = size(pair),

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 
 #include "campaign/plan.hpp"
+#include "judging/curve_answer.hpp"
 #include "report/upstream/program.hpp"
 
 namespace manifuzz {
@@ -10,14 +13,10 @@ namespace manifuzz {
 /// Four significant digits at most, for text: figures that matter exactly are in the program.
 std::string short_figure(double value);
 
-/// What an answer says of the pair as a whole.
-struct Claim {
-  bool touches = false;
-  std::optional<Vector2<double>> normal{};  ///< in A's frame, from A to B
-  double depth = 0;                         ///< of the deepest point
-  int points = 0;
-};
-Claim claim_of(const Answer& answer);
+/// How many points an answer has that was read so.
+inline int points_in(const Said& said) {
+  return said.manifold == nullptr ? 0 : std::min(said.manifold->count, 2);
+}
 
 /// The total depth of the cores and radii, as near as double says it: negative across a gap.
 double true_depth(const PairCase& pair);
@@ -37,10 +36,10 @@ struct RightContact {
 RightContact right_contact(const PairCase& pair, const DeclaredAnswer& asked);
 
 /// How deep they overlap along the answer's own normal; the least depth where it has none.
-double depth_along(const PairCase& pair, const Claim& claim);
+double depth_along(const PairCase& pair, const Said& claim);
 
 /// Whether they are said to be so much deeper than they are that a wrong normal is the lesser news.
-bool is_far_too_deep(const PairCase& pair, const Claim& claim, const Declaration& declaration);
+bool is_far_too_deep(const PairCase& pair, const Said& claim, const Declaration& declaration);
 
 /// How far the contact point that lies farthest out of either shape lies out of it; 0 where each is
 /// in both.
@@ -69,6 +68,39 @@ int right_count(const JudgedCase& judged, const Declaration& declaration);
 
 /// Whether it is an answer, but none that can be read.
 bool is_nonsense(const DeclaredAnswer& asked);
+
+/// What an answer does to two bodies, where a solver pushes B by the depth along the normal that
+/// it was given: world lengths, and an angle.
+struct Effect {
+  bool is_contact = false;   ///< whether there is a contact at all
+  double size = 0;           ///< of the smaller shape
+  double overlap = 0;        ///< how deep they overlap; negative: how far they are apart
+  double push = 0;           ///< the depth given
+  double overlap_after = 0;  ///< once B is pushed; negative: how far they are apart then
+  double turn = 0;           ///< of the normal given from the nearest right one, in radians
+  double length = 1;         ///< of the normal given
+  double rounding = 0;       ///< within which two lengths are alike
+  double turn_rounding = 0;  ///< within which two directions are alike
+};
+
+Effect effect_of(const JudgedCase& judged, const DeclaredAnswer& asked);
+
+/// How deep two bodies overlap once B is moved by `push` in the world: negative across a gap.
+/// As near as double says it.
+double overlap_once_pushed(const PairCase& pair, const Vector2<double>& push);
+
+/// What is seen of an answer, and how large that is.
+struct Sight {
+  std::string text;
+  double share = 1;       ///< of the smaller shape's size; of a direction an angle in radians
+  bool is_length = true;  ///< else a direction
+};
+
+/// What becomes of the bodies by a push along the given normal; none where that is as it should be.
+std::optional<Sight> seen_of_push(const Effect& effect);
+
+/// "0.5 degrees", or radians where they are few.
+std::string angle_in_words(double radians);
 
 /// "Triangles that overlap by 0.3 have no contact": what happens, with figures, in plain words.
 std::string upstream_title(const JudgedCase& judged, const DeclaredAnswer& asked);

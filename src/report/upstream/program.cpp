@@ -12,6 +12,7 @@
 
 #include "base/text.hpp"
 #include "collider/snippet.hpp"
+#include "judging/faults/rounded_sum.hpp"
 #include "report/rows.hpp"
 #include "report/words.hpp"
 
@@ -36,17 +37,6 @@ struct Figures {
 /// In doubles, the length that a stored rotation has.
 double length_of(const Place& rotation) {
   return std::sqrt(rotation.x() * rotation.x() + rotation.y() * rotation.y());
-}
-
-/// Three numbers' sum, rounded once: products of two floats are exact, and so is what a sum loses.
-double sum_of(double a, double b, double c) {
-  const auto lost = [](double p, double q, double sum) {
-    const double share = sum - p;
-    return p - (sum - share) + (q - share);
-  };
-  const double first = a + b;
-  const double sum = first + c;
-  return sum + (lost(a, b, first) + lost(first, c, sum));
 }
 
 std::vector<Place> wide(std::span<const Vector2<float>> floats) {
@@ -100,8 +90,8 @@ Figures figures_of(std::string_view key, const Body& body) {
     if (key == "unit_vertices") {
       moved.emplace_back(length * v.x(), length * v.y());
     } else {  // world
-      moved.emplace_back(sum_of(turn.x() * v.x(), -turn.y() * v.y(), at.x()),
-                         sum_of(turn.y() * v.x(), turn.x() * v.y(), at.y()));
+      moved.emplace_back(ledger_of::sum_rounded_once(turn.x() * v.x(), -turn.y() * v.y(), at.x()),
+                         ledger_of::sum_rounded_once(turn.y() * v.x(), turn.x() * v.y(), at.y()));
     }
   }
   return {moved};

@@ -6,7 +6,6 @@
 #include "exact/curve.hpp"
 #include "judging/bounds.hpp"
 #include "report/round_truth.hpp"
-#include "report/upstream/effect.hpp"
 #include "report/upstream/parts.hpp"
 
 namespace manifuzz {
@@ -15,13 +14,13 @@ std::string plain(double value) {
   return fmt::format("{:.3g}", value + 0.0);
 }
 
-double depth_along(const PairCase& pair, const Claim& claim) {
+double depth_along(const PairCase& pair, const Said& claim) {
   if (!claim.normal || claim.normal->isZero(0)) return true_depth(pair);
   const exact::Truth truth(pair);
   return exact::Along(truth, *claim.normal).depth();
 }
 
-bool is_far_too_deep(const PairCase& pair, const Claim& claim, const Declaration& declaration) {
+bool is_far_too_deep(const PairCase& pair, const Said& claim, const Declaration& declaration) {
   const double depth = true_depth(pair);
   return claim.depth > 2 * std::abs(depth) &&
          claim.depth - depth > 100 * bounds(pair, declaration).separation;
@@ -80,8 +79,8 @@ std::optional<Sight> seen_of_place(const JudgedCase& judged, const DeclaredAnswe
 
 /// What is seen where points are too many, too few or too close together.
 std::optional<Sight> seen_of_count(const JudgedCase& judged, const DeclaredAnswer& asked) {
-  const Claim claim = claim_of(asked.answer);
-  if (claim.points > right_count(judged, asked.declaration)) {
+  const Said claim = said_by(asked.answer);
+  if (points_in(claim) > right_count(judged, asked.declaration)) {
     return Sight{"a second contact point takes a part of the impulse where one point is right"};
   }
   const Manifold<double>* const given = manifold_in(asked.answer);
@@ -90,7 +89,7 @@ std::optional<Sight> seen_of_count(const JudgedCase& judged, const DeclaredAnswe
   const double full = span_of(*right.manifold);
   const double span = span_of(*given);
   const double share = std::abs(full - span) / size(judged.given.pair());
-  if (claim.points < 2) {
+  if (points_in(claim) < 2) {
     return Sight{fmt::format("one contact point carries bodies that touch along {}, so they rock",
                              plain(full)),
                  share};

@@ -6,7 +6,6 @@
 
 #include "exact/curve.hpp"
 #include "judging/bounds.hpp"
-#include "report/upstream/effect.hpp"
 #include "report/upstream/parts.hpp"
 
 namespace manifuzz {
@@ -55,19 +54,19 @@ std::string normal_in_words(const JudgedCase& judged, const Vector2<double>& nor
   return "is off by " + angle_in_words(turn);
 }
 
-std::string wrong_normal_in_words(const JudgedCase& judged, const Claim& claim,
+std::string wrong_normal_in_words(const JudgedCase& judged, const Said& claim,
                                   const Declaration& declaration) {
   const Vector2<double> normal = claim.normal.value_or(Vector2<double>(0, 0));
   return fmt::format("the normal of {} {}", pair_in_words(judged.given.pair()),
                      normal_in_words(judged, normal, declaration));
 }
 
-std::string depth_in_words(const PairCase& pair, const Claim& claim) {
+std::string depth_in_words(const PairCase& pair, const Said& claim) {
   return fmt::format("{} are reported {} deep", pair_in_words(pair), plain(claim.depth));
 }
 
 /// A right normal may point to the same side, or be the answer's own: then its depth is the news.
-std::string reversed_in_words(const JudgedCase& judged, const Claim& claim,
+std::string reversed_in_words(const JudgedCase& judged, const Said& claim,
                               const Declaration& declaration) {
   const PairCase& pair = judged.given.pair();
   const double turn = turn_of(pair, claim.normal.value(), declaration);
@@ -78,14 +77,14 @@ std::string reversed_in_words(const JudgedCase& judged, const Claim& claim,
 
 /// Where the direction between the cores decides, a depth is held against the least one: then the
 /// normal is the news.
-bool is_depth_along_normal(const JudgedCase& judged, const Claim& claim) {
+bool is_depth_along_normal(const JudgedCase& judged, const Said& claim) {
   const PairCase& pair = judged.given.pair();
   const double off = judged.judgement.magnitude * size(pair);
   return std::abs(std::abs(claim.depth - depth_along(pair, claim)) - off) <=
          std::abs(std::abs(claim.depth - true_depth(pair)) - off);
 }
 
-std::string inconsistent_in_words(const PairCase& pair, const Claim& claim) {
+std::string inconsistent_in_words(const PairCase& pair, const Said& claim) {
   const double depth = depth_along(pair, claim);
   const std::string shapes = shapes_in_words(pair);
   const std::string along =
@@ -98,7 +97,7 @@ std::string inconsistent_in_words(const PairCase& pair, const Claim& claim) {
                      claim.depth > depth ? "deep" : "shallow");
 }
 
-std::string not_minimal_in_words(const PairCase& pair, const Claim& claim) {
+std::string not_minimal_in_words(const PairCase& pair, const Said& claim) {
   const double needed = depth_along(pair, claim);
   const double least = true_depth(pair);
   const bool is_plain = plain(needed) != plain(least);
@@ -106,14 +105,15 @@ std::string not_minimal_in_words(const PairCase& pair, const Claim& claim) {
                      plain(is_plain ? needed : needed - least), is_plain ? "" : " more");
 }
 
-std::string count_in_words(const JudgedCase& judged, const Claim& claim,
+std::string count_in_words(const JudgedCase& judged, const Said& claim,
                            const Declaration& declaration) {
   const std::string pair_words = pair_in_words(judged.given.pair());
-  if (claim.points > right_count(judged, declaration)) {
+  if (points_in(claim) > right_count(judged, declaration)) {
     return pair_words + " have two contact points where one is right";
   }
-  return fmt::format("{} have {} where they touch along an edge", pair_words,
-                     claim.points == 1 ? "one contact point" : "contact points too close together");
+  return fmt::format(
+      "{} have {} where they touch along an edge", pair_words,
+      points_in(claim) == 1 ? "one contact point" : "contact points too close together");
 }
 
 /// A point where the shapes overlap by less than it says, or that lies out of one of them.
@@ -122,7 +122,7 @@ std::string witness_in_words(const PairCase& pair, const DeclaredAnswer& asked) 
   const std::string point = "a contact point of " + pair_in_words(pair);
   if (outside <= bounds(pair, asked.declaration).position) {
     return fmt::format("{} has depth {}, but the shapes do not overlap by that there", point,
-                       plain(claim_of(asked.answer).depth));
+                       plain(said_by(asked.answer).depth));
   }
   return fmt::format("{} lies {} outside one of them", point, plain(outside));
 }
@@ -136,7 +136,7 @@ std::string lost_in_words(const DeclaredAnswer& asked) {
 std::string sentence(const JudgedCase& judged, const DeclaredAnswer& asked) {
   const PairCase& pair = judged.given.pair();
   const std::string pair_words = pair_in_words(pair);
-  const Claim claim = claim_of(asked.answer);
+  const Said claim = said_by(asked.answer);
   const std::string off = plain(judged.judgement.magnitude * size(pair));  // a length is seen
   const PointErrors points = point_errors(pair, asked);
   const std::string phantom = depth_in_words(pair, claim);

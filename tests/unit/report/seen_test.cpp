@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "report/upstream/effect.hpp"
 #include "report/upstream/parts.hpp"
 #include "unit/report/sample.hpp"
 
