@@ -12,20 +12,17 @@ namespace manifuzz {
 namespace {
 
 void append_point(std::string& out, const PairCase& pair, const ContactPoint<double>& point) {
-  out += "{\"position\": ";
-  append_vector(out, without_negative_zeros(to_world(pair, point.position)));
-  out += ", \"local\": ";
-  append_vector(out, point.position);
-  out += ", \"depth\": ";
-  append_number(out, point.depth);
+  append_vector(out += "{\"position\": ", without_negative_zeros(to_world(pair, point.position)));
+  append_vector(out += ", \"local\": ", point.position);
+  append_number(out += ", \"depth\": ", point.depth);
   fmt::format_to(std::back_inserter(out), FMT_COMPILE(", \"features\": [\"{}\",\"{}\"]}}"),
                  feature_name(point.features.a), feature_name(point.features.b));
 }
 
 void append_manifold(std::string& out, const PairCase& pair, const Manifold<double>& manifold) {
   if (manifold.count > 0) {
-    out += "\"normal\": ";
-    append_vector(out, without_negative_zeros(world_normal(pair, manifold.normal)));
+    append_vector(out += "\"normal\": ",
+                  without_negative_zeros(world_normal(pair, manifold.normal)));
     out += manifold.reference == Side::a ? ", \"reference\": \"a\", " : ", \"reference\": \"b\", ";
   }
   out += "\"points\": [";
@@ -39,10 +36,9 @@ void append_manifold(std::string& out, const PairCase& pair, const Manifold<doub
 void append_penetration(std::string& out, const PairCase& pair, const Penetration& penetration) {
   out += penetration.touches ? "\"touching\": true" : "\"touching\": false";
   if (!penetration.normal) return;
-  out += ", \"normal\": ";
-  append_vector(out, without_negative_zeros(world_normal(pair, *penetration.normal)));
-  out += ", \"depth\": ";
-  append_number(out, penetration.depth);
+  append_vector(out += ", \"normal\": ",
+                without_negative_zeros(world_normal(pair, *penetration.normal)));
+  append_number(out += ", \"depth\": ", penetration.depth);
 }
 
 /// Reads a manifold as a corpus file records it, or as a program answers. A corpus file has every
@@ -151,12 +147,10 @@ class ManifoldReader {
 
 void append_answer(std::string& out, const PairCase& pair, std::string_view collider,
                    const Answer& answer) {
-  out += "{\"collider\": ";
-  append_string(out, collider);
+  append_string(out += "{\"collider\": ", collider);
   out += ", ";
   if (const auto* unsupported = std::get_if<Unsupported>(&answer)) {
-    out += "\"unsupported\": ";
-    append_string(out, unsupported->why);
+    append_string(out += "\"unsupported\": ", unsupported->why);
   } else if (const auto* penetration = std::get_if<Penetration>(&answer)) {
     append_penetration(out, pair, *penetration);
   } else {
@@ -168,8 +162,7 @@ void append_answer(std::string& out, const PairCase& pair, std::string_view coll
 
 void append_manifold_object(std::string& out, const PairCase& pair,
                             const Manifold<double>& manifold) {
-  out += '{';
-  append_manifold(out, pair, manifold);
+  append_manifold(out += '{', pair, manifold);
   out += '}';
 }
 

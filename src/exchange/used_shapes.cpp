@@ -18,8 +18,7 @@ void append_shapes(std::string& out, const UsedShapes& used) {
     }
     out += ']';
     if (!of_side.round_radius) continue;
-    out += ", \"radius\": ";
-    append_number(out, *of_side.round_radius);
+    append_number(out += ", \"radius\": ", *of_side.round_radius);
     out += '}';
   }
   out += '}';

@@ -147,17 +147,12 @@ void write_right(Rows& rows, const PairCase& pair, const DeclaredAnswer& subject
   }
 }
 
-/// Where a wrong answer departs from the article's steps.
-void write_departures(Rows& rows, const PairCase& pair, const DeclaredAnswer& asked) {
-  const auto departures = departures_of(pair, {asked.declaration, asked.answer});
-  if (departures) rows.add("why it is wrong", departures_in_words(*departures));
-}
-
 void write_answer(Rows& rows, const PairCase& pair, const DeclaredAnswer& asked,
                   std::string_view role) {
   rows.text += fmt::format("{}: {} {}, {}\n", role, asked.declaration.name,
                            asked.declaration.version, answer_in_words(asked));
-  write_departures(rows, pair, asked);
+  const auto departures = departures_of(pair, {asked.declaration, asked.answer});
+  if (departures) rows.add("why it is wrong", departures_in_words(*departures));
   const Manifold<double>* const manifold = asked.manifold();
   if (manifold == nullptr || asked.count() == 0) return;
   rows.add("reference", manifold->reference == Side::a ? "A" : "B");

@@ -1,5 +1,3 @@
-#include "report/glossary.hpp"
-
 #include <fmt/format.h>
 
 #include "report/texts.hpp"

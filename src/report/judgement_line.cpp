@@ -93,8 +93,7 @@ void append_judgement(std::string& line, const Admissible& right, const Collider
   const exact::Truth& truth = *right.truth;
   const double condition = right.candidates.empty() ? NAN : 1 / right.candidates.front()->cosine;
   append_key(line, "{\"separation\": ", exact::separation_of(truth));
-  line += ", \"touching\": ";
-  line += standing(truth).touching ? "true" : "false";
+  line += standing(truth).touching ? ", \"touching\": true" : ", \"touching\": false";
   append_admissible(line, right);
   append_penetration(line, right);
   append_by_curve(line, *right.truth, subject, judgement.bucket.verdict);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace manifuzz {
 
@@ -22,5 +24,16 @@ extern const std::string_view kPageScript;
 extern const std::string_view kPictureStyle;
 /// What a filmstrip has besides.
 extern const std::string_view kFilmstripStyle;
+
+struct Word {
+  std::string_view word;
+  std::string_view meaning;
+};
+
+/// The words that tables, pages and files use, in the order in which they explain each other.
+std::vector<Word> glossary();
+
+/// All of them as text, for a terminal.
+std::string glossary_text();
 
 }  // namespace manifuzz

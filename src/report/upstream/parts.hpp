@@ -6,7 +6,6 @@
 
 #include "campaign/plan.hpp"
 #include "judging/curve_answer.hpp"
-#include "report/upstream/program.hpp"
 
 namespace manifuzz {
 
@@ -110,6 +109,21 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
 
 /// How to check the truth with a pencil: a face and a vertex, or two nearest places.
 std::string checked_by_hand(const PairCase& pair);
+
+/// What a snippet's template makes of one pair, and says of how its engine answers.
+struct Program {
+  std::string text;                          ///< the program
+  std::string function;                      ///< that it asks; empty where it does not say
+  std::string language;                      ///< of the fence around it
+  std::string point = "point $p, depth $d";  ///< how the engine gives a point, see point_in_words
+  std::string none = "no contact";           ///< how it says that there is none
+  std::string figures{};                     ///< how its figures are read; empty: as they stand
+  bool has_normal = true;                    ///< whether it gives a normal at all
+  bool is_b_first = false;                   ///< it is asked with B before A
+};
+
+/// The template filled in: its conditional lines, its directives, its numbers.
+Program program_for(const std::string& snippet, const PairCase& pair);
 
 /// How finely a contact is written down.
 struct Detail {

@@ -1,5 +1,3 @@
-#include "report/upstream/program.hpp"
-
 #include <algorithm>
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
@@ -14,6 +12,7 @@
 #include "collider/snippet.hpp"
 #include "judging/faults/rounded_sum.hpp"
 #include "report/rows.hpp"
+#include "report/upstream/parts.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {
