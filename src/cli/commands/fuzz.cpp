@@ -106,12 +106,26 @@ std::string repeating_command(const FuzzArguments& options) {
   return command + options.folders.again();
 }
 
-/// The page of this campaign, its corpus and what was found before.
+/// What a corpus has between these colliders; other engines' deviations are not this campaign's.
+Corpus of_campaign(Corpus corpus, const Plan& plan) {
+  const auto is_of_another = [&](const CorpusCase& one) {
+    if (!one.expect) return true;
+    const std::string& other =
+        one.expect->oracle.empty() ? one.expect->subject : one.expect->oracle;
+    return other != plan.subject.declaration.name && other != plan.oracle.declaration.name;
+  };
+  std::erase_if(corpus.cases, is_of_another);
+  std::erase_if(corpus.others, is_of_another);
+  return corpus;
+}
+
+/// The page of this campaign, and of what was found before between its colliders.
 std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_json& summary,
                              const FuzzArguments& options) {
   const bool is_kept = !options.json.empty() && options.json != "-";
   const std::string run = is_kept ? kept_path(options.json).string() : "this run";
-  const RunFiles files{read_whole(options.folders), {{run, "fuzz", summary, campaign.result}}};
+  const RunFiles files{of_campaign(read_whole(options.folders), campaign.plan),
+                       {{run, "fuzz", summary, campaign.result}}};
   const PageColliders colliders{
       {find_installed, campaign.plan.subject, campaign.plan.oracle},
       trials_of_sequences(options.colliders.subject, options.colliders.external)};
