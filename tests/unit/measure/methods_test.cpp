@@ -4,6 +4,7 @@
 
 #include "measure/methods/method_errors.hpp"
 #include "own_colliders/own_colliders.hpp"
+#include "sequence/motions.hpp"
 
 using namespace manifuzz;
 
