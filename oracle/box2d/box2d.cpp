@@ -141,14 +141,17 @@ std::unique_ptr<ScenePairs> box2d_pairs(std::span<const Body> bodies) {
   return std::make_unique<Box2dPairs>(bodies);
 }
 
-std::vector<std::vector<Pose<float>>> box2d_trajectory(std::span<const WorldBody> bodies,
-                                                       int steps) {
-  b2World world({0, -10});
+std::vector<std::vector<Pose<float>>> box2d_trajectory(std::span<const WorldBody> bodies, int steps,
+                                                       const Vector2<double>& gravity_turn) {
+  Vector2<double> gravity(0, -10);
+  b2World world(box2d::to_box2d(Vector2<float>(gravity.cast<float>())));
   std::vector<b2Body*> added;
   for (const WorldBody& body : bodies) added.push_back(add(world, body));
   std::vector<std::vector<Pose<float>>> trajectory;
   for (int i = 0; i < steps; ++i) {
     world.Step(1.0F / 60, 8, 3);
+    gravity = rotate(gravity_turn, gravity);
+    world.SetGravity(box2d::to_box2d(Vector2<float>(gravity.cast<float>())));
     std::vector<Pose<float>>& poses = trajectory.emplace_back();
     for (const b2Body* const body : added) {
       const b2Transform& at = body->GetTransform();

@@ -23,7 +23,7 @@ class Afresh {
   /// `tie_bias` is a length >= 0.
   explicit Afresh(float tie_bias = 0) : tie_bias_(tie_bias), shapes_(tie_bias) {}
 
-  /// The new shape's index. The polygon must be free of `PolygonDefect`s.
+  /// The new shape's index, or why it is refused.
   std::variant<std::uint32_t, Defect> add_shape(const ConvexPolygon<float>& polygon) {
     return shapes_.add(polygon);
   }

@@ -17,8 +17,11 @@ std::string_view describe(Defect defect) {
       return "a position is too far out: coordinates are at most 1e15";
     case Defect::rotation_not_unit:
       return "a rotation is not unit: cos^2 + sin^2 must be 1 within 1e-5";
+    case Defect::shape_not_convex:
+      return "a shape's vertices are no polygon: 3 to 8, finite, strictly convex, "
+             "counter-clockwise";
     case Defect::shape_too_large:
-      return "a shape is too large: its reach and its radius are at most 1e15";
+      return "a shape is too large: its reach is at most 1e15, its radius from 0 to 1e15";
     case Defect::shape_too_sharp:
       return "a shape is too sharp: its corners are at least 2e-5 wide";
     case Defect::shape_is_round:

@@ -17,7 +17,8 @@ enum class Defect {
   position_not_finite,   ///< infinite, or not a number
   position_too_far,      ///< a coordinate above kLengthMax
   rotation_not_unit,     ///< |cos^2 + sin^2 - 1| above kRotationTolerance
-  shape_too_large,       ///< a reach or radius above kLengthMax
+  shape_not_convex,      ///< its vertices have a `PolygonDefect`
+  shape_too_large,       ///< a reach above kLengthMax, or a radius below 0 or above it
   shape_too_sharp,       ///< a corner is less than 2e-5 radians wide
   shape_is_round,        ///< a point, a segment, or a polygon with round corners
   setting_not_a_length,  ///< below 0, above kLengthMax, or not a number

@@ -34,6 +34,8 @@ float padding(float reach, float rounded_by, double sharpness) {
 
 std::variant<std::uint32_t, Defect> ShapeTable::add(const ConvexPolygon<float>& polygon) {
   if (polygon.is_round()) return Defect::shape_is_round;
+  const bool has_vertices = polygon.count >= kMinVertices && polygon.count <= kMaxVertices;
+  if (!has_vertices || manifuzz::find_defect(polygon.corners())) return Defect::shape_not_convex;
   double squared = 0;
   double sharpness = 1;
   for (int i = 0; i < polygon.count; ++i) {
@@ -43,7 +45,8 @@ std::variant<std::uint32_t, Defect> ShapeTable::add(const ConvexPolygon<float>& 
   }
   const double reach = std::sqrt(squared);
   const double length_max = static_cast<double>(kLengthMax);
-  if (!(reach <= length_max) || !(polygon.radius <= kLengthMax)) return Defect::shape_too_large;
+  const bool is_radius = polygon.radius >= 0 && polygon.radius <= kLengthMax;
+  if (!(reach <= length_max) || !is_radius) return Defect::shape_too_large;
   if (!(sharpness >= kSharpnessMin)) return Defect::shape_too_sharp;
   const float reach_up = static_cast<float>(reach * kUpward);
   facts_.push_back(

@@ -64,7 +64,7 @@ class ShapeTable {
   /// `tie_bias` is the kernels', a length >= 0: it takes part in what a shape's padding must cover.
   explicit ShapeTable(float tie_bias) : tie_bias_(tie_bias) {}
 
-  /// The new shape's index. The polygon must be free of `PolygonDefect`s.
+  /// The new shape's index, or why it is refused.
   std::variant<std::uint32_t, Defect> add(const ConvexPolygon<float>& polygon);
 
   /// How many shapes there are: their indices are below it.

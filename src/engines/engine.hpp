@@ -63,9 +63,10 @@ class ScenePairs {
 /// What scenes are held against, and recorded from.
 struct SceneBaseline {
   std::unique_ptr<ScenePairs> (*pairs)(std::span<const Body> bodies) = nullptr;
-  /// The poses of all bodies after each step of the engine's world.
-  std::vector<std::vector<Pose<float>>> (*trajectory)(std::span<const WorldBody> bodies,
-                                                      int steps) = nullptr;
+  /// The poses of all bodies after each step of the engine's world, whose gravity turns by
+  /// `gravity_turn`, a (cos, sin), after each step.
+  std::vector<std::vector<Pose<float>>> (*trajectory)(
+      std::span<const WorldBody> bodies, int steps, const Vector2<double>& gravity_turn) = nullptr;
 };
 
 /// The rows on other causes than these, which all must be among those of the rows.

@@ -160,11 +160,20 @@ std::optional<PolygonDefect> find_defect_in_doubles(std::span<const Vector2<doub
 std::optional<PolygonDefect> find_shape_defect(std::span<const Vector2<float>> vertices,
                                                float radius) {
   if (vertices.empty()) return PolygonDefect::too_few;
-  if (vertices.size() >= kMinVertices) return find_defect(vertices);
+  if (vertices.size() >= kMinVertices) {
+    if (const auto defect = find_defect(vertices)) return defect;
+  }
   if (!all_finite(vertices)) return PolygonDefect::not_finite;
   if (has_repeated_vertex(vertices)) return PolygonDefect::repeated_vertex;
+  if (!(radius >= 0) || std::isinf(radius)) return PolygonDefect::radius_not_a_length;
   if (vertices.size() == 1 && !(radius > 0)) return PolygonDefect::no_radius;
   return std::nullopt;
+}
+
+std::variant<ConvexPolygon<float>, PolygonDefect> checked_polygon(
+    std::span<const Vector2<float>> vertices, float radius, Rounding rounding) {
+  if (const auto defect = find_shape_defect(vertices, radius)) return *defect;
+  return make_polygon<float>(vertices, radius, rounding);
 }
 
 std::string_view describe(PolygonDefect defect) {
@@ -185,6 +194,8 @@ std::string_view describe(PolygonDefect defect) {
       return "the vertices go round more than once: the outline must not cross itself";
     case PolygonDefect::no_radius:
       return "one vertex without a radius: a circle's is above 0 as a float, 1e-45 or more";
+    case PolygonDefect::radius_not_a_length:
+      return "the radius is not a length: 0 or more is expected, and finite as a float";
   }
   return {};
 }

@@ -4,8 +4,10 @@
 #include <cassert>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 #include <type_traits>
+#include <variant>
 
 #include "geometry/pose.hpp"
 #include "geometry/vector.hpp"
@@ -40,7 +42,7 @@ enum class Rounding : unsigned char { mitre, round };
 /// round. Coordinates are lengths in the unit of the world.
 /// Face i runs from vertex i to vertex i + 1; `normals[i]` is its outward unit normal. A segment
 /// has two faces, one a side; a point has none. Plain data: build it with `make_polygon`, or
-/// through `find_shape_defect` first where the numbers are not trusted.
+/// with `checked_polygon` where the numbers are not trusted.
 template <class Scalar>
 struct ConvexPolygon {
   std::array<Vector2<Scalar>, kMaxVertices> vertices;  ///< `count` of them, counter-clockwise
@@ -81,6 +83,7 @@ enum class PolygonDefect {
   not_strictly_convex,  ///< some corner turns clockwise, or not at all
   winds_twice,          ///< every corner turns the right way, and they go round more than once
   no_radius,            ///< one vertex, and nothing around it
+  radius_not_a_length,  ///< below 0, infinite, or not a number
 };
 
 /// The first defect, or none. Decided exactly on the floats, without a tolerance: see
@@ -108,13 +111,16 @@ Vector2<Scalar> outward_normal(const Vector2<Scalar>& from, const Vector2<Scalar
   }
 }
 
-/// The shape with these vertices, which must be free of defects (asserted in part, in debug
-/// builds only), rounded by `radius`, a length >= 0. Vertices are taken as they are, normals
-/// computed. Fewer than 3 vertices are round, whatever `rounding` says.
+/// The shape with these vertices, rounded by `radius`. Both must be free of defects: what has some
+/// makes a shape of no use, and no vertices or more than kMaxVertices throw std::invalid_argument.
+/// Vertices are taken as they are, normals computed. Fewer than 3 vertices are round, whatever
+/// `rounding` says.
 template <class Scalar>
 ConvexPolygon<Scalar> make_polygon(std::span<const Vector2<Scalar>> vertices, Scalar radius = 0,
                                    Rounding rounding = Rounding::mitre) {
-  assert(!vertices.empty() && vertices.size() <= kMaxVertices);
+  if (vertices.empty() || vertices.size() > kMaxVertices) {
+    throw std::invalid_argument("make_polygon: a shape has 1 to 8 vertices");
+  }
   assert(radius >= 0);
   ConvexPolygon<Scalar> polygon;
   polygon.count = static_cast<int>(vertices.size());
@@ -127,6 +133,12 @@ ConvexPolygon<Scalar> make_polygon(std::span<const Vector2<Scalar>> vertices, Sc
   }
   return polygon;
 }
+
+/// The shape with these vertices, or its first defect: for numbers that are not trusted. Otherwise
+/// as `make_polygon`.
+std::variant<ConvexPolygon<float>, PolygonDefect> checked_polygon(
+    std::span<const Vector2<float>> vertices, float radius = 0,
+    Rounding rounding = Rounding::mitre);
 
 /// A copy of the polygon in another scalar, its normals computed afresh in that one.
 template <class To, class From>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Core>
 
@@ -32,11 +33,15 @@ Vector2<Scalar> counter_clockwise_quarter(const Vector2<Scalar>& v) {
 
 /// v over its length, within two roundoffs: the quotients' own direction and one last rounding. The
 /// length's error is taken out by what 1 - |n|^2 leaves, which is computed exactly but for its last
-/// sum. Not of the zero vector.
+/// sum. Not a number where v is zero, or has a part that is infinite or no number.
 inline Vector2<double> unit_direction(const Vector2<double>& v) {
   const double squared = v.dot(v);
   if (!(squared > 0x1p-900 && squared < 0x1p900)) {  // or else the squares lose digits
-    const int exponent = std::ilogb(v.cwiseAbs().maxCoeff());
+    const double larger = v.cwiseAbs().maxCoeff();
+    if (!(larger > 0) || !std::isfinite(v.x()) || !std::isfinite(v.y())) {
+      return Vector2<double>::Constant(std::numeric_limits<double>::quiet_NaN());
+    }
+    const int exponent = std::ilogb(larger);
     return unit_direction({std::ldexp(v.x(), -exponent), std::ldexp(v.y(), -exponent)});
   }
   const Vector2<double> n = v / std::sqrt(squared);

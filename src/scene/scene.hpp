@@ -54,7 +54,7 @@ class Scene {
   /// The settings must be free of defects.
   explicit Scene(const Settings& settings = {});
 
-  /// The new shape's index. The polygon must be free of `PolygonDefect`s.
+  /// The new shape's index, or why it is refused.
   std::variant<std::uint32_t, Defect> add_shape(const ConvexPolygon<float>& polygon);
 
   /// A new body, of a shape that was added, at a pose in the world; the next step looks at it.

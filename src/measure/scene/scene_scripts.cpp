@@ -159,9 +159,11 @@ struct Stage {
   }
 };
 
-/// The stage's recording after `warm_up` steps, side by side until there are enough bodies.
-Trajectory recorded(const Stage& stage, std::size_t bodies, int warm_up, int steps) {
-  const auto poses = scene_baseline().trajectory(stage.bodies, warm_up + steps);
+/// The stage's recording after `warm_up` steps, side by side until there are enough bodies. Gravity
+/// turns by so much, a (cos, sin), in each step.
+Trajectory recorded(const Stage& stage, std::size_t bodies, int warm_up, int steps,
+                    const Vector2<double>& gravity_turn = {1, 0}) {
+  const auto poses = scene_baseline().trajectory(stage.bodies, warm_up + steps, gravity_turn);
   Trajectory trajectory{stage.shapes, {}, {}};
   const std::size_t in_stage = stage.bodies.size();
   const auto pose_at = [&](std::size_t i, int step) {
@@ -204,6 +206,11 @@ Stage pile_stage(std::size_t bodies) {
 /// Polygons that fall onto each other between walls.
 Trajectory make_pile(std::size_t bodies, int steps) {
   return recorded(pile_stage(bodies), bodies, 90, steps);
+}
+
+/// A pile that is shaken: gravity turns by 0.05 radians a step.
+Trajectory make_stirred(std::size_t bodies, int steps) {
+  return recorded(pile_stage(bodies), bodies, 120, steps, turn_by(0.05));
 }
 
 /// A pile at rest; in each step a tenth of it, in turn, is nudged or falls back.
@@ -258,6 +265,7 @@ Trajectory make_rain(std::size_t bodies, int steps) {
 
 constexpr SceneSpec kSpecs[] = {
     {"pile", "polygons that fall onto each other between walls, recorded", make_pile},
+    {"stirred", "a pile that is shaken: gravity turns in each step, recorded", make_stirred},
     {"resting_pile", "a pile at rest, a tenth of it nudged in each step", make_resting_pile},
     {"pyramid", "boxes in pyramids that settle, recorded", make_pyramid},
     {"rain", "polygons that fall far from each other, recorded", make_rain},

@@ -174,7 +174,7 @@ TEST_CASE("no defect is found exactly where the definition of strictly convex ho
 
 TEST_CASE("every defect has a description of its own") {
   std::set<std::string> texts;
-  const int count = static_cast<int>(PolygonDefect::winds_twice) + 1;
+  const int count = static_cast<int>(PolygonDefect::radius_not_a_length) + 1;
   for (int i = 0; i < count; ++i) texts.emplace(describe(static_cast<PolygonDefect>(i)));
   CHECK(static_cast<int>(texts.size()) == count);
   CHECK_FALSE(texts.contains(""));
@@ -186,4 +186,37 @@ TEST_CASE("a circle whose radius is 0 as a float is told what is expected") {
   REQUIRE(find_shape_defect(center, tiny) == PolygonDefect::no_radius);
   CHECK(describe(PolygonDefect::no_radius) ==
         "one vertex without a radius: a circle's is above 0 as a float, 1e-45 or more");
+}
+
+TEST_CASE("numbers that are not trusted become a shape, or a defect") {
+  const auto defect_of = [](const Outline& outline, float radius = 0) {
+    return std::get<PolygonDefect>(checked_polygon(outline, radius));
+  };
+  CHECK(defect_of({}) == PolygonDefect::too_few);
+  CHECK(defect_of(star(9, 1)) == PolygonDefect::too_many);
+  CHECK(defect_of(Outline(1000, {1, 2})) == PolygonDefect::too_many);
+  CHECK(defect_of({{0, 0}, {0, 0}, {1, 0}}) == PolygonDefect::repeated_vertex);
+  CHECK(defect_of({{0, 0}, {0, 0}}) == PolygonDefect::repeated_vertex);
+  CHECK(defect_of({{0, 0}, {4, 0}, {1, 1}, {0, 4}}) == PolygonDefect::not_strictly_convex);
+  CHECK(defect_of({{0, 0}, {0, 1}, {1, 0}}) == PolygonDefect::clockwise);
+  CHECK(defect_of({{0, 0}, {std::nanf(""), 1}}) == PolygonDefect::not_finite);
+  for (const float radius : {-1.0F, kInfinity, std::nanf("")}) {
+    for (const int count : {1, 2, 3, 8}) {
+      CHECK(defect_of(star(count, 1), radius) == PolygonDefect::radius_not_a_length);
+    }
+  }
+  const Outline triangle = star(3, 1);
+  const auto shape = std::get<ConvexPolygon<float>>(checked_polygon(triangle, 2, Rounding::round));
+  CHECK(shape == make_polygon<float>(triangle, 2, Rounding::round));
+}
+
+TEST_CASE("a shape of too many vertices or none is not made, and one of equal vertices ends") {
+  CHECK_THROWS_AS(make_polygon<float>(Outline{}), std::invalid_argument);
+  CHECK_THROWS_AS(make_polygon<float>(star(9, 1)), std::invalid_argument);
+  const Outline doubled = {{0, 0}, {0, 0}, {1, 0}};
+  CHECK(std::isnan(make_polygon<float>(doubled).normals[0].x()));
+  CHECK(std::isnan(unit_direction({0, 0}).x()));
+  CHECK(std::isnan(unit_direction({std::nan(""), 1}).x()));
+  CHECK(std::isnan(unit_direction({1, kInfinity}).x()));
+  CHECK(unit_direction({0, 5e-324}) == Vector2<double>(0, 1));
 }

@@ -271,17 +271,6 @@ TEST_CASE("unknown bodies and shapes are refused") {
   CHECK(row.scene.body_count() == 1);
 }
 
-TEST_CASE("shapes that leave rounding no room are refused, and round ones") {
-  Scene scene;
-  CHECK(std::get<Defect>(scene.add_shape(square(1e16F))) == Defect::shape_too_large);
-  CHECK(std::get<Defect>(scene.add_shape(square(1, kInfinity))) == Defect::shape_too_large);
-  const std::array<Vector2<float>, 3> needle{{{0, 0}, {1, 0}, {1, 1e-5F}}};
-  CHECK(std::get<Defect>(scene.add_shape(make_polygon<float>(needle))) == Defect::shape_too_sharp);
-  const Vector2<float> dot[] = {{0, 0}};
-  CHECK(std::get<Defect>(scene.add_shape(make_polygon<float>(dot, 1))) == Defect::shape_is_round);
-  CHECK(std::get<std::uint32_t>(scene.add_shape(square(1))) == 0);
-}
-
 TEST_CASE("settings that are no lengths are found") {
   const float nan = std::nanf("");
   CHECK(find_defect(scene::Settings{}) == std::nullopt);
