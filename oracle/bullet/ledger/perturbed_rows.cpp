@@ -55,14 +55,21 @@ int query_of_deepest(const Deviation& d) {
   return deepest == nullptr ? 0 : deepest->query;
 }
 
-/// Whether the first query's normal came about by what is wrong with bullet-epa: the axis of cores
-/// that touch or have corners near to each other, a query that ended at a flat simplex, a second
-/// GJK, or an EPA that ended otherwise than within its accuracy.
+/// Whether a query's axis is that of cores that touch or have corners near to each other, of a flat
+/// simplex, or of a closest point that roundings keep from the origin: a corner beyond it, which
+/// the simplex has already or is given, leaves the distance as it was.
+bool is_axis_faulty(const ledger_of::QueryLoop& loop) {
+  using ledger_of::QueryEnd;
+  return loop.end == QueryEnd::at_origin || loop.end == QueryEnd::degenerate ||
+         loop.end == QueryEnd::no_less || loop.is_by_threshold || loop.is_closest_rounded;
+}
+
+/// Whether the first query's normal came about by what is wrong with bullet-epa: a faulty axis, a
+/// second GJK, or an EPA that ended otherwise than within its accuracy.
 bool is_first_normal_faulty(const ledger_of::PerturbedAnswer& answer) {
   const ledger_of::BulletAnswer& first = answer.first;
   if (first.normal_of == ledger_of::NormalOf::query || first.is_axis_deeper) {
-    return first.loop.end == ledger_of::QueryEnd::at_origin ||
-           first.loop.end == ledger_of::QueryEnd::degenerate || first.loop.is_by_threshold;
+    return is_axis_faulty(first.loop);
   }
   return first.normal_of == ledger_of::NormalOf::solver_apart ||
          answer.epa.end != ledger_of::BulletEpaEnd::accuracy_reached;

@@ -4,7 +4,6 @@
 
 #include "judging/faults/shared_faults.hpp"
 #include "oracle/bullet/ledger/epa.hpp"
-#include "oracle/bullet/ledger/perturbed.hpp"
 #include "oracle/bullet/ledger/repeated_query.hpp"
 #include "oracle/repeated_pairs.hpp"
 
@@ -81,22 +80,6 @@ TEST_CASE("the repeated query of triangles 32768 wide ends at a corner nearer th
   const BulletAnswer small =
       ask_detector(prisms_of(squares_side_by_side()), solve_by_epa, &trace, 1e18F);
   CHECK_FALSE(small.loop.is_closest_rounded);
-}
-
-TEST_CASE("the repeated turns find points of two squares beside the first, along turned normals") {
-  const BulletPair pair = prisms_of(squares_side_by_side());
-  const PerturbedAnswer alone = ask_perturbed(pair, {.has_turned = false});
-  REQUIRE(alone.points.size() == 1);
-  CHECK(alone.points[0].query == 0);
-  CHECK(alone.points[0].distance == Approx(-0.3));
-  const PerturbedAnswer all = ask_perturbed(pair, {});
-  REQUIRE(all.points.size() > 1);
-  // The smaller disc is above 2, so that they are turned by less than 0.01.
-  for (const BulletPoint& point : all.points) {
-    CHECK(point.normal.x() == Approx(-1).margin(1e-4));
-    CHECK(std::abs(point.normal.y()) < 0.01F);
-    CHECK(point.distance == Approx(-0.3).margin(0.03));
-  }
 }
 
 TEST_CASE("EPA's second GJK gives no direction of a circle about the end of a long segment") {
@@ -227,46 +210,4 @@ TEST_CASE("EPA ends within its accuracy of small round corners, whichever way it
   CHECK_FALSE(is_it(-normal, depth, Kind::normal));
   CHECK_FALSE(is_it(rotate<double>({0.9999, 0.01}, normal), depth, Kind::normal));
   CHECK_FALSE(is_it(normal, depth + 1e-5, Kind::normal));
-}
-
-TEST_CASE("shapes are turned out of the plane where the first normal is upright") {
-  const PairCase pair{body_at(std::array{Vector2<float>{0, -1}, Vector2<float>{0, 2}}, 0, 0, 1.3F),
-                      body_at(std::array{Vector2<float>{0, 0}}, 0, 0, 1.96F)};
-  const PerturbedAnswer answer = ask_perturbed(prisms_of(pair), {});
-  CHECK(std::abs(answer.first.normal.z()) > 0.9F);
-  CHECK(deepest_of(answer.points)->query > 0);
-  const auto is_it = [](const PairCase& of, const Manifold<double>& got) {
-    return explains("bullet-perturbed-out-of-plane", of, got, Kind::inconsistent);
-  };
-  Manifold<double> got = replayed::in_frame_of_a(pair, seen_in_plane(answer.points));
-  CHECK(is_it(pair, got));
-  got.points[0].depth += 0.01;
-  CHECK_FALSE(is_it(pair, got));
-  const PairCase side = squares_side_by_side();
-  const PerturbedAnswer of_side = ask_perturbed(prisms_of(side), {});
-  CHECK_FALSE(is_it(side, replayed::in_frame_of_a(side, seen_in_plane(of_side.points))));
-}
-
-TEST_CASE("shapes are turned out of the plane where the first query ends at a flat simplex") {
-  const PairCase pair{
-      body_at(std::array{Vector2<float>{0, -32768}, Vector2<float>{0, 65536}}, 0, 0, 42598.4F),
-      body_at(std::array{Vector2<float>{0, 0}}, 0, 0, 64225.28F)};
-  const PerturbedAnswer answer = ask_perturbed(prisms_of(pair), {});
-  REQUIRE(answer.first.loop.end == QueryEnd::degenerate);
-  CHECK(std::abs(answer.first.normal.z()) > 0.9F);
-  Manifold<double> got = replayed::in_frame_of_a(pair, seen_in_plane(answer.points));
-  CHECK(explains("bullet-perturbed-out-of-plane", pair, got, Kind::witness));
-  got.normal = -got.normal;
-  CHECK_FALSE(explains("bullet-perturbed-out-of-plane", pair, got, Kind::witness));
-}
-
-TEST_CASE("an answer that the repeated turns do not give is none of theirs") {
-  const auto is_one = [](std::string_view id) {
-    return is_explained(id, squares_side_by_side(), {1, 0}, 0.29);
-  };
-  CHECK_FALSE(is_one("bullet-perturbed-replaced"));
-  CHECK_FALSE(is_one("bullet-perturbed-refreshed"));
-  CHECK_FALSE(is_one("bullet-perturbed-turned-normal"));
-  CHECK_FALSE(is_one("bullet-perturbed-turned-point"));
-  CHECK_FALSE(is_one("bullet-perturbed-least-distance"));
 }
