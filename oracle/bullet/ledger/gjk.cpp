@@ -10,8 +10,8 @@ namespace {
 /// GJK_MIN_DISTANCE, GJK_ACCURACY and GJK_DUPLICATED_EPS.
 constexpr float kGjkEpsilon = 0.0001F;
 
-/// What projectorigin finds: a squared distance, below zero where there is none, and of which
-/// corners it is.
+/// What projectorigin finds: a squared distance, below zero where there is none and no number where
+/// squares overflow, and of which corners it is.
 struct Projection {
   float square = -1;
   std::array<float, 4> weights{};
@@ -39,14 +39,14 @@ Projection project(const Space& a, const Space& b, const Space& c) {
     if (!(dot(*corners[i], cross(edges[i], n)) > 0)) continue;
     const unsigned j = (i + 1) % 3;
     const Projection of_edge = project(*corners[i], *corners[j]);
-    if (best.square >= 0 && !(of_edge.square < best.square)) continue;
+    if (!(best.square < 0) && !(of_edge.square < best.square)) continue;
     best.square = of_edge.square;
     best.mask = ((of_edge.mask & 1) != 0 ? 1U << i : 0) + ((of_edge.mask & 2) != 0 ? 1U << j : 0);
     best.weights[i] = of_edge.weights[0];
     best.weights[j] = of_edge.weights[1];
     best.weights[(j + 1) % 3] = 0;
   }
-  if (best.square >= 0) return best;
+  if (!(best.square < 0)) return best;
   const float root = std::sqrt(l);
   const Space p = n * (dot(a, n) / l);
   const float of_a = std::sqrt(squared(cross(edges[1], Space(b - p)))) / root;
@@ -65,7 +65,7 @@ Projection project(const Space& a, const Space& b, const Space& c, const Space& 
     const unsigned j = (i + 1) % 3;
     if (!(volume * dot(d, cross(edges[i], edges[j])) > 0)) continue;
     const Projection of_face = project(*corners[i], *corners[j], d);
-    if (best.square >= 0 && !(of_face.square < best.square)) continue;
+    if (!(best.square < 0) && !(of_face.square < best.square)) continue;
     best.square = of_face.square;
     best.mask = ((of_face.mask & 1) != 0 ? 1U << i : 0) + ((of_face.mask & 2) != 0 ? 1U << j : 0) +
                 ((of_face.mask & 4) != 0 ? 8U : 0);
@@ -74,7 +74,7 @@ Projection project(const Space& a, const Space& b, const Space& c, const Space& 
     best.weights[(j + 1) % 3] = 0;
     best.weights[3] = of_face.weights[2];
   }
-  if (best.square >= 0) return best;
+  if (!(best.square < 0)) return best;
   const std::array<float, 3> w{EpaGjk::determinant(c, b, d) / volume,
                                EpaGjk::determinant(a, c, d) / volume,
                                EpaGjk::determinant(b, a, d) / volume};

@@ -93,6 +93,28 @@ TEST_CASE("shapes are turned out of the plane where the closest point of high pr
   }
 }
 
+TEST_CASE("EPA says nothing where squares overflow, and refreshing closes the gap of 1") {
+  const PairCase pair{triangle_of({Vector2<float>{0, 0}, {0, 1e9F}, {-2e9F, 0}}),
+                      triangle_of({Vector2<float>{0, 0}, {-1e15F, 1e9F}, {0, -1}})};
+  const PerturbedAnswer answer = ask_perturbed(prisms_of(pair), {});
+  CHECK(answer.first.is_solver_asked);
+  CHECK(answer.first.normal_of == NormalOf::query);
+  CHECK(answer.first.distance == 1);
+  const Manifold<double> got = replayed::in_frame_of_a(pair, seen_in_plane(answer.points));
+  REQUIRE(got.count == 1);
+  const auto is_it = [&](const Manifold<double>& other) {
+    return explains("bullet-perturbed-refreshed", pair, other, Kind::witness);
+  };
+  CHECK(is_it(got));
+  CHECK_FALSE(is_it({}));
+  Manifold<double> other = got;
+  other.normal = -got.normal;
+  CHECK_FALSE(is_it(other));
+  other = got;
+  other.points[0].position = {0, 0};
+  CHECK_FALSE(is_it(other));
+}
+
 TEST_CASE("an answer that the repeated turns do not give is none of theirs") {
   const auto is_one = [](std::string_view id) {
     return is_explained(id, squares_side_by_side(), {1, 0}, 0.29);
