@@ -22,6 +22,15 @@ bool is_library(const std::string& name) {
   return name.find('/') != std::string::npos || name.ends_with(".so");
 }
 
+/// An engine that runs in a process of its own has its own limit, unless another is asked for.
+Collider find_within(const std::string& name, std::optional<double> seconds_max) {
+  const auto found = seconds_max ? find_asked(name) : std::nullopt;
+  if (!found || found->asked->is_linked || found->asked->keeps_points) return find_collider(name);
+  EngineCollider asked = *found->asked;
+  asked.seconds_max = *seconds_max;
+  return collider_of(*found->engine, asked);
+}
+
 Collider find_any(const ColliderChoice& choice, const ExternalOptions& external) {
   const double seconds = time_limit_of(external);
   if (external.in_process && external.time_limit) {
@@ -37,7 +46,7 @@ Collider find_any(const ColliderChoice& choice, const ExternalOptions& external)
   if (!choice.command.empty()) {
     return collider_of_command(choice.command, seconds, external.start_seconds);
   }
-  if (!is_library(choice.name)) return find_collider(choice.name);
+  if (!is_library(choice.name)) return find_within(choice.name, external.time_limit);
   return external.in_process ? collider_in_process(choice.name)
                              : collider_in_own_process(choice.name, seconds);
 }
@@ -141,7 +150,8 @@ void add_external_options(CLI::App& app, ExternalOptions& external) {
   app.add_flag("--in-process", external.in_process,
                "call a shared library from this process: faster, but a crash kills that worker");
   add_length(app, "--time-limit", external.time_limit,
-             "seconds that a library or program may take for a case; default: 1");
+             "seconds that a library or program may take for a case; default: 1, or as an engine's "
+             "engine.json says");
 }
 
 void add_subject_and_oracle(CLI::App& app, SubjectAndOracle& colliders) {
