@@ -54,13 +54,15 @@ std::vector<CcdVector> corners_of(const CcdElement& element) {
 /// nextSupport has no end of its own: so many are taken for all, where they repeat themselves.
 constexpr std::size_t kExpansionsMax = 1000;
 
-/// Whether the second half of what was expanded, each by its corner, is one cycle again and again.
+/// Whether the second half of what was expanded, each by its corner, is one cycle again and again,
+/// in which one may come twice.
 bool is_going_round(const std::vector<std::vector<CcdVector>>& asked) {
   const auto half = asked.begin() + static_cast<std::ptrdiff_t>(asked.size() / 2);
-  const auto last = std::find(asked.rbegin() + 1, asked.rend(), asked.back());
-  const auto period = last - asked.rbegin();
-  return std::distance(half, asked.end()) >= 4 * period &&
-         std::equal(half + period, asked.end(), half);
+  const auto left = std::distance(half, asked.end());
+  for (std::ptrdiff_t period = 1; 4 * period <= left; ++period) {
+    if (std::equal(half + period, asked.end(), half)) return true;
+  }
+  return false;
 }
 
 }  // namespace

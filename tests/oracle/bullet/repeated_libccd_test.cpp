@@ -90,6 +90,15 @@ TEST_CASE("triangles 1e14 wide are expanded in a cycle, others to an end") {
   CHECK(is_endless({pair, none, Lost::How::timed_out}));
   CHECK_FALSE(is_endless({pair, none, Lost::How::crashed}));
   CHECK_FALSE(is_endless({squares_side_by_side(), none, Lost::How::timed_out}));
+  // A triangle and its corner come twice in each cycle.
+  const auto turned = [](float width) {
+    PairCase twice{triangle_of({Vector2<float>{0, 0}, {2000, 0}, {0, 0.9999999F}}),
+                   triangle_of({Vector2<float>{0, 0}, {width, 1}, {0, 1}})};
+    twice.b.pose.rotation = {0, 0.9999998F};
+    return twice;
+  };
+  CHECK(is_endless({turned(7e7F), none, Lost::How::timed_out}));
+  CHECK_FALSE(is_endless({turned(7e6F), none, Lost::How::timed_out}));
 }
 
 TEST_CASE("what is right of a translation is explained where the repeated engine answers it") {
