@@ -60,22 +60,27 @@ int turn_of(const CcdTetrahedron& corners) {
                  less(exactly(corners[3]), a));
 }
 
+/// Whether the origin is within a tetrahedron, exactly: not on its surface, but perhaps on a side
+/// that is off a corner from `first_shared` on.
+bool is_around_origin(const CcdTetrahedron& corners, std::size_t first_shared) {
+  const ExactPlace a = exactly(corners[0]);
+  const ExactPlace b = exactly(corners[1]);
+  const ExactPlace c = exactly(corners[2]);
+  const ExactPlace d = exactly(corners[3]);
+  const std::array sides{side_of(b, c, d), -side_of(a, c, d), side_of(a, b, d), -side_of(a, b, c)};
+  const auto shared = sides.begin() + static_cast<std::ptrdiff_t>(first_shared);
+  const auto is_inside = [&](int side) { return side == sides[0]; };
+  return sides[0] != 0 && std::all_of(sides.begin(), shared, is_inside) &&
+         std::all_of(shared, sides.end(), [&](int side) { return side == 0 || is_inside(side); });
+}
+
 /// Whether the origin is within the tetrahedra of which the first polytope is made, exactly: not on
 /// its surface, but perhaps on a side that two of them share.
 bool holds_origin(const std::vector<CcdTetrahedron>& first) {
   // Two share the side that the last corner is off, four those that the last two are off.
   const std::size_t first_shared = first.size() == 1 ? 4 : first.size() == 2 ? 3 : 2;
   return std::ranges::any_of(first, [&](const CcdTetrahedron& corners) {
-    const ExactPlace a = exactly(corners[0]);
-    const ExactPlace b = exactly(corners[1]);
-    const ExactPlace c = exactly(corners[2]);
-    const ExactPlace d = exactly(corners[3]);
-    const std::array sides{side_of(b, c, d), -side_of(a, c, d), side_of(a, b, d),
-                           -side_of(a, b, c)};
-    const auto shared = sides.begin() + static_cast<std::ptrdiff_t>(first_shared);
-    const auto is_inside = [&](int side) { return side == sides[0]; };
-    return sides[0] != 0 && std::all_of(sides.begin(), shared, is_inside) &&
-           std::all_of(shared, sides.end(), [&](int side) { return side == 0 || is_inside(side); });
+    return is_around_origin(corners, first_shared);
   });
 }
 
@@ -135,6 +140,19 @@ bool polytope_folded(const Deviation& d) {
   return turns[0] == 0 || std::ranges::count(turns, turns[0]) < 4;
 }
 
+/// A polytope that held the origin does so no more: along its place, which is rounded, a corner on
+/// the inner side of a triangle seemed to be beyond it, and the tetrahedron of both, around the
+/// origin, was taken off.
+bool polytope_expanded_inwards(const Deviation& d) {
+  const CcdAnswer answer = ledger_of::ccd_penetration(d.right.pair());
+  if (!holds_origin(answer.first) || !is_said_by_ccd(d, answer)) return false;
+  // A second one would put it back.
+  const auto around = std::ranges::count_if(answer.expanded, [](const CcdTetrahedron& corners) {
+    return is_around_origin(corners, corners.size());
+  });
+  return around % 2 == 1;
+}
+
 /// No contact: a tetrahedron seems flat, or a direction of no length, by a square below CCD_EPS.
 bool apart_by_zero(const Deviation& d) {
   return d.got.count == 0 && ledger_of::is_ccd_apart_by_zero(d.right.pair());
@@ -180,6 +198,7 @@ constexpr LedgerRow kGjkRows[] = {
     {"left-touching", polytope_left<CcdEnd::touching>},
     {"without-origin", polytope_without_origin},
     {"folded", polytope_folded},
+    {"expanded-inwards", polytope_expanded_inwards},
     {"apart-by-zero", apart_by_zero},
     {"no-direction", nullptr, direction_of_no_length},
     {"endless", nullptr, polytope_expanded_for_ever},

@@ -132,6 +132,12 @@ void CcdPolytope::drop_edge(CcdElement* edge) {
   if (nearest_ == edge) nearest_ = nullptr;
 }
 
+void CcdPolytope::note_expansion(const std::array<CcdElement*, 3>& triangle,
+                                 const CcdElement& tip) {
+  const auto& [a, b, c] = triangle;
+  expanded_.push_back({a->nearest.place, b->nearest.place, c->nearest.place, tip.nearest.place});
+}
+
 void CcdPolytope::expand_edge(CcdElement* edge, const CcdVector& corner) {
   const auto [from, to] = edge->vertex;
   const auto [face, opposite] = edge->faces;
@@ -140,6 +146,8 @@ void CcdPolytope::expand_edge(CcdElement* edge, const CcdVector& corner) {
   const OtherEdges two =
       opposite == nullptr ? OtherEdges{} : edges_beside(*opposite, edge, to, from);
   CcdElement* const tip = add_vertex(corner);
+  note_expansion({from, to, one.corner}, *tip);
+  if (opposite != nullptr) note_expansion({from, to, two.corner}, *tip);
   drop_face(face);
   if (opposite != nullptr) {
     drop_face(opposite);
@@ -164,6 +172,7 @@ void CcdPolytope::expand_face(CcdElement* face, const CcdVector& corner) {
   if (v3 != v0 && v3 != v1) v2 = v3;
   drop_face(face);
   CcdElement* const tip = add_vertex(corner);
+  note_expansion({v0, v1, v2}, *tip);
   const std::array sides{add_edge(tip, v0), add_edge(tip, v1), add_edge(tip, v2)};
   add_face(sides[0], sides[1], first);
   add_face(sides[1], sides[2], second);
@@ -217,6 +226,7 @@ CcdAnswer CcdPolytope::expand_from(const CcdSimplex& simplex) {
                                                : make_of_two(simplex);
   CcdAnswer answer = is_expanded ? expanded() : CcdAnswer{CcdEnd::touching, store_.back().nearest};
   answer.first = first_;
+  answer.expanded = expanded_;
   return answer;
 }
 

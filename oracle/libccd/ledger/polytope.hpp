@@ -23,8 +23,9 @@ using CcdTetrahedron = std::array<CcdVector, 4>;
 struct CcdAnswer {
   CcdEnd end = CcdEnd::none;
   CcdNearest nearest{};
-  double beyond = 0;                    ///< what was compared with the tolerance
-  std::vector<CcdTetrahedron> first{};  ///< what the polytope was at first
+  double beyond = 0;                       ///< what was compared with the tolerance
+  std::vector<CcdTetrahedron> first{};     ///< what the polytope was at first
+  std::vector<CcdTetrahedron> expanded{};  ///< each triangle that was replaced, and by which corner
 };
 
 /// polytope.c: a vertex, an edge or a face.
@@ -54,6 +55,7 @@ class CcdPolytope {
   bool make_of_two(const CcdSimplex& simplex);
   bool make_of_three(const CcdSimplex& simplex);
   bool make_of_four(CcdSimplex simplex);
+  void note_expansion(const std::array<CcdElement*, 3>& triangle, const CcdElement& tip);
   void expand_edge(CcdElement* edge, const CcdVector& corner);
   void expand_face(CcdElement* face, const CcdVector& corner);
   CcdAnswer expanded();
@@ -64,6 +66,7 @@ class CcdPolytope {
   std::array<std::vector<CcdElement*>, 4> of_type_;  ///< by type: 1 to 3
   CcdElement* nearest_ = nullptr;
   std::vector<CcdTetrahedron> first_;
+  std::vector<CcdTetrahedron> expanded_;
   double nearest_square_ = std::numeric_limits<double>::max();
   int nearest_type_ = 3;
 };

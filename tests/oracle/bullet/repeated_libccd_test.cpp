@@ -82,6 +82,30 @@ TEST_CASE("eight triangles about two corners of a difference are folded beside t
   CHECK(ccd_penetration(squares_side_by_side()).first.size() < 4);
 }
 
+TEST_CASE("a triangle by the origin is expanded by a corner that is not beyond it") {
+  // Below B's edge from (-6e-4, 0) to (4e-5, 0), by so much.
+  const auto below = [](float depth) {
+    return PairCase{triangle_of({Vector2<float>{0, depth}, {-1, -1}, {-44, -1000}}),
+                    triangle_of({Vector2<float>{4e-5F, 0}, {-80, 1000}, {-6e-4F, 0}})};
+  };
+  // Held against the repeated answer, longer by that.
+  const auto is_it = [](const PairCase& pair, double longer) {
+    const CcdAnswer answer = ccd_penetration(pair);
+    const Vector2<double> translation(answer.nearest.place.x(), answer.nearest.place.y());
+    return is_explained("libccd-gjk-expanded-inwards", pair, translation,
+                        translation.norm() + longer, Kind::not_minimal, ScalarType::float64);
+  };
+  CHECK(is_it(below(1e-10F), 0));
+  CHECK_FALSE(is_it(below(1e-10F), 1e-6));
+  // Farther inside, where the polytope is expanded outwards, or not at all.
+  for (const float depth : {1e-8F, 1e-4F, 1.0F}) CHECK_FALSE(is_it(below(depth), 0));
+  CHECK_FALSE(is_it(squares_side_by_side(), 0));
+  // Outside from the first.
+  CHECK_FALSE(is_it({triangle_of({Vector2<float>{0, 0}, {-1, 0}, {0, -1}}),
+                     triangle_of({Vector2<float>{0, 0}, {1, -1}, {1, 0}})},
+                    0));
+}
+
 TEST_CASE("triangles 1e14 wide are expanded in a cycle, others to an end") {
   const PairCase pair{triangle_of({Vector2<float>{0, 0}, {-1e14F, 1e8F}, {0, -1}}),
                       triangle_of({Vector2<float>{0, 0}, {0, 2e8F}, {-1e8F, 0}})};
