@@ -162,9 +162,10 @@ std::optional<PolygonDefect> find_shape_defect(std::span<const Vector2<float>> v
   if (vertices.empty()) return PolygonDefect::too_few;
   if (vertices.size() >= kMinVertices) {
     if (const auto defect = find_defect(vertices)) return defect;
+  } else {
+    if (!all_finite(vertices)) return PolygonDefect::not_finite;
+    if (has_repeated_vertex(vertices)) return PolygonDefect::repeated_vertex;
   }
-  if (!all_finite(vertices)) return PolygonDefect::not_finite;
-  if (has_repeated_vertex(vertices)) return PolygonDefect::repeated_vertex;
   if (!(radius >= 0) || std::isinf(radius)) return PolygonDefect::radius_not_a_length;
   if (vertices.size() == 1 && !(radius > 0)) return PolygonDefect::no_radius;
   return std::nullopt;
