@@ -5,8 +5,8 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences.hpp"
 #include "corpus/corpus.hpp"
 #include "report/words.hpp"
 
@@ -24,10 +24,9 @@ int collide_cases(const CollideArguments& options) {
   if (!options.collider.is_given()) {
     throw UserError("--collider is required; `manifuzz list colliders` names them");
   }
-  if (keeps_points(options.collider)) {
-    expect_none_of({{"--tie-bias", options.tie_bias.has_value()}});
-    collide_sequences(find_keeper(options.collider, options.external), options.file);
-    return 0;
+  if (const OtherKind* const kind = kind_for(options.collider)) {
+    expect_none_of(*kind, {{"--tie-bias", options.tie_bias.has_value()}});
+    return kind->collide(options.collider, options.external, options.file);
   }
   const Collider collider = find_collider(options.collider, options.external, options.tie_bias);
   answer_each(options.file, CaseKind::pair,

@@ -9,10 +9,9 @@
 #include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "campaign/run.hpp"
-#include "campaign/sequences/sequence_work.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
 #include "measure/provenance.hpp"
@@ -53,14 +52,14 @@ struct FuzzArguments {
 /// Which cases, and who is asked about them.
 void plan_cases(Plan& plan, const FuzzArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
-  if (keeps_points(asked.subject)) {
-    expect_none_of({{"--oracle", asked.oracle.name != SubjectAndOracle().oracle.name},
-                    {"--oracle-command", !asked.oracle.command.empty()},
-                    {"--tie-bias", options.tie_bias.has_value()},
-                    {"--radius", options.radius.has_value()},
-                    {"--judge-every", options.judge_every.has_value()}});
-    expect_motions(options.regimes);
-    return plan_sequences(plan, find_keeper(asked.subject, asked.external), options.regimes);
+  if (const OtherKind* const kind = kind_for(asked.subject)) {
+    expect_none_of(*kind, {{"--oracle", asked.oracle.name != SubjectAndOracle().oracle.name},
+                           {"--oracle-command", !asked.oracle.command.empty()},
+                           {"--tie-bias", options.tie_bias.has_value()},
+                           {"--radius", options.radius.has_value()},
+                           {"--judge-every", options.judge_every.has_value()}});
+    expect_regimes_of(*kind, options.regimes);
+    return kind->plan(plan, asked, options.regimes);
   }
   plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
   plan.oracle = find_collider(asked.oracle, asked.external);
@@ -91,7 +90,7 @@ Plan plan_of(const FuzzArguments& options) {
 /// Without an oracle where it has none.
 SubjectAndOracle asked_again(const FuzzArguments& options) {
   SubjectAndOracle again = options.colliders;
-  if (keeps_points(again.subject)) again.oracle.name.clear();
+  if (kind_for(again.subject) != nullptr) again.oracle.name.clear();
   return again;
 }
 
@@ -128,7 +127,7 @@ std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_j
                        {{run, "fuzz", summary, campaign.result}}};
   const PageColliders colliders{
       {find_installed, campaign.plan.subject, campaign.plan.oracle},
-      trials_of_sequences(options.colliders.subject, options.colliders.external)};
+      trials_of_others(options.colliders.subject, options.colliders.external)};
   const std::string program = this_program();
   std::string again = is_kept ? fmt::format("{} report", program) : "";
   if (is_kept) {

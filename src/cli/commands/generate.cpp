@@ -3,13 +3,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/file.hpp"
 #include "base/text.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences.hpp"
 #include "corpus/corpus.hpp"
 #include "generating/regime.hpp"
-#include "sequence/motions.hpp"
 
 namespace manifuzz {
 namespace {
@@ -23,49 +21,24 @@ struct GenerateArguments {
   CorpusFolders folders;
 };
 
-/// Prints cases of these families by turns, a line each, as `draw` makes them.
-template <class Family, class Draw>
-void print_cases(const std::vector<const Family*>& families, const GenerateArguments& options,
-                 std::uint64_t seed, const Draw& draw) {
-  Output out;
-  std::string line;
-  for (std::uint64_t k = 0; k < *options.cases; ++k) {
-    const Family& family = *families[k % families.size()];
-    const std::uint64_t index = *options.first + k / families.size();
-    line.clear();
-    append_found_case_line(line, draw(family, index), {seed, std::string(family.name), index, {}});
-    out.write(line += '\n');
+int generate_cases(const GenerateArguments& options) {
+  const DrawOptions draw{options.regimes, options.seed, *options.first, *options.cases};
+  if (const OtherKind* const kind = kind_for(options.regimes)) {
+    expect_none_of(*kind, {{"--radius", options.radius.has_value()}});
+    expect_regimes_of(*kind, options.regimes);
+    return kind->generate(draw);
   }
-  out.flush();
-}
-
-void generate_sequences(const GenerateArguments& options) {
-  expect_none_of({{"--radius", options.radius.has_value()}});
-  expect_motions(options.regimes);
-  const auto chosen = chosen_by_name(motions(), options.regimes, "motion", "--regime");
-  expect_indices(*options.first, *options.cases, chosen.size());
-  const std::uint64_t seed = seed_or_draw(options.seed);
-  print_cases(chosen, options, seed, [&](const Motion& motion, std::uint64_t index) {
-    return draw_sequence(seed, motion, index);
-  });
-}
-
-void generate_pairs(const GenerateArguments& options) {
   const auto chosen = chosen_by_name(regimes(), options.regimes, "regime", "--regime");
-  expect_indices(*options.first, *options.cases, chosen.size());
+  expect_indices(draw.first, draw.count, chosen.size());
   GenerationContext context;
   if (options.radius) context.radius = radius_of(*options.radius);
   const Corpus corpus = read_corpus_folder(options.folders.corpus());
   const std::uint64_t seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, seed);
   context.corpus = pairs;
-  print_cases(chosen, options, seed, [&](const Regime& regime, std::uint64_t index) {
+  print_drawn(chosen, draw, seed, [&](const Regime& regime, std::uint64_t index) {
     return generate(seed, regime, index, context);
   });
-}
-
-int generate_cases(const GenerateArguments& options) {
-  any_motion(options.regimes) ? generate_sequences(options) : generate_pairs(options);
   return 0;
 }
 

@@ -8,8 +8,8 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
 #include "exchange/json.hpp"
@@ -27,9 +27,9 @@ struct JudgeArguments {
 
 int judge_cases(const JudgeArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
-  if (keeps_points(asked.subject)) {
-    expect_none_of({{"--manifolds", !options.manifolds.empty()}});
-    return judge_sequences(find_keeper(asked.subject, asked.external), options.file) ? 1 : 0;
+  if (const OtherKind* const kind = kind_for(asked.subject)) {
+    expect_none_of(*kind, {{"--manifolds", !options.manifolds.empty()}});
+    return kind->judge(asked.subject, asked.external, options.file);
   }
   const Collider subject = find_collider(asked.subject, asked.external);
   const Collider oracle = find_collider(asked.oracle, asked.external);

@@ -9,8 +9,8 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
 #include "measure/provenance.hpp"

@@ -9,8 +9,8 @@
 #include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
 #include "report/outputs.hpp"
@@ -38,11 +38,11 @@ std::string repeating_command(const std::vector<std::filesystem::path>& paths,
 }
 
 PageColliders page_colliders(const SubjectAndOracle& asked) {
-  const bool is_of_pairs = !keeps_points(asked.subject);
+  const bool is_of_pairs = kind_for(asked.subject) == nullptr;
   return {
       {find_installed, is_of_pairs ? given_collider(asked.subject, asked.external) : std::nullopt,
        given_collider(asked.oracle, asked.external)},
-      trials_of_sequences(asked.subject, asked.external)};
+      trials_of_others(asked.subject, asked.external)};
 }
 
 int report(const ReportArguments& options) {

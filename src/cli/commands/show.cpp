@@ -11,8 +11,8 @@
 #include "base/text.hpp"
 #include "campaign/plan.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
 #include "report/picture/drawing.hpp"
@@ -64,14 +64,12 @@ int show(const ShowArguments& options) {
                   {"--curve", options.curve, OutputPath::Kind::file, {".svg", ".png"}},
                   {"--map", options.map.value_or(""), OutputPath::Kind::file, {".png"}}},
                  {file}});
-  if (kind_of(given.any) == CaseKind::sequence) {
-    expect_none_of({{"--curve", !options.curve.empty()},
-                    {"--map", options.map.has_value()},
-                    {"--upstream", options.upstream},
-                    {"--text-picture", options.text_picture}});
-    show_sequence(given, keeper_for(given, options.colliders.subject, options.colliders.external),
-                  options.svg);
-    return 0;
+  if (const OtherKind* const kind = kind_for(given.any)) {
+    expect_none_of(*kind, {{"--curve", !options.curve.empty()},
+                           {"--map", options.map.has_value()},
+                           {"--upstream", options.upstream},
+                           {"--text-picture", options.text_picture}});
+    return kind->show(given, options.colliders.subject, options.colliders.external, options.svg);
   }
   const Expectation recorded = given.expect.value_or(Expectation{});
   SubjectAndOracle asked = options.colliders;

@@ -9,11 +9,10 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "campaign/pairs/pair_trial.hpp"
-#include "campaign/sequences/keeper_trial.hpp"
 #include "campaign/shrink_saved.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/kinds.hpp"
 #include "cli/options.hpp"
-#include "cli/sequences.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
 #include "report/outputs.hpp"
@@ -50,10 +49,10 @@ int shrink_folder(const ShrinkArguments& options) {
   return shrunk.errors.empty() ? 0 : 2;
 }
 
-/// By those that were asked for, or else the usual ones; of a sequence the one that it names.
+/// By those that were asked for, or else the usual ones; of other kinds the one that it names.
 std::shared_ptr<const Trial> trial_of(const CorpusCase& given, SubjectAndOracle asked) {
-  if (kind_of(given.any) == CaseKind::sequence) {
-    return std::make_shared<const KeeperTrial>(keeper_for(given, asked.subject, asked.external));
+  if (const OtherKind* const kind = kind_for(given.any)) {
+    return kind->trial(given, asked.subject, asked.external);
   }
   if (!asked.subject.is_given()) asked.subject.name = "clip";
   if (!asked.oracle.is_given()) asked.oracle.name = usual_oracle_name();

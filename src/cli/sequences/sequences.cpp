@@ -1,23 +1,25 @@
-#include "cli/sequences.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "campaign/pairs/pair_trial.hpp"
 #include "campaign/sequences/keeper_trial.hpp"
 #include "campaign/sequences/sequence_case.hpp"
+#include "campaign/sequences/sequence_work.hpp"
+#include "cli/kinds.hpp"
+#include "cli/options.hpp"
 #include "engines/sequence_colliders.hpp"
 #include "exchange/kept_json.hpp"
-#include "generating/regime.hpp"
 #include "report/outputs.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/sequence/sequence_report.hpp"
 #include "sequence/motions.hpp"
 
+// Sequences and the colliders that keep points over their frames, as commands have them.
+
 namespace manifuzz {
+namespace {
 
 bool keeps_points(const ColliderChoice& choice) {
   if (!choice.command.empty()) return choice.keeps_points;
@@ -26,45 +28,8 @@ bool keeps_points(const ColliderChoice& choice) {
          name.starts_with("cached-bullet+");
 }
 
-namespace {
-
 bool is_motion(std::string_view name) {
   return find_motion(name) != nullptr;
-}
-
-}  // namespace
-
-bool any_motion(const std::vector<std::string>& names) {
-  return std::ranges::any_of(names, is_motion);
-}
-
-CaseKind kind_to_read(const ColliderChoice& subject) {
-  return keeps_points(subject) ? CaseKind::sequence : CaseKind::either;
-}
-
-void expect_none_of(const std::vector<PairOption>& options) {
-  for (const PairOption& option : options) {
-    if (!option.is_given) continue;
-    throw UserError(
-        fmt::format("{}: applies only to pair cases; omit it for sequences", option.name));
-  }
-}
-
-void expect_regimes_of_pairs(const std::vector<std::string>& names) {
-  const auto motion = std::ranges::find_if(names, is_motion);
-  if (motion == names.end()) return;
-  throw UserError(
-      fmt::format("--regime: {} is a motion, for sequences, which need a subject that keeps "
-                  "points, such as --subject cached",
-                  *motion));
-}
-
-void expect_motions(const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    if (is_motion(name) || find_regime(name) == nullptr) continue;
-    throw UserError(fmt::format(
-        "--regime: {} is a regime of pair cases, which do not mix with sequences", name));
-  }
 }
 
 SequenceCollider find_keeper(const ColliderChoice& choice, const ExternalOptions& external) {
@@ -89,16 +54,24 @@ SequenceCollider find_keeper(const ColliderChoice& choice, const ExternalOptions
   }
 }
 
-SequenceCollider keeper_for(const CorpusCase& given, ColliderChoice choice,
-                            const ExternalOptions& external) {
+void plan_campaign(Plan& plan, const SubjectAndOracle& asked,
+                   std::span<const std::string> regimes) {
+  plan_sequences(plan, find_keeper(asked.subject, asked.external), regimes);
+}
+
+std::shared_ptr<const KeeperTrial> keeper_for(const CorpusCase& given, ColliderChoice choice,
+                                              const ExternalOptions& external) {
   if (!choice.is_given()) {
     const bool names_one = given.expect && !given.expect->subject.empty();
     choice.name = names_one ? given.expect->subject : kUsualKeeper;
   }
-  return find_keeper(choice, external);
+  return std::make_shared<const KeeperTrial>(find_keeper(choice, external));
 }
 
-namespace {
+std::shared_ptr<const Trial> trial_for(const CorpusCase& given, ColliderChoice choice,
+                                       const ExternalOptions& external) {
+  return keeper_for(given, std::move(choice), external);
+}
 
 std::optional<SequenceCollider> find_known_keeper(const std::string& name) {
   try {
@@ -111,39 +84,15 @@ std::optional<SequenceCollider> find_known_keeper(const std::string& name) {
   }
 }
 
-}  // namespace
-
-TrialOf trials_of_sequences(const ColliderChoice& subject, const ExternalOptions& external) {
-  return trials_of_keepers(find_known_keeper, keeps_points(subject)
-                                                  ? std::optional(find_keeper(subject, external))
-                                                  : std::nullopt);
+TrialOf trials_by_name(const ColliderChoice& choice, const ExternalOptions& external) {
+  const bool is_given = keeps_points(choice);
+  return trials_of_keepers(find_known_keeper,
+                           is_given ? std::optional(find_keeper(choice, external)) : std::nullopt);
 }
 
-TrialOf trials_of(const SubjectAndOracle& asked, const NamedColliders::Find& find) {
-  const TrialOf of_pairs = trials_of_pairs(std::make_shared<NamedColliders>(
-      find,
-      keeps_points(asked.subject) ? std::nullopt : given_collider(asked.subject, asked.external),
-      given_collider(asked.oracle, asked.external)));
-  const TrialOf of_sequences = trials_of_sequences(asked.subject, asked.external);
-  return [of_pairs, of_sequences](const CorpusCase& known) {
-    return kind_of(known.any) == CaseKind::pair ? of_pairs(known) : of_sequences(known);
-  };
-}
-
-Corpus taken_by(const ColliderChoice& subject, Corpus corpus) {
-  if (!subject.is_given()) return corpus;
-  const bool takes_sequences = keeps_points(subject);
-  std::vector<CorpusCase>& left_out = takes_sequences ? corpus.cases : corpus.others;
-  if (!left_out.empty()) {
-    write_remark(fmt::format("left out: {} {}, which --{}{} does not take", left_out.size(),
-                             takes_sequences ? "pair cases" : "sequences", subject.role,
-                             subject.command.empty() ? " " + subject.name : "-command"));
-  }
-  left_out.clear();
-  return corpus;
-}
-
-void collide_sequences(const SequenceCollider& keeper, const std::string& file) {
+int collide_sequences(const ColliderChoice& choice, const ExternalOptions& external,
+                      const std::string& file) {
+  const SequenceCollider keeper = find_keeper(choice, external);
   const auto answer = [&](const AnyCase& any, std::size_t index, std::string& lines) {
     const auto& sequence = std::get<Sequence>(any);
     const std::vector<KeptAnswer> answers = ask_sequence(keeper, sequence);
@@ -153,9 +102,13 @@ void collide_sequences(const SequenceCollider& keeper, const std::string& file) 
     }
   };
   answer_each(file, CaseKind::sequence, answer);
+  return 0;
 }
 
-bool judge_sequences(const SequenceCollider& keeper, const std::string& file) {
+/// Status 1 where something is wrong that nobody explains.
+int judge_sequences(const ColliderChoice& choice, const ExternalOptions& external,
+                    const std::string& file) {
+  const SequenceCollider keeper = find_keeper(choice, external);
   bool is_any_unexplained = false;
   const auto answer = [&](const AnyCase& any, std::size_t index, std::string& lines) {
     const auto& sequence = std::get<Sequence>(any);
@@ -165,17 +118,50 @@ bool judge_sequences(const SequenceCollider& keeper, const std::string& file) {
     is_any_unexplained = is_any_unexplained || is_unexplained(judged.judgement.bucket.verdict);
   };
   answer_each(file, CaseKind::sequence, answer);
-  return is_any_unexplained;
+  return is_any_unexplained ? 1 : 0;
 }
 
-void show_sequence(const CorpusCase& given, const SequenceCollider& keeper,
-                   const std::string& picture) {
+int generate_sequences(const DrawOptions& draw) {
+  const auto chosen = chosen_by_name(motions(), draw.regimes, "motion", "--regime");
+  expect_indices(draw.first, draw.count, chosen.size());
+  const std::uint64_t seed = seed_or_draw(draw.seed);
+  print_drawn(chosen, draw, seed, [&](const Motion& motion, std::uint64_t index) {
+    return draw_sequence(seed, motion, index);
+  });
+  return 0;
+}
+
+int show_sequence(const CorpusCase& given, const ColliderChoice& choice,
+                  const ExternalOptions& external, const std::string& picture) {
   Interruption interruption(kUntilSignal);
-  const JudgedSequence judged = judged_sequence(given, keeper, interruption);
+  const JudgedSequence judged =
+      judged_sequence(given, keeper_for(given, choice, external)->keeper(), interruption);
   const std::string svg = picture.empty() ? "" : filmstrip_svg(judged);
-  if (picture == "-") return write_output(svg);
+  if (picture == "-") {
+    write_output(svg);
+    return 0;
+  }
   if (!picture.empty()) write_file(picture, picture.ends_with(".png") ? png_of(svg) : svg);
   write_output(sequence_text(judged));
+  return 0;
 }
+
+}  // namespace
+
+const OtherKind kSequences{
+    .kind = CaseKind::sequence,
+    .noun = "sequences",
+    .regime_is =
+        "a motion, for sequences, which need a subject that keeps points, such as "
+        "--subject cached",
+    .is_asked = keeps_points,
+    .has_regime = is_motion,
+    .plan = plan_campaign,
+    .trial = trial_for,
+    .trials = trials_by_name,
+    .collide = collide_sequences,
+    .judge = judge_sequences,
+    .generate = generate_sequences,
+    .show = show_sequence};
 
 }  // namespace manifuzz
