@@ -1,42 +1,33 @@
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "afresh/afresh.hpp"
 #include "scene/scene.hpp"
+#include "unit/scene/squares.hpp"
 
 using namespace manifuzz;
 using scene::Afresh;
 using scene::Defect;
 using scene::Scene;
-
-namespace {
-
-constexpr float kEndless = std::numeric_limits<float>::infinity();
-
-ConvexPolygon<float> box_shape(float half, float radius = 0) {
-  const Vector2<float> corners[] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
-  return make_polygon<float>(corners, radius);
-}
-
-}  // namespace
+using test::kInfinity;
+using test::square;
 
 TEST_CASE("shapes that leave rounding no room are refused, and round ones") {
   Scene scene;
-  CHECK(std::get<Defect>(scene.add_shape(box_shape(1e16F))) == Defect::shape_too_large);
-  CHECK(std::get<Defect>(scene.add_shape(box_shape(1, kEndless))) == Defect::shape_too_large);
+  CHECK(std::get<Defect>(scene.add_shape(square(1e16F))) == Defect::shape_too_large);
+  CHECK(std::get<Defect>(scene.add_shape(square(1, kInfinity))) == Defect::shape_too_large);
   const std::array<Vector2<float>, 3> needle{{{0, 0}, {1, 0}, {1, 1e-5F}}};
   CHECK(std::get<Defect>(scene.add_shape(make_polygon<float>(needle))) == Defect::shape_too_sharp);
   const Vector2<float> dot[] = {{0, 0}};
   CHECK(std::get<Defect>(scene.add_shape(make_polygon<float>(dot, 1))) == Defect::shape_is_round);
-  CHECK(std::get<std::uint32_t>(scene.add_shape(box_shape(1))) == 0);
+  CHECK(std::get<std::uint32_t>(scene.add_shape(square(1))) == 0);
 }
 
 TEST_CASE("shapes that are no polygons are refused, and what was there stays") {
   Scene scene;
-  REQUIRE(std::get<std::uint32_t>(scene.add_shape(box_shape(1))) == 0);
+  REQUIRE(std::get<std::uint32_t>(scene.add_shape(square(1))) == 0);
   const auto refused = [&](const std::vector<Vector2<float>>& vertices) {
     const Defect defect = std::get<Defect>(scene.add_shape(make_polygon<float>(vertices)));
     CHECK(std::get<Defect>(Afresh().add_shape(make_polygon<float>(vertices))) == defect);
@@ -46,11 +37,11 @@ TEST_CASE("shapes that are no polygons are refused, and what was there stays") {
   CHECK(refused({{0, 0}, {0, 1}, {1, 0}}) == Defect::shape_not_convex);
   CHECK(refused({{0, 0}, {0, 0}, {1, 0}}) == Defect::shape_not_convex);
   CHECK(refused({{0, 0}, {1, 0}, {1, std::nanf("")}}) == Defect::shape_not_convex);
-  ConvexPolygon<float> nine = box_shape(1);
+  ConvexPolygon<float> nine = square(1);
   nine.count = 9;
   CHECK(std::get<Defect>(scene.add_shape(nine)) == Defect::shape_not_convex);
-  ConvexPolygon<float> hollow = box_shape(1);
+  ConvexPolygon<float> hollow = square(1);
   hollow.radius = -1;
   CHECK(std::get<Defect>(scene.add_shape(hollow)) == Defect::shape_too_large);
-  CHECK(std::get<std::uint32_t>(scene.add_shape(box_shape(1))) == 1);
+  CHECK(std::get<std::uint32_t>(scene.add_shape(square(1))) == 1);
 }

@@ -2,20 +2,17 @@
 
 #include <catch2/catch.hpp>
 
+#include "unit/scene/squares.hpp"
+
 using namespace manifuzz;
 using scene::BodyHandle;
 using scene::Defect;
 using scene::Scene;
 using scene::StepResult;
+using test::kInfinity;
+using test::square;
 
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-ConvexPolygon<float> square(float half, float radius = 0) {
-  const Vector2<float> corners[] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
-  return make_polygon<float>(corners, radius);
-}
 
 Pose<float> upright(float x, float y) {
   return {{x, y}, {1, 0}};
