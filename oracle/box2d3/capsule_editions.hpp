@@ -9,6 +9,7 @@
 
 #include "exact/curve.hpp"
 #include "judging/faults/differences.hpp"
+#include "oracle/box2d3/faces.hpp"
 #include "oracle/box2d3/placed.hpp"
 
 // b2CollideCapsules in double, of Box2D 3 and of phaser-box2d, which has translated it.
@@ -83,8 +84,8 @@ inline std::array<double, 2> clipped(const Core& core, const Places& places, dou
 
 /// The vector between both cores where they are nearest, as the function clamps it.
 inline Vector2<double> nearest_vector(const Core& a, const Core& b) {
-  const auto [share_of_a, share_of_b] = nearest_shares(a.from, a.along(), b.from, b.along());
-  return b.from + share_of_b * b.along() - (a.from + share_of_a * a.along());
+  const auto nearest = box2d3::nearest_shares<double>(a.from, a.along(), b.from, b.along());
+  return b.from + nearest.share2 * b.along() - (a.from + nearest.share1 * a.along());
 }
 
 inline std::vector<double> depths_of(const std::array<double, 2>& gaps, double radius) {

@@ -56,27 +56,7 @@ SegmentDistance segment_distance(const Float2& p1, const Float2& q1, const Float
                                  const Float2& q2) {
   const Float2 d1 = q1 - p1;
   const Float2 d2 = q2 - p2;
-  const Float2 r = p1 - p2;
-  const float dd1 = d1.dot(d1);
-  const float dd2 = d2.dot(d2);
-  const float rd1 = r.dot(d1);
-  const float rd2 = r.dot(d2);
-  const float d12 = d1.dot(d2);
-  const float denominator = dd1 * dd2 - d12 * d12;
-  SegmentDistance found;
-  if (denominator != 0) {
-    found.share1 = std::clamp((d12 * rd2 - rd1 * dd2) / denominator, 0.0F, 1.0F);
-  }
-  // Finite cores can give infinity less infinity, or over infinity.
-  found.is_beyond_range = std::isnan(found.share1);
-  found.share2 = (d12 * found.share1 + rd2) / dd2;
-  if (found.share2 < 0) {
-    found.share2 = 0;
-    found.share1 = std::clamp(-rd1 / dd1, 0.0F, 1.0F);
-  } else if (found.share2 > 1) {
-    found.share2 = 1;
-    found.share1 = std::clamp((d12 - rd1) / dd1, 0.0F, 1.0F);
-  }
+  SegmentDistance found{nearest_shares<float>(p1, d1, p2, d2)};
   found.closest1 = p1 + found.share1 * d1;
   found.closest2 = p2 + found.share2 * d2;
   found.between = found.closest2 - found.closest1;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/pair_case.hpp"
+#include "oracle/box2d3/faces.hpp"
 
 // Box2D 3.2's arithmetic, in floats.
 
@@ -38,17 +39,11 @@ struct Placed {
 };
 
 /// b2SegmentDistance of edges that are longer than its epsilon.
-struct SegmentDistance {
-  float share1 = 0;              ///< of the first edge, from its first end
-  float share2 = 0;              ///< of the second
-  Float2 closest1{0, 0};         ///< the place on the first
-  Float2 closest2{0, 0};         ///< the place on the second
-  Float2 between{0, 0};          ///< from the one to the other
-  float square = 0;              ///< of its length
-  bool is_beyond_range = false;  ///< a product of squared lengths is, so that nothing is a number
-
-  bool are_ends() const { return is_end(share1) && is_end(share2); }
-  static bool is_end(float share) { return share == 0 || share == 1; }
+struct SegmentDistance : NearestShares<float> {
+  Float2 closest1{0, 0};  ///< the place on the first
+  Float2 closest2{0, 0};  ///< the place on the second
+  Float2 between{0, 0};   ///< from the one to the other
+  float square = 0;       ///< of its length
 };
 
 SegmentDistance segment_distance(const Float2& p1, const Float2& q1, const Float2& p2,

@@ -36,22 +36,6 @@ UnitRotation unit_rotation(const Pose<float>& pose) {
   return {stored / length, length};
 }
 
-std::array<double, 2> nearest_shares(const Vector2<double>& p1, const Vector2<double>& d1,
-                                     const Vector2<double>& p2, const Vector2<double>& d2) {
-  const Vector2<double> r = p1 - p2;
-  const double dd1 = d1.dot(d1);
-  const double dd2 = d2.dot(d2);
-  const double d12 = d1.dot(d2);
-  const double rd1 = r.dot(d1);
-  const double rd2 = r.dot(d2);
-  const double denominator = dd1 * dd2 - d12 * d12;
-  double share1 = 0;
-  if (denominator != 0) share1 = std::clamp((d12 * rd2 - rd1 * dd2) / denominator, 0.0, 1.0);
-  const double share2 = (d12 * share1 + rd2) / dd2;
-  if (!(share2 < 0 || share2 > 1)) return {share1, share2};
-  return {std::clamp((share2 < 0 ? -rd1 : d12 - rd1) / dd1, 0.0, 1.0), share2 < 0 ? 0.0 : 1.0};
-}
-
 PlacedByPhaser placed_by_phaser(const PairCase& pair) {
   const bool is_swapped = pair.a.polygon.count == 2 && pair.b.polygon.count > 2;
   const Body& first = is_swapped ? pair.b : pair.a;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <vector>
 
@@ -29,11 +28,6 @@ struct PlacedByPhaser {
 };
 
 PlacedByPhaser placed_by_phaser(const PairCase& pair);
-
-/// b2SegmentDistance: the shares of two edges at their nearest places, each from its first end
-/// along it.
-std::array<double, 2> nearest_shares(const Vector2<double>& p1, const Vector2<double>& d1,
-                                     const Vector2<double>& p2, const Vector2<double>& d2);
 
 /// The depths of an answer's points, the deepest first.
 inline std::vector<double> sorted_depths(const Manifold<double>& got) {

@@ -17,8 +17,9 @@ namespace manifuzz {
 namespace {
 
 using exact::RoughPolygon;
-using ledger_of::box2d3::best_face;
-using ledger_of::box2d3::most_opposed;
+namespace box2d3 = ledger_of::box2d3;
+using box2d3::best_face;
+using box2d3::most_opposed;
 
 constexpr double kSlopOfPolygons = 0.1 * 0.005;  // manifold_c.js: 0.1 * b2_linearSlop
 constexpr double kEpsilonOfClips = 1e-10;        // math_functions_h.js: eps
@@ -27,33 +28,28 @@ constexpr double kEpsilonOfClips = 1e-10;        // math_functions_h.js: eps
 /// 16 roundings of half an ulp.
 constexpr double kErrorOfShare = 0x1p-49;
 
-/// b2SegmentDistance: shares of both edges at their nearest places.
-struct NearestPlaces {
-  double share1 = 0;
-  double share2 = 0;
+/// Where two edges are nearest, and how far off these places may be.
+struct NearestPlaces : box2d3::NearestShares<double> {
   double distance = 0;
   double length1 = 0;
   double sine = 0;  ///< of the angle between both edges
 
-  bool are_ends() const { return is_end(share1) && is_end(share2); }
   /// How much too far apart the places may be: the share's division by the square of the sine moves
   /// them along an edge, no farther than it is long, and off the other by the sine of that.
   double excess(double extent) const {
     return sine > 0 ? std::min(length1 * sine, kErrorOfShare * extent / sine) : 0;
   }
-  static bool is_end(double share) { return share == 0 || share == 1; }
 };
 
 NearestPlaces nearest_places(const Vector2<double>& p1, const Vector2<double>& q1,
                              const Vector2<double>& p2, const Vector2<double>& q2) {
   const Vector2<double> d1 = q1 - p1;
   const Vector2<double> d2 = q2 - p2;
-  const auto [share1, share2] = nearest_shares(p1, d1, p2, d2);
-  return {.share1 = share1,
-          .share2 = share2,
-          .distance = ((p1 + share1 * d1) - (p2 + share2 * d2)).norm(),
-          .length1 = d1.norm(),
-          .sine = std::abs(cross(d1, d2)) / (d1.norm() * d2.norm())};
+  NearestPlaces places{box2d3::nearest_shares<double>(p1, d1, p2, d2)};
+  places.distance = ((p1 + places.share1 * d1) - (p2 + places.share2 * d2)).norm();
+  places.length1 = d1.norm();
+  places.sine = std::abs(cross(d1, d2)) / (d1.norm() * d2.norm());
+  return places;
 }
 
 /// What b2CollidePolygons finds, its normal from A to B in the world.
