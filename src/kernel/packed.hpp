@@ -45,9 +45,6 @@ constexpr int polygon_rows(int count_max) {
   return kCornerRows * count_max + 2;
 }
 
-/// The rows of a block of the largest polygons.
-inline constexpr int kBlockRowsMax = kCorners + 2 * polygon_rows(kMaxVertices);
-
 /// A body: which shape, and where it stands. (cos, sin) is taken to be unit.
 template <class Scalar>
 struct Placement {

@@ -26,8 +26,6 @@ class VoronoiSimplex {
   bool is_full() const { return count_ == 4; }
   /// The closest point: what it is made of, and the vector between.
   const DifferenceCorner& closest() const { return closest_; }
-  /// pointOutsideOfPlane found the four corners in a plane, within 0.0001.
-  bool is_degenerate() const { return is_degenerate_; }
 
  private:
   struct Weights {
@@ -46,7 +44,7 @@ class VoronoiSimplex {
   int count_ = 0;
   Space last_{1e18F, 1e18F, 1e18F};
   DifferenceCorner closest_;
-  bool is_degenerate_ = false;
+  bool is_degenerate_ = false;  // pointOutsideOfPlane found four corners in a plane, within 0.0001
 };
 
 }  // namespace manifuzz::ledger_of
