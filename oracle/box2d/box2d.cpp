@@ -142,7 +142,7 @@ std::unique_ptr<ScenePairs> box2d_pairs(std::span<const Body> bodies) {
 }
 
 std::vector<std::vector<Pose<float>>> box2d_trajectory(std::span<const WorldBody> bodies, int steps,
-                                                       const Vector2<double>& gravity_turn) {
+                                                       const GravityTurn& gravity_turn) {
   Vector2<double> gravity(0, -10);
   b2World world(box2d::to_box2d(Vector2<float>(gravity.cast<float>())));
   std::vector<b2Body*> added;
@@ -150,7 +150,7 @@ std::vector<std::vector<Pose<float>>> box2d_trajectory(std::span<const WorldBody
   std::vector<std::vector<Pose<float>>> trajectory;
   for (int i = 0; i < steps; ++i) {
     world.Step(1.0F / 60, 8, 3);
-    gravity = rotate(gravity_turn, gravity);
+    if (i >= gravity_turn.first_step) gravity = rotate(gravity_turn.by, gravity);
     world.SetGravity(box2d::to_box2d(Vector2<float>(gravity.cast<float>())));
     std::vector<Pose<float>>& poses = trajectory.emplace_back();
     for (const b2Body* const body : added) {

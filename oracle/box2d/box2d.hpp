@@ -51,11 +51,11 @@ namespace manifuzz {
 std::unique_ptr<ScenePairs> box2d_pairs(std::span<const Body> bodies);
 
 /// The poses of all bodies after each step of `b2World::Step` (b2_world.cpp): 1/60 s, 8 and 3
-/// iterations, gravity 10, downwards at first and turned by `gravity_turn` after each step, density
+/// iterations, gravity 10, downwards until it turns, density
 /// 1, friction 0.5, sleep allowed. Lengths are metres; polygons are taken as they stand, skins and
 /// all.
 std::vector<std::vector<Pose<float>>> box2d_trajectory(std::span<const WorldBody> bodies, int steps,
-                                                       const Vector2<double>& gravity_turn);
+                                                       const GravityTurn& gravity_turn);
 
 /// Box2D's `b2CollidePolygons` (b2_collide_polygon.cpp), on shapes filled from the stored floats:
 /// `b2PolygonShape::Set` would weld, reorder and assert. Its answer is converted without rounding

@@ -60,13 +60,18 @@ class ScenePairs {
   virtual void step(std::span<const BodyMove> moves, bool skip_unmoved) = 0;
 };
 
+/// How a world's gravity turns: by a (cos, sin) after each step, but for the first ones.
+struct GravityTurn {
+  int first_step = 0;
+  Vector2<double> by{1, 0};
+};
+
 /// What scenes are held against, and recorded from.
 struct SceneBaseline {
   std::unique_ptr<ScenePairs> (*pairs)(std::span<const Body> bodies) = nullptr;
-  /// The poses of all bodies after each step of the engine's world, whose gravity turns by
-  /// `gravity_turn`, a (cos, sin), after each step.
-  std::vector<std::vector<Pose<float>>> (*trajectory)(
-      std::span<const WorldBody> bodies, int steps, const Vector2<double>& gravity_turn) = nullptr;
+  /// The poses of all bodies after each step of the engine's world.
+  std::vector<std::vector<Pose<float>>> (*trajectory)(std::span<const WorldBody> bodies, int steps,
+                                                      const GravityTurn& gravity_turn) = nullptr;
 };
 
 /// The rows on other causes than these, which all must be among those of the rows.

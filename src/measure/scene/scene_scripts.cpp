@@ -159,10 +159,9 @@ struct Stage {
   }
 };
 
-/// The stage's recording after `warm_up` steps, side by side until there are enough bodies. Gravity
-/// turns by so much, a (cos, sin), in each step.
+/// The stage's recording after `warm_up` steps, side by side until there are enough bodies.
 Trajectory recorded(const Stage& stage, std::size_t bodies, int warm_up, int steps,
-                    const Vector2<double>& gravity_turn = {1, 0}) {
+                    const GravityTurn& gravity_turn = {}) {
   const auto poses = scene_baseline().trajectory(stage.bodies, warm_up + steps, gravity_turn);
   Trajectory trajectory{stage.shapes, {}, {}};
   const std::size_t in_stage = stage.bodies.size();
@@ -208,9 +207,10 @@ Trajectory make_pile(std::size_t bodies, int steps) {
   return recorded(pile_stage(bodies), bodies, 90, steps);
 }
 
-/// A pile that is shaken: gravity turns by 0.05 radians a step.
+/// A pile that has come to lie and is shaken then: gravity turns by 0.05 radians a step.
 Trajectory make_stirred(std::size_t bodies, int steps) {
-  return recorded(pile_stage(bodies), bodies, 120, steps, turn_by(0.05));
+  constexpr int kLies = 300;
+  return recorded(pile_stage(bodies), bodies, kLies + 120, steps, {kLies, turn_by(0.05)});
 }
 
 /// A pile at rest; in each step a tenth of it, in turn, is nudged or falls back.
