@@ -18,14 +18,12 @@ std::string_view describe(Defect defect) {
     case Defect::rotation_not_unit:
       return "a rotation is not unit: cos^2 + sin^2 must be 1 within 1e-5";
     case Defect::shape_not_convex:
-      return "a shape's vertices are no polygon: 3 to 8, finite, strictly convex, "
-             "counter-clockwise";
+      return "a shape's vertices are none of a shape: 1 with a radius, 2 that differ, or 3 to 8 "
+             "strictly convex, counter-clockwise; all finite";
     case Defect::shape_too_large:
       return "a shape is too large: its reach is at most 1e15, its radius from 0 to 1e15";
     case Defect::shape_too_sharp:
-      return "a shape is too sharp: its corners are at least 2e-5 wide";
-    case Defect::shape_is_round:
-      return "a shape is round: a polygon of 3 to 8 vertices with mitred corners is expected";
+      return "a shape is too sharp: corners that are not round are at least 2e-5 wide";
     case Defect::setting_not_a_length:
       return "a setting is not a length: 0 to 1e15 is expected";
     case Defect::unknown_shape:

@@ -19,8 +19,7 @@ enum class Defect {
   rotation_not_unit,     ///< |cos^2 + sin^2 - 1| above kRotationTolerance
   shape_not_convex,      ///< its vertices have a `PolygonDefect`
   shape_too_large,       ///< a reach above kLengthMax, or a radius below 0 or above it
-  shape_too_sharp,       ///< a corner is less than 2e-5 radians wide
-  shape_is_round,        ///< a point, a segment, or a polygon with round corners
+  shape_too_sharp,       ///< a corner that is not round is less than 2e-5 radians wide
   setting_not_a_length,  ///< below 0, above kLengthMax, or not a number
   unknown_shape,         ///< no shape of that index was added
   unknown_body,          ///< no such body is in the scene, or not any more

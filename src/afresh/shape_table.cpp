@@ -30,29 +30,41 @@ float padding(float reach, float rounded_by, double sharpness) {
   return 1.4143F * rounded_by + share * (reach + rounded_by) + kUnderflow;
 }
 
-}  // namespace
+/// A round shape touches what comes as near as its radius, whatever its corners.
+float padding_of_round(float reach, float radius) {
+  return radius + 13 * kSeparationError * (reach + radius) + kUnderflow;
+}
 
-std::variant<std::uint32_t, Defect> ShapeTable::add(const ConvexPolygon<float>& polygon) {
-  if (polygon.is_round()) return Defect::shape_is_round;
-  const bool has_vertices = polygon.count >= kMinVertices && polygon.count <= kMaxVertices;
-  if (!has_vertices || manifuzz::find_defect(polygon.corners())) return Defect::shape_not_convex;
-  double squared = 0;
+/// The least sine of half the angle at any corner (`half_angle_sine`).
+double sharpness_of(const ConvexPolygon<float>& polygon) {
   double sharpness = 1;
   for (int i = 0; i < polygon.count; ++i) {
-    const Vector2<double> v = polygon.vertices[i].cast<double>();
-    squared = std::max(squared, v.dot(v));
     sharpness = std::min(sharpness, half_angle_sine(polygon, i));
   }
-  const double reach = std::sqrt(squared);
-  const double length_max = static_cast<double>(kLengthMax);
-  const bool is_radius = polygon.radius >= 0 && polygon.radius <= kLengthMax;
-  if (!(reach <= length_max) || !is_radius) return Defect::shape_too_large;
-  if (!(sharpness >= kSharpnessMin)) return Defect::shape_too_sharp;
+  return sharpness;
+}
+
+}  // namespace
+
+std::variant<std::uint32_t, Defect> ShapeTable::add(const ConvexPolygon<float>& shape) {
+  const bool has_vertices = shape.count > 0 && shape.count <= kMaxVertices;
+  const bool is_core = shape.count >= kMinVertices || shape.is_round();
+  const bool is_radius = shape.radius >= 0 && shape.radius <= kLengthMax;
+  if (!has_vertices || !is_core) return Defect::shape_not_convex;
+  if (!is_radius) return Defect::shape_too_large;
+  if (find_shape_defect(shape.corners(), shape.radius)) return Defect::shape_not_convex;
+  const double reach = manifuzz::reach(shape);
+  if (!(reach <= static_cast<double>(kLengthMax))) return Defect::shape_too_large;
   const float reach_up = static_cast<float>(reach * kUpward);
-  facts_.push_back(
-      {reach_up, polygon.radius, padding(reach_up, polygon.radius + tie_bias_, sharpness)});
-  rows_.push_back(*kernel::rows_of(polygon));
-  return *for_pairs_.add(polygon);
+  float padded_by = padding_of_round(reach_up, shape.radius);
+  if (!shape.is_round()) {
+    const double sharpness = sharpness_of(shape);
+    if (!(sharpness >= kSharpnessMin)) return Defect::shape_too_sharp;
+    padded_by = padding(reach_up, shape.radius + tie_bias_, sharpness);
+  }
+  facts_.push_back({reach_up, shape.radius, padded_by});
+  rows_.push_back(kernel::rows_of(shape));
+  return for_pairs_.add(shape);
 }
 
 }  // namespace manifuzz::scene

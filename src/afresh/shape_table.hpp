@@ -53,19 +53,21 @@ inline float next_float(float length) {
 struct ShapeFacts {
   float reach = 0;   ///< the largest |vertex|
   float radius = 0;  ///< as given, not rounded
-  /// How far a box must reach beyond the polygon in it, so that bodies whose boxes do not overlap
+  /// How large it is: a circle's reach may be 0.
+  float extent() const { return reach + radius; }
+  /// How far a box must reach beyond the core in it, so that bodies whose boxes do not overlap
   /// have no contact by the kernel's rounded arithmetic (certificates.md, "Boxes").
   float padding = 0;
 };
 
-/// The polygons of a scene, laid out for both kernels.
+/// The shapes of a scene, laid out for both kernels.
 class ShapeTable {
  public:
   /// `tie_bias` is the kernels', a length >= 0: it takes part in what a shape's padding must cover.
   explicit ShapeTable(float tie_bias) : tie_bias_(tie_bias) {}
 
   /// The new shape's index, or why it is refused.
-  std::variant<std::uint32_t, Defect> add(const ConvexPolygon<float>& polygon);
+  std::variant<std::uint32_t, Defect> add(const ConvexPolygon<float>& shape);
 
   /// How many shapes there are: their indices are below it.
   std::size_t size() const { return facts_.size(); }

@@ -6,8 +6,10 @@
 #include <hwy/highway.h>
 
 #include "kernel/batch.hpp"
+#include "kernel/circles-inl.hpp"
 #include "kernel/collide-inl.hpp"
 #include "kernel/fetch-inl.hpp"
+#include "kernel/round_pairs.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::kernel::HWY_NAMESPACE {
@@ -16,7 +18,15 @@ template <class T>
 HWY_INLINE void collide_packed(const PackedPairs<T>& pairs, T tie_bias,
                                std::span<ManifoldBlock<T>> out) {
   for (std::size_t i = 0; i < pairs.block_count(); ++i) {
-    collide_block(pairs.block(i), tie_bias, out[i]);
+    const PairBlock<T> block = pairs.block(i);
+    if (block.are_circles) {
+      collide_circles(block.rows, out[i]);
+      continue;
+    }
+    if (block.round.size() < kBlockPairs) collide_block(block, tie_bias, out[i]);
+    for (const RoundPair<T>& pair : block.round) {
+      put(collide_round_pair(pair.a, pair.b, pair.b_in_a, tie_bias), out[i], pair.column);
+    }
   }
 }
 
@@ -45,6 +55,25 @@ HWY_INLINE void collide_batch(const Shapes<T>& shapes, const PairBatch<T>& batch
   hand_out(block, batch);
 }
 
+template <class T>
+HWY_INLINE void collide_circle_batch(const Shapes<T>& shapes, const PairBatch<T>& batch) {
+  Row<T> rows[kCircleRows];
+  for (int column = 0; column < kBlockPairs; ++column) {
+    const auto& [a, b] = batch.pair[column].body;
+    put_circles(shapes, *a, *b, rows, column);
+  }
+  ManifoldBlock<T> block;
+  collide_circles(rows, block);
+  hand_out(block, batch);
+}
+
+void collide_circles_float(const Shapes<float>& shapes, const PairBatch<float>& batch) {
+  collide_circle_batch(shapes, batch);
+}
+void collide_circles_double(const Shapes<double>& shapes, const PairBatch<double>& batch) {
+  collide_circle_batch(shapes, batch);
+}
+
 void collide_batch_float(const Shapes<float>& shapes, const PairBatch<float>& batch,
                          float tie_bias) {
   collide_batch<float>(shapes, batch, tie_bias);
@@ -64,6 +93,8 @@ HWY_EXPORT(collide_packed_float);
 HWY_EXPORT(collide_packed_double);
 HWY_EXPORT(collide_batch_float);
 HWY_EXPORT(collide_batch_double);
+HWY_EXPORT(collide_circles_float);
+HWY_EXPORT(collide_circles_double);
 
 void collide_packed(const PackedPairs<float>& pairs, float tie_bias,
                     std::span<ManifoldBlock<float>> out) {
@@ -83,6 +114,14 @@ void collide_batch(const Shapes<float>& shapes, const PairBatch<float>& batch, f
 
 void collide_batch(const Shapes<double>& shapes, const PairBatch<double>& batch, double tie_bias) {
   HWY_DYNAMIC_DISPATCH(collide_batch_double)(shapes, batch, tie_bias);
+}
+
+void collide_circles(const Shapes<float>& shapes, const PairBatch<float>& batch) {
+  HWY_DYNAMIC_DISPATCH(collide_circles_float)(shapes, batch);
+}
+
+void collide_circles(const Shapes<double>& shapes, const PairBatch<double>& batch) {
+  HWY_DYNAMIC_DISPATCH(collide_circles_double)(shapes, batch);
 }
 
 namespace {

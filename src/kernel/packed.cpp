@@ -6,48 +6,105 @@
 namespace manifuzz::kernel {
 
 template <class Scalar>
+void put_circles(const Shapes<Scalar>& shapes, const Placement<Scalar>& a,
+                 const Placement<Scalar>& b, Row<Scalar>* rows, int column) {
+  const auto put = [&](int row, const Vector2<Scalar>& v) {
+    for (int axis = 0; axis < 2; ++axis) rows[row + axis].column[column] = v[axis];
+  };
+  put(kPoseA, a.pose.position);
+  put(kPoseA + 2, a.pose.rotation);
+  put(kPoseB, b.pose.position);
+  put(kPoseB + 2, b.pose.rotation);
+  put(kCentreA, shapes.polygon(a.shape).vertices[0]);
+  put(kCentreB, shapes.polygon(b.shape).vertices[0]);
+  rows[kRadiusA].column[column] = shapes.radius(a.shape);
+  rows[kRadiusB].column[column] = shapes.radius(b.shape);
+}
+
+template <class Scalar>
 PackedPairs<Scalar>::PackedPairs(const Shapes<Scalar>& shapes,
                                  std::span<const Placement<Scalar>> bodies,
                                  std::span<const BodyPair> pairs) {
   for (std::size_t first = 0; first < pairs.size(); first += kBlockPairs) {
-    // The last block is filled up with its last pair.
-    const auto body = [&](int side, int column) -> const Placement<Scalar>& {
+    Columns columns;
+    bool are_circles = true;
+    for (int column = 0; column < kBlockPairs; ++column) {
+      // The last block is filled up with its last pair.
       const BodyPair& pair = pairs[std::min(first + column, pairs.size() - 1)];
-      return bodies[side == 0 ? pair.a : pair.b];
-    };
-    Block block{rows_.size()};
-    for (int column = 0; column < kBlockPairs; ++column) {
-      const auto count = [&](int side) {
-        return static_cast<int>(shapes.count(body(side, column).shape));
-      };
-      block.count_a = std::max(block.count_a, count(0));
-      block.count_b = std::max(block.count_b, count(1));
-    }
-    rows_.resize(block.first_row + kCorners + polygon_rows(block.count_a) +
-                 polygon_rows(block.count_b));
-    Row<Scalar>* const rows = rows_.data() + block.first_row;
-    for (int column = 0; column < kBlockPairs; ++column) {
-      rows[kTotalRadius].column[column] =
-          shapes.radius(body(0, column).shape) + shapes.radius(body(1, column).shape);
-      Row<Scalar>* corner = rows + kCorners;
-      for (const int side : {0, 1}) {
-        const Placement<Scalar>& placed = body(side, column);
-        Row<Scalar>* const pose = rows + (side == 0 ? kPoseA : kPoseB);
-        for (int axis = 0; axis < 2; ++axis) {
-          pose[axis].column[column] = placed.pose.position[axis];
-          pose[2 + axis].column[column] = placed.pose.rotation[axis];
-        }
-        rows[kCountA + side].column[column] = static_cast<Scalar>(shapes.count(placed.shape));
-        const ShapeCorners<Scalar>& shape = shapes.corners(placed.shape);
-        const int scalars = kCornerRows * (side == 0 ? block.count_a : block.count_b);
-        for (int i = 0; i < scalars; ++i, ++corner) corner->column[column] = shape.scalars[i];
-        for (int axis = 0; axis < 2; ++axis, ++corner) {
-          corner->column[column] = shape.scalars[axis];
-        }
+      columns.body[column][0] = &bodies[pair.a];
+      columns.body[column][1] = &bodies[pair.b];
+      for (const Placement<Scalar>* const body : columns.body[column]) {
+        are_circles = are_circles && shapes.kind(body->shape) == kCircle;
       }
+    }
+    Block block{rows_.size()};
+    block.are_circles = are_circles;
+    if (are_circles) {
+      pack_circles(shapes, columns, block);
+    } else {
+      pack_polygons(shapes, columns, block);
+      keep_round(shapes, columns, block);
     }
     blocks_.push_back(block);
   }
+}
+
+template <class Scalar>
+void PackedPairs<Scalar>::pack_circles(const Shapes<Scalar>& shapes, const Columns& columns,
+                                       Block& block) {
+  rows_.resize(block.first_row + kCircleRows);
+  for (int column = 0; column < kBlockPairs; ++column) {
+    const auto& [a, b] = columns.body[column];
+    put_circles(shapes, *a, *b, rows_.data() + block.first_row, column);
+  }
+}
+
+/// Round shapes are laid out, too: their columns are collided in vain, and again one by one.
+template <class Scalar>
+void PackedPairs<Scalar>::pack_polygons(const Shapes<Scalar>& shapes, const Columns& columns,
+                                        Block& block) {
+  for (const auto& [a, b] : columns.body) {
+    block.count_a = std::max(block.count_a, static_cast<int>(shapes.count(a->shape)));
+    block.count_b = std::max(block.count_b, static_cast<int>(shapes.count(b->shape)));
+  }
+  rows_.resize(block.first_row + kCorners + polygon_rows(block.count_a) +
+               polygon_rows(block.count_b));
+  Row<Scalar>* const rows = rows_.data() + block.first_row;
+  for (int column = 0; column < kBlockPairs; ++column) {
+    const auto& bodies = columns.body[column];
+    rows[kTotalRadius].column[column] =
+        shapes.radius(bodies[0]->shape) + shapes.radius(bodies[1]->shape);
+    Row<Scalar>* corner = rows + kCorners;
+    for (const int side : {0, 1}) {
+      const Placement<Scalar>& placed = *bodies[side];
+      Row<Scalar>* const pose = rows + (side == 0 ? kPoseA : kPoseB);
+      for (int axis = 0; axis < 2; ++axis) {
+        pose[axis].column[column] = placed.pose.position[axis];
+        pose[2 + axis].column[column] = placed.pose.rotation[axis];
+      }
+      rows[kCountA + side].column[column] = static_cast<Scalar>(shapes.count(placed.shape));
+      const ShapeCorners<Scalar>& shape = shapes.corners(placed.shape);
+      const int scalars = kCornerRows * (side == 0 ? block.count_a : block.count_b);
+      for (int i = 0; i < scalars; ++i, ++corner) corner->column[column] = shape.scalars[i];
+      for (int axis = 0; axis < 2; ++axis, ++corner) {
+        corner->column[column] = shape.scalars[axis];
+      }
+    }
+  }
+}
+
+template <class Scalar>
+void PackedPairs<Scalar>::keep_round(const Shapes<Scalar>& shapes, const Columns& columns,
+                                     Block& block) {
+  block.first_round = round_.size();
+  for (int column = 0; column < kBlockPairs; ++column) {
+    const auto& [a, b] = columns.body[column];
+    const ConvexPolygon<Scalar>& shape_a = shapes.polygon(a->shape);
+    const ConvexPolygon<Scalar>& shape_b = shapes.polygon(b->shape);
+    if (!are_round(shape_a, shape_b)) continue;
+    round_.push_back({column, shape_a, shape_b, relative_pose(a->pose, b->pose)});
+  }
+  block.round_count = round_.size() - block.first_round;
 }
 
 template <class Scalar>
@@ -86,6 +143,10 @@ void put(const Manifold<Scalar>& manifold, ManifoldBlock<Scalar>& block, int col
   }
 }
 
+template void put_circles(const Shapes<float>&, const Placement<float>&, const Placement<float>&,
+                          Row<float>*, int);
+template void put_circles(const Shapes<double>&, const Placement<double>&,
+                          const Placement<double>&, Row<double>*, int);
 template class PackedPairs<float>;
 template class PackedPairs<double>;
 template Manifold<float> manifold(const ManifoldBlock<float>&, int);

@@ -31,9 +31,18 @@ enum PairRow : int {
   kPoseA = 0,        ///< four rows: x and y of the position in the world, cos, sin
   kPoseB = 4,        ///< the same of B
   kTotalRadius = 8,  ///< a length
-  kCountA = 9,       ///< of A's corners, 3 to 8, as a scalar
+  kCountA = 9,       ///< of A's corners, 1 to 8, as a scalar
   kCountB = 10,      ///< of B's
   kCorners           ///< the first row of A's corners; B's follow
+};
+
+/// The rows of a block of circles, from `kPoseA` and `kPoseB` on.
+enum CircleRow : int {
+  kCentreA = 8,    ///< two rows: x and y, in A's frame
+  kCentreB = 10,   ///< two rows: x and y, in B's frame
+  kRadiusA = 12,   ///< a length
+  kRadiusB = 13,   ///< a length
+  kCircleRows      ///< how many rows there are
 };
 
 /// The rows of one corner, a scalar each.
@@ -58,16 +67,34 @@ struct BodyPair {
   std::uint32_t b = 0;  ///< its normal points to this one
 };
 
-/// Sixteen pairs: `PairRow`s, then A's rows, then B's.
+/// A pair of a block of which one shape is round, or both are.
+template <class Scalar>
+struct RoundPair {
+  int column = 0;           ///< of its block
+  ConvexPolygon<Scalar> a;  ///< in its own frame
+  ConvexPolygon<Scalar> b;  ///< in its own frame
+  Pose<Scalar> b_in_a;      ///< where B stands in A's frame
+};
+
+/// Puts two bodies that are circles into a column of a block of circles.
+template <class Scalar>
+void put_circles(const Shapes<Scalar>& shapes, const Placement<Scalar>& a,
+                 const Placement<Scalar>& b, Row<Scalar>* rows, int column);
+
+/// Sixteen pairs: `PairRow`s, then A's rows, then B's; or, where all shapes are circles,
+/// `CircleRow`s.
 template <class Scalar>
 struct PairBlock {
-  const Row<Scalar>* rows = nullptr;  ///< all of them
-  int count_a = 0;                    ///< the most corners of any A
-  int count_b = 0;                    ///< the most corners of any B
+  const Row<Scalar>* rows = nullptr;         ///< all of them
+  int count_a = 0;                           ///< the most corners of any A
+  int count_b = 0;                           ///< the most corners of any B
+  bool are_circles = false;                  ///< all of them
+  std::span<const RoundPair<Scalar>> round;  ///< its pairs that have a round shape, unless circles
 };
 
 /// Many pairs, laid out for the kernel. Pairs of equal vertex counts are best kept together: a
-/// block takes as long as its largest polygons.
+/// block takes as long as its largest polygons. So are pairs of circles, and others with a round
+/// shape, which are collided one by one.
 template <class Scalar>
 class PackedPairs {
  public:
@@ -80,7 +107,8 @@ class PackedPairs {
   /// A block, for as long as this object lives.
   PairBlock<Scalar> block(std::size_t index) const {
     const Block& block = blocks_[index];
-    return {rows_.data() + block.first_row, block.count_a, block.count_b};
+    return {rows_.data() + block.first_row, block.count_a, block.count_b, block.are_circles,
+            std::span(round_).subspan(block.first_round, block.round_count)};
   }
 
  private:
@@ -88,10 +116,21 @@ class PackedPairs {
     std::size_t first_row = 0;
     int count_a = 0;
     int count_b = 0;
+    bool are_circles = false;
+    std::size_t first_round = 0;
+    std::size_t round_count = 0;
   };
+  struct Columns {
+    const Placement<Scalar>* body[kBlockPairs][2];  // A, B
+  };
+
+  void pack_circles(const Shapes<Scalar>& shapes, const Columns& columns, Block& block);
+  void pack_polygons(const Shapes<Scalar>& shapes, const Columns& columns, Block& block);
+  void keep_round(const Shapes<Scalar>& shapes, const Columns& columns, Block& block);
 
   std::vector<Block> blocks_;
   std::vector<Row<Scalar>> rows_;
+  std::vector<RoundPair<Scalar>> round_;
 };
 
 /// The manifolds of a block of pairs, each in the frame of its A; units and signs are `Manifold`'s.

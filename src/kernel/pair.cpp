@@ -10,6 +10,7 @@
 #include "kernel/deepest_contact.hpp"
 #include "kernel/pair-inl.hpp"
 #include "kernel/pair.hpp"
+#include "kernel/round_pairs.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::kernel::HWY_NAMESPACE {
@@ -185,19 +186,42 @@ HWY_EXPORT(collide_pair);
 HWY_EXPORT(separation);
 HWY_EXPORT(touches);
 
+namespace {
+
+bool are_round(const ShapeRows& a, const ShapeRows& b) {
+  return a.rounding == Rounding::round || b.rounding == Rounding::round;
+}
+
+PairSeparation separation_of_round(const ShapeRows& a, const ShapeRows& b,
+                                   const Pose<float>& b_in_a) {
+  const Manifold<float> m = collide_round_pair(polygon_of(a), polygon_of(b), b_in_a, 0.0F);
+  const float total_radius = a.radius + b.radius;
+  const bool touches = m.count > 0;
+  float depth = m.points[0].depth;
+  if (m.count > 1) depth = std::max(depth, m.points[1].depth);
+  const float separation = total_radius - depth;
+  if (touches) return {touches, separation, {}};
+  return {touches, std::max(separation, std::nextafter(total_radius, std::numeric_limits<float>::infinity())), {}};
+}
+
+}  // namespace
+
 Manifold<float> collide(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
                         float tie_bias, FaceHint* hint) {
+  if (are_round(a, b)) return collide_round_pair(polygon_of(a), polygon_of(b), b_in_a, tie_bias);
   Manifold<float> manifold;
   HWY_DYNAMIC_DISPATCH(collide_pair)(a, b, b_in_a, tie_bias, hint, manifold);
   return manifold;
 }
 
 bool touches(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a, FaceHint* hint) {
+  if (are_round(a, b)) return separation_of_round(a, b, b_in_a).touches;
   return HWY_DYNAMIC_DISPATCH(touches)(a, b, b_in_a, hint);
 }
 
 PairSeparation separation(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
                           FaceHint* hint) {
+  if (are_round(a, b)) return separation_of_round(a, b, b_in_a);
   return HWY_DYNAMIC_DISPATCH(separation)(a, b, b_in_a, hint);
 }
 

@@ -20,7 +20,8 @@ struct FaceHint {
 
 /// How far apart two polygons are. Touching: S, the greatest over all faces, and its face, A's of
 /// equals. Else a face that separates by more than the total radius, which need not be the
-/// greatest.
+/// greatest. Of pairs with a round shape: what their manifold's depth says where they touch, else
+/// how far apart their cores are; without a face.
 struct PairSeparation {
   bool touches = false;  ///< no face separates by more than the total radius
   float separation = 0;  ///< a length, radii left out; < 0 overlaps
@@ -33,8 +34,9 @@ struct PairSeparation {
 Manifold<float> collide(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
                         float tie_bias = 0, FaceHint* hint = nullptr);
 
-/// Whether no face separates the polygons by more than their total radius. (At the rounded corners
-/// of polygons that do, the manifold may be empty all the same: their side planes cut it off.)
+/// Whether no face separates the polygons by more than their total radius. (At the corners of
+/// sharp polygons with a radius, the manifold may be empty all the same: their side planes cut it
+/// off.) Pairs with a round shape touch where they have a manifold.
 bool touches(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
              FaceHint* hint = nullptr);
 

@@ -4,15 +4,19 @@
 
 namespace manifuzz::kernel {
 
-/// Neighbours in the order of keys differ little in their counts: they share batches, the last of
-/// which is filled up with its last pair.
+/// Sharp neighbours in the order of keys differ little in their counts: they share batches, the last
+/// of which is filled up with its last pair.
 template <class Scalar>
 void PairStream<Scalar>::finish() {
   PairBatch<Scalar> rest;
   rest.count[0] = rest.count[1] = 0;
   int size = 0;
-  for (std::size_t key = 0; key < batches_.size(); ++key) {
+  for (unsigned key = 0; key < kKeys; ++key) {
     const PairBatch<Scalar>& batch = batches_[key];
+    if (is_round(key)) {
+      collide_round<Scalar>(shapes_, std::span(batch.pair).first(sizes_[key]), tie_bias_);
+      sizes_[key] = 0;
+    }
     for (int column = 0; column < sizes_[key]; ++column) {
       rest.pair[size++] = batch.pair[column];
       if (size < kBlockPairs) continue;

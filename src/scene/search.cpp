@@ -9,7 +9,7 @@ namespace {
 
 /// How far a box is fattened.
 struct Fatness {
-  float all_round;  ///< on each side, a share of its body's reach
+  float all_round;  ///< on each side, a share of its body's extent
   float ahead_max;  ///< in the direction of its motion, no farther than this share,
   float ahead;      ///< and a multiple of how far the body went in this step
 };
@@ -17,7 +17,7 @@ constexpr Fatness kAmongOthers{0.125F, 2, 6};
 /// A box without partners may be fat: it costs nothing there.
 constexpr Fatness kByItself{0.8F, 4, 12};
 
-/// Paths get little longer than this multiple of a reach: sums of two are rounded little then.
+/// Paths get little longer than this multiple of an extent: sums of two are rounded little then.
 constexpr float kPathMax = 64;
 
 /// Once one body in so many has left its box, all are filed anew.
@@ -26,14 +26,14 @@ constexpr std::size_t kFileShare = 8;
 /// So many more find room in a cell.
 constexpr std::uint32_t kRoom = 1;
 
-Box fattened(const Box& box, const Vector2<float>& motion, float reach, const Fatness& fatness) {
+Box fattened(const Box& box, const Vector2<float>& motion, float extent, const Fatness& fatness) {
   const auto ahead = [&](float along) {
-    const float most = fatness.ahead_max * reach;
+    const float most = fatness.ahead_max * extent;
     return std::clamp(fatness.ahead * along, -most, most);
   };
   const float x = ahead(motion.x());
   const float y = ahead(motion.y());
-  Box fat = grown(box, fatness.all_round * reach);
+  Box fat = grown(box, fatness.all_round * extent);
   (x < 0 ? fat.x_min : fat.x_max) += x;
   (y < 0 ? fat.y_min : fat.y_max) += y;
   return fat;
@@ -103,14 +103,14 @@ void Scene::leave(const Mover& mover) {
   const Box& box = tight_[body];
   float& path = paths_[body];
   Box& fat = boxes_[body];
-  const float reach = facts(body).reach;
-  const bool is_long = path > kPathMax * reach;
+  const float extent = facts(body).extent();
+  const bool is_long = path > kPathMax * extent;
   const bool goes_on = !is_long && contains(fat, box);
   if (!goes_on) {
     left_at_[body] = static_cast<std::uint32_t>(left_.size());
     left_.push_back({body, fat});
     const Vector2<float> motion = placements_[body].pose.position - mover.from;
-    fat = fattened(box, motion, reach, is(body, kAlone) ? kByItself : kAmongOthers);
+    fat = fattened(box, motion, extent, is(body, kAlone) ? kByItself : kAmongOthers);
     states_[body] |= kLeft;
     if (is_long) {
       path = 0;

@@ -227,7 +227,7 @@ float Scene::margin_of(const kernel::BodyPair& bodies, float gap) const {
   const ShapeFacts& a = facts(bodies.a);
   const ShapeFacts& b = facts(bodies.b);
   const float extent =
-      a.reach + b.reach + a.radius + b.radius +
+      a.extent() + b.extent() +
       length_at_most(placements_[bodies.b].pose.position - placements_[bodies.a].pose.position);
   const float padding = a.padding + b.padding - (a.radius + b.radius);
   return kRoundDown * gap - kSeparationError * extent - 1.001F * padding;

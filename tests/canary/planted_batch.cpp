@@ -22,8 +22,8 @@ struct Scene {
         bodies(new kernel::Placement<Scalar>[2 * count]),
         pairs(new kernel::BodyPair[count]) {
     for (std::uint32_t i = 0; i < count; ++i) {
-      bodies[2 * i] = {*shapes.add(placed[i].a), placed[i].pose_a};
-      bodies[2 * i + 1] = {*shapes.add(placed[i].b), placed[i].pose_b};
+      bodies[2 * i] = {shapes.add(placed[i].a), placed[i].pose_a};
+      bodies[2 * i + 1] = {shapes.add(placed[i].b), placed[i].pose_b};
       pairs[i] = {2 * i, 2 * i + 1};
     }
   }

@@ -14,8 +14,8 @@ std::vector<canary::PairAnswers> ask(std::span<const PairCase> pairs, float tie_
   const auto hint = [&](int query) { return hinted ? &hints[query] : nullptr; };
   std::vector<canary::PairAnswers> answers;
   for (const PairCase& pair : pairs) {
-    const kernel::ShapeRows a = *kernel::rows_of(pair.a.polygon);
-    const kernel::ShapeRows b = *kernel::rows_of(pair.b.polygon);
+    const kernel::ShapeRows a = kernel::rows_of(pair.a.polygon);
+    const kernel::ShapeRows b = kernel::rows_of(pair.b.polygon);
     const Pose<float> b_in_a = relative_pose(pair.a.pose, pair.b.pose);
     const auto found = kernel::separation(a, b, b_in_a, hint(0));
     answers.push_back({kernel::collide(a, b, b_in_a, tie_bias, hint(1)),

@@ -140,8 +140,8 @@ Bodies<Scalar> bodies_of(std::span<const PairCase> pairs) {
   Bodies<Scalar> held;
   for (const auto& pair : placed_pairs<Scalar>(pairs)) {
     const auto first = static_cast<std::uint32_t>(held.bodies.size());
-    held.bodies.push_back({*held.shapes.add(pair.a), pair.pose_a});
-    held.bodies.push_back({*held.shapes.add(pair.b), pair.pose_b});
+    held.bodies.push_back({held.shapes.add(pair.a), pair.pose_a});
+    held.bodies.push_back({held.shapes.add(pair.b), pair.pose_b});
     held.pairs.push_back({first, first + 1});
   }
   return held;
@@ -185,7 +185,7 @@ Pass query_pass(std::span<const PairCase> pairs, bool hinted, const Ask& ask) {
   using Out = std::invoke_result_t<Ask, ShapeRows, ShapeRows, Pose<float>, kernel::FaceHint*>;
   std::vector<RowsPair> rows;
   for (const auto& pair : placed_pairs<float>(pairs)) {
-    rows.push_back({*kernel::rows_of(pair.a), *kernel::rows_of(pair.b), pair.pose_a, pair.pose_b});
+    rows.push_back({kernel::rows_of(pair.a), kernel::rows_of(pair.b), pair.pose_a, pair.pose_b});
   }
   const auto hints = std::make_shared<std::vector<kernel::FaceHint>>(pairs.size());
   const auto out = std::make_shared<std::vector<Out>>(pairs.size());

@@ -51,7 +51,7 @@ Bits sum_of_bits() {
   std::vector<kernel::BodyPair> pairs;
   for (unsigned i = 0; i < 4000; ++i) {
     polygons.push_back(kite(draw));
-    bodies.push_back({*shapes.add(polygons[i]), {{draw(), draw()}, rotation_by(draw())}});
+    bodies.push_back({shapes.add(polygons[i]), {{draw(), draw()}, rotation_by(draw())}});
     if (i % 2 != 0) pairs.push_back({i - 1, i});
   }
   std::vector<Manifold<float>> manifolds(pairs.size());
@@ -62,7 +62,7 @@ Bits sum_of_bits() {
     const Pose<float> b_in_a = relative_pose(bodies[a].pose, bodies[b].pose);
     const Manifold<float> clipped = clipping::collide(polygons[a], polygons[b], b_in_a);
     const Manifold<float> alone =
-        kernel::collide(*kernel::rows_of(polygons[a]), *kernel::rows_of(polygons[b]), b_in_a);
+        kernel::collide(kernel::rows_of(polygons[a]), kernel::rows_of(polygons[b]), b_in_a);
     if (!(clipped == manifolds[i]) || !(clipped == alone)) ++bits.differences;
     for (const auto& corner : polygons[a].corners()) add(bits, corner);
     add(bits, polygons[a].normals[0]);

@@ -29,10 +29,15 @@ struct Crowd {
       const double scale = std::ldexp(1.0, random.integer(0, octaves));
       const auto polygon = rounded(stretched(random_outline(random), scale, scale), 0.01F);
       if (!polygon) continue;
+      const int kind = random.integer(0, 5);  // a circle, a capsule, round corners; else sharp
+      const auto corners = kind < 2 ? polygon->corners().first(1 + kind) : polygon->corners();
+      const float radius = kind < 2 ? 0.3F * static_cast<float>(scale) : 0.01F;
+      const auto shape =
+          kind < 3 ? make_polygon<float>(corners, radius, Rounding::round) : *polygon;
       const Vector2<double> at(random.uniform(0, across), random.uniform(0, across));
       bodies.push_back({static_cast<std::uint32_t>(shapes.size()),
                         {at.cast<float>(), random_direction(random).cast<float>()}});
-      shapes.push_back(*polygon);
+      shapes.push_back(shape);
     }
   }
 };

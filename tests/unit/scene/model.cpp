@@ -100,6 +100,15 @@ const std::vector<ConvexPolygon<float>>& shapes_for_scenes() {
     }
     add(moved(box(0.2, 0.2), {1, 1}), 0);  // its origin lies outside
     add(box(0.2, 0.3), 0.3F);              // more skin than flesh
+    const auto add_round = [&](const std::vector<Vector2<float>>& vertices, float radius) {
+      all.push_back(make_polygon<float>(vertices, radius, Rounding::round));
+    };
+    add_round({{0, 0}}, 0.4F);
+    add_round({{0.3F, 0.1F}}, 0.05F);  // its origin lies outside
+    add_round({{-0.5F, 0}, {0.5F, 0}}, 0);
+    add_round({{-0.2F, 0}, {0.2F, 0}}, 0.2F);
+    add_round({{-0.3F, -0.2F}, {0.3F, -0.2F}, {0, 0.4F}}, 0.1F);
+    add_round({{0, 0}, {1, 0}, {1, 1e-5F}}, 0.01F);  // too sharp without its radius
     return all;
   }();
   return shapes;

@@ -35,7 +35,8 @@ struct Model {
 /// Two bodies of a model, A first.
 using Ordinals = std::array<std::size_t, 2>;
 
-/// Boxes, a long bar, a sliver, polygons of every count, with and without a radius.
+/// Boxes, a long bar, a sliver, polygons of every count, with and without a radius; circles, a
+/// segment, a capsule, polygons with round corners.
 const std::vector<ConvexPolygon<float>>& shapes_for_scenes();
 
 /// A scene under test, and what is to be done to it next.

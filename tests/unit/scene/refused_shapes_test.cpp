@@ -14,15 +14,15 @@ using scene::Scene;
 using test::kInfinity;
 using test::square;
 
-TEST_CASE("shapes that leave rounding no room are refused, and round ones") {
+TEST_CASE("shapes that leave rounding no room are refused") {
   Scene scene;
   CHECK(std::get<Defect>(scene.add_shape(square(1e16F))) == Defect::shape_too_large);
   CHECK(std::get<Defect>(scene.add_shape(square(1, kInfinity))) == Defect::shape_too_large);
   const std::array<Vector2<float>, 3> needle{{{0, 0}, {1, 0}, {1, 1e-5F}}};
   CHECK(std::get<Defect>(scene.add_shape(make_polygon<float>(needle))) == Defect::shape_too_sharp);
-  const Vector2<float> dot[] = {{0, 0}};
-  CHECK(std::get<Defect>(scene.add_shape(make_polygon<float>(dot, 1))) == Defect::shape_is_round);
   CHECK(std::get<std::uint32_t>(scene.add_shape(square(1))) == 0);
+  const auto round_needle = make_polygon<float>(needle, 0.0F, Rounding::round);
+  CHECK(std::get<std::uint32_t>(scene.add_shape(round_needle)) == 1);
 }
 
 TEST_CASE("shapes that are no polygons are refused, and what was there stays") {
@@ -36,6 +36,8 @@ TEST_CASE("shapes that are no polygons are refused, and what was there stays") {
   CHECK(refused({{0, 0}, {4, 0}, {1, 1}, {0, 4}}) == Defect::shape_not_convex);
   CHECK(refused({{0, 0}, {0, 1}, {1, 0}}) == Defect::shape_not_convex);
   CHECK(refused({{0, 0}, {0, 0}, {1, 0}}) == Defect::shape_not_convex);
+  CHECK(refused({{0, 0}, {0, 0}}) == Defect::shape_not_convex);
+  CHECK(refused({{0, 0}}) == Defect::shape_not_convex);
   CHECK(refused({{0, 0}, {1, 0}, {1, std::nanf("")}}) == Defect::shape_not_convex);
   ConvexPolygon<float> nine = square(1);
   nine.count = 9;
