@@ -30,6 +30,10 @@ std::string_view describe(Defect defect) {
       return "no such shape: an index that add_shape gave is expected";
     case Defect::unknown_body:
       return "no such body: it was removed, or never added";
+    case Defect::unknown_part:
+      return "no such part: numbers from 0 to below the count of the body's parts are expected";
+    case Defect::no_parts:
+      return "a body has no parts: one or more are expected";
   }
   return {};
 }

@@ -23,6 +23,8 @@ enum class Defect {
   setting_not_a_length,  ///< below 0, above kLengthMax, or not a number
   unknown_shape,         ///< no shape of that index was added
   unknown_body,          ///< no such body is in the scene, or not any more
+  unknown_part,          ///< the body has no part of that number
+  no_parts,              ///< a body of parts was given none
 };
 
 /// The defect of a pose that has one.

@@ -145,8 +145,8 @@ void put(const Manifold<Scalar>& manifold, ManifoldBlock<Scalar>& block, int col
 
 template void put_circles(const Shapes<float>&, const Placement<float>&, const Placement<float>&,
                           Row<float>*, int);
-template void put_circles(const Shapes<double>&, const Placement<double>&,
-                          const Placement<double>&, Row<double>*, int);
+template void put_circles(const Shapes<double>&, const Placement<double>&, const Placement<double>&,
+                          Row<double>*, int);
 template class PackedPairs<float>;
 template class PackedPairs<double>;
 template Manifold<float> manifold(const ManifoldBlock<float>&, int);

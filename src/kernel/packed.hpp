@@ -38,11 +38,11 @@ enum PairRow : int {
 
 /// The rows of a block of circles, from `kPoseA` and `kPoseB` on.
 enum CircleRow : int {
-  kCentreA = 8,    ///< two rows: x and y, in A's frame
-  kCentreB = 10,   ///< two rows: x and y, in B's frame
-  kRadiusA = 12,   ///< a length
-  kRadiusB = 13,   ///< a length
-  kCircleRows      ///< how many rows there are
+  kCentreA = 8,   ///< two rows: x and y, in A's frame
+  kCentreB = 10,  ///< two rows: x and y, in B's frame
+  kRadiusA = 12,  ///< a length
+  kRadiusB = 13,  ///< a length
+  kCircleRows     ///< how many rows there are
 };
 
 /// The rows of one corner, a scalar each.

@@ -201,7 +201,10 @@ PairSeparation separation_of_round(const ShapeRows& a, const ShapeRows& b,
   if (m.count > 1) depth = std::max(depth, m.points[1].depth);
   const float separation = total_radius - depth;
   if (touches) return {touches, separation, {}};
-  return {touches, std::max(separation, std::nextafter(total_radius, std::numeric_limits<float>::infinity())), {}};
+  return {
+      touches,
+      std::max(separation, std::nextafter(total_radius, std::numeric_limits<float>::infinity())),
+      {}};
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 namespace manifuzz::kernel {
 
-/// Sharp neighbours in the order of keys differ little in their counts: they share batches, the last
-/// of which is filled up with its last pair.
+/// Sharp neighbours in the order of keys differ little in their counts: they share batches, the
+/// last of which is filled up with its last pair.
 template <class Scalar>
 void PairStream<Scalar>::finish() {
   PairBatch<Scalar> rest;

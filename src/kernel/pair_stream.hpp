@@ -23,8 +23,8 @@ struct PairBatch {
   int count[2];            ///< every A's corners and every B's; 0 where they differ
 };
 
-/// Collides sixteen pairs of sharp polygons, equal to `clipping::collide` of each, bit for bit. `tie_bias` is a
-/// length >= 0.
+/// Collides sixteen pairs of sharp polygons, equal to `clipping::collide` of each, bit for bit.
+/// `tie_bias` is a length >= 0.
 void collide_batch(const Shapes<float>& shapes, const PairBatch<float>& batch, float tie_bias);
 /// Collides sixteen pairs of sharp polygons in double.
 void collide_batch(const Shapes<double>& shapes, const PairBatch<double>& batch, double tie_bias);

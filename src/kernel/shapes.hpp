@@ -59,12 +59,12 @@ class Shapes {
 /// coordinate of every face. The places past the last corner repeat the first, which changes no
 /// result: of equals, the first counts.
 struct alignas(64) ShapeRows {
-  float x[kMaxVertices];         ///< of each vertex
-  float y[kMaxVertices];         ///< of each vertex
-  float normal_x[kMaxVertices];  ///< of each face
-  float normal_y[kMaxVertices];  ///< of each face
-  int count = 0;                 ///< of vertices
-  float radius = 0;              ///< a length, >= 0
+  float x[kMaxVertices];                ///< of each vertex
+  float y[kMaxVertices];                ///< of each vertex
+  float normal_x[kMaxVertices];         ///< of each face
+  float normal_y[kMaxVertices];         ///< of each face
+  int count = 0;                        ///< of vertices
+  float radius = 0;                     ///< a length, >= 0
   Rounding rounding = Rounding::mitre;  ///< of corners
 };
 

@@ -27,7 +27,13 @@ struct Move {
 struct alignas(64) Contact {
   BodyHandle a;              ///< the manifold is in its frame
   BodyHandle b;              ///< the normal points to it
-  Manifold<float> manifold;  ///< of 1 or 2 points, in A's frame
+  Manifold<float> manifold;  ///< of 1 or 2 points, in A's frame; of none where one is a sensor
+};
+
+/// A contact that has another index than before: what is kept by index goes with it.
+struct RenumberedContact {
+  std::uint32_t from = 0;  ///< its index before
+  std::uint32_t to = 0;    ///< its index from now on
 };
 
 /// Two bodies that touch no longer; one of them may be gone.
@@ -57,11 +63,16 @@ struct StepCounts {
 
 /// Valid until the scene is next changed.
 struct StepResult {
-  std::span<const Contact> contacts;     ///< all that touch, in no particular order
+  /// All that touch. A contact keeps its index while it touches, but for those renumbered; the
+  /// order depends on nothing but what was done to the scene.
+  std::span<const Contact> contacts;
   std::span<const std::uint32_t> began;  ///< indices of contacts that did not touch before
-  std::span<const EndedContact> ended;   ///< since the last step, removed bodies' too
-  std::size_t stayed = 0;                ///< all contacts but those that began
-  StepCounts counts;                     ///< what was done, and what was skipped
+  /// Contacts that took the places of ended ones since the last step, in the order in which they
+  /// did; before any began.
+  std::span<const RenumberedContact> renumbered;
+  std::span<const EndedContact> ended;  ///< since the last step, removed bodies' too
+  std::size_t stayed = 0;               ///< all contacts but those that began
+  StepCounts counts;                    ///< what was done, and what was skipped
 };
 
 }  // namespace manifuzz::scene

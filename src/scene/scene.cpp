@@ -1,5 +1,6 @@
 #include "scene/scene.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 #include "geometry/manifold.hpp"
@@ -21,9 +22,17 @@ std::variant<std::uint32_t, Defect> Scene::add_shape(const ConvexPolygon<float>&
   return shapes_.add(polygon);
 }
 
-std::variant<BodyHandle, Defect> Scene::add(std::uint32_t shape, const Pose<float>& pose) {
+std::variant<BodyHandle, Defect> Scene::add(std::uint32_t shape, const Pose<float>& pose,
+                                            const Rules& rules) {
   if (shape >= shapes_.size()) return Defect::unknown_shape;
   if (const auto defect = find_defect(pose)) return *defect;
+  const std::uint32_t body = take_place(shape, pose);
+  set_traits(body, {rules, {handle(body)}});
+  return handle(body);
+}
+
+/// A place for a body that has this shape and no traits yet.
+std::uint32_t Scene::take_place(std::uint32_t shape, const Pose<float>& pose) {
   if (free_.empty()) {
     free_.push_back(static_cast<std::uint32_t>(placements_.size()));
     const auto append = [](auto& by_body, auto value) {
@@ -45,29 +54,46 @@ std::variant<BodyHandle, Defect> Scene::add(std::uint32_t shape, const Pose<floa
   ++generations_[body];
   ++body_count_;
   start_path(body);
-  return handle(body);
+  return body;
 }
 
 std::optional<Defect> Scene::remove(BodyHandle handle) {
   if (!is_known(handle)) return Defect::unknown_body;
-  const std::uint32_t body = handle.index;
+  const auto assembly = assemblies_.find(handle.index);
+  if (assembly == assemblies_.end()) {
+    leave_place(handle.index);
+    return std::nullopt;
+  }
+  for (const Assembly::Part& part : assembly->second.parts) leave_place(part.handle.index);
+  assemblies_.erase(assembly);
+  return std::nullopt;
+}
+
+void Scene::leave_place(std::uint32_t body) {
   if (is(body, kFiled)) {
     drop_all(body);
     cells_.remove(body, boxes_[body]);
   }
   boxes_[body] = kNowhere;
   states_[body] &= kMoved;  // it stays among the movers, if it is one
-  ++generations_[handle.index];
+  ++generations_[body];
   --body_count_;
-  free_.push_back(body);
-  return std::nullopt;
+  removed_.push_back(body);
 }
 
-std::optional<Defect> Scene::set_shape(BodyHandle body, std::uint32_t shape) {
+std::optional<Defect> Scene::set_shape(BodyHandle body, std::uint32_t shape, std::uint32_t part) {
   if (!is_known(body)) return Defect::unknown_body;
   if (shape >= shapes_.size()) return Defect::unknown_shape;
-  placements_[body.index].shape = shape;
-  start_path(body.index);
+  std::uint32_t place = body.index;
+  if (part > 0) {
+    const auto assembly = assemblies_.find(body.index);
+    if (assembly == assemblies_.end() || part >= assembly->second.parts.size()) {
+      return Defect::unknown_part;
+    }
+    place = assembly->second.parts[part].handle.index;
+  }
+  placements_[place].shape = shape;
+  start_path(place);
   return std::nullopt;
 }
 
@@ -141,6 +167,8 @@ void Scene::end_contact(Candidate& candidate) {
 void Scene::erase_contact(std::uint32_t contact) {
   const Contact& last = contacts_.back();
   if (contact + 1 < contacts_.size()) {
+    make_room(renumbered_, renumbered_.size() + 1);
+    renumbered_.push_back({static_cast<std::uint32_t>(contacts_.size() - 1), contact});
     candidates_.find(last.a.index, last.b.index)->touch(contact);
     contacts_[contact] = last;
     if (!kept_.empty()) kept_[contact] = kept_.back();
@@ -151,13 +179,17 @@ void Scene::erase_contact(std::uint32_t contact) {
 
 Memory Scene::memory() const {
   const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
-  return {of(free_) + of(placements_) + of(generations_) + of(states_) + of(paths_) +
-              of(leave_at_) + of(boxes_) + of(left_at_) + cells_.bytes() +
-              candidates_.bytes_by_body() + of(movers_) + of(left_) + of(bodies_) + of(marks_) +
-              of(tight_) + of(found_),
+  std::size_t of_assemblies = 0;
+  for (const auto& [place, assembly] : assemblies_) {
+    of_assemblies += sizeof(place) + sizeof(assembly) + of(assembly.parts);
+  }
+  return {of(free_) + of(removed_) + of(placements_) + of(generations_) + of(states_) + of(paths_) +
+              of(leave_at_) + of(boxes_) + of(left_at_) + of(traits_) + of_assemblies +
+              cells_.bytes() + candidates_.bytes_by_body() + of(movers_) + of(part_moves_) +
+              of(left_) + of(bodies_) + of(marks_) + of(tight_) + of(found_),
           candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + touching_.bytes() +
               apart_.bytes() + leaving_.bytes() + of(adding_) + of(manifolds_) + of(beginning_) +
-              of(vacant_) + of(began_) + of(ended_)};
+              of(vacant_) + of(began_) + of(ended_) + of(renumbered_)};
 }
 
 }  // namespace manifuzz::scene

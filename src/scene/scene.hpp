@@ -1,11 +1,13 @@
 #pragma once
 
+#include <unordered_map>
 #include <variant>
 
 #include "afresh/cells.hpp"
 #include "scene/body.hpp"
 #include "scene/candidates.hpp"
 #include "scene/large_pages.hpp"
+#include "scene/parts.hpp"
 #include "scene/rows.hpp"
 
 // The manifolds of a whole scene, step after step. Of the bodies that moved, in this order:
@@ -58,20 +60,52 @@ class Scene {
   std::variant<std::uint32_t, Defect> add_shape(const ConvexPolygon<float>& polygon);
 
   /// A new body, of a shape that was added, at a pose in the world; the next step looks at it.
-  std::variant<BodyHandle, Defect> add(std::uint32_t shape, const Pose<float>& pose);
+  std::variant<BodyHandle, Defect> add(std::uint32_t shape, const Pose<float>& pose,
+                                       const Rules& rules = {});
+  /// A new body of one or more parts, which do not touch each other. Each part stands where
+  /// `composed` puts it, and has contacts of its own: `part` says of a contact's handle whose it
+  /// is.
+  std::variant<BodyHandle, Defect> add(std::span<const BodyPart> parts, const Pose<float>& pose,
+                                       const Rules& rules = {});
   /// Takes a body out; its contacts are reported as ended by the next step.
   std::optional<Defect> remove(BodyHandle body);
-  /// Gives a body another shape, which the next step looks at.
-  std::optional<Defect> set_shape(BodyHandle body, std::uint32_t shape);
+  /// Gives a body, or one of its parts, another shape, which the next step looks at.
+  std::optional<Defect> set_shape(BodyHandle body, std::uint32_t shape, std::uint32_t part = 0);
+  /// Gives a body another filter: contacts that it does not allow are reported as ended by the next
+  /// step, others begin there.
+  std::optional<Defect> set_filter(BodyHandle body, const Filter& filter);
 
   /// Puts bodies where they are now and brings the contacts up to date. Of two moves of one body
   /// the last counts.
   std::variant<StepResult, RefusedMove> step(std::span<const Move> moves);
 
   /// Where a body stands in the world, as of the last step; it must be in the scene.
-  const Pose<float>& pose(BodyHandle body) const { return placements_[body.index].pose; }
+  const Pose<float>& pose(BodyHandle body) const;
+  /// What a body is to others; it must be in the scene.
+  Rules rules(BodyHandle body) const {
+    return traits_.empty() ? Rules{} : traits_[body.index].rules;
+  }
+  /// Which body and which of its parts a handle of the last step's contacts names, ended ones too.
+  PartName part(BodyHandle handle) const {
+    return traits_.empty() ? PartName{handle} : traits_[handle.index].name;
+  }
+  /// The handle by which contacts name a part; its body must be in the scene and have the part.
+  BodyHandle handle(const PartName& name) const;
 
-  /// How many bodies are in the scene.
+  /// The shape, and where it stands in the world as of the last step, of what a contact's handle
+  /// names: a body, or one of its parts.
+  kernel::Placement<float> placement(BodyHandle handle) const { return placements_[handle.index]; }
+  /// A shape that was added.
+  const ConvexPolygon<float>& shape(std::uint32_t index) const {
+    return shapes_.for_pairs().polygon(index);
+  }
+
+  /// The handles, by their indices, of all bodies and parts whose padded boxes overlap this one, as
+  /// of the last step, and so of all that reach into it (certificates.md, "Boxes"). Valid until the
+  /// next call.
+  std::span<const BodyHandle> near(const Box& box);
+
+  /// How many bodies are in the scene; each part counts.
   std::size_t body_count() const { return body_count_; }
   /// How many pairs of bodies are candidates.
   std::size_t pair_count() const { return candidates_.size(); }
@@ -116,7 +150,7 @@ class Scene {
 
   bool is_known(BodyHandle body) const {
     return body.index < generations_.size() && generations_[body.index] == body.generation &&
-           body.generation % 2 == 1;
+           body.generation % 2 == 1 && part(body).body == body;
   }
   BodyHandle handle(std::uint32_t index) const { return {index, generations_[index]}; }
   const ShapeFacts& facts(std::uint32_t body) const {
@@ -131,6 +165,22 @@ class Scene {
     return is(body, kLeft) ? left_[left_at_[body]].before : boxes_[body];
   }
 
+  std::uint32_t take_place(std::uint32_t shape, const Pose<float>& pose);
+  void leave_place(std::uint32_t body);
+  void set_traits(std::uint32_t body, const Traits& traits);
+  void refilter(std::uint32_t body, const Filter& filter);
+  std::optional<RefusedMove> find_refused(std::span<const Move> moves) const;
+  std::span<const Move> moves_of_parts(std::span<const Move> moves);
+  bool may_touch(std::uint32_t a, std::uint32_t b) const {
+    return traits_.empty() || (!(traits_[a].name.body == traits_[b].name.body) &&
+                               scene::may_touch(traits_[a].rules, traits_[b].rules));
+  }
+  /// Whether contacts of two bodies have no points.
+  bool is_sensed(const kernel::BodyPair& bodies) const {
+    return !traits_.empty() &&
+           (traits_[bodies.a].rules.is_sensor || traits_[bodies.b].rules.is_sensor);
+  }
+
   void start_path(std::uint32_t body);
   void forget_removed();
   void place(std::span<const Move> moves);
@@ -143,6 +193,7 @@ class Scene {
   void part_from_partners();
   void refile();
   void find_partners(std::uint32_t body);
+  void leave_out_forbidden(std::size_t first);
   void add_candidates();
   void drop(std::uint32_t a, Candidate& candidate);
   void drop_all(std::uint32_t body);
@@ -183,7 +234,9 @@ class Scene {
   Settings settings_;
   ShapeTable shapes_;
   std::size_t body_count_ = 0;
-  std::vector<std::uint32_t> free_;  // bodies' places to be used again
+  std::vector<std::uint32_t> free_;     // bodies' places to be used again
+  std::vector<std::uint32_t> removed_;  // to be used again once a step has told of what ended
+  std::unordered_map<std::uint32_t, Assembly> assemblies_;  // bodies of parts, by the first's place
 
   // By body.
   LargeVector<kernel::Placement<float>> placements_;
@@ -194,6 +247,7 @@ class Scene {
   std::vector<Box> boxes_;              // fattened
   std::vector<Box> tight_;              // where kBoxed
   std::vector<std::uint32_t> left_at_;  // its place among those that left, if it did
+  std::vector<Traits> traits_;          // empty while no body had any
 
   Cells cells_;  // of the fattened boxes
   Candidates candidates_;
@@ -201,12 +255,14 @@ class Scene {
   LargeVector<Kept> kept_;  // by contact, unless strict
 
   // What only the step under way needs.
+  std::vector<Move> part_moves_;
   std::vector<Mover> movers_;
   bool few_moved_ = false;
   std::vector<Leaver> left_;
   std::vector<std::uint32_t> bodies_;
   std::vector<std::uint32_t> marks_;  // by body
   std::vector<std::uint32_t> found_;
+  std::vector<BodyHandle> near_;          // what was last asked for
   std::vector<kernel::BodyPair> adding_;  // pairs that are to be candidates
   Queue touching_;
   Queue apart_;
@@ -219,7 +275,9 @@ class Scene {
   // What a step reports.
   std::vector<std::uint32_t> began_;
   std::vector<EndedContact> ended_;
+  std::vector<RenumberedContact> renumbered_;
   std::ptrdiff_t ended_reported_ = 0;  // by the last step; those behind wait for the next
+  std::ptrdiff_t renumbered_reported_ = 0;
 };
 
 }  // namespace manifuzz::scene

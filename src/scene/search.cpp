@@ -163,7 +163,8 @@ void Scene::find_partners(std::uint32_t body) {
   states_[body] =
       static_cast<std::uint8_t>(is_alone ? states_[body] | kAlone : states_[body] & ~kAlone);
   const Box before = box_before(body);
-  std::size_t count = adding_.size();
+  const std::size_t first = adding_.size();
+  std::size_t count = first;
   resize(adding_, count + found.size());
   for (const std::uint32_t other : found) {
     const bool finds = other != body && !(is(other, kLeft) && other < body);
@@ -171,6 +172,16 @@ void Scene::find_partners(std::uint32_t body) {
     count += static_cast<std::size_t>(finds & !scene::overlap(before, box_before(other)));
   }
   adding_.resize(count);
+  if (!traits_.empty()) leave_out_forbidden(first);
+}
+
+/// Of the pairs to be added, those from the first one on.
+void Scene::leave_out_forbidden(std::size_t first) {
+  const auto is_forbidden = [&](const kernel::BodyPair& pair) {
+    return !may_touch(pair.a, pair.b);
+  };
+  const auto from = adding_.begin() + static_cast<std::ptrdiff_t>(first);
+  adding_.erase(std::remove_if(from, adding_.end(), is_forbidden), adding_.end());
 }
 
 void Scene::add_candidates() {

@@ -17,13 +17,12 @@ constexpr std::size_t kAhead = 16;
 }  // namespace
 
 std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves) {
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    if (!is_known(moves[i].body)) return RefusedMove{i, Defect::unknown_body};
-    if (const auto defect = find_defect(moves[i].pose)) return RefusedMove{i, *defect};
-  }
+  if (const auto refused = find_refused(moves)) return *refused;
   began_.clear();
   ended_.erase(ended_.begin(), ended_.begin() + std::exchange(ended_reported_, 0));
-  place(moves);
+  renumbered_.erase(renumbered_.begin(),
+                    renumbered_.begin() + std::exchange(renumbered_reported_, 0));
+  place(moves_of_parts(moves));
   find_candidates();
   look_at_candidates();
   begin_contacts();
@@ -43,6 +42,8 @@ void Scene::settle() {
     std::ranges::for_each(states_, settled);
   }
   movers_.clear();
+  free_.insert(free_.end(), removed_.begin(), removed_.end());
+  removed_.clear();
 }
 
 void Scene::look_at_candidates() {
@@ -186,7 +187,10 @@ void Scene::collide_touching() {
   const std::size_t count = std::exchange(queue.count, 0);
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t contact = queue.at[i];
-    queue.push(queue.bodies(i), contact, contacts_[contact].manifold.count == 0);
+    const kernel::BodyPair bodies = queue.bodies(i);
+    Manifold<float>& manifold = contacts_[contact].manifold;
+    queue.push(bodies, contact, manifold.count == 0);
+    if (is_sensed(bodies)) manifold.count = 0;
   }
   for (std::size_t i = 0; i < queue.count; ++i) {
     const kernel::BodyPair bodies = queue.bodies(i);
@@ -255,6 +259,7 @@ void Scene::begin_contacts() {
     candidate->touch(contact);
     began_.push_back(contact);
     contacts_[contact] = {handle(bodies.a), handle(bodies.b), manifold};
+    if (is_sensed(bodies)) contacts_[contact].manifold.count = 0;
     if (settings_.recycled_motion > 0) kept_[contact] = {b_in_a(bodies), manifold};
   }
   // From the end: the last contact of all has then neither ended nor begun.
@@ -271,7 +276,9 @@ bool Scene::recycle(std::uint32_t a, const Candidate& candidate) {
   if (!(displacement(kept.b_in_a, now, facts(candidate.b).reach) < settings_.recycled_motion)) {
     return false;
   }
-  contacts_[candidate.contact()].manifold = recycled(kept.manifold, kept.b_in_a, now);
+  Manifold<float>& manifold = contacts_[candidate.contact()].manifold;
+  manifold = recycled(kept.manifold, kept.b_in_a, now);
+  if (is_sensed({a, candidate.b})) manifold.count = 0;
   ++counts_.pairs.recycled;
   return true;
 }
@@ -280,8 +287,9 @@ StepResult Scene::result() {
   PairCounts& pairs = counts_.pairs;
   pairs.at_rest = pairs.candidates - pairs.separated - pairs.recycled - pairs.collided;
   ended_reported_ = std::ssize(ended_);
+  renumbered_reported_ = std::ssize(renumbered_);
   const std::size_t stayed = contacts_.size() - began_.size();
-  return {contacts_, began_, ended_, stayed, std::exchange(counts_, {})};
+  return {contacts_, began_, renumbered_, ended_, stayed, std::exchange(counts_, {})};
 }
 
 }  // namespace manifuzz::scene

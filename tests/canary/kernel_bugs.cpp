@@ -51,8 +51,7 @@ std::optional<Noticed> noticed_by_promise(const Look& look, std::uint64_t number
 
 using NoticeOf = std::optional<Noticed> (*)(const Look&, std::uint64_t, const PairCase&);
 
-std::optional<Sighting> search_with(Haystack haystack, const Look& look, NoticeOf notice) {
-  haystack.regimes = polygon_regimes();
+std::optional<Sighting> search_with(const Haystack& haystack, const Look& look, NoticeOf notice) {
   return search(
       haystack,
       [&](std::uint64_t number, const PairCase& pair) { return notice(look, number, pair); },
@@ -69,8 +68,10 @@ std::optional<Sighting> search_with(Haystack haystack, const Look& look, NoticeO
 /// cheaper.
 void add_kernel(const Bug& bug, const Look& look, const Look& look_at_manifold,
                 std::uint64_t judged_max) {
-  const auto search_both = [=](const Haystack& haystack) {
+  const bool is_of_round = bug.name.starts_with("circles_") || bug.name.starts_with("round_");
+  const auto search_both = [=](Haystack haystack) {
     const Acting acting(bug);
+    haystack.regimes = is_of_round ? round_regimes() : polygon_regimes();
     Haystack to_judge = haystack;
     to_judge.cases_max = std::min(haystack.cases_max, haystack.first + judged_max);
     auto judged = search_with(to_judge, look_at_manifold, noticed_by_judge);
@@ -124,6 +125,11 @@ const std::vector<PairCase>& companions() {
 PairAnswers clean_answers(const PairCase& pair, float bias) {
   const ConvexPolygon<float>& a = pair.a.polygon;
   const auto b = transform(relative_pose(pair.a.pose, pair.b.pose), pair.b.polygon);
+  if (is_round(pair)) {
+    const auto manifold = clipping::collide_in_frame(a, b, bias);
+    const bool touches = clipping::collide_in_frame(a, b).count > 0;
+    return {manifold, touches, touches, 0};
+  }
   constexpr float no_limit = std::numeric_limits<float>::infinity();
   const float separation = std::max(clipping::greatest_separation(a, b, no_limit).separation,
                                     clipping::greatest_separation(b, a, no_limit).separation);
@@ -131,13 +137,16 @@ PairAnswers clean_answers(const PairCase& pair, float bias) {
   return {clipping::collide_in_frame(a, b, bias), touches, touches, separation};
 }
 
-/// Which answer is another than it should be; of pairs that do not touch, any separation by more
-/// than the total radius is right.
-std::string difference(const PairAnswers& said, const PairAnswers& right, float total_radius) {
+/// Which answer about a pair is another than it should be: where shapes do not touch, any
+/// separation by more than the total radius is right, and where round ones do, any that is not.
+std::string difference(const PairAnswers& said, const PairAnswers& right, const PairCase& pair) {
   if (said.manifold != right.manifold) return "pair";
   if (said.touches != right.touches) return "touches";
-  const bool separation_is_right =
-      right.touches ? said.separation == right.separation : said.separation > total_radius;
+  const float total_radius = pair.a.polygon.radius + pair.b.polygon.radius;
+  const bool separation_is_right = right.touches
+                                       ? said.separation == right.separation ||
+                                             (is_round(pair) && said.separation <= total_radius)
+                                       : said.separation > total_radius;
   return separation_is_right && said.separation_touches == right.touches ? "" : "separation";
 }
 
@@ -158,15 +167,11 @@ std::vector<PairCase> motion(std::uint64_t number, const PairCase& pair) {
   return {pair, near, turned, other, pair, farther(2), pair, near};
 }
 
-float radius_of_both(const PairCase& pair) {
-  return pair.a.polygon.radius + pair.b.polygon.radius;
-}
-
 /// By answers without hints.
 std::optional<Broken> broken_by_pair(AskPair ask, std::uint64_t number, const PairCase& pair) {
   const float bias = tie_bias(number);
   const PairAnswers said = ask({&pair, 1}, bias, false)[0];
-  const std::string what = difference(said, clean_answers(pair, bias), radius_of_both(pair));
+  const std::string what = difference(said, clean_answers(pair, bias), pair);
   if (what.empty()) return std::nullopt;
   if (what != "pair") return Broken{what + " differs from clip"};
   return Broken{"pair differs from clip", "pair", manifold_cast<double>(said.manifold),
@@ -179,7 +184,7 @@ std::optional<Broken> broken_by_hints(AskPair ask, std::uint64_t number, const P
   const std::vector<PairAnswers> without = ask(steps, tie_bias(number), false);
   const std::vector<PairAnswers> with_hints = ask(steps, tie_bias(number), true);
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const std::string what = difference(with_hints[i], without[i], radius_of_both(steps[i]));
+    const std::string what = difference(with_hints[i], without[i], steps[i]);
     if (!what.empty()) return Broken{"a hint misleads " + what};
   }
   return std::nullopt;
@@ -224,7 +229,9 @@ std::optional<Broken> broken_by_batch(typename PlantedBatch<Scalar>::Collide col
   const auto placed = clipping::placed_pair<Scalar>(pair);
   const auto right =
       clipping::collide(placed.a, placed.b, relative_pose(placed.pose_a, placed.pose_b), bias);
-  const auto all = crowd(placed_companions<Scalar>(), placed, crowd_size(number));
+  // Round ones fill whole batches, which are of one kind.
+  const auto all = crowd(is_round(pair) ? std::vector{placed} : placed_companions<Scalar>(), placed,
+                         crowd_size(number));
   std::vector<Manifold<Scalar>> manifolds(all.size());
   collide(all, bias, manifolds.data());
   for (const std::size_t i : {std::size_t{0}, all.size() / 2, all.size() - 1}) {

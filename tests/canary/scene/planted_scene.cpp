@@ -22,6 +22,9 @@ struct Api {
   using Scene = scene::Scene;
   using BodyHandle = scene::BodyHandle;
   using Move = scene::Move;
+  using BodyPart = scene::BodyPart;
+  using Filter = scene::Filter;
+  using Rules = scene::Rules;
 };
 
 [[maybe_unused]] const bool planted = canary::add_scenes({PLANTED_BUGS}, test::Adapted<Api>::make);

@@ -21,7 +21,7 @@ int main() {
   if (const auto defect = find_defect(corners)) return complain(describe(*defect));
   const auto box = make_polygon<float>(corners);
   const auto rows = kernel::rows_of(box);  // as one pair at a time takes it
-  kernel::Shapes<float> shapes;             // as many at once take it, by index
+  kernel::Shapes<float> shapes;            // as many at once take it, by index
   const auto shape = shapes.add(box);
   std::vector<kernel::Placement<float>> bodies{
       {shape, {{0, 0}, {1, 0}}}, {shape, {{0.5F, 3}, {1, 0}}}, {shape, {{1, 6}, {0.6F, 0.8F}}}};

@@ -48,8 +48,7 @@ template <class Scalar>
 Scene<Scalar> scene_of(std::span<const Regime> regimes) {
   Scene<Scalar> scene;
   for (std::uint32_t i = 0; i < kPairs; ++i) {
-    const auto placed =
-        clipping::placed_pair<Scalar>(generate(5, regimes[i % regimes.size()], i));
+    const auto placed = clipping::placed_pair<Scalar>(generate(5, regimes[i % regimes.size()], i));
     scene.add(placed.a, placed.pose_a);
     scene.add(placed.b, placed.pose_b);
     scene.pairs.push_back({2 * i, 2 * i + 1});

@@ -17,9 +17,10 @@ using Command = rc::state::Command<Model, Subject>;
 struct Seeded : Command {
   std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
 
+  /// Its first part, where it has several.
   std::size_t body(const Model& model) const {
     const auto alive = model.alive();
-    return alive[(seed >> 32) % alive.size()];
+    return model.bodies[alive[(seed >> 32) % alive.size()]].first;
   }
   std::uint32_t shape() const {
     static const std::size_t count = shapes_for_scenes().size();
@@ -33,11 +34,46 @@ struct Add : Seeded {
   void checkPreconditions(const Model& model) const override {
     RC_PRE(model.alive().size() < kBodiesMax);
   }
-  void apply(Model& model) const override {
-    model.bodies.push_back({true, shape(), anywhere(seed)});
-  }
-  void run(const Model&, Subject& subject) const override { subject.add(shape(), anywhere(seed)); }
+  virtual Model::Body added() const { return {true, shape(), anywhere(seed)}; }
+  void apply(Model& model) const override { model.add(added()); }
+  void run(const Model&, Subject& subject) const override { subject.add(added()); }
   const char* name() const override { return "add"; }
+};
+
+/// Two categories, and three groups, one of them none.
+scene::Filter filter_of(std::uint64_t seed) {
+  Random random(seed, "filter", 0);
+  const auto bits = [&] { return static_cast<std::uint32_t>(random.integer(1, 3)); };
+  return {bits(), bits(), static_cast<std::int32_t>(random.integer(-1, 1))};
+}
+
+struct AddWithRules : Add {
+  Model::Body added() const override {
+    Model::Body body = Add::added();
+    body.rules = {(seed & 4) != 0 ? filter_of(seed) : scene::Filter{}, (seed & 1) != 0,
+                  (seed & 2) != 0};
+    return body;
+  }
+  const char* name() const override { return "add with rules"; }
+};
+
+struct AddOfParts : AddWithRules {
+  std::vector<scene::BodyPart> parts() const {
+    static const std::size_t count = shapes_for_scenes().size();
+    Random random(seed, "parts", 0);
+    std::vector<scene::BodyPart> all(static_cast<std::size_t>(random.integer(1, 4)));
+    for (scene::BodyPart& part : all) {
+      part.shape = static_cast<std::uint32_t>(random.bits() % count);
+      part.pose = anywhere(random.bits());
+      part.pose.position *= 0.25F;
+    }
+    return all;
+  }
+  void apply(Model& model) const override { model.add(parts(), anywhere(seed), added().rules); }
+  void run(const Model&, Subject& subject) const override {
+    subject.add(parts(), anywhere(seed), added().rules);
+  }
+  const char* name() const override { return "add of parts"; }
 };
 
 /// Something done to a body that is there.
@@ -46,7 +82,9 @@ struct ToBody : Seeded {
 };
 
 struct Remove : ToBody {
-  void apply(Model& model) const override { model.bodies[body(model)].alive = false; }
+  void apply(Model& model) const override {
+    model.change_parts(body(model), [](Model::Body& part) { part.alive = false; });
+  }
   void run(const Model& model, Subject& subject) const override { subject.remove(body(model)); }
   const char* name() const override { return "remove"; }
 };
@@ -59,15 +97,26 @@ struct SetShape : ToBody {
   const char* name() const override { return "set shape"; }
 };
 
+struct SetFilter : ToBody {
+  void apply(Model& model) const override {
+    model.change_parts(body(model),
+                       [&](Model::Body& part) { part.rules.filter = filter_of(seed); });
+  }
+  void run(const Model& model, Subject& subject) const override {
+    subject.scene->set_filter(subject.handles[body(model)], filter_of(seed));
+  }
+  const char* name() const override { return "set filter"; }
+};
+
 struct Moving : ToBody {
   virtual Pose<float> moved(const Model& model, const Pose<float>& pose) const = 0;
   void apply(Model& model) const override {
-    Pose<float>& pose = model.bodies[body(model)].pose;
-    pose = moved(model, pose);
+    const std::size_t ordinal = body(model);
+    model.move(ordinal, moved(model, model.pose(ordinal)));
   }
   void run(const Model& model, Subject& subject) const override {
     const std::size_t ordinal = body(model);
-    subject.moves.push_back({subject.handles[ordinal], moved(model, model.bodies[ordinal].pose)});
+    subject.moves.push_back({subject.handles[ordinal], moved(model, model.pose(ordinal))});
   }
 };
 
@@ -127,8 +176,9 @@ void check_commands(MakeScene make) {
   Subject subject(make);
   rc::state::check(
       Model{}, subject,
-      rc::state::gen::execOneOfWithArgs<Add, Add, Remove, SetShape, Shift, Approach, Turn, Teleport,
-                                        QuarterTurn, OneUlp, Step, Step, Step>());
+      rc::state::gen::execOneOfWithArgs<Add, Add, AddWithRules, AddOfParts, Remove, SetShape,
+                                        SetFilter, Shift, Approach, Turn, Teleport, QuarterTurn,
+                                        OneUlp, Step, Step, Step>());
 }
 
 }  // namespace manifuzz::test

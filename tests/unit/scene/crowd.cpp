@@ -47,8 +47,8 @@ class Crowd {
     const std::uint32_t shape = any_shape();
     Pose<float> pose = anywhere(random_.bits());
     pose.position *= 3;
-    model_.bodies.push_back({true, shape, pose});
-    subject_.add(shape, pose);
+    model_.add({true, shape, pose});
+    subject_.add(model_.bodies.back());
     courses_.push_back(course(random_, resting_));
   }
 

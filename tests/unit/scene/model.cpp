@@ -30,6 +30,8 @@ Contacts afresh(const Subject& subject, const Model& model) {
   for (std::size_t i = 0; i < alive.size(); ++i) {
     for (std::size_t j = i + 1; j < alive.size(); ++j) {
       const auto [a, b] = ordered(subject, alive[i], alive[j]);
+      const bool is_one_body = model.bodies[a].first == model.bodies[b].first;
+      if (is_one_body || !may_touch(model.bodies[a].rules, model.bodies[b].rules)) continue;
       pairs.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
     }
   }
@@ -37,7 +39,11 @@ Contacts afresh(const Subject& subject, const Model& model) {
   kernel::collide_pairs(shapes, placements, pairs, kTieBias, manifolds);
   Contacts contacts;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (manifolds[i].count > 0) contacts[{pairs[i].a, pairs[i].b}] = manifolds[i];
+    if (manifolds[i].count == 0) continue;
+    const auto& [a, b] = pairs[i];
+    contacts[{a, b}] = manifolds[i];
+    const bool is_sensed = model.bodies[a].rules.is_sensor || model.bodies[b].rules.is_sensor;
+    if (is_sensed) contacts[{a, b}].count = 0;
   }
   return contacts;
 }
@@ -57,26 +63,42 @@ std::optional<Ordinals> ordinals_of(const Subject& subject, const Handle& a, con
 /// What is wrong with what began, stayed and ended, and with the counters.
 std::optional<std::string> changes_complaint(const Subject& subject, const Stepped& stepped,
                                              const std::set<Ordinals>& now) {
-  std::set<Ordinals> began;
-  for (const std::uint32_t i : stepped.began) {
-    if (i >= stepped.contacts.size()) return "a begin that is none";
-    began.insert(*ordinals_of(subject, stepped.contacts[i].a, stepped.contacts[i].b));
-  }
-  for (const Ordinals& pair : began) {
-    if (subject.touching.count(pair) > 0) return "a contact begins again";
-  }
   std::set<Ordinals> expected = subject.touching;
-  expected.insert(began.begin(), began.end());
   for (const auto& [a, b] : stepped.ended) {
     const auto pair = ordinals_of(subject, a, b);
     if (!pair || expected.erase(*pair) == 0) return "an end that was none";
   }
+  for (const std::uint32_t i : stepped.began) {
+    if (i >= stepped.contacts.size()) return "a begin that is none";
+    const Touching& contact = stepped.contacts[i];
+    if (!expected.insert(*ordinals_of(subject, contact.a, contact.b)).second) {
+      return "a contact begins again";
+    }
+  }
   if (expected != now) return "begun and ended do not lead from the contacts before to these";
-  if (stepped.stayed + began.size() != now.size()) return "the contacts that stayed";
+  if (stepped.stayed + stepped.began.size() != now.size()) return "the contacts that stayed";
   const std::size_t looked_at = stepped.separated + stepped.collided;
   if (stepped.at_rest > stepped.candidates || stepped.candidates < now.size() ||
       stepped.at_rest + looked_at != stepped.candidates) {
     return "the counters do not add up";
+  }
+  return std::nullopt;
+}
+
+/// Whether what is kept by a contact's index stays with it; `pairs` become those of now.
+std::optional<std::string> order_complaint(const Subject& subject, const Stepped& stepped,
+                                           std::vector<Ordinals>& pairs) {
+  for (const auto& [from, to] : stepped.renumbered) {
+    if (from >= pairs.size() || to >= from) return "a contact is renumbered that is none";
+    pairs[to] = pairs[from];
+  }
+  pairs.resize(stepped.contacts.size());
+  for (const std::uint32_t i : stepped.began) {
+    pairs[i] = *ordinals_of(subject, stepped.contacts[i].a, stepped.contacts[i].b);
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Touching& contact = stepped.contacts[i];
+    if (pairs[i] != *ordinals_of(subject, contact.a, contact.b)) return "a contact lost its index";
   }
   return std::nullopt;
 }
@@ -118,8 +140,13 @@ Subject::Subject(MakeScene make) : scene(make()) {
   for (const auto& shape : shapes_for_scenes()) scene->add_shape(shape);
 }
 
-void Subject::add(std::uint32_t shape, const Pose<float>& pose) {
-  handles.push_back(scene->add(shape, pose));
+void Subject::add(const Model::Body& body) {
+  handles.push_back(scene->add(body.shape, body.pose, body.rules));
+}
+
+void Subject::add(const std::vector<scene::BodyPart>& parts, const Pose<float>& pose,
+                  const scene::Rules& rules) {
+  for (const Handle& part : scene->add(parts, pose, rules)) handles.push_back(part);
 }
 
 void Subject::remove(std::size_t ordinal) {
@@ -144,7 +171,7 @@ std::optional<std::string> Subject::step(const Model& model) {
   if (now.size() != right.size()) return "a contact is missing";
   const auto complaint = changes_complaint(*this, *stepped, now);
   touching = std::move(now);
-  return complaint;
+  return complaint ? complaint : order_complaint(*this, *stepped, pairs);
 }
 
 }  // namespace manifuzz::test

@@ -15,6 +15,9 @@ struct Api {
   using Scene = scene::Scene;
   using BodyHandle = scene::BodyHandle;
   using Move = scene::Move;
+  using BodyPart = scene::BodyPart;
+  using Filter = scene::Filter;
+  using Rules = scene::Rules;
 };
 
 constexpr test::MakeScene kMake = test::Adapted<Api>::make;

@@ -1,0 +1,118 @@
+#include "scene/parts.hpp"
+
+#include <algorithm>
+
+#include "scene/scene.hpp"
+
+// What not every body of a scene has: rules, and several parts.
+
+namespace manifuzz::scene {
+
+/// Scenes whose bodies have none hold no array of them.
+void Scene::set_traits(std::uint32_t body, const Traits& traits) {
+  const bool is_plain = traits.rules == Rules{} && traits.name == PartName{handle(body)};
+  if (traits_.empty() && is_plain) return;
+  for (auto place = static_cast<std::uint32_t>(traits_.size()); place < placements_.size();
+       ++place) {
+    make_room(traits_, place + 1);
+    traits_.push_back({{}, {handle(place)}});
+  }
+  traits_[body] = traits;
+}
+
+std::optional<Defect> Scene::set_filter(BodyHandle body, const Filter& filter) {
+  if (!is_known(body)) return Defect::unknown_body;
+  const auto assembly = assemblies_.find(body.index);
+  if (assembly == assemblies_.end()) {
+    refilter(body.index, filter);
+    return std::nullopt;
+  }
+  for (const Assembly::Part& part : assembly->second.parts) refilter(part.handle.index, filter);
+  return std::nullopt;
+}
+
+/// Candidates are the pairs that may touch: those that no longer may are dropped, others are added.
+void Scene::refilter(std::uint32_t body, const Filter& filter) {
+  Traits traits = traits_.empty() ? Traits{{}, {handle(body)}} : traits_[body];
+  traits.rules.filter = filter;
+  set_traits(body, traits);
+  if (!is(body, kFiled)) return;  // its partners are yet to be found
+  for (const std::uint32_t other : cells_.near(boxes_[body])) {
+    if (other == body) continue;
+    const auto [a, b] = std::minmax(body, other);
+    Candidate* const candidate = candidates_.find(a, b);
+    const bool is_allowed = may_touch(a, b);
+    if (candidate != nullptr && !is_allowed) drop(a, *candidate);
+    if (candidate == nullptr && is_allowed) candidates_.add(a, b);
+  }
+  start_path(body);
+}
+
+std::variant<BodyHandle, Defect> Scene::add(std::span<const BodyPart> parts,
+                                            const Pose<float>& pose, const Rules& rules) {
+  if (parts.empty()) return Defect::no_parts;
+  if (const auto defect = find_defect(pose)) return *defect;
+  for (const BodyPart& part : parts) {
+    if (part.shape >= shapes_.size()) return Defect::unknown_shape;
+    if (const auto defect = find_defect(part.pose)) return *defect;
+    if (const auto defect = find_defect(composed(pose, part.pose))) return *defect;
+  }
+  Assembly assembly{pose, {}};
+  for (const BodyPart& part : parts) {
+    const std::uint32_t place = take_place(part.shape, composed(pose, part.pose));
+    assembly.parts.push_back({handle(place), part.pose});
+    const BodyHandle body = assembly.parts.front().handle;
+    const auto number = static_cast<std::uint32_t>(assembly.parts.size() - 1);
+    set_traits(place, {rules, {body, number}});
+  }
+  const BodyHandle body = assembly.parts.front().handle;
+  assemblies_.insert_or_assign(body.index, std::move(assembly));
+  return body;
+}
+
+const Pose<float>& Scene::pose(BodyHandle body) const {
+  const auto assembly = assemblies_.find(body.index);
+  return assembly == assemblies_.end() ? placements_[body.index].pose : assembly->second.pose;
+}
+
+BodyHandle Scene::handle(const PartName& name) const {
+  const auto assembly = assemblies_.find(name.body.index);
+  return assembly == assemblies_.end() ? name.body : assembly->second.parts[name.part].handle;
+}
+
+std::optional<RefusedMove> Scene::find_refused(std::span<const Move> moves) const {
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const auto& [body, pose] = moves[i];
+    if (!is_known(body)) return RefusedMove{i, Defect::unknown_body};
+    if (const auto defect = find_defect(pose)) return RefusedMove{i, *defect};
+    if (assemblies_.empty()) continue;
+    const auto assembly = assemblies_.find(body.index);
+    if (assembly == assemblies_.end()) continue;
+    for (const Assembly::Part& part : assembly->second.parts) {
+      const auto defect = find_defect(composed(pose, part.pose));
+      if (defect) return RefusedMove{i, *defect};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The moves, those of bodies of parts as one of each part.
+std::span<const Move> Scene::moves_of_parts(std::span<const Move> moves) {
+  if (assemblies_.empty()) return moves;
+  part_moves_.clear();
+  for (const Move& move : moves) {
+    const auto found = assemblies_.find(move.body.index);
+    if (found == assemblies_.end()) {
+      part_moves_.push_back(move);
+      continue;
+    }
+    Assembly& assembly = found->second;
+    assembly.pose = move.pose;
+    for (const Assembly::Part& part : assembly.parts) {
+      part_moves_.push_back({part.handle, composed(move.pose, part.pose)});
+    }
+  }
+  return part_moves_;
+}
+
+}  // namespace manifuzz::scene
