@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "exact/placed.hpp"
-#include "geometry/manifold.hpp"
+#include "geometry/pair_case.hpp"
 
 namespace manifuzz {
 

@@ -5,6 +5,7 @@
 
 #include "afresh/cells.hpp"
 #include "afresh/shape_table.hpp"
+#include "geometry/convex_polygon.hpp"
 #include "geometry/manifold.hpp"
 
 namespace manifuzz::scene {

@@ -280,10 +280,11 @@ std::uint32_t Cells::entry_of(const Place& place, std::uint32_t body) {
   return find(overflow_, overflow_end_);
 }
 
-std::span<const std::uint32_t> Cells::near(const Box& box) {
+std::span<const std::uint32_t> Cells::near(const Box& box,
+                                           std::vector<std::uint32_t>& found) const {
   const std::size_t count =
-      HWY_DYNAMIC_DISPATCH(near)(levels(), entries_, overflow_, overflow_end_, box, found_);
-  return std::span(found_).first(count);
+      HWY_DYNAMIC_DISPATCH(near)(levels(), entries_, overflow_, overflow_end_, box, found);
+  return std::span(found).first(count);
 }
 
 void Cells::pairs(std::vector<kernel::BodyPair>& found) {

@@ -27,7 +27,9 @@ class Cells {
   void remove(std::uint32_t body, const Box& box);
 
   /// The bodies whose boxes overlap this one, in no particular order; until the next call.
-  std::span<const std::uint32_t> near(const Box& box);
+  std::span<const std::uint32_t> near(const Box& box) { return near(box, found_); }
+  /// As that, held by the caller in `found`: what several threads may ask.
+  std::span<const std::uint32_t> near(const Box& box, std::vector<std::uint32_t>& found) const;
 
   /// Puts all pairs of bodies whose boxes overlap into `found`, each once, a < b; where they have
   /// just been filed without room.

@@ -12,7 +12,7 @@
 
 #include "collider/least_polygon.hpp"
 #include "collider/used_shapes.hpp"
-#include "geometry/manifold.hpp"
+#include "geometry/pair_case.hpp"
 
 namespace manifuzz {
 

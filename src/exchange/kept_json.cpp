@@ -12,7 +12,7 @@
 #include "base/json.hpp"
 #include "base/text.hpp"
 #include "exchange/json.hpp"
-#include "geometry/manifold.hpp"
+#include "geometry/pair_case.hpp"
 
 namespace manifuzz {
 namespace {

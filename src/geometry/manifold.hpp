@@ -6,11 +6,19 @@
 #include <cstdint>
 #include <utility>
 
-#include "geometry/pair_case.hpp"
+#include "geometry/pose.hpp"
 
 namespace manifuzz {
 
 /// Polygons, poses and manifolds.
+
+/// One of the two polygons of a pair.
+enum class Side : unsigned char { a, b };
+
+/// A of B, B of A.
+constexpr Side other(Side side) {
+  return side == Side::a ? Side::b : Side::a;
+}
 
 /// A corner or a face of a polygon; face i runs from vertex i to vertex i + 1.
 struct Feature {
@@ -107,25 +115,6 @@ Manifold<To> manifold_cast(const Manifold<From>& from) {
                     static_cast<To>(from.points[i].depth), from.points[i].features};
   }
   return to;
-}
-
-/// A local point of A in the world, to double precision.
-inline Vector2<double> to_world(const PairCase& pair, const Vector2<double>& local) {
-  const Pose<double> pose{pair.a.pose.position.cast<double>(), pair.a.pose.rotation.cast<double>()};
-  return transform(pose, local);
-}
-
-/// The manifold's normal in the world: from A to B, as long as the local one, hence unit.
-inline Vector2<double> world_normal(const PairCase& pair, const Vector2<double>& local) {
-  const Vector2<double> rotation = pair.a.pose.rotation.cast<double>();
-  return rotate<double>(rotation, local) / std::sqrt(rotation.dot(rotation));
-}
-
-/// A normal of the world, from A to B, in A's frame: unit where `length` is its length.
-inline Vector2<double> local_normal(const PairCase& pair, const Vector2<double>& world,
-                                    double length = 1) {
-  const Vector2<double> rotation = pair.a.pose.rotation.cast<double>();
-  return rotate_back<double>(rotation, world) / (std::sqrt(rotation.dot(rotation)) * length);
 }
 
 /// A world point in the frame at `pose`: R^-1 (x - p).

@@ -4,17 +4,9 @@
 #include <cmath>
 
 #include "geometry/convex_polygon.hpp"
-#include "geometry/pose.hpp"
+#include "geometry/manifold.hpp"
 
 namespace manifuzz {
-
-/// One of the two polygons of a pair.
-enum class Side : unsigned char { a, b };
-
-/// A of B, B of A.
-constexpr Side other(Side side) {
-  return side == Side::a ? Side::b : Side::a;
-}
 
 /// A shape and where it stands in the world. Floats, the very ones that every collider gets.
 struct Body {
@@ -58,6 +50,25 @@ inline double extent(const PairCase& pair) {
   const Vector2<double> apart =
       pair.b.pose.position.cast<double>() - pair.a.pose.position.cast<double>();
   return reach(pair.a.polygon) + reach(pair.b.polygon) + std::sqrt(apart.dot(apart));
+}
+
+/// A local point of A in the world, to double precision.
+inline Vector2<double> to_world(const PairCase& pair, const Vector2<double>& local) {
+  const Pose<double> pose{pair.a.pose.position.cast<double>(), pair.a.pose.rotation.cast<double>()};
+  return transform(pose, local);
+}
+
+/// The manifold's normal in the world: from A to B, as long as the local one, hence unit.
+inline Vector2<double> world_normal(const PairCase& pair, const Vector2<double>& local) {
+  const Vector2<double> rotation = pair.a.pose.rotation.cast<double>();
+  return rotate<double>(rotation, local) / std::sqrt(rotation.dot(rotation));
+}
+
+/// A normal of the world, from A to B, in A's frame: unit where `length` is its length.
+inline Vector2<double> local_normal(const PairCase& pair, const Vector2<double>& world,
+                                    double length = 1) {
+  const Vector2<double> rotation = pair.a.pose.rotation.cast<double>();
+  return rotate_back<double>(rotation, world) / (std::sqrt(rotation.dot(rotation)) * length);
 }
 
 }  // namespace manifuzz

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "geometry/convex_polygon.hpp"
 #include "geometry/manifold.hpp"
 #include "kernel/shapes.hpp"
 

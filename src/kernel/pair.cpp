@@ -195,16 +195,15 @@ bool are_round(const ShapeRows& a, const ShapeRows& b) {
 PairSeparation separation_of_round(const ShapeRows& a, const ShapeRows& b,
                                    const Pose<float>& b_in_a) {
   const Manifold<float> m = collide_round_pair(polygon_of(a), polygon_of(b), b_in_a, 0.0F);
-  const float total_radius = a.radius + b.radius;
+  const float reach = a.radius + b.radius;  // of both skins
   const bool touches = m.count > 0;
   float depth = m.points[0].depth;
   if (m.count > 1) depth = std::max(depth, m.points[1].depth);
-  const float separation = total_radius - depth;
+  const float separation = reach - depth;
   if (touches) return {touches, separation, {}};
-  return {
-      touches,
-      std::max(separation, std::nextafter(total_radius, std::numeric_limits<float>::infinity())),
-      {}};
+  return {touches,
+          std::max(separation, std::nextafter(reach, std::numeric_limits<float>::infinity())),
+          {}};
 }
 
 }  // namespace

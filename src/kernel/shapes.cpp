@@ -5,46 +5,46 @@ namespace manifuzz::kernel {
 namespace {
 
 template <class Scalar>
-unsigned kind_of(const ConvexPolygon<Scalar>& shape) {
-  if (!shape.is_round()) return static_cast<unsigned>(shape.count - kMinVertices);
-  return shape.count == 1 ? kCircle : kRoundCore;
+unsigned kind_of(const ConvexPolygon<Scalar>& polygon) {
+  if (!polygon.is_round()) return static_cast<unsigned>(polygon.count - kMinVertices);
+  return polygon.count == 1 ? kCircle : kRoundCore;
 }
 
 }  // namespace
 
 template <class Scalar>
-std::uint32_t Shapes<Scalar>::add(const ConvexPolygon<Scalar>& shape) {
+std::uint32_t Shapes<Scalar>::add(const ConvexPolygon<Scalar>& polygon) {
   Scalar* scalar = corners_.emplace_back().scalars.data();
   for (int i = 0; i < kMaxVertices; ++i) {
-    const int corner = i < shape.count ? i : 0;
-    for (const auto& of : {shape.vertices[corner], shape.normals[corner]}) {
+    const int corner = i < polygon.count ? i : 0;
+    for (const auto& of : {polygon.vertices[corner], polygon.normals[corner]}) {
       *scalar++ = of.x();
       *scalar++ = of.y();
     }
   }
-  polygons_.push_back(shape);
-  kinds_.push_back(static_cast<std::uint8_t>(kind_of(shape)));
-  counts_.push_back(static_cast<std::uint8_t>(shape.count));
-  radii_.push_back(shape.radius);
-  has_radius_ = has_radius_ || shape.radius > 0;
+  polygons_.push_back(polygon);
+  kinds_.push_back(static_cast<std::uint8_t>(kind_of(polygon)));
+  counts_.push_back(static_cast<std::uint8_t>(polygon.count));
+  radii_.push_back(polygon.radius);
+  has_radius_ = has_radius_ || polygon.radius > 0;
   return static_cast<std::uint32_t>(corners_.size() - 1);
 }
 
 template class Shapes<float>;
 template class Shapes<double>;
 
-ShapeRows rows_of(const ConvexPolygon<float>& shape) {
+ShapeRows rows_of(const ConvexPolygon<float>& polygon) {
   ShapeRows rows;
   for (int i = 0; i < kMaxVertices; ++i) {
-    const int at = i < shape.count ? i : 0;
-    rows.x[i] = shape.vertices[at].x();
-    rows.y[i] = shape.vertices[at].y();
-    rows.normal_x[i] = shape.normals[at].x();
-    rows.normal_y[i] = shape.normals[at].y();
+    const int at = i < polygon.count ? i : 0;
+    rows.x[i] = polygon.vertices[at].x();
+    rows.y[i] = polygon.vertices[at].y();
+    rows.normal_x[i] = polygon.normals[at].x();
+    rows.normal_y[i] = polygon.normals[at].y();
   }
-  rows.count = shape.count;
-  rows.radius = shape.radius;
-  rows.rounding = shape.rounding;
+  rows.count = polygon.count;
+  rows.radius = polygon.radius;
+  rows.rounding = polygon.rounding;
   return rows;
 }
 

@@ -32,7 +32,7 @@ template <class Scalar>
 class Shapes {
  public:
   /// The new shape's index: 0, 1, 2, ... The shape must be free of defects.
-  std::uint32_t add(const ConvexPolygon<Scalar>& shape);
+  std::uint32_t add(const ConvexPolygon<Scalar>& polygon);
 
   /// A shape, as the kernels fetch it, in its own frame.
   const ShapeCorners<Scalar>& corners(std::uint32_t shape) const { return corners_[shape]; }
@@ -69,7 +69,7 @@ struct alignas(64) ShapeRows {
 };
 
 /// A shape, laid out in its own frame.
-ShapeRows rows_of(const ConvexPolygon<float>& shape);
+ShapeRows rows_of(const ConvexPolygon<float>& polygon);
 
 /// The shape that was laid out.
 ConvexPolygon<float> polygon_of(const ShapeRows& rows);

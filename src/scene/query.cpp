@@ -10,7 +10,7 @@ std::span<const BodyHandle> Scene::near(const Box& box) {
   const std::span<const std::uint32_t> found = cells_.near(box);
   bodies_.assign(found.begin(), found.end());
   std::ranges::sort(bodies_);
-  draw_tight_boxes();
+  draw_tight_boxes(bodies_);
   near_.clear();
   for (const std::uint32_t body : bodies_) {
     if (scene::overlap(tight_[body], box)) near_.push_back(handle(body));

@@ -42,7 +42,7 @@ class Tail {
 
 /// A lane a pair, and hardly a branch that depends on one: those of bodies that left are rare.
 std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
-                        SortedPairs& sorted) {
+                        std::uint32_t last, SortedPairs& sorted) {
   const Lanes d;
   const hn::RebindToFloat<Lanes> df;
   const hn::RebindToSigned<Lanes> di;
@@ -51,9 +51,8 @@ std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std:
   Tail apart(sorted.apart);
   Tail leaving(sorted.leaving);
   std::size_t separated = 0;
-  const std::uint32_t rows = candidates.rows();
   std::uint32_t a = first;
-  for (; a < rows; ++a) {
+  for (; a < last; ++a) {
     candidates.prefetch(a + kRowsAhead);
     const std::span<Candidate> row = candidates.row(a);
     if (row.empty()) continue;
@@ -98,8 +97,8 @@ namespace manifuzz::scene {
 HWY_EXPORT(sort_rows);
 
 std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
-                        SortedPairs& sorted) {
-  return HWY_DYNAMIC_DISPATCH(sort_rows)(candidates, marks, first, sorted);
+                        std::uint32_t last, SortedPairs& sorted) {
+  return HWY_DYNAMIC_DISPATCH(sort_rows)(candidates, marks, first, last, sorted);
 }
 
 }  // namespace manifuzz::scene

@@ -59,9 +59,9 @@ struct SortedPairs {
   std::size_t separated = 0;  ///< how many are proven apart
 };
 
-/// Sorts row after row, the first one and those behind it, as long as the queues have room for one;
-/// the row to go on with. `marks` is by body.
+/// Sorts the rows from the first to before the last, as long as the queues have room for one; the
+/// row to go on with. `marks` is by body.
 std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
-                        SortedPairs& sorted);
+                        std::uint32_t last, SortedPairs& sorted);
 
 }  // namespace manifuzz::scene

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "geometry/convex_polygon.hpp"
 #include "geometry/manifold.hpp"
 
 namespace manifuzz::scene {
@@ -183,13 +184,15 @@ Memory Scene::memory() const {
   for (const auto& [place, assembly] : assemblies_) {
     of_assemblies += sizeof(place) + sizeof(assembly) + of(assembly.parts);
   }
+  std::size_t of_works = 0;
+  for (const RowWork& work : row_works_) of_works += work.bytes();
+  for (const PartnerWork& work : partner_works_) of_works += work.bytes();
   return {of(free_) + of(removed_) + of(placements_) + of(generations_) + of(states_) + of(paths_) +
               of(leave_at_) + of(boxes_) + of(left_at_) + of(traits_) + of_assemblies +
               cells_.bytes() + candidates_.bytes_by_body() + of(movers_) + of(part_moves_) +
               of(left_) + of(bodies_) + of(marks_) + of(tight_) + of(found_),
-          candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + touching_.bytes() +
-              apart_.bytes() + leaving_.bytes() + of(adding_) + of(manifolds_) + of(beginning_) +
-              of(vacant_) + of(began_) + of(ended_) + of(renumbered_)};
+          candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + of_works + of(vacant_) +
+              of(began_) + of(ended_) + of(renumbered_)};
 }
 
 }  // namespace manifuzz::scene

@@ -6,9 +6,10 @@
 #include "afresh/cells.hpp"
 #include "scene/body.hpp"
 #include "scene/candidates.hpp"
+#include "scene/executor.hpp"
 #include "scene/large_pages.hpp"
 #include "scene/parts.hpp"
-#include "scene/rows.hpp"
+#include "scene/work.hpp"
 
 // The manifolds of a whole scene, step after step. Of the bodies that moved, in this order:
 //
@@ -76,8 +77,9 @@ class Scene {
   std::optional<Defect> set_filter(BodyHandle body, const Filter& filter);
 
   /// Puts bodies where they are now and brings the contacts up to date. Of two moves of one body
-  /// the last counts.
-  std::variant<StepResult, RefusedMove> step(std::span<const Move> moves);
+  /// the last counts. An executor, where one is given, runs parts of it: the result is the same.
+  std::variant<StepResult, RefusedMove> step(std::span<const Move> moves,
+                                             const Executor& executor = {});
 
   /// Where a body stands in the world, as of the last step; it must be in the scene.
   const Pose<float>& pose(BodyHandle body) const;
@@ -136,12 +138,6 @@ class Scene {
     Box before;
   };
 
-  struct Beginning {
-    kernel::BodyPair bodies;
-    Candidate* candidate;
-    Manifold<float> manifold;
-  };
-
   /// A contact as the kernel gave it, to be recycled.
   struct Kept {
     Pose<float> b_in_a;
@@ -189,28 +185,37 @@ class Scene {
   void find_candidates();
   void find_leavers();
   void leave(const Mover& mover);
-  void draw_tight_boxes();
+  void draw_tight_boxes(std::span<const std::uint32_t> bodies);
   void part_from_partners();
   void refile();
-  void find_partners(std::uint32_t body);
-  void leave_out_forbidden(std::size_t first);
-  void add_candidates();
+  void find_all_partners();
+  void find_partners(std::uint32_t body, PartnerWork& work) const;
+  void leave_out_forbidden(std::size_t first, std::vector<kernel::BodyPair>& adding) const;
+  void add_candidates(std::vector<kernel::BodyPair>& adding);
   void drop(std::uint32_t a, Candidate& candidate);
   void drop_all(std::uint32_t body);
 
   void look_at_candidates();
-  void look_at_all_rows();
-  void look_at_row(std::uint32_t a);
-  void look_at_partners(std::uint32_t body);
-  void look_at(std::uint32_t a, Candidate& candidate);
-  void leave_out_apart();
+  void prepare_works(std::size_t count);
+  void draw_boxes_of_movers();
+  void mark_bodies();
+  void look_at_rows(std::uint32_t first, std::uint32_t last, RowWork& work);
+  void look_at_row(std::uint32_t a, RowWork& work);
+  void look_at_partners(std::uint32_t body, RowWork& work);
+  void look_at(std::uint32_t a, Candidate& candidate, RowWork& work);
+  void leave_out_apart(RowWork& work);
+  void draw_undrawn(RowWork& work);
   template <class Out>
-  void collide(const Queue& queue, const Out& out);
-  void collide_touching();
-  void keep_touching();
-  void collide_apart();
+  void collide(const Queue& queue, const Out& out, RowWork& work);
+  void collide_waiting(RowWork& work);
+  void collide_touching(RowWork& work);
+  void keep_touching(const Queue& touching);
+  void collide_apart(RowWork& work);
   /// Proves two bodies to be apart for as long as the kernel's gap between them allows.
-  void prove_apart(const kernel::BodyPair& bodies, float gap, Candidate& candidate);
+  void prove_apart(const kernel::BodyPair& bodies, float gap, std::uint32_t place, RowWork& work);
+  void write_proof(std::uint32_t place, float until, RowWork& work);
+  void leave_out_overlapping(Queue& leaving) const;
+  void take_results();
   float margin_of(const kernel::BodyPair& bodies, float gap) const;
   /// The sum of both paths up to which two bodies are apart that have this much room, a length.
   float paths_to(const kernel::BodyPair& bodies, float margin) const {
@@ -262,13 +267,10 @@ class Scene {
   std::vector<std::uint32_t> bodies_;
   std::vector<std::uint32_t> marks_;  // by body
   std::vector<std::uint32_t> found_;
-  std::vector<BodyHandle> near_;          // what was last asked for
-  std::vector<kernel::BodyPair> adding_;  // pairs that are to be candidates
-  Queue touching_;
-  Queue apart_;
-  Queue leaving_;  // pairs of which a body left its box
-  std::vector<Manifold<float>> manifolds_;
-  std::vector<Beginning> beginning_;
+  std::vector<BodyHandle> near_;        // what was last asked for
+  const Executor* executor_ = nullptr;  // none where it is empty
+  std::vector<PartnerWork> partner_works_;
+  std::vector<RowWork> row_works_;     // the first so many in use
   std::vector<std::uint32_t> vacant_;  // contacts that ended in this step
   StepCounts counts_;
 

@@ -49,8 +49,7 @@ void Scene::find_candidates() {
   if (left_.empty()) return;
   part_from_partners();
   refile();
-  for (const Leaver& leaver : left_) find_partners(leaver.body);
-  add_candidates();
+  find_all_partners();
 }
 
 /// Then only their pairs are looked at. Each is found by going along a row, and rows are long where
@@ -77,16 +76,14 @@ void Scene::find_leavers() {
   }
   found_.resize(unsure);
   for (const std::uint32_t i : found_) bodies_.push_back(movers_[i].body);
-  draw_tight_boxes();
+  draw_tight_boxes(bodies_);
   for (const std::uint32_t i : found_) leave(movers_[i]);
 }
 
-/// The tight boxes of `bodies_`.
-void Scene::draw_tight_boxes() {
+void Scene::draw_tight_boxes(std::span<const std::uint32_t> bodies) {
   std::array<Box, 256> drawn;
-  for (std::size_t first = 0; first < bodies_.size(); first += drawn.size()) {
-    const auto some = std::span<const std::uint32_t>(bodies_).subspan(
-        first, std::min(drawn.size(), bodies_.size() - first));
+  for (std::size_t first = 0; first < bodies.size(); first += drawn.size()) {
+    const auto some = bodies.subspan(first, std::min(drawn.size(), bodies.size() - first));
     padded_boxes(shapes_, placements_, some, drawn);
     for (std::size_t i = 0; i < some.size(); ++i) {
       tight_[some[i]] = drawn[i];
@@ -156,41 +153,66 @@ void Scene::refile() {
   cells_.file(bodies_, boxes_, kRoom);
 }
 
-/// Two that left are found by the lower one.
-void Scene::find_partners(std::uint32_t body) {
-  const std::span<const std::uint32_t> found = cells_.near(boxes_[body]);
-  const bool is_alone = found.size() == 1;
-  states_[body] =
-      static_cast<std::uint8_t>(is_alone ? states_[body] | kAlone : states_[body] & ~kAlone);
-  const Box before = box_before(body);
-  const std::size_t first = adding_.size();
-  std::size_t count = first;
-  resize(adding_, count + found.size());
-  for (const std::uint32_t other : found) {
-    const bool finds = other != body && !(is(other, kLeft) && other < body);
-    adding_[count] = {std::min(body, other), std::max(body, other)};
-    count += static_cast<std::size_t>(finds & !scene::overlap(before, box_before(other)));
+/// In tasks where there is an executor, each of which searches for its share of those that left.
+void Scene::find_all_partners() {
+  const bool is_divided = executor_ != nullptr && left_.size() > 8 * kTasks;
+  const std::size_t tasks = is_divided ? kTasks : 1;
+  if (partner_works_.size() < tasks) partner_works_.resize(tasks);
+  const auto search = [&](std::size_t task) {
+    PartnerWork& work = partner_works_[task];
+    for (std::size_t i = task * left_.size() / tasks; i < (task + 1) * left_.size() / tasks; ++i) {
+      find_partners(left_[i].body, work);
+    }
+  };
+  if (is_divided) {
+    (*executor_)(tasks, search);
+  } else {
+    search(0);
   }
-  adding_.resize(count);
-  if (!traits_.empty()) leave_out_forbidden(first);
+  for (const Leaver& leaver : left_) {
+    states_[leaver.body] &= static_cast<std::uint8_t>(~kAlone);
+  }
+  for (PartnerWork& work : std::span(partner_works_).first(tasks)) {
+    for (const std::uint32_t body : work.alone) states_[body] |= kAlone;
+    clear_for(work.alone, body_count_);
+    add_candidates(work.adding);
+  }
 }
 
-/// Of the pairs to be added, those from the first one on.
-void Scene::leave_out_forbidden(std::size_t first) {
+/// Two that left are found by the lower one.
+void Scene::find_partners(std::uint32_t body, PartnerWork& work) const {
+  const std::span<const std::uint32_t> found = cells_.near(boxes_[body], work.found);
+  if (found.size() == 1) work.alone.push_back(body);
+  const Box before = box_before(body);
+  std::vector<kernel::BodyPair>& adding = work.adding;
+  const std::size_t first = adding.size();
+  std::size_t count = first;
+  resize(adding, count + found.size());
+  for (const std::uint32_t other : found) {
+    const bool finds = other != body && !(is(other, kLeft) && other < body);
+    adding[count] = {std::min(body, other), std::max(body, other)};
+    count += static_cast<std::size_t>(finds & !scene::overlap(before, box_before(other)));
+  }
+  adding.resize(count);
+  if (!traits_.empty()) leave_out_forbidden(first, adding);
+}
+
+/// Those from the first one on.
+void Scene::leave_out_forbidden(std::size_t first, std::vector<kernel::BodyPair>& adding) const {
   const auto is_forbidden = [&](const kernel::BodyPair& pair) {
     return !may_touch(pair.a, pair.b);
   };
-  const auto from = adding_.begin() + static_cast<std::ptrdiff_t>(first);
-  adding_.erase(std::remove_if(from, adding_.end(), is_forbidden), adding_.end());
+  const auto from = adding.begin() + static_cast<std::ptrdiff_t>(first);
+  adding.erase(std::remove_if(from, adding.end(), is_forbidden), adding.end());
 }
 
-void Scene::add_candidates() {
-  for (std::size_t i = 0; i < adding_.size(); ++i) {
-    candidates_.prefetch(adding_[std::min(i + kRowsAhead, adding_.size() - 1)].a);
-    candidates_.add(adding_[i].a, adding_[i].b);
+void Scene::add_candidates(std::vector<kernel::BodyPair>& adding) {
+  for (std::size_t i = 0; i < adding.size(); ++i) {
+    candidates_.prefetch(adding[std::min(i + kRowsAhead, adding.size() - 1)].a);
+    candidates_.add(adding[i].a, adding[i].b);
   }
-  counts_.pairs_added += adding_.size();
-  clear_for(adding_, body_count_);
+  counts_.pairs_added += adding.size();
+  clear_for(adding, body_count_);
 }
 
 }  // namespace manifuzz::scene

@@ -46,6 +46,11 @@ std::vector<WorkloadSpec> all_workloads(std::span<const Regime* const> regimes) 
   for (const std::size_t pairs : {kPairsInL1, kPairsInMemory}) add(&WorkloadSpec::pairs, pairs);
   for (const Regime* const regime : regimes) {
     if (regime != usual.regime) add(&WorkloadSpec::regime, regime);
+    // Circles with circles, and capsules with capsules, which go through kernels together.
+    if (regime->name == "circles" || regime->name == "capsules") {
+      add(&WorkloadSpec::regime, regime);
+      specs.back().vertices = regime->name == "circles" ? 1 : 2;
+    }
   }
   return specs;
 }

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <map>
 
-#include "geometry/manifold.hpp"
+#include "geometry/pair_case.hpp"
 #include "kernel/batch.hpp"
 #include "measure/scene/scene_run.hpp"
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "generating/drafts.hpp"
+#include "geometry/convex_polygon.hpp"
 #include "geometry/manifold.hpp"
 #include "measure/scene/scene_run.hpp"
 

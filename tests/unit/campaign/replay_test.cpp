@@ -80,10 +80,10 @@ TEST_CASE("a case that was answered and is taken no more fails") {
   CorpusCase recorded = boxes("none/agree/none/none/a");
   std::get<PairCase>(recorded.any).b.polygon =
       make_polygon<float>(std::vector<Vector2<float>>{{0, 0}}, 1);
-  recorded.expect->subject = "pair";
-  CHECK(replay(recorded, find_collider("pair")).has_failed());
+  recorded.expect->subject = "gjk-clip";
+  CHECK(replay(recorded, find_collider("gjk-clip")).has_failed());
   recorded.expect->bucket = "none/unsupported/none/none/a";
-  CHECK(replay(recorded, find_collider("pair")).is_unsupported);
+  CHECK(replay(recorded, find_collider("gjk-clip")).is_unsupported);
 }
 
 TEST_CASE("a case of a property must pass that property") {

@@ -1,6 +1,6 @@
-#include "geometry/manifold.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "geometry/pair_case.hpp"
 
 using namespace manifuzz;
 

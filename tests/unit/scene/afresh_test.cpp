@@ -10,6 +10,7 @@
 #include "afresh/boxes.hpp"
 #include "base/random.hpp"
 #include "generating/drafts.hpp"
+#include "geometry/convex_polygon.hpp"
 #include "geometry/manifold.hpp"
 #include "kernel/batch.hpp"
 #include "unit/scene/motion.hpp"

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/convex_polygon.hpp"
 #include "geometry/manifold.hpp"
 #include "scene/parts.hpp"
 
@@ -93,7 +94,7 @@ class Adapted : public AnyScene {
     std::vector<typename Api::Move> own_moves;
     own_moves.reserve(moves.size());
     for (const Moved& moved : moves) own_moves.push_back({own(moved.body), moved.pose});
-    const auto stepped = scene_.step(own_moves);
+    const auto stepped = step_with(own_moves);
     const auto* const result = std::get_if<0>(&stepped);
     if (result == nullptr) return std::nullopt;
     const auto& pairs = result->counts.pairs;
@@ -118,6 +119,13 @@ class Adapted : public AnyScene {
 
  private:
   using Own = typename Api::BodyHandle;
+  auto step_with(const std::vector<typename Api::Move>& moves) {
+    if constexpr (requires { Api::executor(); }) {
+      return scene_.step(moves, Api::executor());
+    } else {
+      return scene_.step(moves);
+    }
+  }
   static Own own(const Handle& handle) { return {handle.index, handle.generation}; }
   static typename Api::Rules own(const scene::Rules& rules) {
     return {own(rules.filter), rules.is_static, rules.is_sensor};

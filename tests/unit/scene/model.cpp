@@ -3,7 +3,7 @@
 #include <map>
 
 #include "generating/drafts.hpp"
-#include "geometry/manifold.hpp"
+#include "geometry/pair_case.hpp"
 #include "kernel/batch.hpp"
 
 namespace manifuzz::test {

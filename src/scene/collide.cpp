@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <utility>
+
+#include "kernel/pair_stream.hpp"
+#include "scene/scene.hpp"
+
+// The pairs that wait: boxes again, collide, and what that proves.
+
+namespace manifuzz::scene {
+
+/// Tight boxes that the pairs apart ask for and that are not drawn; in tasks, all are.
+void Scene::draw_undrawn(RowWork& work) {
+  const Queue& apart = work.apart;
+  std::vector<std::uint32_t>& undrawn = work.undrawn;
+  resize(undrawn, std::min(2 * apart.count, states_.size()) + 1);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < apart.count; ++i) {
+    for (const std::uint32_t body : {apart.a[i], apart.b[i]}) {
+      undrawn[count] = body;
+      count += static_cast<std::size_t>(!is(body, kBoxed));
+      states_[body] |= kBoxed;
+    }
+  }
+  draw_tight_boxes(std::span<const std::uint32_t>(undrawn).first(count));
+}
+
+/// Leaves out pairs that wait and did not touch, where their tight boxes do not overlap.
+void Scene::leave_out_apart(RowWork& work) {
+  if (!settings_.certificates) return;
+  if (executor_ == nullptr) draw_undrawn(work);
+  Queue& apart = work.apart;
+  const std::size_t count = std::exchange(apart.count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const kernel::BodyPair bodies = apart.bodies(i);
+    const float room = gap(tight_[bodies.a], tight_[bodies.b]);
+    write_proof(apart.at[i], room > 0 ? paths_to(bodies, room) : 0, work);
+    apart.push(bodies, apart.at[i], !(room > 0));
+  }
+  work.pairs.separated += count - apart.count;
+  work.proof_count += count - apart.count;
+}
+
+/// Each pair's manifold goes where `out` says of its place in the queue.
+template <class Out>
+void Scene::collide(const Queue& queue, const Out& out, RowWork& work) {
+  kernel::PairStream<float> stream(shapes_.for_pairs(), placements_, settings_.tie_bias);
+  for (std::size_t i = 0; i < queue.count; ++i) stream.push(queue.bodies(i), out(i));
+  stream.finish();
+  work.pairs.collided += queue.count;
+}
+
+void Scene::collide_waiting(RowWork& work) {
+  collide_touching(work);
+  collide_apart(work);
+}
+
+/// Manifolds of pairs that touched go straight to their contacts. The places of those that end are
+/// vacant until contacts begin.
+void Scene::collide_touching(RowWork& work) {
+  Queue& queue = work.touching;
+  const auto out = [&](std::size_t i) -> Manifold<float>& {
+    __builtin_prefetch(&contacts_[queue.at[std::min(i + kContactsAhead, queue.count - 1)]]);
+    return contacts_[queue.at[i]].manifold;
+  };
+  collide(queue, out, work);
+  if (settings_.recycled_motion > 0) keep_touching(queue);
+  const std::size_t count = std::exchange(queue.count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t contact = queue.at[i];
+    const kernel::BodyPair bodies = queue.bodies(i);
+    Manifold<float>& manifold = contacts_[contact].manifold;
+    queue.push(bodies, contact, manifold.count == 0);
+    if (is_sensed(bodies)) manifold.count = 0;
+  }
+  for (std::size_t i = 0; i < queue.count; ++i) {
+    const kernel::BodyPair bodies = queue.bodies(i);
+    const Contact& contact = contacts_[queue.at[i]];
+    work.ended.push_back({contact.a, contact.b});
+    work.vacant.push_back(queue.at[i]);
+    const std::uint32_t place = candidates_.place_of(*candidates_.find(bodies.a, bodies.b));
+    prove_apart(bodies, -contact.manifold.points[0].depth, place, work);
+  }
+  queue.count = 0;
+}
+
+/// What the kernel gave, to be carried along.
+void Scene::keep_touching(const Queue& touching) {
+  for (std::size_t i = 0; i < touching.count; ++i) {
+    const std::uint32_t contact = touching.at[i];
+    kept_[contact] = {b_in_a(touching.bodies(i)), contacts_[contact].manifold};
+  }
+}
+
+/// Contacts begin at the end of the step, when it is known whose places are vacant.
+void Scene::collide_apart(RowWork& work) {
+  leave_out_apart(work);
+  Queue& apart = work.apart;
+  std::vector<Manifold<float>>& manifolds = work.manifolds;
+  const auto out = [&](std::size_t i) -> Manifold<float>& { return manifolds[i]; };
+  collide(apart, out, work);
+  for (std::size_t i = 0; i < apart.count; ++i) {
+    const kernel::BodyPair bodies = apart.bodies(i);
+    if (manifolds[i].count > 0) {
+      work.beginning.push_back({bodies, &candidates_.at(apart.at[i]), manifolds[i]});
+    } else {
+      prove_apart(bodies, -manifolds[i].points[0].depth, apart.at[i], work);
+    }
+  }
+  apart.count = 0;
+}
+
+/// What a gap between two polygons, as the kernel found it, proves (certificates.md); lengths.
+float Scene::margin_of(const kernel::BodyPair& bodies, float gap) const {
+  const ShapeFacts& a = facts(bodies.a);
+  const ShapeFacts& b = facts(bodies.b);
+  const float extent =
+      a.extent() + b.extent() +
+      length_at_most(placements_[bodies.b].pose.position - placements_[bodies.a].pose.position);
+  const float padding = a.padding + b.padding - (a.radius + b.radius);
+  return kRoundDown * gap - kSeparationError * extent - 1.001F * padding;
+}
+
+void Scene::prove_apart(const kernel::BodyPair& bodies, float gap, std::uint32_t place,
+                        RowWork& work) {
+  const float margin = margin_of(bodies, gap);
+  const bool is_proven = settings_.certificates && margin > 0;
+  write_proof(place, is_proven ? paths_to(bodies, margin) : 0, work);
+  work.proof_count += static_cast<std::size_t>(is_proven);
+}
+
+/// Now, or once all tasks have ended.
+void Scene::write_proof(std::uint32_t place, float until, RowWork& work) {
+  if (executor_ == nullptr) {
+    candidates_.at(place).be_apart_until(until);
+  } else {
+    work.proofs.push_back({place, until});
+  }
+}
+
+}  // namespace manifuzz::scene

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/body.hpp"
+#include "scene/rows.hpp"
+
+namespace manifuzz::scene {
+
+/// A step that is divided has so many tasks, whatever runs them.
+inline constexpr std::size_t kTasks = 16;
+
+/// So many pairs ahead, contacts and candidates are asked for: they lie anywhere in memory.
+inline constexpr std::size_t kContactsAhead = 16;
+
+/// A pair that begins to touch.
+struct Beginning {
+  kernel::BodyPair bodies;   ///< A and B
+  Candidate* candidate;      ///< theirs
+  Manifold<float> manifold;  ///< as the kernel gave it
+};
+
+/// What is proven of a candidate, to be written once no thread reads rows any more: their vectors
+/// reach past a row's end.
+struct Proof {
+  std::uint32_t place;  ///< among the candidates
+  float until;          ///< `Candidate::be_apart_until`
+};
+
+/// What a run of rows needs, and what comes of it; several are gone through at once, or one alone.
+struct RowWork {
+  Queue touching;                          ///< pairs that touched
+  Queue apart;                             ///< pairs that did not, and are not proven apart
+  Queue leaving;                           ///< pairs of which a body left its box
+  std::vector<Manifold<float>> manifolds;  ///< of those apart, as the kernel gave them
+  std::vector<std::uint32_t> undrawn;      ///< bodies whose tight boxes are to be drawn
+  std::vector<Proof> proofs;               ///< to be written
+  std::vector<Beginning> beginning;        ///< pairs that begin to touch
+  std::vector<std::uint32_t> vacant;       ///< contacts that ended
+  std::vector<EndedContact> ended;         ///< as they are reported
+  PairCounts pairs;                        ///< what was done with the candidates
+  std::size_t proof_count = 0;             ///< of pairs that are apart
+
+  /// The memory it takes.
+  std::size_t bytes() const {
+    const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+    return touching.bytes() + apart.bytes() + leaving.bytes() + of(manifolds) + of(undrawn) +
+           of(proofs) + of(beginning) + of(vacant) + of(ended);
+  }
+};
+
+/// What the search for partners of some bodies that left their boxes needs, and what comes of it.
+struct PartnerWork {
+  std::vector<std::uint32_t> found;      ///< by one of the boxes, and room
+  std::vector<kernel::BodyPair> adding;  ///< pairs that are to be candidates
+  std::vector<std::uint32_t> alone;      ///< bodies that have no partners
+
+  /// The memory it takes.
+  std::size_t bytes() const {
+    const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+    return of(found) + of(adding) + of(alone);
+  }
+};
+
+}  // namespace manifuzz::scene

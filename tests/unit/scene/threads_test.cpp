@@ -1,0 +1,120 @@
+#include "scene/threads.hpp"
+
+#include <atomic>
+#include <cstring>
+
+#include <catch2/catch.hpp>
+#include <rapidcheck.h>
+
+#include "scene/scene.hpp"
+#include "unit/scene/commands.hpp"
+#include "unit/scene/model.hpp"
+#include "unit/scene/motion.hpp"
+
+// What an executor runs: each task once, and the same step as without one.
+
+using namespace manifuzz;
+using scene::BodyHandle;
+using scene::Scene;
+
+namespace {
+
+struct Api {
+  using Scene = scene::Scene;
+  using BodyHandle = scene::BodyHandle;
+  using Move = scene::Move;
+  using BodyPart = scene::BodyPart;
+  using Filter = scene::Filter;
+  using Rules = scene::Rules;
+  static scene::Executor executor() {
+    static scene::Threads threads(3);
+    return std::ref(threads);
+  }
+};
+
+/// Many bodies of all shapes that drift, a share of them fast enough to leave their boxes, all of
+/// them in one step or few.
+class Drift {
+ public:
+  Drift() : random_(test::motion(5)) {
+    for (const auto& shape : test::shapes_for_scenes()) scene.add_shape(shape);
+    const int last = static_cast<int>(test::shapes_for_scenes().size()) - 1;
+    for (int i = 0; i < 900; ++i) {
+      const auto shape = static_cast<std::uint32_t>(random_.integer(0, last));
+      Pose<float> pose = test::anywhere(random_.bits());
+      pose.position *= 8;
+      bodies_.push_back(std::get<BodyHandle>(scene.add(shape, pose)));
+    }
+  }
+
+  scene::StepResult step(int number, const scene::Executor& executor) {
+    std::vector<scene::Move> moves;
+    for (const BodyHandle body : bodies_) {
+      Pose<float> pose = scene.pose(body);
+      const bool rests = number % 5 == 4 && random_.chance(0.99);
+      pose.position += (rests ? 0.0F : 0.2F) * random_direction(random_).cast<float>();
+      moves.push_back({body, pose});
+    }
+    const auto stepped = scene.step(moves, executor);
+    return std::get<scene::StepResult>(stepped);
+  }
+
+  Scene scene;
+
+ private:
+  Random random_;
+  std::vector<BodyHandle> bodies_;
+};
+
+template <class T>
+bool same(std::span<const T> p, std::span<const T> q) {
+  return p.size() == q.size() &&
+         (p.empty() || std::memcmp(p.data(), q.data(), p.size_bytes()) == 0);
+}
+
+bool same_contacts(std::span<const scene::Contact> p, std::span<const scene::Contact> q) {
+  const auto are_same = [](const scene::Contact& c, const scene::Contact& d) {
+    return c.a == d.a && c.b == d.b && same_bits(c.manifold, d.manifold);
+  };
+  return std::ranges::equal(p, q, are_same);
+}
+
+}  // namespace
+
+TEST_CASE("each task is run once, by any number of threads, call after call") {
+  for (const std::size_t count : {1, 2, 5}) {
+    scene::Threads threads(count);
+    for (std::size_t tasks = 0; tasks < 40; ++tasks) {
+      std::vector<std::atomic<int>> runs(tasks);
+      threads(tasks, [&](std::size_t task) { ++runs[task]; });
+      CHECK(std::ranges::all_of(runs, [](const auto& n) { return n == 1; }));
+    }
+  }
+}
+
+TEST_CASE("a step has the same contacts, order and counts by any number of threads, or none") {
+  for (const std::size_t count : {1, 2, 3}) {
+    CAPTURE(count);
+    scene::Threads threads(count);
+    Drift alone;
+    Drift divided;
+    for (int number = 0; number < 25; ++number) {
+      CAPTURE(number);
+      const auto right = alone.step(number, {});
+      const auto result = divided.step(number, std::ref(threads));
+      REQUIRE(same_contacts(result.contacts, right.contacts));
+      CHECK(same(result.began, right.began));
+      CHECK(same(result.ended, right.ended));
+      CHECK(same(result.renumbered, right.renumbered));
+      CHECK(result.stayed == right.stayed);
+      CHECK(std::memcmp(&result.counts, &right.counts, sizeof(result.counts)) == 0);
+      CHECK(divided.scene.pair_count() == alone.scene.pair_count());
+    }
+    CHECK(alone.scene.pair_count() > 900);
+  }
+}
+
+TEST_CASE("a scene by threads equals its pairs afresh bit for bit, whatever happens to it") {
+  CHECK(
+      rc::check("commands between steps", [] { test::check_commands(test::Adapted<Api>::make); }));
+}
