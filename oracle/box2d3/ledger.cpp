@@ -8,51 +8,13 @@
 #include "judging/faults/differences.hpp"
 #include "judging/faults/shared_faults.hpp"
 #include "oracle/box2d3/capsule_editions.hpp"
-#include "oracle/box2d3/floats.hpp"
+#include "oracle/box2d3/circles.hpp"
 #include "oracle/box2d3/replay.hpp"
 
-// Box2D 3.2 on circles, capsules and rounded polygons.
+// Box2D 3.2 on shapes with edges, and its table of causes.
 
 namespace manifuzz {
 namespace {
-
-using ledger_of::box2d3::Float2;
-
-/// b2CollidePolygonAndCircle's difference from a corner to a centre; none where it takes the
-/// normal of a face.
-std::optional<Float2> to_centre_from_corner(const ConvexPolygon<float>& core,
-                                            const Float2& centre) {
-  int face = 0;
-  float separation = -std::numeric_limits<float>::max();
-  for (int i = 0; i < core.count; ++i) {
-    const float s = core.normals[i].dot(centre - core.vertices[i]);
-    if (s > separation) {
-      separation = s;
-      face = i;
-    }
-  }
-  if (!(separation > ledger_of::box2d3::kEpsilon)) return std::nullopt;
-  const Float2& v1 = core.vertices[face];
-  const Float2& v2 = core.vertices[core.next(face)];
-  if ((centre - v1).dot(v2 - v1) < 0) return centre - v1;
-  if ((centre - v2).dot(v1 - v2) < 0) return centre - v2;
-  return std::nullopt;
-}
-
-/// Its difference from the nearest place on the core to the circle's centre, in the core's frame:
-/// b2CollideCapsuleAndCircle's, or that of a polygon's corner.
-std::optional<Float2> to_centre_by_box2d3(const Body& core, const Body& circle) {
-  const Pose<float> between = relative_pose(core.pose, circle.pose);
-  const Vector2<float> centre = transform(between, circle.polygon.vertices[0]);
-  if (core.polygon.count > 2) return to_centre_from_corner(core.polygon, centre);
-  const Vector2<float>& from = core.polygon.vertices[0];
-  const Vector2<float>& to = core.polygon.vertices[1];
-  const Vector2<float> edge = to - from;
-  const float before = (centre - from).dot(edge);
-  if (before < 0) return centre - from;
-  if ((to - centre).dot(edge) < 0) return centre - to;
-  return centre - (from + before / edge.dot(edge) * edge);
-}
 
 /// What it finds of two shapes with edges, if that is the answer: the same floats, but for their
 /// way through the world, by a rotation that is not unit.
@@ -87,17 +49,6 @@ bool are_nearest_at_vertices(const Deviation& d) {
   return curve.are_cores_apart() && curve.nearest_vertices().has_value();
 }
 
-/// A circle whose centre is within float's epsilon of another core: the normal has no
-/// length.
-bool no_normal_within_box2d3_epsilon(const Deviation& d) {
-  // At a polygon's corner the depth is taken along the normal.
-  const PairCase& pair = d.right.pair();
-  const bool has_polygon = std::max(pair.a.polygon.count, pair.b.polygon.count) >= kMinVertices;
-  return ledger_of::has_no_normal_within(d, ledger_of::kEpsilonOfBox2d3,
-                                         ledger_of::least_depth(d)) ||
-         (has_polygon && ledger_of::has_no_normal_within(d, ledger_of::kEpsilonOfBox2d3, 0));
-}
-
 /// Two capsules: the answer is what b2CollideCapsules makes, which is as
 /// phaser-box2d's without the slips, but that A's edge is kept up to 0.0005.
 bool slop_in_box2d3_capsules(const Deviation& d) {
@@ -112,59 +63,6 @@ bool slop_in_box2d3_capsules(const Deviation& d) {
   if (is_swapped) found.normal = -found.normal;
   return (d.got.count > 0 || found.is_clipped) &&
          ledger_of::is_given(d, found, ledger_of::as_rounded(d));
-}
-
-/// A circle and a segment, a capsule or a polygon's corner: the normal is the
-/// direction to the place on the core that is nearest as floats have it.
-bool direction_of_rounded_place(const Deviation& d) {
-  const PairCase& pair = d.right.pair();
-  const Side circle = pair.a.polygon.count == 1 ? Side::a : Side::b;
-  const Body& core = pair[other(circle)];
-  if (d.got.count != 1 || pair[circle].polygon.count != 1 || core.polygon.count < 2) return false;
-  const Bounds& bounds = d.right.bounds;
-  const double least = ledger_of::least_depth(d);
-  if (std::abs(d.got.points[0].depth - least) > 4 * bounds.separation) return false;
-  const auto apart = to_centre_by_box2d3(core, pair[circle]);
-  if (!apart) return false;
-  const Vector2<double> turned =
-      rotate<double>(core.pose.rotation.cast<double>(), apart->cast<double>().normalized());
-  const Vector2<double> normal =
-      rotate<double>(pair.a.pose.rotation.cast<double>(), d.got.normal).normalized();
-  const Vector2<double> found =
-      (circle == Side::b ? turned : Vector2<double>(-turned)).normalized();
-  if ((normal - found).norm() > 2 * bounds.normal) return false;
-  // The place is off by no more than its roundings, whatever that makes of the direction.
-  const Vector2<double> right =
-      rotate<double>(pair.a.pose.rotation.cast<double>(),
-                     exact::PenetrationCurve(*d.right.truth, exact::Skin::round).minima(0).front());
-  const double distance = total_radius(pair) - least;
-  return (found - right).norm() * distance <= 4 * bounds.separation;
-}
-
-/// A circle in front of faces that tie in floats: the normal is the direction from the end of the
-/// one that Box2D 3.2 keeps, though the centre is in front of another.
-bool corner_of_tied_face(const Deviation& d) {
-  const PairCase& pair = d.right.pair();
-  const Side circle = pair.a.polygon.count == 1 ? Side::a : Side::b;
-  const Side side = other(circle);
-  const Body& core = pair[side];
-  if (d.got.count != 1 || pair[circle].polygon.count != 1 || core.polygon.count < 3) return false;
-  const auto apart = to_centre_by_box2d3(core, pair[circle]);
-  if (!apart) return false;
-  const exact::Truth& truth = *d.right.truth;
-  const Bounds& bounds = d.right.bounds;
-  int tied = 0;
-  for (int i = 0; i < core.polygon.count; ++i) {
-    if (truth.separation({side, i}) >= truth.separation(side) - 2 * bounds.separation) ++tied;
-  }
-  const double depth = total_radius(pair) - apart->cast<double>().norm();
-  if (tied < 2 || std::abs(d.got.points[0].depth - depth) > 4 * bounds.separation) return false;
-  const Vector2<double> turned =
-      rotate<double>(core.pose.rotation.cast<double>(), apart->cast<double>()).normalized();
-  const Vector2<double> normal =
-      rotate<double>(pair.a.pose.rotation.cast<double>(), d.got.normal).normalized();
-  return (normal - (circle == Side::b ? turned : Vector2<double>(-turned))).norm() <=
-         2 * bounds.normal;
 }
 
 /// No contact though corners with radii overlap: no face of either core is farther than 0.0005,
@@ -251,6 +149,7 @@ constexpr LedgerRow kBox2d3Rows[] = {
     {"edge-below-epsilon", edge_below_box2d3_epsilon},
     {"neither-clipped-nor-corner", neither_clipped_nor_corner},
     {"circle-tied-faces", corner_of_tied_face},
+    {"face-within-epsilon", face_within_box2d3_epsilon},
 };
 
 }  // namespace

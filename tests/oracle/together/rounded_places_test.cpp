@@ -43,6 +43,25 @@ TEST_CASE("Box2D 3.2's direction from a corner to a centre is that of its roundi
   CHECK_FALSE(is_it(0.01F, given, 2.985858));
 }
 
+TEST_CASE("Box2D 3.2 takes a centre within epsilon of a polygon to be inside") {
+  // Above the triangle's corner, by so much.
+  const auto above = [](float gap) {
+    return PairCase{triangle_of({Vector2<float>{0, 0}, {0, 1e-4F}, {-1e-4F, 0}}),
+                    circle_at({0, 1e-4F + gap}, 0.01F)};
+  };
+  const auto is_it = [](const PairCase& pair, const Vector2<double>& normal, double depth) {
+    return is_explained("box2d3-face-within-epsilon", pair, normal, depth);
+  };
+  const Vector2<double> of_face(-std::sqrt(0.5), std::sqrt(0.5));
+  CHECK(is_it(above(1e-7F), of_face, 0.01 - 1e-7 * std::sqrt(0.5)));
+  CHECK_FALSE(is_it(above(1e-7F), of_face, 0.01 - 1e-6));
+  CHECK_FALSE(is_it(above(1e-7F), {0, 1}, 0.01 - 1e-7));
+  CHECK_FALSE(is_it(above(1e-7F), -of_face, 0.01 - 1e-7 * std::sqrt(0.5)));
+  // Farther, where the normal is the direction from the corner, and inside.
+  CHECK_FALSE(is_it(above(2e-7F), of_face, 0.01 - 2e-7 * std::sqrt(0.5)));
+  CHECK_FALSE(is_it(above(-1e-7F), of_face, 0.01 + 1e-7 * std::sqrt(0.5)));
+}
+
 TEST_CASE("dyn4j's Gjk takes short capsules that are apart for overlapping, the gap for a depth") {
   const auto is_it = [](float moved, const Manifold<double>& got, Lost::How how) {
     const std::array<Vector2<float>, 2> a{Vector2<float>{0, 0.00390625F}, Vector2<float>{0, 0}};
