@@ -142,11 +142,14 @@ bool face_within_box2d3_epsilon(const Deviation& d) {
   if (!is_in_front || !face.end) return false;
   const double radius = total_radius(pair);
   const Vector2<double> given = normal_in_world(pair, circle, core.polygon.normals[face.index]);
+  const double depth = radius - static_cast<double>(face.separation);
+  if (!replayed::is_same_separation(d, given, depth)) return false;
   const Float2 apart = centre - *face.end;
-  return replayed::is_same_separation(d, given, radius - static_cast<double>(face.separation)) &&
-         replayed::is_right_separation(d, {.min_vertices = 1, .takes_round = true},
-                                       normal_in_world(pair, circle, apart),
-                                       radius - apart.cast<double>().norm());
+  const double of_corner = radius - apart.cast<double>().norm();
+  const Declaration as_box2d3{.min_vertices = 1, .takes_round = true};
+  if (of_corner < 0) return replayed::is_right_answer(d, as_box2d3, {});
+  return replayed::is_right_separation(d, as_box2d3, normal_in_world(pair, circle, apart),
+                                       of_corner);
 }
 
 }  // namespace manifuzz

@@ -16,7 +16,7 @@ bool direction_of_rounded_place(const Deviation& deviation);
 /// one that Box2D 3.2 keeps, though the centre is in front of another.
 bool corner_of_tied_face(const Deviation& deviation);
 /// A circle whose centre is in front of a face by no more than float's epsilon, and beyond its end:
-/// the normal is the face's, and the direction from that end would be right.
+/// the normal is the face's, and what would be right is the direction from that end, or no contact.
 bool face_within_box2d3_epsilon(const Deviation& deviation);
 
 }  // namespace manifuzz

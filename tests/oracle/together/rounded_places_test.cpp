@@ -45,9 +45,9 @@ TEST_CASE("Box2D 3.2's direction from a corner to a centre is that of its roundi
 
 TEST_CASE("Box2D 3.2 takes a centre within epsilon of a polygon to be inside") {
   // Above the triangle's corner, by so much.
-  const auto above = [](float gap) {
+  const auto above = [](float gap, float radius = 0.01F) {
     return PairCase{triangle_of({Vector2<float>{0, 0}, {0, 1e-4F}, {-1e-4F, 0}}),
-                    circle_at({0, 1e-4F + gap}, 0.01F)};
+                    circle_at({0, 1e-4F + gap}, radius)};
   };
   const auto is_it = [](const PairCase& pair, const Vector2<double>& normal, double depth) {
     return is_explained("box2d3-face-within-epsilon", pair, normal, depth);
@@ -57,6 +57,10 @@ TEST_CASE("Box2D 3.2 takes a centre within epsilon of a polygon to be inside") {
   CHECK_FALSE(is_it(above(1e-7F), of_face, 0.01 - 1e-6));
   CHECK_FALSE(is_it(above(1e-7F), {0, 1}, 0.01 - 1e-7));
   CHECK_FALSE(is_it(above(1e-7F), -of_face, 0.01 - 1e-7 * std::sqrt(0.5)));
+  // The corner is farther than the radius, the face is not.
+  const auto depth_of_face = [](double radius) { return radius - 1e-7 * std::sqrt(0.5); };
+  CHECK(is_it(above(1e-7F, 8e-8F), of_face, depth_of_face(8e-8)));
+  CHECK_FALSE(is_it(above(1e-7F, 8e-8F), of_face, depth_of_face(9e-8)));
   // Farther, where the normal is the direction from the corner, and inside.
   CHECK_FALSE(is_it(above(2e-7F), of_face, 0.01 - 2e-7 * std::sqrt(0.5)));
   CHECK_FALSE(is_it(above(-1e-7F), of_face, 0.01 + 1e-7 * std::sqrt(0.5)));
