@@ -4,14 +4,12 @@
 #include <cmath>
 #include <limits>
 
-// btConvexConvexAlgorithm.cpp, btManifoldResult.cpp and btPersistentManifold.cpp.
+// btConvexConvexAlgorithm.cpp.
 
 namespace manifuzz::ledger_of {
 namespace {
 
 constexpr int kTurns = 3;
-/// gContactBreakingThreshold.
-constexpr float kBreaking = 0.02F;
 
 /// btQuaternion.
 struct Quaternion {
@@ -72,77 +70,6 @@ BulletPlace operator*(const BulletPlace& a, const BulletPlace& b) {
   return {times(a.basis, b.basis), a.to_world(b.origin)};
 }
 
-/// btPersistentManifold of a pair, filled by btManifoldResult.
-class BulletManifold {
- public:
-  BulletManifold(const BulletPair& pair, float breaking, bool does_replace)
-      : pair_(&pair), breaking_(breaking), does_replace_(does_replace) {}
-
-  void add(const Space& normal, const Space& on_b, float distance, int query);
-  void refresh();
-
-  std::vector<BulletPoint> points;
-
- private:
-  std::vector<BulletPoint>::iterator near_to(const BulletPoint& point);
-  bool is_broken(const BulletPoint& point) const;
-
-  const BulletPair* pair_;
-  float breaking_;
-  bool does_replace_;
-};
-
-void BulletManifold::add(const Space& normal, const Space& on_b, float distance, int query) {
-  if (distance > breaking_) return;
-  BulletPoint point;
-  point.on_a = on_b + normal * distance;
-  point.on_b = on_b;
-  point.local_a = pair_->place_a.to_local(Space(point.on_a - pair_->place_a.origin));
-  point.local_b = pair_->place_b.to_local(Space(on_b - pair_->place_b.origin));
-  point.normal = normal;
-  point.distance = distance;
-  point.query = query;
-  // One and three queries give no more points than the four that it holds.
-  const auto near = near_to(point);
-  if (near == points.end()) {
-    points.push_back(point);
-  } else {
-    *near = point;
-  }
-}
-
-std::vector<BulletPoint>::iterator BulletManifold::near_to(const BulletPoint& point) {
-  float least = breaking_ * breaking_;
-  auto nearest = points.end();
-  if (!does_replace_) return nearest;
-  for (auto one = points.begin(); one != points.end(); ++one) {
-    const float square = squared(Space(one->local_a - point.local_a));
-    if (!(square < least)) continue;
-    least = square;
-    nearest = one;
-  }
-  return nearest;
-}
-
-bool BulletManifold::is_broken(const BulletPoint& point) const {
-  if (!(point.distance <= breaking_)) return true;
-  const Space projected = point.on_a - point.normal * point.distance;
-  return squared(Space(point.on_b - projected)) > breaking_ * breaking_;
-}
-
-void BulletManifold::refresh() {
-  for (BulletPoint& point : points) {
-    point.on_a = pair_->place_a.to_world(point.local_a);
-    point.on_b = pair_->place_b.to_world(point.local_b);
-    point.distance = dot(Space(point.on_a - point.on_b), point.normal);
-  }
-  for (std::size_t i = points.size(); i-- > 0;) {
-    if (!is_broken(points[i])) continue;
-    points[i] = points.back();
-    points.pop_back();
-  }
-}
-
 /// Which shape is turned, by how much, and about what.
 struct Turning {
   bool is_of_a = false;
@@ -155,7 +82,7 @@ Turning turning_of(const Space& axis, float disc_a, float disc_b) {
   constexpr float angle_max = 0.125F * 3.1415926535897932384626433832795029F;
   Turning turning;
   turning.is_of_a = disc_a < disc_b;
-  turning.angle = std::min(kBreaking / (turning.is_of_a ? disc_a : disc_b), angle_max);
+  turning.angle = std::min(kRelativeBreaking / (turning.is_of_a ? disc_a : disc_b), angle_max);
   turning.along = axis * (1.0F / squared(axis));
   turning.across = across(turning.along);
   return turning;
@@ -196,7 +123,7 @@ PerturbedAnswer ask_perturbed(const BulletPair& pair, const PerturbedParts& part
   constexpr float epsilon = std::numeric_limits<float>::epsilon();
   const float disc_a = disc_of(pair.a);
   const float disc_b = disc_of(pair.b);
-  const float breaking = std::min(disc_a * kBreaking, disc_b * kBreaking);
+  const float breaking = breaking_threshold(pair);
   const float farthest = pair.a.margin + pair.b.margin + breaking;
   PerturbedAnswer answer;
   answer.first = ask_detector(pair, solve_by_epa, &answer.epa, farthest * farthest);
@@ -214,17 +141,6 @@ PerturbedAnswer ask_perturbed(const BulletPair& pair, const PerturbedParts& part
   if (parts.is_refreshed) manifold.refresh();
   answer.points = manifold.points;
   return answer;
-}
-
-const BulletPoint* deepest_of(const std::vector<BulletPoint>& points) {
-  const BulletPoint* deepest = nullptr;
-  for (const BulletPoint& point : points) {
-    if (point.distance > 0 || (deepest != nullptr && !(point.distance < deepest->distance))) {
-      continue;
-    }
-    deepest = &point;
-  }
-  return deepest;
 }
 
 replayed::Contact seen_in_plane(const std::vector<BulletPoint>& points) {

@@ -4,19 +4,9 @@
 
 #include "judging/faults/replayed.hpp"
 #include "oracle/bullet/ledger/epa.hpp"
+#include "oracle/bullet/ledger/manifold.hpp"
 
 namespace manifuzz::ledger_of {
-
-/// btManifoldPoint, and which query found it: 0 is the first, whose shapes are not turned.
-struct BulletPoint {
-  Space local_a{0, 0, 0};
-  Space local_b{0, 0, 0};
-  Space on_a{0, 0, 0};
-  Space on_b{0, 0, 0};
-  Space normal{0, 0, 0};
-  float distance = 0;
-  int query = 0;
-};
 
 /// What of btConvexConvexAlgorithm::processCollision is left out.
 struct PerturbedParts {
@@ -35,8 +25,6 @@ struct PerturbedAnswer {
 
 PerturbedAnswer ask_perturbed(const BulletPair& pair, const PerturbedParts& parts);
 
-/// The deepest of the points that touch; null where none touches.
-const BulletPoint* deepest_of(const std::vector<BulletPoint>& points);
 /// What oracle/bullet makes of them in the plane: the deepest, and the one farthest from it.
 replayed::Contact seen_in_plane(const std::vector<BulletPoint>& points);
 

@@ -117,10 +117,13 @@ float disc_of(const BulletHull& hull) {
   return std::sqrt(squared(Space(to - from))) * 0.5F + std::sqrt(squared(centre));
 }
 
+float breaking_threshold(const BulletPair& pair) {
+  return std::min(disc_of(pair.a) * kRelativeBreaking, disc_of(pair.b) * kRelativeBreaking);
+}
+
 float farthest_square_of(const BulletPair& pair) {
   if (!pair.is_flat) return 1e18F;
-  const float threshold = std::min(disc_of(pair.a) * 0.02F, disc_of(pair.b) * 0.02F);
-  const float farthest = pair.a.margin + pair.b.margin + threshold;
+  const float farthest = pair.a.margin + pair.b.margin + breaking_threshold(pair);
   return farthest * farthest;
 }
 

@@ -73,6 +73,11 @@ BulletPair flat_hulls_of(const PairCase& pair);
 /// getAngularMotionDisc.
 float disc_of(const BulletHull& hull);
 
+/// gContactBreakingThreshold, a share of getAngularMotionDisc.
+inline constexpr float kRelativeBreaking = 0.02F;
+/// btCollisionDispatcher::getNewManifold's threshold, up to which points are kept.
+float breaking_threshold(const BulletPair& pair);
+
 /// The square of how far apart they are looked for, m_maximumDistanceSquared: of flat hulls their
 /// margins and btConvex2dConvex2dAlgorithm's breaking threshold, of prisms BT_LARGE_FLOAT.
 float farthest_square_of(const BulletPair& pair);

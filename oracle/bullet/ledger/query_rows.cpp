@@ -206,20 +206,6 @@ bool epa_normal_between_places(const Deviation& d, const RepeatedQuery& query) {
          replayed::is_right_answer(d, ledger_of::declaration_of_epa(), contact_of_face(d, query));
 }
 
-/// Flat hulls: the answer where the detector takes cores for intersecting, or does not, of which
-/// it had a corner that is none of theirs: -1 indexes their corners.
-bool corner_before_first(const Deviation& d) {
-  const ledger_of::BulletPair hulls = ledger_of::flat_hulls_of(d.right.pair());
-  if (!ledger_of::is_intersection_of_memory(hulls)) return false;
-  return std::ranges::any_of(std::array{true, false}, [&](bool do_intersect) {
-    RepeatedQuery query;
-    query.answer =
-        ledger_of::ask_detector_told(do_intersect, hulls, ledger_of::solve_by_directions,
-                                     &query.directions, ledger_of::farthest_square_of(hulls));
-    return ledger_of::is_answered(d, query);
-  });
-}
-
 template <CameAbout kCameAbout>
 constexpr auto by_epa = repeated<BulletAsked::epa, kCameAbout>;
 
@@ -273,8 +259,6 @@ constexpr LedgerRow kRowsByDirections[] = {
     {"rounded-point", repeated<kAsked, stopped_at_rounded_point>},
 };
 
-constexpr LedgerRow kRowsOfFlat[] = {{"corner-before-first", corner_before_first}};
-
 }  // namespace
 
 std::span<const LedgerRow, kBulletEpaRows> bullet_epa_rows() {
@@ -285,7 +269,7 @@ std::vector<LedgerRows> bullet_query_ledger() {
   return {{"bullet-epa", kEpaRows},
           {"bullet-minkowski", kRowsByDirections<BulletAsked::directions>},
           {"bullet-convex2d", kRowsByDirections<BulletAsked::flat>},
-          {"bullet-convex2d", kRowsOfFlat}};
+          bullet_flat_ledger()};
 }
 
 }  // namespace manifuzz

@@ -211,3 +211,18 @@ TEST_CASE("EPA ends within its accuracy of small round corners, whichever way it
   CHECK_FALSE(is_it(rotate<double>({0.9999, 0.01}, normal), depth, Kind::normal));
   CHECK_FALSE(is_it(normal, depth + 1e-5, Kind::normal));
 }
+
+TEST_CASE("a point far off is left out since a rotation that is not unit moves it in A's frame") {
+  const std::array<Vector2<float>, 2> ends{Vector2<float>{0, 0}, Vector2<float>{0, 40000}};
+  const auto is_it = [&](float cos, float far, const Manifold<double>& got) {
+    const std::array<Vector2<float>, 1> centre{Vector2<float>{far, 0}};
+    PairCase pair{body_at(ends, 0, 0), body_at(centre, 0, 0, 5e9F)};
+    pair.a.pose.rotation.x() = cos;
+    return explains("bullet-convex2d-refreshed", pair, got, Kind::missed_contact);
+  };
+  CHECK(is_it(1.0000005F, 4e9F, {}));
+  CHECK_FALSE(is_it(1, 4e9F, {}));
+  CHECK_FALSE(is_it(1.0000005F, 4e9F, one_point({1, 0}, {0, 0}, 1e9)));
+  // Nearer by so much that the place moves by less than the threshold.
+  CHECK_FALSE(is_it(1.0000005F, 4e7F, {}));
+}
