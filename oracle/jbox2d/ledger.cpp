@@ -161,6 +161,7 @@ constexpr LedgerRow kJbox2dRows[] = {
     {"edge-front", edge_at_fault<FaultOfJbox2dEdge::front>},
     {"edge-corners", edge_at_fault<FaultOfJbox2dEdge::corners>},
     {"circle-tied-faces", tied_face_of_box2d_circle},
+    {"face-within-epsilon", face_within_box2d_epsilon},
 };
 
 }  // namespace
