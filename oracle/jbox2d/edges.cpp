@@ -88,24 +88,47 @@ class EdgeAndPolygonOfJbox2d {
     }
     return {vertices_[most_against], vertices_[polygon_.next(most_against)]};
   }
-  /// Along the line between the corners that are nearest to each other, of cores that are apart.
+  /// Along the line between the corners that are nearest to each other, of cores that are apart:
+  /// what a clip along it keeps of the edge and of the face beside the corner that is flattest.
   replayed::Contact between_corners() const {
-    Float2 nearest = vertices_[0] - edge_.vertex(0);
-    Float2 at = vertices_[0];
+    int corner = 0;
+    int end = 0;
     for (int i = 0; i < 2 * polygon_.count(); ++i) {
-      const Float2 apart = vertices_[i / 2] - edge_.vertex(i % 2);
-      if (apart.norm() >= nearest.norm()) continue;
-      nearest = apart;
-      at = vertices_[i / 2];
+      if (between(i / 2, i % 2).norm() >= between(corner, end).norm()) continue;
+      corner = i / 2;
+      end = i % 2;
     }
+    const Float2 nearest = between(corner, end);
     const auto distance = static_cast<double>(nearest.norm());
     if (distance == 0) return {};
     const auto radius = static_cast<double>(polygon_.body.polygon.radius);
-    const Vector2<double> out = edge_.turned(nearest).cast<double>() / distance;
     const double radii = static_cast<double>(edge_.body.polygon.radius) + radius;
     if (distance > radii) return {};
-    return {out, {{edge_.placed(at).cast<double>() - radius * out, radii - distance}}};
+    const Vector2<double> out = edge_.turned(nearest).cast<double>() / distance;
+    replayed::Contact contact{out, {}};
+    const auto add = [&](const Float2& on_polygon, double separation) {
+      contact.points.push_back(
+          {edge_.placed(on_polygon).cast<double>() - radius * out, radii - separation});
+    };
+    add(vertices_[corner], distance);
+    const int before = polygon_.previous(corner);
+    const bool is_before = normals_[before].dot(nearest) < normals_[corner].dot(nearest);
+    const int far = is_before ? before : polygon_.next(corner);
+    const Float2 along_face = vertices_[far] - vertices_[corner];
+    const Float2 along_edge = edge_.vertex(1 - end) - edge_.vertex(end);
+    const Float2 tangent(nearest.y(), -nearest.x());
+    const float of_face = along_face.dot(tangent);
+    const float of_edge = along_edge.dot(tangent);
+    if (!(of_face * of_edge > 0)) return contact;
+    const float run = std::abs(of_face) < std::abs(of_edge) ? of_face : of_edge;
+    const Float2 further = along_face * (run / of_face);
+    const Float2 apart = nearest + further - along_edge * (run / of_edge);
+    const double separation = static_cast<double>(apart.dot(nearest)) / distance;
+    if (separation <= radii) add(vertices_[corner] + further, separation);
+    return contact;
   }
+  /// From an end of the edge to a corner.
+  Float2 between(int corner, int end) const { return vertices_[corner] - edge_.vertex(end); }
   replayed::Contact clipped(const Float2& first, const Float2& last, const Float2& normal,
                             jbox2d::Ends ends, bool is_of_polygon) const {
     const Float2 side(normal.y(), -normal.x());

@@ -50,6 +50,21 @@ TEST_CASE("jbox2d has no normal between an edge's end and a corner") {
   CHECK_FALSE(is_it(pair));
 }
 
+TEST_CASE("jbox2d clips an edge by a face though its end and a corner are nearest") {
+  // Right are two points along the line between them.
+  const PairCase pair = pair_of(
+      R"({"a":{"vertices":[[0,0],[0.07,0.01],[0.1,0.3],[-0.1,0.05]]},
+          "b":{"vertices":[[0,0],[3.2,-1.1]],"radius":0.1,"rounding":"round","position":[0,-0.017]}})");
+  const auto is_it = [&](const Manifold<double>& got) {
+    return explains("jbox2d-edge-corners", pair, got, Kind::inconsistent);
+  };
+  const Vector2<double> of_face(0.1414213478565216, -0.9899494647979736);
+  const Vector2<double> at(-0.011588144187139493, 0.0811170126394547);
+  CHECK(is_it(one_point(of_face, at, 0.08194056153297424)));
+  CHECK_FALSE(is_it(one_point(of_face, at, 0.083)));
+  CHECK_FALSE(is_it(one_point({0, -1}, at, 0.08194056153297424)));
+}
+
 TEST_CASE("Box2D takes a centre within epsilon of a polygon to be inside") {
   const auto is_it = [](const PairCase& pair, const Vector2<double>& normal, double depth) {
     const Manifold<double> got =
