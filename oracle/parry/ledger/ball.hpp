@@ -55,6 +55,15 @@ ProjectedCentre<Real> projected(Replay<Real>& replay, const Shape<Real>& shape,
           is_relatively_equal(point.x(), centre.x()) && is_relatively_equal(point.y(), centre.y())};
 }
 
+/// The place on the other shape, in its frame, that is nearest to the ball's centre.
+template <class Real>
+ProjectedCentre<Real> projected_ball(Replay<Real>& replay) {
+  const bool is_flipped = replay.a.shape.is_ball();
+  const Shape<Real>& shape = is_flipped ? replay.b.shape : replay.a.shape;
+  const Pose<Real> between = is_flipped ? inverse(replay.between) : replay.between;
+  return projected(replay, shape, between.position);
+}
+
 /// contact_manifolds_convex_ball.rs: a ball against any other shape, of which this place is nearest
 /// to its centre.
 template <class Real>
@@ -84,10 +93,18 @@ void collide_ball_at(Replay<Real>& replay, const ProjectedCentre<Real>& nearest)
 
 template <class Real>
 void collide_ball(Replay<Real>& replay) {
-  const bool is_flipped = replay.a.shape.is_ball();
-  const Shape<Real>& shape = is_flipped ? replay.b.shape : replay.a.shape;
-  const Pose<Real> between = is_flipped ? inverse(replay.between) : replay.between;
-  collide_ball_at(replay, projected(replay, shape, between.position));
+  collide_ball_at(replay, projected_ball(replay));
+}
+
+/// The replay of a ball and a segment where the centre is not taken to be inside of it, as it is
+/// within epsilon: a segment has no inside.
+template <class Real>
+Replay<Real> replayed_beside_segment(Replay<Real> replay) {
+  ProjectedCentre<Real> nearest = projected_ball(replay);
+  nearest.is_inside = false;
+  replay.points.clear();
+  collide_ball_at(replay, nearest);
+  return replay;
 }
 
 }  // namespace manifuzz::parry

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "oracle/parry/ledger/ball.hpp"
 #include "oracle/parry/ledger/engines.hpp"
 
 // parry2d on circles against any shape, on two capsules, and on cores that are apart.
@@ -38,9 +39,11 @@ double error_of_places(const Deviation& d) {
   const exact::RoughPair placed = exact::place_roughly(d.right.pair());
   const Vector2<double> along_a = placed.a.vertices[1] - placed.a.vertices[0];
   const Vector2<double> along_b = placed.b.vertices[1] - placed.b.vertices[0];
-  const double shorter = std::min(along_a.norm(), along_b.norm());
-  // a <= _eps: the first end of a core that is so short.
-  if (shorter * shorter <= kEpsilonOf<Engine>) return shorter + bound_of(d);
+  // a <= _eps: the first end of a core that is so short, which is no farther off than it is long.
+  const auto is_short = [](double length) { return length * length <= kEpsilonOf<Engine>; };
+  const double by_short = (is_short(along_a.norm()) ? along_a.norm() : 0) +
+                          (is_short(along_b.norm()) ? along_b.norm() : 0);
+  if (by_short > 0) return by_short + bound_of(d);
   // denom > _eps, a length's fourth power: the first end of cores that are nearly parallel, or
   // short.
   const double sine = cross(along_a, along_b) / (along_a.norm() * along_b.norm());
@@ -132,6 +135,12 @@ template <class Engine>
 bool centre_on_surface(const Deviation& d) {
   const auto replay = replay_by<Engine>(d, {Route::ball});
   if (!replay || d.got.count == 0) return false;
+  // Taken to be inside of a segment that is nearer than epsilon.
+  const auto& other = replay->a.shape.is_ball() ? replay->b.shape : replay->a.shape;
+  const bool is_of_segment = !other.is_polygon() && !other.is_capsule();
+  if (is_of_segment && replay->is_inside && is_right<Engine>(d, replayed_beside_segment(*replay))) {
+    return true;
+  }
   // Taken to be on a core that is nearer than epsilon: the depth is off by no more than that.
   if (replay->is_on_core && std::abs(ledger_of::deepest(d.got) - ledger_of::least_depth(d)) <=
                                 kEpsilonOf<Engine> + bound_of(d)) {

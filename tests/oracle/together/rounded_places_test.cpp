@@ -204,3 +204,39 @@ TEST_CASE("parry's place on an edge nearly along the normal is off by more than 
   off.b.pose.position.x() += 0.001F;
   CHECK_FALSE(is_it(off, given_of(off)));
 }
+
+TEST_CASE("parry looks at the first ends of capsules that are both shorter than 3e-4") {
+  const std::array<Vector2<float>, 2> of_a{Vector2<float>{0, 0}, Vector2<float>{1e-5F, 0}};
+  const std::array<Vector2<float>, 2> of_b{Vector2<float>{2e-5F, 1e-5F},
+                                           Vector2<float>{-1e-5F, 1e-5F}};
+  const auto with = [&](float radius) {
+    return PairCase{body_at(of_a, 0, 0, radius), body_at(of_b, 0, 0, radius)};
+  };
+  const auto given_of = [](const PairCase& pair) {
+    return parry::Floats::answer(parry::Floats::replays(exact::stored(pair)).front(), pair);
+  };
+  const auto is_it = [](const PairCase& pair, const Manifold<double>& got, Kind kind) {
+    return explains("parry2d-nearly-parallel-capsules", pair, got, kind);
+  };
+  // They are 1e-5 from each other, their first ends 2.2e-5.
+  REQUIRE(given_of(with(8e-6F)).count == 0);
+  CHECK(is_it(with(8e-6F), {}, Kind::missed_contact));
+  CHECK_FALSE(is_it(with(1.5e-5F), {}, Kind::missed_contact));  // it finds these
+  const Manifold<double> between_ends = given_of(with(1.5e-5F));
+  CHECK(is_it(with(1.5e-5F), between_ends, Kind::inconsistent));
+}
+
+TEST_CASE("parry takes a centre within epsilon of a segment to be inside of it") {
+  const std::array<Vector2<float>, 2> ends{Vector2<float>{0, -0.001F}, Vector2<float>{0, 0.001F}};
+  const auto at = [&](float off) {
+    return PairCase{body_at(ends, 0, 0), circle_at({off, 0}, 0.005F)};
+  };
+  const auto is_it = [](const PairCase& pair, const Vector2<double>& normal, double depth) {
+    return explains("parry2d-centre-on-surface", pair,
+                    one_point(normal, -0.5 * depth * normal, depth));
+  };
+  CHECK(is_it(at(5e-8F), {-1, 0}, 0.005 + 5e-8));
+  CHECK_FALSE(is_it(at(5e-8F), {-1, 0}, 0.005));
+  CHECK_FALSE(is_it(at(5e-8F), {1, 0}, 0.005 + 5e-8));
+  CHECK_FALSE(is_it(at(2e-7F), {-1, 0}, 0.005 + 2e-7));
+}
