@@ -65,8 +65,10 @@ bool is_of_short_face(const Deviation& d, const exact::RoughPair& placed, exact:
   const exact::Truth& truth = *d.right.truth;
   const PairCase& pair = d.right.pair();
   const exact::RoughPolygon& on = placed[face.side];
-  const Vector2<double> along = on.vertices[on.next(face.index)] - on.vertices[face.index];
-  const double length = along.norm();
+  // In its polygon's own frame, as the engine has it: far from the origin no length is left.
+  const auto& [own, pose] = truth.stored()[face.side];
+  const Vector2<double> along = own.vertices[own.next(face.index)] - own.vertices[face.index];
+  const double length = along.norm() * pose.rotation.cast<double>().norm();
   if (length >= kEpsilonOfBox2dCore) return false;
   const double side = face.side == Side::a ? 1.0 : -1.0;
   // The length of a normal is the same in both frames.

@@ -136,6 +136,21 @@ TEST_CASE("cp compares normals that are short by unlike amounts") {
   CHECK_FALSE(is_it(test::squares_side_by_side()));
 }
 
+TEST_CASE("@box2d/core's face is short in its polygon's own frame, however far that is") {
+  const PairCase pair = pair_of(
+      R"({"a":{"vertices":[[0,0],[187.5,1.875e+18],[0,2.5e+18]],"radius":6.8112783e+16,"rotation":[0,1]},
+          "b":{"vertices":[[0,0],[-6.25e-06,2.5e-22],[-6.25e+18,0]],"radius":6.8112783e+16,
+               "position":[-1.25e+18,1.875e+18],"rotation":[0,1]}})");
+  const auto is_it = [&](double length, double depth) {
+    Manifold<double> got = one_point({length, 0}, {0, 0}, depth);
+    got.reference = Side::b;
+    return explains("box2d-core-normal-of-short-face", pair, got, Kind::normal,
+                    ScalarType::float64);
+  };
+  CHECK(is_it(6.24999984211172e-06, 5321158.279976232));
+  CHECK_FALSE(is_it(6.24999984211172e-06, 1e8));
+}
+
 TEST_CASE("matter-js may find a vertex on an outline inside or not") {
   const auto is_it = [](const PairCase& pair, const Manifold<double>& got) {
     return explains("matter-js-deepest-left-out", pair, got, Kind::witness, ScalarType::float64);
