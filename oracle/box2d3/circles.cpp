@@ -43,11 +43,13 @@ FrontFace front_face(const ConvexPolygon<float>& core, const Float2& centre) {
   return face;
 }
 
+/// The circle's centre in the core's frame.
 Float2 centre_from(const Body& core, const Body& circle) {
   return transform(relative_pose(core.pose, circle.pose), circle.polygon.vertices[0]);
 }
 
-/// Its difference from a corner to a centre; none where it takes the normal of a face.
+/// b2CollidePolygonAndCircle's difference from a corner to a centre; none where it takes the normal
+/// of a face.
 std::optional<Float2> to_centre_from_corner(const ConvexPolygon<float>& core,
                                             const Float2& centre) {
   const FrontFace face = front_face(core, centre);
@@ -55,7 +57,7 @@ std::optional<Float2> to_centre_from_corner(const ConvexPolygon<float>& core,
   return centre - *face.end;
 }
 
-/// Its difference from the nearest place on the core to the circle's centre, in the core's frame:
+/// The difference from the nearest place on the core to the circle's centre, in the core's frame:
 /// b2CollideCapsuleAndCircle's, or that of a polygon's corner.
 std::optional<Float2> to_centre_by_box2d3(const Body& core, const Body& circle) {
   const Float2 centre = centre_from(core, circle);

@@ -10,8 +10,8 @@
 namespace manifuzz {
 namespace {
 
-/// The answer where the detector takes cores for intersecting, or does not, of which
-/// it had a corner that is none of theirs: -1 indexes their corners.
+/// The answer where the detector takes cores for intersecting, or does not, of which it had a
+/// corner that is none of theirs: -1 indexes their corners.
 bool corner_before_first(const Deviation& d) {
   const ledger_of::BulletPair hulls = ledger_of::flat_hulls_of(d.right.pair());
   if (!ledger_of::is_intersection_of_memory(hulls)) return false;
@@ -32,7 +32,7 @@ bool point_left_out_by_refresh(const Deviation& d) {
   const ledger_of::BulletAnswer answer =
       ledger_of::repeat_query(d.right.pair(), ledger_of::BulletAsked::flat).answer;
   if (answer.normal_of == ledger_of::NormalOf::nobody) return false;
-  ledger_of::BulletManifold manifold(hulls, ledger_of::breaking_threshold(hulls), true);
+  ledger_of::BulletManifold manifold(hulls, ledger_of::breaking_threshold(hulls));
   manifold.add(answer.normal, answer.on_b, answer.distance, 0);
   if (ledger_of::deepest_of(manifold.points) == nullptr) return false;
   manifold.refresh();

@@ -20,7 +20,8 @@ struct BulletPoint {
 /// btPersistentManifold of a pair, filled by btManifoldResult.
 class BulletManifold {
  public:
-  BulletManifold(const BulletPair& pair, float breaking, bool does_replace)
+  /// `breaking`: the distance up to which points are kept, and one takes another's place.
+  BulletManifold(const BulletPair& pair, float breaking, bool does_replace = true)
       : pair_(&pair), breaking_(breaking), does_replace_(does_replace) {}
 
   void add(const Space& normal, const Space& on_b, float distance, int query);
