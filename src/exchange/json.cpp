@@ -269,9 +269,20 @@ TieBias read_tie_bias(const JsonView& value) {
   return bias;
 }
 
+namespace {
+
+/// A float's own digits, where it is one.
+std::string shortest(double value) {
+  const auto as_float = static_cast<float>(value);
+  const bool is_float = static_cast<double>(as_float) == value;
+  return is_float ? fmt::format("{}", as_float) : fmt::format("{}", value);
+}
+
+}  // namespace
+
 std::string in_words(const TieBias& bias) {
-  if (bias == TieBias{.absolute = bias.absolute}) return fmt::format("{}", bias.absolute);
-  return fmt::format("{} and {}% towards {}", bias.absolute, 100 * bias.relative,
+  if (bias == TieBias{.absolute = bias.absolute}) return shortest(bias.absolute);
+  return fmt::format("{} and {:.6g}% towards {}", shortest(bias.absolute), 100 * bias.relative,
                      bias.towards == Side::a ? 'a' : 'b');
 }
 

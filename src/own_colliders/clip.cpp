@@ -48,13 +48,14 @@ Collider make_clip(double tie_bias) {
 }
 
 Collider make_clip64(double tie_bias) {
-  return implemented<double>({.name = "clip64",
-                              .version = MANIFUZZ_VERSION,
-                              .description = "the same in double, on the same float input",
-                              .tie_bias = {tie_bias},
-                              .min_vertices = 1,
-                              .takes_round = true},
-                             make_clip64);
+  return implemented<double>(
+      {.name = "clip64",
+       .version = MANIFUZZ_VERSION,
+       .description = "the article's clipping in double, on the same float input",
+       .tie_bias = {tie_bias},
+       .min_vertices = 1,
+       .takes_round = true},
+      make_clip64);
 }
 
 }  // namespace manifuzz

@@ -69,7 +69,8 @@ Collider make_gjk() {
 }
 
 Collider make_gjk64() {
-  return of_closest_points<double>("gjk64", "the same in double, on the same float input");
+  return of_closest_points<double>(
+      "gjk64", "closest points by GJK, and EPA where cores overlap, in double; one point");
 }
 
 Collider make_gjk_shrunk() {

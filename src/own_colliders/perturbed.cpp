@@ -38,7 +38,8 @@ Collider make_perturbed() {
 }
 
 Collider make_perturbed64() {
-  return of_perturbed<double>("perturbed64", "the same in double, on the same float input");
+  return of_perturbed<double>(
+      "perturbed64", "gjk64, asked again with one shape turned a little each way, in double");
 }
 
 }  // namespace manifuzz

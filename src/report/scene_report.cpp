@@ -52,11 +52,13 @@ Json row_json(const SceneRun& run) {
             {"mode", run.recycled_motion > 0 ? "recycle" : "strict"},
             {"recycled_motion", run.recycled_motion},
             {"certificates", run.certificates},
+            {"threads", run.threads},
             {"steps", run.steps},
             {"ns_per_step", run.ns_per_step},
             {"speedup_over_box2d", run.speedup_over_all},
             {"speedup_over_box2d_moved", run.speedup_over_moved},
             {"speedup_over_afresh", run.speedup_over_afresh},
+            {"speedup_over_one_thread", run.speedup_over_alone},
             {"afresh_ns_per_step", run.afresh_ns_per_step},
             {"afresh_speedup_over_box2d", run.afresh_over_all},
             {"mismatches", nullptr},
@@ -208,6 +210,11 @@ std::string scene_table(const SceneResult& result) {
         recycled, collided, run.contacts, ratio(run.memory.bodies, run.bodies),
         ratio(run.memory.pairs, run.pairs),
         run.afresh.steps > 0 ? std::to_string(run.afresh.mismatches) : "-");
+  }
+  for (const SceneRun& run : result.runs) {
+    if (run.threads == 1) continue;
+    text += fmt::format("{} of {} bodies: {} threads are {:.2f} times as fast as one\n", run.scene,
+                        run.bodies, run.threads, run.speedup_over_alone);
   }
   if (!result.curves.empty()) text += '\n' + curves_table(result.curves);
   return text;

@@ -18,6 +18,8 @@ constexpr std::size_t kBodiesMax = 1'000'000;
 /// Poses that a trajectory keeps: 20 bytes each.
 constexpr std::size_t kPosesMax = 100'000'000;
 
+constexpr std::size_t kThreadsMax = 256;
+
 constexpr double kMotion = 0.01;  ///< a hundredth of a body
 constexpr double kMotionMax = 10;
 
@@ -28,6 +30,7 @@ struct SceneArguments {
   std::string mode = "strict";
   std::optional<double> motion;
   bool without_certificates = false;
+  std::size_t threads = 1;
   std::string json;
   std::string scaling;
   std::string skipped;
@@ -41,6 +44,7 @@ ScenePlan plan_of(const SceneArguments& options) {
   ScenePlan plan{.scenes = chosen_by_name(scene_specs(), options.scenes, "scene", "--scene"),
                  .sizes = {sizes.begin(), sizes.end()},
                  .settings = {.certificates = !options.without_certificates},
+                 .threads = options.threads,
                  .has_curves = !options.recycling.empty()};
   plan.steps = static_cast<int>(options.steps.value_or(plan.steps));
   if (options.mode == "recycle") {
@@ -60,6 +64,9 @@ void expect_possible(const SceneArguments& options, const ScenePlan& plan) {
                   {"--recycling", options.recycling, file, kPictureEndings}}});
   if (!options.scaling.empty() && plan.sizes.size() < 2) {
     throw UserError("--scaling: needs two numbers of bodies or more");
+  }
+  if (options.threads > 1 && options.mode == "recycle") {
+    throw UserError("--threads: only --mode strict runs on several threads");
   }
   if (options.motion && options.mode != "recycle") {
     throw UserError("--recycled-motion: needs --mode recycle");
@@ -122,6 +129,9 @@ void add_scene_arguments(CLI::App& app, SceneArguments& options) {
       "with --mode recycle, how far a body may move while its contacts are reused; default: 0.01");
   app.add_flag("--without-certificates", options.without_certificates,
                "collide every pair that moved, even where its contacts are proven to be the same");
+  add("--threads", options.threads, "N",
+      "number of threads that a step runs on, the contacts being those of one; default: 1")
+      ->check(CLI::Range(std::size_t{1}, kThreadsMax));
   add_json(app, options.json, "the rows");
   add("--save", options.save, "DIR",
       "folder for pairs whose contacts differ from a fresh collision, saved as cases");

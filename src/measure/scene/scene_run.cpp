@@ -65,22 +65,27 @@ double ns_of(const Work& work) {
 /// The times of a step; who begins changes by step.
 struct StepTimes {
   double ours = 0;
+  double alone = 0;  ///< ours on one thread
   double all = 0;
   double moved = 0;
   double afresh = 0;
 };
 
 StepTimes times_of(std::span<const BodyMove> moves, std::size_t step, ScenePlayer& ours,
-                   ScenePairs& all, ScenePairs& moved, AfreshPlayer& afresh) {
+                   ScenePlayer* alone, ScenePairs& all, ScenePairs& moved, AfreshPlayer& afresh) {
   ours.prepare(moves);
+  if (alone != nullptr) alone->prepare(moves);
   StepTimes ns;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t turn = (step + i) % 4;
+  const std::size_t players = alone == nullptr ? 4 : 5;
+  for (std::size_t i = 0; i < players; ++i) {
+    const std::size_t turn = (step + i) % players;
     if (turn == 0) ns.ours = ns_of([&] { ours.step_prepared(); });
     if (turn == 1) ns.all = ns_of([&] { all.step(moves, false); });
     if (turn == 2) ns.moved = ns_of([&] { moved.step(moves, true); });
     if (turn == 3) ns.afresh = ns_of([&] { afresh.step(moves); });
+    if (turn == 4) ns.alone = ns_of([&] { alone->step_prepared(); });
   }
+  if (alone == nullptr) ns.alone = ns.ours;
   return ns;
 }
 
@@ -100,8 +105,9 @@ void add_to(scene::StepCounts& sum, const scene::StepCounts& counts) {
 }  // namespace
 
 SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
-                   const scene::Settings& settings) {
+                   const scene::Settings& settings, std::size_t threads) {
   SceneRun run;
+  run.threads = threads;
   run.scene = name;
   run.bodies = trajectory.start.size();
   run.steps = trajectory.steps.size();
@@ -109,7 +115,12 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
   run.certificates = settings.certificates;
   // Apart from what is timed: it would empty the caches.
   if (settings.recycled_motion == 0) run.afresh = check_afresh(trajectory, settings);
-  ScenePlayer ours(trajectory, settings);
+  scene::Threads pool(threads);
+  const bool is_divided = threads > 1;
+  ScenePlayer ours(trajectory, settings,
+                   is_divided ? scene::Executor(std::ref(pool)) : scene::Executor());
+  std::optional<ScenePlayer> alone;
+  if (is_divided) alone.emplace(trajectory, settings);
   const auto all = scene_baseline().pairs(trajectory.bodies());
   const auto moved = scene_baseline().pairs(trajectory.bodies());
   all->step({}, false);
@@ -117,7 +128,8 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
   AfreshPlayer afresh(trajectory, settings);
   std::vector<StepTimes> times;
   for (std::size_t step = 0; step < run.steps; ++step) {
-    times.push_back(times_of(trajectory.steps[step], step, ours, *all, *moved, afresh));
+    times.push_back(times_of(trajectory.steps[step], step, ours, alone ? &*alone : nullptr, *all,
+                             *moved, afresh));
     add_to(run.counts, ours.result().counts);
   }
   const auto median_of = [&](auto&& value) {
@@ -130,6 +142,7 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
   run.speedup_over_all = median_of([](const StepTimes& ns) { return ns.all / ns.ours; });
   run.speedup_over_moved = median_of([](const StepTimes& ns) { return ns.moved / ns.ours; });
   run.speedup_over_afresh = median_of([](const StepTimes& ns) { return ns.afresh / ns.ours; });
+  run.speedup_over_alone = median_of([](const StepTimes& ns) { return ns.alone / ns.ours; });
   run.afresh_over_all = median_of([](const StepTimes& ns) { return ns.all / ns.afresh; });
   run.contacts = ours.result().contacts.size();
   run.pairs = ours.scene().pair_count();
@@ -173,7 +186,7 @@ SceneResult run_scenes(const ScenePlan& plan,
     for (const std::size_t bodies : plan.sizes) {
       on_scene("timing", spec->name, bodies);
       const Trajectory trajectory = spec->make(bodies, plan.steps);
-      result.runs.push_back(run_scene(spec->name, trajectory, plan.settings));
+      result.runs.push_back(run_scene(spec->name, trajectory, plan.settings, plan.threads));
     }
   }
   if (!plan.has_curves) return result;

@@ -14,6 +14,7 @@
 #include "kernel/packed.hpp"
 #include "measure/referee.hpp"
 #include "scene/scene.hpp"
+#include "scene/threads.hpp"
 
 namespace manifuzz {
 
@@ -49,7 +50,9 @@ std::span<const SceneSpec> scene_specs();
 /// A scene with a trajectory's bodies, which have the same indices there.
 class ScenePlayer {
  public:
-  ScenePlayer(const Trajectory& trajectory, const scene::Settings& settings) : scene_(settings) {
+  ScenePlayer(const Trajectory& trajectory, const scene::Settings& settings,
+              const scene::Executor& executor = {})
+      : scene_(settings), executor_(executor) {
     for (const auto& shape : trajectory.shapes) scene_.add_shape(shape);
     for (const auto& [shape, pose] : trajectory.start) {
       handles_.push_back(std::get<scene::BodyHandle>(scene_.add(shape, pose)));
@@ -68,7 +71,7 @@ class ScenePlayer {
     for (const BodyMove& move : moves) moves_.push_back({handles_[move.body], move.pose});
   }
   const scene::StepResult& step_prepared() {
-    const auto stepped = scene_.step(moves_);
+    const auto stepped = scene_.step(moves_, executor_);
     result_ = std::get<scene::StepResult>(stepped);
     return result_;
   }
@@ -78,6 +81,7 @@ class ScenePlayer {
 
  private:
   scene::Scene scene_;
+  scene::Executor executor_;
   std::vector<scene::BodyHandle> handles_;
   std::vector<scene::Move> moves_;
   scene::StepResult result_;
@@ -145,10 +149,12 @@ struct SceneRun {
   std::size_t steps = 0;
   float recycled_motion = 0;       ///< 0 is strict
   bool certificates = true;        ///< scene::Settings::certificates
+  std::size_t threads = 1;         ///< that the steps were run on
   double ns_per_step = 0;          ///< the median of the steps
   double speedup_over_all = 0;     ///< the median of the steps' ratios
   double speedup_over_moved = 0;   ///< likewise
   double speedup_over_afresh = 0;  ///< likewise
+  double speedup_over_alone = 1;   ///< over one thread, likewise
   double afresh_over_all = 0;      ///< how many times as fast as Box2D that is, likewise
   double afresh_ns_per_step = 0;   ///< the median of the steps
   scene::StepCounts counts;        ///< sums over the steps
@@ -160,7 +166,7 @@ struct SceneRun {
 
 /// The first step, in which everything is new, is not counted.
 SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
-                   const scene::Settings& settings);
+                   const scene::Settings& settings, std::size_t threads = 1);
 
 /// Bodies in the world, and how they touch; their handles have the bodies' indices.
 struct Frame {
@@ -180,6 +186,7 @@ struct ScenePlan {
   std::vector<std::size_t> sizes;  ///< numbers of bodies, rising
   int steps = 30;
   scene::Settings settings;
+  std::size_t threads = 1;  ///< that strict steps run on
   bool has_curves = false;  ///< recycling at every motion as well, at the least number of bodies
 };
 

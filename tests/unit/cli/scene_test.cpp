@@ -37,6 +37,28 @@ TEST_CASE("scene goes through every scene, with the contacts of all pairs afresh
   CHECK(test::text_of(frame).find("class=\"contact\"") != std::string::npos);
 }
 
+TEST_CASE("scene runs steps on threads, whose contacts and counts are those of one") {
+  const auto rows_on = [](const std::string& threads) {
+    const auto outcome = test::run_manifuzz({"scene", "--scene", "stirred", "--bodies", "200",
+                                             "--steps", "6", "--threads", threads, "--json", "-"});
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return nlohmann::json::parse(outcome.out).at("rows").at(0);
+  };
+  const auto one = rows_on("1");
+  const auto two = rows_on("2");
+  CHECK(one.at("speedup_over_one_thread") == 1);
+  CHECK(two.at("threads") == 2);
+  CHECK(two.at("mismatches") == 0);
+  for (const char* const key :
+       {"skipped", "computed", "left_boxes", "proofs", "contacts", "pairs"}) {
+    CHECK(one.at(key) == two.at(key));
+  }
+  const auto refused = test::run_manifuzz({"scene", "--threads", "2", "--mode", "recycle"});
+  CHECK(refused.status == 2);
+  CHECK(test::is_one_clear_line(refused.err));
+}
+
 TEST_CASE("scene recycles on request, and says what that skips and costs") {
   const test::TemporaryFolder folder;
   const std::string json = (folder.path() / "scene.json").string();

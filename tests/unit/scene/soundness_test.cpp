@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
-#include "scene/scene.hpp"
 #include "unit/scene/commands.hpp"
 #include "unit/scene/crowd.hpp"
+#include "unit/scene/own_scene.hpp"
 
 // What a scene skips changes nothing: every step's contacts are those of every pair afresh.
 
@@ -11,16 +11,7 @@ using namespace manifuzz;
 
 namespace {
 
-struct Api {
-  using Scene = scene::Scene;
-  using BodyHandle = scene::BodyHandle;
-  using Move = scene::Move;
-  using BodyPart = scene::BodyPart;
-  using Filter = scene::Filter;
-  using Rules = scene::Rules;
-};
-
-constexpr test::MakeScene kMake = test::Adapted<Api>::make;
+constexpr test::MakeScene kMake = test::Adapted<test::OwnScene>::make;
 
 }  // namespace
 

@@ -6,10 +6,10 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
-#include "scene/scene.hpp"
 #include "unit/scene/commands.hpp"
 #include "unit/scene/model.hpp"
 #include "unit/scene/motion.hpp"
+#include "unit/scene/own_scene.hpp"
 
 // What an executor runs: each task once, and the same step as without one.
 
@@ -19,13 +19,7 @@ using scene::Scene;
 
 namespace {
 
-struct Api {
-  using Scene = scene::Scene;
-  using BodyHandle = scene::BodyHandle;
-  using Move = scene::Move;
-  using BodyPart = scene::BodyPart;
-  using Filter = scene::Filter;
-  using Rules = scene::Rules;
+struct Divided : test::OwnScene {
   static scene::Executor executor() {
     static scene::Threads threads(3);
     return std::ref(threads);
@@ -115,6 +109,6 @@ TEST_CASE("a step has the same contacts, order and counts by any number of threa
 }
 
 TEST_CASE("a scene by threads equals its pairs afresh bit for bit, whatever happens to it") {
-  CHECK(
-      rc::check("commands between steps", [] { test::check_commands(test::Adapted<Api>::make); }));
+  CHECK(rc::check("commands between steps",
+                  [] { test::check_commands(test::Adapted<Divided>::make); }));
 }
