@@ -14,7 +14,7 @@ void make_room(Vector& vector, std::size_t size) {
   if (size > vector.capacity()) vector.reserve(size + size / 8 + 16);
 }
 
-/// The same, and that many there.
+/// Makes that many, with room as above.
 template <class Vector>
 void resize(Vector& vector, std::size_t size) {
   make_room(vector, size);

@@ -43,7 +43,7 @@ void take(std::optional<RayHit>& first, const RayHit& hit) {
   if (!first || hit.share < first->share) first = hit;
 }
 
-/// A polygon with sharp corners: the way lies in it from where it enters the last half-plane, if it
+/// A polygon without a radius: the way lies in it from where it enters the last half-plane, if it
 /// leaves none before.
 std::optional<RayHit> meet_half_planes(const Seen& seen) {
   RayHit enters{-1, {0, 0}};
@@ -86,12 +86,13 @@ void meet_disc(const Seen& seen, const Vector2<double>& centre, std::optional<Ra
   if (std::abs(beside) > seen.radius) return;
   const double chord = std::sqrt((seen.radius - beside) * (seen.radius + beside));
   const double way = direction.dot(centre) - chord;
-  const Vector2<double> normal =
-      unit_direction(Vector2<double>(-chord * direction + beside * clockwise_quarter(direction)));
-  take(first, {way / length, normal});
+  const Vector2<double> from_centre = beside * clockwise_quarter(direction) - chord * direction;
+  const bool is_point = from_centre.x() == 0 && from_centre.y() == 0;
+  take(first, {way / length, unit_direction(is_point ? Vector2<double>(-direction) : from_centre)});
 }
 
-/// A round shape is what its moved faces bound between their ends, and a disc around each vertex.
+/// A shape with a radius is what its moved faces bound between their ends, and a disc around each
+/// vertex.
 std::optional<RayHit> meet_round(const Seen& seen, int faces) {
   if (begins_inside(seen, faces)) return RayHit{};
   std::optional<RayHit> first;
@@ -113,7 +114,8 @@ std::optional<RayHit> meet_round(const Seen& seen, int faces) {
 std::optional<RayHit> cast_ray(const ConvexPolygon<float>& shape, const Pose<float>& pose,
                                const Ray& ray) {
   const Seen seen = seen_from(ray, shape, pose);
-  return shape.is_round() ? meet_round(seen, shape.face_count()) : meet_half_planes(seen);
+  const bool is_sharp = !shape.is_round() && shape.radius == 0;
+  return is_sharp ? meet_half_planes(seen) : meet_round(seen, shape.face_count());
 }
 
 }  // namespace manifuzz

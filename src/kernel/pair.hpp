@@ -30,7 +30,7 @@ struct PairSeparation {
 
 /// `clipping::collide(a, b, b_in_a, tie_bias)`: the manifold in A's frame, B standing at `b_in_a`
 /// in it; `tie_bias` is a length >= 0. A hint, where one is given, is used and brought up to date;
-/// it changes no result, whatever it says.
+/// it changes no result, whatever it says. Pairs with a round shape leave it as it is.
 Manifold<float> collide(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
                         float tie_bias = 0, FaceHint* hint = nullptr);
 

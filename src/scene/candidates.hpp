@@ -11,9 +11,9 @@
 
 namespace manifuzz::scene {
 
-/// Two bodies whose fattened boxes overlap, in the row of the one of lower index, A. They touch, or
-/// are apart for as long as their paths are together no longer than proven; one number holds
-/// either, since as a length a contact's index is below 0 or none.
+/// Two bodies that may touch and whose fattened boxes overlap, in the row of the one of lower
+/// index, A. They touch, or are apart for as long as their paths are together no longer than
+/// proven; one number holds either, since as a length a contact's index is below 0 or none.
 class Candidate {
  public:
   Candidate() = default;

@@ -128,7 +128,7 @@ void Scene::prove_apart(const kernel::BodyPair& bodies, float gap, std::uint32_t
   work.proof_count += static_cast<std::size_t>(is_proven);
 }
 
-/// Now, or once all tasks have ended.
+/// Writes what is proven now, or once all tasks have ended.
 void Scene::write_proof(std::uint32_t place, float until, RowWork& work) {
   if (executor_ == nullptr) {
     candidates_.at(place).be_apart_until(until);

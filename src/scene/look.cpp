@@ -36,7 +36,7 @@ void Scene::look_at_candidates() {
     if (is_strict) mark_bodies();
     look_at_rows(0, rows, all);
   } else {
-    draw_boxes_of_movers();
+    draw_all_boxes();
     mark_bodies();
     (*executor_)(kTasks, [&](std::size_t task) {
       const auto end = [&](std::size_t of) {
@@ -58,11 +58,12 @@ void Scene::prepare_works(std::size_t count) {
   }
 }
 
-/// Of all that may be asked for: no task draws what another reads.
-void Scene::draw_boxes_of_movers() {
+/// Draws the tight boxes of all bodies that have pairs, moved or not, so that no task draws what
+/// another reads.
+void Scene::draw_all_boxes() {
   bodies_.clear();
-  for (const Mover& mover : movers_) {
-    if (!is(mover.body, kBoxed)) bodies_.push_back(mover.body);
+  for (std::uint32_t body = 0; body < states_.size(); ++body) {
+    if (is(body, kFiled) && !is(body, kBoxed)) bodies_.push_back(body);
   }
   (*executor_)(kTasks, [&](std::size_t task) {
     const std::size_t first = task * bodies_.size() / kTasks;
@@ -104,7 +105,7 @@ void Scene::look_at_rows(std::uint32_t first, std::uint32_t last, RowWork& work)
   leave_out_overlapping(work.leaving);
 }
 
-/// One by one.
+/// Looks at a row's pairs one by one.
 void Scene::look_at_row(std::uint32_t a, RowWork& work) {
   for (Candidate& candidate : candidates_.row(a)) {
     look_at(a, candidate, work);

@@ -15,7 +15,9 @@ void Scene::set_traits(std::uint32_t body, const Traits& traits) {
   for (auto place = static_cast<std::uint32_t>(traits_.size()); place < placements_.size();
        ++place) {
     make_room(traits_, place + 1);
-    traits_.push_back({{}, {handle(place)}});
+    // A body that was removed, and whose end is yet to be told, had the generation before.
+    const std::uint32_t generation = generations_[place] - (generations_[place] % 2 == 0 ? 1 : 0);
+    traits_.push_back({{}, {{place, generation}}});
   }
   traits_[body] = traits;
 }
@@ -34,6 +36,7 @@ std::optional<Defect> Scene::set_filter(BodyHandle body, const Filter& filter) {
 /// Candidates are the pairs that may touch: those that no longer may are dropped, others are added.
 void Scene::refilter(std::uint32_t body, const Filter& filter) {
   Traits traits = traits_.empty() ? Traits{{}, {handle(body)}} : traits_[body];
+  if (traits.rules.filter == filter) return;
   traits.rules.filter = filter;
   set_traits(body, traits);
   if (!is(body, kFiled)) return;  // its partners are yet to be found
@@ -43,7 +46,9 @@ void Scene::refilter(std::uint32_t body, const Filter& filter) {
     Candidate* const candidate = candidates_.find(a, b);
     const bool is_allowed = may_touch(a, b);
     if (candidate != nullptr && !is_allowed) drop(a, *candidate);
-    if (candidate == nullptr && is_allowed) candidates_.add(a, b);
+    if (candidate != nullptr || !is_allowed) continue;
+    candidates_.add(a, b);
+    ++counts_.pairs_added;
   }
   start_path(body);
 }

@@ -8,7 +8,8 @@
 
 namespace manifuzz::scene {
 
-/// A shape of a body that has several, and where it stands in the body's frame.
+/// A shape of a body that has several, and where it stands in the body's frame. Two rotations that
+/// are barely unit may make one that is not: the `composed` pose is held to the same tolerance.
 struct BodyPart {
   std::uint32_t shape = 0;  ///< that was added
   Pose<float> pose;         ///< in the body's frame

@@ -64,8 +64,8 @@ class Scene {
   std::variant<BodyHandle, Defect> add(std::uint32_t shape, const Pose<float>& pose,
                                        const Rules& rules = {});
   /// A new body of one or more parts, which do not touch each other. Each part stands where
-  /// `composed` puts it, and has contacts of its own: `part` says of a contact's handle whose it
-  /// is.
+  /// `composed` puts it, which must be free of defects, too, and has contacts of its own: `part`
+  /// says of a contact's handle whose it is.
   std::variant<BodyHandle, Defect> add(std::span<const BodyPart> parts, const Pose<float>& pose,
                                        const Rules& rules = {});
   /// Takes a body out; its contacts are reported as ended by the next step.
@@ -73,11 +73,13 @@ class Scene {
   /// Gives a body, or one of its parts, another shape, which the next step looks at.
   std::optional<Defect> set_shape(BodyHandle body, std::uint32_t shape, std::uint32_t part = 0);
   /// Gives a body another filter: contacts that it does not allow are reported as ended by the next
-  /// step, others begin there.
+  /// step, others begin there. What one filter ends and the next allows, before a step, ends and
+  /// begins.
   std::optional<Defect> set_filter(BodyHandle body, const Filter& filter);
 
   /// Puts bodies where they are now and brings the contacts up to date. Of two moves of one body
   /// the last counts. An executor, where one is given, runs parts of it: the result is the same.
+  /// One that throws leaves the scene fit for nothing but its end.
   std::variant<StepResult, RefusedMove> step(std::span<const Move> moves,
                                              const Executor& executor = {});
 
@@ -102,10 +104,11 @@ class Scene {
     return shapes_.for_pairs().polygon(index);
   }
 
-  /// The handles, by their indices, of all bodies and parts whose padded boxes overlap this one, as
-  /// of the last step, and so of all that reach into it (certificates.md, "Boxes"). Valid until the
-  /// next call.
-  std::span<const BodyHandle> near(const Box& box);
+  /// Puts the handles of all bodies and parts whose padded boxes overlap this one into `found`, by
+  /// their indices: so of all that reach into it (certificates.md, "Boxes"), their radii being
+  /// round. As of the last step; a body that was given another shape since may be missed. It
+  /// writes to the scene's memory: one thread at a time.
+  void near(const Box& box, std::vector<BodyHandle>& found);
 
   /// How many bodies are in the scene; each part counts.
   std::size_t body_count() const { return body_count_; }
@@ -197,7 +200,7 @@ class Scene {
 
   void look_at_candidates();
   void prepare_works(std::size_t count);
-  void draw_boxes_of_movers();
+  void draw_all_boxes();
   void mark_bodies();
   void look_at_rows(std::uint32_t first, std::uint32_t last, RowWork& work);
   void look_at_row(std::uint32_t a, RowWork& work);
@@ -267,7 +270,6 @@ class Scene {
   std::vector<std::uint32_t> bodies_;
   std::vector<std::uint32_t> marks_;  // by body
   std::vector<std::uint32_t> found_;
-  std::vector<BodyHandle> near_;        // what was last asked for
   const Executor* executor_ = nullptr;  // none where it is empty
   std::vector<PartnerWork> partner_works_;
   std::vector<RowWork> row_works_;     // the first so many in use

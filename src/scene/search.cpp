@@ -197,7 +197,7 @@ void Scene::find_partners(std::uint32_t body, PartnerWork& work) const {
   if (!traits_.empty()) leave_out_forbidden(first, adding);
 }
 
-/// Those from the first one on.
+/// Leaves out pairs that may not touch, from the first one on.
 void Scene::leave_out_forbidden(std::size_t first, std::vector<kernel::BodyPair>& adding) const {
   const auto is_forbidden = [&](const kernel::BodyPair& pair) {
     return !may_touch(pair.a, pair.b);

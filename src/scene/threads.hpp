@@ -13,53 +13,64 @@ namespace manifuzz::scene {
 /// `Scene::step`. One call at a time. Tasks must not throw.
 class Threads {
  public:
-  /// So many threads run tasks, the one that calls among them.
+  /// So many threads run tasks, the one that calls among them. Throws std::system_error.
   explicit Threads(std::size_t count) {
-    for (std::size_t i = 1; i < count; ++i) threads_.emplace_back([this] { serve(); });
+    try {
+      for (std::size_t i = 1; i < count; ++i) threads_.emplace_back([this] { serve(); });
+    } catch (...) {  // the system has no more of them
+      end();
+      throw;
+    }
   }
-  ~Threads() {
-    is_over_ = true;
-    begin_round();
-    for (std::thread& thread : threads_) thread.join();
-  }
+  ~Threads() { end(); }
   Threads(const Threads&) = delete;
   Threads& operator=(const Threads&) = delete;
 
-  /// Runs `task(0)` to `task(count - 1)`, and returns when all have ended.
+  /// Runs `task(0)` to `task(count - 1)`, and returns when all have ended. It waits for no thread
+  /// that has not begun one.
   void operator()(std::size_t count, const std::function<void(std::size_t)>& task) {
     task_ = &task;
-    count_ = count;
-    next_ = 0;
-    working_ = threads_.size();
-    begin_round();
+    running_ = count;
+    left_ = count;
+    wake();
     run_tasks();
-    while (const std::size_t left = working_) working_.wait(left);
+    while (const std::size_t running = running_) running_.wait(running);
   }
 
  private:
-  void begin_round() {
-    ++round_;
-    round_.notify_all();
+  void end() {
+    is_over_ = true;
+    wake();
+    for (std::thread& thread : threads_) thread.join();
   }
+  void wake() {
+    ++calls_;
+    calls_.notify_all();
+  }
+  /// Takes tasks while there are any: whoever takes one knows that its call is not over.
   void run_tasks() {
-    for (std::size_t i = next_++; i < count_; i = next_++) (*task_)(i);
+    std::size_t left = left_;
+    while (left > 0) {
+      if (!left_.compare_exchange_weak(left, left - 1)) continue;
+      (*task_)(left - 1);
+      if (--running_ == 0) running_.notify_one();
+      left = left_;
+    }
   }
-  /// Every thread takes part in every round, so that none is late for one that is over.
   void serve() {
-    for (std::uint32_t seen = 0;; ++seen) {
-      round_.wait(seen);
-      if (is_over_) return;
+    std::uint32_t seen = 0;
+    while (!is_over_) {
       run_tasks();
-      if (--working_ == 0) working_.notify_one();
+      calls_.wait(seen);
+      seen = calls_;
     }
   }
 
   std::vector<std::thread> threads_;
-  std::atomic<std::uint32_t> round_ = 0;
+  std::atomic<std::uint32_t> calls_ = 0;
   std::atomic<bool> is_over_ = false;
-  std::atomic<std::size_t> next_ = 0;     // the task to be taken
-  std::atomic<std::size_t> working_ = 0;  // threads that have not ended their round
-  std::size_t count_ = 0;
+  std::atomic<std::size_t> left_ = 0;     // tasks that nobody has taken
+  std::atomic<std::size_t> running_ = 0;  // tasks that have not ended
   const std::function<void(std::size_t)>* task_ = nullptr;
 };
 

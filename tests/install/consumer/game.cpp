@@ -48,12 +48,12 @@ struct Game {
     const auto& result = std::get<scene::StepResult>(stepped);
     for (const std::uint32_t began : result.began) {
       const scene::Contact& contact = result.contacts[began];
-      const float x = scene.pose(scene.part(contact.a).body).position.x();  // a tile's or a coin's
+      const float at = scene.pose(scene.part(contact.a).body).position.x();  // a tile or a coin
       const bool is_player = scene.part(contact.b).body == player;
       if (contact.manifold.count == 0) {
-        std::printf("a coin at x = %g\n", x);
+        std::printf("a coin at x = %g\n", at);
       } else {
-        std::printf("the %s on the tile at x = %g\n", is_player ? "player" : "bullet", x);
+        std::printf("the %s on the tile at x = %g\n", is_player ? "player" : "bullet", at);
       }
     }
   }

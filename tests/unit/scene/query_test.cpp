@@ -1,5 +1,8 @@
 #include "scene/query.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include <catch2/catch.hpp>
 
 #include "unit/scene/model.hpp"
@@ -101,12 +104,47 @@ TEST_CASE("a box finds all bodies that reach into it, and none that is far") {
       }
       if (overlap(tight, box)) right.push_back(body);
     }
-    const auto found = moved.scene.near(box);
+    std::vector<BodyHandle> found;
+    moved.scene.near(box, found);
     CHECK(std::ranges::is_sorted(found, {}, &BodyHandle::index));
     for (const BodyHandle body : right) CHECK(std::ranges::find(found, body) != found.end());
     // A padded box is larger by a thousandth, and by less than half the radius of sharp shapes.
     CHECK(found.size() <= right.size() + 2);
   }
+}
+
+TEST_CASE("boxes and rays without bounds, or that are none, find what there is, or nothing") {
+  Moved moved(1);
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const float none = std::nanf("");
+  std::vector<BodyHandle> found;
+  moved.scene.near({-infinity, -infinity, infinity, infinity}, found);
+  CHECK(found.size() == moved.bodies.size());
+  moved.scene.near({none, none, none, none}, found);
+  CHECK(found.empty());
+  moved.scene.near({infinity, infinity, -infinity, -infinity}, found);
+  CHECK(found.empty());
+  CHECK(scene::cast_ray(moved.scene, {{-2e38F, 0}, {3e38F, 0}}));
+  Scene empty;
+  empty.near({-1, -1, 1, 1}, found);
+  CHECK(found.empty());
+  CHECK_FALSE(scene::cast_ray(empty, {{0, 0}, {1, 0}}));
+}
+
+TEST_CASE("a removed body's contact has its name, though rules came only after it") {
+  Scene scene;
+  const Vector2<float> centre[] = {{0, 0}};
+  const auto disc = std::get<std::uint32_t>(scene.add_shape(make_polygon<float>(centre, 1)));
+  const auto first = std::get<BodyHandle>(scene.add(disc, {{0, 0}, {1, 0}}));
+  REQUIRE(std::holds_alternative<BodyHandle>(scene.add(disc, {{1, 0}, {1, 0}})));
+  REQUIRE(std::holds_alternative<scene::StepResult>(scene.step({})));
+  CHECK(scene.remove(first) == std::nullopt);
+  REQUIRE(
+      std::holds_alternative<BodyHandle>(scene.add(disc, {{9, 0}, {1, 0}}, {.is_sensor = true})));
+  const auto stepped = scene.step({});
+  const auto& ended = std::get<scene::StepResult>(stepped).ended;
+  REQUIRE(ended.size() == 1);
+  CHECK(scene.part(ended[0].a) == scene::PartName{first, 0});
 }
 
 TEST_CASE("parts of a body are known by their numbers, and its contacts name them") {

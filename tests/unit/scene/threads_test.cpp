@@ -45,8 +45,9 @@ class Drift {
     std::vector<scene::Move> moves;
     for (const BodyHandle body : bodies_) {
       Pose<float> pose = scene.pose(body);
-      const bool rests = number % 5 == 4 && random_.chance(0.99);
-      pose.position += (rests ? 0.0F : 0.2F) * random_direction(random_).cast<float>();
+      const bool rests = random_.chance(number % 5 == 4 ? 0.99 : 0.3);
+      const float by = rests ? 0.0F : number % 2 == 0 ? 0.2F : 0.02F;
+      pose.position += by * random_direction(random_).cast<float>();
       moves.push_back({body, pose});
     }
     const auto stepped = scene.step(moves, executor);
@@ -95,7 +96,9 @@ TEST_CASE("a step has the same contacts, order and counts by any number of threa
     for (int number = 0; number < 25; ++number) {
       CAPTURE(number);
       const auto right = alone.step(number, {});
-      const auto result = divided.step(number, std::ref(threads));
+      const bool is_divided = number % 7 != 3;  // steps of both kinds follow each other
+      const auto result =
+          divided.step(number, is_divided ? scene::Executor(std::ref(threads)) : scene::Executor());
       REQUIRE(same_contacts(result.contacts, right.contacts));
       CHECK(same(result.began, right.began));
       CHECK(same(result.ended, right.ended));
