@@ -73,6 +73,14 @@ function(manifuzz_use_highway target)
   target_link_libraries(${target} PRIVATE hwy::hwy)
 endfunction()
 
+# manifuzz_lay_out_by_hand(source...): g++ 12 must vectorise nothing in these, for it fuses what it does
+# (vfmaddsub) in spite of -ffp-contract=off. Precompiled headers would undo that: where highway.h ends
+# a target, g++ goes back to the options that those were compiled with.
+function(manifuzz_lay_out_by_hand)
+  set_source_files_properties(${ARGV} PROPERTIES
+    COMPILE_OPTIONS -fno-tree-vectorize SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # manifuzz_install(name...): these libraries, their headers, and the CMake package.
 function(manifuzz_install)
   set(package ${CMAKE_INSTALL_LIBDIR}/cmake/manifuzz)
