@@ -31,6 +31,16 @@ function(manifuzz_public_header header)
   file(CONFIGURE OUTPUT ${manifuzz_include}/manifuzz/${folder}/${header} CONTENT "${text}" @ONLY)
 endfunction()
 
+# What their sources include of Eigen and of C++, parsed once a build.
+if(MANIFUZZ_HARNESS)
+  add_library(manifuzz_headers_of_library OBJECT base/common_headers.cpp)
+  set_target_properties(manifuzz_headers_of_library PROPERTIES
+    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
+  target_link_libraries(manifuzz_headers_of_library PRIVATE manifuzz_options Eigen3::Eigen)
+  target_precompile_headers(manifuzz_headers_of_library PRIVATE
+    <algorithm> <array> <optional> <span> <vector> <Eigen/Core>)
+endif()
+
 # manifuzz_public_library(name HEADERS file... [SOURCES file...] LINKS target...): a folder of the
 # library, manifuzz::name to others. HEADERS are the public ones, and those that they include.
 function(manifuzz_public_library name)
@@ -61,6 +71,9 @@ function(manifuzz_public_library name)
     # Fast code is compiled alone: what it is compiled together with changes what is inlined.
     set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:manifuzz_options>)
+    if(MANIFUZZ_HARNESS)
+      target_precompile_headers(${target} REUSE_FROM manifuzz_headers_of_library)
+    endif()
   endif()
 endfunction()
 
