@@ -17,7 +17,7 @@
 namespace manifuzz::canary {
 namespace {
 
-constexpr std::uint64_t kCases = 40'000;
+constexpr std::uint64_t kKernelCases = 40'000;
 
 /// Something that a kernel promises and does not keep.
 struct Broken {
@@ -81,7 +81,7 @@ void add_kernel(const Bug& bug, const Look& look, const Look& look_at_manifold,
     return judged;
   };
   add_planted_bug(
-      {.name = bug.name, .cases_max = kCases, .search = search_both, .in_kernel = true});
+      {.name = bug.name, .cases_max = kKernelCases, .search = search_both, .in_kernel = true});
 }
 
 /// Every other round of the regimes.
@@ -271,7 +271,7 @@ bool add_pairs(const std::vector<Bug>& bugs, AskPair ask) {
     auto broken = broken_by_pair(ask, number, pair);
     return broken ? broken : broken_by_hints(ask, number, pair);
   };
-  for (const Bug& bug : bugs) add_kernel(bug, look, look_at_manifold, kCases / 4);
+  for (const Bug& bug : bugs) add_kernel(bug, look, look_at_manifold, kKernelCases / 4);
   return true;
 }
 
@@ -281,7 +281,7 @@ bool add_batches(const std::vector<Bug>& bugs, const PlantedBatch<float>& batch,
     return broken_by_batches(batch, batch64, number, pair);
   };
   for (const Bug& bug : bugs) {
-    add_kernel(bug, look, look, kCases / 20);  // twenty-three pairs a case
+    add_kernel(bug, look, look, kKernelCases / 20);  // twenty-three pairs a case
   }
   return true;
 }

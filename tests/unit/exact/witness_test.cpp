@@ -62,7 +62,7 @@ exact::PointClaim any_claim(Random& random, const exact::Truth& truth, const exa
   return claim;
 }
 
-void compare_all(const Regime& regime) {
+void compare_witnesses(const Regime& regime) {
   int found = 0;
   for (std::uint64_t i = 0; i < twin_cases(150); ++i) {
     PairCase pair = generate(31, regime, i);
@@ -97,7 +97,7 @@ void compare_all(const Regime& regime) {
 [[maybe_unused]] const bool witness_registered = [] {
   for (const Regime& regime : polygon_regimes()) {
     test::add_test("a witness and its twin agree in the regime " + std::string(regime.name),
-                   "[twin]", [&regime] { compare_all(regime); });
+                   "[twin]", [&regime] { compare_witnesses(regime); });
   }
   return true;
 }();

@@ -9,7 +9,7 @@ namespace {
 Declaration separation() {
   return of(Claims::separation);
 }
-Declaration in_float() {
+Declaration made_in_float() {
   Declaration declaration = separation();
   declaration.scalar = ScalarType::float32;
   return declaration;
@@ -68,7 +68,7 @@ Given best_of(const Right& right, Side side, const Declaration& by) {
 std::vector<Mistake> of_separations() {
   return {
       {"a reversed normal", separation, reversed, {Kind::reversed}},
-      {"a reversed normal, in float", in_float, reversed, {Kind::reversed}},
+      {"a reversed normal, in float", made_in_float, reversed, {Kind::reversed}},
       {"a normal on a grid of 18 degrees",
        separation,
        [](const Right& r, const Declaration& by) {
