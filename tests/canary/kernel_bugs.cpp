@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <string_view>
 
 #include "canary/blame.hpp"
 #include "canary/planted.hpp"
@@ -68,7 +69,8 @@ std::optional<Sighting> search_with(const Haystack& haystack, const Look& look, 
 /// cheaper.
 void add_kernel(const Bug& bug, const Look& look, const Look& look_at_manifold,
                 std::uint64_t judged_max) {
-  const bool is_of_round = bug.name.starts_with("circles_") || bug.name.starts_with("round_");
+  const std::string_view name = bug.name;
+  const bool is_of_round = name.starts_with("circles_") || name.starts_with("round_");
   const auto search_both = [=](Haystack haystack) {
     const Acting acting(bug);
     haystack.regimes = is_of_round ? round_regimes() : polygon_regimes();
