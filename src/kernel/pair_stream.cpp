@@ -2,7 +2,29 @@
 
 #include <algorithm>
 
+#include "kernel/round_pairs.hpp"
+
 namespace manifuzz::kernel {
+
+/// All have both kinds of shapes in common.
+template <class Scalar>
+void collide_round(const Shapes<Scalar>& shapes,
+                   std::span<const typename PairBatch<Scalar>::Pair> pairs, Scalar tie_bias) {
+  if (pairs.empty()) return;
+  const auto is_circle = [&](const Placement<Scalar>* body) {
+    return shapes.kind(body->shape) == kCircle;
+  };
+  if (std::ranges::all_of(pairs.front().body, is_circle)) {
+    PairBatch<Scalar> batch;
+    std::ranges::copy(pairs, batch.pair);
+    std::fill(batch.pair + pairs.size(), std::end(batch.pair), pairs.back());
+    return collide_circles(shapes, batch);
+  }
+  for (const auto& [body, corners, out] : pairs) {
+    *out = collide_round_pair(shapes.polygon(body[0]->shape), shapes.polygon(body[1]->shape),
+                              relative_pose(body[0]->pose, body[1]->pose), tie_bias);
+  }
+}
 
 /// Sharp neighbours in the order of keys differ little in their counts: they share batches, the
 /// last of which is filled up with its last pair.
@@ -30,6 +52,9 @@ void PairStream<Scalar>::finish() {
   collide_batch(shapes_, rest, tie_bias_);
 }
 
+template void collide_round(const Shapes<float>&, std::span<const PairBatch<float>::Pair>, float);
+template void collide_round(const Shapes<double>&, std::span<const PairBatch<double>::Pair>,
+                            double);
 template class PairStream<float>;
 template class PairStream<double>;
 

@@ -9,6 +9,7 @@
 #include "kernel/deepest_contact.cpp"
 #include "kernel/packed.cpp"
 #include "kernel/pair_stream.cpp"
+#include "kernel/round_pairs.cpp"
 #include "kernel/shapes.cpp"
 
 namespace manifuzz {

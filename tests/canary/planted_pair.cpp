@@ -4,6 +4,7 @@
 #include "canary/planted.hpp"
 #include "kernel/deepest_contact.cpp"
 #include "kernel/pair.cpp"
+#include "kernel/round_pairs.cpp"
 #include "kernel/shapes.cpp"
 
 namespace manifuzz {
