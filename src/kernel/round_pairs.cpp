@@ -24,4 +24,5 @@ template Manifold<float> collide_round_pair(const ConvexPolygon<float>&,
 template Manifold<double> collide_round_pair(const ConvexPolygon<double>&,
                                              const ConvexPolygon<double>&, const Pose<double>&,
                                              double);
+
 }  // namespace manifuzz::kernel
