@@ -280,8 +280,7 @@ std::uint32_t Cells::entry_of(const Place& place, std::uint32_t body) {
   return find(overflow_, overflow_end_);
 }
 
-std::span<const std::uint32_t> Cells::near(const Box& box,
-                                           std::vector<std::uint32_t>& found) const {
+std::span<const std::uint32_t> Cells::near(const Box& box, Bodies& found) const {
   const std::size_t count =
       HWY_DYNAMIC_DISPATCH(near)(levels(), entries_, overflow_, overflow_end_, box, found);
   return std::span(found).first(count);

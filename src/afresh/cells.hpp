@@ -13,6 +13,8 @@ namespace manifuzz::scene {
 /// largest, filed by counting.
 class Cells {
  public:
+  using Bodies = std::vector<std::uint32_t>;  ///< by their indices
+
   /// Files these bodies anew; `boxes` is by body. Each cell has room for so many more, and where
   /// that is not 0 some find room in no cell.
   void file(std::span<const std::uint32_t> bodies, std::span<const Box> boxes, std::uint32_t room);
@@ -29,7 +31,7 @@ class Cells {
   /// The bodies whose boxes overlap this one, in no particular order; until the next call.
   std::span<const std::uint32_t> near(const Box& box) { return near(box, found_); }
   /// As that, held by the caller in `found`: what several threads may ask.
-  std::span<const std::uint32_t> near(const Box& box, std::vector<std::uint32_t>& found) const;
+  std::span<const std::uint32_t> near(const Box& box, Bodies& found) const;
 
   /// Puts all pairs of bodies whose boxes overlap into `found`, each once, a < b; where they have
   /// just been filed without room.

@@ -62,7 +62,7 @@ TEST_CASE("a case that a collider cannot take has neither passed nor failed") {
   std::get<PairCase>(recorded.any).b.polygon =
       make_polygon<float>(std::vector<Vector2<float>>{{0, 0}}, 1);
   const auto is_left_out = [&] {
-    const Replayed replayed = replay(recorded, find_collider("pair"));
+    const Replayed replayed = replay(recorded, find_collider("gjk-clip"));
     return replayed.is_unsupported && !replayed.passed && !replayed.has_failed() &&
            !replayed.is_stale;
   };
@@ -70,7 +70,7 @@ TEST_CASE("a case that a collider cannot take has neither passed nor failed") {
   recorded.path = "witness-box2d-coincident-points.json";  // the oracle's mistake is not gone
   CHECK(is_left_out());
   recorded.accepted = Acceptance{.because = "so"};
-  recorded.expect = Expectation{"pair", "box2d", "", "subject/subject_wrong/depth/none/a", {}};
+  recorded.expect = Expectation{"gjk-clip", "box2d", "", "subject/subject_wrong/depth/none/a", {}};
   CHECK(is_left_out());
   recorded.property = "never-empty";
   CHECK(is_left_out());
