@@ -1,5 +1,6 @@
 #include "unit/scene/model.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "generating/drafts.hpp"
@@ -140,13 +141,18 @@ Subject::Subject(MakeScene make) : scene(make()) {
   for (const auto& shape : shapes_for_scenes()) scene->add_shape(shape);
 }
 
+void Subject::keep(const Handle& handle) {
+  is_named_twice = is_named_twice || std::ranges::find(handles, handle) != handles.end();
+  handles.push_back(handle);
+}
+
 void Subject::add(const Model::Body& body) {
-  handles.push_back(scene->add(body.shape, body.pose, body.rules));
+  keep(scene->add(body.shape, body.pose, body.rules));
 }
 
 void Subject::add(const std::vector<scene::BodyPart>& parts, const Pose<float>& pose,
                   const scene::Rules& rules) {
-  for (const Handle& part : scene->add(parts, pose, rules)) handles.push_back(part);
+  for (const Handle& part : scene->add(parts, pose, rules)) keep(part);
 }
 
 void Subject::remove(std::size_t ordinal) {
@@ -158,6 +164,7 @@ std::optional<std::string> Subject::step(const Model& model) {
   const std::optional<Stepped> stepped = scene->step(moves);
   moves.clear();
   if (!stepped) return "the step is refused";
+  if (is_named_twice) return "a body has the handle of one before";
   std::set<Ordinals> now;
   const Contacts right = afresh(*this, model);
   for (const Touching& contact : stepped->contacts) {

@@ -78,12 +78,14 @@ const std::vector<ConvexPolygon<float>>& shapes_for_scenes();
 struct Subject {
   std::unique_ptr<AnyScene> scene;
   std::vector<Handle> handles;  ///< by ordinal
+  bool is_named_twice = false;  ///< one of them is another's
   std::vector<Moved> moves;     ///< of the next step
   std::set<Ordinals> touching;  ///< after the last step
   std::vector<Ordinals> pairs;  ///< by contact, after the last step
 
   explicit Subject(MakeScene make);
 
+  void keep(const Handle& handle);
   void add(const Model::Body& body);
   void add(const std::vector<scene::BodyPart>& parts, const Pose<float>& pose,
            const scene::Rules& rules);
