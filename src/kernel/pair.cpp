@@ -188,13 +188,21 @@ HWY_EXPORT(touches);
 
 namespace {
 
+/// A bit, or none: `Rounding::mitre` is 0.
 bool are_round(const ShapeRows& a, const ShapeRows& b) {
-  return a.rounding == Rounding::round || b.rounding == Rounding::round;
+  return (static_cast<unsigned>(a.rounding) | static_cast<unsigned>(b.rounding)) != 0;
 }
 
-PairSeparation separation_of_round(const ShapeRows& a, const ShapeRows& b,
-                                   const Pose<float>& b_in_a) {
-  const Manifold<float> m = collide_round_pair(polygon_of(a), polygon_of(b), b_in_a, 0.0F);
+// Apart from what takes sharp polygons, whose frame would have to hold their shapes.
+
+[[gnu::noinline]] Manifold<float> manifold_of_round(const ShapeRows& a, const ShapeRows& b,
+                                                    const Pose<float>& b_in_a, float tie_bias) {
+  return collide_round_pair(polygon_of(a), polygon_of(b), b_in_a, tie_bias);
+}
+
+[[gnu::noinline]] PairSeparation separation_of_round(const ShapeRows& a, const ShapeRows& b,
+                                                     const Pose<float>& b_in_a) {
+  const Manifold<float> m = manifold_of_round(a, b, b_in_a, 0);
   const float reach = a.radius + b.radius;  // of both skins
   const bool touches = m.count > 0;
   float depth = m.points[0].depth;
@@ -210,20 +218,20 @@ PairSeparation separation_of_round(const ShapeRows& a, const ShapeRows& b,
 
 Manifold<float> collide(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
                         float tie_bias, FaceHint* hint) {
-  if (are_round(a, b)) return collide_round_pair(polygon_of(a), polygon_of(b), b_in_a, tie_bias);
+  if (HWY_UNLIKELY(are_round(a, b))) return manifold_of_round(a, b, b_in_a, tie_bias);
   Manifold<float> manifold;
   HWY_DYNAMIC_DISPATCH(collide_pair)(a, b, b_in_a, tie_bias, hint, manifold);
   return manifold;
 }
 
 bool touches(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a, FaceHint* hint) {
-  if (are_round(a, b)) return separation_of_round(a, b, b_in_a).touches;
+  if (HWY_UNLIKELY(are_round(a, b))) return separation_of_round(a, b, b_in_a).touches;
   return HWY_DYNAMIC_DISPATCH(touches)(a, b, b_in_a, hint);
 }
 
 PairSeparation separation(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
                           FaceHint* hint) {
-  if (are_round(a, b)) return separation_of_round(a, b, b_in_a);
+  if (HWY_UNLIKELY(are_round(a, b))) return separation_of_round(a, b, b_in_a);
   return HWY_DYNAMIC_DISPATCH(separation)(a, b, b_in_a, hint);
 }
 
