@@ -218,9 +218,12 @@ bool are_round(const ShapeRows& a, const ShapeRows& b) {
 
 Manifold<float> collide(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
                         float tie_bias, FaceHint* hint) {
-  if (HWY_UNLIKELY(are_round(a, b))) return manifold_of_round(a, b, b_in_a, tie_bias);
-  Manifold<float> manifold;
-  HWY_DYNAMIC_DISPATCH(collide_pair)(a, b, b_in_a, tie_bias, hint, manifold);
+  Manifold<float> manifold;  // of one name, so that it is made where it is returned
+  if (HWY_UNLIKELY(are_round(a, b))) {
+    manifold = manifold_of_round(a, b, b_in_a, tie_bias);
+  } else {
+    HWY_DYNAMIC_DISPATCH(collide_pair)(a, b, b_in_a, tie_bias, hint, manifold);
+  }
   return manifold;
 }
 
