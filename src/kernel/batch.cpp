@@ -25,7 +25,7 @@ HWY_INLINE void collide_packed(const PackedPairs<T>& pairs, T tie_bias,
     }
     if (block.round.size() < kBlockPairs) collide_block(block, tie_bias, out[i]);
     for (const RoundPair<T>& pair : block.round) {
-      put(collide_round_pair(pair.a, pair.b, pair.b_in_a, tie_bias), out[i], pair.column);
+      put(collide_round_pair_or_gap(pair.a, pair.b, pair.b_in_a, tie_bias), out[i], pair.column);
     }
   }
 }

@@ -202,7 +202,7 @@ bool are_round(const ShapeRows& a, const ShapeRows& b) {
 
 [[gnu::noinline]] PairSeparation separation_of_round(const ShapeRows& a, const ShapeRows& b,
                                                      const Pose<float>& b_in_a) {
-  const Manifold<float> m = manifold_of_round(a, b, b_in_a, 0);
+  const Manifold<float> m = collide_round_pair_or_gap(polygon_of(a), polygon_of(b), b_in_a, 0.0F);
   const float reach = a.radius + b.radius;  // of both skins
   const bool touches = m.count > 0;
   float depth = m.points[0].depth;

@@ -21,8 +21,8 @@ void collide_round(const Shapes<Scalar>& shapes,
     return collide_circles(shapes, batch);
   }
   for (const auto& [body, corners, out] : pairs) {
-    *out = collide_round_pair(shapes.polygon(body[0]->shape), shapes.polygon(body[1]->shape),
-                              relative_pose(body[0]->pose, body[1]->pose), tie_bias);
+    *out = collide_round_pair_or_gap(shapes.polygon(body[0]->shape), shapes.polygon(body[1]->shape),
+                                     relative_pose(body[0]->pose, body[1]->pose), tie_bias);
   }
 }
 

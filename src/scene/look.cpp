@@ -12,7 +12,7 @@ namespace {
 /// Pairs that are collided together: enough for the kernel to sort, few enough for the cache; and
 /// where tasks have queues each, few enough for all of them.
 constexpr std::size_t kQueueMax = 4096;
-constexpr std::size_t kQueueMaxOfTask = 1024;
+constexpr std::size_t kQueueMaxOfTask = 2048;
 
 }  // namespace
 

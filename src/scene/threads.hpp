@@ -9,8 +9,8 @@
 
 namespace manifuzz::scene {
 
-/// An executor on threads of its own, which sleep between its calls: give `std::ref` of one to
-/// `Scene::step`. One call at a time. Tasks must not throw.
+/// An executor on threads of its own, which sleep where calls are far between: give `std::ref` of
+/// one to `Scene::step`. One call at a time. Tasks must not throw.
 class Threads {
  public:
   /// So many threads run tasks, the one that calls among them. Throws std::system_error.
@@ -34,7 +34,7 @@ class Threads {
     left_ = count;
     wake();
     run_tasks();
-    while (const std::size_t running = running_) running_.wait(running);
+    while (const std::size_t running = running_) await(running_, running);
   }
 
  private:
@@ -61,10 +61,18 @@ class Threads {
     std::uint32_t seen = 0;
     while (!is_over_) {
       run_tasks();
-      calls_.wait(seen);
+      await(calls_, seen);
       seen = calls_;
     }
   }
+  /// Until it has another value; what comes soon is not slept for, which takes longer than a task.
+  template <class T>
+  static void await(const std::atomic<T>& value, T old) {
+    for (int i = 0; i < kYields && value == old; ++i) std::this_thread::yield();
+    value.wait(old);
+  }
+
+  static constexpr int kYields = 500;  // some tenths of a millisecond
 
   std::vector<std::thread> threads_;
   std::atomic<std::uint32_t> calls_ = 0;

@@ -9,7 +9,7 @@
 namespace manifuzz::scene {
 
 /// A step that is divided has so many tasks, whatever runs them.
-inline constexpr std::size_t kTasks = 16;
+inline constexpr std::size_t kTasks = 8;
 
 /// So many pairs ahead, contacts and candidates are asked for: they lie anywhere in memory.
 inline constexpr std::size_t kContactsAhead = 16;

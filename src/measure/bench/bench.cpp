@@ -46,10 +46,9 @@ std::vector<WorkloadSpec> all_workloads(std::span<const Regime* const> regimes) 
   for (const std::size_t pairs : {kPairsInL1, kPairsInMemory}) add(&WorkloadSpec::pairs, pairs);
   for (const Regime* const regime : regimes) {
     if (regime != usual.regime) add(&WorkloadSpec::regime, regime);
-    // Circles with circles, and capsules with capsules, which go through kernels together.
-    if (regime->name == "circles" || regime->name == "capsules") {
+    if (regime->name == "circles") {  // with circles alone, which the kernel takes in lanes
       add(&WorkloadSpec::regime, regime);
-      specs.back().vertices = regime->name == "circles" ? 1 : 2;
+      specs.back().vertices = 1;
     }
   }
   return specs;
