@@ -30,7 +30,8 @@ class Cells {
 
   /// The bodies whose boxes overlap this one, in no particular order; until the next call.
   std::span<const std::uint32_t> near(const Box& box) { return near(box, found_); }
-  /// As that, held by the caller in `found`: what several threads may ask.
+  /// Finds the bodies whose boxes overlap this one, held by the caller in `found`: several threads
+  /// may ask at once.
   std::span<const std::uint32_t> near(const Box& box, Bodies& found) const;
 
   /// Puts all pairs of bodies whose boxes overlap into `found`, each once, a < b; where they have

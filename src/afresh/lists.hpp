@@ -14,11 +14,17 @@ void make_room(Vector& vector, std::size_t size) {
   if (size > vector.capacity()) vector.reserve(size + size / 8 + 16);
 }
 
-/// Makes that many, with room as above.
+/// Makes a list this long, in steps that leave little memory unused.
 template <class Vector>
 void resize(Vector& vector, std::size_t size) {
   make_room(vector, size);
   vector.resize(size);
+}
+
+/// The memory that a list takes.
+template <class Vector>
+std::size_t bytes_of(const Vector& list) {
+  return list.capacity() * sizeof(list[0]);
 }
 
 /// Empties a list of what happened to so many bodies; where it once held most of them, and does no

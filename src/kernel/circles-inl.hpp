@@ -54,7 +54,7 @@ HWY_INLINE Lanes2<D> direction_of(D d, const Lanes2<D>& apart, hn::Vec<Wide<D>>&
 }
 
 /// The lanes whose circles are farther apart than `reach`, by more than rounding
-/// (`clipping::are_beyond`), as 0 or 1.
+/// (`clipping::are_beyond`).
 template <class D>
 HWY_INLINE hn::Mask<D> are_beyond(D d, const Lanes2<D>& apart, hn::Vec<D> reach) {
   using T = hn::TFromD<D>;

@@ -39,10 +39,9 @@ void Scene::look_at_candidates() {
     draw_all_boxes();
     mark_bodies();
     (*executor_)(kTasks, [&](std::size_t task) {
-      const auto end = [&](std::size_t of) {
-        return static_cast<std::uint32_t>(of * rows / kTasks);
-      };
-      look_at_rows(end(task), end(task + 1), row_works_[task]);
+      const auto [first, last] = share_of(rows, task, kTasks);
+      look_at_rows(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last),
+                   row_works_[task]);
     });
   }
   take_results();
@@ -52,7 +51,7 @@ void Scene::prepare_works(std::size_t count) {
   if (row_works_.size() < count) row_works_.resize(count);
   const std::size_t room =
       std::min(count == 1 ? kQueueMax : kQueueMaxOfTask, candidates_.size() + kRowLanes + 2);
-  for (RowWork& work : row_works_) {
+  for (RowWork& work : std::span(row_works_).first(count)) {
     for (Queue* const queue : {&work.touching, &work.apart}) queue->make_room_for(room);
     if (work.manifolds.size() < room) resize(work.manifolds, room);
   }
@@ -66,8 +65,7 @@ void Scene::draw_all_boxes() {
     if (is(body, kFiled) && !is(body, kBoxed)) bodies_.push_back(body);
   }
   (*executor_)(kTasks, [&](std::size_t task) {
-    const std::size_t first = task * bodies_.size() / kTasks;
-    const std::size_t last = (task + 1) * bodies_.size() / kTasks;
+    const auto [first, last] = share_of(bodies_.size(), task, kTasks);
     draw_tight_boxes(std::span<const std::uint32_t>(bodies_).subspan(first, last - first));
   });
 }

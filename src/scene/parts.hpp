@@ -15,7 +15,7 @@ struct BodyPart {
   Pose<float> pose;         ///< in the body's frame
 };
 
-/// Which body has a shape, and as which of its parts.
+/// A body, and the number of one of its parts.
 struct PartName {
   BodyHandle body;         ///< which one
   std::uint32_t part = 0;  ///< from 0, in the order in which they were given

@@ -4,7 +4,7 @@
 
 namespace manifuzz::scene {
 
-/// Which bodies may touch which, as Box2D has it (b2ContactFilter::ShouldCollide): two of one group
+/// Says which bodies may touch, by Box2D's rule (b2ContactFilter::ShouldCollide): two of one group
 /// that is not 0 do where it is above 0, and do not where it is below. All others do where the
 /// category of each is in the other's mask.
 struct Filter {

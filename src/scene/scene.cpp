@@ -179,20 +179,21 @@ void Scene::erase_contact(std::uint32_t contact) {
 }
 
 Memory Scene::memory() const {
-  const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
   std::size_t of_assemblies = 0;
   for (const auto& [place, assembly] : assemblies_) {
-    of_assemblies += sizeof(place) + sizeof(assembly) + of(assembly.parts);
+    of_assemblies += sizeof(place) + sizeof(assembly) + bytes_of(assembly.parts);
   }
   std::size_t of_works = 0;
   for (const RowWork& work : row_works_) of_works += work.bytes();
   for (const PartnerWork& work : partner_works_) of_works += work.bytes();
-  return {of(free_) + of(removed_) + of(placements_) + of(generations_) + of(states_) + of(paths_) +
-              of(leave_at_) + of(boxes_) + of(left_at_) + of(traits_) + of_assemblies +
-              cells_.bytes() + candidates_.bytes_by_body() + of(movers_) + of(part_moves_) +
-              of(left_) + of(bodies_) + of(marks_) + of(tight_) + of(found_),
-          candidates_.bytes_by_pair() + of(contacts_) + of(kept_) + of_works + of(vacant_) +
-              of(began_) + of(ended_) + of(renumbered_)};
+  return {bytes_of(free_) + bytes_of(removed_) + bytes_of(placements_) + bytes_of(generations_) +
+              bytes_of(states_) + bytes_of(paths_) + bytes_of(leave_at_) + bytes_of(boxes_) +
+              bytes_of(left_at_) + bytes_of(traits_) + of_assemblies + cells_.bytes() +
+              candidates_.bytes_by_body() + bytes_of(movers_) + bytes_of(part_moves_) +
+              bytes_of(left_) + bytes_of(bodies_) + bytes_of(marks_) + bytes_of(tight_) +
+              bytes_of(found_),
+          candidates_.bytes_by_pair() + bytes_of(contacts_) + bytes_of(kept_) + of_works +
+              bytes_of(vacant_) + bytes_of(began_) + bytes_of(ended_) + bytes_of(renumbered_)};
 }
 
 }  // namespace manifuzz::scene

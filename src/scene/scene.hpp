@@ -89,7 +89,7 @@ class Scene {
   Rules rules(BodyHandle body) const {
     return traits_.empty() ? Rules{} : traits_[body.index].rules;
   }
-  /// Which body and which of its parts a handle of the last step's contacts names, ended ones too.
+  /// The body and the part that a handle of the last step's contacts names, ended ones too.
   PartName part(BodyHandle handle) const {
     return traits_.empty() ? PartName{handle} : traits_[handle.index].name;
   }

@@ -160,9 +160,8 @@ void Scene::find_all_partners() {
   if (partner_works_.size() < tasks) partner_works_.resize(tasks);
   const auto search = [&](std::size_t task) {
     PartnerWork& work = partner_works_[task];
-    for (std::size_t i = task * left_.size() / tasks; i < (task + 1) * left_.size() / tasks; ++i) {
-      find_partners(left_[i].body, work);
-    }
+    const auto [first, last] = share_of(left_.size(), task, tasks);
+    for (std::size_t i = first; i < last; ++i) find_partners(left_[i].body, work);
   };
   if (is_divided) {
     (*executor_)(tasks, search);

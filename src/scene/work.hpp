@@ -11,6 +11,17 @@ namespace manifuzz::scene {
 /// A step that is divided has so many tasks, whatever runs them.
 inline constexpr std::size_t kTasks = 8;
 
+/// From the first to before the last of some things.
+struct Share {
+  std::size_t first;
+  std::size_t last;
+};
+
+/// What one of so many tasks has of so many things.
+inline Share share_of(std::size_t things, std::size_t task, std::size_t tasks) {
+  return {task * things / tasks, (task + 1) * things / tasks};
+}
+
 /// So many pairs ahead, contacts and candidates are asked for: they lie anywhere in memory.
 inline constexpr std::size_t kContactsAhead = 16;
 
@@ -44,9 +55,9 @@ struct RowWork {
 
   /// The memory it takes.
   std::size_t bytes() const {
-    const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-    return touching.bytes() + apart.bytes() + leaving.bytes() + of(manifolds) + of(undrawn) +
-           of(proofs) + of(beginning) + of(vacant) + of(ended);
+    return touching.bytes() + apart.bytes() + leaving.bytes() + bytes_of(manifolds) +
+           bytes_of(undrawn) + bytes_of(proofs) + bytes_of(beginning) + bytes_of(vacant) +
+           bytes_of(ended);
   }
 };
 
@@ -57,10 +68,7 @@ struct PartnerWork {
   std::vector<std::uint32_t> alone;      ///< bodies that have no partners
 
   /// The memory it takes.
-  std::size_t bytes() const {
-    const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-    return of(found) + of(adding) + of(alone);
-  }
+  std::size_t bytes() const { return bytes_of(found) + bytes_of(adding) + bytes_of(alone); }
 };
 
 }  // namespace manifuzz::scene

@@ -139,7 +139,7 @@ PairAnswers clean_answers(const PairCase& pair, float bias) {
   return {clipping::collide_in_frame(a, b, bias), touches, touches, separation};
 }
 
-/// Which answer about a pair is another than it should be: where shapes do not touch, any
+/// Names the answer about a pair that is wrong, or nothing: where shapes do not touch, any
 /// separation by more than the total radius is right, and where round ones do, any that is not.
 std::string difference(const PairAnswers& said, const PairAnswers& right, const PairCase& pair) {
   if (said.manifold != right.manifold) return "pair";

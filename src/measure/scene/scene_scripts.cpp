@@ -208,7 +208,7 @@ Trajectory make_pile(std::size_t bodies, int steps) {
   return recorded(pile_stage(bodies), bodies, 90, steps);
 }
 
-/// A pile that has come to lie and is shaken then: gravity turns by 0.05 radians a step.
+/// A pile at rest that is then shaken: gravity turns by 0.05 radians a step.
 Trajectory make_stirred(std::size_t bodies, int steps) {
   constexpr int kLies = 300;
   return recorded(pile_stage(bodies), bodies, kLies + 120, steps, {kLies, turn_by(0.05)});
