@@ -13,8 +13,8 @@ inline constexpr std::size_t kTasks = 8;
 
 /// From the first to before the last of some things.
 struct Share {
-  std::size_t first;
-  std::size_t last;
+  std::size_t first;  ///< of its things
+  std::size_t last;   ///< behind its last one
 };
 
 /// What one of so many tasks has of so many things.
