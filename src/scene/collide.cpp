@@ -7,8 +7,17 @@
 // The pairs that wait: boxes again, collide, and what that proves.
 
 namespace manifuzz::scene {
+namespace {
 
-/// Tight boxes that the pairs apart ask for and that are not drawn; in tasks, all are.
+/// A number, or 0; by its bits, since a compiler makes a branch of `?:`.
+float float_if(bool is_chosen, float number) {
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(number) &
+                              (0 - static_cast<std::uint32_t>(is_chosen)));
+}
+
+}  // namespace
+
+/// Tight boxes that the pairs apart ask for and that are not drawn.
 void Scene::draw_undrawn(RowWork& work) {
   const Queue& apart = work.apart;
   std::vector<std::uint32_t>& undrawn = work.undrawn;
@@ -24,18 +33,24 @@ void Scene::draw_undrawn(RowWork& work) {
   draw_tight_boxes(std::span<const std::uint32_t>(undrawn).first(count));
 }
 
-/// Leaves out pairs that wait and did not touch, where their tight boxes do not overlap.
+/// Leaves out pairs that wait and did not touch, where their tight boxes do not overlap. No branch
+/// depends on whether they do: a pair of which nothing is proven gets that as its proof.
 void Scene::leave_out_apart(RowWork& work) {
   if (!settings_.certificates) return;
-  if (executor_ == nullptr) draw_undrawn(work);
+  if (!all_are_boxed_) draw_undrawn(work);
   Queue& apart = work.apart;
   const std::size_t count = std::exchange(apart.count, 0);
+  const Box* const tight = tight_.data();
   for (std::size_t i = 0; i < count; ++i) {
+    __builtin_prefetch(&tight[apart.b[std::min(i + kContactsAhead, count - 1)]]);
     const kernel::BodyPair bodies = apart.bodies(i);
-    const float room = gap(tight_[bodies.a], tight_[bodies.b]);
-    write_proof(apart.at[i], room > 0 ? paths_to(bodies, room) : 0, work);
-    apart.push(bodies, apart.at[i], !(room > 0));
+    const std::uint32_t place = apart.at[i];
+    const float room = gap(tight[bodies.a], tight[bodies.b]);
+    const bool is_apart = room > 0;
+    write_proof(place, float_if(is_apart, paths_to(bodies, room)), work);
+    apart.push(bodies, place, !is_apart);
   }
+  work.compared += count;
   work.pairs.separated += count - apart.count;
   work.proof_count += count - apart.count;
 }
@@ -44,7 +59,10 @@ void Scene::leave_out_apart(RowWork& work) {
 template <class Out>
 void Scene::collide(const Queue& queue, const Out& out, RowWork& work) {
   kernel::PairStream<float> stream(shapes_.for_pairs(), placements_, settings_.tie_bias);
-  for (std::size_t i = 0; i < queue.count; ++i) stream.push(queue.bodies(i), out(i));
+  for (std::size_t i = 0; i < queue.count; ++i) {
+    __builtin_prefetch(&placements_[queue.b[std::min(i + kContactsAhead, queue.count - 1)]]);
+    stream.push(queue.bodies(i), out(i));
+  }
   stream.finish();
   work.pairs.collided += queue.count;
 }

@@ -36,9 +36,8 @@ void Scene::look_at_candidates() {
     if (is_strict) mark_bodies();
     look_at_rows(0, rows, all);
   } else {
-    draw_all_boxes();
     mark_bodies();
-    (*executor_)(kTasks, [&](std::size_t task) {
+    run(kTasks, [&](std::size_t task) {
       const auto [first, last] = share_of(rows, task, kTasks);
       look_at_rows(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last),
                    row_works_[task]);
@@ -55,19 +54,6 @@ void Scene::prepare_works(std::size_t count) {
     for (Queue* const queue : {&work.touching, &work.apart}) queue->make_room_for(room);
     if (work.manifolds.size() < room) resize(work.manifolds, room);
   }
-}
-
-/// Draws the tight boxes of all bodies that have pairs, moved or not, so that no task draws what
-/// another reads.
-void Scene::draw_all_boxes() {
-  bodies_.clear();
-  for (std::uint32_t body = 0; body < states_.size(); ++body) {
-    if (is(body, kFiled) && !is(body, kBoxed)) bodies_.push_back(body);
-  }
-  (*executor_)(kTasks, [&](std::size_t task) {
-    const auto [first, last] = share_of(bodies_.size(), task, kTasks);
-    draw_tight_boxes(std::span<const std::uint32_t>(bodies_).subspan(first, last - first));
-  });
 }
 
 void Scene::mark_bodies() {
@@ -116,6 +102,7 @@ void Scene::look_at_row(std::uint32_t a, RowWork& work) {
 void Scene::leave_out_overlapping(Queue& leaving) const {
   const std::size_t count = std::exchange(leaving.count, 0);
   for (std::size_t i = 0; i < count; ++i) {
+    __builtin_prefetch(&boxes_[leaving.b[std::min(i + kContactsAhead, count - 1)]]);
     const kernel::BodyPair bodies = leaving.bodies(i);
     leaving.push(bodies, leaving.at[i], !overlap(bodies.a, bodies.b));
   }
@@ -170,6 +157,7 @@ bool Scene::recycle(std::uint32_t a, const Candidate& candidate) {
 
 /// What came of the rows, in their order; the last proof of a pair holds.
 void Scene::take_results() {
+  compared_ = 0;
   for (RowWork& work : row_works_) {
     for (const auto& [place, until] : work.proofs) candidates_.at(place).be_apart_until(until);
     ended_.insert(ended_.end(), work.ended.begin(), work.ended.end());
@@ -182,6 +170,7 @@ void Scene::take_results() {
     counts_.pairs.recycled += pairs.recycled;
     counts_.pairs.collided += pairs.collided;
     counts_.proofs += std::exchange(work.proof_count, 0);
+    compared_ += std::exchange(work.compared, 0);
   }
 }
 

@@ -180,6 +180,12 @@ class Scene {
            (traits_[bodies.a].rules.is_sensor || traits_[bodies.b].rules.is_sensor);
   }
 
+  /// Into how many tasks so many things are divided: more than one only with an executor.
+  std::size_t tasks_for(std::size_t things) const {
+    return executor_ != nullptr && things > 8 * kTasks ? kTasks : 1;
+  }
+  void run(std::size_t tasks, const std::function<void(std::size_t)>& task);
+
   void start_path(std::uint32_t body);
   void forget_removed();
   void place(std::span<const Move> moves);
@@ -188,6 +194,7 @@ class Scene {
   void find_candidates();
   void find_leavers();
   void leave(const Mover& mover);
+  void draw_all_boxes();
   void draw_tight_boxes(std::span<const std::uint32_t> bodies);
   void part_from_partners();
   void refile();
@@ -200,7 +207,6 @@ class Scene {
 
   void look_at_candidates();
   void prepare_works(std::size_t count);
-  void draw_all_boxes();
   void mark_bodies();
   void look_at_rows(std::uint32_t first, std::uint32_t last, RowWork& work);
   void look_at_row(std::uint32_t a, RowWork& work);
@@ -266,6 +272,7 @@ class Scene {
   std::vector<Move> part_moves_;
   std::vector<Mover> movers_;
   bool few_moved_ = false;
+  bool all_are_boxed_ = false;
   std::vector<Leaver> left_;
   std::vector<std::uint32_t> bodies_;
   std::vector<std::uint32_t> marks_;  // by body
@@ -273,6 +280,7 @@ class Scene {
   const Executor* executor_ = nullptr;  // none where it is empty
   std::vector<PartnerWork> partner_works_;
   std::vector<RowWork> row_works_;     // the first so many in use
+  std::size_t compared_ = 0;           // pairs of tight boxes, in the last step
   std::vector<std::uint32_t> vacant_;  // contacts that ended in this step
   StepCounts counts_;
 

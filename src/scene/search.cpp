@@ -13,7 +13,7 @@ struct Fatness {
   float ahead_max;  ///< in the direction of its motion, no farther than this share,
   float ahead;      ///< and a multiple of how far the body went in this step
 };
-constexpr Fatness kAmongOthers{0.125F, 2, 6};
+constexpr Fatness kAmongOthers{0.125F, 2, 4};
 /// A box without partners may be fat: it costs nothing there.
 constexpr Fatness kByItself{0.8F, 4, 12};
 
@@ -44,6 +44,8 @@ Box fattened(const Box& box, const Vector2<float>& motion, float extent, const F
 void Scene::find_candidates() {
   counts_.moved = movers_.size();
   few_moved_ = few_moved();
+  all_are_boxed_ = !few_moved_ && (executor_ != nullptr || 2 * compared_ > body_count_);
+  if (all_are_boxed_) draw_all_boxes();
   find_leavers();
   counts_.left_boxes = left_.size();
   if (left_.empty()) return;
@@ -75,9 +77,33 @@ void Scene::find_leavers() {
     unsure += static_cast<std::size_t>(paths_[body] > leave_at_[body]);
   }
   found_.resize(unsure);
-  for (const std::uint32_t i : found_) bodies_.push_back(movers_[i].body);
-  draw_tight_boxes(bodies_);
+  if (!all_are_boxed_) {
+    for (const std::uint32_t i : found_) bodies_.push_back(movers_[i].body);
+    draw_tight_boxes(bodies_);
+  }
   for (const std::uint32_t i : found_) leave(movers_[i]);
+}
+
+/// Draws the tight boxes of all bodies, moved or not: in tasks, none draws what another reads; and
+/// where most are asked for, it is faster than to find out which.
+void Scene::draw_all_boxes() {
+  clear_for(bodies_, body_count_);
+  resize(bodies_, states_.size() + 1);
+  std::uint32_t* const bodies = bodies_.data();
+  const std::uint8_t* const states = states_.data();
+  const auto places = static_cast<std::uint32_t>(states_.size());
+  std::size_t count = 0;
+  for (std::uint32_t body = 0; body < places; ++body) {
+    bodies[count] = body;
+    const bool is_there = (states[body] & (kMoved | kFiled)) != 0;
+    count += static_cast<std::size_t>(is_there & ((states[body] & kBoxed) == 0));
+  }
+  bodies_.resize(count);
+  const std::size_t tasks = tasks_for(count);
+  run(tasks, [&](std::size_t task) {
+    const auto [first, last] = share_of(count, task, tasks);
+    draw_tight_boxes(std::span<const std::uint32_t>(bodies_).subspan(first, last - first));
+  });
 }
 
 void Scene::draw_tight_boxes(std::span<const std::uint32_t> bodies) {
@@ -153,21 +179,15 @@ void Scene::refile() {
   cells_.file(bodies_, boxes_, kRoom);
 }
 
-/// In tasks where there is an executor, each of which searches for its share of those that left.
+/// Each task searches for its share of those that left.
 void Scene::find_all_partners() {
-  const bool is_divided = executor_ != nullptr && left_.size() > 8 * kTasks;
-  const std::size_t tasks = is_divided ? kTasks : 1;
+  const std::size_t tasks = tasks_for(left_.size());
   if (partner_works_.size() < tasks) partner_works_.resize(tasks);
-  const auto search = [&](std::size_t task) {
+  run(tasks, [&](std::size_t task) {
     PartnerWork& work = partner_works_[task];
     const auto [first, last] = share_of(left_.size(), task, tasks);
     for (std::size_t i = first; i < last; ++i) find_partners(left_[i].body, work);
-  };
-  if (is_divided) {
-    (*executor_)(tasks, search);
-  } else {
-    search(0);
-  }
+  });
   for (const Leaver& leaver : left_) {
     states_[leaver.body] &= static_cast<std::uint8_t>(~kAlone);
   }

@@ -22,6 +22,12 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
   return result();
 }
 
+/// By the executor, where there is one.
+void Scene::run(std::size_t tasks, const std::function<void(std::size_t)>& task) {
+  if (executor_ != nullptr) return (*executor_)(tasks, task);
+  for (std::size_t i = 0; i < tasks; ++i) task(i);
+}
+
 /// What happened to the bodies is over.
 void Scene::settle() {
   const auto settled = [](std::uint8_t& state) {

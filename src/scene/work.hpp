@@ -52,6 +52,7 @@ struct RowWork {
   std::vector<EndedContact> ended;         ///< as they are reported
   PairCounts pairs;                        ///< what was done with the candidates
   std::size_t proof_count = 0;             ///< of pairs that are apart
+  std::size_t compared = 0;                ///< pairs whose tight boxes were compared
 
   /// The memory it takes.
   std::size_t bytes() const {
