@@ -58,9 +58,13 @@ void Scene::prepare_works(std::size_t count) {
 
 void Scene::mark_bodies() {
   resize(marks_, states_.size());
-  for (std::size_t body = 0; body < marks_.size(); ++body) {
-    marks_[body] = mark_of(paths_[body], states_[body] & (kMoved | kLeft));
-  }
+  const std::size_t tasks = tasks_for(marks_.size());
+  run(tasks, [&](std::size_t task) {
+    const auto [first, last] = share_of(marks_.size(), task, tasks);
+    for (std::size_t body = first; body < last; ++body) {
+      marks_[body] = mark_of(paths_[body], states_[body] & (kMoved | kLeft));
+    }
+  });
 }
 
 /// Pairs whose boxes overlap no longer are looked at a last time: `drop_parted` drops them.

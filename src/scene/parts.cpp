@@ -1,6 +1,7 @@
 #include "scene/parts.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "scene/scene.hpp"
 
@@ -85,8 +86,20 @@ BodyHandle Scene::handle(const PartName& name) const {
   return assembly == assemblies_.end() ? name.body : assembly->second.parts[name.part].handle;
 }
 
+/// The first of all, whatever task finds it.
 std::optional<RefusedMove> Scene::find_refused(std::span<const Move> moves) const {
-  for (std::size_t i = 0; i < moves.size(); ++i) {
+  const std::size_t tasks = tasks_for(moves.size());
+  std::array<std::optional<RefusedMove>, kTasks> refused;
+  run(tasks, [&](std::size_t task) {
+    refused[task] = find_refused(moves, share_of(moves.size(), task, tasks));
+  });
+  const auto first = std::ranges::find_if(refused, [](const auto& r) { return r.has_value(); });
+  return first == refused.end() ? std::nullopt : *first;
+}
+
+std::optional<RefusedMove> Scene::find_refused(std::span<const Move> moves,
+                                               const Share& share) const {
+  for (std::size_t i = share.first; i < share.last; ++i) {
     const auto& [body, pose] = moves[i];
     if (!is_known(body)) return RefusedMove{i, Defect::unknown_body};
     if (const auto defect = find_defect(pose)) return RefusedMove{i, *defect};

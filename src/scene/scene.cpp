@@ -1,7 +1,9 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <functional>
 
 #include "geometry/convex_polygon.hpp"
 #include "geometry/manifold.hpp"
@@ -117,13 +119,35 @@ void Scene::forget_removed() {
   });
 }
 
-/// Arrays are held by local pointers: a byte may alias any member, and all would be loaded again
-/// after each state is written.
+/// In tasks where no two moves are of one body, as ascending ones are not; each task has room among
+/// the movers for its share.
 void Scene::place(std::span<const Move> moves) {
   forget_removed();
-  std::size_t moved = movers_.size();
-  resize(movers_, moved + moves.size());
-  Mover* const movers = movers_.data();
+  const std::size_t before = movers_.size();
+  resize(movers_, before + moves.size());
+  const auto place_of = [](const Move& move) { return move.body.index; };
+  const bool may_divide =
+      executor_ != nullptr &&
+      std::ranges::adjacent_find(moves, std::ranges::greater_equal{}, place_of) == moves.end();
+  const std::size_t tasks = may_divide ? tasks_for(moves.size()) : 1;
+  std::array<std::size_t, kTasks> counts{};
+  run(tasks, [&](std::size_t task) {
+    const auto [first, last] = share_of(moves.size(), task, tasks);
+    counts[task] = place(moves.subspan(first, last - first), movers_.data() + before + first);
+  });
+  std::size_t moved = before;
+  for (std::size_t task = 0; task < tasks; ++task) {
+    const Mover* const some = movers_.data() + before + share_of(moves.size(), task, tasks).first;
+    if (some != movers_.data() + moved) std::copy_n(some, counts[task], movers_.data() + moved);
+    moved += counts[task];
+  }
+  movers_.resize(moved);
+}
+
+/// Those that moved become `movers`; how many they are. Arrays are held by local pointers: a byte
+/// may alias any member, and all would be loaded again after each state is written.
+std::size_t Scene::place(std::span<const Move> moves, Mover* movers) {
+  std::size_t moved = 0;
   kernel::Placement<float>* const placements = placements_.data();
   std::uint8_t* const states = states_.data();
   float* const paths = paths_.data();
@@ -139,7 +163,7 @@ void Scene::place(std::span<const Move> moves) {
     paths[body] = next_float(paths[body] + went);
     pose = move.pose;
   }
-  movers_.resize(moved);
+  return moved;
 }
 
 void Scene::drop_all(std::uint32_t body) {
@@ -186,12 +210,12 @@ Memory Scene::memory() const {
   std::size_t of_works = 0;
   for (const RowWork& work : row_works_) of_works += work.bytes();
   for (const PartnerWork& work : partner_works_) of_works += work.bytes();
+  for (const LeaverWork& work : leaver_works_) of_works += work.bytes();
   return {bytes_of(free_) + bytes_of(removed_) + bytes_of(placements_) + bytes_of(generations_) +
               bytes_of(states_) + bytes_of(paths_) + bytes_of(leave_at_) + bytes_of(boxes_) +
               bytes_of(left_at_) + bytes_of(traits_) + of_assemblies + cells_.bytes() +
               candidates_.bytes_by_body() + bytes_of(movers_) + bytes_of(part_moves_) +
-              bytes_of(left_) + bytes_of(bodies_) + bytes_of(marks_) + bytes_of(tight_) +
-              bytes_of(found_),
+              bytes_of(left_) + bytes_of(bodies_) + bytes_of(marks_) + bytes_of(tight_),
           candidates_.bytes_by_pair() + bytes_of(contacts_) + bytes_of(kept_) + of_works +
               bytes_of(vacant_) + bytes_of(began_) + bytes_of(ended_) + bytes_of(renumbered_)};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <unordered_map>
 #include <variant>
 
@@ -129,18 +130,6 @@ class Scene {
     kBoxed = 32,         ///< its tight box is where it is
   };
 
-  /// A body that moved, and from where.
-  struct Mover {
-    std::uint32_t body;
-    Vector2<float> from;  ///< in the world
-  };
-
-  /// A body that left its fattened box, and that box.
-  struct Leaver {
-    std::uint32_t body;
-    Box before;
-  };
-
   /// A contact as the kernel gave it, to be recycled.
   struct Kept {
     Pose<float> b_in_a;
@@ -169,6 +158,7 @@ class Scene {
   void set_traits(std::uint32_t body, const Traits& traits);
   void refilter(std::uint32_t body, const Filter& filter);
   std::optional<RefusedMove> find_refused(std::span<const Move> moves) const;
+  std::optional<RefusedMove> find_refused(std::span<const Move> moves, const Share& share) const;
   std::span<const Move> moves_of_parts(std::span<const Move> moves);
   bool may_touch(std::uint32_t a, std::uint32_t b) const {
     return traits_.empty() || (!(traits_[a].name.body == traits_[b].name.body) &&
@@ -184,16 +174,23 @@ class Scene {
   std::size_t tasks_for(std::size_t things) const {
     return executor_ != nullptr && things > 8 * kTasks ? kTasks : 1;
   }
-  void run(std::size_t tasks, const std::function<void(std::size_t)>& task);
+  /// One is run here; more by the executor.
+  template <class Task>
+  void run(std::size_t tasks, const Task& task) const {
+    if (tasks > 1) return (*executor_)(tasks, std::cref(task));
+    task(0);
+  }
 
   void start_path(std::uint32_t body);
   void forget_removed();
   void place(std::span<const Move> moves);
+  std::size_t place(std::span<const Move> moves, Mover* movers);
   bool few_moved() const;
 
   void find_candidates();
   void find_leavers();
-  void leave(const Mover& mover);
+  void find_leavers(const Share& share, LeaverWork& work);
+  void leave(const Mover& mover, std::vector<Leaver>& left);
   void draw_all_boxes();
   void draw_tight_boxes(std::span<const std::uint32_t> bodies);
   void part_from_partners();
@@ -275,9 +272,9 @@ class Scene {
   bool all_are_boxed_ = false;
   std::vector<Leaver> left_;
   std::vector<std::uint32_t> bodies_;
-  std::vector<std::uint32_t> marks_;  // by body
-  std::vector<std::uint32_t> found_;
+  std::vector<std::uint32_t> marks_;    // by body
   const Executor* executor_ = nullptr;  // none where it is empty
+  std::vector<LeaverWork> leaver_works_;
   std::vector<PartnerWork> partner_works_;
   std::vector<RowWork> row_works_;     // the first so many in use
   std::size_t compared_ = 0;           // pairs of tight boxes, in the last step

@@ -62,26 +62,40 @@ bool Scene::few_moved() const {
          movers_.size() * candidates_.longest_row() < body_count_ + candidates_.size();
 }
 
-/// The movers that may have left their boxes, by their places among them, without a branch that
-/// depends on one.
+/// Each task looks at its share of the movers; those that left are told in the movers' order.
 void Scene::find_leavers() {
-  clear_for(bodies_, body_count_);
   clear_for(left_, body_count_);
-  resize(found_, movers_.size() + 1);
-  std::uint32_t* const found = found_.data();
-  const auto count = static_cast<std::uint32_t>(movers_.size());
-  std::size_t unsure = 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
+  const std::size_t tasks = tasks_for(movers_.size());
+  if (leaver_works_.size() < tasks) leaver_works_.resize(tasks);
+  run(tasks, [&](std::size_t task) {
+    find_leavers(share_of(movers_.size(), task, tasks), leaver_works_[task]);
+  });
+  for (LeaverWork& work : std::span(leaver_works_).first(tasks)) {
+    for (const Leaver& leaver : work.left) {
+      left_at_[leaver.body] = static_cast<std::uint32_t>(left_.size());
+      left_.push_back(leaver);
+    }
+    clear_for(work.left, body_count_);
+  }
+}
+
+/// No branch depends on whether one may have left.
+void Scene::find_leavers(const Share& share, LeaverWork& work) {
+  resize(work.unsure, share.last - share.first + 1);
+  std::uint32_t* const unsure = work.unsure.data();
+  std::size_t count = 0;
+  for (std::size_t i = share.first; i < share.last; ++i) {
     const std::uint32_t body = movers_[i].body;
-    found[unsure] = i;
-    unsure += static_cast<std::size_t>(paths_[body] > leave_at_[body]);
+    unsure[count] = static_cast<std::uint32_t>(i);
+    count += static_cast<std::size_t>(paths_[body] > leave_at_[body]);
   }
-  found_.resize(unsure);
+  work.unsure.resize(count);
   if (!all_are_boxed_) {
-    for (const std::uint32_t i : found_) bodies_.push_back(movers_[i].body);
-    draw_tight_boxes(bodies_);
+    clear_for(work.bodies, body_count_);
+    for (const std::uint32_t i : work.unsure) work.bodies.push_back(movers_[i].body);
+    draw_tight_boxes(work.bodies);
   }
-  for (const std::uint32_t i : found_) leave(movers_[i]);
+  for (const std::uint32_t i : work.unsure) leave(movers_[i], work.left);
 }
 
 /// Draws the tight boxes of all bodies, moved or not: in tasks, none draws what another reads; and
@@ -121,7 +135,7 @@ void Scene::draw_tight_boxes(std::span<const std::uint32_t> bodies) {
 /// It is not sure to be in its fattened box any more: where it is, it may go on from here; where it
 /// is not, it gets another. After a long path it gets another in any case, and the path begins
 /// anew.
-void Scene::leave(const Mover& mover) {
+void Scene::leave(const Mover& mover, std::vector<Leaver>& left) {
   const std::uint32_t body = mover.body;
   const Box& box = tight_[body];
   float& path = paths_[body];
@@ -130,8 +144,7 @@ void Scene::leave(const Mover& mover) {
   const bool is_long = path > kPathMax * extent;
   const bool goes_on = !is_long && contains(fat, box);
   if (!goes_on) {
-    left_at_[body] = static_cast<std::uint32_t>(left_.size());
-    left_.push_back({body, fat});
+    left.push_back({body, fat});
     const Vector2<float> motion = placements_[body].pose.position - mover.from;
     fat = fattened(box, motion, extent, is(body, kAlone) ? kByItself : kAmongOthers);
     states_[body] |= kLeft;

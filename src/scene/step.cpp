@@ -6,12 +6,12 @@
 namespace manifuzz::scene {
 std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
                                                   const Executor& executor) {
+  executor_ = executor ? &executor : nullptr;
   if (const auto refused = find_refused(moves)) return *refused;
   began_.clear();
   ended_.erase(ended_.begin(), ended_.begin() + std::exchange(ended_reported_, 0));
   renumbered_.erase(renumbered_.begin(),
                     renumbered_.begin() + std::exchange(renumbered_reported_, 0));
-  executor_ = executor ? &executor : nullptr;
   place(moves_of_parts(moves));
   find_candidates();
   look_at_candidates();
@@ -20,12 +20,6 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
   drop_parted();
   settle();
   return result();
-}
-
-/// By the executor, where there is one.
-void Scene::run(std::size_t tasks, const std::function<void(std::size_t)>& task) {
-  if (executor_ != nullptr) return (*executor_)(tasks, task);
-  for (std::size_t i = 0; i < tasks; ++i) task(i);
 }
 
 /// What happened to the bodies is over.

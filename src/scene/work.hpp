@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "afresh/shape_table.hpp"
 #include "scene/body.hpp"
 #include "scene/rows.hpp"
 
@@ -60,6 +61,28 @@ struct RowWork {
            bytes_of(undrawn) + bytes_of(proofs) + bytes_of(beginning) + bytes_of(vacant) +
            bytes_of(ended);
   }
+};
+
+/// A body that moved, and from where.
+struct Mover {
+  std::uint32_t body;   ///< its place
+  Vector2<float> from;  ///< in the world
+};
+
+/// A body that left its fattened box, and that box.
+struct Leaver {
+  std::uint32_t body;  ///< its place
+  Box before;          ///< the box that it left
+};
+
+/// What the look at some bodies that moved needs, and what comes of it.
+struct LeaverWork {
+  std::vector<std::uint32_t> unsure;  ///< places among the movers of those that may have left
+  std::vector<std::uint32_t> bodies;  ///< those, where their boxes are yet to be drawn
+  std::vector<Leaver> left;           ///< those that left
+
+  /// The memory it takes.
+  std::size_t bytes() const { return bytes_of(unsure) + bytes_of(bodies) + bytes_of(left); }
 };
 
 /// What the search for partners of some bodies that left their boxes needs, and what comes of it.
